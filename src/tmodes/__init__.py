@@ -66,9 +66,9 @@ _UPWARD = {
     "Robot.chain": "tmodes.chain.lowering.lowered",
     "Robot.from_data": "tmodes.io.sheet_check.sheet_from_data",
     "Robot.mass_issues": "tmodes.chain.mass.massless_issues",
-    "Robot.pair": "tmodes.io.sheet_check.real_arm",
+    "Robot.pair": "tmodes.io.sheet_check.real_robot",
     "Robot.show": "tmodes.notebook.show",
-    "Robot.with_": "tmodes.io.sheet_check.changed_arm",
+    "Robot.with_": "tmodes.io.sheet_check.changed_robot",
 }
 """Methods whose work is done by an upper package, and by what: the only imports that run upward (at most 12)."""
 

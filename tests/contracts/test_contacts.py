@@ -10,8 +10,7 @@ import pytest
 from pydantic import Field
 
 from arm.run.sheets import ZERO, arm
-from tmodes.equations.loop.contact_kernels import Touch
-from tmodes.equations.loop.contact_law import contact_law
+from tmodes.equations.loop.contact_kernels import Touch, contact_law
 from tmodes.kinds.contacts.registry import CONTACTS, SURFACES, Contact, Surface
 from tmodes.kinds.kernel import functions as f
 from tmodes.kinds.kernel import vectors

@@ -15,8 +15,7 @@ from arm.run.sheets import arm
 from tmodes.chain.chain import Chain, Friction, Gear, Joint, Motor, Node
 from tmodes.equations.recursion.drive_kernels import drive_kernels, drive_numbers
 from tmodes.errors import TmodesError
-from tmodes.kinds.drives.contract import Angles, DriveKind, Elastic, Forward
-from tmodes.kinds.drives.laws import DriveLaw
+from tmodes.kinds.drives.contract import Angles, DriveKind, DriveLaw, Elastic, Forward
 from tmodes.kinds.drives.registry import DRIVES, drive_kind
 from tmodes.kinds.joints.registry import joint_kind
 from tmodes.kinds.links.rigid import RigidLink

@@ -12,7 +12,7 @@ import pytest
 import tmodes
 from tmodes.errors import InputError, InputErrors, SimulationError
 from tmodes.io.scalars import parse_assignment
-from tmodes.io.sheet_write import arm_to_yaml
+from tmodes.io.sheet_write import robot_to_yaml
 from tmodes.simulation.plan import Follow
 from tmodes.simulation.quantities import run_quantities, run_stops
 from tmodes.simulation.start import run_setup, run_trajectory
@@ -95,7 +95,7 @@ def test_a_sheet_with_a_wrong_condition_is_refused(robot):
 def test_conditions_are_written_and_read_back(name, tmp_path):
     """In the sheet as YAML, with whatever a condition holds."""
     sheet = tmodes.load(name, {"integration.stop": ["tip.z < 250 mm", "abs(tip.velocity.x) > 90e-3"]})
-    (tmp_path / "sheet.yaml").write_text(arm_to_yaml(sheet), encoding="utf-8")
+    (tmp_path / "sheet.yaml").write_text(robot_to_yaml(sheet), encoding="utf-8")
     assert tmodes.load(tmp_path / "sheet.yaml") == sheet
 
 
@@ -114,7 +114,7 @@ def test_a_wrong_name_is_reported_by_check(name, tmp_path):
     from tmodes.cli.main import app
 
     sheet = tmodes.load(name, {"integration.stop": ["tip.q < 1"]})
-    (tmp_path / "sheet.yaml").write_text(arm_to_yaml(sheet), encoding="utf-8")
+    (tmp_path / "sheet.yaml").write_text(robot_to_yaml(sheet), encoding="utf-8")
     with pytest.raises(InputError, match=r"integration.stop.0: unknown name 'tip.q'.*Did you mean `tip.z`"):
         app(["check", str(tmp_path / "sheet.yaml")], standalone_mode=False)
 

@@ -14,7 +14,7 @@ from io_cases import SHEET, number_paths, value_of
 from tmodes.errors import InputError, InputErrors
 from tmodes.io.scalars import parse_assignment
 from tmodes.io.sheet_check import sheet_from_data as robot_from_data
-from tmodes.io.sheet_paths import set_arm_paths as set_paths
+from tmodes.io.sheet_paths import set_paths
 from tmodes.io.yaml_file import parse_yaml
 from tmodes.robots.load import load
 from tmodes.simulation.vary.lanes import changed_sheet

@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 import tmodes
-from tmodes.io.sheet_plausible import implausible_arm
+from tmodes.io.sheet_plausible import implausible_numbers
 from tmodes.robots import names
 from tmodes.sheet import Robot
 
@@ -37,8 +37,8 @@ def arm() -> Robot:
 @pytest.mark.parametrize("name", PLAIN)
 def test_published_robots_look_right(name: str) -> None:
     robot = tmodes.load(name)
-    assert implausible_arm(robot) == []
-    assert implausible_arm(robot.pair().real) == []
+    assert implausible_numbers(robot) == []
+    assert implausible_numbers(robot.pair().real) == []
 
 
 @pytest.mark.parametrize(
@@ -54,7 +54,7 @@ def test_published_robots_look_right(name: str) -> None:
     ],
 )
 def test_right_robots_get_no_warning(changes: dict[str, Any]) -> None:
-    assert implausible_arm(ROBOT.with_(changes)) == []
+    assert implausible_numbers(ROBOT.with_(changes)) == []
 
 
 @pytest.mark.parametrize(
@@ -79,7 +79,7 @@ def test_right_robots_get_no_warning(changes: dict[str, Any]) -> None:
     ],
 )
 def test_a_wrong_unit_is_reported_with_its_factor(changes: dict[str, Any], words: str) -> None:
-    sentences = implausible_arm(ROBOT.with_(changes))
+    sentences = implausible_numbers(ROBOT.with_(changes))
     parts = words.replace(", ", " .* ").split(" .* ") if ".*" in words else [words]
     assert any(all(part in sentence for part in parts) for sentence in sentences), sentences
     assert len(sentences) <= 3
@@ -88,11 +88,11 @@ def test_a_wrong_unit_is_reported_with_its_factor(changes: dict[str, Any], words
 def test_any_robot_is_looked_at() -> None:
     """The same of rods on rods: what the first carries is all that is behind it."""
     right = arm()
-    assert implausible_arm(right) == []
-    heavy = implausible_arm(right.with_({"links.lower.bodies.hand.mass": 1000.0}))
+    assert implausible_numbers(right) == []
+    heavy = implausible_numbers(right.with_({"links.lower.bodies.hand.mass": 1000.0}))
     assert [sentence.split(" sags")[0] for sentence in heavy] == ["links.upper.beam", "links.lower.beam"]
     assert "under the weight of 1e+03 kg" in heavy[1]
-    (motor,) = implausible_arm(right.with_({"joints.shoulder.motor.torque_constant": 0.02}))
+    (motor,) = implausible_numbers(right.with_({"joints.shoulder.motor.torque_constant": 0.02}))
     assert motor.startswith("joints.shoulder.motor.back_emf_constant = 2 and torque_constant = 0.02")
-    (inertia,) = implausible_arm(right.with_({"links.lower.bodies.hand.inertia": 10.0}))
+    (inertia,) = implausible_numbers(right.with_({"links.lower.bodies.hand.inertia": 10.0}))
     assert inertia.startswith("links.lower.bodies.hand: an inertia of 10 kg*m^2 is more than 0.2 kg can have")

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 import tmodes
 from tmodes.io.sheet_check import sheet_data, sheet_from_data
-from tmodes.io.sheet_write import arm_to_yaml
+from tmodes.io.sheet_write import robot_to_yaml
 from tmodes.io.yaml_file import parse_yaml
 from tmodes.robots import names
 from tmodes.sheet import Robot
@@ -28,7 +28,7 @@ MAY_BE_INFINITE = {"joints.joint.gear.stiffness.0", "links.link.beam.modes.0.ben
 
 
 def reread(robot: Robot) -> Robot:
-    return sheet_from_data(parse_yaml(arm_to_yaml(robot), "written.yaml")[0])
+    return sheet_from_data(parse_yaml(robot_to_yaml(robot), "written.yaml")[0])
 
 
 @pytest.mark.parametrize("name", PLAIN)
@@ -66,7 +66,7 @@ def test_any_robot_reads_back(data: st.DataObject, paths: set[str], real: dict[s
 
 
 def test_every_quantity_is_written_with_symbol_unit_and_meaning() -> None:
-    text = arm_to_yaml(PUBLISHED)
+    text = robot_to_yaml(PUBLISHED)
     assert "resistance: 0.299" in text
     assert "# R [ohm] armature resistance" in text
     whole = False
@@ -78,12 +78,12 @@ def test_every_quantity_is_written_with_symbol_unit_and_meaning() -> None:
 
 
 def test_numbers_have_a_point_for_readers_of_older_yaml() -> None:
-    assert "relative_tolerance: 1.0e-09" in arm_to_yaml(PUBLISHED)
+    assert "relative_tolerance: 1.0e-09" in robot_to_yaml(PUBLISHED)
 
 
 def test_rigid_elements_are_written_as_infinite() -> None:
     robot = PUBLISHED.with_({"gear.stiffness": math.inf})
-    assert "stiffness: [.inf]" in arm_to_yaml(robot)
+    assert "stiffness: [.inf]" in robot_to_yaml(robot)
     (joint,) = reread(robot).joints
     assert joint.gear
     assert joint.gear.stiffness == (math.inf,)

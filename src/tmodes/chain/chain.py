@@ -1,6 +1,6 @@
 """Chain: a tree of joints and links in the terms of the recursion. What every kind of file becomes before it moves.
 
-    Arm (what a person writes: YAML, URDF + elasticity, DH)  ->  Chain  ->  kernels, one per kind of joint and link
+    Robot (what a person writes: YAML, URDF + elasticity, DH)  ->  Chain  ->  kernels, one per kind of joint and link
 
 A chain is made of nodes, parents before children. A node is a joint and the link that it carries:
 

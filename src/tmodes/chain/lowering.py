@@ -1,4 +1,4 @@
-"""From the data sheet of an arm to a Chain: frames, joints, drives and points."""
+"""From the data sheet of a robot to a Chain: frames, joints, drives and points."""
 
 from __future__ import annotations
 
@@ -38,28 +38,28 @@ class _Hung(NamedTuple):
         return self.first + len(self.link.nodes) - 1
 
 
-def lowered(arm: Robot) -> Chain:
-    """The chain of an arm; see :meth:`tmodes.sheet.Arm.chain`."""
-    names, hung, nodes = parents(arm.joints), {}, []
-    for index in rooted_order(arm.joints):
-        joint = arm.joints[index]
+def lowered(robot: Robot) -> Chain:
+    """The chain of a robot; see :meth:`tmodes.sheet.Robot.chain`."""
+    names, hung, nodes = parents(robot.joints), {}, []
+    for index in rooted_order(robot.joints):
+        joint = robot.joints[index]
         holder: _Hung | None = hung.get(names[index])
         placement, frame = _frames(joint, holder)
-        node = Node(joint.child, holder.last if holder else -1, _joint(joint, placement, arm), RigidLink())
+        node = Node(joint.child, holder.last if holder else -1, _joint(joint, placement, robot), RigidLink())
         chord = joint.dh.chord() if joint.dh else 0.0
-        sheet = arm.link(joint.child)
+        sheet = robot.link(joint.child)
         link = lowered_link(sheet, node, frame, chord)
         hung[joint.child] = _Hung(len(nodes), link)
         nodes.extend(_numbered(link.nodes, len(nodes)))
     return Chain(
-        name=arm.name,
+        name=robot.name,
         nodes=tuple(nodes),
-        gravity=np.array(arm.gravity),
-        base=placed(arm.base),
-        points=tuple(_points(arm, hung)),
-        couplings=_couplings(arm, nodes),
-        equations=arm.equations,
-        parameters=dict(arm.parameters),
+        gravity=np.array(robot.gravity),
+        base=placed(robot.base),
+        points=tuple(_points(robot, hung)),
+        couplings=_couplings(robot, nodes),
+        equations=robot.equations,
+        parameters=dict(robot.parameters),
     )
 
 
@@ -79,12 +79,12 @@ def _frames(joint: JointSheet, holder: _Hung | None) -> tuple[Placement, Placeme
     return tip @ placed(joint.origin), Placement()
 
 
-def _joint(sheet: JointSheet, placement: Placement, arm: Robot) -> Joint:
+def _joint(sheet: JointSheet, placement: Placement, robot: Robot) -> Joint:
     axis, parameters = unit(sheet.axis) if sheet.axis else np.array([0.0, 0.0, 1.0]), sheet.numbers
     if sheet.is_locked:
         still = Placement(*sheet.kind.placement([sheet.locked_at] * sheet.kind.size, [*axis, *parameters]))
         return Joint(sheet.name, joint_kind("fixed"), placement @ still, axis)
-    drives, limits = tuple(_drive(sheet, name, arm) for name in sheet.coordinates), sheet.limits
+    drives, limits = tuple(_drive(sheet, name, robot) for name in sheet.coordinates), sheet.limits
     drive = drives[0]
     lower, upper = (limits.lower, limits.upper) if limits else (None, None)
     return Joint(
@@ -105,11 +105,11 @@ def _joint(sheet: JointSheet, placement: Placement, arm: Robot) -> Joint:
     )
 
 
-def _drive(sheet: JointSheet, coordinate: str, arm: Robot) -> DriveKind:
+def _drive(sheet: JointSheet, coordinate: str, robot: Robot) -> DriveKind:
     if not sheet.is_active:
         return drive_kind("spring" if sheet.is_elastic else "free")
     kind = drive_kind(sheet.drive or ("elastic" if sheet.is_elastic else "effort"))
-    commands = [drive.command for drive in arm.drives if drive.joint == coordinate]
+    commands = [drive.command for drive in robot.drives if drive.joint == coordinate]
     return drive_kind("prescribed") if Command.PRESCRIBED in commands and not kind.has_motor else kind
 
 
@@ -135,9 +135,9 @@ def _gear(sheet: GearSheet) -> Gear:
     return Gear(sheet.stiffness, sheet.torque_limits, sheet.damping, sheet.backlash)
 
 
-def _points(arm: Robot, hung: dict[str, _Hung]) -> list[Point]:
-    tip = arm.tip or TipSheet(link=last_link(arm.joints))
-    named = [("tip", tip), *((point.name, point) for point in arm.points)]
+def _points(robot: Robot, hung: dict[str, _Hung]) -> list[Point]:
+    tip = robot.tip or TipSheet(link=last_link(robot.joints))
+    named = [("tip", tip), *((point.name, point) for point in robot.points)]
     return [_point(name, point, hung) for name, point in named]
 
 
@@ -147,13 +147,13 @@ def _point(name: str, sheet: TipSheet, hung: dict[str, _Hung]) -> Point:
     return Point(name, first + spot.node, spot.s, spot.placement @ placed(sheet))
 
 
-def _couplings(arm: Robot, nodes: list[Node]) -> NDArray[np.float64] | None:
+def _couplings(robot: Robot, nodes: list[Node]) -> NDArray[np.float64] | None:
     """Gear inputs over motor angles, in the order of the nodes with an elastic drive; None where each has its own."""
-    if not arm.couplings:
+    if not robot.couplings:
         return None
     names = [axis.name for node in nodes for axis in node.joint.axes if axis.drive.has_motor]
     matrix = np.eye(len(names))
-    for joint, factors in arm.couplings.items():
+    for joint, factors in robot.couplings.items():
         row = names.index(joint)
         matrix[row] = 0.0
         for motor, factor in factors.items():

@@ -23,20 +23,20 @@ NEGLIGIBLE = 1e-13
 """Inertia about an axis over that about the others below which there is none [-]: round-off of a mass on the axis."""
 
 
-def massless_issues(arm: Robot) -> Iterator[Issue]:
+def massless_issues(robot: Robot) -> Iterator[Issue]:
     """Joints that move nothing, each with the link that has no mass.
 
-    The arm is taken as rigid in a general position, so that a mass lies on an axis only where it always does.
+    The robot is taken as rigid in a general position, so that a mass lies on an axis only where it always does.
     """
-    chain = lowered(arm)
+    chain = lowered(robot)
     yield from _same_names(chain)
-    sheets = {joint.name: index for index, joint in enumerate(arm.joints)}
+    sheets = {joint.name: index for index, joint in enumerate(robot.joints)}
     carried = _carried(chain)
     wrong = {index: got for index in range(len(carried)) if (got := _nothing_moved(chain, index, carried[index]))}
     where = "a link that it carries" if wrong else "a link before it"
     for index, got in (wrong or _dependent(chain, carried)).items():
         number = sheets[chain.nodes[index].joint.name]
-        link = arm.joints[number].child
+        link = robot.joints[number].child
         hint = f"give `{link}`, or {where}, a body with mass and inertia; or fix the joint"
         yield Issue(f"joints.{number}", f"`{link}`, a link that {got}", "a joint that moves mass", hint)
 

@@ -1,4 +1,4 @@
-"""A Denavit-Hartenberg table as an arm's sheet: each row a joint and the link that it carries.
+"""A Denavit-Hartenberg table as a robot's sheet: each row a joint and the link that it carries.
 
     format: 1
     kind: dh
@@ -23,7 +23,7 @@ from tmodes.io.words import meant, shown
 from tmodes.io.yaml_file import Positions, nearest_line
 from tmodes.kinds.schema.frames import Convention
 
-__all__ = ["arm_of_table"]
+__all__ = ["sheet_of_table"]
 
 NUMBERS = ("a", "alpha", "d", "theta")
 OF_JOINT = ("type", "state", "locked_at", "limits", "friction", "motor", "gear")
@@ -32,8 +32,8 @@ KEYS = ("name", "link", *NUMBERS, *OF_JOINT, *OF_LINK)
 OWN = ("kind", "convention", "rows")
 
 
-def arm_of_table(data: Mapping[str, Any], positions: Positions, source: str = "") -> tuple[dict[str, Any], Positions]:
-    """Plain data of an arm's sheet, and its positions, of the data of a table.
+def sheet_of_table(data: Mapping[str, Any], positions: Positions, source: str = "") -> tuple[dict[str, Any], Positions]:
+    """Plain data of a robot's sheet, and its positions, of the data of a table.
 
     Numbers are handed on as they are written, to be checked with the sheet. Raises
     :class:`tmodes.errors.InputErrors` for a table that is none.

@@ -1,9 +1,9 @@
-"""Read an elasticity file: what a URDF cannot say of an arm, laid over it by the names of its joints and links.
+"""Read an elasticity file: what a URDF cannot say of a robot, laid over it by the names of its joints and links.
 
     urdf: ur5.urdf
     joints: {shoulder_pan_joint: {motor: {...}, gear: {...}, state: locked, ...}}
     links: {forearm_link: {beam: {...}, bodies: [...], keep_inertial: rigid}}
-    loads, drives, tip, points, gravity, ...: as in an arm's sheet
+    loads, drives, tip, points, gravity, ...: as in a robot's sheet
 
 A link that bends is given in :mod:`tmodes.io.elasticity_beam`. Everything else of the URDF stays as it is.
 """
@@ -40,7 +40,7 @@ def read_elasticity(
     roots: Sequence[str | os.PathLike[str]] = (),
     trust_paths: bool = False,
 ) -> UrdfRobot:
-    """The arm of an elasticity file and the URDF (or xacro) that it names; ``positions`` are the elasticity file's.
+    """The robot of an elasticity file and the URDF (or xacro) that it names; ``positions`` are the elasticity file's.
 
     Raises :class:`tmodes.errors.InputError` or :class:`tmodes.errors.InputErrors`, each with its file and line.
     """
@@ -64,7 +64,7 @@ def elasticity_of(
 
 
 def lay_over(robot: UrdfRobot, data: dict[str, Any], positions: Positions, source: str = "") -> UrdfRobot:
-    """The arm of a URDF's robot with an elasticity file's ``data`` laid over it; all errors are reported at once."""
+    """The robot of a URDF's robot with an elasticity file's ``data`` laid over it; all errors are reported at once."""
     overlay = _Overlay(robot, positions, source)
     overlay.lay("joints", data.get("joints"), [joint["name"] for joint in overlay.sheet["joints"]], overlay.joint)
     overlay.lay("links", data.get("links"), [joint["child"] for joint in overlay.sheet["joints"]], overlay.link)

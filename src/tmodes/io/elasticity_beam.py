@@ -1,4 +1,4 @@
-"""A beam of an elasticity file: placed so that the undeformed arm is exactly the URDF's, and weighed once.
+"""A beam of an elasticity file: placed so that the undeformed robot is exactly the URDF's, and weighed once.
 
 The beam runs straight from the link's frame to the joint that the link carries, or from and to where the file says.
 Its section's z axis is the link's z made square to the beam (the link's x where the beam runs along z). The tip frame

@@ -9,7 +9,7 @@ from typing import Any
 
 from tmodes.io.filipovic2010 import importer
 from tmodes.io.filipovic2010.format import FORMAT, PLANT, Format2010
-from tmodes.sheet import ARM_FORMAT, Robot
+from tmodes.sheet import SHEET_FORMAT, Robot
 
 __all__ = ["F2010", "ROBOT", "Form", "editor_schema", "form_of", "json_schema", "own_path", "robot_path", "with_reach"]
 
@@ -27,7 +27,7 @@ class Form:
 ROBOT = Form(
     "arm",
     Robot,
-    ARM_FORMAT,
+    SHEET_FORMAT,
     (
         "gravity",
         "base",

@@ -10,13 +10,13 @@ from typing import Any
 
 from tmodes.errors import InputError
 from tmodes.io.mesh_paths import Folders, folders_of
-from tmodes.io.mjcf_body import arm_of_model
+from tmodes.io.mjcf_body import sheet_of_model
 from tmodes.io.scalars import finite_float
 from tmodes.io.words import shown, shown_path
 from tmodes.io.xml_file import Element, read_xml
 from tmodes.io.yaml_file import Positions
 
-__all__ = ["arm_of_mjcf", "check_mjcf", "read_mjcf"]
+__all__ = ["check_mjcf", "read_mjcf", "sheet_of_mjcf"]
 
 FOLDER_KEYS = ("meshdir", "texturedir", "assetdir")
 FILE_KEYS = ("file", "fileright", "fileleft", "fileup", "filedown", "filefront", "fileback")
@@ -91,13 +91,13 @@ def read_mjcf(
 ) -> tuple[dict[str, Any], Positions]:
     """Data and positions of the sheet of an MJCF file.
 
-    Raises :class:`tmodes.errors.InputError` for a broken model, one that is more than an arm, a path that leaves the
+    Raises :class:`tmodes.errors.InputError` for a broken model, one that is more than a robot, a path that leaves the
     folders, and where MuJoCo is not installed.
     """
-    return arm_of_mjcf(path, read_xml(path), roots, trust_paths)
+    return sheet_of_mjcf(path, read_xml(path), roots, trust_paths)
 
 
-def arm_of_mjcf(
+def sheet_of_mjcf(
     path: str | os.PathLike[str],
     root: Element,
     roots: Sequence[str | os.PathLike[str]] = (),
@@ -118,7 +118,7 @@ def arm_of_mjcf(
         for element in one.within()
         if element.tag in {"body", "joint"} and "name" in element.attributes
     }
-    return arm_of_model(model, _name(root), lines, source)
+    return sheet_of_model(model, _name(root), lines, source)
 
 
 def _name(root: Element) -> str:

@@ -1,4 +1,4 @@
-"""Bodies and joints of a compiled MuJoCo model as links and joints of an arm's sheet.
+"""Bodies and joints of a compiled MuJoCo model as links and joints of a robot's sheet.
 
 MuJoCo's joint stands at an anchor in its body's frame; the sheet's link frame stands at its joint. So a link's frame
 has the body's axes and lies at the anchor of the body's last joint. A body with several joints is carried by frames
@@ -21,7 +21,7 @@ from tmodes.kinds.links.body import entries
 from tmodes.kinds.schema.axes import matrix_quaternion, quaternion_matrix, rotation_about
 from tmodes.sheet.topology import BASE
 
-__all__ = ["arm_of_model"]
+__all__ = ["sheet_of_model"]
 
 Array = NDArray[np.float64]
 Lines = Mapping[tuple[str, str], int]
@@ -30,7 +30,7 @@ HINGE = 3
 KINDS = {0: "a free joint (a free-flying base)", 1: "a ball joint"}
 
 
-def arm_of_model(model: Any, name: str, lines: Lines, source: str) -> tuple[dict[str, Any], Positions]:
+def sheet_of_model(model: Any, name: str, lines: Lines, source: str) -> tuple[dict[str, Any], Positions]:
     """Data and positions of the sheet of a compiled model; ``lines`` says where bodies and joints are written.
 
     Raises :class:`tmodes.errors.InputError` for a joint that the sheet cannot tell of.

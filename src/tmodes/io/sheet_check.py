@@ -14,19 +14,19 @@ from tmodes.errors import InputError, InputErrors
 from tmodes.io.filipovic2010.importer import robot_data
 from tmodes.io.forms import F2010, ROBOT, Form, form_of, own_path, with_reach
 from tmodes.io.sheet_fields import ChainPlace, Step, named, place_of, quantities
-from tmodes.io.sheet_paths import entered, set_arm_paths, steps_of
-from tmodes.io.sheet_problems import AS_LIST, MOST_REPORTED, SHEET, Problem, arm_problems
+from tmodes.io.sheet_paths import entered, set_paths, steps_of
+from tmodes.io.sheet_problems import AS_LIST, MOST_REPORTED, SHEET, Problem, sheet_problems
 from tmodes.io.sheet_words import at
 from tmodes.io.units import NotANumber, number
 from tmodes.io.words import shown
 from tmodes.io.yaml_file import nearest_line
 from tmodes.sheet import Robot
 
-__all__ = ["changed_arm", "real_arm", "sheet_data", "sheet_from_data"]
+__all__ = ["changed_robot", "real_robot", "sheet_data", "sheet_from_data"]
 
 MOST_ERRORS = 100
 MOST_VALUES = 200_000
-"""Largest number of values in the plain data of an arm."""
+"""Largest number of values in the plain data of a robot."""
 
 MOST_DEPTH = 40
 
@@ -63,7 +63,7 @@ def _checked(form: Form, plain: Any, data: Any) -> Iterator[Problem]:
     try:
         form.root.model_validate(plain)
     except ValidationError as error:
-        yield from ((steps, _as_typed(one, steps, data)) for steps, one in arm_problems(error, plain))
+        yield from ((steps, _as_typed(one, steps, data)) for steps, one in sheet_problems(error, plain))
 
 
 def _robot(form: Form, plain: Any) -> Robot:
@@ -73,32 +73,32 @@ def _robot(form: Form, plain: Any) -> Robot:
     return Robot.model_validate(robot_data(form.root.model_validate(plain).model_dump(mode="json")))
 
 
-def sheet_data(arm: Robot) -> dict[str, Any]:
-    """The plain data of an arm: reading it gives the same arm."""
-    return arm.model_dump(mode="json", by_alias=True, exclude_none=True)
+def sheet_data(robot: Robot) -> dict[str, Any]:
+    """The plain data of a robot: reading it gives the same robot."""
+    return robot.model_dump(mode="json", by_alias=True, exclude_none=True)
 
 
-def changed_arm(arm: Robot, changes: Mapping[str, Any]) -> Robot:
-    """The checked robot with changes by path; see :func:`tmodes.io.sheet_paths.set_arm_paths`."""
-    return sheet_from_data(set_arm_paths(sheet_data(arm), changes))
+def changed_robot(robot: Robot, changes: Mapping[str, Any]) -> Robot:
+    """The checked robot with changes by path; see :func:`tmodes.io.sheet_paths.set_paths`."""
+    return sheet_from_data(set_paths(sheet_data(robot), changes))
 
 
-def real_arm(arm: Robot) -> Robot:
-    """The arm as it really is: each number that ``real`` names times its factor.
+def real_robot(robot: Robot) -> Robot:
+    """The robot as it really is: each number that ``real`` names times its factor.
 
-    Raises :class:`tmodes.errors.InputErrors` for paths that name no number, and for numbers that no arm can have.
+    Raises :class:`tmodes.errors.InputErrors` for paths that name no number, and for numbers that no robot can have.
     """
-    if not arm.real:
-        return arm
-    data, wrong = sheet_data(arm), []
-    for path, factor in arm.real.items():
+    if not robot.real:
+        return robot
+    data, wrong = sheet_data(robot), []
+    for path, factor in robot.real.items():
         try:
             _scale(data, path, factor)
         except InputError as error:
             wrong.append(InputError(f"real.{path}", error.got, error.expected, _of_real(error.hint)))
     if wrong:
         raise InputErrors(wrong)
-    return sheet_from_data(with_reach(sheet_data(arm), {**data, "real": {}}))
+    return sheet_from_data(with_reach(sheet_data(robot), {**data, "real": {}}))
 
 
 def _unknown_factors(data: Any) -> Iterator[Problem]:
@@ -156,26 +156,26 @@ def _scaled(value: Any, factor: float) -> Any:
     return known if math.isinf(known) and factor else known * factor if factor else 0.0
 
 
-def _wrong_real(arm: Robot) -> Iterator[Problem]:
+def _wrong_real(robot: Robot) -> Iterator[Problem]:
     try:
-        real_arm(arm)
+        real_robot(robot)
     except InputErrors as errors:
         for error in errors.errors:
-            path = own_path(error.which.removeprefix("real."), sheet_data(arm))
-            named = next((name for name in arm.real if path == name or path.startswith(f"{name}.")), None)
+            path = own_path(error.which.removeprefix("real."), sheet_data(robot))
+            named = next((name for name in robot.real if path == name or path.startswith(f"{name}.")), None)
             if named is not None:
-                got = error.got if error.which.startswith("real.") else _product(arm, named, error.got)
+                got = error.got if error.which.startswith("real.") else _product(robot, named, error.got)
                 yield ("real", named), InputError("", got, error.expected, error.hint)
             else:
                 got = f"factors that make {path} {error.got}"
                 yield ("real",), InputError("", got, error.expected, f"change the factor: {error.hint}")
 
 
-def _product(arm: Robot, path: str, got: str) -> str:
+def _product(robot: Robot, path: str, got: str) -> str:
     """A factor and the number that it is on."""
-    inner, key = _factored(sheet_data(arm), path)
+    inner, key = _factored(sheet_data(robot), path)
     known = inner[key][0] if isinstance(inner[key], list) and len(inner[key]) == 1 else inner[key]
-    info = f"{shown(arm.real[path])} times "
+    info = f"{shown(robot.real[path])} times "
     return info + (f"the known value, {got}" if isinstance(known, (dict, list)) else shown(float(known)))
 
 

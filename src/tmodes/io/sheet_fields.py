@@ -27,7 +27,7 @@ from tmodes.io.sheet_words import (
     own_unit,
     unit_at,
 )
-from tmodes.kinds.schema.names import form_of_field
+from tmodes.kinds.schema.kind import form_of_field
 
 __all__ = ["ChainPlace", "Step", "chosen", "inside", "keys", "named", "place_of", "quantities", "root_of"]
 

@@ -1,4 +1,4 @@
-"""Change the plain data of an arm by dotted path: ``joints.shoulder.gear.stiffness``, ``links.0.beam.length``.
+"""Change the plain data of a robot by dotted path: ``joints.shoulder.gear.stiffness``, ``links.0.beam.length``.
 
 Items of a list go by their name, or by their number where none has that name.
 """
@@ -16,15 +16,15 @@ from tmodes.io.sheet_words import at, fields, is_group, members_of
 from tmodes.io.words import nearest, plain, shown
 from tmodes.kinds.links.material import LIBRARY
 
-__all__ = ["changed_places", "entered", "later_changes", "set_arm_paths", "steps_of"]
+__all__ = ["changed_places", "entered", "later_changes", "set_paths", "steps_of"]
 
 LONGEST = 500
 MOST_LISTED = 20
 """Keys or names listed in one message."""
 
 
-def set_arm_paths(data: Mapping[str, Any], changes: Mapping[str, Any]) -> dict[str, Any]:
-    """A copy of an arm's plain data with the value at each path replaced; the values are checked elsewhere.
+def set_paths(data: Mapping[str, Any], changes: Mapping[str, Any]) -> dict[str, Any]:
+    """A copy of a robot's plain data with the value at each path replaced; the values are checked elsewhere.
 
     Every key that a data sheet may hold can be set, also one that this one leaves out. Raises
     :class:`tmodes.errors.InputError` with the nearest name for a path that does not exist.
@@ -33,7 +33,7 @@ def set_arm_paths(data: Mapping[str, Any], changes: Mapping[str, Any]) -> dict[s
 
 
 def changed_places(data: Mapping[str, Any], changes: Mapping[str, Any]) -> tuple[dict[str, Any], list[str]]:
-    """The changed data, as :func:`set_arm_paths` gives it, and where each change stands, by keys and numbers alone.
+    """The changed data, as :func:`set_paths` gives it, and where each change stands, by keys and numbers alone.
 
     A path is looked up in what the changes before it have left: one may give a signal its type, the next a number that
     only this type has.

@@ -1,4 +1,4 @@
-"""Numbers of an arm that are allowed and yet look like a wrong unit: warnings with the likely factor, never errors."""
+"""Numbers of a robot that are allowed and yet look like a wrong unit: warnings with the likely factor, never errors."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from tmodes.kinds.schema.frames import Origin
 if TYPE_CHECKING:
     from tmodes.sheet import Robot
 
-__all__ = ["arm_notices", "implausible_arm", "notices_about"]
+__all__ = ["implausible_numbers", "notices_about", "reading_notices"]
 
 SLENDERNESS = (5.0, 1000.0)
 """Range of the length of a beam over the height of its section [-]: thicker ones shear, thinner ones are threads."""
@@ -25,35 +25,41 @@ CLAMPED_FREE = 1.8751040687119611
 """First root of cos x cosh x = -1: a clamped bare beam has 2 pi f = (x/L)^2 sqrt(EI/w)."""
 
 
-def implausible_arm(arm: Robot) -> list[str]:
+def implausible_numbers(robot: Robot) -> list[str]:
     """Sentences on numbers that look like a wrong unit, each with the likely factor; empty when all look right."""
-    beams, beyond = [(link.name, link.beam) for link in arm.links if link.beam], masses_beyond(arm)
+    beams, beyond = [(link.name, link.beam) for link in robot.links if link.beam], masses_beyond(robot)
     found = (
         sentence
         for name, beam in beams
         for sentence in (
-            *_beam(arm, name, beam, beyond[name]),
+            *_beam(robot, name, beam, beyond[name]),
             *(f"links.{name}.beam{notice}" for notice in beam.notices()),
         )
     )
-    return [*_ranges(arm), *found, *implausible_motors(arm), *implausible_inertia(arm), *implausible_motion(arm)]
+    return [
+        *_ranges(robot),
+        *found,
+        *implausible_motors(robot),
+        *implausible_inertia(robot),
+        *implausible_motion(robot),
+    ]
 
 
-def arm_notices(arm: Robot) -> list[str]:
-    """Sentences on what was put right in reading the arm: directions and quaternions not of length 1."""
-    places: dict[str, Origin | None] = {"base": arm.base, "tip": arm.tip}
-    places |= {f"points.{point.name}": point for point in arm.points}
-    places |= {f"joints.{joint.name}.origin": joint.origin for joint in arm.joints}
-    for link in arm.links:
+def reading_notices(robot: Robot) -> list[str]:
+    """Sentences on what was put right in reading the robot: directions and quaternions not of length 1."""
+    places: dict[str, Origin | None] = {"base": robot.base, "tip": robot.tip}
+    places |= {f"points.{point.name}": point for point in robot.points}
+    places |= {f"joints.{joint.name}.origin": joint.origin for joint in robot.joints}
+    for link in robot.links:
         if link.beam:
             places |= {f"links.{link.name}.beam.{name}": origin for name, origin in link.beam.mounts.items()}
     info = {path: origin.notice() for path, origin in places.items() if origin}
-    info |= {f"joints.{joint.name}.axis": joint.notice() for joint in arm.joints}
+    info |= {f"joints.{joint.name}.axis": joint.notice() for joint in robot.joints}
     return [f"{path}: {notice}" for path, notice in info.items() if notice]
 
 
-def _ranges(arm: Robot) -> Iterator[str]:
-    data = sheet_data(arm)
+def _ranges(robot: Robot) -> Iterator[str]:
+    data = sheet_data(robot)
     for container, key, steps, place in quantities(data):
         value = float(container[key])
         odd = oddity(value, place.unit or "-", place.extra.get("plausible"))
@@ -61,12 +67,12 @@ def _ranges(arm: Robot) -> Iterator[str]:
             yield f"{named(steps, data)} {odd}"
 
 
-def _beam(arm: Robot, name: str, beam: BendingSheet, beyond: float) -> Iterator[str]:
+def _beam(robot: Robot, name: str, beam: BendingSheet, beyond: float) -> Iterator[str]:
     """The first of what is strange about a beam: the others follow from it."""
     if not beam.section_pieces():
         return
     found = [*_slenderness(name, beam), *_material(name, beam), *_frequency(name, beam)]
-    yield from [*found, *implausible_sag(arm, name, beam, beyond)][:1]
+    yield from [*found, *implausible_sag(robot, name, beam, beyond)][:1]
 
 
 def _slenderness(name: str, beam: BendingSheet) -> Iterator[str]:
@@ -114,4 +120,4 @@ def _frequency(name: str, beam: BendingSheet) -> Iterator[str]:
 
 def notices_about(sheet: Robot) -> list[str]:
     """Sentences on numbers that look like a wrong unit, and on what was corrected when the sheet was read."""
-    return [*implausible_arm(sheet), *arm_notices(sheet)]
+    return [*implausible_numbers(sheet), *reading_notices(sheet)]

@@ -1,4 +1,4 @@
-"""What an arm does and how large it is, where that looks like a slip: warnings, never errors."""
+"""What a robot does and how large it is, where that looks like a slip: warnings, never errors."""
 
 from __future__ import annotations
 
@@ -29,20 +29,20 @@ LEVELS = ("value", "start", "end", "amplitude", "offset", "values")
 """Keys of a signal that are values of it, of whatever type it is."""
 
 
-def implausible_motion(arm: Robot) -> Iterator[str]:
-    """Sentences on gravity, motions and limits that look like a wrong unit, and on an arm of very many coordinates."""
-    pull = math.hypot(*arm.gravity)
+def implausible_motion(robot: Robot) -> Iterator[str]:
+    """Sentences on gravity, motions and limits that look like a wrong unit, and on a robot of very many coordinates."""
+    pull = math.hypot(*robot.gravity)
     if pull > GRAVITY:
         yield f"gravity {oddity(pull, 'm/s^2', (0.0, GRAVITY))}"
-    yield from _limits(arm)
-    yield from _signals(arm)
-    if (count := coordinate_count(arm)) > MANY:
+    yield from _limits(robot)
+    yield from _signals(robot)
+    if (count := coordinate_count(robot)) > MANY:
         info = "each answer takes long; fewer functions or segments will do for most links"
         yield f"the arm has {count} coordinates, more than {MANY}: {info}"
 
 
-def _limits(arm: Robot) -> Iterator[str]:
-    for joint in arm.joints:
+def _limits(robot: Robot) -> Iterator[str]:
+    for joint in robot.joints:
         if joint.unit == "m" and joint.limits:
             for name in ("lower", "upper"):
                 value = getattr(joint.limits, name)
@@ -50,9 +50,9 @@ def _limits(arm: Robot) -> Iterator[str]:
                     yield _far(f"joints.{joint.name}.limits.{name}", value)
 
 
-def _signals(arm: Robot) -> Iterator[str]:
-    units = {name: joint.unit for joint in arm.joints for name in joint.coordinates}
-    for index, drive in enumerate(arm.drives):
+def _signals(robot: Robot) -> Iterator[str]:
+    units = {name: joint.unit for joint in robot.joints for name in joint.coordinates}
+    for index, drive in enumerate(robot.drives):
         if not drive.command.is_motion:
             continue
         path, slides = f"drives.{index} (`{drive.joint}`)", units[drive.joint] == "m"

@@ -26,11 +26,11 @@ WEIGHT = 3 / 8
 """Share of a uniform beam's mass that bends its tip as a mass there does, at rest."""
 
 
-def implausible_motors(arm: Robot) -> Iterator[str]:
+def implausible_motors(robot: Robot) -> Iterator[str]:
     """In SI units both constants of a DC motor are the same number but for losses."""
     low, high = CONSTANTS
     rpm = 60 / (2 * math.pi)
-    for joint in arm.joints:
+    for joint in robot.joints:
         emf, torque = (getattr(joint.motor, name, None) for name in ("back_emf_constant", "torque_constant"))
         if not emf or not torque or low <= torque / emf <= high:
             continue
@@ -42,12 +42,14 @@ def implausible_motors(arm: Robot) -> Iterator[str]:
         )
 
 
-def implausible_inertia(arm: Robot) -> Iterator[str]:
+def implausible_inertia(robot: Robot) -> Iterator[str]:
     """Bodies whose inertia is more than their mass can have within the length of the whole robot."""
-    placed = [joint.origin.position for joint in arm.joints if joint.origin]
-    placed += [body.center for link in arm.links for body in link.bodies]
-    reach = sum(math.hypot(*place) for place in placed) + sum(link.beam.line_length for link in arm.links if link.beam)
-    for link in arm.links:
+    placed = [joint.origin.position for joint in robot.joints if joint.origin]
+    placed += [body.center for link in robot.links for body in link.bodies]
+    reach = sum(math.hypot(*place) for place in placed) + sum(
+        link.beam.line_length for link in robot.links if link.beam
+    )
+    for link in robot.links:
         for body in link.bodies:
             largest = float(np.trace(body.inertia_matrix())) / 2
             if body.mass and reach and largest > 1.5 * body.mass * reach**2:
@@ -58,19 +60,19 @@ def implausible_inertia(arm: Robot) -> Iterator[str]:
                 )
 
 
-def masses_beyond(arm: Robot) -> dict[str, float]:
+def masses_beyond(robot: Robot) -> dict[str, float]:
     """Mass [kg] of all that the tip of each link carries: its own bodies by their station, and the links behind it."""
-    own = {link.name: sum(body.mass for body in link.bodies) for link in arm.links}
-    beams = {link.name: _mass(link.beam) for link in arm.links if link.beam}
+    own = {link.name: sum(body.mass for body in link.bodies) for link in robot.links}
+    beams = {link.name: _mass(link.beam) for link in robot.links if link.beam}
     at_tip = {
         link.name: sum(body.mass * (body.station**2 if link.beam else 1.0) for body in link.bodies)
-        for link in arm.links
+        for link in robot.links
     }
     whole: dict[str, float] = {}
     beyond: dict[str, float] = {}
-    names = parents(arm.joints)
-    for index in reversed(rooted_order(arm.joints)):
-        link, parent = arm.joints[index].child, names[index]
+    names = parents(robot.joints)
+    for index in reversed(rooted_order(robot.joints)):
+        link, parent = robot.joints[index].child, names[index]
         beyond[link] = beyond.get(link, 0.0) + at_tip.get(link, 0.0)
         whole[link] = whole.get(link, 0.0) + own.get(link, 0.0) + beams.get(link, 0.0)
         whole[parent] = whole.get(parent, 0.0) + whole[link]
@@ -87,10 +89,10 @@ def _mass(beam: BendingSheet) -> float:
     return total
 
 
-def implausible_sag(arm: Robot, name: str, beam: BendingSheet, beyond: float) -> Iterator[str]:
+def implausible_sag(robot: Robot, name: str, beam: BendingSheet, beyond: float) -> Iterator[str]:
     """A link that sags beyond reason even in its stiffer direction, with the mass ``beyond`` [kg] at its tip."""
     mass = beyond + WEIGHT * _mass(beam)
-    sag = mass * math.hypot(*arm.gravity) * _compliance(beam) / beam.line_length
+    sag = mass * math.hypot(*robot.gravity) * _compliance(beam) / beam.line_length
     if beam.coordinate_count and sag > SAG:
         likely = "masses in g (factor 0.001), lengths in mm (factor 0.001), or E in MPa or GPa (factor 1e+06 or 1e+09)"
         yield f"links.{name}.beam sags by {sag:.3g} rad under the weight of {mass:.3g} kg; were {likely} meant?"

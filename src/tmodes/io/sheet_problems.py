@@ -16,7 +16,7 @@ from tmodes.io.sheet_words import at, choices, is_group, kind_of
 from tmodes.io.words import nearest, shown
 from tmodes.kinds.schema.quantity import LARGEST
 
-__all__ = ["AS_LIST", "Problem", "arm_problems"]
+__all__ = ["AS_LIST", "Problem", "sheet_problems"]
 
 SHEET = "the data sheet"
 
@@ -32,7 +32,7 @@ Problem = tuple[tuple[Step, ...], InputError]
 """The path of a wrong value by keys and numbers, and what is to be said of it."""
 
 
-def arm_problems(error: ValidationError, data: Any) -> list[Problem]:
+def sheet_problems(error: ValidationError, data: Any) -> list[Problem]:
     """One problem for each wrong place of the plain data that was refused, of very many the first."""
     info: dict[tuple[Step, ...], InputError] = {}
     for detail in islice(error.errors(include_url=False), MOST_REPORTED):

@@ -1,4 +1,4 @@
-"""The types of an arm's data sheet, and what belongs in a place of each type, given in words."""
+"""The types of a robot's data sheet, and what belongs in a place of each type, given in words."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from pydantic import BaseModel
 from pydantic.fields import FieldInfo
 
 from tmodes.kinds.joints.registry import JOINTS
-from tmodes.kinds.schema.names import names_allowed
+from tmodes.kinds.schema.kind import names_allowed
 from tmodes.kinds.schema.quantity import LARGEST, span_info
 
 __all__ = [

@@ -14,7 +14,7 @@ from tmodes.io.sheet_fields import Step, place_of
 if TYPE_CHECKING:
     from tmodes.sheet import Robot
 
-__all__ = ["arm_to_yaml", "scalar_text", "text"]
+__all__ = ["robot_to_yaml", "scalar_text", "text"]
 
 WORD = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
 YAML_1_1 = {"y", "n", "yes", "no", "on", "off"}
@@ -56,9 +56,9 @@ def _escaped(letter: str) -> str:
 COLUMN = 48
 
 
-def arm_to_yaml(arm: Robot) -> str:
-    """The data sheet of an arm as YAML. Every number is written with all its digits; reading it gives ``arm``."""
-    data = sheet_data(arm)
+def robot_to_yaml(robot: Robot) -> str:
+    """The data sheet of a robot as YAML. Every number is written with all its digits; reading it gives ``robot``."""
+    data = sheet_data(robot)
     return "\n".join([*_group(data, (), "", data), ""])
 
 

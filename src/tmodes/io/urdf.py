@@ -1,4 +1,4 @@
-"""Read a URDF into the plain data of an arm's sheet.
+"""Read a URDF into the plain data of a robot's sheet.
 
 Links, joints, inertias, limits and friction are read; names stay. Geometry is not loaded: only the checked paths of its
 files are kept. What other programs put next to them (gazebo, transmission, ros2_control) is passed over; what is
@@ -32,7 +32,7 @@ TOP = {"link", "joint", "material", "gazebo", "transmission", "sensor", "ros2_co
 
 @dataclass(frozen=True, eq=False)
 class UrdfRobot:
-    """What a URDF says: ``data`` and ``positions`` of an arm's sheet, bodies and files of geometry by link.
+    """What a URDF says: ``data`` and ``positions`` of a robot's sheet, bodies and files of geometry by link.
 
     ``links``: their elements by names in the sheet; ``root``: that of the file; ``folders``: where its files may lie.
     """

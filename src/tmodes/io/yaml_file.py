@@ -22,10 +22,10 @@ Positions = dict[str, int]
 
 MOST_BYTES = 256 * 1024
 MOST_EVENTS = 40_000
-"""Keys, values and brackets of a file: an arm of 500 joints has some 34,000, which are read in a second."""
+"""Keys, values and brackets of a file: a robot of 500 joints has some 34,000, which are read in a second."""
 
-MOST_EVENTS_OF_A_ROBOT = 5_000
-"""The same for a file that is no arm (``kind`` or ``urdf`` are not in it): the robot of the 2010 paper has some 200."""
+MOST_EVENTS_2010 = 5_000
+"""The same for a sheet without ``kind`` and ``urdf``: that of the 2010 robot has some 200."""
 
 
 MOST_DEPTH = 40
@@ -52,10 +52,8 @@ def parse_yaml(text: str, source: str) -> tuple[dict[str, Any], Positions]:
     data = builder.document(_events(text, source))
     if not isinstance(data, dict):
         raise builder.error(1, "the file", shown(data), "keys and values, such as `gravity: 9.81`", "see the examples")
-    if builder.count > MOST_EVENTS_OF_A_ROBOT and not {"kind", "urdf"} & data.keys():
-        raise builder.too_many(
-            1, MOST_EVENTS_OF_A_ROBOT, "check that this is a data sheet; one of an arm has `kind: arm`"
-        )
+    if builder.count > MOST_EVENTS_2010 and not {"kind", "urdf"} & data.keys():
+        raise builder.too_many(1, MOST_EVENTS_2010, "check that this is a data sheet; one of an arm has `kind: arm`")
     return data, builder.positions
 
 

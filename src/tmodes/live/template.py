@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from typing import Any
 
-from tmodes.io.sheet_write import arm_to_yaml, scalar_text
+from tmodes.io.sheet_write import robot_to_yaml, scalar_text
 from tmodes.live.map import LiveMap
 from tmodes.sheet import Robot
 
@@ -22,7 +22,7 @@ def sheet_template(sheet: Robot, live: LiveMap) -> list[Any]:
     ``-1``: no slider's. ``{"header": text}``: left out with all such lines.
     """
     marks, places, optional = _marked(sheet, live)
-    text = arm_to_yaml(sheet.with_(marks))
+    text = robot_to_yaml(sheet.with_(marks))
     found: list[Any] = []
     bare = not sheet.real
     for line in text.splitlines(keepends=True):

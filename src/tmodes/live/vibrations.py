@@ -16,7 +16,7 @@ from tmodes.analysis.statics.equilibrium import Equilibrium, robot_rest
 from tmodes.equations.loop.plan import LoopPlan
 from tmodes.errors import SimulationError
 from tmodes.kinds.contacts.registry import Contact
-from tmodes.kinds.drives.laws import FRICTION
+from tmodes.kinds.drives.contract import FRICTION
 from tmodes.model.model import Model
 from tmodes.sheet import Robot
 

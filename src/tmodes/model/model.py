@@ -1,4 +1,4 @@
-"""ArmModel: the boundary type of a general arm. Functions of numbers, native underneath; built from a Chain."""
+"""Model: the boundary type of a robot. Functions of numbers, native underneath; built from a Chain."""
 
 from __future__ import annotations
 

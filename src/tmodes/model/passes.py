@@ -113,7 +113,7 @@ class ChainPasses:
         return evaluate(self.parameters, schedule, inputs | self._common(rows, base, wrenches), rows.count)["a"]
 
     def inertia(self, rows: Rows, a: ArrayLike, base: ArrayLike | None, wrenches: ArrayLike | None) -> Blocks:
-        """Outputs of :func:`tmodes.equations.recursion.inertia.inertia_forces`, the rotors among the forces."""
+        """Outputs of :func:`tmodes.equations.recursion.forces.inertia_forces`, the rotors among the forces."""
         schedule, blocks = self.schedule("inertia", loaded=wrenches is not None), self.inertial(rows, a, base, wrenches)
         found = evaluate(self.parameters, schedule, blocks, rows.count)
         return found | {"forces": found["forces"] + blocks["a"] * self.rotor_inertias}
@@ -130,7 +130,7 @@ class ChainPasses:
         return {**drives, "step": rows.of(0.0, 1), **self._common(rows, base, wrenches)}
 
     def elastic(self, rows: Rows) -> Blocks:
-        """Outputs of :func:`tmodes.equations.recursion.elastic.elastic_forces`."""
+        """Outputs of :func:`tmodes.equations.recursion.forces.elastic_forces`."""
         return evaluate(self.parameters, self.schedule("elastic"), self._common(rows, None, None), rows.count)
 
     @cached_property

@@ -102,9 +102,9 @@ def facts_of(result: Result) -> list[Fact]:
 
 def sheet_of(result: Result) -> str:
     """The data sheet of this very run as YAML; empty where it is no longer one that this version knows."""
-    from tmodes.io.sheet_write import arm_to_yaml
+    from tmodes.io.sheet_write import robot_to_yaml
 
     try:
-        return arm_to_yaml(result.robot)
+        return robot_to_yaml(result.robot)
     except TmodesError:
         return ""

@@ -96,12 +96,12 @@ def _lowest(frequencies: dict[str, list[dict[str, Any]]]) -> dict[str, list[dict
 
 def _sheet(arm: Robot) -> tuple[Markup | None, ...]:
     """The data sheet as it can be run again, and how the actual robot differs."""
-    from tmodes.io.sheet_write import arm_to_yaml
+    from tmodes.io.sheet_write import robot_to_yaml
 
     factors = [[path, f"{factor:g}"] for path, factor in arm.real.items()]
     real = table("The actual robot, where it differs", ("Number", "Factor on the nominal value"), factors, numeric=(1,))
     note = "The data sheet as a file that runs again; comments give symbol, unit and meaning"
-    text = arm_to_yaml(arm)
+    text = robot_to_yaml(arm)
     sheet = tag("div", tag("pre", tag("code", text)), class_="scroll", role="region", tabindex="0", aria_label="Sheet")
     place = tag("details", tag("summary", note), sheet, open=text.count("\n") <= _LONG_SHEET)
     return tag("p", f"Assumed: {arm.assumed}") if arm.assumed else None, real if factors else None, place

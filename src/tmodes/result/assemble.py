@@ -16,7 +16,7 @@ from tmodes.analysis.energy import energy_lost
 from tmodes.analysis.modes.of_sheet import frequencies_about, sheet_frequencies
 from tmodes.analysis.quasistatic import elastic_names
 from tmodes.errors import SimulationError
-from tmodes.io.sheet_plausible import arm_notices, implausible_arm
+from tmodes.io.sheet_plausible import implausible_numbers, reading_notices
 from tmodes.result.errors import summary_errors
 from tmodes.result.record import RESULT_FORMAT, STATUSES
 from tmodes.result.series import Variables, coordinates_of, line_series, motion_series
@@ -118,7 +118,7 @@ class Assembly:
     @cached_property
     def warnings(self) -> list[str]:
         """What a reader must know: of the run, of the sheet, and of what its models are good for."""
-        sheet = [*implausible_arm(self.known), *arm_notices(self.known)]
+        sheet = [*implausible_numbers(self.known), *reading_notices(self.known)]
         return [*self.run.warnings, *sheet, *self._frequencies[1], *self._lines[2]]
 
     def attributes(self) -> dict[str, Any]:

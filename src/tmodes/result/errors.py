@@ -24,6 +24,9 @@ _MOST = 40
 _PATTERNS = 8
 """Patterns of signs with which the sizes of errors are added."""
 
+_WINDOW, _WINDOW_SAMPLES = 0.03, 8
+"""The window about an instant, to each side: as a share of the run, and samples in it."""
+
 
 def summary_errors(run: RunData, stations: Array, variables: Variables, names: dict[str, Any]) -> dict[str, Any]:
     """``how`` errors are estimated, and ``figures``: the error of each number by its path in the summary.
@@ -36,7 +39,7 @@ def summary_errors(run: RunData, stations: Array, variables: Variables, names: d
     if len(estimates) < len(runs):
         return {}
     rows = rows_each(estimates)
-    figures = _figures(variables, names, rows)
+    figures = [figure.widened(len(run.times), rows) for figure in _figures(variables, names, rows)]
     samples = sorted({k for figure in figures for k in figure.samples})
     disturbed = [_disturbed(one, samples, rows, turn) for turn, one in zip((0, 5), runs, strict=False)]
     both = replace(disturbed[0], reference=disturbed[1] if len(disturbed) > 1 else None)
@@ -64,6 +67,18 @@ class Figure(NamedTuple):
     def value(self, found: Variables) -> Array:
         """What it follows from, in other series."""
         return found[self.series][1][(slice(None), *self.place)]
+
+    def widened(self, count: int, rows: int) -> Figure:
+        """The same of a window of time about its sample of ``count``: an error that oscillates is zero at instants.
+
+        Where each sample takes many rows, sizes were summed up, which do not oscillate.
+        """
+        if len(self.samples) > 1 or rows > 2:
+            return self
+        (middle,) = self.samples
+        near = range(-_WINDOW_SAMPLES, _WINDOW_SAMPLES + 1)
+        apart = {middle + round(k * _WINDOW * count / _WINDOW_SAMPLES) for k in near}
+        return self._replace(samples=tuple(sorted(k for k in apart if 0 <= k < count)))
 
 
 def _figures(variables: Variables, names: dict[str, Any], rows: int) -> list[Figure]:

@@ -10,8 +10,7 @@ from numpy.typing import NDArray
 
 from tmodes.errors import InputError
 from tmodes.integrate.registry import integrator
-from tmodes.kinds.signals.merge import MergedSchedule, merge
-from tmodes.kinds.signals.schedule import Schedule
+from tmodes.kinds.signals.schedule import MergedSchedule, Schedule, merge
 from tmodes.result.summary import info_settling
 from tmodes.simulation.motion_run import RunData, tip_positions
 from tmodes.simulation.parts import Trajectory

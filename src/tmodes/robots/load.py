@@ -91,9 +91,9 @@ def _refuse_without_model(data: dict[str, Any], roots: Roots) -> None:
 def _read(path: Path, roots: Roots, trust_paths: bool) -> Sheet:
     """Plain data of a file and the line of each dotted path."""
     if path.suffix.lower() in FOREIGN:
-        from tmodes.io.sheet_files import read_arm_data
+        from tmodes.io.sheet_files import read_sheet
 
-        return read_arm_data(path, roots=(*roots, *installed_models()), trust_paths=trust_paths)[:2]
+        return read_sheet(path, roots=(*roots, *installed_models()), trust_paths=trust_paths)[:2]
     from tmodes.io.yaml_file import read_yaml
 
     return _whole(path, *read_yaml(path), roots, trust_paths)
@@ -103,9 +103,9 @@ def _whole(path: Path, data: dict[str, Any], positions: dict[str, int], roots: R
     """The sheet that a YAML file means: itself, or what is read with it of a table or of a robot's other file."""
     if "urdf" not in data and data.get("kind") != "dh":
         return data, positions
-    from tmodes.io.sheet_files import arm_of_yaml
+    from tmodes.io.sheet_files import sheet_of_yaml
 
-    return arm_of_yaml(path, data, positions, (*roots, *installed_models()), trust_paths)
+    return sheet_of_yaml(path, data, positions, (*roots, *installed_models()), trust_paths)
 
 
 def _checked(data: dict[str, Any], positions: dict[str, int], source: str, changes: Mapping[str, Any]) -> Robot:

@@ -1,5 +1,5 @@
-"""The data sheet of any arm: what a person writes, checked once, and its way to a Chain."""
+"""The data sheet of any robot: what a person writes, checked once, and its way to a Chain."""
 
-from tmodes.sheet.robot import ARM_FORMAT, MOST_JOINTS, Robot, RobotPair
+from tmodes.sheet.robot import MOST_JOINTS, SHEET_FORMAT, Robot, RobotPair
 
-__all__ = ["ARM_FORMAT", "MOST_JOINTS", "Robot", "RobotPair"]
+__all__ = ["MOST_JOINTS", "SHEET_FORMAT", "Robot", "RobotPair"]

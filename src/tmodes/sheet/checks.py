@@ -1,4 +1,4 @@
-"""What must fit together in an arm's data sheet: the tree, the names that point into it, its size, its masses."""
+"""What must fit together in a robot's data sheet: the tree, the names that point into it, its size, its masses."""
 
 from __future__ import annotations
 
@@ -15,10 +15,10 @@ from tmodes.kinds.schema.quantity import SMALLEST, Issue
 from tmodes.sheet.parts import Command, DriveSheet, TipSheet
 from tmodes.sheet.topology import BASE, tree_issues
 
-__all__ = ["MOST_COORDINATES", "arm_issues", "coordinate_count"]
+__all__ = ["MOST_COORDINATES", "coordinate_count", "sheet_issues"]
 
 MOST_COORDINATES = 2_000
-"""Largest number of coordinates of an arm."""
+"""Largest number of coordinates of a robot."""
 
 MOST_REPORTED = 8
 
@@ -26,12 +26,12 @@ SINGULAR = 1e-9
 """Smallest over largest singular value of couplings at which they are singular but for round-off [-]."""
 
 
-def arm_issues(arm: Any) -> list[Issue]:
+def sheet_issues(robot: Any) -> list[Issue]:
     """All that does not fit; the names only where the tree stands, the masses only where the names do."""
     return (
-        list(tree_issues(arm.joints, [link.name for link in arm.links]))
-        or [*_points(arm), *_drives(arm), *_couplings(arm), *_initial(arm), *_links(arm), *_size(arm)]
-        or (list(upward("Robot.mass_issues")(arm)) if arm.equations == "recursion" else [])
+        list(tree_issues(robot.joints, [link.name for link in robot.links]))
+        or [*_points(robot), *_drives(robot), *_couplings(robot), *_initial(robot), *_links(robot), *_size(robot)]
+        or (list(upward("Robot.mass_issues")(robot)) if robot.equations == "recursion" else [])
     )
 
 
@@ -45,12 +45,12 @@ def _unknown(path: str, name: str, known: Iterable[str], hint: str = "check the 
         yield Issue(path, f"the unknown name `{name}`", f"one of {info}" if known else "no name", hint)
 
 
-def _points(arm: Any) -> Iterator[Issue]:
-    if arm.tip:
-        yield from _point(arm, "tip", arm.tip)
+def _points(robot: Any) -> Iterator[Issue]:
+    if robot.tip:
+        yield from _point(robot, "tip", robot.tip)
     names = ["tip"]
-    for index, point in enumerate(arm.points):
-        yield from _point(arm, f"points.{index}", point)
+    for index, point in enumerate(robot.points):
+        yield from _point(robot, f"points.{index}", point)
         if point.name in names:
             yield Issue(
                 f"points.{index}.name",
@@ -59,24 +59,24 @@ def _points(arm: Any) -> Iterator[Issue]:
                 "rename the point",
             )
         names.append(point.name)
-    for index, load in enumerate(arm.loads):
+    for index, load in enumerate(robot.loads):
         yield from _unknown(f"loads.{index}.point", load.point, names, "add it under `points`")
-    if arm.contact:
-        yield from _unknown("contact.point", arm.contact.point, names, "add it under `points`")
+    if robot.contact:
+        yield from _unknown("contact.point", robot.contact.point, names, "add it under `points`")
 
 
-def _point(arm: Any, path: str, point: TipSheet) -> Iterator[Issue]:
-    yield from _unknown(f"{path}.link", point.link, [joint.child for joint in arm.joints])
-    if point.at is not None and arm.link(point.link).beam is None:
+def _point(robot: Any, path: str, point: TipSheet) -> Iterator[Issue]:
+    yield from _unknown(f"{path}.link", point.link, [joint.child for joint in robot.joints])
+    if point.at is not None and robot.link(point.link).beam is None:
         hint = "remove `at`, and give the position in the link's frame"
         yield Issue(f"{path}.at", f"{point.at:g}", "left out: the link has no beam", hint)
 
 
-def _drives(arm: Any) -> Iterator[Issue]:
-    joints = {name: joint for joint in arm.joints for name in (joint.coordinates or [joint.name])}
+def _drives(robot: Any) -> Iterator[Issue]:
+    joints = {name: joint for joint in robot.joints for name in (joint.coordinates or [joint.name])}
     active = [name for name, joint in joints.items() if not joint.is_locked and joint.is_active]
     seen: set[str] = set()
-    for index, drive in enumerate(arm.drives):
+    for index, drive in enumerate(robot.drives):
         path = f"drives.{index}"
         if drive.joint in joints and drive.joint not in active:
             yield Issue(f"{path}.joint", f"`{drive.joint}`, which does not move", "an active joint", "remove the drive")
@@ -101,15 +101,15 @@ def _drive(path: str, drive: DriveSheet, joint: JointSheet) -> Iterator[Issue]:
         yield Issue(f"{path}.command", got, "a joint without an elastic gear", hint)
 
 
-def _couplings(arm: Any) -> Iterator[Issue]:
-    elastic = [name for joint in arm.joints if joint.is_elastic and joint.is_active for name in joint.coordinates]
+def _couplings(robot: Any) -> Iterator[Issue]:
+    elastic = [name for joint in robot.joints if joint.is_elastic and joint.is_active for name in joint.coordinates]
     hint = "couplings are between the gears of active joints"
-    for joint, factors in arm.couplings.items():
+    for joint, factors in robot.couplings.items():
         yield from _unknown(f"couplings.{joint}", joint, elastic, hint)
         for motor in factors:
             yield from _unknown(f"couplings.{joint}.{motor}", motor, elastic, hint)
-    if {*arm.couplings, *(motor for factors in arm.couplings.values() for motor in factors)} <= {*elastic}:
-        yield from _singular(arm.couplings, elastic)
+    if {*robot.couplings, *(motor for factors in robot.couplings.values() for motor in factors)} <= {*elastic}:
+        yield from _singular(robot.couplings, elastic)
 
 
 def _singular(couplings: Mapping[str, Mapping[str, float]], names: list[str]) -> Iterator[Issue]:
@@ -129,40 +129,40 @@ def _singular(couplings: Mapping[str, Mapping[str, float]], names: list[str]) ->
         yield Issue("couplings", got, "factors by which every motor moves a gear", hint)
 
 
-def _initial(arm: Any) -> Iterator[Issue]:
-    names = [name for joint in arm.joints for name in (joint.name, joint.child, *joint.coordinates)]
+def _initial(robot: Any) -> Iterator[Issue]:
+    names = [name for joint in robot.joints for name in (joint.name, joint.child, *joint.coordinates)]
     for group in ("coordinates", "rates"):
-        for name in getattr(arm.initial, group):
+        for name in getattr(robot.initial, group):
             if name not in names and name.rpartition(".")[0] not in names:
                 yield from _unknown(f"initial.{group}.{name}", name, names)
 
 
-def _links(arm: Any) -> Iterator[Issue]:
-    carriers = {joint.child: index for index, joint in enumerate(arm.joints)}
-    for index, link in enumerate(arm.links):
+def _links(robot: Any) -> Iterator[Issue]:
+    carriers = {joint.child: index for index, joint in enumerate(robot.joints)}
+    for index, link in enumerate(robot.links):
         for issue in link.beam.station_issues(link.bodies) if link.beam else ():
             yield issue._replace(field=f"links.{index}.{issue.field}")
-        joint = arm.joints[carriers[link.name]]
+        joint = robot.joints[carriers[link.name]]
         if link.beam and joint.dh and joint.dh.convention is Convention.PAPER and joint.dh.a != link.beam.line_length:
             expected = f"the length of the beam `{link.name}`, {link.beam.line_length!r} [m]"
             hint = "in the convention `paper`, a is the length of the mode"
             yield Issue(f"joints.{carriers[link.name]}.dh.a", repr(joint.dh.a), expected, hint)
 
 
-def _size(arm: Any) -> Iterator[Issue]:
+def _size(robot: Any) -> Iterator[Issue]:
     """Refused before anything is allocated."""
-    moving, motors, bends = _counts(arm)
+    moving, motors, bends = _counts(robot)
     if (count := moving + motors + bends) > MOST_COORDINATES:
         got = f"{count} coordinates ({moving} joints, {motors} motors, {bends} of the links)"
         yield Issue("links", got, f"at most {MOST_COORDINATES}", "take fewer functions, segments or joints")
 
 
-def coordinate_count(arm: Any) -> int:
-    """How many coordinates the arm has: those of its joints, of the motors behind elastic gears, of its links."""
-    return sum(_counts(arm))
+def coordinate_count(robot: Any) -> int:
+    """How many coordinates the robot has: those of its joints, of the motors behind elastic gears, of its links."""
+    return sum(_counts(robot))
 
 
-def _counts(arm: Any) -> tuple[int, int, int]:
-    moving = sum(joint.kind.size for joint in arm.joints if not joint.is_locked)
-    motors = sum(joint.kind.size for joint in arm.joints if joint.is_elastic)
-    return moving, motors, sum(link.beam.coordinate_count for link in arm.links if link.beam and link.name != BASE)
+def _counts(robot: Any) -> tuple[int, int, int]:
+    moving = sum(joint.kind.size for joint in robot.joints if not joint.is_locked)
+    motors = sum(joint.kind.size for joint in robot.joints if joint.is_elastic)
+    return moving, motors, sum(link.beam.coordinate_count for link in robot.links if link.beam and link.name != BASE)

@@ -1,8 +1,6 @@
-"""Arm: the data sheet of any arm that a person writes, checked once, and its way to a Chain.
+"""Robot: the data sheet of any robot that a person writes, checked once, and its way to a Chain.
 
-    Arm (YAML, URDF + elasticity, Denavit-Hartenberg)  --chain()-->  Chain  ->  model
-
-Robot, the other data sheet, is the one machine of the 2010 paper; an Arm is a tree of any joints and links.
+Robot (YAML, URDF + elasticity, Denavit-Hartenberg)  --chain()-->  Chain  ->  model
 """
 
 from __future__ import annotations
@@ -22,9 +20,9 @@ from tmodes.kinds.schema.frames import Origin, Vector, list_of_numbers
 from tmodes.kinds.schema.quantity import LARGEST, DataSheet, Issue, not_negative, plain_texts, refuse
 from tmodes.sheet.parts import BaseMotion, DriveSheet, Initial, LinkSheet, LoadSheet, PointSheet, TipSheet
 
-__all__ = ["ARM_FORMAT", "MOST_JOINTS", "RECURSION", "Robot", "RobotPair"]
+__all__ = ["MOST_JOINTS", "RECURSION", "SHEET_FORMAT", "Robot", "RobotPair"]
 
-ARM_FORMAT = 1
+SHEET_FORMAT = 1
 """Version of the data sheet's format."""
 
 RECURSION = "recursion"
@@ -40,7 +38,7 @@ _Coupling = Annotated[float, Field(ge=-LARGEST, le=LARGEST)]
 
 
 class Robot(DataSheet):
-    """A general arm: joints and links in a tree, what drives and loads it, and how it really is."""
+    """A general robot: joints and links in a tree, what drives and loads it, and how it really is."""
 
     format: Literal[1] = Field(description="version of this format [-]")
     kind: Literal["arm"] = Field(description="what this sheet is of")
@@ -107,10 +105,10 @@ class Robot(DataSheet):
 
     @model_validator(mode="after")
     def _fits_together(self) -> Self:
-        from tmodes.sheet.checks import arm_issues
+        from tmodes.sheet.checks import sheet_issues
 
         refuse(list(self._text_issues()))
-        refuse(arm_issues(self))
+        refuse(sheet_issues(self))
         return self
 
     def _text_issues(self) -> list[Issue]:
@@ -123,22 +121,22 @@ class Robot(DataSheet):
 
     @classmethod
     def from_data(cls, data: Mapping[str, Any]) -> Robot:
-        """A checked arm from plain data (as a YAML file holds it); numbers may be text with a unit.
+        """A checked robot from plain data (as a YAML file holds it); numbers may be text with a unit.
 
-        Raises :class:`tmodes.errors.InputErrors` with everything that is wrong, where building an ``Arm`` directly
+        Raises :class:`tmodes.errors.InputErrors` with everything that is wrong, where building a ``Robot`` directly
         raises pydantic's own error.
         """
         return upward("Robot.from_data")(data)
 
     def with_(self, changes: Mapping[str, Any]) -> Robot:
-        """A new, checked arm with values changed by path: ``arm.with_({"joints.shoulder.gear.stiffness": 900.0})``.
+        """A new, checked robot with values changed by path: ``robot.with_({"joints.shoulder.gear.stiffness": 900.0})``.
 
         Items of lists go by their name or their index. Raises :class:`tmodes.errors.InputErrors` that name the path.
         """
         return upward("Robot.with_")(self, changes)
 
     def show(self, height: int = 760) -> Any:
-        """The viewer of this arm at rest with its modes, for a notebook; ``height`` in pixels.
+        """The viewer of this robot at rest with its modes, for a notebook; ``height`` in pixels.
 
         Raises :class:`tmodes.errors.SimulationError` where it has no rest.
         """
@@ -149,14 +147,14 @@ class Robot(DataSheet):
         return next((link for link in self.links if link.name == name), LinkSheet(name=name))
 
     def chain(self) -> Any:
-        """The arm in the terms of the recursion: placements, joints, links and points, SI, joint side."""
+        """The robot in the terms of the recursion: placements, joints, links and points, SI, joint side."""
         return upward("Robot.chain")(self)
 
     def pair(self) -> RobotPair:
-        """The arm as it is known and as it really is.
+        """The robot as it is known and as it really is.
 
         Raises :class:`tmodes.errors.InputErrors` for an entry of ``real`` that names no number, and for a factor that
-        makes a number no arm can have.
+        makes a number no robot can have.
         """
         return RobotPair(nominal=self, real=upward("Robot.pair")(self))
 

@@ -1,4 +1,4 @@
-"""The tree of an arm: every link hangs on exactly one joint, and every joint leads back to the base."""
+"""The tree of a robot: every link hangs on exactly one joint, and every joint leads back to the base."""
 
 from __future__ import annotations
 

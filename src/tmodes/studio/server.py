@@ -16,7 +16,7 @@ from starlette.concurrency import run_in_threadpool
 
 from tmodes.errors import InputError, ResultFileError, TmodesError
 from tmodes.io.sheet_check import sheet_from_data
-from tmodes.io.sheet_write import arm_to_yaml
+from tmodes.io.sheet_write import robot_to_yaml
 from tmodes.io.words import shown
 from tmodes.robots.load import load
 from tmodes.sheet import Robot
@@ -158,7 +158,7 @@ def _add_sheets(app: FastAPI, shelf: Shelf) -> None:
     @app.post("/api/yaml")
     async def yaml(request: Request) -> Response:
         sheet = await _checked(request, await body_of(request))
-        return _json({"yaml": await run_in_threadpool(arm_to_yaml, sheet)})
+        return _json({"yaml": await run_in_threadpool(robot_to_yaml, sheet)})
 
     @app.post("/api/upload")
     async def upload(request: Request) -> Response:
@@ -180,7 +180,7 @@ def _add_studies(app: FastAPI, folder: WorkingFolder, shelf: Shelf) -> None:
     async def save(name: str, request: Request) -> Response:
         data = await body_of(request)
         sheet = await _checked(request, data)
-        text = await run_in_threadpool(arm_to_yaml, sheet)
+        text = await run_in_threadpool(robot_to_yaml, sheet)
         request.state.sheet = None  # what may be wrong from here on is no field of it
         overwrite = data.get("overwrite") is True
         saved = await run_in_threadpool(lambda: folder.save(name, text, overwrite=overwrite))

@@ -9,7 +9,7 @@ import pytest
 
 from arm.see.runs import SHEETS
 from command import tmodes
-from tmodes.io.sheet_write import arm_to_yaml
+from tmodes.io.sheet_write import robot_to_yaml
 from tmodes.result import load_result
 from tmodes.sheet import Robot
 
@@ -23,7 +23,7 @@ URDF = """<robot name="two"><link name="base"/>
 def files(tmp_path):
     """The sheets of the small runs, as files."""
     for name, sheet in SHEETS.items():
-        (tmp_path / f"{name}.yaml").write_text(arm_to_yaml(Robot.from_data(sheet())), encoding="utf-8")
+        (tmp_path / f"{name}.yaml").write_text(robot_to_yaml(Robot.from_data(sheet())), encoding="utf-8")
     (tmp_path / "two.urdf").write_text(URDF, encoding="utf-8")
     return tmp_path
 

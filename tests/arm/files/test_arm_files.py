@@ -7,13 +7,13 @@ from pathlib import Path
 import pytest
 
 from tmodes.errors import InputError, TmodesError
-from tmodes.io.sheet_files import read_arm_data
+from tmodes.io.sheet_files import read_sheet
 
 
 def test_a_sheet_is_handed_on_as_it_is(tmp_path: Path) -> None:
     path = tmp_path / "arm.yaml"
     path.write_text("format: 1\nkind: arm\nname: a\njoints:\n  - {name: j}\n")
-    data, positions, source = read_arm_data(path)
+    data, positions, source = read_sheet(path)
     assert data == {"format": 1, "kind": "arm", "name": "a", "joints": [{"name": "j"}]}
     assert (positions["joints.0.name"], source) == (5, str(path))
 
@@ -37,7 +37,7 @@ def test_others_are_refused(name: str, content: bytes, words: str, tmp_path: Pat
     path = tmp_path / name
     path.write_bytes(content)
     with pytest.raises(TmodesError) as caught:
-        read_arm_data(path)
+        read_sheet(path)
     assert words in str(caught.value)
     assert str(path) in str(caught.value)
 
@@ -45,7 +45,7 @@ def test_others_are_refused(name: str, content: bytes, words: str, tmp_path: Pat
 @pytest.mark.parametrize("name", ["arm.yaml", "arm.urdf", "arm.xacro", "arm.xml"])
 def test_files_that_are_none(name: str, tmp_path: Path) -> None:
     with pytest.raises(InputError, match="no such file"):
-        read_arm_data(tmp_path / name)
+        read_sheet(tmp_path / name)
     (tmp_path / name).mkdir()
     with pytest.raises(InputError, match="a directory"):
-        read_arm_data(tmp_path / name)
+        read_sheet(tmp_path / name)

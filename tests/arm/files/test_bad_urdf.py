@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from tmodes.errors import InputError, InputErrors
-from tmodes.io.sheet_files import read_arm_data
+from tmodes.io.sheet_files import read_sheet
 
 GOOD = """<?xml version="1.0"?>
 <robot name="two">
@@ -59,7 +59,7 @@ def said(text: str, folder: Path) -> str:
     path = folder / "bad.urdf"
     path.write_text(text)
     with pytest.raises((InputError, InputErrors)) as caught:
-        read_arm_data(path)
+        read_sheet(path)
     return str(caught.value).replace(f"{folder}/", "")
 
 
@@ -255,7 +255,7 @@ def test_refused_for_its_own_reason(old: str, new: str, words: str, tmp_path: Pa
 def test_the_good_one_is_read(tmp_path: Path) -> None:
     path = tmp_path / "good.urdf"
     path.write_text(GOOD)
-    data, positions, source = read_arm_data(path)
+    data, positions, source = read_sheet(path)
     assert source == str(path)
     fixed, shoulder, elbow = data["joints"]
     assert fixed == {"name": "base_to_ground", "type": "fixed", "parent": "base", "child": "ground"}
@@ -273,7 +273,7 @@ def test_all_that_is_wrong_is_reported_at_once(tmp_path: Path) -> None:
     path = tmp_path / "bad.urdf"
     path.write_text(text)
     with pytest.raises(InputErrors) as caught:
-        read_arm_data(path)
+        read_sheet(path)
     assert [error.which for error in caught.value.errors] == [
         "link upper: mass",
         "link fore: mass",
@@ -286,7 +286,7 @@ def test_others_tags_are_passed_over_and_infinite_limits_are_none(tmp_path: Path
     text = GOOD.replace("</robot>", extra).replace('lower="-2" upper="2"', 'lower="-1e+16" upper="inf"')
     path = tmp_path / "good.urdf"
     path.write_text(text.replace('velocity="2"/>\n    <dyn', 'velocity="0" gear_velocity="10"/>\n    <dyn'))
-    assert read_arm_data(path)[0]["joints"][2]["limits"] == {"effort": 10.0}
+    assert read_sheet(path)[0]["joints"][2]["limits"] == {"effort": 10.0}
 
 
 def test_a_massless_frame_is_fine_between_joints_and_on_a_fixed_one(tmp_path: Path) -> None:
@@ -296,7 +296,7 @@ def test_a_massless_frame_is_fine_between_joints_and_on_a_fixed_one(tmp_path: Pa
     )
     path = tmp_path / "good.urdf"
     path.write_text(text)
-    data = read_arm_data(path)[0]
+    data = read_sheet(path)[0]
     assert [link["name"] for link in data["links"]] == ["fore"]
     assert data["joints"][-1]["child"] == "tool"
 
@@ -309,7 +309,7 @@ def test_a_zero_mass_that_is_said_is_refused_also_in_the_middle(tmp_path: Path) 
 
 
 def test_a_negative_damping_is_read_and_reported(tmp_path: Path) -> None:
-    from tmodes.io.sheet_plausible import implausible_arm
+    from tmodes.io.sheet_plausible import implausible_numbers
     from tmodes.robots.load import load
     from tmodes.sheet import Robot
 
@@ -317,7 +317,7 @@ def test_a_negative_damping_is_read_and_reported(tmp_path: Path) -> None:
     path.write_text(GOOD.replace('damping="0.3"', 'damping="-0.3"'))
     arm = load(path)
     assert isinstance(arm, Robot)
-    info = "\n".join(implausible_arm(arm))
+    info = "\n".join(implausible_numbers(arm))
     assert "joints.elbow.friction.viscous = -0.3 N*m*s/rad is negative: it feeds energy" in info
 
 
@@ -325,7 +325,7 @@ def test_coupled_joints_are_held_where_their_equation_holds(tmp_path: Path) -> N
     path = tmp_path / "gripper.urdf"
     text = GOOD.replace('lower="-1" upper="1"', 'lower="0.2" upper="1"')
     path.write_text(text.replace("<dynamics", '<mimic joint="shoulder" multiplier="-2" offset="0.1"/><dynamics'))
-    data = read_arm_data(path)[0]
+    data = read_sheet(path)[0]
     assert [joint.get("locked_at") for joint in data["joints"]] == [None, 0.2, pytest.approx(-2 * 0.2 + 0.1)]
     assert "elbow (follows shoulder)" in data["assumed"]
 
@@ -333,11 +333,11 @@ def test_coupled_joints_are_held_where_their_equation_holds(tmp_path: Path) -> N
 def test_a_link_that_is_called_as_the_ground_is_renamed_and_reported(tmp_path: Path) -> None:
     path = tmp_path / "base.urdf"
     path.write_text(GOOD.replace('"fore"', '"base"'))
-    data = read_arm_data(path)[0]
+    data = read_sheet(path)[0]
     assert data["joints"][2]["child"] == data["links"][1]["name"] == "base_frame"
     assert "called base_frame" in data["assumed"]
     path.write_text(GOOD.replace('"ground"', '"base"'))
-    data = read_arm_data(path)[0]
+    data = read_sheet(path)[0]
     assert (data["joints"][0]["name"], data["joints"][0]["parent"]) == ("shoulder", "base")
 
 
@@ -349,7 +349,7 @@ def test_a_chain_of_3000_links_takes_bounded_time(tmp_path: Path) -> None:
     path = tmp_path / "long.urdf"
     path.write_text(f'<robot name="r">{links}{"".join(bend.format(i, i - 1) for i in range(1, 3000))}</robot>')
     start = time.process_time()
-    data = read_arm_data(path)[0]
+    data = read_sheet(path)[0]
     assert time.process_time() - start < 5.0
     assert len(data["joints"]) == 3000
     from tmodes.io.sheet_check import sheet_from_data

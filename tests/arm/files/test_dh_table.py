@@ -12,7 +12,7 @@ from numpy import cos, sin
 from arm.files.frames import chain_frames
 from tmodes.errors import InputErrors
 from tmodes.io.sheet_check import sheet_from_data
-from tmodes.io.sheet_files import read_arm_data
+from tmodes.io.sheet_files import read_sheet
 
 ROWS = [(0.1, 0.5, 0.3, 0.2), (0.4, -1.2, -0.1, 0.9), (0.0, 0.7, 0.2, -0.4)]
 BODY = "{mass: 1.0, center: [0.1, 0, 0.05], inertia: {xx: 0.1, yy: 0.1, zz: 0.1}}"
@@ -55,7 +55,7 @@ def table(folder: Path, convention: str, more: str = "") -> Path:
 @pytest.mark.parametrize(("convention", "row"), [("standard", standard), ("modified", modified)])
 def test_frames_are_the_textbooks(convention: str, row, tmp_path: Path) -> None:
     """The last body's center, which rides in the last frame of the table."""
-    data, positions, source = read_arm_data(table(tmp_path, convention))
+    data, positions, source = read_sheet(table(tmp_path, convention))
     arm: Any = sheet_from_data(data, positions, source)
     expected = np.eye(4)
     for (a, alpha, d, theta), angle in zip(ROWS, ANGLES, strict=True):
@@ -73,7 +73,7 @@ def test_a_row_holds_what_a_joint_and_a_link_hold(tmp_path: Path) -> None:
         "  - {a: 0, alpha: 90 deg, d: 300 mm, theta: 0, type: prismatic, name: slide, link: rod,\n"
         "     limits: {upper: 1}, bodies: [{mass: 2}]}\n"
     )
-    arm: Any = sheet_from_data(*read_arm_data(path))
+    arm: Any = sheet_from_data(*read_sheet(path))
     assert (arm.joints[0].name, arm.joints[0].child, arm.joints[0].type) == ("slide", "rod", "prismatic")
     assert arm.joints[0].dh.alpha == pytest.approx(np.pi / 2)
     assert (arm.joints[0].dh.d, arm.joints[0].limits.upper, arm.gravity) == (0.3, 1.0, (0.0, 0.0, -1.62))
@@ -95,7 +95,7 @@ def test_tables_that_are_none(text: str, words: str, tmp_path: Path) -> None:
     path = tmp_path / "table.yaml"
     path.write_text(f"kind: dh\n{text}")
     with pytest.raises(InputErrors) as caught:
-        read_arm_data(path)
+        read_sheet(path)
     assert words in str(caught.value)
 
 
@@ -103,4 +103,4 @@ def test_a_wrong_number_is_reported_with_its_line(tmp_path: Path) -> None:
     path = table(tmp_path, "standard")
     path.write_text(path.read_text().replace("alpha: -1.2", "alpha: steep"))
     with pytest.raises(InputErrors, match=r"table\.yaml:7: .*alpha.*'steep'"):
-        sheet_from_data(*read_arm_data(path))
+        sheet_from_data(*read_sheet(path))

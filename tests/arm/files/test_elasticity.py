@@ -13,7 +13,7 @@ from arm.files.frames import chain_frames, matrix, sheet_frames
 from tmodes.errors import InputError, InputErrors, TmodesError
 from tmodes.io.elasticity_beam import section_axes
 from tmodes.io.sheet_check import sheet_from_data
-from tmodes.io.sheet_files import read_arm_data
+from tmodes.io.sheet_files import read_sheet
 from tmodes.io.urdf import read_urdf
 from tmodes.kinds.drives.registry import drive_kind
 from tmodes.kinds.links.strain import Beam
@@ -58,18 +58,18 @@ def file_of(folder: Path, text: str, urdf: str = URDF) -> Path:
 
 
 def arm_of(folder: Path, text: str) -> Any:
-    return sheet_from_data(*read_arm_data(file_of(folder, text)))
+    return sheet_from_data(*read_sheet(file_of(folder, text)))
 
 
 def said(folder: Path, text: str) -> str:
     path = file_of(folder, text)
     with pytest.raises((InputError, InputErrors)) as caught:
-        read_arm_data(path)
+        read_sheet(path)
     return str(caught.value).replace(f"{folder}/", "")
 
 
 def test_the_undeformed_arm_is_exactly_the_urdf(tmp_path: Path) -> None:
-    bent = read_arm_data(file_of(tmp_path, BOTH))[0]
+    bent = read_sheet(file_of(tmp_path, BOTH))[0]
     rigid = sheet_frames(read_urdf(tmp_path / "bent.urdf").data, ANGLES)
     chain = chain_frames(bent, ANGLES)
     for joint, link in (("turn", "hand"), ("eye", "camera")):
@@ -83,7 +83,7 @@ MODES = "{bending_stiffness: 900.0, damping_time: 0.001}, {bending_stiffness: 40
 
 def test_a_link_may_be_of_modes(tmp_path: Path) -> None:
     """Equal ones where no lengths are given; the arm stays where it was, and the URDF's mass lies along them."""
-    bent = read_arm_data(file_of(tmp_path, f"links: {{upper: {{beam: {{model: modes, modes: [{MODES}]}}}}}}\n"))[0]
+    bent = read_sheet(file_of(tmp_path, f"links: {{upper: {{beam: {{model: modes, modes: [{MODES}]}}}}}}\n"))[0]
     rigid = sheet_frames(read_urdf(tmp_path / "bent.urdf").data, ANGLES)
     np.testing.assert_allclose(chain_frames(bent, ANGLES)["turn"], rigid["hand"], atol=2e-15, rtol=0)
     (link,) = (node.link for node in Robot.from_data(bent).chain().nodes if node.link.kind == "modes")
@@ -122,7 +122,7 @@ def test_the_mass_of_the_urdf_is_spread_over_the_length(tmp_path: Path) -> None:
 
 def test_from_and_to_place_a_beam_anywhere(tmp_path: Path) -> None:
     text = f'links: {{fore: {{beam: {{{BEAM}, {GIVEN}, from: [0.1, 0, "-50 mm"], to: [0.1, 0.2, -0.45]}}}}}}\n'
-    data = read_arm_data(file_of(tmp_path, text))[0]
+    data = read_sheet(file_of(tmp_path, text))[0]
     beam = next(link["beam"] for link in data["links"] if link["name"] == "fore")
     assert beam["length"] == pytest.approx(np.hypot(0.2, 0.4))
     root = matrix(beam["root_mount"])
@@ -138,7 +138,7 @@ def test_a_kept_inertial_rides_where_it_was(center: str, tmp_path: Path) -> None
     """Center of mass and inertia of the riding body, in the link's frame, are the URDF's."""
     text = f"links: {{upper: {{beam: {{{BEAM}, {TUBE}}}, keep_inertial: rigid}}}}\n"
     path = file_of(tmp_path, text, URDF.replace("0.1 0.02 0.2", center))
-    data = read_arm_data(path)[0]
+    data = read_sheet(path)[0]
     link = next(link for link in data["links"] if link["name"] == "upper")
     (body,), beam = link["bodies"], link["beam"]
     station = matrix(beam["root_mount"]) @ matrix({"position": [body["at"] * beam["length"], 0, 0]})
@@ -175,16 +175,16 @@ assumed: the stiffness
 def test_a_link_that_the_urdf_does_not_weigh_gets_its_mass_here(tmp_path: Path) -> None:
     urdf = URDF.replace(f'<link name="hand">{INERTIAL}', '<link name="hand">')
     path = file_of(tmp_path, "links: {hand: {bodies: [{name: tool, mass: 0.7}]}}\n", urdf)
-    assert read_arm_data(path)[0]["links"][-1] == {"name": "hand", "bodies": [{"name": "tool", "mass": 0.7}]}
+    assert read_sheet(path)[0]["links"][-1] == {"name": "hand", "bodies": [{"name": "tool", "mass": 0.7}]}
     with pytest.raises(InputErrors, match="no mass on the moving joint 'turn'"):
-        read_arm_data(file_of(tmp_path, "gravity: 9.81\n", urdf))
+        read_sheet(file_of(tmp_path, "gravity: 9.81\n", urdf))
 
 
 def test_joints_that_are_held_for_a_mimic_can_be_let_go(tmp_path: Path) -> None:
     urdf = URDF.replace('<axis xyz="1 0 0"/>', '<axis xyz="1 0 0"/><mimic joint="lift" offset="0.3"/>')
-    held = read_arm_data(file_of(tmp_path, "gravity: 9.81\n", urdf))[0]["joints"]
+    held = read_sheet(file_of(tmp_path, "gravity: 9.81\n", urdf))[0]["joints"]
     assert [joint.get("locked_at") for joint in held if "state" in joint] == [0.0, 0.3]
-    free = sheet_from_data(*read_arm_data(file_of(tmp_path, "joints: {lift: {state: active}}\n", urdf)))
+    free = sheet_from_data(*read_sheet(file_of(tmp_path, "joints: {lift: {state: active}}\n", urdf)))
     assert [joint.name for joint in free.joints if joint.state == "locked"] == ["turn"]
 
 
@@ -192,7 +192,7 @@ def test_a_xacro_is_read_as_well(tmp_path: Path) -> None:
     (tmp_path / "bent.xacro").write_text(URDF.replace("0.3 0.4 1.2", "${0.1*3} ${0.1*4} ${0.1*12}"))
     path = tmp_path / "a.yaml"
     path.write_text(f"urdf: bent.xacro\n{BOTH}")
-    beam = next(link["beam"] for link in read_arm_data(path)[0]["links"] if link["name"] == "upper")
+    beam = next(link["beam"] for link in read_sheet(path)[0]["links"] if link["name"] == "upper")
     assert beam["length"] == pytest.approx(1.3)
 
 
@@ -281,11 +281,11 @@ def test_the_urdf_lies_in_the_folder(name: str, tmp_path: Path) -> None:
     path = file_of(tmp_path, "")
     path.write_text(f"name: a\nurdf: {name}\n")
     with pytest.raises(InputError, match=r"bent\.yaml:2: urdf must be .*, got .*; "):
-        read_arm_data(path)
+        read_sheet(path)
 
 
 def test_what_is_wrong_in_the_sheet_is_reported_with_the_line_of_this_file(tmp_path: Path) -> None:
     text = "joints:\n  lift:\n    motor: {inertia: 0.2, side: joint}\n    gear: {stiffness: -5, damping: 1.0}\n"
-    data, positions, source = read_arm_data(file_of(tmp_path, text))
+    data, positions, source = read_sheet(file_of(tmp_path, text))
     with pytest.raises(TmodesError, match=r"bent\.yaml:5: .*gear\.stiffness"):
         sheet_from_data(data, positions, source)

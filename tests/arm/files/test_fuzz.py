@@ -19,7 +19,7 @@ from arm.files.test_elasticity import BOTH, URDF
 from arm.files.test_xacro import MACROS
 from tmodes.errors import TmodesError
 from tmodes.io.sheet_check import sheet_from_data
-from tmodes.io.sheet_files import read_arm_data
+from tmodes.io.sheet_files import read_sheet
 
 CASES = int(os.environ.get("TMODES_FUZZ", "300"))
 LONGEST = 5.0
@@ -152,4 +152,4 @@ def problem(path: Path, text: str) -> str:
 
 def _written(path: Path, text: str) -> tuple[dict, dict, str]:
     path.write_text(text, encoding="utf-8", errors="surrogatepass", newline="")
-    return read_arm_data(path)
+    return read_sheet(path)

@@ -13,7 +13,7 @@ import pytest
 from arm.files.frames import chain_frames, mass_matrix, sheet_frames
 from tmodes.errors import TmodesError
 from tmodes.io.sheet_check import sheet_from_data
-from tmodes.io.sheet_files import read_arm_data
+from tmodes.io.sheet_files import read_sheet
 from tmodes.io.urdf import read_urdf
 
 SHARE = Path(sysconfig.get_path("purelib")) / "cmeel.prefix/share"
@@ -35,7 +35,7 @@ pytestmark = [
 def reason(path: Path) -> str:
     """Empty for a robot that is read and whose chain is made; else the kind of what is said against it."""
     try:
-        sheet_from_data(*read_arm_data(path, roots=[SHARE])).chain()
+        sheet_from_data(*read_sheet(path, roots=[SHARE])).chain()
     except TmodesError as error:
         first = str(error).splitlines()[0]
         return next((kind for kind, words in REASONS.items() if re.search(words, first)), f"UNKNOWN: {first}")

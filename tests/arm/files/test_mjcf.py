@@ -13,7 +13,7 @@ import pytest
 from arm.files.frames import mass_matrix, sheet_frames
 from tmodes.errors import InputError
 from tmodes.io.sheet_check import sheet_from_data
-from tmodes.io.sheet_files import read_arm_data
+from tmodes.io.sheet_files import read_sheet
 from tmodes.kinds.drives.registry import drive_kind
 
 needs_mujoco = pytest.mark.skipif(find_spec("mujoco") is None, reason="needs MuJoCo (`pip install mujoco`)")
@@ -56,7 +56,7 @@ def written(folder: Path, text: str = MODEL) -> Path:
 @pytest.mark.parametrize("seed", range(5))
 def test_frames_and_masses_are_mujocos(seed: int, tmp_path: Path) -> None:
     mujoco: Any = import_module("mujoco")
-    data, positions, _ = read_arm_data(written(tmp_path))
+    data, positions, _ = read_sheet(written(tmp_path))
     model = mujoco.MjModel.from_xml_path(str(tmp_path / "model.xml"))
     state = mujoco.MjData(model)
     state.qpos[:] = np.random.default_rng(seed).uniform(-1, 1, model.nq)
@@ -88,7 +88,7 @@ def mujocos_mass_matrix(mujoco: Any, model: Any, state: Any) -> np.ndarray:
 
 @needs_mujoco
 def test_limits_friction_and_motor(tmp_path: Path) -> None:
-    data, positions, source = read_arm_data(written(tmp_path))
+    data, positions, source = read_sheet(written(tmp_path))
     joints = {joint["name"]: joint for joint in data["joints"]}
     assert joints["pan"]["limits"] == {"lower": -1.0, "upper": 1.0}
     assert joints["pan"]["friction"] == {"viscous": 0.3, "coulomb": 0.2}
@@ -102,7 +102,7 @@ def test_limits_friction_and_motor(tmp_path: Path) -> None:
 @needs_mujoco
 def test_a_passive_spring_is_an_elastic_gear_with_a_locked_motor(tmp_path: Path) -> None:
     path = written(tmp_path, SPRING.format('stiffness="40" springref="0.25" damping="0.5"', ""))
-    joint: Any = sheet_from_data(*read_arm_data(path)).chain().nodes[0].joint
+    joint: Any = sheet_from_data(*read_sheet(path)).chain().nodes[0].joint
     assert (joint.drive, joint.gear.stiffness, joint.rest) == (drive_kind("spring"), (40.0,), 0.25)
     assert joint.friction.viscous == 0.5
 
@@ -123,7 +123,7 @@ def test_a_passive_spring_is_an_elastic_gear_with_a_locked_motor(tmp_path: Path)
 )
 def test_what_is_no_arm_is_refused(text: str, words: str, tmp_path: Path) -> None:
     with pytest.raises(InputError) as caught:
-        read_arm_data(written(tmp_path, text))
+        read_sheet(written(tmp_path, text))
     assert words in str(caught.value)
     assert str(caught.value).startswith(f"{tmp_path}/model.xml")
 
@@ -153,7 +153,7 @@ def test_refused_before_mujoco_opens_it(inside: str, tmp_path: Path) -> None:
     folder = tmp_path / "home"
     folder.mkdir()
     with pytest.raises(InputError) as caught:
-        read_arm_data(written(folder, f"<mujoco>\n{inside}</mujoco>"))
+        read_sheet(written(folder, f"<mujoco>\n{inside}</mujoco>"))
     assert str(caught.value).startswith(f"{folder}/model.xml:")
     assert "MuJoCo" not in str(caught.value)
 
@@ -161,4 +161,4 @@ def test_refused_before_mujoco_opens_it(inside: str, tmp_path: Path) -> None:
 def test_without_mujoco_it_is_said_what_to_install(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(__import__("sys").modules, "mujoco", None)
     with pytest.raises(InputError, match="got no MuJoCo; install it with"):
-        read_arm_data(written(tmp_path))
+        read_sheet(written(tmp_path))

@@ -10,7 +10,7 @@ import pytest
 
 from tmodes.errors import InputError, TmodesError
 from tmodes.io.mesh_paths import folders_of
-from tmodes.io.sheet_files import read_arm_data
+from tmodes.io.sheet_files import read_sheet
 from tmodes.io.xacro import expand_xacro, read_xacro
 from tmodes.io.xacro_expression import FormulaError, evaluate
 from tmodes.io.xml_file import Element, parse_xml
@@ -57,7 +57,7 @@ def written(folder: Path) -> Path:
 
 
 def test_against_the_robot_written_out(tmp_path: Path) -> None:
-    data, positions, source = read_arm_data(written(tmp_path))
+    data, positions, source = read_sheet(written(tmp_path))
     left, right = data["joints"][1:]
     assert (left["name"], left["origin"]["position"], left["limits"]["upper"]) == ("left_joint", [0.0, 1.0, 0.0], 1.0)
     assert (right["friction"], "limits" in right) == ({"viscous": 0.25, "coulomb": 0.0}, False)
@@ -223,4 +223,4 @@ def test_a_xacro_is_a_urdf_after_all(tmp_path: Path) -> None:
     path = tmp_path / "bad.xacro"
     path.write_text('<robot name="r">\n<link name="a"><inertial>\n<mass value="${-1}"/></inertial></link></robot>')
     with pytest.raises(TmodesError, match=r"bad\.xacro:3: link a: mass must be .*, got -1"):
-        read_arm_data(path)
+        read_sheet(path)

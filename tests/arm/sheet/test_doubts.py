@@ -7,7 +7,7 @@ import math
 import pytest
 
 from arm.sheet.cases import arm_of, beam, body, changed, joint, problem, sheet
-from tmodes.io.sheet_plausible import arm_notices, implausible_arm
+from tmodes.io.sheet_plausible import implausible_numbers, reading_notices
 
 QUINTIC = {"type": "quintic", "start": 0.0, "end": 1.0, "duration": 1.0}
 STEEL = {"young": 210e9, "shear": 81e9, "density": 7850.0}
@@ -67,7 +67,7 @@ NOTICES = [
 
 @pytest.mark.parametrize(("change", "which", "why"), NOTICES)
 def test_notice(change, which: str, why: str) -> None:
-    info = "\n".join(implausible_arm(arm_of(changed(change))))
+    info = "\n".join(implausible_numbers(arm_of(changed(change))))
     assert which in info
     assert why in info
 
@@ -85,11 +85,11 @@ USUAL = [
 
 @pytest.mark.parametrize("change", USUAL)
 def test_what_is_usual_is_not_doubted(change) -> None:
-    assert implausible_arm(arm_of(changed(change))) == []
+    assert implausible_numbers(arm_of(changed(change))) == []
 
 
 def quaternion(length: float) -> list[str]:
-    return arm_notices(arm_of(sheet(base={"quaternion": [0, 0, 0.6 * length, 0.8 * length]})))
+    return reading_notices(arm_of(sheet(base={"quaternion": [0, 0, 0.6 * length, 0.8 * length]})))
 
 
 def test_a_quaternion_of_seven_digits_is_worth_no_word() -> None:

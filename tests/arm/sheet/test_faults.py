@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from arm.sheet.cases import arm_of, beam, body, changed, joint, one_link, problem, sheet
 from tmodes.errors import InputErrors, TmodesError
 from tmodes.io.sheet_check import sheet_from_data
-from tmodes.io.sheet_plausible import implausible_arm
+from tmodes.io.sheet_plausible import implausible_numbers
 from tmodes.io.yaml_file import parse_yaml
 
 KEYS = [
@@ -299,8 +299,8 @@ def tube(data, material, **more) -> None:
 
 @pytest.mark.parametrize(("change", "words", "likely"), PLAUSIBLE)
 def test_numbers_of_a_wrong_unit_are_warned_of(change, words: str, likely: str) -> None:
-    assert implausible_arm(arm_of(sheet())) == []
-    info = "\n".join(implausible_arm(arm_of(changed(change))))
+    assert implausible_numbers(arm_of(sheet())) == []
+    info = "\n".join(implausible_numbers(arm_of(changed(change))))
     assert words in info
     assert likely in info
 
@@ -312,6 +312,6 @@ def test_a_first_frequency_that_no_robot_has() -> None:
         data["links"][0]["beam"].update(length=40, section={"bending_stiffness": 1e-3, "mass_per_length": 2e-3})
 
     hertz = 1.8751**2 / 1600 * math.sqrt(0.5) / (2 * math.pi)
-    (info,) = implausible_arm(arm_of(changed(thread)))
+    (info,) = implausible_numbers(arm_of(changed(thread)))
     assert f"swings at {hertz:.3g} Hz" in info
     assert "length in mm (factor 0.001)" in info

@@ -11,7 +11,7 @@ from scipy.integrate import solve_ivp
 from scipy.spatial.transform import Rotation
 
 from arm.sheet.cases import arm_of, at, body, joint, matrix, one_link, points, problem, sheet, turned
-from tmodes.io.sheet_plausible import arm_notices
+from tmodes.io.sheet_plausible import reading_notices
 from tmodes.kinds.schema.axes import bent_line, rotation_about, unit
 from tmodes.kinds.schema.frames import Convention, DenavitHartenberg, Origin
 
@@ -61,8 +61,8 @@ def test_quaternions_that_are_none(numbers, words: str) -> None:
 def test_a_rounded_quaternion_is_taken_with_a_notice() -> None:
     arm = arm_of(sheet(base={"quaternion": [0, 0, 0.70711, 0.70711]}))
     np.testing.assert_allclose(arm.chain().base.rotation, Rotation.from_euler("z", np.pi / 2).as_matrix(), atol=1e-15)
-    assert [note.split(":")[0] for note in arm_notices(arm)] == ["base"]
-    assert arm_notices(arm_of(sheet(base={"quaternion": [0.6, 0, 0, 0.8]}))) == []
+    assert [note.split(":")[0] for note in reading_notices(arm)] == ["base"]
+    assert reading_notices(arm_of(sheet(base={"quaternion": [0.6, 0, 0, 0.8]}))) == []
 
 
 def test_two_rotations_at_once() -> None:
@@ -72,7 +72,7 @@ def test_two_rotations_at_once() -> None:
 def test_an_axis_is_made_of_length_one_with_a_notice() -> None:
     arm = arm_of(one_link({"bodies": [body()]}, axis=[0, 3, 4]))
     np.testing.assert_allclose(arm.chain().nodes[0].joint.axis, [0, 0.6, 0.8], rtol=1e-15)
-    assert "joints.pivot.axis: axis of length 5" in arm_notices(arm)[0]
+    assert "joints.pivot.axis: axis of length 5" in reading_notices(arm)[0]
 
 
 @pytest.mark.parametrize("curvature", [(0, 0, 0), (0, 0, 1e-9), (0.3, -1, 0.02), (0, 0, 0.19), (2, 8, -5)])

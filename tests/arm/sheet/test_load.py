@@ -9,7 +9,7 @@ import pytest
 from arm.sheet.cases import sheet
 from tmodes.errors import InputError, InputErrors
 from tmodes.io.forms import json_schema
-from tmodes.io.sheet_write import arm_to_yaml
+from tmodes.io.sheet_write import robot_to_yaml
 from tmodes.robots import text
 from tmodes.robots.load import load, sheet_names, sheet_text
 from tmodes.sheet import Robot
@@ -18,7 +18,7 @@ from tmodes.sheet import Robot
 @pytest.fixture
 def file(tmp_path: Path) -> Path:
     path = tmp_path / "two.yaml"
-    path.write_text(arm_to_yaml(Robot.from_data(sheet())), encoding="utf-8")
+    path.write_text(robot_to_yaml(Robot.from_data(sheet())), encoding="utf-8")
     return path
 
 

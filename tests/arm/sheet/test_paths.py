@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from arm.sheet.cases import SECTION, arm_of, beam, body, joint, problem, sheet
 from tmodes.errors import InputError, InputErrors
 from tmodes.io.sheet_check import sheet_data, sheet_from_data
-from tmodes.io.sheet_write import arm_to_yaml
+from tmodes.io.sheet_write import robot_to_yaml
 from tmodes.io.yaml_file import parse_yaml
 from tmodes.kinds.links.material import LIBRARY
 from tmodes.sheet import Robot
@@ -139,7 +139,7 @@ def test_factors_that_are_none(real, words: str) -> None:
 
 
 def read_back(arm: Robot) -> Robot:
-    text = arm_to_yaml(arm)
+    text = robot_to_yaml(arm)
     data, positions = parse_yaml(text, "written.yaml")
     return sheet_from_data(data, positions, "written.yaml")
 

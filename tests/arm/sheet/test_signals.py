@@ -13,7 +13,7 @@ from pydantic import TypeAdapter, ValidationError
 from scipy.interpolate import CubicSpline
 
 from tmodes.errors import InputError, InputErrors
-from tmodes.kinds.signals.formula import FormulaError, parse_formula
+from tmodes.kinds.signals.expression import FormulaError, parse_formula
 from tmodes.kinds.signals.registry import Signal, merge
 from tmodes.kinds.signals.schedule import Schedule
 from tmodes.robots.load import load

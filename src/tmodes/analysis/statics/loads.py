@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tmodes.equations.loop.contact_law import LawAt, contact_law
+from tmodes.equations.loop.contact_kernels import LawAt, contact_law
 from tmodes.errors import InputError
 from tmodes.kinds.contacts.registry import Contact, Surface
 from tmodes.kinds.schema.axes import cross_matrix

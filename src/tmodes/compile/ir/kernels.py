@@ -74,7 +74,8 @@ def kernels_of(schedule: Any, arithmetic: str) -> dict[str, Library]:
     from tmodes.compile.ir.block import kernel_symbol
 
     kernels = {kernel_symbol(kernel, arithmetic): kernel for kernel, _, _ in schedule.calls}
-    return {symbol: _kernel(symbol, kernel, arithmetic) for symbol, kernel in kernels.items()}
+    level = _level(arithmetic, often=schedule.often)
+    return {symbol: _kernel(symbol, kernel, arithmetic, level) for symbol, kernel in kernels.items()}
 
 
 def called(schedule: Any, arithmetic: str) -> dict[str, Library]:
@@ -85,7 +86,15 @@ def called(schedule: Any, arithmetic: str) -> dict[str, Library]:
     return {} if unrolled else kernels_of(schedule, arithmetic)
 
 
-def _kernel(symbol: str, kernel: Any, arithmetic: str) -> Library:
+def _level(arithmetic: str, *, often: bool) -> int:
+    """Work for the code of a kernel: of one that is seldom called, quick to compile is worth more than quick to run.
+
+    Differentiated code is twice as long and seldom called too.
+    """
+    return 0 if arithmetic == "derivative" or (arithmetic == "double" and not often) else 1
+
+
+def _kernel(symbol: str, kernel: Any, arithmetic: str, level: int) -> Library:
     def write() -> Any:
         from llvmlite import ir
 
@@ -95,10 +104,8 @@ def _kernel(symbol: str, kernel: Any, arithmetic: str) -> Library:
         write_kernel(module, kernel, arithmetic_of(arithmetic)(module))
         return module
 
-    # Differentiated code is twice as long and seldom called: quicker to compile is worth more than quicker to run.
-    level = 0 if arithmetic == "derivative" else 1
     functions = {symbol: len(kernel.inputs) + len(kernel.outputs)}
-    return library(symbol, symbol, write, functions, level, tidy=kernel.long)
+    return library(symbol, f"{symbol} {level}", write, functions, level, tidy=kernel.long)
 
 
 def arithmetic_of(name: str) -> Any:
@@ -115,7 +122,8 @@ def schedule_function(name: str, schedule: Any, arithmetic: str) -> Library:
     direction).
     """
     write, imports = partial(schedule_module, schedule, arithmetic, "run"), partial(called, schedule, arithmetic)
-    return library(f"{name}.{arithmetic}", schedule.key, write, {"run": 6}, 1, imports, tidy=False)
+    level = _level(arithmetic, often=schedule.often)
+    return library(f"{name}.{arithmetic}", schedule.key, write, {"run": 6}, level, imports, tidy=False)
 
 
 def schedule_module(schedule: Any, arithmetic: str, symbol: str) -> Any:

@@ -9,8 +9,7 @@ from typing import Any
 
 from tmodes.equations.lagrange.chained import ChainedSystem
 from tmodes.equations.lagrange.solving import Solver, push_rows_kernel
-from tmodes.equations.recursion.coordinates import Coordinates
-from tmodes.equations.recursion.driven import Driven
+from tmodes.equations.recursion.driven import Coordinates, Driven
 from tmodes.equations.recursion.parts import AxisPart
 from tmodes.equations.recursion.passes import Blocks
 from tmodes.kinds.kernel.kernel import Kernel

@@ -3,14 +3,9 @@
 from __future__ import annotations
 
 from tmodes.equations.lagrange.filipovic2010 import CONSISTENT, PRINTED
-from tmodes.equations.lagrange.system import SYSTEMS, System
+from tmodes.equations.lagrange.system import SYSTEMS
 
-__all__ = ["system_named"]
+__all__ = ["SYSTEMS"]
 
 for _system in (PRINTED, CONSISTENT):
     SYSTEMS.register(_system)
-
-
-def system_named(name: str) -> System:
-    """The system of a name; raises :class:`tmodes.kinds.registry.UnknownKindError`."""
-    return SYSTEMS[name]

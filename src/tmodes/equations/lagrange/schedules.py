@@ -10,7 +10,7 @@ from tmodes.equations.lagrange.chained import ChainedSystem
 from tmodes.equations.lagrange.kernels import SystemKernels, entries, unpacked
 from tmodes.equations.lagrange.motion import LagrangeDynamics, LagrangeWay
 from tmodes.equations.recursion.driven import Drives
-from tmodes.equations.recursion.elastic import elastic_of_drives
+from tmodes.equations.recursion.forces import elastic_of_drives
 from tmodes.equations.recursion.forward import ahead_kernel
 from tmodes.kinds.kernel.kernel import Kernel
 from tmodes.kinds.kernel.schedule import Schedule, Slot

@@ -31,8 +31,7 @@ from numpy.typing import NDArray
 
 from tmodes.chain.chain import Chain
 from tmodes.equations.lagrange.as_sheet import system_data
-from tmodes.equations.lagrange.members import Members
-from tmodes.equations.lagrange.terms import Energies, EquationTerms, equation_terms
+from tmodes.equations.lagrange.terms import Energies, EquationTerms, Members, equation_terms
 from tmodes.errors import InputError
 from tmodes.kinds.registry import Registry
 from tmodes.sheet.robot import RECURSION, Robot

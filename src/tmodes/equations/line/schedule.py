@@ -14,12 +14,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.equations.recursion.body_kernels import body_kernel, times_kernel
-from tmodes.equations.recursion.inertia import Balance, balance
+from tmodes.equations.recursion.forces import Balance, balance
 from tmodes.equations.recursion.parts import NodePart, Parts
 from tmodes.equations.recursion.passes import Blocks, Passes
 from tmodes.frame import Placement
 from tmodes.kinds.kernel import vectors as v
-from tmodes.kinds.kernel.kernel import Kernel
+from tmodes.kinds.kernel.kernel import Kernel, kernel
 from tmodes.kinds.kernel.schedule import Numbers, Schedule, Slot
 from tmodes.kinds.kernel.spatial import FORCE, Force
 from tmodes.kinds.links.line import POSE, LineOfLink, Moved
@@ -57,7 +57,7 @@ class Lines:
 def line_schedule(parts: Parts, s: Array, drawn: Drawn, *, loaded: bool = False) -> Lines:
     """The lines at the places ``s`` (S,) along each link; ``loaded``: forces act on the points.
 
-    ``drawn`` adds further lines, see :meth:`tmodes.equations.recursion.mechanics.RecursiveMechanics.drawn`.
+    ``drawn`` adds further lines, see :meth:`tmodes.equations.mechanics.RecursiveMechanics.drawn`.
     """
     way = Passes(parts, posed=True, loaded=loaded)
     way.take_wrenches()
@@ -131,13 +131,10 @@ def _single(way: Passes, found: Balance, index: int, number: int) -> Slot:
     return call(times_kernel(), inertia, motion, bias)[0]
 
 
-def _outer_kernel() -> Kernel:
+@kernel("line outer", (FORCE, 3, FORCE), (FORCE,))
+def _outer_kernel(force: Any, place: Any, total: Any) -> list[list[Any]]:
     """(force at a section, place of the section, force about the root) -> both about the root."""
-
-    def build(force: Any, place: Any, total: Any) -> list[list[Any]]:
-        return [(Force.of(total) + Force.of(force).force_at(v.vec(place))).packed()]
-
-    return Kernel("line outer", (FORCE, 3, FORCE), (FORCE,), build)
+    return [(Force.of(total) + Force.of(force).force_at(v.vec(place))).packed()]
 
 
 def _root(way: Passes, found: Balance, numbers: Numbers, index: int) -> Slot:

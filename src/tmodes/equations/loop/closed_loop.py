@@ -7,15 +7,152 @@ h > 0 its accelerations are those of a linearly implicit Euler step of h.
 from __future__ import annotations
 
 from functools import cached_property
+from typing import Any
 
+from tmodes.equations.loop.contact_kernels import CONTACT_OUTPUTS
+from tmodes.equations.loop.control_kernels import WINDING, needed_kernel
 from tmodes.equations.loop.friction import contact_fold
 from tmodes.equations.loop.instant import Instant
-from tmodes.equations.loop.loop_parts import Driver, LoopParts
-from tmodes.equations.loop.powers import Powers
+from tmodes.equations.loop.plan import WORKS, Driver, LoopParts
 from tmodes.equations.loop.serving import sampled_state
-from tmodes.kinds.kernel.schedule import Schedule
+from tmodes.equations.loop.signals_kernels import power_kernel
+from tmodes.equations.recursion.body_kernels import times_kernel
+from tmodes.equations.recursion.hinge import POSE
+from tmodes.kinds.kernel import vectors as v
+from tmodes.kinds.kernel.kernel import Kernel
+from tmodes.kinds.kernel.schedule import Schedule, Slot
+from tmodes.kinds.kernel.spatial import FORCE
 
-__all__ = ["ClosedLoop", "Driver"]
+__all__ = ["ClosedLoop", "Driver", "Powers"]
+
+
+class Powers:
+    """What the forces of an instant do: ``works`` by kind, and what is reported of drives, gears and the contact."""
+
+    def __init__(self, instant: Instant) -> None:
+        self.instant, self.loop, self.plan, self.parts = instant, instant.loop, instant.plan, instant.parts
+        self.way, self.recursion, self.none = instant.way, instant.recursion, instant.none
+        self.solution = instant.solution
+        self.powers: dict[str, list[Slot]] = {name: [] for name in WORKS}
+        self.info = dict(instant.info)
+        self.gear: dict[int, Slot] = {}
+        for k, effort in instant.efforts.items():
+            speed = self.way.v.part(self.loop.drivers[k].coordinate, 1)
+            self.powers["motor"].append(self._product(effort, speed))
+        self._need()
+        self._lose()
+        self.contact = self._power_of_loads()
+        self._power_of_base()
+
+    @property
+    def works(self) -> list[Slot]:
+        """Powers [W] by kind, in the order of the works."""
+        return [self._added(*blocks) if blocks else self.none[1] for blocks in self.powers.values()]
+
+    def _call(self, kernel: Kernel, *blocks: Slot) -> tuple[Slot, ...]:
+        return self.instant.call(kernel, *blocks)
+
+    def _product(self, a: Slot, b: Slot) -> Slot:
+        return self._call(Kernel("product", (1, 1), (1,), lambda x, y: [[x[0] * y[0]]]), a, b)[0]
+
+    def _added(self, *blocks: Slot) -> Slot:
+        """Sum of single numbers."""
+        if len(blocks) == 1:
+            return blocks[0]
+
+        def build(*values: Any) -> list[list[Any]]:
+            return [[v.total([value[0] for value in values])]]
+
+        return self._call(Kernel(f"added {len(blocks)}", (1,) * len(blocks), (1,), build), *blocks)[0]
+
+    def _need(self) -> None:
+        """What the motors that follow their signals exactly must do."""
+        inputs, loads = self.recursion.coupled, self.recursion.coupled_loads
+        for k, driver in enumerate(self.loop.drivers):
+            load, gear = self._losses_of(driver, inputs)
+            self.gear[k] = gear or self.none[1]
+            if driver.plan.servo is None and driver.part.motor not in inputs:
+                self._needed(k, driver, load)
+        for k, driver in enumerate(self.loop.drivers):
+            if driver.plan.servo is None and driver.part.motor in loads:
+                speed, motor = self.way.motor(driver.part)[1], driver.part.motor
+                held = self._call(driver.kind.coupled_motor(), driver.kind_numbers, speed, self.none[1], loads[motor])
+                self._needed(k, driver, held[1])
+
+    def _losses_of(self, driver: Driver, inputs: dict[int, tuple[Slot, Slot]]) -> tuple[Slot, Slot | None]:
+        """Load on the motor but for its inertia, and the gear's torque; the losses go to the powers."""
+        part, none = driver.part, self.none[1]
+        if part.motor in inputs:
+            blocks = (driver.kind_numbers, *inputs[part.motor], *self.way.angle(part))
+            lost = self._call(driver.kind.coupled_elastic(), *blocks)[2]
+            own = self._call(driver.kind.coupled_motor(), driver.kind_numbers, self.way.motor(part)[1], none, none)[2]
+            self.powers["friction"] += [lost.part(1, 1), own]
+            self.powers["gear_damping"].append(lost.part(0, 1))
+            return none, self.recursion.torques[part.motor]
+        blocks = (driver.kind_numbers, *self.way.motor(part), *self.way.angle(part))
+        forces, _, lost = self._call(driver.kind.elastic(), *blocks)
+        self.powers["friction"].append(lost.part(1, 1))
+        if part.motor >= 0:
+            self.powers["gear_damping"].append(lost.part(0, 1))
+            return forces.part(1, 1), self._gear_torque(driver, forces)
+        if part.given < 0:
+            return forces.part(0, 1), None
+        return self._added(forces.part(0, 1), self.solution.force_along(part)), None
+
+    def _gear_torque(self, driver: Driver, forces: Slot) -> Slot:
+        """The torque in an elastic gear: the force on the motor less the motor's friction."""
+        motor = self._call(
+            driver.kind.coupled_motor(), driver.kind_numbers, self.way.motor(driver.part)[1], self.none[1], self.none[1]
+        )[1]
+        less = Kernel("difference", (1, 1), (1,), lambda x, y: [[x[0] - y[0]]])
+        return self._call(less, forces.part(1, 1), motor)[0]
+
+    def _needed(self, k: int, driver: Driver, load: Slot) -> None:
+        signal, inertia = self.instant.signals[driver.plan.signal], driver.kind_numbers.part(0, 1)
+        found = self._call(needed_kernel(driver.plan.winding), driver.numbers.part(0, WINDING), inertia, signal, load)
+        self.info[k] = found[1]
+        self.powers["motor"].append(self._product(found[0], signal.part(1, 1)))
+
+    def _lose(self) -> None:
+        """Losses of what no drive of the plan moves: locked springs, and the links."""
+        driven = {driver.part.angle for driver in self.loop.drivers}
+        for axis in self.parts.axes:
+            if axis.drive and axis.drive_numbers and axis.angle not in driven:
+                blocks = (axis.drive_numbers, *self.way.motor(axis), *self.way.angle(axis))
+                lost = self._call(axis.drive.elastic(), *blocks)[2]
+                self.powers["gear_damping"].append(lost.part(0, 1))
+                self.powers["friction"].append(lost.part(1, 1))
+        self.powers["link_damping"] += self.way.link_losses()
+
+    def _power_of_loads(self) -> Slot:
+        """Powers of loads and contact; what is reported of the contact."""
+        for k, wrench in self.instant.dead.items():
+            pose, rate, _ = self.solution.point(k)
+            self.powers["loads"] += self._call(power_kernel(), wrench, pose, rate)
+        touch = self.plan.touch
+        if not (touch and self.loop.touch):
+            return self.instant.pack(*(self.none[1],) * CONTACT_OUTPUTS)
+        pose, _, motion = self.solution.point(touch.point)
+        info, power = self._call(touch.touch.info(), pose, motion, self.loop.touch)
+        solved = self.solution.first.contact
+        self.powers["contact"].append(power if solved is None else solved.part(2, 1))
+        return info
+
+    def _power_of_base(self) -> None:
+        """Power of what moves the base."""
+        if not self.plan.base:
+            return
+        inertia, bias = self.solution.at_base()
+        (force,) = self._call(times_kernel(), inertia, self.way.base.part(0, FORCE), bias)
+
+        def build(push: Any, rate: Any, pose: Any) -> list[list[Any]]:
+            velocity = v.matvec(v.transpose(v.tri(pose)), v.vec(pose, 12))
+            return [[v.dot(v.vec(push), v.vec(rate)) + v.dot(v.vec(push, 3), velocity)]]
+
+        kernel = Kernel("power of base", (FORCE, 3, POSE), (1,), build)
+        self.powers["base"] += self._call(
+            kernel, force, self.way.base.part(FORCE, 3), self.way.base.part(FORCE + 3, 15)
+        )
 
 
 class ClosedLoop(LoopParts):

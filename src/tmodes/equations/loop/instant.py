@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from tmodes.equations.loop.friction import solved
-from tmodes.equations.loop.loop_parts import LoopParts
+from tmodes.equations.loop.plan import LoopParts
 from tmodes.equations.loop.serving import Serving
 from tmodes.equations.loop.signals_kernels import base_kernel, load_kernel
 from tmodes.equations.mechanics import Dynamics, Way

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from tmodes.equations.loop.control_kernels import Servo, View
-from tmodes.equations.loop.loop_parts import Driver, LoopParts
+from tmodes.equations.loop.plan import Driver, LoopParts
 from tmodes.equations.loop.signals_kernels import replacing_kernel, signal_kernel
 from tmodes.equations.mechanics import Way
-from tmodes.equations.recursion.coordinates import packing_kernel
+from tmodes.equations.recursion.driven import packing_kernel
 from tmodes.kinds.kernel.kernel import Kernel
 from tmodes.kinds.kernel.schedule import Divisible, Schedule, Slot
 

@@ -8,7 +8,7 @@ import casadi as ca
 
 from tmodes.equations.recursion.hinge import PLACEMENT, POSE
 from tmodes.kinds.kernel import vectors as v
-from tmodes.kinds.kernel.kernel import Kernel
+from tmodes.kinds.kernel.kernel import Kernel, kernel
 from tmodes.kinds.kernel.spatial import FORCE
 
 __all__ = ["BASE_NUMBERS", "SIGNAL", "base_kernel", "load_kernel", "power_kernel", "replacing_kernel", "signal_kernel"]
@@ -108,10 +108,7 @@ def load_kernel(*, follower: bool) -> Kernel:
     return Kernel(f"load{' follower' * follower}", (POSE, PLACEMENT, FORCE, 3, FORCE), (FORCE,), build)
 
 
-def power_kernel() -> Kernel:
+@kernel("power", (FORCE, POSE, 3), (1,))
+def power_kernel(wrench: Any, pose: Any, rate: Any) -> list[list[Any]]:
     """(wrench, pose and rate of its point, all in world axes) -> power [W]."""
-
-    def build(wrench: Any, pose: Any, rate: Any) -> list[list[Any]]:
-        return [[v.dot(v.vec(wrench), v.vec(pose, 12)) + v.dot(v.vec(wrench, 3), v.vec(rate))]]
-
-    return Kernel("power", (FORCE, POSE, 3), (1,), build)
+    return [[v.dot(v.vec(wrench), v.vec(pose, 12)) + v.dot(v.vec(wrench, 3), v.vec(rate))]]

@@ -6,7 +6,7 @@ from typing import Any
 
 from tmodes.equations.recursion.hinge import PLACEMENT, POSE
 from tmodes.kinds.kernel import vectors as v
-from tmodes.kinds.kernel.kernel import Kernel
+from tmodes.kinds.kernel.kernel import Kernel, kernel
 from tmodes.kinds.kernel.spatial import FORCE, INERTIA, Force, Inertia, body_bias, body_inertia
 
 __all__ = [
@@ -32,13 +32,10 @@ def body_kernel(*, on_section: bool) -> Kernel:
     return Kernel(f"body{' on section' * on_section}", (BODY, 9, 3), (INERTIA, FORCE), build, plain=True)
 
 
-def body_inertia_kernel() -> Kernel:
+@kernel("body inertia", (BODY,), (INERTIA,), plain=True)
+def body_inertia_kernel(body: Any) -> list[list[Any]]:
     """Body -> its inertia about its frame's origin."""
-
-    def build(body: Any) -> list[list[Any]]:
-        return [body_inertia(body[0], v.vec(body, 1), v.symmetric(body, 4)).packed()]
-
-    return Kernel("body inertia", (BODY,), (INERTIA,), build, plain=True)
+    return [body_inertia(body[0], v.vec(body, 1), v.symmetric(body, 4)).packed()]
 
 
 def push_kernel(*, on_section: bool) -> Kernel:
@@ -75,28 +72,19 @@ def point_kernel(*, on_section: bool) -> Kernel:
     return Kernel(f"point{' on section' * on_section}", (POSE, 9, 3, FORCE, PLACEMENT), (POSE, 3, 6), build)
 
 
-def times_kernel() -> Kernel:
+@kernel("times", (INERTIA, FORCE, FORCE), (FORCE,))
+def times_kernel(inertia: Any, motion: Any, bias: Any) -> list[list[Any]]:
     """(inertia, acceleration, bias force) -> force."""
-
-    def build(inertia: Any, motion: Any, bias: Any) -> list[list[Any]]:
-        return [(Inertia.of(inertia).times(Force.of(motion)) + Force.of(bias)).packed()]
-
-    return Kernel("times", (INERTIA, FORCE, FORCE), (FORCE,), build)
+    return [(Inertia.of(inertia).times(Force.of(motion)) + Force.of(bias)).packed()]
 
 
-def body_moment_kernel() -> Kernel:
+@kernel("body moment", (BODY, POSE, 3), (3,))
+def body_moment_kernel(body: Any, pose: Any, sum_: Any) -> list[list[Any]]:
     """(body, pose of its frame, sum) -> sum of mass times position, in the world."""
-
-    def build(body: Any, pose: Any, sum_: Any) -> list[list[Any]]:
-        return [v.add(v.vec(sum_), v.scale(body[0], v.vec(pose, 9)), v.matvec(v.tri(pose), v.vec(body, 1)))]
-
-    return Kernel("body moment", (BODY, POSE, 3), (3,), build)
+    return [v.add(v.vec(sum_), v.scale(body[0], v.vec(pose, 9)), v.matvec(v.tri(pose), v.vec(body, 1)))]
 
 
-def sum_kernel() -> Kernel:
+@kernel("sum", (INERTIA, FORCE, INERTIA, FORCE), (INERTIA, FORCE))
+def sum_kernel(inertia: Any, bias: Any, more: Any, push: Any) -> list[list[Any]]:
     """(inertia, bias force, inertia, bias force) -> the two together."""
-
-    def build(inertia: Any, bias: Any, more: Any, push: Any) -> list[list[Any]]:
-        return [[inertia[i] + more[i] for i in range(INERTIA)], [bias[i] + push[i] for i in range(FORCE)]]
-
-    return Kernel("sum", (INERTIA, FORCE, INERTIA, FORCE), (INERTIA, FORCE), build)
+    return [[inertia[i] + more[i] for i in range(INERTIA)], [bias[i] + push[i] for i in range(FORCE)]]

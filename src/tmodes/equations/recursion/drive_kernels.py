@@ -10,10 +10,9 @@ from dataclasses import dataclass
 from typing import Any
 
 from tmodes.chain.chain import Friction, Gear, Joint, Motor
-from tmodes.kinds.drives.contract import Angles, DriveKind
-from tmodes.kinds.drives.laws import FRICTION, DriveLaw
+from tmodes.kinds.drives.contract import FRICTION, Angles, DriveKind, DriveLaw
 from tmodes.kinds.kernel import vectors as v
-from tmodes.kinds.kernel.kernel import Kernel
+from tmodes.kinds.kernel.kernel import Kernel, kernel
 
 __all__ = ["DriveKernels", "drive_kernels", "drive_numbers", "mixing_kernel"]
 
@@ -50,83 +49,66 @@ class DriveKernels:
             own=self.kind.own_numbers,
         )  # fmt: skip
 
-    def forward(self) -> Kernel:
+    @kernel("drive {0.key}", ("size", 1, 1, 1, 1, 1, 2, 1), (1, 1, 3))
+    def forward(
+        self, p: Any, th: Any, thd: Any, ga: Any, gad: Any, effort: Any, feedback: Any, step: Any
+    ) -> list[list[Any]]:
         """(parameters, th, th', ga, ga', effort, feedback, h) -> (effort on the joint, own inertia, motor (3)).
 
         ``motor``: th'' = motor[2] (motor[0] + motor[1] ga''), of an elastic drive. ``feedback``: by how much the effort
         falls per angle and per rate of the motor; it is in the effort already, and helps an implicit step alone.
         """
+        law, h = self._law(p), step[0]
+        held = h * feedback[1] + h * h * feedback[0]
+        found = self.kind.forward(law, Angles(th[0], thd[0], ga[0], gad[0]), effort[0], held, h)
+        return [[found.effort], [found.own], list(found.motor)]
 
-        def build(
-            p: Any, th: Any, thd: Any, ga: Any, gad: Any, effort: Any, feedback: Any, step: Any
-        ) -> list[list[Any]]:
-            law, h = self._law(p), step[0]
-            held = h * feedback[1] + h * h * feedback[0]
-            found = self.kind.forward(law, Angles(th[0], thd[0], ga[0], gad[0]), effort[0], held, h)
-            return [[found.effort], [found.own], list(found.motor)]
-
-        return Kernel(f"drive {self.key}", (self.size, 1, 1, 1, 1, 1, 2, 1), (1, 1, 3), build)
-
-    def motor(self) -> Kernel:
+    @kernel("motor", (3, 1), (1,))
+    def motor(self, motor: Any, joint: Any) -> list[list[Any]]:
         """(motor, ga'') -> th''."""
-        return Kernel("motor", (3, 1), (1,), lambda motor, joint: [[motor[2] * (motor[0] + motor[1] * joint[0])]])
+        return [[motor[2] * (motor[0] + motor[1] * joint[0])]]
 
-    def followed(self) -> Kernel:
+    @kernel("followed {0.key}", ("size", 1, 1, 1, 1, 1), (1, 1))
+    def followed(self, p: Any, th: Any, thd: Any, ga: Any, gad: Any, step: Any) -> list[list[Any]]:
         """(parameters, th, th', ga, ga', h) -> (effort on the joint, own inertia), of a motor that follows."""
+        law, h = self._law(p), step[0]
+        joint, joint_slope = law.joint_friction(gad[0])
+        torque, stiffness = law.spring(th[0] - ga[0])
+        torque = torque + law.damping * (thd[0] - gad[0])
+        return [[torque - joint], [h * (law.damping + joint_slope) + h * h * stiffness]]
 
-        def build(p: Any, th: Any, thd: Any, ga: Any, gad: Any, step: Any) -> list[list[Any]]:
-            law, h = self._law(p), step[0]
-            joint, joint_slope = law.joint_friction(gad[0])
-            torque, stiffness = law.spring(th[0] - ga[0])
-            torque = torque + law.damping * (thd[0] - gad[0])
-            return [[torque - joint], [h * (law.damping + joint_slope) + h * h * stiffness]]
-
-        return Kernel(f"followed {self.key}", (self.size, 1, 1, 1, 1, 1), (1, 1), build)
-
-    def elastic(self) -> Kernel:
+    @kernel("elastic {0.key}", ("size", 1, 1, 1, 1), (2, 1, 2))
+    def elastic(self, p: Any, th: Any, thd: Any, ga: Any, gad: Any) -> list[list[Any]]:
         """Forces of springs, dampers and friction on (ga, th), energy [J], power lost in gear and in friction [W].
 
         Of (parameters, th, th', ga, ga'); signs as on the left side of the equations of motion.
         """
+        found = self.kind.elastic(self._law(p), Angles(th[0], thd[0], ga[0], gad[0]))
+        lost = [found.lost_in_gear, found.lost_in_friction]
+        return [[found.on_joint, found.on_motor], [found.energy], lost]
 
-        def build(p: Any, th: Any, thd: Any, ga: Any, gad: Any) -> list[list[Any]]:
-            found = self.kind.elastic(self._law(p), Angles(th[0], thd[0], ga[0], gad[0]))
-            lost = [found.lost_in_gear, found.lost_in_friction]
-            return [[found.on_joint, found.on_motor], [found.energy], lost]
-
-        return Kernel(f"elastic {self.key}", (self.size, 1, 1, 1, 1), (2, 1, 2), build)
-
-    def coupled(self) -> Kernel:
+    @kernel("coupled {0.key}", ("size", 1, 1, 1, 1), (1, 1))
+    def coupled(self, p: Any, angle: Any, speed: Any, ga: Any, gad: Any) -> list[list[Any]]:
         """Gear of a coupled drive, explicit: (parameters, input angle, its rate, ga, ga') -> (effort, gear torque)."""
+        law = self._law(p)
+        torque = law.spring(angle[0] - ga[0])[0] + law.damping * (speed[0] - gad[0])
+        return [[torque - law.joint_friction(gad[0])[0]], [torque]]
 
-        def build(p: Any, angle: Any, speed: Any, ga: Any, gad: Any) -> list[list[Any]]:
-            law = self._law(p)
-            torque = law.spring(angle[0] - ga[0])[0] + law.damping * (speed[0] - gad[0])
-            return [[torque - law.joint_friction(gad[0])[0]], [torque]]
-
-        return Kernel(f"coupled {self.key}", (self.size, 1, 1, 1, 1), (1, 1), build)
-
-    def coupled_motor(self) -> Kernel:
+    @kernel("coupled motor {0.key}", ("size", 1, 1, 1), (3, 1, 1))
+    def coupled_motor(self, p: Any, thd: Any, effort: Any, load: Any) -> list[list[Any]]:
         """(parameters, th', effort, load of all gears) -> (motor (3), force on th of load and friction, loss)."""
+        law = self._law(p)
+        held = load[0] + law.motor_friction(thd[0])[0]
+        return [[effort[0] - held, 0.0, 1 / law.inertia], [held], [law.motor_friction(thd[0])[0] * thd[0]]]
 
-        def build(p: Any, thd: Any, effort: Any, load: Any) -> list[list[Any]]:
-            law = self._law(p)
-            held = load[0] + law.motor_friction(thd[0])[0]
-            return [[effort[0] - held, 0.0, 1 / law.inertia], [held], [law.motor_friction(thd[0])[0] * thd[0]]]
-
-        return Kernel(f"coupled motor {self.key}", (self.size, 1, 1, 1), (3, 1, 1), build)
-
-    def coupled_elastic(self) -> Kernel:
+    @kernel("coupled elastic {0.key}", ("size", 1, 1, 1, 1), (1, 1, 2))
+    def coupled_elastic(self, p: Any, angle: Any, speed: Any, ga: Any, gad: Any) -> list[list[Any]]:
         """(parameters, input angle, its rate, ga, ga') -> (force on ga, energy, power lost in gear and joint)."""
-
-        def build(p: Any, angle: Any, speed: Any, ga: Any, gad: Any) -> list[list[Any]]:
-            law = self._law(p)
-            rate, joint = speed[0] - gad[0], law.joint_friction(gad[0])[0]
-            torque = law.spring(angle[0] - ga[0])[0] + law.damping * rate
-            lost = [law.damping * rate * rate, joint * gad[0]]
-            return [[joint - torque], [law.stored(angle[0] - ga[0])], lost]
-
-        return Kernel(f"coupled elastic {self.key}", (self.size, 1, 1, 1, 1), (1, 1, 2), build)
+        law = self._law(p)
+        rate, joint = speed[0] - gad[0], law.joint_friction(gad[0])[0]
+        torque = law.spring(angle[0] - ga[0])[0] + law.damping * rate
+        lost = [law.damping * rate * rate, joint * gad[0]]
+        return [[joint - torque], [law.stored(angle[0] - ga[0])], lost]
 
 
 def mixing_kernel(count: int, *, transposed: bool) -> Kernel:

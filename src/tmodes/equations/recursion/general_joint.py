@@ -13,10 +13,13 @@ from typing import Any
 from tmodes.equations.recursion.hinge import HINGE, PLACEMENT, POSE
 from tmodes.kinds.joints.contract import JointKind
 from tmodes.kinds.kernel import vectors as v
-from tmodes.kinds.kernel.kernel import Kernel
+from tmodes.kinds.kernel.kernel import kernel
 from tmodes.kinds.kernel.spatial import FORCE, INERTIA, Force, Inertia, factor, forward_substitution
 
 __all__ = ["GeneralJoint", "held_numbers"]
+
+_PASSED = (INERTIA, FORCE, HINGE, "span", "size", "size")
+"""Inputs of what the joint passes on: I, p, hinge, columns, efforts, own inertias."""
 
 
 @dataclass(frozen=True)
@@ -44,6 +47,11 @@ class GeneralJoint:
         return self.kind.size
 
     @property
+    def span(self) -> int:
+        """Numbers of all columns."""
+        return FORCE * self.size
+
+    @property
     def free(self) -> list[int]:
         """The coordinates that are not given."""
         return [k for k, is_given in enumerate(self.driven) if not is_given]
@@ -63,60 +71,45 @@ class GeneralJoint:
         """The same joint with its motion given."""
         return replace(self, driven=(True,) * self.size)
 
-    def inward(self) -> Kernel:
+    @kernel("inward {0.key}", (PLACEMENT, 9, "numbers", 3, "size", "size"), (HINGE, 3, "span"))
+    def inward(self, placement: Any, tip: Any, numbers: Any, parent_rate: Any, q: Any, rates: Any) -> list[list[Any]]:
         """(placement, rotation of the parent's tip, numbers, its rate, q, q') -> (hinge, rate of the root, columns)."""
+        frame, place, w = v.tri(placement), v.vec(placement, 9), v.vec(parent_rate)
+        if self.on_section:
+            frame, place = v.matmul(v.tri(tip), frame), v.matvec(v.tri(tip), place)
+        values = [numbers[i] for i in range(self.numbers)]
+        angles, speeds = ([block[k] for k in range(self.size)] for block in (q, rates))
+        rotation, position = self.kind.place(angles, values)
+        columns = self.kind.subspace(angles, values)
+        turned = v.transpose(v.matmul(frame, rotation))
+        arm, carried = v.add(place, v.matvec(frame, position)), v.matvec(turned, w)
+        own = _combined(columns, speeds)
+        drift = self.kind.bias(angles, speeds, values) + Force(
+            v.cross(carried, own.angular),
+            v.add(v.matvec(turned, v.cross(w, v.cross(w, arm))), v.scale(2, v.cross(carried, own.linear))),
+        )
+        packed = [entry for column in columns for entry in column.packed()]
+        return [v.flat(turned, arm, drift.packed()), v.add(carried, own.angular), packed]
 
-        def build(placement: Any, tip: Any, numbers: Any, parent_rate: Any, q: Any, rates: Any) -> list[list[Any]]:
-            frame, place, w = v.tri(placement), v.vec(placement, 9), v.vec(parent_rate)
-            if self.on_section:
-                frame, place = v.matmul(v.tri(tip), frame), v.matvec(v.tri(tip), place)
-            values = [numbers[i] for i in range(self.numbers)]
-            angles, speeds = ([block[k] for k in range(self.size)] for block in (q, rates))
-            rotation, position = self.kind.place(angles, values)
-            columns = self.kind.subspace(angles, values)
-            turned = v.transpose(v.matmul(frame, rotation))
-            arm, carried = v.add(place, v.matvec(frame, position)), v.matvec(turned, w)
-            own = _combined(columns, speeds)
-            drift = self.kind.bias(angles, speeds, values) + Force(
-                v.cross(carried, own.angular),
-                v.add(v.matvec(turned, v.cross(w, v.cross(w, arm))), v.scale(2, v.cross(carried, own.linear))),
-            )
-            packed = [entry for column in columns for entry in column.packed()]
-            return [v.flat(turned, arm, drift.packed()), v.add(carried, own.angular), packed]
-
-        inputs = (PLACEMENT, 9, self.numbers, 3, self.size, self.size)
-        return Kernel(f"inward {self.key}", inputs, (HINGE, 3, FORCE * self.size), build)
-
-    def outward(self) -> Kernel:
+    @kernel("outward {0.key}", (*_PASSED, INERTIA, FORCE), (INERTIA, FORCE, "held"))
+    def outward(
+        self, inertia: Any, bias: Any, hinge: Any, columns: Any, effort: Any, own: Any, inertia_sum: Any, bias_sum: Any
+    ) -> list[list[Any]]:
         """Articulated inertia and bias force of the link's root, added to those of the parent's tip.
 
         (I, p, hinge, columns, efforts, own inertias, sum of I, sum of p) -> (I, p, held). The effort of a given
         coordinate is its acceleration.
         """
+        passed, push, kept = self._passed(inertia, bias, hinge, self._columns(columns), effort, own)
+        back, arm = v.transpose(v.tri(hinge)), v.vec(hinge, 9)
+        moved = passed.turned(back).at(arm) + Inertia.of(inertia_sum)
+        pushed = push.turned(back).force_at(arm) + Force.of(bias_sum)
+        return [moved.packed(), pushed.packed(), kept]
 
-        def build(
-            inertia: Any, bias: Any, hinge: Any, columns: Any, effort: Any, own: Any, inertia_sum: Any, bias_sum: Any
-        ) -> list[list[Any]]:
-            passed, push, kept = self._passed(inertia, bias, hinge, self._columns(columns), effort, own)
-            back, arm = v.transpose(v.tri(hinge)), v.vec(hinge, 9)
-            moved = passed.turned(back).at(arm) + Inertia.of(inertia_sum)
-            pushed = push.turned(back).force_at(arm) + Force.of(bias_sum)
-            return [moved.packed(), pushed.packed(), kept]
-
-        inputs = (*self._inputs, INERTIA, FORCE)
-        return Kernel(f"outward {self.key}", inputs, (INERTIA, FORCE, self.held), build)
-
-    def hold(self) -> Kernel:
+    @kernel("hold {0.key}", _PASSED, ("held",))
+    def hold(self, inertia: Any, bias: Any, hinge: Any, columns: Any, effort: Any, own: Any) -> list[list[Any]]:
         """(I, p, hinge, columns, efforts, own inertias) -> held: where nobody asks for what is passed to the base."""
-
-        def build(inertia: Any, bias: Any, hinge: Any, columns: Any, effort: Any, own: Any) -> list[list[Any]]:
-            return [self._passed(inertia, bias, hinge, self._columns(columns), effort, own)[2]]
-
-        return Kernel(f"hold {self.key}", self._inputs, (self.held,), build)
-
-    @property
-    def _inputs(self) -> tuple[int, ...]:
-        return (INERTIA, FORCE, HINGE, FORCE * self.size, self.size, self.size)
+        return [self._passed(inertia, bias, hinge, self._columns(columns), effort, own)[2]]
 
     def _columns(self, packed: Any) -> list[Force]:
         return [Force.of(packed, FORCE * k) for k in range(self.size)]
@@ -147,19 +140,15 @@ class GeneralJoint:
         kept += [part * value for part, (value,) in zip(share, efforts, strict=True)]
         return whole.less(rows, divided), push, kept
 
-    def onward(self) -> Kernel:
+    @kernel("onward {0.key}", (FORCE, HINGE, "span", "held", "size"), (FORCE, "size"))
+    def onward(self, parent: Any, hinge: Any, columns: Any, held: Any, given: Any) -> list[list[Any]]:
         """(acceleration of the parent's tip, hinge, columns, held, given ones) -> (that of the root, the joint's)."""
-
-        def build(parent: Any, hinge: Any, columns: Any, held: Any, given: Any) -> list[list[Any]]:
-            carried = Force.of(parent).motion_at(v.vec(hinge, 9)).turned(v.tri(hinge))
-            found = [given[k] for k in range(self.size)]
-            for k, value in zip(self.free, self._solved(held, carried), strict=True):
-                found[k] = value
-            root = carried + Force.of(hinge, 12) + _combined(self._columns(columns), found)
-            return [root.packed(), found]
-
-        inputs = (FORCE, HINGE, FORCE * self.size, self.held, self.size)
-        return Kernel(f"onward {self.key}", inputs, (FORCE, self.size), build)
+        carried = Force.of(parent).motion_at(v.vec(hinge, 9)).turned(v.tri(hinge))
+        found = [given[k] for k in range(self.size)]
+        for k, value in zip(self.free, self._solved(held, carried), strict=True):
+            found[k] = value
+        root = carried + Force.of(hinge, 12) + _combined(self._columns(columns), found)
+        return [root.packed(), found]
 
     def _solved(self, held: Any, carried: Force) -> list[Any]:
         """Accelerations of the free coordinates: L^T a = D^-1 L^-1 (effort - U^T carried), from the last one back."""
@@ -171,28 +160,22 @@ class GeneralJoint:
                 found[i] = found[i] - held[below + j * (j - 1) // 2 + i] * found[j]
         return found
 
-    def load(self) -> Kernel:
+    @kernel("load {0.key}", (FORCE, HINGE, "span", FORCE), (FORCE, "size"))
+    def load(self, force: Any, hinge: Any, columns: Any, sum_: Any) -> list[list[Any]]:
         """(force at the link's root, hinge, columns, sum at the parent's tip) -> (sum, efforts along the joint)."""
+        push, turned = Force.of(force), v.tri(hinge)
+        info = push.turned(v.transpose(turned)).force_at(v.vec(hinge, 9)) + Force.of(sum_)
+        return [info.packed(), [column.dot(push) for column in self._columns(columns)]]
 
-        def build(force: Any, hinge: Any, columns: Any, sum_: Any) -> list[list[Any]]:
-            push, turned = Force.of(force), v.tri(hinge)
-            info = push.turned(v.transpose(turned)).force_at(v.vec(hinge, 9)) + Force.of(sum_)
-            return [info.packed(), [column.dot(push) for column in self._columns(columns)]]
-
-        return Kernel(f"load {self.key}", (FORCE, HINGE, FORCE * self.size, FORCE), (FORCE, self.size), build)
-
-    def pose(self) -> Kernel:
+    @kernel("pose {0.key}", (POSE, 3, HINGE, "span", "size"), (POSE,))
+    def pose(self, pose: Any, rate: Any, hinge: Any, columns: Any, rates: Any) -> list[list[Any]]:
         """(pose and rate of the parent's tip, in the parent's axes, hinge, columns, q') -> pose of the link's root."""
-
-        def build(pose: Any, rate: Any, hinge: Any, columns: Any, rates: Any) -> list[list[Any]]:
-            world, back, arm = v.tri(pose), v.transpose(v.tri(hinge)), v.vec(hinge, 9)
-            own = _combined(self._columns(columns), [rates[k] for k in range(self.size)])
-            moved = v.add(v.cross(v.vec(rate), arm), v.matvec(back, own.linear))
-            place = v.add(v.vec(pose, 9), v.matvec(world, arm))
-            velocity = v.add(v.vec(pose, 12), v.matvec(world, moved))
-            return [v.flat(v.matmul(world, back), place, velocity)]
-
-        return Kernel(f"pose {self.key}", (POSE, 3, HINGE, FORCE * self.size, self.size), (POSE,), build)
+        world, back, arm = v.tri(pose), v.transpose(v.tri(hinge)), v.vec(hinge, 9)
+        own = _combined(self._columns(columns), [rates[k] for k in range(self.size)])
+        moved = v.add(v.cross(v.vec(rate), arm), v.matvec(back, own.linear))
+        place = v.add(v.vec(pose, 9), v.matvec(world, arm))
+        velocity = v.add(v.vec(pose, 12), v.matvec(world, moved))
+        return [v.flat(v.matmul(world, back), place, velocity)]
 
 
 def held_numbers(free: int) -> int:

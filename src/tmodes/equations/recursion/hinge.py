@@ -14,7 +14,7 @@ from typing import Any
 from tmodes.kinds.joints.contract import JointKind
 from tmodes.kinds.kernel import vectors as v
 from tmodes.kinds.kernel.functions import cos, sin
-from tmodes.kinds.kernel.kernel import Kernel
+from tmodes.kinds.kernel.kernel import kernel
 from tmodes.kinds.kernel.spatial import FORCE, INERTIA, Force, Inertia
 
 __all__ = ["HELD", "HINGE", "PLACEMENT", "POSE", "Hinge"]
@@ -79,111 +79,92 @@ class Hinge:
         e = self._direction(axis)
         return Force(e, v.zero()) if self.kind.turns else Force(v.zero(), e)
 
-    def inward(self) -> Kernel:
+    @kernel("inward {0.key}", (PLACEMENT, 9, 3, 3, 1, 1), (HINGE, 3))
+    def inward(self, placement: Any, tip: Any, axis: Any, parent_rate: Any, angle: Any, speed: Any) -> list[list[Any]]:
         """(placement, rotation of the parent's tip, axis, its rate, angle, speed) -> (hinge, rate of the root)."""
+        frame, place, w = v.tri(placement), self._arm(placement, 9), v.vec(parent_rate)
+        if self.on_section:
+            frame, place = v.matmul(v.tri(tip), frame), v.matvec(v.tri(tip), place)
+        e, extra, arm = self._direction(axis), v.zero(), place
+        to_parent = frame
+        if self.kind.turns:
+            to_parent = v.matmul(frame, _about(self.axis, e, angle[0]))
+        elif self.kind.slides:
+            along = v.matvec(frame, e)
+            arm = v.add(place, v.scale(angle[0], along))
+            extra = v.scale(2 * speed[0], v.cross(w, along))
+        turned = v.transpose(to_parent)
+        carried = v.matvec(turned, w)
+        linear = v.matvec(turned, v.add(v.cross(w, v.cross(w, arm)), extra))
+        rate, angular = carried, v.zero()
+        if self.kind.turns:
+            own = v.scale(speed[0], e)
+            rate, angular = v.add(carried, own), v.cross(carried, own)
+        return [v.flat(turned, arm, angular, linear), rate]
 
-        def build(placement: Any, tip: Any, axis: Any, parent_rate: Any, angle: Any, speed: Any) -> list[list[Any]]:
-            frame, place, w = v.tri(placement), self._arm(placement, 9), v.vec(parent_rate)
-            if self.on_section:
-                frame, place = v.matmul(v.tri(tip), frame), v.matvec(v.tri(tip), place)
-            e, extra, arm = self._direction(axis), v.zero(), place
-            to_parent = frame
-            if self.kind.turns:
-                to_parent = v.matmul(frame, _about(self.axis, e, angle[0]))
-            elif self.kind.slides:
-                along = v.matvec(frame, e)
-                arm = v.add(place, v.scale(angle[0], along))
-                extra = v.scale(2 * speed[0], v.cross(w, along))
-            turned = v.transpose(to_parent)
-            carried = v.matvec(turned, w)
-            linear = v.matvec(turned, v.add(v.cross(w, v.cross(w, arm)), extra))
-            rate, angular = carried, v.zero()
-            if self.kind.turns:
-                own = v.scale(speed[0], e)
-                rate, angular = v.add(carried, own), v.cross(carried, own)
-            return [v.flat(turned, arm, angular, linear), rate]
-
-        return Kernel(f"inward {self.key}", (PLACEMENT, 9, 3, 3, 1, 1), (HINGE, 3), build)
-
-    def outward(self) -> Kernel:
+    @kernel("outward {0.key}", (INERTIA, FORCE, HINGE, 3, 1, 1, INERTIA, FORCE), (INERTIA, FORCE, HELD))
+    def outward(
+        self, inertia: Any, bias: Any, hinge: Any, axis: Any, effort: Any, own: Any, inertia_sum: Any, bias_sum: Any
+    ) -> list[list[Any]]:
         """Articulated inertia and bias force of the link's root, added to those of the parent's tip.
 
         (I, p, hinge, axis, effort, own inertia, sum of I, sum of p) -> (I, p, held). The effort of a driven joint is
         its acceleration.
         """
+        articulated, force, kept = Inertia.of(inertia), Force.of(bias), [0.0] * HELD
+        turned, arm, drift = v.tri(hinge), self._arm(hinge, 9), Force.of(hinge, 12)
+        after, pushed = articulated, force + articulated.times(drift)
+        if self.driven:
+            pushed = pushed + articulated.times(self._screw(axis).scaled(effort[0]))
+        elif self.moves:
+            s = self._screw(axis)
+            u = articulated.times(s)
+            share = 1 / (s.dot(u) + own[0])
+            free = effort[0] - s.dot(pushed)
+            after = articulated.less([u], [u.scaled(share)])
+            pushed = pushed + u.scaled(share * free)
+            kept = [*u.packed(), share, free]
+        back = v.transpose(turned)
+        moved = after.turned(back).at(arm) + Inertia.of(inertia_sum)
+        push = pushed.turned(back).force_at(arm) + Force.of(bias_sum)
+        return [moved.packed(), push.packed(), kept]
 
-        def build(
-            inertia: Any, bias: Any, hinge: Any, axis: Any, effort: Any, own: Any, inertia_sum: Any, bias_sum: Any
-        ) -> list[list[Any]]:
-            articulated, force, kept = Inertia.of(inertia), Force.of(bias), [0.0] * HELD
-            turned, arm, drift = v.tri(hinge), self._arm(hinge, 9), Force.of(hinge, 12)
-            after, pushed = articulated, force + articulated.times(drift)
-            if self.driven:
-                pushed = pushed + articulated.times(self._screw(axis).scaled(effort[0]))
-            elif self.moves:
-                s = self._screw(axis)
-                u = articulated.times(s)
-                share = 1 / (s.dot(u) + own[0])
-                free = effort[0] - s.dot(pushed)
-                after = articulated.less([u], [u.scaled(share)])
-                pushed = pushed + u.scaled(share * free)
-                kept = [*u.packed(), share, free]
-            back = v.transpose(turned)
-            moved = after.turned(back).at(arm) + Inertia.of(inertia_sum)
-            push = pushed.turned(back).force_at(arm) + Force.of(bias_sum)
-            return [moved.packed(), push.packed(), kept]
-
-        inputs = (INERTIA, FORCE, HINGE, 3, 1, 1, INERTIA, FORCE)
-        return Kernel(f"outward {self.key}", inputs, (INERTIA, FORCE, HELD), build)
-
-    def hold(self) -> Kernel:
+    @kernel("hold {0.key}", (INERTIA, FORCE, HINGE, 3, 1, 1), (HELD,))
+    def hold(self, *blocks: Any) -> list[list[Any]]:
         """(I, p, hinge, axis, effort, own inertia) -> held: where nobody asks for what is passed to the base."""
+        return [self.outward().build(*blocks, [0.0] * INERTIA, [0.0] * FORCE)[2]]
 
-        def build(*blocks: Any) -> list[list[Any]]:
-            return [self.outward().build(*blocks, [0.0] * INERTIA, [0.0] * FORCE)[2]]
-
-        return Kernel(f"hold {self.key}", (INERTIA, FORCE, HINGE, 3, 1, 1), (HELD,), build)
-
-    def onward(self) -> Kernel:
+    @kernel("onward {0.key}", (FORCE, HINGE, 3, HELD, 1), (FORCE, 1))
+    def onward(self, parent: Any, hinge: Any, axis: Any, held: Any, given: Any) -> list[list[Any]]:
         """(acceleration of the parent's tip, hinge, axis, held, a given one) -> (that of the root, the joint's)."""
+        turned, drift = v.tri(hinge), Force.of(hinge, 12)
+        carried = Force.of(parent).motion_at(self._arm(hinge, 9)).turned(turned)
+        acceleration = given[0]
+        if self.moves and not self.driven:
+            acceleration = held[6] * (held[7] - Force.of(held).dot(carried))
+        root = carried + drift
+        if self.moves:
+            root = root + self._screw(axis).scaled(acceleration)
+        return [root.packed(), [acceleration]]
 
-        def build(parent: Any, hinge: Any, axis: Any, held: Any, given: Any) -> list[list[Any]]:
-            turned, drift = v.tri(hinge), Force.of(hinge, 12)
-            carried = Force.of(parent).motion_at(self._arm(hinge, 9)).turned(turned)
-            acceleration = given[0]
-            if self.moves and not self.driven:
-                acceleration = held[6] * (held[7] - Force.of(held).dot(carried))
-            root = carried + drift
-            if self.moves:
-                root = root + self._screw(axis).scaled(acceleration)
-            return [root.packed(), [acceleration]]
-
-        return Kernel(f"onward {self.key}", (FORCE, HINGE, 3, HELD, 1), (FORCE, 1), build)
-
-    def load(self) -> Kernel:
+    @kernel("load {0.key}", (FORCE, HINGE, 3, FORCE), (FORCE, 1))
+    def load(self, force: Any, hinge: Any, axis: Any, sum_: Any) -> list[list[Any]]:
         """(force at the link's root, hinge, axis, sum at the parent's tip) -> (sum, effort along the joint)."""
+        push, turned = Force.of(force), v.tri(hinge)
+        info = push.turned(v.transpose(turned)).force_at(self._arm(hinge, 9)) + Force.of(sum_)
+        return [info.packed(), [self._screw(axis).dot(push) if self.moves else 0.0]]
 
-        def build(force: Any, hinge: Any, axis: Any, sum_: Any) -> list[list[Any]]:
-            push, turned = Force.of(force), v.tri(hinge)
-            info = push.turned(v.transpose(turned)).force_at(self._arm(hinge, 9)) + Force.of(sum_)
-            return [info.packed(), [self._screw(axis).dot(push) if self.moves else 0.0]]
-
-        return Kernel(f"load {self.key}", (FORCE, HINGE, 3, FORCE), (FORCE, 1), build)
-
-    def pose(self) -> Kernel:
+    @kernel("pose {0.key}", (POSE, 3, HINGE, 3, 1), (POSE,))
+    def pose(self, pose: Any, rate: Any, hinge: Any, axis: Any, speed: Any) -> list[list[Any]]:
         """(pose and rate of the parent's tip, in the parent's axes, hinge, axis, speed) -> pose of the link's root."""
-
-        def build(pose: Any, rate: Any, hinge: Any, axis: Any, speed: Any) -> list[list[Any]]:
-            world, arm = v.tri(pose), self._arm(hinge, 9)
-            back = v.transpose(v.tri(hinge))
-            moved = v.cross(v.vec(rate), arm)
-            if self.kind.slides:
-                moved = v.add(moved, v.scale(speed[0], v.matvec(back, self._direction(axis))))
-            place = v.add(v.vec(pose, 9), v.matvec(world, arm))
-            velocity = v.add(v.vec(pose, 12), v.matvec(world, moved))
-            return [v.flat(v.matmul(world, back), place, velocity)]
-
-        return Kernel(f"pose {self.key}", (POSE, 3, HINGE, 3, 1), (POSE,), build)
+        world, arm = v.tri(pose), self._arm(hinge, 9)
+        back = v.transpose(v.tri(hinge))
+        moved = v.cross(v.vec(rate), arm)
+        if self.kind.slides:
+            moved = v.add(moved, v.scale(speed[0], v.matvec(back, self._direction(axis))))
+        place = v.add(v.vec(pose, 9), v.matvec(world, arm))
+        velocity = v.add(v.vec(pose, 12), v.matvec(world, moved))
+        return [v.flat(v.matmul(world, back), place, velocity)]
 
 
 def _about(axis: int | None, e: v.Vector, angle: Any) -> v.Matrix:

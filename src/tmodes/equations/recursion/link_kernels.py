@@ -12,7 +12,7 @@ from typing import Any
 from tmodes.equations.recursion.body_kernels import BODY
 from tmodes.equations.recursion.hinge import POSE
 from tmodes.kinds.kernel import vectors as v
-from tmodes.kinds.kernel.kernel import Kernel
+from tmodes.kinds.kernel.kernel import Kernel, kernel
 from tmodes.kinds.kernel.spatial import (
     FORCE,
     INERTIA,
@@ -66,134 +66,110 @@ class BendingLink:
         inputs = (self.kind.table_size, 3, self.n, self.n)
         return Kernel(f"inward {self.kind.fingerprint}", inputs, outputs, build, self.long)
 
-    def station_load(self) -> Kernel:
+    @kernel("station load {0.kind.fingerprint}", ("kind.terms_size", "frame", BODY, FORCE), ("kind.terms_size",))
+    def station_load(self, terms: Any, section: Any, body: Any, force: Any) -> list[list[Any]]:
         """A body and a bias force on a section at a station: (terms, section, body, force in link axes) -> terms."""
+        link, place = LinkTerms.of(terms, self.n), Section.of(section, self.n)
+        moment = v.matvec(place.rotation, v.vec(body, 1))
+        inertia = v.turn(place.rotation, v.symmetric(body, 4), is_symmetric=True)
+        load = Force.of(force) + body_bias(moment, inertia, place.rate)
+        mass, coupling, base, bias_q, bias = link.with_load(place, body_inertia(body[0], moment, inertia), load)
+        lever = base.coupling
+        packed = LinkTerms(mass, coupling, base.angular, [lever[2][1], lever[0][2], lever[1][0]],
+                           base.linear[0][0], bias_q, bias)  # fmt: skip
+        return [packed.packed()]
 
-        def build(terms: Any, section: Any, body: Any, force: Any) -> list[list[Any]]:
-            link, place = LinkTerms.of(terms, self.n), Section.of(section, self.n)
-            moment = v.matvec(place.rotation, v.vec(body, 1))
-            inertia = v.turn(place.rotation, v.symmetric(body, 4), is_symmetric=True)
-            load = Force.of(force) + body_bias(moment, inertia, place.rate)
-            mass, coupling, base, bias_q, bias = link.with_load(place, body_inertia(body[0], moment, inertia), load)
-            lever = base.coupling
-            packed = LinkTerms(mass, coupling, base.angular, [lever[2][1], lever[0][2], lever[1][0]],
-                               base.linear[0][0], bias_q, bias)  # fmt: skip
-            return [packed.packed()]
-
-        sizes = (self.kind.terms_size, self.frame, BODY, FORCE)
-        return Kernel(f"station load {self.kind.fingerprint}", sizes, (self.kind.terms_size,), build)
-
-    def outward(self) -> Kernel:
+    @kernel(
+        "outward {0.kind.fingerprint}",
+        ("kind.terms_size", "frame", INERTIA, FORCE, "kind.stiffness_size", "kind.damping_size", "n", "n", 1),
+        (INERTIA, FORCE, "solved_size"),
+        long="long",
+    )
+    def outward(self, *packed: Any) -> list[list[Any]]:
         """Eliminate the link's coordinates; ``step`` h adds h D + h^2 K to its inertia, as an implicit step wants it.
 
         (terms, section at the tip, I and p of the tip in the link's axes, stiffness, damping, q, qd, h)
         -> (I and p at the root, solved). Springs and dampers start from q and qd.
         """
+        terms, tip, inertia, bias, stiffness, damping, q, qd, step = packed
+        section, h = Section.of(tip, self.n), step[0]
+        link = LinkTerms.of(terms, self.n) if self.kind.own_terms else LinkTerms.nothing(self.n)
+        mass, coupling, base, bias_q, bias_b = link.with_load(section, Inertia.of(inertia), Force.of(bias))
+        spring, damper, _, _ = self.kind.elastic(stiffness, damping, q, qd)
+        free = [-s - d - p for s, d, p in zip(spring, damper, bias_q, strict=True)]
+        _add_tangents(mass, h, *self.kind.tangents(stiffness, damping, q, qd))
+        lower, share = factor(mass)
+        columns = forward_substitution(lower, [[*c.packed(), f] for c, f in zip(coupling, free, strict=True)])
+        parts = [Force.of(column) for column in columns]
+        root = base.less(parts, [p.scaled(s) for p, s in zip(parts, share, strict=True)])
+        for part, column, s in zip(parts, columns, share, strict=True):
+            bias_b = bias_b + part.scaled(s * column[6])
+        kept = v.flat(
+            [row[:i] for i, row in enumerate(lower)], share, [c[:6] for c in columns], [c[6] for c in columns]
+        )
+        return [root.packed(), bias_b.packed(), kept]
 
-        def build(*packed: Any) -> list[list[Any]]:
-            terms, tip, inertia, bias, stiffness, damping, q, qd, step = packed
-            section, h = Section.of(tip, self.n), step[0]
-            link = LinkTerms.of(terms, self.n) if self.kind.own_terms else LinkTerms.nothing(self.n)
-            mass, coupling, base, bias_q, bias_b = link.with_load(section, Inertia.of(inertia), Force.of(bias))
-            spring, damper, _, _ = self.kind.elastic(stiffness, damping, q, qd)
-            free = [-s - d - p for s, d, p in zip(spring, damper, bias_q, strict=True)]
-            _add_tangents(mass, h, *self.kind.tangents(stiffness, damping, q, qd))
-            lower, share = factor(mass)
-            columns = forward_substitution(lower, [[*c.packed(), f] for c, f in zip(coupling, free, strict=True)])
-            parts = [Force.of(column) for column in columns]
-            root = base.less(parts, [p.scaled(s) for p, s in zip(parts, share, strict=True)])
-            for part, column, s in zip(parts, columns, share, strict=True):
-                bias_b = bias_b + part.scaled(s * column[6])
-            kept = v.flat(
-                [row[:i] for i, row in enumerate(lower)], share, [c[:6] for c in columns], [c[6] for c in columns]
-            )
-            return [root.packed(), bias_b.packed(), kept]
-
-        n, sizes = self.n, (self.kind.stiffness_size, self.kind.damping_size)
-        inputs = (self.kind.terms_size, self.frame, INERTIA, FORCE, *sizes, n, n, 1)
-        return Kernel(f"outward {self.kind.fingerprint}", inputs, (INERTIA, FORCE, self.solved_size), build, self.long)
-
-    def onward(self) -> Kernel:
+    @kernel("onward {0.kind.fingerprint}", (FORCE, "solved_size", "frame"), ("n", FORCE))
+    def onward(self, root: Any, solved: Any, tip: Any) -> list[list[Any]]:
         """(acceleration of the root, solved, section at the tip) -> (accelerations of the coordinates, of the tip)."""
+        n, section, motion = self.n, Section.of(tip, self.n), Force.of(root)
+        start = n * (n - 1) // 2
+        lower = [[solved[i * (i - 1) // 2 + j] for j in range(i)] for i in range(n)]
+        columns = [Force.of(solved, start + n + 6 * j) for j in range(n)]
+        result = [solved[start + j] * (solved[start + 7 * n + j] - columns[j].dot(motion)) for j in range(n)]
+        for i in reversed(range(n)):
+            for k in range(i + 1, n):
+                result[i] = result[i] - lower[k][i] * result[k]
+        return [result, _tip_motion(section, motion, result).packed()]
 
-        def build(root: Any, solved: Any, tip: Any) -> list[list[Any]]:
-            n, section, motion = self.n, Section.of(tip, self.n), Force.of(root)
-            start = n * (n - 1) // 2
-            lower = [[solved[i * (i - 1) // 2 + j] for j in range(i)] for i in range(n)]
-            columns = [Force.of(solved, start + n + 6 * j) for j in range(n)]
-            result = [solved[start + j] * (solved[start + 7 * n + j] - columns[j].dot(motion)) for j in range(n)]
-            for i in reversed(range(n)):
-                for k in range(i + 1, n):
-                    result[i] = result[i] - lower[k][i] * result[k]
-            return [result, _tip_motion(section, motion, result).packed()]
-
-        return Kernel(f"onward {self.kind.fingerprint}", (FORCE, self.solved_size, self.frame), (self.n, FORCE), build)
-
-    def motion(self) -> Kernel:
+    @kernel("motion {0.n}", (FORCE, "frame", "n"), (FORCE,))
+    def motion(self, root: Any, section: Any, qdd: Any) -> list[list[Any]]:
         """(acceleration of the root, section, accelerations of the coordinates) -> that of the section."""
+        info = Section.of(section, self.n)
+        return [_tip_motion(info, Force.of(root), [qdd[j] for j in range(self.n)]).packed()]
 
-        def build(root: Any, section: Any, qdd: Any) -> list[list[Any]]:
-            info = Section.of(section, self.n)
-            return [_tip_motion(info, Force.of(root), [qdd[j] for j in range(self.n)]).packed()]
-
-        return Kernel(f"motion {self.n}", (FORCE, self.frame, self.n), (FORCE,), build)
-
-    def load(self) -> Kernel:
+    @kernel("load {0.kind.fingerprint}", ("kind.terms_size", "frame", FORCE, "n", FORCE), (FORCE, "n"))
+    def load(self, terms: Any, tip: Any, root: Any, qdd: Any, force: Any) -> list[list[Any]]:
         """(terms, section at the tip, acceleration of the root, qdd, force on the tip) -> (force on the root, on q).
 
         Forces of inertia only, without springs and dampers.
         """
+        n, section, motion = self.n, Section.of(tip, self.n), Force.of(root)
+        link = LinkTerms.of(terms, n) if self.kind.own_terms else LinkTerms.nothing(n)
+        push = Force.of(force)
+        along = []
+        for i in range(n):
+            own = [link.mass[max(i, j)][min(i, j)] * qdd[j] for j in range(n)]
+            parts = [*own, link.coupling[i].dot(motion), link.bias_q[i], section.columns[i].dot(push)]
+            along.append(v.total(parts))
+        root_force = link.base.times(motion) + link.bias + push.force_at(section.position)
+        for j in range(n):
+            root_force = root_force + link.coupling[j].scaled(qdd[j])
+        return [root_force.packed(), along]
 
-        def build(terms: Any, tip: Any, root: Any, qdd: Any, force: Any) -> list[list[Any]]:
-            n, section, motion = self.n, Section.of(tip, self.n), Force.of(root)
-            link = LinkTerms.of(terms, n) if self.kind.own_terms else LinkTerms.nothing(n)
-            push = Force.of(force)
-            along = []
-            for i in range(n):
-                own = [link.mass[max(i, j)][min(i, j)] * qdd[j] for j in range(n)]
-                parts = [*own, link.coupling[i].dot(motion), link.bias_q[i], section.columns[i].dot(push)]
-                along.append(v.total(parts))
-            root_force = link.base.times(motion) + link.bias + push.force_at(section.position)
-            for j in range(n):
-                root_force = root_force + link.coupling[j].scaled(qdd[j])
-            return [root_force.packed(), along]
-
-        inputs = (self.kind.terms_size, self.frame, FORCE, self.n, FORCE)
-        return Kernel(f"load {self.kind.fingerprint}", inputs, (FORCE, self.n), build)
-
-    def pose(self) -> Kernel:
+    @kernel("pose section {0.n}", (POSE, 3, "frame", "n"), (POSE, POSE))
+    def pose(self, pose: Any, rate: Any, section: Any, qd: Any) -> list[list[Any]]:
         """(pose and rate of the root, section, qd) -> (pose of the section, the same in the link's axes)."""
+        info, world = Section.of(section, self.n), v.tri(pose)
+        moved = v.cross(v.vec(rate), info.position)
+        for j in range(self.n):
+            moved = v.add(moved, v.scale(qd[j], info.columns[j].linear))
+        place = v.add(v.vec(pose, 9), v.matvec(world, info.position))
+        velocity = v.add(v.vec(pose, 12), v.matvec(world, moved))
+        turned = v.matmul(world, info.rotation)
+        return [v.flat(turned, place, velocity), v.flat(world, place, velocity)]
 
-        def build(pose: Any, rate: Any, section: Any, qd: Any) -> list[list[Any]]:
-            info, world = Section.of(section, self.n), v.tri(pose)
-            moved = v.cross(v.vec(rate), info.position)
-            for j in range(self.n):
-                moved = v.add(moved, v.scale(qd[j], info.columns[j].linear))
-            place = v.add(v.vec(pose, 9), v.matvec(world, info.position))
-            velocity = v.add(v.vec(pose, 12), v.matvec(world, moved))
-            turned = v.matmul(world, info.rotation)
-            return [v.flat(turned, place, velocity), v.flat(world, place, velocity)]
-
-        return Kernel(f"pose section {self.n}", (POSE, 3, self.frame, self.n), (POSE, POSE), build)
-
-    def elastic(self) -> Kernel:
+    @kernel("elastic {0.kind.fingerprint}", ("kind.stiffness_size", "kind.damping_size", "n", "n"), ("n", 1, 1))
+    def elastic(self, stiffness: Any, damping: Any, q: Any, qd: Any) -> list[list[Any]]:
         """(stiffness, damping, q, qd) -> (spring and damper forces on the coordinates, energy [J], power lost [W])."""
+        spring, damper, energy, loss = self.kind.elastic(stiffness, damping, q, qd)
+        return [[s + d for s, d in zip(spring, damper, strict=True)], [energy], [loss]]
 
-        def build(stiffness: Any, damping: Any, q: Any, qd: Any) -> list[list[Any]]:
-            spring, damper, energy, loss = self.kind.elastic(stiffness, damping, q, qd)
-            return [[s + d for s, d in zip(spring, damper, strict=True)], [energy], [loss]]
-
-        n, sizes = self.n, (self.kind.stiffness_size, self.kind.damping_size)
-        return Kernel(f"elastic {self.kind.fingerprint}", (*sizes, n, n), (n, 1, 1), build)
-
-    def moment(self) -> Kernel:
+    @kernel("moment {0.kind.fingerprint}", ("kind.terms_size", POSE, 3), (3,))
+    def moment(self, terms: Any, pose: Any, sum_: Any) -> list[list[Any]]:
         """(terms, pose of the root, sum) -> sum of mass times position [kg*m], in the world."""
-
-        def build(terms: Any, pose: Any, sum_: Any) -> list[list[Any]]:
-            link = LinkTerms.of(terms, self.n)
-            return [v.add(v.vec(sum_), v.scale(link.total, v.vec(pose, 9)), v.matvec(v.tri(pose), link.moment))]
-
-        return Kernel(f"moment {self.kind.fingerprint}", (self.kind.terms_size, POSE, 3), (3,), build)
+        link = LinkTerms.of(terms, self.n)
+        return [v.add(v.vec(sum_), v.scale(link.total, v.vec(pose, 9)), v.matvec(v.tri(pose), link.moment))]
 
 
 def _tip_motion(section: Section, root: Force, qdd: list[Any]) -> Force:

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from tmodes.chain.chain import Chain
 from tmodes.equations.recursion.body_kernels import body_inertia_kernel, body_kernel, push_kernel, sum_kernel
-from tmodes.equations.recursion.coordinates import Coordinates
+from tmodes.equations.recursion.driven import Coordinates
 from tmodes.equations.recursion.general_joint import GeneralJoint
 from tmodes.equations.recursion.hinge import POSE, Hinge
 from tmodes.equations.recursion.parts import LinkPart, NodePart, Parts

@@ -16,7 +16,7 @@ from tmodes.equations.recursion.hinge import POSE
 from tmodes.equations.recursion.spin import Spin
 from tmodes.kinds.kernel import vectors as v
 from tmodes.kinds.kernel.functions import cos, sin
-from tmodes.kinds.kernel.kernel import Kernel
+from tmodes.kinds.kernel.kernel import Kernel, kernel
 from tmodes.kinds.kernel.spatial import FORCE, INERTIA, Force, Inertia, body_inertia
 
 __all__ = ["HINGE", "SCREW", "TURN", "Screw", "screw_numbers", "turn_kernel"]
@@ -148,29 +148,23 @@ class Screw:
             f"outward{' onto body' * onto_body} {self.key}", inputs, (INERTIA, FORCE, self.held), build, plain=True
         )
 
-    def hold(self) -> Kernel:
+    @kernel("hold {0.key}", (INERTIA, FORCE, HINGE, SCREW, 1, 1), ("held",), plain=True)
+    def hold(self, inertia: Any, bias: Any, hinge: Any, _: Any, effort: Any, own: Any) -> list[list[Any]]:
         """(I, p, hinge, way, effort, own inertia) -> held: where nobody asks for what is passed to the base."""
+        return [self._passed(inertia, bias, hinge, effort, own)[2]]
 
-        def build(inertia: Any, bias: Any, hinge: Any, _: Any, effort: Any, own: Any) -> list[list[Any]]:
-            return [self._passed(inertia, bias, hinge, effort, own)[2]]
-
-        return Kernel(f"hold {self.key}", (INERTIA, FORCE, HINGE, SCREW, 1, 1), (self.held,), build, plain=True)
-
-    def onward(self) -> Kernel:
+    @kernel("onward {0.key}", (FORCE, HINGE, SCREW, "held", 1), (FORCE, 1), plain=True)
+    def onward(self, parent: Any, hinge: Any, numbers: Any, held: Any, given: Any) -> list[list[Any]]:
         """(acceleration of the parent's tip, hinge, way, held, a given one) -> (that of the root, the joint's)."""
-
-        def build(parent: Any, hinge: Any, numbers: Any, held: Any, given: Any) -> list[list[Any]]:
-            root = self._motion_to_joint(self.way(numbers), Force.of(parent), _drift(hinge))
-            before, acceleration = root.angular[2], given[0]
-            if self.driven:
-                root.angular[2] = before + acceleration
-            else:
-                after = self._after(root, held)
-                acceleration = after - before if self.free else after
-                root.angular[2] = after if self.free else before + after
-            return [_turn(hinge).force_back(root).packed(), [acceleration]]
-
-        return Kernel(f"onward {self.key}", (FORCE, HINGE, SCREW, self.held, 1), (FORCE, 1), build, plain=True)
+        root = self._motion_to_joint(self.way(numbers), Force.of(parent), _drift(hinge))
+        before, acceleration = root.angular[2], given[0]
+        if self.driven:
+            root.angular[2] = before + acceleration
+        else:
+            after = self._after(root, held)
+            acceleration = after - before if self.free else after
+            root.angular[2] = after if self.free else before + after
+        return [_turn(hinge).force_back(root).packed(), [acceleration]]
 
     def _after(self, root: Force, held: Any) -> Any:
         """What is held of the free acceleration and of that of the root: two sums side by side, the turning first."""
@@ -180,31 +174,25 @@ class Screw:
             first = first - share * part
         return (first - z * root.linear[2]) - (x * root.linear[0] + y * root.linear[1])
 
-    def load(self) -> Kernel:
+    @kernel("load {0.key}", (FORCE, HINGE, SCREW, FORCE), (FORCE, 1), plain=True)
+    def load(self, force: Any, hinge: Any, numbers: Any, sum_: Any) -> list[list[Any]]:
         """(force at the link's root, hinge, way, sum at the parent's tip) -> (sum, effort along the joint)."""
+        push = _turn(hinge).force(Force.of(force))
+        info = self._force_to_parent(self.way(numbers), push) + Force.of(sum_)
+        return [info.packed(), [force[2]]]
 
-        def build(force: Any, hinge: Any, numbers: Any, sum_: Any) -> list[list[Any]]:
-            push = _turn(hinge).force(Force.of(force))
-            info = self._force_to_parent(self.way(numbers), push) + Force.of(sum_)
-            return [info.packed(), [force[2]]]
-
-        return Kernel(f"load {self.key}", (FORCE, HINGE, SCREW, FORCE), (FORCE, 1), build, plain=True)
-
-    def pose(self) -> Kernel:
+    @kernel("pose {0.key}", (POSE, 3, HINGE, SCREW, 1), (POSE,), plain=True)
+    def pose(self, pose: Any, rate: Any, hinge: Any, numbers: Any, _: Any) -> list[list[Any]]:
         """(pose and rate of the parent's tip, in the parent's axes, hinge, way, speed) -> pose of the link's root."""
-
-        def build(pose: Any, rate: Any, hinge: Any, numbers: Any, _: Any) -> list[list[Any]]:
-            rows, arm = v.tri(pose), v.zero()
-            for spin, shift in reversed(self.way(numbers)):
-                arm = v.add(arm, shift) if shift else arm
-                arm = spin.vector(arm) if spin else arm
-            place = v.add(v.vec(pose, 9), v.matvec(rows, arm))
-            velocity = v.add(v.vec(pose, 12), v.matvec(rows, v.cross(v.vec(rate), arm)))
-            for spin in (*(step[0] for step in self.way(numbers)), _turn(hinge)):
-                rows = [spin.back(row) for row in rows] if spin else rows
-            return [v.flat(rows, place, velocity)]
-
-        return Kernel(f"pose {self.key}", (POSE, 3, HINGE, SCREW, 1), (POSE,), build, plain=True)
+        rows, arm = v.tri(pose), v.zero()
+        for spin, shift in reversed(self.way(numbers)):
+            arm = v.add(arm, shift) if shift else arm
+            arm = spin.vector(arm) if spin else arm
+        place = v.add(v.vec(pose, 9), v.matvec(rows, arm))
+        velocity = v.add(v.vec(pose, 12), v.matvec(rows, v.cross(v.vec(rate), arm)))
+        for spin in (*(step[0] for step in self.way(numbers)), _turn(hinge)):
+            rows = [spin.back(row) for row in rows] if spin else rows
+        return [v.flat(rows, place, velocity)]
 
 
 def turn_kernel(count: int) -> Kernel:

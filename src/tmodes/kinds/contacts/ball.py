@@ -6,7 +6,7 @@ from typing import Any, Literal
 
 from pydantic import Field
 
-from tmodes.kinds.contacts.surface import SURFACES, Meeting, Surface
+from tmodes.kinds.contacts.contract import SURFACES, Meeting, Surface
 from tmodes.kinds.kernel import functions as f
 from tmodes.kinds.kernel import vectors as v
 from tmodes.kinds.schema.frames import Vector, list_of_numbers

@@ -7,7 +7,7 @@ from typing import Any, Literal, Self
 
 from pydantic import Field, model_validator
 
-from tmodes.kinds.contacts.surface import SURFACES, Meeting, Surface
+from tmodes.kinds.contacts.contract import SURFACES, Meeting, Surface
 from tmodes.kinds.kernel import vectors as v
 from tmodes.kinds.schema.frames import Vector, list_of_numbers
 from tmodes.kinds.schema.quantity import Issue, any_sign, positive, refuse

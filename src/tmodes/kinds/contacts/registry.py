@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from tmodes.kinds.contacts import ball, dynamic_environment, plane, spring_damper
-from tmodes.kinds.contacts.contract import CONTACTS, Contact
-from tmodes.kinds.contacts.surface import SURFACES, Meeting, Surface
+from tmodes.kinds.contacts.contract import CONTACTS, SURFACES, Contact, Meeting, Surface
 
 __all__ = ["BUILT_IN", "CONTACTS", "SURFACES", "Contact", "Meeting", "Surface"]
 

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from tmodes.kinds.drives.contract import DRIVES, Angles, DriveKind, Elastic, Forward
-from tmodes.kinds.drives.laws import DriveLaw
+from tmodes.kinds.drives.contract import DRIVES, Angles, DriveKind, DriveLaw, Elastic, Forward
 
 __all__ = ["Spring"]
 

@@ -15,7 +15,7 @@ from tmodes.kinds.drives.drive import FrictionSheet, GearSheet, MotorSheet
 from tmodes.kinds.drives.registry import DRIVES
 from tmodes.kinds.joints.registry import JOINTS, JointKind
 from tmodes.kinds.schema.frames import DenavitHartenberg, Origin, Vector, list_of_numbers
-from tmodes.kinds.schema.names import NameOf, NumbersOf
+from tmodes.kinds.schema.kind import NameOf, NumbersOf
 from tmodes.kinds.schema.quantity import DataSheet, Issue, any_sign, positive, refuse
 
 __all__ = ["JointSheet", "JointState", "JointType", "Limits", "MeasuredFrom"]

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import partial, wraps
+from operator import attrgetter
 from typing import Any
 
-__all__ = ["Kernel"]
+__all__ = ["Kernel", "kernel"]
 
 
 @dataclass(frozen=True)
@@ -23,3 +25,25 @@ class Kernel:
     build: Callable[..., Sequence[list[Any]]]
     long: bool = False
     plain: bool = False
+
+
+def kernel(
+    key: str, inputs: Sequence[int | str], outputs: Sequence[int | str], *, long: str = "", plain: bool = False
+) -> Callable[[Callable[..., Sequence[list[Any]]]], Callable[..., Kernel]]:
+    """Turn a function of symbols into one that gives its :class:`Kernel`; a method into that of its structure.
+
+    ``long`` and sizes that depend on the structure are names of its attributes; ``{0}`` in ``key`` is the structure.
+    """
+
+    def decorate(build: Callable[..., Sequence[list[Any]]]) -> Callable[..., Kernel]:
+        @wraps(build)
+        def made(*structure: Any) -> Kernel:
+            def of(part: Any) -> Any:
+                return attrgetter(part)(*structure) if isinstance(part, str) else part
+
+            sizes = (tuple(map(of, parts)) for parts in (inputs, outputs))
+            return Kernel(key.format(*structure), *sizes, partial(build, *structure), bool(long and of(long)), plain)
+
+        return made
+
+    return decorate

@@ -1,29 +1,142 @@
-"""Numbers of a strain link, computed once: quadrature, integrals of its functions, stiffness.
+"""Numbers of a strain link, computed once: quadrature of its mass, integrals of its functions, stiffness.
 
-All positions are s = x/length in 0..1 of the unloaded line.
+All positions are s = x/length in 0..1 of the unloaded line. Where the stiffness of the section jumps, the curvature
+jumps and the tangent has a kink that no polynomial follows: the link is divided there in spans, each with its own Gauss
+points, under its own mass per length, and its own polynomials. A taper, also one given in many pieces, is one span.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.polynomial import legendre
+from numpy.typing import ArrayLike, NDArray
 
 from tmodes.kinds.links.beam_functions import (
     MODULI,
+    fine_rule,
     function_values,
     interval_integrals,
     is_uniform,
+    pieces_at,
     stiffness_matrix,
 )
 from tmodes.kinds.links.beam_pieces import BeamNumbers
-from tmodes.kinds.links.beam_rule import Rule, beam_rule
 from tmodes.kinds.links.strain_shape import StrainShape
 
-__all__ = ["BeamTables", "beam_tables", "section_edges"]
+__all__ = ["JUMP", "BeamTables", "Rule", "beam_rule", "beam_tables", "section_edges"]
 
 Array = NDArray[np.float64]
+
+JUMP = 0.05
+"""Relative step of a stiffness that divides a link; those between the straight pieces of a taper are below 0.03."""
+
+
+@dataclass(frozen=True, eq=False)
+class Rule:
+    """``edges`` (spans + 1,): ends of the spans; ``points`` (g,), as many in each span; ``masses`` (g,) [kg]."""
+
+    edges: Array
+    points: Array
+    masses: Array
+
+    def cardinal(self, s: ArrayLike) -> Array:
+        """Values (g, *s) of the functions that are 1 at one point and 0 at the others, 0 outside its span."""
+        s = np.asarray(s, dtype=float)
+        where = np.searchsorted(self.edges[1:-1], s, side="right")
+        found = [np.where(where == k, _cardinal(x, self._local(k, s)), 0.0) for k, x in enumerate(self._places())]
+        return np.concatenate(found)
+
+    def integrals(self, until: ArrayLike) -> Array:
+        """Integral (u, g) from 0 to each of ``until`` (u,) of each of those functions."""
+        until, found = np.asarray(until, dtype=float), []
+        for k, x in enumerate(self._places()):
+            length = self.edges[k + 1] - self.edges[k]
+            primitives = [legendre.legint(row, lbnd=-1) * length / 2 for row in np.eye(len(x))]
+            reached = self._local(k, np.clip(until, self.edges[k], self.edges[k + 1]))
+            values = np.array([legendre.legval(reached, row) for row in primitives])
+            found.append(np.linalg.solve(legendre.legvander(x, len(x) - 1).T, values))
+        return np.asarray(np.concatenate(found).T, dtype=np.float64)
+
+    def rotary(self, beam: BeamNumbers, axis: int) -> Array:
+        """Section inertia at the points [kg*m^2] about an axis of the section.
+
+        Interpolatory weights; where they make one of a span negative, which no inertia may be, the inertia goes with
+        the masses of the span instead, with the right sum.
+        """
+        s, w = fine_rule(beam)
+        spread = w * pieces_at(beam, f"inertia{axis}", s) * beam.length
+        found = (self.cardinal(s) @ spread).reshape(len(self.edges) - 1, -1)
+        masses = self.masses.reshape(found.shape)
+        for k in np.flatnonzero(found.min(axis=1) < 0.0):
+            found[k] = masses[k] * (found[k].sum() / masses[k].sum())
+        return np.asarray(found.ravel(), dtype=np.float64)
+
+    def _local(self, k: int, s: Array) -> Array:
+        """From s to -1..1 in a span."""
+        return 2 * (s - self.edges[k]) / (self.edges[k + 1] - self.edges[k]) - 1
+
+    def _places(self) -> list[Array]:
+        """The points of each span, from -1 to 1."""
+        rows = self.points.reshape(len(self.edges) - 1, -1)
+        return [self._local(k, row) for k, row in enumerate(rows)]
+
+
+def _cardinal(points: Array, x: Array) -> Array:
+    order = len(points) - 1
+    at_points, at_x = legendre.legvander(points, order).T, np.moveaxis(legendre.legvander(x, order), -1, 0)
+    return np.asarray(np.linalg.solve(at_points, at_x.reshape(len(points), -1)).reshape(at_x.shape), dtype=np.float64)
+
+
+def beam_rule(beam: BeamNumbers) -> Rule:
+    """The rule of a beam.
+
+    Without ``beam.points`` a link of one span has two points more than functions, which is exact for its mass matrix
+    at rest; in each of several spans, which are short, one point more is as good.
+    """
+    edges = _edges(beam)
+    largest = max(beam.twist, beam.bend_y, beam.bend_z, beam.stretch)
+    count = beam.points or largest + (2 if len(edges) == 2 else 1)
+    spans = [_gauss(beam, float(a), float(b), count) for a, b in pairwise(edges)]
+    return Rule(edges, np.concatenate([points for points, _ in spans]), np.concatenate([mass for _, mass in spans]))
+
+
+def _edges(beam: BeamNumbers) -> Array:
+    """Root, every place where a stiffness that matters jumps, tip."""
+    names = [modulus for direction, modulus in MODULI.items() if getattr(beam, direction)]
+    inner = []
+    for piece, following in pairwise(beam.pieces):
+        pairs = [(getattr(piece, name)[1], getattr(following, name)[0]) for name in names]
+        if any(min(pair) < (1 - JUMP) * max(pair) for pair in pairs):
+            inner.append(piece.end)
+    return np.array([0.0, *inner, 1.0])
+
+
+def _gauss(beam: BeamNumbers, start: float, end: float, count: int) -> tuple[Array, Array]:
+    """Gauss points and masses [kg] of a span: exact up to degree 2 g - 1 under the beam's own mass per length.
+
+    A span of uniform mass has Gauss-Legendre points; of any other the rule comes from the recurrence of the polynomials
+    that are orthogonal under its mass (Stieltjes procedure and the eigenvalues of Golub and Welsch).
+    """
+    s, w = fine_rule(beam)
+    inside = (s > start) & (s < end)
+    s, w = s[inside], w[inside]
+    mass = pieces_at(beam, "mass", s)
+    if np.ptp(mass) == 0.0:
+        x, weights = legendre.leggauss(count)
+        return start + (end - start) * (1 + x) / 2, weights * (end - start) / 2 * mass[0] * beam.length
+    measure = w * mass
+    before, now = np.zeros_like(s), np.full_like(s, 1 / np.sqrt(measure.sum()))
+    diagonal, off_diagonal = np.zeros(count), np.zeros(count)
+    for k in range(count):
+        diagonal[k] = np.sum(measure * s * now**2)
+        following = (s - diagonal[k]) * now - (off_diagonal[k - 1] if k else 0.0) * before
+        off_diagonal[k] = np.sqrt(np.sum(measure * following**2))
+        before, now = now, following / off_diagonal[k]
+    nodes, vectors = np.linalg.eigh(np.diag(diagonal) + np.diag(off_diagonal[:-1], 1) + np.diag(off_diagonal[:-1], -1))
+    return nodes, measure.sum() * vectors[0] ** 2 * beam.length
 
 
 @dataclass(frozen=True, eq=False)

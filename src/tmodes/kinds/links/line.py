@@ -17,29 +17,34 @@ from numpy.typing import NDArray
 
 from tmodes.kinds.kernel import vectors as v
 from tmodes.kinds.kernel.functions import atan2, fabs, fmin, if_else, sqrt
-from tmodes.kinds.kernel.kernel import Kernel
+from tmodes.kinds.kernel.kernel import Kernel, kernel
 from tmodes.kinds.kernel.schedule import Numbers, Slot
 from tmodes.kinds.kernel.spatial import FORCE, Force
 
 __all__ = [
-    "PLACE",
-    "POSE",
-    "STRESS",
-    "STRESS_NUMBERS",
-    "CubicLine",
-    "LineOfLink",
-    "Moved",
-    "Shape",
-    "Stressed",
-    "in_section",
-    "layout",
-    "packed_place",
-]
+    "PLACE", "POSE", "STRESS", "STRESS_NUMBERS", "CubicLine", "LineOfLink", "Moved", "Shape", "Stressed",
+    "in_section", "layout", "packed_place",
+]  # fmt: skip
 
 Array = NDArray[np.float64]
 
 POSE = 15
 """Numbers of a pose in the world: rotation (9), position (3), velocity of the origin (3)."""
+
+PLACE = {
+    "position": 3, "rotation": 9, "deflection": 2, "slope": 2, "moment": 3, "shear": 2, "axial": 1, "curvature": 2,
+    "twist": 1, "stretch": 1, "elastic_moment": 3, "elastic_force": 1,
+}  # fmt: skip
+"""Quantities of a place with their numbers, in the order in which they are computed.
+
+Position and rotation are in the world, deflection and slope in the axes of the root, the others in section axes.
+"""
+
+STRESS = {"strain": 1, "mises_stress": 1, "normal_stress": 1, "shear_stress": 1}
+"""Quantities of a place where section and material are known, after those of all places."""
+
+STRESS_NUMBERS = 8
+"""Numbers of a section that its stresses depend on."""
 
 
 @dataclass(frozen=True)
@@ -111,52 +116,33 @@ class CubicLine(LineOfLink):
         ]
 
 
-def _cubic() -> Kernel:
+@kernel("line cubic", (1, 1, POSE, 12, FORCE, FORCE, FORCE), (sum(PLACE.values()),))
+def _cubic(row: Any, own: Any, pose: Any, tip: Any, single: Any, whole: Any, outer: Any) -> list[list[Any]]:
     """(s, length, pose of the root, tip, force of single bodies, of all, and of those from the place on) -> a place."""
+    s, length, end, last = row[0], own[0], v.vec(tip, 9), v.tri(tip)
+    tangents = v.scale(length, v.unit(0)), v.scale(length, [line[0] for line in last])
 
-    def build(row: Any, own: Any, pose: Any, tip: Any, single: Any, whole: Any, outer: Any) -> list[list[Any]]:
-        s, length, end, last = row[0], own[0], v.vec(tip, 9), v.tri(tip)
-        tangents = v.scale(length, v.unit(0)), v.scale(length, [line[0] for line in last])
+    def mixed(start: Any, first: Any, last: Any) -> v.Vector:
+        return v.add(v.scale(start, end), v.scale(first, tangents[0]), v.scale(last, tangents[1]))
 
-        def mixed(start: Any, first: Any, last: Any) -> v.Vector:
-            return v.add(v.scale(start, end), v.scale(first, tangents[0]), v.scale(last, tangents[1]))
-
-        position = mixed(s * s * (3 - 2 * s), s * (1 - s) * (1 - s), s * s * (s - 1))
-        slope = mixed(6 * s * (1 - s), (1 - s) * (1 - 3 * s), s * (3 * s - 2))
-        bend = mixed(6 - 12 * s, 6 * s - 4, 6 * s - 2)
-        speed = sqrt(v.dot(slope, slope))
-        along = v.scale(1 / speed, slope)
-        side = v.add(v.scale(1 - s, v.unit(1)), v.scale(s, [line[1] for line in last]))
-        side = v.sub(side, v.scale(v.dot(side, along), along))
-        side = v.scale(1 / sqrt(v.dot(side, side)), side)
-        up = v.cross(along, side)
-        axes = [along, side, up]
-        load = Force.of(outer) + (Force.of(whole) - Force.of(single)).scaled(1 - s)
-        force = v.scale(-1.0, load.linear)
-        moment = v.sub(v.scale(-1.0, load.angular), v.cross(position, force))
-        turned = v.scale(1 / (speed * speed), v.cross(along, bend))
-        curvature = [v.dot(turned, side), v.dot(turned, up)]
-        answered = [0.0, v.dot(moment, side), v.dot(moment, up)]
-        shape = Shape([atan2(slope[k], slope[0]) for k in (1, 2)], curvature, 0.0, 0.0, answered, 0.0)
-        return [packed_place(pose, v.transpose(axes), position, v.matvec(axes, moment), v.matvec(axes, force), shape)]
-
-    return Kernel("line cubic", (1, 1, POSE, 12, FORCE, FORCE, FORCE), (sum(PLACE.values()),), build)
-
-
-PLACE = {
-    "position": 3, "rotation": 9, "deflection": 2, "slope": 2, "moment": 3, "shear": 2, "axial": 1, "curvature": 2,
-    "twist": 1, "stretch": 1, "elastic_moment": 3, "elastic_force": 1,
-}  # fmt: skip
-"""Quantities of a place with their numbers, in the order in which they are computed.
-
-Position and rotation are in the world, deflection and slope in the axes of the root, the others in section axes.
-"""
-
-STRESS = {"strain": 1, "mises_stress": 1, "normal_stress": 1, "shear_stress": 1}
-"""Quantities of a place where section and material are known, after those of all places."""
-
-STRESS_NUMBERS = 8
-"""Numbers of a section that its stresses depend on."""
+    position = mixed(s * s * (3 - 2 * s), s * (1 - s) * (1 - s), s * s * (s - 1))
+    slope = mixed(6 * s * (1 - s), (1 - s) * (1 - 3 * s), s * (3 * s - 2))
+    bend = mixed(6 - 12 * s, 6 * s - 4, 6 * s - 2)
+    speed = sqrt(v.dot(slope, slope))
+    along = v.scale(1 / speed, slope)
+    side = v.add(v.scale(1 - s, v.unit(1)), v.scale(s, [line[1] for line in last]))
+    side = v.sub(side, v.scale(v.dot(side, along), along))
+    side = v.scale(1 / sqrt(v.dot(side, side)), side)
+    up = v.cross(along, side)
+    axes = [along, side, up]
+    load = Force.of(outer) + (Force.of(whole) - Force.of(single)).scaled(1 - s)
+    force = v.scale(-1.0, load.linear)
+    moment = v.sub(v.scale(-1.0, load.angular), v.cross(position, force))
+    turned = v.scale(1 / (speed * speed), v.cross(along, bend))
+    curvature = [v.dot(turned, side), v.dot(turned, up)]
+    answered = [0.0, v.dot(moment, side), v.dot(moment, up)]
+    shape = Shape([atan2(slope[k], slope[0]) for k in (1, 2)], curvature, 0.0, 0.0, answered, 0.0)
+    return [packed_place(pose, v.transpose(axes), position, v.matvec(axes, moment), v.matvec(axes, force), shape)]
 
 
 def layout(*, stressed: bool) -> dict[str, slice]:

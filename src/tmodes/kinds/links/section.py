@@ -1,28 +1,180 @@
-"""The library of cross-sections: drawn shapes, or stiffnesses as given."""
+"""Cross-sections: drawn by their dimensions, or given by their stiffnesses.
+
+The beam runs along x; a width lies along y, a height along z.
+"""
 
 from __future__ import annotations
 
 import math
-from typing import Annotated, Any
+from abc import ABC, abstractmethod
+from collections.abc import Iterator
+from typing import Annotated, Any, Literal, Self
 
-from pydantic import Discriminator, Tag
+from pydantic import Discriminator, Field, Tag, model_validator
 
 from tmodes.errors import InputError
-from tmodes.kinds.links.section_given import GivenSection, SectionNumbers
-from tmodes.kinds.links.section_shapes import Box, DrawnSection, IBeam, Round, Tube
+from tmodes.kinds.links.material import Material
+from tmodes.kinds.links.section_given import Geometry, GivenSection, SectionNumbers
+from tmodes.kinds.schema.quantity import DataSheet, Issue, positive, refuse
 
 __all__ = [
-    "SHAPES",
-    "Box",
-    "DrawnSection",
-    "GivenSection",
-    "IBeam",
-    "Round",
-    "Section",
-    "SectionNumbers",
-    "Tube",
-    "between",
-]
+    "SHAPES", "Box", "DrawnSection", "GivenSection", "IBeam", "Round", "Section", "SectionNumbers", "Tube",
+    "between", "i_beam_torsion", "rectangle_torsion", "thin_box_torsion",
+]  # fmt: skip
+
+
+def _size(symbol: str, meaning: str, **more: Any) -> Any:
+    return positive("m", symbol, meaning, smallest=1e-6, at_most=100.0, plausible=(1e-4, 2.0), **more)
+
+
+class DrawnSection(DataSheet, ABC):
+    """A section of one material, given by its dimensions."""
+
+    @abstractmethod
+    def geometry(self) -> Geometry:
+        """Areas and second moments, without the material."""
+
+    def properties(self, material: Material) -> SectionNumbers:
+        """Stiffness, mass and inertia per length in this material."""
+        return self.geometry().made_of(material)
+
+    def _issues(self) -> Iterator[Issue]:
+        """Dimensions that do not fit together."""
+        yield from ()
+
+    @model_validator(mode="after")
+    def _fits_together(self) -> Self:
+        refuse(list(self._issues()))
+        return self
+
+
+class Round(DrawnSection):
+    """A solid round bar."""
+
+    shape: Literal["round"] = Field(description="which shape")
+    diameter: float = _size("d", "diameter")
+
+    def geometry(self) -> Geometry:
+        """Exact: J = 2 I = pi d^4/32."""
+        moment, radius = math.pi * self.diameter**4 / 64, self.diameter / 2
+        return Geometry(math.pi * radius**2, moment, moment, 2 * moment, radius, radius)
+
+
+class Tube(DrawnSection):
+    """A round tube."""
+
+    shape: Literal["tube"] = Field(description="which shape")
+    outer_diameter: float = _size("D", "outer diameter")
+    thickness: float = _size("t", "thickness of the wall")
+
+    def geometry(self) -> Geometry:
+        """Exact: J = 2 I = pi (D^4 - d^4)/32, written by the wall so that a thin one keeps its digits."""
+        radius, middle = self.outer_diameter / 2, (self.outer_diameter - self.thickness) / 2
+        area = 2 * math.pi * middle * self.thickness
+        moment = area * (middle**2 + self.thickness**2 / 4) / 2
+        return Geometry(area, moment, moment, 2 * moment, radius, radius)
+
+    def _issues(self) -> Iterator[Issue]:
+        if self.thickness >= self.outer_diameter / 2:
+            most = f"less than half the outer_diameter, {self.outer_diameter / 2:g} [m]"
+            yield Issue("thickness", f"{self.thickness:g}", most, "for a solid bar write shape: round and its diameter")
+
+
+class Box(DrawnSection):
+    """A rectangle: solid, or hollow where ``thickness`` is given."""
+
+    shape: Literal["box"] = Field(description="which shape")
+    width: float = _size("b", "width, along y")
+    height: float = _size("h", "height, along z")
+    thickness: float | None = _size("t", "thickness of the wall, the same all round; none: solid", default=None)
+
+    def geometry(self) -> Geometry:
+        """Exact but for the torsion of the hollow box: Bredt, for thin walls."""
+        width, height, wall = self.width, self.height, self.thickness
+        outer = Geometry(width * height, width * height**3 / 12, height * width**3 / 12, 0.0, width / 2, height / 2)
+        if wall is None:
+            return outer._replace(torsion=rectangle_torsion(width, height))
+        across, up = width - 2 * wall, height - 2 * wall
+        return outer._replace(
+            area=outer.area - across * up,
+            about_y=outer.about_y - across * up**3 / 12,
+            about_z=outer.about_z - up * across**3 / 12,
+            torsion=thin_box_torsion(width, height, wall),
+        )
+
+    def _issues(self) -> Iterator[Issue]:
+        least = min(self.width, self.height) / 2
+        if self.thickness is not None and self.thickness >= least:
+            most = f"less than half the smaller side, {least:g} [m]"
+            yield Issue("thickness", f"{self.thickness:g}", most, "for a solid bar leave the thickness out")
+
+
+class IBeam(DrawnSection):
+    """An I (double T): two flanges along y, a web along z."""
+
+    shape: Literal["i_beam"] = Field(description="which shape")
+    width: float = _size("b", "width of the flanges, along y")
+    height: float = _size("h", "height over both flanges, along z")
+    flange_thickness: float = _size("tf", "thickness of a flange")
+    web_thickness: float = _size("tw", "thickness of the web")
+
+    def geometry(self) -> Geometry:
+        """Exact for straight flanges without fillets, but for torsion: sum of b t^3/3."""
+        web, side = self.height - 2 * self.flange_thickness, self.width - self.web_thickness
+        return Geometry(
+            area=self.width * self.height - side * web,
+            about_y=(self.width * self.height**3 - side * web**3) / 12,
+            about_z=(2 * self.flange_thickness * self.width**3 + web * self.web_thickness**3) / 12,
+            torsion=i_beam_torsion(self.width, self.height, self.flange_thickness, self.web_thickness),
+            outer_y=self.width / 2,
+            outer_z=self.height / 2,
+        )
+
+    def _issues(self) -> Iterator[Issue]:
+        if self.flange_thickness >= self.height / 2:
+            most = f"less than half the height, {self.height / 2:g} [m]"
+            yield Issue("flange_thickness", f"{self.flange_thickness:g}", most, "thin the flanges, or raise the height")
+        if self.web_thickness >= self.width:
+            most = f"less than the width, {self.width:g} [m]"
+            yield Issue("web_thickness", f"{self.web_thickness:g}", most, "for a rectangle write shape: box")
+
+
+_ODD_FIFTHS = 31 / 32 * 1.0369277551433699
+"""Sum of n^-5 over odd n: 31/32 zeta(5)."""
+
+
+def rectangle_torsion(width: float, height: float) -> float:
+    """J of a solid rectangle, the series of Saint-Venant.
+
+    J = a b^3/3 (1 - 192 b/(pi^5 a) sum over odd n of tanh(n pi a/(2 b))/n^5), a >= b.
+    S. P. Timoshenko, J. N. Goodier, Theory of Elasticity, 3rd ed. 1970, art. 109. Summed as the limit of long
+    rectangles, tanh = 1, less what the ends take away: six terms of that are exact to rounding.
+    """
+    long, short = max(width, height), min(width, height)
+    ratio = long / short
+    decays = ((n, math.exp(-n * math.pi * ratio)) for n in range(1, 12, 2))
+    series = _ODD_FIFTHS - math.fsum(2 * decay / (1 + decay) / n**5 for n, decay in decays)
+    return long * short**3 / 3 * (1 - 192 / (math.pi**5 * ratio) * series)
+
+
+def thin_box_torsion(width: float, height: float, thickness: float) -> float:
+    """J of a closed box of one wall thickness by Bredt: 4 (enclosed area)^2 t/(perimeter), both of the middle line.
+
+    R. Bredt, Kritische Bemerkungen zur Drehungselastizitaet, Z. VDI 40 (1896). For thin walls: of a square box it is
+    2.4 % too soft where the wall is a twentieth of the side, 5.4 % at a tenth, 13 % at a fifth.
+    """
+    across, up = width - thickness, height - thickness
+    return 2 * thickness * (across * up) ** 2 / (across + up)
+
+
+def i_beam_torsion(width: float, height: float, flange_thickness: float, web_thickness: float) -> float:
+    """J of an I as its three strips: sum of b t^3/3.
+
+    Left out: what the junctions add, and what the strips' ends take away; for rolled shapes a few per cent together.
+    """
+    web = height - 2 * flange_thickness
+    return (2 * width * flange_thickness**3 + web * web_thickness**3) / 3
+
 
 SHAPES: dict[str, type[DrawnSection] | type[GivenSection]] = {
     "round": Round,

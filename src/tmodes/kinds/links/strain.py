@@ -9,11 +9,9 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tmodes.kinds.links.bare import bare_beam
-from tmodes.kinds.links.beam_functions import MODULI, interval_integrals, pieces_at
+from tmodes.kinds.links.beam_functions import MODULI, bare_beam, interval_integrals, pieces_at
 from tmodes.kinds.links.beam_pieces import BeamNumbers, BeamPiece
-from tmodes.kinds.links.beam_rule import beam_rule
-from tmodes.kinds.links.beam_tables import beam_tables
+from tmodes.kinds.links.beam_tables import beam_rule, beam_tables
 from tmodes.kinds.links.contract import Body, Link, LinkNumbers, QuadraticStructure
 from tmodes.kinds.links.facts import AngleLimit, ends
 from tmodes.kinds.links.line import LineOfLink

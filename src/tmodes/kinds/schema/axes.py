@@ -6,14 +6,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 __all__ = [
-    "bent_line",
-    "cross_matrix",
-    "matrix_quaternion",
-    "quaternion_matrix",
-    "rotation_about",
-    "rpy_matrix",
-    "unit",
-]
+    "bent_line", "cross_matrix", "matrix_quaternion", "quaternion_matrix", "rotation_about", "rpy_matrix", "unit",
+]  # fmt: skip
 
 Array = NDArray[np.float64]
 

@@ -16,19 +16,9 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationInfo, field_validat
 from pydantic_core import PydanticCustomError
 
 __all__ = [
-    "LARGEST",
-    "SMALLEST",
-    "DataSheet",
-    "Issue",
-    "any_sign",
-    "dissipation",
-    "not_negative",
-    "plain_texts",
-    "positive",
-    "quantity",
-    "refuse",
-    "span_info",
-]
+    "LARGEST", "SMALLEST", "DataSheet", "Issue", "any_sign", "dissipation", "not_negative", "plain_texts",
+    "positive", "quantity", "refuse", "span_info",
+]  # fmt: skip
 
 LARGEST = 1e12
 """The largest finite magnitude a quantity may have [its unit]: beyond it products of quantities overflow a double."""

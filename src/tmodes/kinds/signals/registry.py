@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 from tmodes.kinds.signals import constant, expression, noise, quintic, sine, step, table, total, trapezoid
-from tmodes.kinds.signals.clock import Clock
 from tmodes.kinds.signals.contract import SIGNALS, Signal
-from tmodes.kinds.signals.merge import MergedSchedule, merge
+from tmodes.kinds.signals.schedule import Clock, MergedSchedule, merge
 
 __all__ = ["BUILT_IN", "SIGNALS", "Clock", "MergedSchedule", "Signal", "constant_signal", "merge", "quintic_move"]
 

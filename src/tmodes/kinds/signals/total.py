@@ -9,8 +9,7 @@ from pydantic import Field
 
 from tmodes.errors import InputError
 from tmodes.kinds.signals.contract import SIGNALS, Signal
-from tmodes.kinds.signals.merge import merge
-from tmodes.kinds.signals.schedule import Schedule
+from tmodes.kinds.signals.schedule import Schedule, merge
 
 __all__ = ["Sum"]
 
