@@ -65,16 +65,10 @@ def simulate_motion(
     controller: Controller | None = None,
     stop: Sequence[str] = (),
 ) -> RunData:
-    """Plan with the nominal robot, run the actual one, and return the trajectories of both.
+    """The trajectories of the nominal and the actual robot; arguments and errors as of :func:`tmodes.run`.
 
-    Give a :class:`Robot` (its ``real`` factors make the actual one) or a pair of your own. ``journals`` gives where the
-    stages ``reference`` and ``real`` keep their progress. ``controller``: a Python function that returns the efforts of
-    the actual robot (:data:`tmodes.simulation.callback.Controller`); slow, with an explicit method, and kept in no
-    journal. ``stop``: conditions in addition to those of ``integration.stop``; the run ends where the first triggers.
-
-    A run that cannot continue keeps what it had: look at ``status`` (one of :data:`tmodes.result.record.STATUSES`) and
-    ``message``. Raises :class:`tmodes.errors.InputError` for what cannot be run or is too large, and
-    :class:`tmodes.errors.SimulationError` where it cannot start.
+    A ``controller`` (:data:`tmodes.simulation.callback.Controller`) is slow, integrated by an explicit method, and kept
+    in no journal.
     """
     pair = robot if isinstance(robot, RobotPair) else robot.pair()
     real = run_setup(pair.real)

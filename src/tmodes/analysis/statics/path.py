@@ -8,9 +8,8 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.analysis.statics.newton import Root, descend, newton
 from tmodes.analysis.statics.stability import Stability, stability_of
-from tmodes.analysis.statics.system import StaticSystem
+from tmodes.analysis.statics.system import Root, StaticSystem, descend, newton
 from tmodes.errors import SimulationError
 
 __all__ = ["LoadPath", "Progress", "Station", "follow"]

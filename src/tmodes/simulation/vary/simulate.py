@@ -37,21 +37,19 @@ def simulate_batch(
     out: str | os.PathLike[str] | None = None,
     progress: Progress = lambda stage, share: None,
 ) -> BatchRun:
-    """Run k robots or arms of one sheet at once: ``vary`` holds k numbers for each path that differs.
+    """Run k robots of one sheet at once: ``vary`` holds k numbers for each path that differs.
 
     Paths are those of ``with_`` and of ``--set`` (``gear.stiffness``, ``real.gear.stiffness``), but for
-    ``integration``, which all share. Each lane is checked like a sheet, becomes the real robot, and runs as
-    :func:`tmodes.simulation.simulate.simulate_motion` runs it, without a
-    reference run.
-    ``tips``: also where the tip was. ``threads``: None for one on each core. ``out``: a folder for the samples, where
-    they are too many for memory. ``progress`` is given the stage and its share.
+    ``integration``, which all share. Each lane is checked like a sheet, and runs as the actual robot of
+    :func:`tmodes.run`, without a reference. ``tips``: also where the tip was. ``threads``: None for one on each core.
+    ``out``: a folder for the samples, where they are too many for memory. ``progress`` is given the stage and its
+    share.
 
     Lanes may differ in their coordinates, as with a rigid gear next to elastic ones: the batch has those of all lanes,
-    a motor without one of its own moves as its joint, and of a link they are zero.
-
-    A lane that cannot start (``failed``) or cannot continue keeps what it had and disturbs no other: look at ``status``
-    and ``message``. Raises :class:`tmodes.errors.InputError` or :class:`tmodes.errors.InputErrors` for wrong numbers,
-    reporting their lane; :class:`tmodes.errors.SimulationError` where none can start.
+    a motor without one of its own moves as its joint, and of a link they are zero. A lane that cannot start
+    (``failed``) or cannot continue keeps what it had and disturbs no other: look at ``status`` and ``message``. Raises
+    :class:`tmodes.errors.InputError` or :class:`tmodes.errors.InputErrors` for wrong numbers, reporting their lane;
+    :class:`tmodes.errors.SimulationError` where none can start.
     """
     return run_prepared(
         prepared(sheet, vary, out=out, progress=progress), tips=tips, threads=threads, progress=progress
