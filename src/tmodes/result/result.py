@@ -155,9 +155,8 @@ class Result:
     def save(self, path: str | os.PathLike[str], *, overwrite: bool = False) -> Path:
         """Store the result as one sealed NetCDF-4 file; the same result gives the same bytes.
 
-        Whatever happens meanwhile, the path holds the old file or the new one, whole.
-        Raises :class:`tmodes.errors.ResultFileError` when the file exists, cannot be written, or a number is not
-        finite.
+        Whatever happens meanwhile, the path holds the old file or the new one, whole. Raises
+        :class:`tmodes.errors.ResultFileError` when the file exists, cannot be written, or a number is not finite.
         """
         from tmodes.io.resultfile import write_sealed
 

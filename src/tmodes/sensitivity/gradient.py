@@ -1,10 +1,9 @@
 """Sensitivities of a run to its data sheet, and gradients of what is measured on it.
 
 The steps of the run are recorded and differentiated as they are, whatever their lengths would be for other numbers: the
-results are exact for these steps, and as exact as the tolerances for the motion itself. Where a contact starts or
-ends, a step ends on the change; that its time moves with the numbers is not seen, which leaves nothing out where the
-force is continuous there. On a unilateral surface with a damper it jumps with the speed of impact: such runs are
-refused.
+results are exact for these steps, and as exact as the tolerances for the motion itself. Where a contact starts or ends,
+a step ends on the change; that its time moves with the numbers is not seen, which leaves nothing out where the force is
+continuous there. On a unilateral surface with a damper it jumps with the speed of impact: such runs are refused.
 """
 
 from __future__ import annotations

@@ -67,12 +67,11 @@ def modes_about(
 ) -> list[Mode]:
     """Modes by rising frequency about an arm at rest.
 
-    ``motors`` locked: the driven coordinates stand still; free: they turn without current; controlled: they are on
-    the springs and dampers ``servos`` of their controllers, or under the ``feedback`` of
-    :func:`tmodes.analysis.modes.closed_loop.feedback_of`; those without one stand still. Prescribed joints always
-    stand still. Dry friction, which has no slope at rest, is left out. Of an arm of more than 120 coordinates the
-    lowest 60 modes. Raises :class:`SimulationError` for a mass
-    matrix that is not positive definite.
+    ``motors`` locked: the driven coordinates stand still; free: they turn without current; controlled: they are on the
+    springs and dampers ``servos`` of their controllers, or under the ``feedback`` of
+    :func:`tmodes.analysis.modes.closed_loop.feedback_of`; those without one stand still. Prescribed joints always stand
+    still. Dry friction, which has no slope at rest, is left out. Of an arm of more than 120 coordinates the lowest 60
+    modes. Raises :class:`SimulationError` for a mass matrix that is not positive definite.
     """
     chosen = servos or {} if motors is MotorState.CONTROLLED else {}
     moving = moving_coordinates(rest, motors, chosen)

@@ -41,10 +41,9 @@ class BatchRun:
     ``times`` (n,) [s]; ``states`` (k, n, nx): coordinates, their rates, and what else is integrated, not-a-number where
     a lane has no sample; a motor whose gear is rigid in a lane moves as its joint. ``counts`` (k,): samples of each
     lane. ``status``: finished, diverged, stopped (a limit of the settings), interrupted, or failed (it could not
-    start), and ``message`` what happened, for each lane.
-    ``statistics``: steps, rejected, evaluations (k,). ``values``: numbers that differ between the lanes, (k,) each, by
-    path of the data sheet. ``tips`` (k, n, 3): position of the tip in the world [m], or None. ``folder``: where the
-    batch lies on disk, or None.
+    start), and ``message`` what happened, for each lane. ``statistics``: steps, rejected, evaluations (k,). ``values``:
+    numbers that differ between the lanes, (k,) each, by path of the data sheet. ``tips`` (k, n, 3): position of the tip
+    in the world [m], or None. ``folder``: where the batch lies on disk, or None.
     """
 
     coordinates: tuple[str, ...]
