@@ -21,8 +21,8 @@ from pathlib import Path
 
 import numpy as np
 
-from tmodes.bench import peer_mujoco, peer_pinocchio
 from tmodes.bench.contender import PeerMissing, now
+from tmodes.bench.peers import ENGINES
 from tmodes.bench.rigid import RigidChain
 from tmodes.chain.chain import Chain, Friction, Gear, Joint, Motor, Node
 from tmodes.compile.ir import kernels
@@ -117,12 +117,12 @@ def start_time(joints: int) -> float:
 def peers(coordinates: int) -> dict[str, Callable[[], float]]:
     """Rigid chains of as many coordinates, in the engines that are installed."""
     found: dict[str, Callable[[], float]] = {}
-    for make in (peer_pinocchio.contender, peer_mujoco.contender):
+    for engine in ("pinocchio", "mujoco"):
         try:
-            contender = make(RigidChain(coordinates))
+            contender = ENGINES[engine](RigidChain(coordinates))
             found[f"{contender.name}, rigid chain of {coordinates}"] = contender.run
         except PeerMissing as missing:
-            print(f"left out: {make.__module__.rpartition('_')[2]}: {missing}", file=sys.stderr)
+            print(f"left out: {engine}: {missing}", file=sys.stderr)
     return found
 
 

@@ -23,7 +23,7 @@ from typing import Any
 import numpy as np
 
 from tmodes.bench.contender import PeerMissing
-from tmodes.bench.peer_pinocchio import model as peer_model
+from tmodes.bench.peers import pinocchio_model
 from tmodes.bench.rigid import RigidChain
 from tmodes.model.model import Model
 from tmodes.sensitivity.gradient import adjoint_gradient, forward_sensitivities
@@ -63,7 +63,7 @@ def evaluation(joints: int, rounds: int) -> dict[str, float]:
     }
     whole: Calls = {"all": lambda: model.forward_dynamics_derivatives(*one)}
     try:
-        pinocchio, peer = peer_model(robot)
+        pinocchio, peer = pinocchio_model(robot)
         data = peer.createData()
         whole["pinocchio"] = lambda: pinocchio.computeABADerivatives(peer, data, *one)
     except PeerMissing as missing:

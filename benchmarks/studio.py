@@ -12,7 +12,7 @@ import time
 from typing import Any
 
 from tmodes import load
-from tmodes.studio.sheets import info_sliders, plain_sheet
+from tmodes.studio.sheets import plain_sheet, slider_records
 from tmodes.studio.work import Workshop
 
 
@@ -23,7 +23,7 @@ def main() -> None:
     info = parser.parse_args()
     sheet = load(info.robot)
     data = plain_sheet(sheet)
-    target = info_sliders(sheet, data)[0]["targets"][0]
+    target = slider_records(sheet, data)[0]["targets"][0]
     workshop, laps, processor = Workshop(), [], []
     for k in range(info.runs + 2):
         began = time.process_time()

@@ -61,7 +61,7 @@ _HOMES = {
 
 _UPWARD = {
     "Model.static": "tmodes.analysis.statics.equilibrium.equilibrium",
-    "Result.figures": "tmodes.plot.save.all_figures",
+    "Result.figures": "tmodes.plot.figure.all_figures",
     "Result.show": "tmodes.notebook.show",
     "Robot.chain": "tmodes.chain.lowering.lowered",
     "Robot.from_data": "tmodes.io.sheet_check.sheet_from_data",

@@ -13,7 +13,7 @@ from typing import Any
 from tmodes.errors import InputError
 from tmodes.io.atomic import atomic_write
 from tmodes.report.data import live_page, page_data, robot_name
-from tmodes.report.viewer import viewer_document
+from tmodes.report.parts import viewer_document
 from tmodes.result import Result
 from tmodes.result.run import movable_joints, run
 from tmodes.sheet import Robot

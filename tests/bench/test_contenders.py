@@ -5,17 +5,16 @@ from __future__ import annotations
 import sys
 import time
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
 
-from tmodes.bench import gcc, peer_exudyn, peer_mujoco, peer_pinocchio
+from tmodes.bench import gcc
 from tmodes.bench.contender import CHECKED, Contender, PeerMissing, Timed, in_turns, needed
-from tmodes.bench.exact import accelerations, relative_error
 from tmodes.bench.limit import limit
 from tmodes.bench.ours import SAMPLES, Ours
-from tmodes.bench.rigid import GRAVITY, INERTIA, MASS, TURNED, RigidChain
+from tmodes.bench.peers import ENGINES
+from tmodes.bench.rigid import GRAVITY, INERTIA, MASS, TURNED, RigidChain, accelerations, relative_error
 
 
 def error_of(contender: Contender, robot: RigidChain) -> float:
@@ -110,11 +109,11 @@ def test_no_compiler_is_no_fault(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @pytest.mark.peer
 @pytest.mark.filterwarnings("ignore::DeprecationWarning")
-@pytest.mark.parametrize("peer", [peer_pinocchio, peer_mujoco, peer_exudyn], ids=lambda peer: peer.__name__)
-def test_peers(peer: Any) -> None:
+@pytest.mark.parametrize("peer", ENGINES)
+def test_peers(peer: str) -> None:
     robot = RigidChain(7)
     try:
-        contender = peer.contender(robot)
+        contender = ENGINES[peer](robot)
     except PeerMissing as missing:
         pytest.skip(str(missing))
     assert error_of(contender, robot) < 1e-11
@@ -123,7 +122,7 @@ def test_peers(peer: Any) -> None:
 
 def test_exudyn_is_left_out_where_it_is_slow() -> None:
     with pytest.raises(PeerMissing, match="above 36 joints"):
-        peer_exudyn.contender(RigidChain(37))
+        ENGINES["exudyn"](RigidChain(37))
 
 
 def test_absent_peer_names_its_package() -> None:

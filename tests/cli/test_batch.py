@@ -86,7 +86,7 @@ def test_interrupted_before_the_batch_has_begun(stage, duration, tmp_path, monke
         if info == stage:
             raise KeyboardInterrupt
 
-    monkeypatch.setattr("tmodes.cli.progress.Stages.__call__", interrupts)
+    monkeypatch.setattr("tmodes.cli.terminal.Stages.__call__", interrupts)
     out = tmp_path / "batch"
     line = ["batch", "filipovic2010", "--duration", duration, "--set", "integration.output_step=1.0"]
     done = tmodes(*line, "--vary", "payload.mass=0.4:0.6:3", "--out", out, code=130)

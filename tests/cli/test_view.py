@@ -16,7 +16,7 @@ import pytest
 import tmodes
 from arm.see.runs import result_of
 from command import tmodes as command
-from tmodes.cli.view import names_apart
+from tmodes.cli.show import names_apart
 from tmodes.errors import InputError, ResultFileError
 from tmodes.notebook import rest_page, show
 

@@ -15,9 +15,8 @@ import tmodes
 from arm.see.runs import QUINTIC, SHEETS, result_of, sheet
 from tmodes import plot
 from tmodes.errors import InputError
-from tmodes.plot.panels import letter, panels, time_axis
-from tmodes.plot.save import rendered
-from tmodes.plot.units import readable
+from tmodes.plot.figure import rendered
+from tmodes.plot.panels import letter, panels, readable, time_axis
 from tmodes.result import Result
 
 UNIT = re.compile(r"\[(n|µ|m|k|M)?(m|rad|rad/s|m/s|rad·s|N|N·m|J|V|A|s|Hz|W|Pa|–)\]$")

@@ -150,12 +150,12 @@ def test_a_coordinate_without_mass_is_named() -> None:
 @pytest.mark.peer
 def test_derivatives_are_those_of_pinocchio() -> None:
     pinocchio: Any = pytest.importorskip("pinocchio")
-    from tmodes.bench.peer_pinocchio import model as peer_model
+    from tmodes.bench.peers import pinocchio_model
     from tmodes.bench.rigid import RigidChain
 
     count, rng = 12, np.random.default_rng(3)
     robot = RigidChain(count)
-    model, (_, peer) = Model(robot.chain()), peer_model(robot)
+    model, (_, peer) = Model(robot.chain()), pinocchio_model(robot)
     data = peer.createData()
     q, v, effort = rng.normal(size=(3, count))
     pinocchio.computeABADerivatives(peer, data, q, v, effort)

@@ -26,10 +26,11 @@ SURROUNDINGS: tuple[dict[str, str], ...] = (
 RUN = """
 import hashlib, sys
 import numpy as np
-from tmodes.bench.chain_run import ChainRun
+from tmodes.bench.runs import ChainRun
 from tmodes.bench.rigid import RigidChain
 run = ChainRun(RigidChain(2))
-states = run.exact.tobytes() + run._run(run._fixed(100))[1].tobytes()
+runs = {"method": "dormand_prince", "relative_tolerance": 1e-13}, {"method": "rk4", "step": run.duration / 100}
+states = b"".join(run.ours(**settings)[1].tobytes() for settings in runs)
 print(hashlib.sha256(states).hexdigest())
 """
 

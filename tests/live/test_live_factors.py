@@ -14,7 +14,7 @@ from tmodes.live.numbers import has_reference
 from tmodes.result import Result, assemble_result
 from tmodes.sheet import Robot
 from tmodes.simulation.simulate import simulate_motion
-from tmodes.studio.sheets import info_sliders
+from tmodes.studio.sheets import slider_records
 
 from .chain import chain
 from .node import live_in_node, worst_difference
@@ -75,5 +75,5 @@ def test_the_studio_offers_them_all_the_same() -> None:
     from tmodes.io.sheet_check import sheet_data
 
     arm = pushed()
-    info = info_sliders(arm, json.loads(json.dumps(sheet_data(arm))))
+    info = slider_records(arm, json.loads(json.dumps(sheet_data(arm))))
     assert any("actual / nominal" in one["label"] for one in info)

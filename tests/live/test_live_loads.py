@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 
 from tmodes.live.bundle import live_bundle
-from tmodes.live.loads import evenly, load_places
 from tmodes.live.map import live_map
-from tmodes.report.run_facts import run_facts
+from tmodes.live.places import evenly, load_places
+from tmodes.report.facts import run_facts
 from tmodes.report.scene import line_of, scene_of
 from tmodes.result import Result, assemble_result
 from tmodes.sheet import Robot

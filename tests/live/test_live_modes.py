@@ -10,9 +10,9 @@ import pytest
 
 from tmodes.live.bundle import live_bundle
 from tmodes.live.map import LiveMap, live_map
+from tmodes.report.data import modes_of
+from tmodes.report.drafts import own_frequencies
 from tmodes.report.facts import frequency_facts
-from tmodes.report.mode_shapes import modes_of
-from tmodes.report.spectra import own_frequencies
 from tmodes.result import Result, assemble_result
 from tmodes.sheet import Robot
 from tmodes.simulation.simulate import simulate_motion

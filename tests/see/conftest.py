@@ -15,7 +15,7 @@ from see.looking import OPTIONS, WITHOUT_WEBGL
 from see.scene_window import scene_pages
 from tmodes import load, run
 from tmodes.plot import drawings
-from tmodes.plot.save import Drawing
+from tmodes.plot.figure import Drawing
 from tmodes.report import write_report
 from tmodes.result import Result
 

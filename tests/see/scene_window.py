@@ -17,7 +17,7 @@ import pytest
 from numpy.typing import NDArray
 
 from see.scenes import arm_result, robot_result
-from tmodes.report.mode_shapes import modes_of
+from tmodes.report.data import modes_of
 from tmodes.report.pack import embedded, pack
 from tmodes.report.scene import line_of, scene_of
 

@@ -7,7 +7,7 @@ from functools import cache
 from arm.see.runs import QUINTIC, sheet, tube
 from tmodes import load, run
 from tmodes.report.data import live_page
-from tmodes.report.viewer import viewer_document
+from tmodes.report.parts import viewer_document
 from tmodes.result import Result
 from tmodes.sheet import Robot
 

@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 from see.looking import SIZES, look
-from tmodes.plot.save import Drawing
+from tmodes.plot.figure import Drawing
 
 OVERFLOW = "document.documentElement.scrollWidth - document.documentElement.clientWidth"
 STROKE = "getComputedStyle(document.querySelector('#tip_tracking svg path[style*=\"0072b2\"]')).stroke"

@@ -11,8 +11,8 @@ from see.scenes import arm_result
 from tmodes.plot.frequency_marks import amplitude_spectrum
 from tmodes.report.charts import charts_of, drafts_of
 from tmodes.report.data import facts_of, page_data
+from tmodes.report.facts import run_facts
 from tmodes.report.pack import Coarse, pack
-from tmodes.report.run_facts import run_facts
 from tmodes.result import Result
 
 PREFIX = {"m": 1e3, "µ": 1e6, "n": 1e9, "k": 1e-3}

@@ -10,7 +10,7 @@ import pytest
 
 from see.looking import Window, look
 from tmodes.report.data import page_data
-from tmodes.report.viewer import viewer_document
+from tmodes.report.parts import viewer_document
 from tmodes.result import Result, assemble_result
 from tmodes.sheet import Robot
 from tmodes.simulation.simulate import simulate_motion

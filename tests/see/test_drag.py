@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from tmodes.report.data import live_page
-from tmodes.report.viewer import viewer_document
+from tmodes.report.parts import viewer_document
 from tmodes.result import Result
 
 from .looking import look

@@ -8,10 +8,9 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
+from tmodes.report.arrays import MOST_POINTS, colour, displaced, kept, quaternions, scene_frames, stations_shown
 from tmodes.report.drafts import Draft, Line, in_readable_units
 from tmodes.report.pack import Coarse, embedded, pack
-from tmodes.report.scene_arrays import colour, displaced, kept, quaternions, stations_shown
-from tmodes.report.thin import MOST_POINTS, scene_frames
 
 SAMPLES, COORDINATES, LINKS, STATIONS = 60_000, 60, 6, 21
 LARGEST = 15e6

@@ -15,9 +15,9 @@ from see.test_scene import plain
 from tmodes.errors import InputError
 from tmodes.io.mesh_file import Triangles, box, cylinder, read_mesh, sphere
 from tmodes.io.urdf_shapes import MOST_SHAPES, LinkShape
+from tmodes.report.data import modes_of
 from tmodes.report.folder import RunFolder
 from tmodes.report.meshes import MOST_TRIANGLES, kept_meshes, read_shapes, thinned, with_shapes
-from tmodes.report.mode_shapes import modes_of
 from tmodes.report.scene import scene_of
 from tmodes.result import Result
 

@@ -12,9 +12,8 @@ from live.chain import chain
 from see.looking import look
 from see.scenes import short_report, short_robot
 from tmodes import run
-from tmodes.report.data import live_page
-from tmodes.report.mode_shapes import modes_of
-from tmodes.report.viewer import viewer_document
+from tmodes.report.data import live_page, modes_of
+from tmodes.report.parts import viewer_document
 from tmodes.result import assemble_result
 from tmodes.simulation.simulate import simulate_motion
 

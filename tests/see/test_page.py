@@ -12,7 +12,7 @@ from see.conftest import NASTY
 from see.looking import look
 from tmodes.report import write_report
 from tmodes.report.data import page_data
-from tmodes.report.viewer import viewer_document
+from tmodes.report.parts import viewer_document
 from tmodes.result import Result
 
 AXE = Path(__file__).resolve().parents[2] / "web" / "node_modules" / "axe-core" / "axe.min.js"

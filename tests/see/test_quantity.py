@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from tmodes.report.quantity import written
+from tmodes.report.markup import written
 
 WEB = Path(__file__).resolve().parents[2] / "web"
 CASES = [

@@ -18,11 +18,10 @@ from see.conftest import NASTY
 from see.test_colors import turned_colors
 from tmodes import plot
 from tmodes.errors import ResultFileError
-from tmodes.plot.save import Drawing
+from tmodes.plot.figure import Drawing
 from tmodes.report import write_report
-from tmodes.report.markup import Markup, tag
-from tmodes.report.quantity import power_of_ten, written
-from tmodes.report.viewer import program
+from tmodes.report.markup import Markup, power_of_ten, tag, written
+from tmodes.report.parts import program
 from tmodes.result import Result
 
 VOID = {"meta", "img", "br"}

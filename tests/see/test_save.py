@@ -12,7 +12,7 @@ import pytest
 
 from tmodes import plot
 from tmodes.errors import InputError, ResultFileError
-from tmodes.plot.save import Drawing
+from tmodes.plot.figure import Drawing
 from tmodes.result import Result
 
 HASHES = """

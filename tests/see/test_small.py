@@ -13,9 +13,9 @@ import pytest
 
 from result.synthetic import synthetic_result
 from see.looking import SIZES, Window, look
-from tmodes.plot.save import Drawing
+from tmodes.plot.figure import Drawing
 from tmodes.report.data import page_data
-from tmodes.report.viewer import viewer_document
+from tmodes.report.parts import viewer_document
 
 PHONE = (400, 800)
 TOUCH = 40

@@ -17,8 +17,8 @@ from tmodes.equations.lagrange.system import SYSTEMS
 from tmodes.errors import InputError
 from tmodes.live.bundle import live_bundle
 from tmodes.report.data import live_page
+from tmodes.report.parts import viewer_document
 from tmodes.report.scene import scene_of
-from tmodes.report.viewer import viewer_document
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "cart_with_flexible_pole.py"
 

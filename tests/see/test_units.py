@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from tmodes.plot.units import pretty, readable
+from tmodes.plot.panels import pretty, readable
 
 
 @pytest.mark.parametrize(

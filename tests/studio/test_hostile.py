@@ -16,8 +16,7 @@ from studio.conftest import TOKEN
 from tmodes.errors import InputError
 from tmodes.studio.folder import WorkingFolder
 from tmodes.studio.guard import MOST_BODY
-from tmodes.studio.page import document
-from tmodes.studio.requests import LONGEST_WORD
+from tmodes.studio.page import LONGEST_WORD, document
 
 
 def asked(studio, method="GET", address="/api/robots", **headers):

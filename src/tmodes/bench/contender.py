@@ -1,4 +1,4 @@
-"""A contender: what is timed, and the accelerations that it finds, so that an error is next to every time."""
+"""A contender: what is timed, with an error next to every time; contenders in turns, and runners at equal error."""
 
 from __future__ import annotations
 
@@ -14,7 +14,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["CHECKED", "Contender", "PeerMissing", "Timed", "in_turns", "needed", "now"]
+from tmodes.errors import CompileError
+from tmodes.integrate.registry import integrator, integrators
+
+__all__ = [
+    "CHECKED", "STEPS", "TOLERANCES", "Contender", "PeerMissing", "Race", "Runner", "Timed", "adaptive_methods",
+    "at_equal_error", "in_turns", "needed", "now", "solved", "tolerances_of",
+]  # fmt: skip
+
 
 CHECKED = 3
 """States at which accelerations are compared."""
@@ -84,3 +91,117 @@ def needed(module: str, package: str) -> Any:
             return import_module(module)
     except ImportError as error:
         raise PeerMissing(f"not installed (pip install {package})") from error
+
+
+@dataclass(frozen=True)
+class Runner:
+    """``run(setting)`` returns the time of a run [s] and its error; ``settings`` from loose to tight.
+
+    ``given``: it has but one setting, which is timed whatever its error.
+    """
+
+    name: str
+    run: Callable[[float], tuple[float, float]]
+    settings: Sequence[float]
+    info: str
+    given: bool = False
+
+
+@dataclass(frozen=True)
+class Race:
+    """One runner at its setting: time per simulated second [s], the error, and whether that is what was asked for."""
+
+    name: str
+    setting: str
+    time: Timed
+    error: float
+    reached: bool
+
+
+def at_equal_error(
+    runners: Sequence[Runner],
+    error: float,
+    duration: float,
+    rounds: int,
+    tell: Callable[[float], None] = lambda share: None,
+) -> list[Race]:
+    """All runners at their settings in turns; times over the simulated ``duration`` [s]."""
+    chosen = []
+    for number, one in enumerate(runners):
+        chosen.append(_setting(one, error))
+        tell(0.5 * (number + 1) / len(runners))
+    times: list[list[float]] = [[] for _ in runners]
+    for number in range(rounds):
+        for one, (setting, _), known in zip(runners, chosen, times, strict=True):
+            known.append(one.run(setting)[0] / duration)
+        tell(0.5 + 0.5 * (number + 1) / rounds)
+    return [
+        Race(one.name, one.info.format(setting), Timed.of(known), found, found <= error)
+        for one, (setting, found), known in zip(runners, chosen, times, strict=True)
+    ]
+
+
+def _setting(runner: Runner, error: float) -> tuple[float, float]:
+    """The loosest setting that reaches the error, else the one that comes nearest, and the error that it has."""
+    found = []
+    for setting in runner.settings:
+        reached = runner.run(setting)[1]
+        if reached <= error or runner.given:
+            return setting, reached
+        found.append((reached, setting))
+    nearest = min(found)
+    return nearest[1], nearest[0]
+
+
+Array = NDArray[np.float64]
+
+
+TOLERANCES = tuple(10.0**-power for power in np.arange(3.0, 12.1, 0.5))
+"""Relative tolerances of adaptive methods."""
+
+STEPS = tuple(round(25 * 2.0 ** (k / 2)) for k in range(29))
+"""Numbers of equal steps."""
+
+
+def tolerances_of(method: str) -> tuple[float, ...]:
+    """Those that a method takes."""
+    least = integrator(method).least_tolerance
+    return tuple(max(info, least) for info in TOLERANCES if info > 0.9 * least)
+
+
+def adaptive_methods(loops: Any) -> list[str]:
+    """The methods with a tolerance for which there is a native loop."""
+
+    def there(method: str) -> bool:
+        try:
+            return loops[method] is not None
+        except (KeyError, CompileError):  # none for this kind of robot, or none for one so large
+            return False
+
+    return [method for method, one in integrators().items() if one.adaptive and there(method)]
+
+
+def solved(
+    rate: Callable[[float, Array, Array], Any],
+    start: Array,
+    knots: Sequence[float],
+    rows: Sequence[Array],
+    method: Any,
+    tolerance: float,
+    samples: Array,
+) -> tuple[float, Array]:
+    """Time [s] of ``solve_ivp`` and its states at ``samples`` [s], the last of which is the end.
+
+    It restarts at every knot, so that no step crosses a jump. ``rate(t, state, row)``; the absolute tolerance is a
+    thousandth of the relative one.
+    """
+    from scipy.integrate import solve_ivp
+
+    state, found, began = start, [], now()
+    for left, right, row in zip(knots[:-1], knots[1:], rows, strict=True):
+        wanted = samples[(samples > left) & (samples <= right)]
+        options = {"rtol": tolerance, "atol": tolerance * 1e-3, "args": (row,)}
+        states = solve_ivp(rate, (left, right), state, method, np.union1d(wanted, [right]), **options).y.T
+        found.append(states[: len(wanted)])
+        state = states[-1]
+    return now() - began, np.concatenate(found)

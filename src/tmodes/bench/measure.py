@@ -12,17 +12,13 @@ from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from typing import Any
 
-from tmodes.bench import gcc, peer_exudyn, peer_mujoco, peer_pinocchio
-from tmodes.bench.chain_run import DURATION, ERROR, ChainRun
-from tmodes.bench.contender import CHECKED, Contender, PeerMissing, Timed, in_turns
-from tmodes.bench.equal_error import Runner, at_equal_error
-from tmodes.bench.exact import accelerations, relative_error
+from tmodes.bench import gcc
+from tmodes.bench.contender import CHECKED, Contender, PeerMissing, Runner, Timed, at_equal_error, in_turns
 from tmodes.bench.limit import limit, machine
 from tmodes.bench.ours import SAMPLES, Ours, cores
-from tmodes.bench.published_run import DURATION as SEED_DURATION
-from tmodes.bench.published_run import ERROR as SEED_ERROR
-from tmodes.bench.published_run import SeedRun
-from tmodes.bench.rigid import RigidChain
+from tmodes.bench.peers import ENGINES
+from tmodes.bench.rigid import RigidChain, accelerations, relative_error
+from tmodes.bench.runs import ChainRun, Run, SeedRun
 from tmodes.bench.start import started
 from tmodes.bench.tables import exponents
 
@@ -77,8 +73,6 @@ PEERS = ("gcc", "pinocchio", "mujoco", "exudyn", "scipy")
 LARGEST = 200
 """Joints above which no straight list is written and no whole runs are raced: that would take minutes."""
 
-_ENGINES = {"pinocchio": peer_pinocchio, "mujoco": peer_mujoco, "exudyn": peer_exudyn}
-
 Tell = Callable[[str, float], None]
 
 
@@ -104,7 +98,7 @@ def measured(plan: Plan, tell: Tell = lambda stage, share: None) -> dict[str, An
     info["sizes"] = [_size(plan, n, tell) for n in plan.sizes]
     info["scaling"] = exponents(info["sizes"])
     if plan.runs:
-        info["seed"] = _seed(plan, tell)
+        info["seed"] = _raced(plan, SeedRun(), (), lambda share: tell("the 2010 robot", share))
     return info
 
 
@@ -135,7 +129,7 @@ def _peers(name: str, ours: Ours, patience: float) -> list[Contender]:
         raise PeerMissing(f"above {LARGEST} joints")
     if name == "gcc":
         return [gcc.contender(ours, way, patience) for way in gcc.FLAGS]
-    return [_ENGINES[name].contender(ours.robot)] if name in _ENGINES else []
+    return [ENGINES[name](ours.robot)] if name in ENGINES else []
 
 
 def _judged(robot: RigidChain, contenders: list[Contender], times: dict[str, list[float]]) -> list[dict[str, Any]]:
@@ -153,23 +147,15 @@ def _judged(robot: RigidChain, contenders: list[Contender], times: dict[str, lis
 
 def _chain_runs(plan: Plan, robot: RigidChain, tell: Callable[[float], None]) -> dict[str, Any]:
     """The falling chain at equal error."""
-    run = ChainRun(robot)
-    runners = [one for one in run.runners() if "scipy" in plan.peers or not one.name.startswith("SciPy")]
+    run, peers = ChainRun(robot), []
     try:
-        runners += run.peers() if "mujoco" in plan.peers else []
+        peers = [*run.peers()] if "mujoco" in plan.peers else []
     except PeerMissing:
         tell(0.0)  # already named as left out
-    return _raced(plan, runners, ERROR, DURATION, "rad", tell)
+    return _raced(plan, run, peers, tell)
 
 
-def _seed(plan: Plan, tell: Tell) -> dict[str, Any]:
-    """The closed loop of the 2010 robot at equal error."""
-    runners = [one for one in SeedRun().runners() if "scipy" in plan.peers or not one.name.startswith("SciPy")]
-    return _raced(plan, runners, SEED_ERROR, SEED_DURATION, "m", lambda share: tell("the 2010 robot", share))
-
-
-def _raced(
-    plan: Plan, runners: Sequence[Runner], error: float, duration: float, unit: str, tell: Callable[[float], None]
-) -> dict[str, Any]:
-    races = at_equal_error(runners, error, duration, max(3, plan.rounds // 2), tell)
-    return {"error": error, "unit": unit, "duration": duration, "races": [asdict(race) for race in races]}
+def _raced(plan: Plan, run: Run, peers: Sequence[Runner], tell: Callable[[float], None]) -> dict[str, Any]:
+    own = [one for one in run.runners() if "scipy" in plan.peers or not one.name.startswith("SciPy")]
+    races = at_equal_error([*own, *peers], run.error, run.duration, max(3, plan.rounds // 2), tell)
+    return {"error": run.error, "unit": run.unit, "duration": run.duration, "races": [asdict(race) for race in races]}

@@ -21,14 +21,11 @@ def tables(info: dict[str, Any]) -> Iterator[Table]:
     yield title, columns, [*_times(sizes), *_limits(sizes), *_starts(sizes)]
     if info["scaling"]:
         sizes_info = ", ".join(str(size["n"]) for size in sizes)
-        yield f"Cost grows with the joints to the power of ({sizes_info} joints)", ("", "power"), _powers(info)
+        powers = [[name, f"{power:.2f}"] for name, power in info["scaling"].items()]
+        yield f"Cost grows with the joints to the power of ({sizes_info} joints)", ("", "power"), powers
     for name, runs in _runs(info):
         what = f"{name}: {runs['duration']:g} s to {runs['error']:g} {runs['unit']}, at equal error"
         yield what, ("", "setting", "ms per simulated second", f"error [{runs['unit']}]"), _races(runs)
-
-
-def _powers(info: dict[str, Any]) -> list[list[str]]:
-    return [[name, f"{power:.2f}"] for name, power in info["scaling"].items()]
 
 
 def left_out(info: dict[str, Any]) -> list[str]:
@@ -61,16 +58,18 @@ def _limits(sizes: list[dict[str, Any]]) -> Iterator[list[str]]:
 
 def _starts(sizes: list[dict[str, Any]]) -> Iterator[list[str]]:
     starts = [size["start"] for size in sizes]
-    yield ["compile, equations and emission included [s]", *(f"{_compile(one):.3g}" for one in starts)]
+    yield ["compile, equations and emission included [s]", *(f"{_compiling(one):.3g}" for one in starts)]
     for way in dict.fromkeys(one["name"] for size in sizes for one in size["contenders"] if one["compile"]):
         yield [f"compile by {way.split(',')[0]} [s]", *(_by_compiler(size, way) for size in sizes)]
-    yield ["native code from the cache [ms]", *(f"{one['reload'] * 1e3:.3g}" for one in starts)]
-    yield ["first call [ms]", *(f"{one['first_call'] * 1e3:.3g}" for one in starts)]
-    yield ["peak memory of a process [MB]", *(f"{one['memory'] / 1e6:.0f}" for one in starts)]
-    yield ["of which before the chain [MB]", *(f"{one['memory_before'] / 1e6:.0f}" for one in starts)]
+    for words, key, scale, digits in (
+        ("native code from the cache [ms]", "reload", 1e3, ".3g"), ("first call [ms]", "first_call", 1e3, ".3g"),
+        ("peak memory of a process [MB]", "memory", 1e-6, ".0f"),
+        ("of which before the chain [MB]", "memory_before", 1e-6, ".0f"),
+    ):  # fmt: skip
+        yield [words, *(f"{one[key] * scale:{digits}}" for one in starts)]
 
 
-def _compile(start: dict[str, float]) -> float:
+def _compiling(start: dict[str, float]) -> float:
     return start["equations"] + start["compile"]
 
 
@@ -88,14 +87,9 @@ def _runs(info: dict[str, Any]) -> Iterator[tuple[str, dict[str, Any]]]:
 
 def _races(runs: dict[str, Any]) -> list[list[str]]:
     return [
-        [
-            race["name"],
-            race["setting"] + ("" if race["reached"] else " (not reached)"),
-            f"{race['time']['median'] * 1e3:.3g}",
-            f"{race['error']:.0e}",
-        ]
-        for race in runs["races"]
-    ]
+        [race["name"], race["setting"] + ("" if race["reached"] else " (not reached)"),
+         f"{race['time']['median'] * 1e3:.3g}", f"{race['error']:.0e}"] for race in runs["races"]
+    ]  # fmt: skip
 
 
 def exponents(sizes: list[dict[str, Any]]) -> dict[str, float]:
@@ -109,7 +103,7 @@ def exponents(sizes: list[dict[str, Any]]) -> dict[str, float]:
     found = {one["name"]: _contender(sizes, one["name"]) for one in sizes[0]["contenders"]}
     costs = {name: values for name, values in found.items() if len(values) == len(sizes)}
     starts = [size["start"] for size in sizes]
-    costs["compile"] = [one["equations"] + one["compile"] for one in starts]
+    costs["compile"] = [_compiling(one) for one in starts]
     costs["memory"] = [one["memory"] - one["memory_before"] for one in starts]
     return {name: _slope(joints, values) for name, values in costs.items() if min(values) > 0}
 

@@ -1,4 +1,4 @@
-"""``tmodes batch``: many runs of one robot or arm with some of its numbers varied, and how far their tips part."""
+"""``tmodes batch``: many runs of one robot with some of its numbers varied, and how far their tips part."""
 
 from __future__ import annotations
 
@@ -9,8 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from tmodes.cli import options
-from tmodes.cli.output import notice, print_json, print_table
-from tmodes.cli.progress import working
+from tmodes.cli.terminal import notice, print_json, print_table, working
 from tmodes.errors import InputError
 
 if TYPE_CHECKING:

@@ -9,7 +9,7 @@ import numpy as np
 import typer
 
 from tmodes.cli.options import AsJson, ReadingOption, Roots, Settings, SheetArgument, TrustPaths, chosen_sheet
-from tmodes.cli.output import print_json, print_json_list, print_table
+from tmodes.cli.terminal import print_json, print_json_list, print_table
 from tmodes.errors import InputError, SimulationError
 
 if TYPE_CHECKING:
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from tmodes.model.model import Model
     from tmodes.sheet import Robot
 
-__all__ = ["UNITS", "arm_answers", "evaluate", "evaluate_arm"]
+__all__ = ["UNITS", "evaluate", "evaluate_states", "terms_at"]
 
 
 def evaluate(
@@ -62,7 +62,7 @@ def evaluate(
         )
         raise InputError("--contact", f"the robot {sheet.name}", expected, hint)
     pair = sheet.pair()
-    evaluate_arm(pair.nominal if nominal else pair.real, states, as_json=as_json)
+    evaluate_states(pair.nominal if nominal else pair.real, states, as_json=as_json)
 
 
 def _print(answers: list[dict[str, Any]]) -> None:
@@ -98,22 +98,22 @@ _MOST_NUMBERS = 20_000_000
 """Numbers of all answers together beyond which they are refused."""
 
 
-def evaluate_arm(arm: Robot, path: str, *, as_json: bool) -> None:
+def evaluate_states(robot: Robot, path: str, *, as_json: bool) -> None:
     """Read states, evaluate, and print."""
     from tmodes.io.states import read_states
     from tmodes.model.model import Model
 
-    model = Model(arm.model_copy(update={"drives": ()}).chain())  # every joint with its motor, none prescribed
+    model = Model(robot.model_copy(update={"drives": ()}).chain())  # every joint with its motor, none prescribed
     states = read_states(path, model.coordinates, model.efforts)
-    answers = list(arm_answers(model, states))
+    answers = list(terms_at(model, states))
     if as_json:
         names = {"coordinates": list(model.coordinates), "efforts": list(model.efforts)}
-        print_json({"arm": arm.name, **names, "units": UNITS, "states": answers})
+        print_json({"arm": robot.name, **names, "units": UNITS, "states": answers})
     else:
         _print_terms(model, answers)
 
 
-def arm_answers(model: Model, states: ChainStates) -> Iterator[dict[str, Any]]:
+def terms_at(model: Model, states: ChainStates) -> Iterator[dict[str, Any]]:
     """The terms at each state, free of contact and loads.
 
     Raises :class:`tmodes.errors.InputError` for more than memory should hold, and
@@ -155,7 +155,7 @@ def _check_finite(name: str, values: Any) -> None:
     if not finite.all():
         raise SimulationError(
             f"states[{int(np.argmin(finite))}]: {name} is not finite there; expected a state at which the equations "
-            "hold. Keep q and v within what an arm can do, and give what moves a mass"
+            "hold. Keep q and v within what a robot can do, and give what moves a mass"
         )
 
 

@@ -11,7 +11,7 @@ import typer
 
 from tmodes.cli import options
 from tmodes.cli.options import chosen_sheet
-from tmodes.cli.output import print_json
+from tmodes.cli.terminal import print_json
 from tmodes.errors import InputError
 from tmodes.io.atomic import atomic_write, check_writable, file_error
 

@@ -12,21 +12,16 @@ from typing import Annotated, Any
 import typer
 
 from tmodes.cli.batch import batch
-from tmodes.cli.bench import bench
-from tmodes.cli.cache import cache
-from tmodes.cli.check import check
-from tmodes.cli.describe import describe
+from tmodes.cli.bench import bench, cache
+from tmodes.cli.describe import describe, ladder
 from tmodes.cli.evaluate import evaluate
 from tmodes.cli.export import export
-from tmodes.cli.ladder import ladder
 from tmodes.cli.modes import modes
-from tmodes.cli.robots import robots
 from tmodes.cli.run import run
-from tmodes.cli.schema import schema
-from tmodes.cli.show import show
+from tmodes.cli.sheets import check, robots, schema
+from tmodes.cli.show import show, view
 from tmodes.cli.static import static
 from tmodes.cli.studio import studio
-from tmodes.cli.view import view
 from tmodes.errors import InputError, TmodesError
 
 __all__ = ["app", "main"]
@@ -63,7 +58,9 @@ def _version(wanted: bool) -> None:
 
 @app.callback()
 def _options(
-    version: Annotated[bool, typer.Option("--version", callback=_version, is_eager=True, help="Show it.")] = False,
+    version: Annotated[
+        bool, typer.Option("--version", callback=_version, is_eager=True, help="Show the version and exit.")
+    ] = False,
     use: Annotated[
         list[str] | None,
         typer.Option("--use", help="Kinds of your own: a Python file, a module, or an entry point; may be repeated."),

@@ -7,9 +7,8 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from tmodes.cli.options import AsJson, ReadingOption, Roots, Settings, SheetArgument, TrustPaths, chosen_sheet
-from tmodes.cli.output import notice, print_json, print_table
-from tmodes.cli.progress import working
 from tmodes.cli.static import print_links
+from tmodes.cli.terminal import print_json, print_table, warn, working
 from tmodes.errors import InputError
 
 if TYPE_CHECKING:
@@ -58,16 +57,16 @@ def modes(
     """
     from tmodes.analysis.modes.of_sheet import vibrations
 
-    arm = _asked(chosen_sheet(robot, settings, reading, roots=root, trust_paths=trust_paths), contact, angle)
-    pair = arm.pair()
+    sheet = _asked(chosen_sheet(robot, settings, reading, roots=root, trust_paths=trust_paths), contact, angle)
+    pair = sheet.pair()
     with working() as tell:
         found = {"real": vibrations(pair.real, contact=contact, progress=tell)}
-        if arm.real:
+        if sheet.real:
             found["nominal"] = vibrations(pair.nominal, contact=contact, progress=tell)
     if as_json:
         states = {kind: one.states for kind, one in found.items()}
         links, warnings = ({kind: one[k] for kind, one in found.items()} for k in (1, 2))
-        head = {"robot": arm.name, "equations": arm.equations, "contact": contact, "units": _UNITS}
+        head = {"robot": sheet.name, "equations": sheet.equations, "contact": contact, "units": _UNITS}
         poles = {kind: one.poles for kind, one in found.items()}
         print_json({**head, **states, "poles": poles, "links": links, "warnings": warnings})
         return
@@ -75,10 +74,9 @@ def modes(
         whose = "" if len(found) == 1 else ", actual robot" if kind == "real" else ", nominal robot"
         for state, lines in one.states.items():
             if lines:
-                _print(f"{arm.name}{whose}, {_MOTOR[state]}{', in contact' if contact else ''}", lines)
+                _print(f"{sheet.name}{whose}, {_MOTOR[state]}{', in contact' if contact else ''}", lines)
         print_links(one.links)
-    for warning in dict.fromkeys(warning for one in found.values() for warning in one.warnings):
-        notice(f"warning: {warning}")
+    warn(dict.fromkeys(warning for one in found.values() for warning in one.warnings))
 
 
 def _asked(sheet: Robot, contact: bool, angle: float | None) -> Robot:

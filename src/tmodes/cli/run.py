@@ -9,9 +9,8 @@ import typer
 
 from tmodes.cli import options
 from tmodes.cli.options import chosen_sheet
-from tmodes.cli.output import notice, print_json
-from tmodes.cli.progress import working
-from tmodes.cli.summary_text import info
+from tmodes.cli.summary_text import print_run
+from tmodes.cli.terminal import notice, print_json, warn, working
 from tmodes.errors import SimulationError
 
 if TYPE_CHECKING:
@@ -94,8 +93,7 @@ def _computed(folder: RunFolder, sheet: Robot, figures: bool) -> Any:
         try:
             result = folder.simulate(progress)
         except SimulationError:
-            for text in notices_about(sheet):  # a wrong unit is the likely cause
-                notice(f"warning: {text}")
+            warn(notices_about(sheet))  # a wrong unit is the likely cause
             raise
         if figures and result.status != "interrupted":
             folder.illustrate(result, progress)
@@ -103,9 +101,8 @@ def _computed(folder: RunFolder, sheet: Robot, figures: bool) -> Any:
 
 
 def _tell(result: Any, folder: RunFolder, as_json: bool) -> None:
-    print_json(folder.summary(result)) if as_json else info(result, folder)
-    for warning in result.warnings:
-        notice(f"warning: {warning}")
+    print_json(folder.summary(result)) if as_json else print_run(result, folder)
+    warn(result.warnings)
     if result.status != "finished":
         notice(f"tmodes: {result.message}")
 

@@ -69,7 +69,7 @@ def _farthest(variable: DataArray) -> DataArray:
 
 
 def _coordinate_units(data: Dataset) -> dict[str, str]:
-    """Unit of each coordinate of an arm; a gear's deflection has that of its joint."""
+    """Unit of each coordinate of a robot; a gear's deflection has that of its joint."""
     if "coordinate_unit" not in data.coords:
         return {}
     info = dict(zip(map(str, data["coordinate"].values), map(str, data["coordinate_unit"].values), strict=True))

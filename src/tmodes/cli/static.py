@@ -9,13 +9,11 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from tmodes.cli.options import AsJson, Roots, Settings, SheetArgument, TrustPaths, chosen_sheet
-from tmodes.cli.output import notice, print_json, print_table
-from tmodes.cli.progress import working
+from tmodes.cli.terminal import print_json, print_table, warn, working
 from tmodes.errors import InputError
 from tmodes.io.words import meant, shown
 
 if TYPE_CHECKING:
-    from tmodes.analysis.statics.equilibrium import Equilibrium
     from tmodes.analysis.statics.loads import Load
     from tmodes.sheet import Robot
 
@@ -58,39 +56,33 @@ def static(
 
     The loads are those of the data sheet and those given here; motors stand at their first command.
     """
+    from tmodes.analysis.describe.describe import statics_info
     from tmodes.analysis.statics.equilibrium import robot_rest
     from tmodes.analysis.statics.loads import Load, point_index
     from tmodes.model.model import Model
 
-    arm = chosen_sheet(robot, settings, roots=root, trust_paths=trust_paths)
+    sheet = chosen_sheet(robot, settings, roots=root, trust_paths=trust_paths)
     loads = [load_of(text) for text in load or []]
     if force or moment:
         info = three_of("--force", force or "0,0,0", "N"), three_of("--moment", moment or "0,0,0", "N*m")
         loads.append(Load(point, *info))
-    model = Model(arm.chain())
+    model = Model(sheet.chain())
     index = point_index(model, point)
-    held = dict(held_of(text, arm) for text in hold or [])
+    held = dict(held_of(text, sheet) for text in hold or [])
     with working() as tell:
-        rest = robot_rest(arm, loads, model=model, held=held, progress=tell)
-    _tell(arm, rest, index, as_json)
-
-
-def _tell(arm: Robot, rest: Equilibrium, index: int, as_json: bool) -> None:
-    from tmodes.analysis.describe.describe import statics_info
-
-    info = statics_info(arm, rest, index)
+        rest = robot_rest(sheet, loads, model=model, held=held, progress=tell)
+    info = statics_info(sheet, rest, index)
     if as_json:
-        print_json({"robot": arm.name, "units": UNITS, **info})
+        print_json({"robot": sheet.name, "units": UNITS, **info})
         return
-    _print(arm, info)
-    for warning in info["warnings"]:
-        notice(f"warning: {warning}")
+    _print(sheet, info)
+    warn(info["warnings"])
 
 
-def _print(arm: Robot, info: dict[str, Any]) -> None:
+def _print(sheet: Robot, info: dict[str, Any]) -> None:
     lowest = info["lowest_frequency_Hz"]
     stable = "stable" if info["stable"] else "NOT STABLE"
-    print(f"{arm.name} at rest: {stable}" + (f", lowest frequency {lowest:.4g} Hz" if lowest else ""))
+    print(f"{sheet.name} at rest: {stable}" + (f", lowest frequency {lowest:.4g} Hz" if lowest else ""))
     if not info["coordinates"]:
         print("It has no coordinates: nothing in it moves or bends.")
     coordinates = [[name, f"{value:.6g}"] for name, value in info["coordinates"].items()]
@@ -190,12 +182,12 @@ def three_of(which: str, text: str, unit: str) -> list[float]:
     return [_number(which, word, unit, "three finite numbers") for word in words]
 
 
-def held_of(text: str, arm: Robot) -> tuple[str, float]:
+def held_of(text: str, sheet: Robot) -> tuple[str, float]:
     """Coordinate and value [rad; m of a prismatic joint] of ``shoulder=45deg``."""
     name, equals, value = (part.strip() for part in text.partition("="))
     if not (name and equals and value):
         raise InputError("--hold", repr(text), "COORDINATE=VALUE", "write it like shoulder=0.5 or shoulder=45deg")
-    slides = any(joint.name == name.removesuffix(".motor") and joint.type == "prismatic" for joint in arm.joints)
+    slides = any(joint.name == name.removesuffix(".motor") and joint.type == "prismatic" for joint in sheet.joints)
     return name, _number(f"--hold {name}", value, "m" if slides else "rad", "a number")
 
 

@@ -84,7 +84,7 @@ def _ready(address: str, folder: Path, until_stopped: ExitStack | None) -> None:
         return
     import webbrowser
 
-    from tmodes.studio.door import door
+    from tmodes.studio.own_folder import door
 
     if page := until_stopped.enter_context(door(address)):
         # A browser in the terminal ends only when it is closed, and the page needs the server meanwhile.

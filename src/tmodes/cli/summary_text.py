@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
-from tmodes.cli.output import print_table
+from tmodes.cli.terminal import print_table
 
 if TYPE_CHECKING:
     from tmodes.report.folder import RunFolder
     from tmodes.result import Result
 
-__all__ = ["error_of", "info", "info_summary", "integration_lines", "summary_rows"]
+__all__ = ["error_of", "integration_lines", "print_run", "print_summary", "summary_rows"]
 
 
 def error_of(summary: dict[str, Any], path: str, factor: float, unit: str) -> str:
@@ -56,9 +56,9 @@ _MOST_JOINTS = 8
 _MOST_DEFORMATIONS = 8
 
 
-def info(result: Result, folder: RunFolder) -> None:
+def print_run(result: Result, folder: RunFolder) -> None:
     """Print the summary of a run as a table, and the files to open."""
-    summary = info_summary(result)
+    summary = print_summary(result)
     if result.status == "finished":  # any other ending is reported with the errors
         print(f"end     {result.message}")
     for line in integration_lines(result, summary):
@@ -67,7 +67,7 @@ def info(result: Result, folder: RunFolder) -> None:
     print(f"data    {folder.result_file}")
 
 
-def info_summary(result: Result) -> dict[str, Any]:
+def print_summary(result: Result) -> dict[str, Any]:
     """Print the summary of a result as a table, and give it back."""
     summary = result.summary()
     columns = ["quantity", "value", "error", "where"]
@@ -75,69 +75,68 @@ def info_summary(result: Result) -> dict[str, Any]:
     return summary
 
 
-def summary_rows(summary: dict[str, Any]) -> Iterator[tuple[str, str, str, str]]:
+Row = tuple[str, str, str, str]
+
+
+def _row(
+    summary: dict[str, Any], path: str, name: str, value: float, unit: str, where: str = "", factor: float = 1.0
+) -> Row:
+    """The row of a figure (SI) in a unit that is ``factor`` to one of SI; ``path``: where its error is."""
+    return name, f"{value * factor:.4g} {unit}", error_of(summary, path, factor, unit), where
+
+
+def summary_rows(summary: dict[str, Any]) -> Iterator[Row]:
     """Rows of quantity, value, error, where and when; of many joints and deformations the largest ones."""
     yield from _tip(summary)
     yield from _deformations(summary)
     for name, link in summary["links"].items():
         yield from _link(name, link, summary)
     yield from _efforts(summary)
-    force = summary["contact_force"]
-    if force:
-        error = error_of(summary, "contact_force.max_N", 1.0, "N")
+    if force := summary["contact_force"]:
         value = f"{force['min_N']:.3f} ... {force['max_N']:.3f} N"
+        error = error_of(summary, "contact_force.max_N", 1.0, "N")
         yield "contact force", value, error, f"mean {force['mean_N']:.3f} N"
     energy = summary["energy"]
     yield "energy balance", f"{energy['worst_residual_J']:.1e} J", "", f"of {energy['moved_J']:.3g} J moved"
 
 
-def _tip(summary: dict[str, Any]) -> Iterator[tuple[str, str, str, str]]:
+def _tip(summary: dict[str, Any]) -> Iterator[Row]:
     deviation, settling = summary["deviation"], summary["settling"]
     if deviation is None:
         return
-    errors = [error_of(summary, f"deviation.{key}", 1e3, "mm") for key in ("max_m", "end_m")]
     when = f"t = {deviation['time_of_max_s']:.3f} s"
-    yield "largest tip deviation", f"{deviation['max_m'] * 1e3:.4g} mm", errors[0], when
-    yield "tip deviation at the end", f"{deviation['end_m'] * 1e3:.4g} mm", errors[1], ""
+    yield _row(summary, "deviation.max_m", "largest tip deviation", deviation["max_m"], "mm", when, 1e3)
+    yield _row(summary, "deviation.end_m", "tip deviation at the end", deviation["end_m"], "mm", factor=1e3)
     if settling["time_s"] is not None:
         limit = f"within {settling['limit_m'] * 1e3:.3g} mm"
         yield "settling after the move", f"{settling['time_s']:.3f} s", "", limit
 
 
-def _deformations(summary: dict[str, Any]) -> Iterator[tuple[str, str, str, str]]:
-    info = summary["deformations"]
-    largest = sorted(info, key=lambda name: -info[name]["max"])[:_MOST_DEFORMATIONS]
-    for name in (name for name in info if name in largest):
-        one = info[name]
+def _largest(info: dict[str, Any], key: str, most: int) -> list[tuple[str, dict[str, Any]]]:
+    """At most so many entries, those with the largest sizes of ``key``, in their order."""
+    chosen = sorted(info, key=lambda name: -abs(info[name][key]))[:most]
+    return [(name, one) for name, one in info.items() if name in chosen]
+
+
+def _deformations(summary: dict[str, Any]) -> Iterator[Row]:
+    for name, one in _largest(summary["deformations"], "max", _MOST_DEFORMATIONS):
         unit = "1e-3" if one["unit"] == "1" else f"m{one['unit']}"
         parts = f"T_st {one['max_stationary'] * 1e3:.4g}, T_to {one['max_oscillatory'] * 1e3:.4g}"
-        error = error_of(summary, f"deformations.{name}.max", 1e3, unit)
-        yield f"largest {name}", f"{one['max'] * 1e3:.4g} {unit}", error, parts
+        yield _row(summary, f"deformations.{name}.max", f"largest {name}", one["max"], unit, parts, 1e3)
 
 
-def _link(name: str, link: dict[str, Any], summary: dict[str, Any]) -> Iterator[tuple[str, str, str, str]]:
-    bent, moment, stress = link["deflection"], link["bending_moment"], link["stress"]
-    error = error_of(summary, f"links.{name}.deflection.max_m", 1e3, "mm")
-    yield f"deflection of {name}", f"{bent['max_m'] * 1e3:.4g} mm", error, f"t = {bent['time_s']:.3f} s"
-    place = f"s = {moment['s']:.2f}, t = {moment['time_s']:.3f} s"
-    error = error_of(summary, f"links.{name}.bending_moment.max_Nm", 1.0, "N m")
-    yield f"bending moment of {name}", f"{moment['max_Nm']:.4g} N m", error, place
-    if stress:
-        place = f"s = {stress['s']:.2f}, t = {stress['time_s']:.3f} s"
-        error = error_of(summary, f"links.{name}.stress.max_Pa", 1e-6, "MPa")
-        yield f"stress of {name}", f"{stress['max_Pa'] / 1e6:.4g} MPa", error, place
+def _link(name: str, link: dict[str, Any], summary: dict[str, Any]) -> Iterator[Row]:
+    bent, own = link["deflection"], f"links.{name}"
+    when = f"t = {bent['time_s']:.3f} s"
+    yield _row(summary, f"{own}.deflection.max_m", f"deflection of {name}", bent["max_m"], "mm", when, 1e3)
+    loads = (("bending_moment", "max_Nm", "N m", 1.0), ("stress", "max_Pa", "MPa", 1e-6))
+    for load, key, unit, factor in loads:
+        if one := link[load]:
+            place, words = f"s = {one['s']:.2f}, t = {one['time_s']:.3f} s", load.replace("_", " ")
+            yield _row(summary, f"{own}.{load}.{key}", f"{words} of {name}", one[key], unit, place, factor)
 
 
-def _efforts(summary: dict[str, Any]) -> Iterator[tuple[str, str, str, str]]:
-    info = summary["joints"]
-    largest = sorted(info, key=lambda name: -abs(info[name]["largest_effort"]))[:_MOST_JOINTS]
-    for name in (name for name in info if name in largest):
-        one = info[name]
-        unit = "N" if one["unit"] == "m" else "N m"
-        error = error_of(summary, f"joints.{name}.largest_effort", 1.0, unit)
-        yield (
-            f"effort of {name}",
-            f"{one['largest_effort']:.4g} {unit}",
-            error,
-            f"t = {one['time_of_largest_effort_s']:.3f} s",
-        )
+def _efforts(summary: dict[str, Any]) -> Iterator[Row]:
+    for name, one in _largest(summary["joints"], "largest_effort", _MOST_JOINTS):
+        when, unit = f"t = {one['time_of_largest_effort_s']:.3f} s", "N" if one["unit"] == "m" else "N m"
+        yield _row(summary, f"joints.{name}.largest_effort", f"effort of {name}", one["largest_effort"], unit, when)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,20 +13,17 @@ from tmodes.analysis.line.line import elastic_line
 from tmodes.analysis.quasistatic import deflections, elastic_names
 from tmodes.integrate.settings import Integration
 from tmodes.live.functions import ModelFunctions, live_module
-from tmodes.live.loads import evenly, joint_limits, lines_info, load_places, yield_strengths
 from tmodes.live.map import LiveMap, live_map
 from tmodes.live.numbers import follow_of
+from tmodes.live.places import evenly, joint_limits, lines_info, load_places, vibrations_info, yield_strengths
 from tmodes.live.template import sheet_template
-from tmodes.live.vibrations import vibrations_info
 from tmodes.model.model import Model
+from tmodes.result import Result
 from tmodes.result.series import without_elasticity
 from tmodes.sheet import Robot, RobotPair
 from tmodes.simulation.loop import LoopModel
 from tmodes.simulation.plan import Follow, planned, starts_at_rest
 from tmodes.simulation.start import RunSetup, run_setup
-
-if TYPE_CHECKING:
-    from tmodes.result import Result
 
 __all__ = ["live_bundle", "why_not_live"]
 
@@ -113,9 +110,9 @@ def _note(result: Result, method: str) -> str:
 Array = NDArray[np.float64]
 
 
-def why_not_mechanics(arm: Robot) -> str:
+def why_not_mechanics(robot: Robot) -> str:
     """Why a page cannot run this robot, in words; empty where it can."""
-    return "" if arm.base_motion is None else "its base moves"
+    return "" if robot.base_motion is None else "its base moves"
 
 
 def mechanics(

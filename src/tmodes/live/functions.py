@@ -20,7 +20,7 @@ from tmodes.equations.mechanics import mechanics
 from tmodes.integrate.method import EULER, JACOBIAN
 from tmodes.integrate.registry import integrator
 from tmodes.kinds.kernel.schedule import Schedule, Slot
-from tmodes.live.loads import line_names
+from tmodes.live.places import line_names
 from tmodes.model.model import Model
 from tmodes.model.passes import ChainPasses
 from tmodes.sheet import RobotPair
@@ -35,7 +35,7 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False)
 class ModelFunctions:
-    """What an arm's module is made of: the plans of its regimes, and the passes over its chain.
+    """What a robot's module is made of: the plans of its regimes, and the passes over its chain.
 
     ``stations``: places along each link, 0 its root and 1 its tip, of which the picture is made. ``places``: where the
     function ``line`` of a page computes the lines of all links, the stations among them; it stands for ``pose`` there.
@@ -52,7 +52,7 @@ class ModelFunctions:
         commanded = any(drive.command.is_controlled for drive in nominal.drives)
         reference = Follow.WANTED if commanded else Follow.SHEET if nominal.real else None
         follows = {"reference": (nominal, reference), "real": (real, Follow.SHEET), "rest": (real, Follow.HELD)}
-        return {name: planned(arm, follow) for name, (arm, follow) in follows.items() if follow}
+        return {name: planned(robot, follow) for name, (robot, follow) in follows.items() if follow}
 
     @cached_property
     def loops(self) -> dict[str, ClosedLoop]:
@@ -96,8 +96,8 @@ class ModelFunctions:
         return loops | passes | lines | {"rest_row": row}
 
 
-def live_module(arm: ModelFunctions, methods: Sequence[str], *, slopes: bool = True) -> LiveModule:
-    """All functions of an arm; ``slopes``: ``rest.rate`` gives its derivatives too, half as much code again.
+def live_module(functions: ModelFunctions, methods: Sequence[str], *, slopes: bool = True) -> LiveModule:
+    """All functions of a robot; ``slopes``: ``rest.rate`` gives its derivatives too, half as much code again.
 
     Loops: ``reference.METHOD`` (where there is a reference run) and ``real.METHOD``. Samples: ``observe`` and ``rate``
     of both as of :class:`tmodes.simulation.loop.LoopModel`; ``rest.rate``, whose accelerations vanish at
@@ -107,7 +107,7 @@ def live_module(arm: ModelFunctions, methods: Sequence[str], *, slopes: bool = T
     where any act; ``elastic.slopes``: the forces of ``elastic`` with their derivatives.
     """
     made = Functions()
-    for name, loop in arm.loops.items():
+    for name, loop in functions.loops.items():
         if name == "rest":
             kind = "derivative" if slopes else "double"
             parts = schedule_samples("rest.rate", loop.rate, kind)
@@ -119,19 +119,19 @@ def live_module(arm: ModelFunctions, methods: Sequence[str], *, slopes: bool = T
         for label in ("observe", "rate"):
             schedule = getattr(loop, label)
             made.schedule(f"{name}.{label}", schedule_samples(f"{name}.{label}", schedule), schedule)
-    chain = arm.passes["chain"]
+    chain = functions.passes["chain"]
     passes = {"inertia": chain.schedule("inertia"), "elastic": chain.schedule("elastic")}
-    if arm.lines:
-        passes["line"] = needed_for(arm.lines.schedule, line_names(arm.lines))
+    if functions.lines:
+        passes["line"] = needed_for(functions.lines.schedule, line_names(functions.lines))
     else:
-        passes["pose"] = needed_for(arm.passes["pose"].schedule("inertia"), ("points",))
-    if arm.loaded:
+        passes["pose"] = needed_for(functions.passes["pose"].schedule("inertia"), ("points",))
+    if functions.loaded:
         passes["loaded"] = needed_for(chain.schedule("inertia", loaded=True), ("forces",))
     for label, schedule in passes.items():
         made.schedule(label, schedule_samples(label, schedule), schedule)
     springs = needed_for(passes["elastic"], ("forces",))
     made.schedule("elastic.slopes", schedule_samples("elastic.slopes", springs, "derivative"), springs, stride=2)
-    return made.module("robot", **_info(arm))
+    return made.module("robot", **_layout(functions))
 
 
 def _loop(symbol: str, loop: ClosedLoop, method: str) -> Any:
@@ -144,14 +144,14 @@ def _loop(symbol: str, loop: ClosedLoop, method: str) -> Any:
     return schedule_loop(symbol, rate, 2 * count, method, pairs=count)
 
 
-def _info(arm: ModelFunctions) -> Mapping[str, Any]:
+def _layout(functions: ModelFunctions) -> Mapping[str, Any]:
     """What else an engine must know: coordinates, where a state holds what, which coordinates stand at rest."""
-    loop, rest = arm.loops["real"], arm.loops["rest"]
+    loop, rest = functions.loops["real"], functions.loops["rest"]
     places = {name: [part.start, part.stop] for name, part in loop.layout._asdict().items()}
     held = sorted({driver.coordinate for driver in rest.drivers})
     nodes = loop.plan.chain.nodes
     return {
-        "coordinates": [*loop.parts.names], "state": places, "held": held, "stations": [*arm.stations],
+        "coordinates": [*loop.parts.names], "state": places, "held": held, "stations": [*functions.stations],
         "links": [{"name": node.name, "kind": type(node.link).__name__.lower()} for node in nodes],
         "drives": [driver.plan.joint for driver in loop.drivers],
     }  # fmt: skip

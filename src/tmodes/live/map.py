@@ -96,7 +96,7 @@ def _really(knob: Knob, known: float, factor: float | None) -> float:
 def live_map(pair: RobotPair, stations: tuple[float, ...] = ()) -> LiveMap:
     """The map of a pair: sliders whose effect has a form, and the forms, each verified at random points.
 
-    ``stations``: places along each link of an arm of which its picture is made.
+    ``stations``: places along each link of a robot of which its picture is made.
     """
     knobs = knobs_of(pair.nominal)
     sliders, left_out = _offered(pair, knobs)

@@ -8,8 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.equations.loop.closed_loop import ClosedLoop
-from tmodes.live.loads import line_lengths, load_places
-from tmodes.live.vibrations import vibration_numbers
+from tmodes.live.places import line_lengths, load_places, vibration_numbers
 from tmodes.model.model import Model
 from tmodes.model.passes import ChainPasses
 from tmodes.sheet import Robot
@@ -36,16 +35,16 @@ def _commanded(nominal: Robot) -> bool:
     return any(drive.command.is_controlled for drive in nominal.drives)
 
 
-def run_numbers(arm: Robot, follow: Follow, until: float, stations: tuple[float, ...] = ()) -> Blocks:
+def run_numbers(robot: Robot, follow: Follow, until: float, stations: tuple[float, ...] = ()) -> Blocks:
     """``parameters``; those of its rest (``rest``, ``rest_row``), of its passes (``chain``), and its rotors' inertias.
 
     ``knots.k`` and ``coefficients.k`` of each signal of the plan; moves with a duration of their own extend to
     ``until`` [s], beyond the end of the run, to be whole. With ``stations``: ``line``, of the lines of
     all links, with the ``lengths`` of those that bend, ``surface``, the place of what is touched, and the blocks of
-    :func:`tmodes.live.vibrations.vibration_numbers`.
+    :func:`tmodes.live.places.vibration_numbers`.
     """
-    plan, rest = planned(arm, follow), planned(arm, Follow.HELD)
-    loop, chain = ClosedLoop(plan.plan), arm.model_copy(update={"drives": ()}).chain()
+    plan, rest = planned(robot, follow), planned(robot, Follow.HELD)
+    loop, chain = ClosedLoop(plan.plan), robot.model_copy(update={"drives": ()}).chain()
     model = Model(chain)
     found = {
         "parameters": loop.parts.numbers.vector,
@@ -56,13 +55,13 @@ def run_numbers(arm: Robot, follow: Follow, until: float, stations: tuple[float,
     }
     if stations:
         loaded = bool(plan.plan.loads or plan.plan.touch)
-        lines = model.passes.lines(tuple(load_places(arm.integration.line_points)), loaded=loaded)
+        lines = model.passes.lines(tuple(load_places(robot.integration.line_points)), loaded=loaded)
         found |= {"line": lines.numbers, "lengths": line_lengths(lines)}
-        found |= vibration_numbers(arm, plan.plan, model)
-        if arm.contact:
-            found["surface"] = np.array(arm.contact.shape.moving_numbers(), dtype=float)
+        found |= vibration_numbers(robot, plan.plan, model)
+        if robot.contact:
+            found["surface"] = np.array(robot.contact.shape.moving_numbers(), dtype=float)
     for k, signal in enumerate(plan.each):
-        schedule = signal.schedule(arm.integration.duration if signal.move_ends() is None else until)
+        schedule = signal.schedule(robot.integration.duration if signal.move_ends() is None else until)
         found |= {f"knots.{k}": schedule.knots, f"coefficients.{k}": schedule.coefficients}
     return found
 
@@ -77,11 +76,11 @@ def _rotors(loop: ClosedLoop) -> Array:
     return rotors
 
 
-def whole_moves(arm: Robot, reach: float) -> float:
+def whole_moves(robot: Robot, reach: float) -> float:
     """Time [s] at which every move is at its end, though its duration be ``reach`` times as long."""
-    moves = [drive.signal for drive in arm.drives] + [load.signal for load in arm.loads if load.signal]
+    moves = [drive.signal for drive in robot.drives] + [load.signal for load in robot.loads if load.signal]
     ends = [end for move in moves if (end := move.move_ends(reach)) is not None]
-    return 1.0 + max([arm.integration.duration, *ends])
+    return 1.0 + max([robot.integration.duration, *ends])
 
 
 def whole(blocks: Blocks) -> tuple[Array, dict[str, Any]]:

@@ -81,7 +81,7 @@ class _Rule(NamedTuple):
     """A kind of number that is worth a slider: its path, its group, how far it goes, and whether the real one differs.
 
     ``reach``: the largest value over the present one (the least is its inverse); ``room``: how far a number that
-    may be zero goes at least; ``span``: how far one goes both ways, as a share of the arm's length. ``words``: its
+    may be zero goes at least; ``span``: how far one goes both ways, as a share of the robot's length. ``words``: its
     label where the sheet's own words do not say whose it is.
     """
 
@@ -134,7 +134,7 @@ def knobs_of(sheet: Robot) -> list[Knob]:
 
 
 def _useful(sheet: Robot, number: SheetNumber, rule: _Rule) -> bool:
-    """A load of an arm is on the link with its tip; a plane moves along its normal; a slider is finite."""
+    """A payload is on the link with its tip; a plane moves along its normal; a slider is finite."""
     if not math.isfinite(number.value):
         return False
     if number.pattern == "contact.shape.position.*":
@@ -171,7 +171,7 @@ def _reach(sheet: Robot, number: SheetNumber, rule: _Rule) -> tuple[float, float
         return least, number.value + away
     if rule.room:
         far = max(rule.reach * abs(number.value), rule.room)
-        return (0.0, far) if number.value >= 0 else (-far, 0.0)  # of the other sign it buckles the arm
+        return (0.0, far) if number.value >= 0 else (-far, 0.0)  # of the other sign it buckles the robot
     return max(number.value / rule.reach, number.least), min(number.value * rule.reach, number.most)
 
 
@@ -225,8 +225,8 @@ def sliders_of(sheet: Any, knobs: Sequence[Knob], most: int = MOST, *, factors: 
     return found[:most]
 
 
-def stretched_length(arm: Robot) -> float:
+def stretched_length(robot: Robot) -> float:
     """Length of all links and of what is between them [m]."""
-    nodes = arm.chain().nodes
+    nodes = robot.chain().nodes
     between = sum(float(np.linalg.norm(node.joint.placement.position)) for node in nodes)
     return between + sum(getattr(node.link, "length", 0.0) for node in nodes)

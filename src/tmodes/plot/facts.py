@@ -11,8 +11,9 @@ from numpy.typing import NDArray
 from tmodes.plot.style import INSTANTS
 
 __all__ = [
-    "MOST_ROWS", "command_of", "deformation_unit", "drive_unit", "drives_by", "effort_unit", "instant_looks",
-    "instants", "largest", "motor_of", "move_end", "plain", "rows_height", "spectral_part",
+    "MOST_ROWS", "command_of", "coordinate_names", "deformation_unit", "drive_unit", "drives_by", "effort_unit",
+    "instant_looks", "instants", "largest", "largest_coordinates", "motor_of", "move_end", "names_of", "plain",
+    "rows_height", "spectral_part",
 ]  # fmt: skip
 
 MOST_ROWS = 8
@@ -44,6 +45,11 @@ def plain(name: object) -> str:
     return f" {text}" if text.startswith("_") else text
 
 
+def names_of(data: Any, dimension: str) -> list[str]:
+    """The names along a dimension of the dataset; none where it has no such dimension."""
+    return [str(name) for name in data[dimension].values] if dimension in data.dims else []
+
+
 def largest(names: list[str], sizes: Array, most: int = MOST_ROWS) -> list[str]:
     """At most so many names, those of the largest sizes, in the order in which they stand."""
     chosen = np.argsort(-np.asarray(sizes, dtype=float), kind="stable")[:most]
@@ -52,8 +58,7 @@ def largest(names: list[str], sizes: Array, most: int = MOST_ROWS) -> list[str]:
 
 def drives_by(data: Any, variable: str, most: int = MOST_ROWS) -> list[str]:
     """The drives with the largest values of a variable of theirs."""
-    names = [str(name) for name in data["drive"].values]
-    return largest(names, np.abs(data[variable].transpose("drive", "time").values).max(axis=1), most)
+    return largest(names_of(data, "drive"), np.abs(data[variable].transpose("drive", "time").values).max(axis=1), most)
 
 
 def command_of(data: Any, joint: str) -> str:
@@ -83,6 +88,17 @@ def deformation_unit(data: Any, name: str) -> str:
     own = name if name in data["coordinate"].values else name.removesuffix(".gear")
     unit = str(data["coordinate_unit"].sel(coordinate=own).values) if own in data["coordinate"].values else "rad"
     return "-" if unit == "1" else unit
+
+
+def coordinate_names(data: Any, *, gears: bool) -> list[str]:
+    """Elastic coordinates of the gears, or those of the links."""
+    return [name for name in names_of(data, "deformation_kind") if (name not in data["coordinate"].values) == gears]
+
+
+def largest_coordinates(data: Any, names: list[str], most: int) -> list[str]:
+    """At most so many of the named elastic coordinates, those that become largest, in their order."""
+    values = data["deformation"].sel(deformation_kind=names).transpose("deformation_kind", "time").values
+    return largest(names, np.abs(values).max(axis=1), most)
 
 
 def move_end(data: Any) -> float | None:
@@ -129,8 +145,7 @@ def _even(data: Any) -> Any:
 def _coasting(data: Any) -> NDArray[np.bool_]:
     """Samples at which every position setpoint keeps its rate; none where there is no such setpoint."""
     time = data["time"].values
-    drives = [str(name) for name in data["drive"].values] if "drive" in data.dims else []
-    known = [name for name in drives if command_of(data, name) in ("position", "prescribed")]
+    known = [name for name in names_of(data, "drive") if command_of(data, name) in ("position", "prescribed")]
     inside = np.zeros(len(time), dtype=bool)
     if len(time) < 3 or not known:
         return inside

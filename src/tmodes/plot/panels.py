@@ -1,22 +1,27 @@
-"""Panels: the axes of a figure, new in the house style or the user's own, and what all of them share."""
+"""Axes of a figure: panels, letters, legends, time along x; and units in which values read well (mm, mrad, kN·m)."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from tmodes.errors import InputError
 from tmodes.plot.style import INK, QUIET, new_figure
-from tmodes.plot.units import readable
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+else:
+    Axes = Any  # matplotlib is loaded where a figure is drawn
 
 __all__ = [
-    "AxesLike", "last_times", "letter", "panels", "shared_legend", "side_legend", "time_axis", "widest_legend",
+    "Axes", "AxesLike", "Unit", "curves", "last_times", "letter", "pairs", "panels", "pretty", "readable",
+    "shared_legend", "side_legend", "time_axis", "widest_legend", "zero_line",
 ]  # fmt: skip
+
 
 ROUNDING = 1e-9
 """A change below this share of the value, and a value below this in its unit, is not worth an axis of its own."""
@@ -41,6 +46,25 @@ def panels(ax: AxesLike, layout: Sequence[Sequence[str]], height: float, **more:
     if len(given) != len(names):
         raise InputError("ax", f"{len(given)} axes", f"{len(names)} axes", "pass so many, or None for a new figure")
     return given
+
+
+def pairs(rows: int) -> list[list[str]]:
+    """A layout of so many rows of two panels."""
+    return [[f"{k} left", f"{k} right"] for k in range(rows)]
+
+
+def curves(panel: Axes, x: Any, shown: Mapping[str, tuple[Any, dict[str, Any]]], si: str, what: str = "") -> Unit:
+    """Draw labelled values [``si``] with their looks over ``x``, in one readable unit that the axis names."""
+    unit = readable(si, *(values for values, _ in shown.values()))
+    for label, (values, look) in shown.items():
+        panel.plot(x, unit.of(values), label=label or None, **look)
+    panel.set_ylabel(f"{what} [{unit.name}]".lstrip())
+    return unit
+
+
+def zero_line(panel: Axes, width: float = 0.5) -> None:
+    """A thin line at zero."""
+    panel.axhline(0.0, color=QUIET, linewidth=width)
 
 
 def letter(axes: Iterable[Axes], titles: Iterable[str], pad: float | None = None) -> None:
@@ -96,3 +120,37 @@ def shared_legend(*panels_: Axes, place: str = "upper left") -> None:
     handles, labels = zip(*entries, strict=True)
     where: Any = f"outside {place}"
     panels_[0].figure.legend(handles, labels, loc=where, ncols=len(labels))
+
+
+PREFIXES = ((1e4, 1e-3, "k"), (0.1, 1.0, ""), (1e-4, 1e3, "m"), (1e-7, 1e6, "µ"), (1e-11, 1e9, "n"))
+"""From this largest value on: the factor on the SI value, and the prefix of the unit."""
+
+NEVER_LARGE = ("m", "rad", "s", "-")
+"""Units that take no prefix for a thousand."""
+
+
+@dataclass(frozen=True)
+class Unit:
+    """A readable unit: ``name`` as labels write it, ``factor`` on the SI value."""
+
+    name: str
+    factor: float
+
+    def of(self, values: ArrayLike) -> NDArray[np.float64]:
+        """SI values, in this unit."""
+        return np.asarray(values, dtype=float) * self.factor
+
+
+def pretty(unit: str) -> str:
+    """``N*m`` and ``N m`` as ``N·m``, ``m/s^2`` as ``m/s²``, ``ohm`` as ``Ω``; no unit is ``–``."""
+    written = unit.strip().replace("*", "·").replace(" ", "·").replace("^2", "²").replace("^3", "³")
+    return "–" if written in ("", "-", "1") else written.replace("ohm", "Ω")
+
+
+def readable(unit: str, *values: ArrayLike) -> Unit:
+    """The unit in which the largest of ``values`` [``unit``, SI] reads well; all zero stays as it is."""
+    largest = max((float(np.max(np.abs(part), initial=0.0)) for part in map(np.asarray, values)), default=0.0)
+    for least, factor, prefix in PREFIXES:
+        if largest >= least and not (prefix == "k" and unit.split("/", maxsplit=1)[0] in NEVER_LARGE):
+            return Unit(prefix + pretty(unit), factor)
+    return Unit(pretty(unit), 1.0)

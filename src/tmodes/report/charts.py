@@ -3,17 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from tmodes.plot.facts import command_of, deformation_unit, drive_unit, effort_unit
-from tmodes.report.drafts import Draft, Line, in_readable_units, line_of
-from tmodes.report.spectra import run_spectra
-
-if TYPE_CHECKING:
-    from tmodes.result import Result
-
+from tmodes.report.drafts import Draft, Line, in_readable_units, line_of, run_spectra
+from tmodes.result import Result
 
 __all__ = ["charts_of", "contact_parts", "drafts_of", "energy_charts", "tip_charts"]
 

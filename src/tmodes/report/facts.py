@@ -1,18 +1,23 @@
-"""Headline numbers: what one is, how they are shown without a program, and those of tracking, energy, frequencies."""
+"""The headline numbers of a run: tracking, loads, margins to limits, frequencies, energy."""
 
 from __future__ import annotations
 
+import json
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 
-from tmodes.report.markup import Markup, tag
-from tmodes.report.quantity import written
+from tmodes.analysis.validity import yield_strength
+from tmodes.plot.facts import drive_unit, effort_unit
+from tmodes.report.markup import Markup, tag, written
+from tmodes.result import Result
 from tmodes.result.summary import mean_over_time
+from tmodes.sheet import Robot
 
-__all__ = ["Fact", "energy_facts", "fact_list", "frequency_facts", "tracking_facts", "vibration_fact"]
+__all__ = ["Fact", "energy_facts", "fact_list", "frequency_facts", "run_facts", "tracking_facts", "vibration_fact"]
+
 
 _FEWEST = 8
 """Samples after the move without which no residual vibration is given."""
@@ -91,3 +96,115 @@ def energy_facts(known: dict[str, Any]) -> Iterator[Fact]:
     moved = f"worst residual, {worst}, over {written(known['moved_J'], 'J')} moved"
     note = "nothing moved" if share is None else moved
     yield Fact("energy.residual", name, share, "-", note)
+
+
+_ROUNDING = 1e-15
+
+
+def run_facts(result: Result, summary: dict[str, Any]) -> Iterator[Fact]:
+    """From a result and its summary; what there is not is left out."""
+    data, robot = result.data, result.robot
+    yield from tracking_facts(summary, data, json.loads(data.attrs["move_end"]))
+    yield from _worst(summary["links"], "deflection", "max_m", "m", "Largest deflection of a link")
+    yield from _worst(summary["links"], "bending_moment", "max_Nm", "N m", "Largest bending moment", "moment.max")
+    yield from _stress(robot, summary["links"])
+    yield from _gear(summary["deformations"])
+    yield from _drives(data)
+    yield from _limits(robot, data)
+    yield from _contact(summary["contact_force"])
+    yield from frequency_facts(summary["first_frequency_Hz"])
+    yield from energy_facts(summary["energy"])
+
+
+def _worst(links: dict[str, Any], quantity: str, key: str, unit: str, title: str, own: str = "") -> Iterator[Fact]:
+    known = {name: link[quantity] for name, link in links.items() if link[quantity]}
+    if known:
+        name = max(known, key=lambda name: known[name][key])
+        one = known[name]
+        place = "" if quantity == "deflection" else f" at s = {one['s']:.2g}"
+        yield Fact(own or f"{quantity}.max", title, one[key], unit, f"{name}{place}, at {one['time_s']:.3g} s")
+
+
+def _stress(robot: Robot, links: dict[str, Any]) -> Iterator[Fact]:
+    """The largest stress, and the largest share of a material's yield strength."""
+    yield from _worst(links, "stress", "max_Pa", "Pa", "Largest stress (von Mises)")
+    stressed = {name: link["stress"]["max_Pa"] for name, link in links.items() if link["stress"]}
+    shares = [
+        (stress / strength, name, strength)
+        for name, stress in stressed.items()
+        if (strength := yield_strength(robot, name)) is not None
+    ]
+    if shares:
+        share, name, strength = max(shares)
+        note = f"of {written(strength, 'Pa')}, {name}; margin {100 * (1 - share):.3g} %"
+        yield Fact("stress.share", "Share of the yield strength", 100 * share, "%", note)
+
+
+def _gear(deformations: dict[str, dict[str, Any]]) -> Iterator[Fact]:
+    """The largest deflection of a gear; where some turn and others slide, of those that turn."""
+    every = {name: one for name, one in deformations.items() if name.endswith(".gear")}
+    gears = {name: one for name, one in every.items() if one["unit"] == "rad"} or every
+    if gears:
+        name = max(gears, key=lambda name: gears[name]["max"])
+        one = gears[name]
+        others = " (of the gears that turn)" if len(gears) < len(every) else ""
+        note = f"{name.removesuffix('.gear')}, at {one['time_of_max_s']:.3g} s{others}"
+        yield Fact("gear.max", "Largest deflection of a gear", one["max"], one["unit"], note)
+
+
+def _drives(data: Any) -> Iterator[Fact]:
+    """The largest gear torque, of the joints that turn where some do, and the largest motor voltage."""
+    if "drive" not in data.dims:
+        return
+    drives = [str(name) for name in data["drive"].values]
+    turning = [name for name in drives if effort_unit(data, name) == "N m"] or drives
+    unit = effort_unit(data, turning[0])
+    yield from _largest(data, "gear_torque", turning, Fact("gear_torque.max", "Largest gear torque", None, unit))
+    if "voltage" in data:
+        yield from _largest(data, "voltage", drives, Fact("voltage.max", "Largest motor voltage", None, "V"))
+
+
+def _largest(data: Any, series: str, drives: list[str], fact: Fact) -> Iterator[Fact]:
+    """The fact with the largest size of a series of these drives; none where all are zero."""
+    sizes = np.abs(data[series].sel(drive=drives).transpose("time", "drive").values)
+    sample, drive = map(int, np.unravel_index(int(sizes.argmax()), sizes.shape))
+    if sizes[sample, drive] > 0:
+        note = f"{drives[drive]}, at {float(data['time'][sample]):.3g} s"
+        yield replace(fact, value=float(sizes[sample, drive]), note=note)
+
+
+def _limits(robot: Robot, data: Any) -> Iterator[Fact]:
+    """The largest share of a limit of a joint: of its speed, its effort, its range (from its middle)."""
+    shares = [
+        one for joint in robot.joints if joint.limits for name in joint.coordinates
+        for one in _shares(name, joint.limits, data)
+    ]  # fmt: skip
+    if shares:
+        share, note = max(shares)
+        yield Fact("limits.share", "Largest share of a joint's limit", 100 * share, "%", note)
+
+
+def _shares(name: str, limits: Any, data: Any) -> Iterator[tuple[float, str]]:
+    if name not in data["coordinate"].values:
+        return
+    unit = drive_unit(data, name)
+    q, v = (data[key].sel(coordinate=name).values for key in ("q", "v"))
+    if limits.speed:
+        yield _share(np.abs(v), limits.speed, f"speed of {name}", f"{unit}/s")
+    if limits.effort and "drive" in data.dims and name in data["drive"].values:
+        effort = np.abs(data["effort"].sel(drive=name).values)
+        yield _share(effort, limits.effort, f"effort of {name}", effort_unit(data, name))
+    if limits.lower is not None and limits.upper is not None and limits.upper > limits.lower + _ROUNDING:
+        middle, half = (limits.upper + limits.lower) / 2, (limits.upper - limits.lower) / 2
+        yield float(np.abs(q - middle).max() / half), f"range of {name}, from its middle"
+
+
+def _share(sizes: Any, limit: float, what: str, unit: str) -> tuple[float, str]:
+    worst = float(sizes.max())
+    return worst / limit, f"{what}: {written(worst, unit)} of {written(limit, unit)}"
+
+
+def _contact(known: dict[str, float] | None) -> Iterator[Fact]:
+    if known is not None:
+        note = f"from {known['min_N']:.4g} to {known['max_N']:.4g} N"
+        yield Fact("contact.mean", "Contact force, mean", known["mean_N"], "N", note)

@@ -1,11 +1,18 @@
-"""HTML that cannot be broken by its content: every text is escaped unless it is markup that was made here."""
+"""HTML that cannot be broken by its content, numbers with units as a person reads them, and figures inside a page."""
 
 from __future__ import annotations
 
+import base64
 import html
+import math
+import re
 from collections.abc import Iterable, Mapping, Sequence
 
-__all__ = ["Markup", "Rows", "grouped_table", "table", "tag", "together"]
+from tmodes.plot.figure import Drawing
+from tmodes.plot.panels import NEVER_LARGE, pretty
+
+__all__ = ["Markup", "Rows", "grouped_table", "picture", "power_of_ten", "table", "tag", "together", "written"]
+
 
 EMPTY = frozenset({"br", "img", "meta"})
 
@@ -67,3 +74,87 @@ def _body(name: str, rows: Rows, classes: Sequence[str | None]) -> Markup:
 def _row(row: Sequence[str], classes: Sequence[str | None]) -> Markup:
     cells = (tag("td", word, class_=kind) for word, kind in zip(row[1:], classes[1:], strict=True))
     return tag("tr", tag("th", row[0], scope="row", class_=classes[0]), *cells)
+
+
+_PREFIXES = (
+    (1e10, 1e-9, "G"), (1e7, 1e-6, "M"), (1e4, 1e-3, "k"), (0.1, 1.0, ""), (1e-4, 1e3, "m"), (1e-7, 1e6, "µ"),
+    (1e-11, 1e9, "n"),
+)  # fmt: skip
+_PLAIN = ("Hz", "%", "rad/s")
+"""Units that take no prefix."""
+
+_SUPERSCRIPT = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+
+
+def written(value: float, unit: str, digits: int = 4) -> str:
+    """A value [``unit``, SI] with a readable unit, not to be parted at the end of a line: ``4.041 mm``."""
+    name = "" if unit in ("", "-", "1") else pretty(unit)
+    size = abs(value)
+    if not math.isfinite(value):
+        return f"{value:g}\u00a0{name}".rstrip()
+    if not name or unit in _PLAIN or size == 0.0:
+        text = power_of_ten(value) if 0.0 < size < 1e-3 else _rounded(value, digits)
+        return f"{text}\u00a0{name}".rstrip("\u00a0")
+    for least, factor, prefix in _PREFIXES:
+        if size >= least and (factor >= 1.0 or unit.split("/", maxsplit=1)[0] not in NEVER_LARGE):
+            return f"{_rounded(value * factor, digits)}\u00a0{prefix}{name}"
+    return f"{power_of_ten(value)}\u00a0{name}"
+
+
+def _rounded(value: float, digits: int) -> str:
+    """To so many digits that tell, never with an exponent: ``12340``."""
+    return f"{float(f'{value:.{digits}g}'):.12g}"
+
+
+def power_of_ten(value: float) -> str:
+    """A number of any size with two digits: ``1.7 × 10⁻¹¹``."""
+    if value == 0.0:
+        return "0"
+    digits, _, power = f"{value:.1e}".partition("e")
+    return f"{digits}\u00a0×\u00a010{str(int(power)).translate(_SUPERSCRIPT)}"
+
+
+LARGEST = 240_000
+"""Size above which a figure is embedded as PNG [bytes]; ten figures and the rest stay below 3 MB."""
+
+RESOLUTIONS = (160, 110, 80)
+"""Tried in turn until a PNG is small enough [dots per inch]."""
+
+PATH_DATA = re.compile(r' d="([^"]*)"')
+LONG_NUMBER = re.compile(r"-?\d+\.\d{3,}")
+COLOR = re.compile(r"#([0-9a-f]{6})\b")
+STYLE = re.compile(r' style="[^"]*"')
+PARTS_TO_DROP = re.compile(r"<!--.*?-->|<metadata>.*?</metadata>|<defs>\s*<style.*?</style>\s*</defs>", re.DOTALL)
+ROOT = re.compile(r"<svg\b[^>]*\bviewBox=\"([^\"]*)\"[^>]*>")
+
+
+def picture(drawing: Drawing, name: str, alternative: str) -> Markup:
+    """The figure as an element of the page; ``alternative`` is its text for those who do not see it."""
+    svg = _inline(drawing.content("svg").decode(), name, alternative)
+    return svg if len(svg) <= LARGEST else _png(drawing, alternative)
+
+
+def _inline(svg: str, name: str, alternative: str) -> Markup:
+    """SVG as part of the page: ids made its own, colours made variables, coordinates to 0.01 pt, nothing outside."""
+    svg = PARTS_TO_DROP.sub("", svg[svg.index("<svg") :]).replace("xlink:href", "href")
+    svg = re.sub(r'(\bid="|href="#|url\(#)', rf"\g<1>{name}-", svg)
+    svg = STYLE.sub(lambda style: COLOR.sub(r"var(--c\1, #\1)", style[0]), svg)
+    svg = PATH_DATA.sub(_shorter, svg)
+    view = ROOT.search(svg)
+    box = view[1] if view else "0 0 1 1"
+    label = tag("svg", viewBox=box, role="img", aria_label=alternative).removesuffix("</svg>")
+    return Markup(re.sub(r">\s+<", "><", ROOT.sub(lambda _: label, svg, count=1)).strip())
+
+
+def _shorter(path: re.Match[str]) -> str:
+    numbers = LONG_NUMBER.sub(lambda number: f"{float(number[0]):.2f}".rstrip("0").rstrip("."), path[1])
+    return f' d="{" ".join(numbers.split())}"'
+
+
+def _png(drawing: Drawing, alternative: str) -> Markup:
+    content = ""
+    for resolution in RESOLUTIONS:
+        content = base64.b64encode(drawing.content("png", resolution)).decode()
+        if len(content) <= LARGEST:
+            break
+    return tag("img", src=f"data:image/png;base64,{content}", alt=alternative)

@@ -5,20 +5,17 @@ from __future__ import annotations
 import json
 import os
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.errors import TmodesError
 from tmodes.io.atomic import file_error
-from tmodes.io.urdf_shapes import LinkShape, Unseen, link_shapes
-from tmodes.robots.load import urdf_of
-
-if TYPE_CHECKING:
-    from tmodes.result import Result
-
 from tmodes.io.mesh_file import Triangles
+from tmodes.io.urdf_shapes import LinkShape, Unseen, link_shapes
+from tmodes.result import Result
+from tmodes.robots.load import urdf_of
 
 __all__ = [
     "Kept",
@@ -96,7 +93,7 @@ def with_few_shapes(result: Result, few: Sequence[LinkShape]) -> Result:
         mesh_faces=(("mesh_face", "corner"), _joined([surface.faces for surface in surfaces], np.int32),
                     {"units": "1", "long_name": "vertices of each triangle, counted within its surface"}),
     )  # fmt: skip
-    data.attrs["meshes"] = json.dumps([_info(shape) for shape in few])
+    data.attrs["meshes"] = json.dumps([_record(shape) for shape in few])
     return type(result)(data, result.timing)
 
 
@@ -126,7 +123,7 @@ def _joined(parts: list[Any], kind: Any) -> NDArray[Any]:
     return np.concatenate(parts).astype(kind)
 
 
-def _info(shape: LinkShape) -> dict[str, Any]:
+def _record(shape: LinkShape) -> dict[str, Any]:
     vertices, faces = shape.surface
     return {"link": shape.link, "colour": shape.colour, "vertices": len(vertices), "faces": len(faces)}
 

@@ -1,27 +1,36 @@
-"""The page about a run: how it ended, the headline numbers, the figures, the robot, and the provenance."""
+"""The page about a run: how it ended, headline numbers and tables, figures, the robot, and the provenance."""
 
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
+from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from tmodes.io.atomic import atomic_write
 from tmodes.plot import FIGURES, drawings, left_out
+from tmodes.plot.figure import Drawing
+from tmodes.plot.panels import pretty
 from tmodes.report.data import facts_of, live_page
 from tmodes.report.facts import fact_list
-from tmodes.report.markup import Markup, table, tag
-from tmodes.report.numbers import deformations_table, error_table, frequency_tables, joints_table, links_table
-from tmodes.report.parts import SECTIONS, document, figures_section, rows_of, section, status, title_of, warnings
-from tmodes.report.viewer import application, policy
+from tmodes.report.markup import Markup, power_of_ten, table, tag, written
+from tmodes.report.parts import (
+    SECTIONS,
+    application,
+    document,
+    figures_section,
+    policy,
+    rows_of,
+    section,
+    status,
+    title_of,
+    warnings,
+)
+from tmodes.result import Result
+from tmodes.sheet import Robot
 
-if TYPE_CHECKING:
-    from tmodes.plot.save import Drawing
-    from tmodes.result import Result
-    from tmodes.sheet import Robot
+__all__ = ["error_table", "frequency_tables", "page", "summary_tables", "write_report"]
 
-__all__ = ["page", "write_report"]
 
 _MOST_MODES = 12
 """Frequencies that are shown of each case, the lowest ones."""
@@ -35,31 +44,31 @@ def page(result: Result, figures: Mapping[str, Drawing], *, live: bool = True) -
 
     ``live``: whether it holds the robot's equations, to be simulated again in the page.
     """
-    arm = result.robot
+    robot = result.robot
     return document(
-        title_of(result, arm.name),
+        title_of(result, robot.name),
         policy(),
         SECTIONS,
-        _header(result, arm),
+        _header(result, robot),
         status(result),
         warnings(result),
         application(live_page(result, live=live)),
         _numbers(result),
         figures_section(figures, FIGURES, left_out(result)),
-        section("robot", *_sheet(arm)),
-        _provenance(result, arm),
+        section("robot", *_sheet(robot)),
+        _provenance(result, robot),
     )
 
 
-def _header(result: Result, arm: Robot) -> Markup:
+def _header(result: Result, robot: Robot) -> Markup:
     data = result.data
     space = "in contact with a surface" if "contact_force" in data else "in free space"
-    bending = sum(link.beam is not None and link.beam.coordinate_count > 0 for link in arm.links)
+    bending = sum(link.beam is not None and link.beam.coordinate_count > 0 for link in robot.links)
     driven = len(data["drive"]) if "drive" in data.dims else 0
     counts = ", ".join(_count(*one) for one in ((driven, "driven joint"), (bending, "elastic link")))
     size, end = _count(len(data["coordinate"]), "coordinate"), float(data["time"][-1])
     info = f"{counts}, {size}; {space}, {end:g} s simulated"
-    return tag("header", tag("h1", arm.name), tag("p", arm.title, class_="lead"), tag("p", info), class_="top")
+    return tag("header", tag("h1", robot.name), tag("p", robot.title, class_="lead"), tag("p", info), class_="top")
 
 
 def _count(number: int, thing: str) -> str:
@@ -73,46 +82,34 @@ def _numbers(result: Result) -> Markup:
     return section(
         "numbers",
         tag("div", fact_list(facts_of(result)), class_="unprogrammed"),
-        *_titled("Joints", joints_table(info["joints"])),
-        *_titled("Elastic links", links_table(info["links"])),
-        *_titled("Elastic coordinates", deformations_table(info["deformations"])),
+        *summary_tables(info),
         tag("h3", "Frequencies"),
         tag("p", note, class_="note"),
-        frequency_tables(_lowest(result.frequencies)),
+        frequency_tables(result.frequencies),
         tag("h3", "Error of the integration"),
         error_table(info["error"]),
     )
 
 
-def _titled(title: str, content: Markup | None) -> tuple[Markup | None, Markup | None]:
-    return (tag("h3", title), content) if content else (None, None)
-
-
-def _lowest(frequencies: dict[str, list[dict[str, Any]]]) -> dict[str, list[dict[str, Any]]]:
-    return {
-        case: sorted(modes, key=lambda mode: mode["frequency_Hz"])[:_MOST_MODES] for case, modes in frequencies.items()
-    }
-
-
-def _sheet(arm: Robot) -> tuple[Markup | None, ...]:
+def _sheet(robot: Robot) -> tuple[Markup | None, ...]:
     """The data sheet as it can be run again, and how the actual robot differs."""
     from tmodes.io.sheet_write import robot_to_yaml
 
-    factors = [[path, f"{factor:g}"] for path, factor in arm.real.items()]
+    factors = [[path, f"{factor:g}"] for path, factor in robot.real.items()]
     real = table("The actual robot, where it differs", ("Number", "Factor on the nominal value"), factors, numeric=(1,))
     note = "The data sheet as a file that runs again; comments give symbol, unit and meaning"
-    text = robot_to_yaml(arm)
+    text = robot_to_yaml(robot)
     sheet = tag("div", tag("pre", tag("code", text)), class_="scroll", role="region", tabindex="0", aria_label="Sheet")
     place = tag("details", tag("summary", note), sheet, open=text.count("\n") <= _LONG_SHEET)
-    return tag("p", f"Assumed: {arm.assumed}") if arm.assumed else None, real if factors else None, place
+    return tag("p", f"Assumed: {robot.assumed}") if robot.assumed else None, real if factors else None, place
 
 
-def _provenance(result: Result, arm: Robot) -> Markup:
+def _provenance(result: Result, robot: Robot) -> Markup:
     attributes = result.data.attrs
     method = {"method": attributes["method"]}
     return section(
         "provenance",
-        tag("p", arm.citation),
+        tag("p", robot.citation),
         tag(
             "div",
             table("Integration", ("What", "Value"), [*rows_of(method), *rows_of(result.statistics)], numeric=(1,)),
@@ -135,3 +132,93 @@ def write_report(
     with atomic_write(path) as temporary:
         temporary.write_text(text, encoding="utf-8", newline="\n")
     return Path(path)
+
+
+CASES = {"controlled": "Controlled", "locked": "Motors locked", "free": "Motors free"}
+
+_FREQUENCY_HEAD = ("natural [Hz]", "damped [Hz]", "damping [%]", "dominant element")
+_MOST_ROWS = 30
+_SI = {"m": "m", "N": "N", "Nm": "N m", "Pa": "Pa"}
+_ROUNDING = 1e-12
+"""A position [rad, m] that is as good as zero."""
+
+
+def frequency_tables(frequencies: dict[str, list[dict[str, Any]]]) -> Markup:
+    """Natural and damped frequencies, damping ratio and the dominant element of the lowest modes, per case."""
+    tables = []
+    for case, words in CASES.items():
+        modes = sorted(frequencies.get(case, []), key=lambda mode: mode["frequency_Hz"])[:_MOST_MODES]
+        rows = [
+            [f"{mode['frequency_Hz']:.4g}",
+             "–" if mode["damped_frequency_Hz"] is None else f"{mode['damped_frequency_Hz']:.4g}",
+             f"{100 * mode['damping_ratio']:.3g}", str(mode["element"])] for mode in modes
+        ]  # fmt: skip
+        if rows:
+            tables.append(table(words, _FREQUENCY_HEAD, rows, numeric=(0, 1, 2)))
+    return tag("div", *tables)
+
+
+def error_table(info: dict[str, Any] | None) -> Markup:
+    """The estimated error of the integration in each headline figure; None where it is not known."""
+    if info is None:
+        return tag("p", "The error of the integration was not estimated.", class_="note")
+    bound = "At most about" if "sum" in info["how"] else "Error"
+    rows = [_error_row(name, value) for name, value in info["figures"].items()]
+    return table(f"Error of the integration, by a {info['how']}", ("Number", f"{bound} [SI]"), rows, numeric=(1,))
+
+
+def _error_row(name: str, value: float) -> list[str]:
+    """``links.rod.deflection.max_m`` with words and unit apart."""
+    place, _, last = name.rpartition(".")
+    words, _, unit = last.rpartition("_")
+    words, unit = (words, pretty(_SI[unit])) if unit in _SI else (last, "")
+    text = ", ".join(filter(None, [place, words])).replace("_", " ")
+    return [text, f"{power_of_ten(value)}\u00a0{unit}".rstrip("\u00a0")]
+
+
+def _joint_row(name: str, one: dict[str, Any]) -> list[str]:
+    force, gear = "N" if one["unit"] == "m" else "N m", one["largest_gear_torque"]
+    places = (f"{value if abs(value) > _ROUNDING else 0.0:.4g}" for value in (one["least"], one["largest"]))
+    return [name, *places, one["unit"], written(one["fastest"], f"{one['unit']}/s"),
+            written(one["largest_effort"], force), written(gear, force) if gear else "–"]  # fmt: skip
+
+
+def _link_row(name: str, link: dict[str, Any]) -> list[str]:
+    moment, stress = link["bending_moment"], link["stress"]
+    where = ["–" if one is None else f"s = {one['s']:.2g}, {one['time_s']:.3g} s" for one in (moment, stress)]
+    return [name, written(link["deflection"]["max_m"], "m"), written(moment["max_Nm"], "N m"), where[0],
+            "not known" if stress is None else written(stress["max_Pa"], "Pa"), where[1]]  # fmt: skip
+
+
+def _coordinate_row(name: str, one: dict[str, Any]) -> list[str]:
+    unit, keys = "-" if one["unit"] == "1" else one["unit"], ("max_stationary", "max_oscillatory", "max_reference")
+    parts = [written(one[key], unit) if key in one else "–" for key in keys]
+    return [name, written(one["max"], unit), f"{one['time_of_max_s']:.3g}\u00a0s", *parts]
+
+
+_TABLES: dict[str, tuple[str, str, tuple[str, ...], tuple[int, ...], Callable[[str, Any], list[str]]]] = {
+    "joints": (
+        "Joints", "Driven joints over the run",
+        ("Joint", "Least", "Largest", "Unit", "Fastest", "Largest effort", "Largest gear torque"),
+        (1, 2, 4, 5, 6), _joint_row,
+    ),
+    "links": (
+        "Elastic links", "Largest values over the run",
+        ("Link", "Deflection of its end", "Bending moment", "where", "Stress", "where"), (1, 2, 4), _link_row,
+    ),
+    "deformations": (
+        "Elastic coordinates", "Elastic coordinates over the run",
+        ("Coordinate", "Largest", "at", "Quasi-static", "Oscillatory", "Reference"), (1, 2, 3, 4, 5), _coordinate_row,
+    ),
+}  # fmt: skip
+"""By the part of a summary: title, caption, columns, the numeric ones, and a row from a name and its values."""
+
+
+def summary_tables(summary: Mapping[str, Any]) -> Iterator[Markup]:
+    """Titles and tables of joints, elastic links and elastic coordinates; none of what the robot does not have."""
+    for part, (title, caption, head, numeric, row) in _TABLES.items():
+        if info := summary[part]:
+            rows = [row(name, one) for name, one in list(info.items())[:_MOST_ROWS]]
+            more = f", the first {_MOST_ROWS} of {len(info)}" if len(info) > _MOST_ROWS else ""
+            yield tag("h3", title)
+            yield table(caption + more, head, rows, numeric=numeric)

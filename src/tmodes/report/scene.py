@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,16 +10,11 @@ from numpy.typing import NDArray
 from tmodes.analysis.line.line import elastic_line
 from tmodes.chain.chain import node_of_line
 from tmodes.model.model import Model
-from tmodes.report.actual import actual
-from tmodes.report.scene_arrays import colour, displaced, kept, quaternions, stations_shown
-from tmodes.report.scene_meshes import meshes_in, nearest_drawn
-from tmodes.report.scene_sections import section_of
-from tmodes.report.thin import scene_frames
+from tmodes.report.arrays import colour, displaced, kept, quaternions, scene_frames, stations_shown
+from tmodes.report.scene_parts import actual, meshes_in, nearest_drawn, section_of
+from tmodes.result import Result
 from tmodes.result.series import without_elasticity
 from tmodes.sheet import Robot
-
-if TYPE_CHECKING:
-    from tmodes.result import Result
 
 __all__ = ["line_of", "lines_at", "scene_of"]
 
@@ -39,7 +34,7 @@ _QUANTITIES = (
 
 
 def scene_of(result: Result, frames: Frames | None = None) -> dict[str, Any]:
-    """The robot at the samples ``frames``; None chooses them by :func:`tmodes.report.thin.scene_frames`.
+    """The robot at the samples ``frames``; None chooses them by :func:`tmodes.report.arrays.scene_frames`.
 
     Lengths in m, times in s; arrays are NumPy's or those of :mod:`tmodes.report.pack`. Of a robot that cannot be
     rebuilt only the lines that the result holds.
@@ -50,7 +45,7 @@ def scene_of(result: Result, frames: Frames | None = None) -> dict[str, Any]:
     data = data.isel(time=frames, s=stations_shown(data.sizes["s"], len(frames), len(names)))
     if known.missing:
         return _stored(data, drawn)
-    arm, model = known.robot, known.model
+    robot, model = known.robot, known.model
     stand, stations = _base(model, data), data["s"].values
     there, turned = lines_at(model, names, _coordinates(data, "q"), stations, stand)
     line, rigid = (_with_carriers(data, name, there, drawn) for name in ("line", "line_rigid"))
@@ -63,14 +58,15 @@ def scene_of(result: Result, frames: Frames | None = None) -> dict[str, Any]:
         planned = [displaced(line, rigid, base) for line in found]
     return _common(data, names, line, rigid) | {
         "links": [
-            _link(arm, model, name, stations) | {"parent": parent} for name, parent in zip(names, parents, strict=True)
+            _link(robot, model, name, stations) | {"parent": parent}
+            for name, parent in zip(names, parents, strict=True)
         ],
         "line": displaced(line, rigid, base),
         "rigid": base,
         "reference": planned[0],
         "referenceRigid": planned[1],
         "roots": quaternions(turned[:, :, 0]),
-        "contact": _contact(data, arm),
+        "contact": _contact(data, robot),
         "joints": list(_joints(model, names)),
         "meshes": meshes_in(result.data, model.chain, names),
     }
@@ -172,12 +168,12 @@ def _base(model: Model, data: Any) -> Array:
     return rows
 
 
-def _link(arm: Robot, model: Model, name: str, stations: Array) -> dict[str, Any]:
+def _link(robot: Robot, model: Model, name: str, stations: Array) -> dict[str, Any]:
     line = elastic_line(model, np.zeros(model.nq), stations=[0.0, 1.0])[name]
     bends = line.shape is not None
     return {
         "name": name, "bends": bends, "length": line.length if bends else 0.0,
-        "section": section_of(arm, name, stations),
+        "section": section_of(robot, name, stations),
     }  # fmt: skip
 
 
@@ -221,9 +217,9 @@ def _colours(data: Any, names: list[str], line: Array, rigid: Array) -> list[dic
     return [*found, colour("displacement", "Displacement by all elasticity", "m", away)] if away.any() else found
 
 
-def _contact(data: Any, arm: Robot) -> dict[str, Any] | None:
-    if "contact_force" not in data or arm.contact is None:
+def _contact(data: Any, robot: Robot) -> dict[str, Any] | None:
+    if "contact_force" not in data or robot.contact is None:
         return None
-    place = data["position"].sel(point=arm.contact.point).transpose("time", "axis").values
+    place = data["position"].sel(point=robot.contact.point).transpose("time", "axis").values
     force = data["contact_force"].transpose("time", "axis").values
-    return {"force": force, "at": place, "surface": arm.contact.shape.drawing()}
+    return {"force": force, "at": place, "surface": robot.contact.shape.drawing()}

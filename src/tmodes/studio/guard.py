@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from typing import Any
 from urllib.parse import parse_qs
 
-from tmodes.studio.messages import info_error
+from tmodes.studio.messages import error_record
 
 __all__ = ["MOST_BODY", "Guard"]
 
@@ -58,22 +58,22 @@ class Guard:
         body = None if info.isdecimal() and int(info[:15]) > MOST_BODY else await _whole_body(receive)
         if body is None:
             got, expected = (f"{words} {MOST_BODY:,} bytes" for words in ("more than", "at most"))
-            await answer.error(413, info_error("body", "too much was sent", got, expected))
+            await answer.error(413, error_record("body", "too much was sent", got, expected))
             return
         await self._app(scope, _given(body, receive), answer.send)
 
     def _refusal(self, scope: Mapping[str, Any], headers: Mapping[str, str]) -> tuple[int, Message] | None:
         host = headers.get("host", "").lower()
         if host not in self._hosts:
-            return 421, info_error("host", "a name that is not this studio's", host[:80], " or ".join(self._hosts))
+            return 421, error_record("host", "a name that is not this studio's", host[:80], " or ".join(self._hosts))
         origin = headers.get("origin")
         if origin is not None and origin.lower() != f"http://{host}":
-            return 403, info_error("origin", "a request of another page", origin[:80], f"http://{host}")
+            return 403, error_record("origin", "a request of another page", origin[:80], f"http://{host}")
         if headers.get("sec-fetch-site", "same-origin") not in ("same-origin", "none") and scope["method"] != "GET":
-            return 403, info_error("sec-fetch-site", "a request of another page")
+            return 403, error_record("sec-fetch-site", "a request of another page")
         if not (self._token_in_address(scope) or self._known(headers)):
             hint = "open the address that `tmodes studio` printed"
-            return 401, info_error("token", f"no token, or a wrong one; {hint}", hint=hint)
+            return 401, error_record("token", f"no token, or a wrong one; {hint}", hint=hint)
         return None
 
     def _token_in_address(self, scope: Mapping[str, Any]) -> bool:

@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from tmodes.errors import InputError
-from tmodes.studio.messages import info_error
+from tmodes.studio.messages import error_record
 from tmodes.studio.pool import Pool, WorkerLost
 
 __all__ = ["Job", "JobBook"]
@@ -125,10 +125,10 @@ class JobBook:
         except WorkerLost:
             job.state = "error"
             hint = "simulate again; with fewer samples where the memory may have been too small"
-            job.errors = [info_error("", f"the process that simulated ended unexpectedly; {hint}", hint=hint)]
+            job.errors = [error_record("", f"the process that simulated ended unexpectedly; {hint}", hint=hint)]
         except OSError as error:
             job.state = "error"
-            job.errors = [info_error("", f"no process could be started: {error.strerror}; free some memory")]
+            job.errors = [error_record("", f"no process could be started: {error.strerror}; free some memory")]
         finally:
             job.asked = clock.monotonic()
             job.changed.set()

@@ -1,21 +1,27 @@
-"""Where the looks of a robot come from: a published robot, a file of the working folder, or an upload that is kept."""
+"""Where the looks of a robot come from, and the surfaces of its links for the runs of one worker, read once."""
 
 from __future__ import annotations
 
 import secrets
 import tempfile
 import threading
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
-from tmodes.errors import InputError
+from tmodes.errors import InputError, TmodesError
 from tmodes.robots.load import sheet_names
 from tmodes.studio.folder import WorkingFolder
+from tmodes.studio.messages import error_record, unseen_records
 from tmodes.studio.own_folder import remove
 
-__all__ = ["GONE", "Shelf", "Source", "source_of"]
+if TYPE_CHECKING:
+    from tmodes.io.urdf_shapes import LinkShape
+    from tmodes.result import Result
+
+__all__ = ["GONE", "Shapes", "Shelf", "Source", "source_of"]
+
 
 MOST_KEPT = 8
 """Uploads that are kept, the newest ones: each at most as large as an upload may be."""
@@ -85,3 +91,50 @@ def source_of(looks: Any, folder: WorkingFolder, shelf: Shelf) -> Source | None:
     if kind == "upload":
         return shelf.found(name) or Source(GONE, ())
     return None
+
+
+class Shapes:
+    """The surfaces of the robot that was shown last, simplified; ``unseen`` says what of it cannot be shown."""
+
+    def __init__(self) -> None:
+        self._key: tuple[Any, ...] = ()
+        self._few: list[LinkShape] = []
+        self._why: list[Any] = []
+        self._source: Mapping[str, Any] = {}
+
+    def look(self, source: Mapping[str, Any] | None) -> None:
+        """Take the robot at ``file`` with ``roots``, as :class:`tmodes.studio.looks.Source`; None: no surfaces."""
+        key = () if source is None else (source["file"], *source["roots"], _changed(source["file"]))
+        if key != self._key:
+            self._key, self._few, self._why, self._source = key, [], [], source or {}
+            if source is not None and source["file"] != GONE:
+                self._read(source)
+
+    def _read(self, source: Mapping[str, Any]) -> None:
+        from tmodes.report.meshes import few_shapes, seen_shapes
+
+        try:
+            shapes, self._why = seen_shapes(source["file"], source["roots"])
+            self._few = few_shapes(shapes)
+        except TmodesError as error:
+            self._why = [error]
+
+    def on(self, result: Result) -> Result:
+        """The result with the surfaces of its links, as ``tmodes run`` keeps them."""
+        from tmodes.report.meshes import with_few_shapes
+
+        return with_few_shapes(result, self._few)
+
+    def unseen(self, data: Any) -> list[dict[str, Any]]:
+        """What cannot be shown, as the page reports it at the links of the sheet's plain ``data``."""
+        if self._source.get("file") == GONE:
+            hint = "upload them again"
+            return [error_record("", "the shapes of this upload are not kept any more", hint=hint)]
+        return unseen_records(self._why, data, self._source.get("roots", ()))
+
+
+def _changed(file: str) -> int:
+    """When a file was changed; 0 for a name."""
+    with suppress(OSError):
+        return Path(file).stat().st_mtime_ns
+    return 0

@@ -11,7 +11,7 @@ from tmodes.io.mesh_paths import ALLOW
 from tmodes.io.urdf_shapes import Unseen
 from tmodes.studio.folder import NameTaken
 
-__all__ = ["as_sent", "info_error", "info_errors", "info_unseen"]
+__all__ = ["as_sent", "error_record", "error_records", "unseen_records"]
 
 MOST = 100
 
@@ -19,33 +19,33 @@ FOLDER = "choose the folder that holds them both"
 """How a page lets a file lie elsewhere."""
 
 
-def info_errors(error: TmodesError, data: Any = None) -> list[dict[str, Any]]:
+def error_records(error: TmodesError, data: Any = None) -> list[dict[str, Any]]:
     """Each wrong value of an error as plain data; ``data`` is the sheet in which their paths lead.
 
     ``steps`` are the keys and numbers of the path in the plain data, None where it leads nowhere; ``where`` is the file
     and line. Errors of one sentence have only a ``message``.
     """
     if isinstance(error, InputErrors):
-        return [_info(one, data) for one in error.errors[:MOST]]
+        return [_record(one, data) for one in error.errors[:MOST]]
     if isinstance(error, InputError):
-        return [_info(error, data)]
-    return [info_error("", str(error)) | {"kind": "exists" if isinstance(error, NameTaken) else ""}]
+        return [_record(error, data)]
+    return [error_record("", str(error)) | {"kind": "exists" if isinstance(error, NameTaken) else ""}]
 
 
-def info_error(path: str, message: str, got: str = "", expected: str = "", hint: str = "") -> dict[str, Any]:
+def error_record(path: str, message: str, got: str = "", expected: str = "", hint: str = "") -> dict[str, Any]:
     """One error as plain data; its ``kind`` is empty but for what a page offers a button for."""
     return {"path": path, "message": message, "got": got, "expected": expected, "hint": hint, "where": "",
             "steps": None, "kind": ""}  # fmt: skip
 
 
-def info_unseen(reasons: Iterable[Unseen | TmodesError], data: Any, roots: Sequence[str]) -> list[dict[str, Any]]:
+def unseen_records(reasons: Iterable[Unseen | TmodesError], data: Any, roots: Sequence[str]) -> list[dict[str, Any]]:
     """Why shapes of links are not shown, each at its link of the sheet's plain ``data``; ``roots`` are not reported."""
     found = []
     for reason in reasons:
         error = reason.error if isinstance(reason, Unseen) else reason
         if isinstance(error, InputError):
             error = as_sent(error, roots)
-        [info, *_] = info_errors(error, data)
+        [info, *_] = error_records(error, data)
         path = info["path"]
         if isinstance(reason, Unseen):  # a damaged file is reported at the link that shows it
             path, info["where"] = f"links.{reason.link}", info["where"] or path
@@ -66,9 +66,9 @@ def as_sent(error: InputError, roots: Sequence[str]) -> InputError:
     return InputError(own(error.which), own(error.got), own(error.expected), hint, own(error.where))
 
 
-def _info(error: InputError, data: Any) -> dict[str, Any]:
+def _record(error: InputError, data: Any) -> dict[str, Any]:
     message = f"got {error.got}, expected {error.expected}"
-    info = info_error(error.which, message, error.got, error.expected, error.hint)
+    info = error_record(error.which, message, error.got, error.expected, error.hint)
     return info | {"where": error.where, "steps": _steps(error.which, data)}
 
 

@@ -1,13 +1,19 @@
-"""The studio's page itself: one document, one program, one sheet of style, all from this package."""
+"""The studio's page, all from this package, and what its requests hold: plain JSON of bounded depth."""
 
 from __future__ import annotations
 
 import html
+import json
 from importlib import resources
+from typing import Any
 
-from fastapi import FastAPI, Response
+from fastapi import FastAPI, Request, Response
 
-__all__ = ["add_page", "document"]
+from tmodes.errors import InputError
+from tmodes.io.words import shown
+
+__all__ = ["add_page", "body_of", "document", "word_of"]
+
 
 _DOCUMENT = """<!doctype html>
 <html lang="en">
@@ -51,3 +57,36 @@ def add_page(app: FastAPI, first: str) -> None:
 
 def _shipped(*path: str) -> bytes:
     return resources.files("tmodes.report").joinpath(*path).read_bytes()
+
+
+LONGEST_WORD = 200
+
+
+async def body_of(request: Request) -> dict[str, Any]:
+    """The JSON object of a request.
+
+    Raises :class:`tmodes.errors.InputError` for anything else: no JSON, numbers that are none, nesting without end.
+    """
+    kind = request.headers.get("content-type", "").partition(";")[0].strip().lower()
+    if kind != "application/json":
+        raise InputError("content-type", shown(kind), "application/json", "send JSON")
+    try:
+        data = json.loads(await request.body(), parse_constant=_no_number)
+    except (ValueError, RecursionError) as error:
+        reason = "too many levels" if isinstance(error, RecursionError) else str(error)[:200]
+        raise InputError("body", f"no JSON ({reason})", "a JSON object", "send what the page sends") from None
+    if not isinstance(data, dict):
+        raise InputError("body", shown(data), "a JSON object", "send what the page sends")
+    return data
+
+
+def _no_number(text: str) -> float:
+    raise ValueError(f"{text} is no number of JSON")
+
+
+def word_of(data: dict[str, Any], key: str) -> str:
+    """A short text field; raises :class:`tmodes.errors.InputError` where it is missing, long, or no text."""
+    value = data.get(key)
+    if not isinstance(value, str) or not 0 < len(value) <= LONGEST_WORD:
+        raise InputError(key, shown(value), f"a text of at most {LONGEST_WORD} characters", f"send `{key}`")
+    return value

@@ -25,10 +25,9 @@ from tmodes.studio.folder import WorkingFolder
 from tmodes.studio.guard import Guard
 from tmodes.studio.jobs import JobBook
 from tmodes.studio.looks import Shelf, source_of
-from tmodes.studio.messages import info_error, info_errors
-from tmodes.studio.page import add_page
+from tmodes.studio.messages import error_record, error_records
+from tmodes.studio.page import add_page, body_of, word_of
 from tmodes.studio.pool import Pool
-from tmodes.studio.requests import body_of, word_of
 from tmodes.studio.upload import uploaded
 from tmodes.studio.work import PRODUCTS
 
@@ -51,11 +50,8 @@ def application(
     pool = Pool(workers or max(2, min(4, (os.cpu_count() or 2) - 1)), place)
     book, shelf = JobBook(pool), Shelf(place)
     app = FastAPI(docs_url=None, redoc_url=None, openapi_url=None, lifespan=_lifespan(pool, book))
-    app.add_exception_handler(TmodesError, _explained)
-    app.add_exception_handler(404, _not_found)
-    app.add_exception_handler(405, _not_found)
-    app.add_exception_handler(RecursionError, _too_deep)
-    app.add_exception_handler(RequestValidationError, _no_value)
+    for kind in (TmodesError, 404, 405, RecursionError, RequestValidationError):
+        app.add_exception_handler(kind, _explained)
     add_page(app, first)
     _add_sheets(app, shelf)
     _add_studies(app, folder, shelf)
@@ -87,28 +83,19 @@ async def _watch(book: JobBook) -> None:
 
 
 async def _explained(request: Request, error: Exception) -> Response:
-    """Errors of ours as JSON: 422 for wrong input, 409 for a file that cannot be written."""
-    assert isinstance(error, TmodesError)  # noqa: S101
-    status = 409 if isinstance(error, ResultFileError) else 422
-    return _json({"errors": info_errors(error, getattr(request.state, "sheet", None))}, status)
-
-
-async def _not_found(request: Request, error: Exception) -> Response:
-    del error
-    return _json({"errors": [info_error("address", f"there is nothing at {request.url.path[:80]}")]}, 404)
-
-
-async def _too_deep(request: Request, error: Exception) -> Response:
-    del request, error
-    return _json({"errors": [info_error("body", "too many levels", expected="a data sheet")]}, 422)
-
-
-async def _no_value(request: Request, error: Exception) -> Response:
-    """A value of the address that is none, as FastAPI finds it."""
-    del request
-    assert isinstance(error, RequestValidationError)  # noqa: S101
-    info = [(str(one["loc"][-1]), shown(one["input"]), one["msg"]) for one in error.errors()]
-    return _json({"errors": [info_error(path, why, got) for path, got, why in info]}, 422)
+    """Errors as JSON: 422 for wrong input, 409 for a file that cannot be written, 404 for an unknown address."""
+    status = 422
+    match error:
+        case TmodesError():
+            status = 409 if isinstance(error, ResultFileError) else 422
+            errors = error_records(error, getattr(request.state, "sheet", None))
+        case RecursionError():
+            errors = [error_record("body", "too many levels", expected="a data sheet")]
+        case RequestValidationError():  # a value of the address that is none, as FastAPI finds it
+            errors = [error_record(str(one["loc"][-1]), one["msg"], shown(one["input"])) for one in error.errors()]
+        case _:
+            status, errors = 404, [error_record("address", f"there is nothing at {request.url.path[:80]}")]
+    return _json({"errors": errors}, status)
 
 
 def _json(value: Any, status: int = 200) -> Response:
@@ -121,14 +108,14 @@ async def _checked(request: Request, data: dict[str, Any]) -> Any:
     return await run_in_threadpool(sheet_from_data, data.get("sheet"))
 
 
-async def _info(read: Callable[[], tuple[Robot, str]]) -> Response:
+async def _sheet_answer(read: Callable[[], tuple[Robot, str]]) -> Response:
     """What the page gets of a sheet that is read, and where its looks come from."""
 
-    def info() -> dict[str, Any]:
+    def record() -> dict[str, Any]:
         sheet, looks = read()
-        return sheets.info_sheet(sheet) | {"looks": looks}
+        return sheets.sheet_record(sheet) | {"looks": looks}
 
-    return _json(await run_in_threadpool(info))
+    return _json(await run_in_threadpool(record))
 
 
 def _add_sheets(app: FastAPI, shelf: Shelf) -> None:
@@ -144,7 +131,7 @@ def _add_sheets(app: FastAPI, shelf: Shelf) -> None:
     async def robot(name: str) -> Response:
         if name not in {one["name"] for one in await run_in_threadpool(sheets.catalogue)}:
             raise InputError("robot", repr(name[:60]), "a published robot", "choose one of the list")
-        return await _info(lambda: (load(name), f"robot:{name}"))
+        return await _sheet_answer(lambda: (load(name), f"robot:{name}"))
 
     @app.get("/api/schema")
     async def schema() -> Response:
@@ -153,7 +140,7 @@ def _add_sheets(app: FastAPI, shelf: Shelf) -> None:
     @app.post("/api/check")
     async def check(request: Request) -> Response:
         sheet = await _checked(request, await body_of(request))
-        return _json(await run_in_threadpool(sheets.info_sheet, sheet))
+        return _json(await run_in_threadpool(sheets.sheet_record, sheet))
 
     @app.post("/api/yaml")
     async def yaml(request: Request) -> Response:
@@ -163,7 +150,7 @@ def _add_sheets(app: FastAPI, shelf: Shelf) -> None:
     @app.post("/api/upload")
     async def upload(request: Request) -> Response:
         data = await body_of(request)
-        return await _info(lambda: uploaded(data.get("files"), shelf))
+        return await _sheet_answer(lambda: uploaded(data.get("files"), shelf))
 
 
 def _add_studies(app: FastAPI, folder: WorkingFolder, shelf: Shelf) -> None:
@@ -174,7 +161,7 @@ def _add_studies(app: FastAPI, folder: WorkingFolder, shelf: Shelf) -> None:
     @app.get("/api/studies/{name:path}")
     async def study(name: str) -> Response:
         path = folder.existing(name)
-        return await _info(lambda: (load(path, roots=(folder.path,)), shelf.looks_of(name)))
+        return await _sheet_answer(lambda: (load(path, roots=(folder.path,)), shelf.looks_of(name)))
 
     @app.put("/api/studies/{name:path}")
     async def save(name: str, request: Request) -> Response:

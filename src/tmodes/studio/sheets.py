@@ -16,7 +16,7 @@ from tmodes.live.sliders import Knob, Slider, knobs_of, sliders_of
 from tmodes.robots.load import sheet_names, sheet_text
 from tmodes.sheet import Robot
 
-__all__ = ["catalogue", "info_sheet", "info_sliders", "plain_sheet", "schema"]
+__all__ = ["catalogue", "plain_sheet", "schema", "sheet_record", "slider_records"]
 
 MOST_BYTES = 300_000_000
 """Largest result that is simulated for the page [bytes]."""
@@ -48,24 +48,24 @@ def _finite(value: Any) -> Any:
     return ".inf" if value == math.inf else value
 
 
-def info_sheet(sheet: Robot) -> dict[str, Any]:
+def sheet_record(sheet: Robot) -> dict[str, Any]:
     """What the page gets of a right sheet: its data, units by path, sliders, and what looks implausible."""
     data = plain_sheet(sheet)
     units = {".".join(map(str, steps)): place.unit or "" for _, _, steps, place in quantities(data)}
-    info = {"units": units, "sliders": info_sliders(sheet, data), "warnings": notices_about(sheet)}
+    info = {"units": units, "sliders": slider_records(sheet, data), "warnings": notices_about(sheet)}
     return {"name": sheet.name, "sheet": data, **info}
 
 
-def info_sliders(sheet: Robot, data: dict[str, Any]) -> list[dict[str, Any]]:
+def slider_records(sheet: Robot, data: dict[str, Any]) -> list[dict[str, Any]]:
     """The numbers of a sheet that are dragged most, the most useful first; ``data`` is its plain data.
 
     A slider stands at its number, or, where it moves several ``together``, at the factor on their bases.
     """
     knobs = knobs_of(sheet)
-    return [_info(slider, knobs[slider.knob], data) for slider in sliders_of(sheet, knobs)]
+    return [_slider_record(slider, knobs[slider.knob], data) for slider in sliders_of(sheet, knobs)]
 
 
-def _info(slider: Slider, knob: Knob, data: dict[str, Any]) -> dict[str, Any]:
+def _slider_record(slider: Slider, knob: Knob, data: dict[str, Any]) -> dict[str, Any]:
     if slider.real:
         targets = [{"steps": ["real", path], "base": 1.0} for path in knob.reals]
     else:

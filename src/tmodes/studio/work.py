@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 from tmodes.errors import InputError
 from tmodes.io.sheet_check import sheet_from_data
-from tmodes.studio.shapes import Shapes
+from tmodes.studio.looks import Shapes
 from tmodes.studio.sheets import MOST_BYTES, plain_sheet
 
 if TYPE_CHECKING:

@@ -19,7 +19,7 @@ import time as clock
 from typing import Any, BinaryIO
 
 from tmodes.errors import TmodesError
-from tmodes.studio.messages import info_error, info_errors
+from tmodes.studio.messages import error_record, error_records
 
 __all__ = ["main"]
 
@@ -91,13 +91,13 @@ def _work(order: dict[str, Any], workshop: Any, orders: _Orders, answers: _Answe
     except _Cancelled:
         answers.send(job, "cancelled")
     except TmodesError as error:
-        answers.send(job, "error", errors=info_errors(error, sheet))
+        answers.send(job, "error", errors=error_records(error, sheet))
     except MemoryError:
         hint = "sample more coarsely (integration.output_step), or simulate a shorter time"
-        answers.send(job, "error", errors=[info_error("", f"out of memory; {hint}", hint=hint)])
+        answers.send(job, "error", errors=[error_record("", f"out of memory; {hint}", hint=hint)])
     except Exception as error:
         message = f"a fault of tmodes itself, please report it: {type(error).__name__}: {error}"
-        answers.send(job, "error", errors=[info_error("", message)])
+        answers.send(job, "error", errors=[error_record("", message)])
     orders.cancelled.discard(job)
 
 

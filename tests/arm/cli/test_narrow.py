@@ -8,7 +8,7 @@ import sys
 
 import pytest
 
-from tmodes.cli.output import print_table
+from tmodes.cli.terminal import print_table
 
 COLUMNS = ["link", "mass [kg]", "EI y, z [N*m^2]", "GJ [N*m^2]", "bare y, z [Hz]", "what gives way"]
 ROWS = [

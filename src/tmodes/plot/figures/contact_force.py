@@ -2,17 +2,13 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import Any, ClassVar
 
 import numpy as np
 
-from tmodes.plot.contract import Figure
-from tmodes.plot.panels import AxesLike, letter, panels, shared_legend, time_axis
-from tmodes.plot.style import COMPONENTS, INK, QUIET, REAL, REFERENCE
-from tmodes.plot.units import readable
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
+from tmodes.plot.figure import Figure
+from tmodes.plot.panels import Axes, AxesLike, curves, letter, panels, shared_legend, side_legend, time_axis, zero_line
+from tmodes.plot.style import COMPONENTS, INK, REAL, REFERENCE
 
 __all__ = ["ContactForce"]
 
@@ -38,20 +34,24 @@ class ContactForce(Figure):
         """Normal force twice, its components, the penetration."""
         data = result.data
         axes = panels(ax, [["whole", "close"], ["parts", "parts"], ["deep", "deep"]], 6.0)
-        real, curves = data["contact_force_normal"].values, {"contact_force_normal": ("actual", REAL)}
+        time, real = data["time"].values, data["contact_force_normal"].values
+        shown = {"actual": (real, REAL)}
         if "contact_force_normal_reference" in data:
-            curves["contact_force_normal_reference"] = ("reference", REFERENCE)
-        unit = readable("N", *(data[name].values for name in curves))
+            shown["reference"] = (data["contact_force_normal_reference"].values, REFERENCE)
+        unit, _ = (curves(panel, time, shown, "N", "force") for panel in axes[:2])
         for panel in axes[:2]:
-            for name, (label, look) in curves.items():
-                panel.plot(data["time"].values, unit.of(data[name].values), label=label, **look)
-            panel.set_ylabel(f"force [{unit.name}]")
-            time_axis(panel, data["time"].values)
+            time_axis(panel, time)
         _from_zero(axes[0])
         note = _constancy(unit.of(real), unit.name)
         axes[0].text(0.03, 0.5, note, transform=axes[0].transAxes, fontsize=7.5)
-        _components(axes[2], data)
-        _penetration(axes[3], data)
+        forces = data["contact_force"]
+        parts = {f"$F_{axis}$": (forces.sel(axis=axis), look) for axis, look in zip("xyz", COMPONENTS, strict=False)}
+        curves(axes[2], time, parts, "N", "force")
+        side_legend(axes[2])
+        curves(axes[3], time, {"": (data["penetration"].values, {"color": INK})}, "m", "depth")
+        for panel in axes[2:]:
+            zero_line(panel)
+            time_axis(panel, time, label=panel is axes[3])
         shared_legend(axes[0])
         titles = "Normal force, from zero", "Normal force, close-up", "Components, by the point on the surface"
         letter(axes, (*titles, "Penetration"))
@@ -73,21 +73,3 @@ def _constancy(force: Any, unit: str) -> str:
     digits = int(np.clip(2 - np.floor(np.log10(max(high - low, 1e-9))), 2, 6))
     share = f"within {100 * (high - low) / largest:.2g} %"
     return f"nearly constant, {share}:\n{low:.{digits}f} to {high:.{digits}f} {unit}"
-
-
-def _components(panel: Axes, data: Any) -> None:
-    unit = readable("N", data["contact_force"].values)
-    for axis, look in zip("xyz", COMPONENTS, strict=False):
-        panel.plot(data["time"].values, unit.of(data["contact_force"].sel(axis=axis)), label=f"$F_{axis}$", **look)
-    panel.axhline(0.0, color=QUIET, linewidth=0.5)
-    panel.set_ylabel(f"force [{unit.name}]")
-    time_axis(panel, data["time"].values, label=False)
-    panel.legend(loc="upper left", bbox_to_anchor=(1.01, 1.0))
-
-
-def _penetration(panel: Axes, data: Any) -> None:
-    unit = readable("m", data["penetration"].values)
-    panel.plot(data["time"].values, unit.of(data["penetration"].values), color=INK)
-    panel.axhline(0.0, color=QUIET, linewidth=0.5)
-    panel.set_ylabel(f"depth [{unit.name}]")
-    time_axis(panel, data["time"].values)

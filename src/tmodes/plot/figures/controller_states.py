@@ -2,16 +2,12 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import Any, ClassVar
 
-from tmodes.plot.contract import Figure
 from tmodes.plot.facts import plain, rows_height
-from tmodes.plot.panels import AxesLike, last_times, letter, panels
-from tmodes.plot.style import QUIET, REAL
-from tmodes.plot.units import readable
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
+from tmodes.plot.figure import Figure
+from tmodes.plot.panels import Axes, AxesLike, curves, last_times, letter, panels, zero_line
+from tmodes.plot.style import REAL
 
 __all__ = ["ControllerStates"]
 
@@ -33,11 +29,10 @@ class ControllerStates(Figure):
         axes = panels(ax, [[name] for name in names], rows_height(len(names)), sharex=ax is None)
         for panel, name in zip(axes, names, strict=True):
             one = data["controller_states"].sel(controller_state=name)
-            unit = readable(str(one["controller_state_unit"].item()).replace("*", " "), one.values)
-            held: dict[str, Any] = {"drawstyle": "steps-post"} if name.endswith(".command") else {}
-            panel.plot(data["time"].values, unit.of(one.values), **REAL, **held)
-            panel.axhline(0.0, color=QUIET, linewidth=0.5)
-            panel.set_ylabel(f"[{unit.name}]")
+            held = {"drawstyle": "steps-post"} if name.endswith(".command") else {}
+            si = str(one["controller_state_unit"].item()).replace("*", " ")
+            curves(panel, data["time"].values, {"": (one.values, REAL | held)}, si)
+            zero_line(panel)
         last_times(axes, data["time"].values, 1)
         letter(axes, [plain(name.replace(".controller.", ": ")) for name in names])
         return axes

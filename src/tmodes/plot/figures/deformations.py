@@ -2,17 +2,12 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import Any, ClassVar
 
-from tmodes.plot.contract import Figure
-from tmodes.plot.decomposition import coordinate_names, largest_coordinates
-from tmodes.plot.facts import deformation_unit, plain
-from tmodes.plot.panels import AxesLike, letter, panels, shared_legend, time_axis
+from tmodes.plot.facts import coordinate_names, deformation_unit, largest_coordinates, plain
+from tmodes.plot.figure import Figure
+from tmodes.plot.panels import Axes, AxesLike, curves, letter, panels, shared_legend, time_axis
 from tmodes.plot.style import REAL, REFERENCE
-from tmodes.plot.units import readable
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
 
 __all__ = ["Deformations"]
 
@@ -46,8 +41,6 @@ class Deformations(Figure):
 
 def _coordinate(panel: Axes, data: Any, name: str) -> None:
     actual, planned = (data[key].sel(deformation_kind=name).values for key in ("deformation", "deformation_reference"))
-    unit, time = readable(deformation_unit(data, name), actual, planned), data["time"].values
-    panel.plot(time, unit.of(actual), label="actual", **REAL)
-    panel.plot(time, unit.of(planned), label="reference", **REFERENCE)
-    panel.set_ylabel(f"[{unit.name}]")
-    time_axis(panel, time)
+    shown = {"actual": (actual, REAL), "reference": (planned, REFERENCE)}
+    curves(panel, data["time"].values, shown, deformation_unit(data, name))
+    time_axis(panel, data["time"].values)

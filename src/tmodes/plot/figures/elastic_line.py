@@ -2,20 +2,16 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.plot.contract import Figure
-from tmodes.plot.facts import instant_looks, instants
+from tmodes.plot.facts import instant_looks, instants, names_of
+from tmodes.plot.figure import Figure
 from tmodes.plot.figures.tip_path import PLANES, views
-from tmodes.plot.panels import AxesLike, letter, panels, shared_legend
+from tmodes.plot.panels import Axes, AxesLike, letter, panels, shared_legend
 from tmodes.plot.style import QUIET
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-
 
 __all__ = ["ElasticLine", "round_factor"]
 
@@ -89,7 +85,7 @@ def _factor(rigid: Array, bent: Array) -> float:
 
 def _joins(data: Any, rigid: Array) -> list[tuple[int, int, int]]:
     """Each link that starts away from its parent: its index, its parent's, and the nearest station of the parent."""
-    names = [str(name) for name in data["link"].values]
+    names = names_of(data, "link")
     reach = float(np.linalg.norm(np.ptp(rigid.reshape(-1, 3), axis=0)))
     found = []
     for k, parent in enumerate(map(str, data["link_parent"].values)):

@@ -2,17 +2,14 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
-from tmodes.plot.contract import Figure
-from tmodes.plot.panels import AxesLike, letter, panels, side_legend, time_axis
+from tmodes.plot.facts import names_of
+from tmodes.plot.figure import Figure
+from tmodes.plot.panels import Axes, AxesLike, curves, letter, panels, side_legend, time_axis
 from tmodes.plot.style import COMPONENTS, INK, QUIET
-from tmodes.plot.units import readable
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
 
 __all__ = ["Energies"]
 
@@ -51,14 +48,16 @@ class Energies(Figure):
 
 def _kinds(panel: Axes, data: Any, name: str) -> None:
     kind = f"{name}_kind"
-    time, unit = data["time"].values, readable("J", data[name].values)
-    for label, look in zip(data[kind].values, LOOKS, strict=False):
-        values = data[name].sel({kind: label}).values
-        if np.any(values):
-            panel.plot(time, unit.of(values), label=str(label).replace("_", " "), **look)
-    panel.set_ylabel(f"{name} [{unit.name}]")
+    found = {label: data[name].sel({kind: label}).values for label in names_of(data, kind)}
+    shown = {
+        label.replace("_", " "): (values, look)
+        for (label, values), look in zip(found.items(), LOOKS, strict=False)
+        if np.any(values)
+    }
+    time = data["time"].values
+    curves(panel, time, shown, "J", name)
     time_axis(panel, time, label=False)
-    if panel.get_legend_handles_labels()[1]:
+    if shown:
         side_legend(panel)
     else:
         panel.plot(time, np.zeros(len(time)), color=QUIET, linewidth=0.5)

@@ -2,16 +2,12 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import Any, ClassVar
 
-from tmodes.plot.contract import Figure
 from tmodes.plot.facts import drives_by, effort_unit, plain, rows_height
-from tmodes.plot.panels import AxesLike, last_times, letter, panels, widest_legend
-from tmodes.plot.style import COMPONENTS, QUIET, REAL, REFERENCE
-from tmodes.plot.units import readable
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
+from tmodes.plot.figure import Figure
+from tmodes.plot.panels import Axes, AxesLike, curves, last_times, letter, panels, widest_legend, zero_line
+from tmodes.plot.style import COMPONENTS, REAL, REFERENCE
 
 __all__ = ["JointEfforts"]
 
@@ -54,22 +50,18 @@ class JointEfforts(Figure):
 def _effort(panel: Axes, data: Any, name: str) -> None:
     time, effort = data["time"].values, data["effort"].sel(drive=name).values
     gear = data["gear_torque"].sel(drive=name).values
-    planned = data["gear_torque_reference"].sel(drive=name).values if "gear_torque_reference" in data else gear
-    unit = readable(effort_unit(data, name), effort, gear, planned)
-    panel.plot(time, unit.of(effort), label="motor", **REAL)
+    shown = {"motor": (effort, REAL)}
     if gear.any():
-        panel.plot(time, unit.of(gear), label="gear", **COMPONENTS[2])
-        if planned is not gear:
-            panel.plot(time, unit.of(planned), label="gear, reference", **REFERENCE)
-    panel.axhline(0.0, color=QUIET, linewidth=0.5)
-    panel.set_ylabel(f"[{unit.name}]")
+        shown["gear"] = (gear, COMPONENTS[2])
+        if "gear_torque_reference" in data:
+            shown["gear, reference"] = (data["gear_torque_reference"].sel(drive=name).values, REFERENCE)
+    curves(panel, time, shown, effort_unit(data, name))
+    zero_line(panel)
 
 
 def _electric(panel: Axes, data: Any, name: str, series: str, si: str, look: dict[str, Any]) -> None:
     values = data[series].sel(drive=name).values
-    unit = readable(si, values)
     if not values.any():
         panel.text(0.5, 0.6, "none", ha="center", transform=panel.transAxes)
-    panel.plot(data["time"].values, unit.of(values), color=look["color"], linewidth=1.0)
-    panel.axhline(0.0, color=QUIET, linewidth=0.5)
-    panel.set_ylabel(f"[{unit.name}]")
+    curves(panel, data["time"].values, {"": (values, {"color": look["color"], "linewidth": 1.0})}, si)
+    zero_line(panel)

@@ -2,18 +2,14 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import Any, ClassVar
 
 import numpy as np
 
-from tmodes.plot.contract import Figure
-from tmodes.plot.facts import command_of, drive_unit, largest, motor_of, plain, rows_height
-from tmodes.plot.panels import AxesLike, last_times, letter, panels, widest_legend
+from tmodes.plot.facts import command_of, drive_unit, largest, motor_of, names_of, plain, rows_height
+from tmodes.plot.figure import Figure
+from tmodes.plot.panels import Axes, AxesLike, curves, last_times, letter, pairs, panels, widest_legend
 from tmodes.plot.style import COMPONENTS, REAL
-from tmodes.plot.units import readable
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
 
 __all__ = ["JointTracking"]
 
@@ -37,10 +33,10 @@ class JointTracking(Figure):
         """Two panels for each joint."""
         data = result.data
         names = _moving(data)
-        layout = [[f"{k} left", f"{k} right"] for k in range(len(names))]
+        layout = pairs(len(names))
         axes = panels(ax, layout, rows_height(len(names)), sharex=ax is None)
         for k, name in enumerate(names):
-            _position(axes[2 * k], data, name)
+            curves(axes[2 * k], data["time"].values, _positions(data, name), drive_unit(data, name))
             _error(axes[2 * k + 1], data, name)
         last_times(axes, data["time"].values, 2)
         widest_legend(axes)
@@ -49,7 +45,7 @@ class JointTracking(Figure):
 
 
 def _moving(data: Any) -> list[str]:
-    names = [str(name) for name in data["drive"].values]
+    names = names_of(data, "drive")
     return largest(names, np.array([np.ptp(data["q"].sel(coordinate=name).values) for name in names]))
 
 
@@ -57,15 +53,7 @@ def _right_title(data: Any, name: str) -> str:
     return "tracking error" if command_of(data, name) in _POSITIONS else "rate"
 
 
-def _position(panel: Axes, data: Any, name: str) -> None:
-    time, curves = data["time"].values, _curves(data, name)
-    unit = readable(drive_unit(data, name), *(values for values, _ in curves.values()))
-    for label, (values, look) in curves.items():
-        panel.plot(time, unit.of(values), label=label, **look)
-    panel.set_ylabel(f"[{unit.name}]")
-
-
-def _curves(data: Any, name: str) -> dict[str, tuple[Any, dict[str, Any]]]:
+def _positions(data: Any, name: str) -> dict[str, tuple[Any, dict[str, Any]]]:
     found = {"joint": (data["q"].sel(coordinate=name).values, REAL)}
     if motor := motor_of(data, name):
         found["motor"] = (data["q"].sel(coordinate=motor).values, _MOTOR)
@@ -75,14 +63,10 @@ def _curves(data: Any, name: str) -> dict[str, tuple[Any, dict[str, Any]]]:
 
 
 def _error(panel: Axes, data: Any, name: str) -> None:
-    time, curves, kind = data["time"].values, _curves(data, name), drive_unit(data, name)
-    if "setpoint" in curves:
-        setpoint = curves.pop("setpoint")[0]
-        shown = {label: (values - setpoint, look) for label, (values, look) in curves.items()}
+    shown, si = _positions(data, name), drive_unit(data, name)
+    if "setpoint" in shown:
+        setpoint, _ = shown.pop("setpoint")
+        shown = {label: (values - setpoint, look) for label, (values, look) in shown.items()}
     else:
-        kind = f"{kind}/s"
-        shown = {"joint": (data["v"].sel(coordinate=name).values, REAL)}
-    unit = readable(kind, *(values for values, _ in shown.values()))
-    for label, (values, look) in shown.items():
-        panel.plot(time, unit.of(values), label=label, **look)
-    panel.set_ylabel(f"[{unit.name}]")
+        shown, si = {"joint": (data["v"].sel(coordinate=name).values, REAL)}, f"{si}/s"
+    curves(panel, data["time"].values, shown, si)

@@ -2,18 +2,13 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import Any, ClassVar
 
 import numpy as np
 
-from tmodes.plot.contract import Figure
-from tmodes.plot.facts import instant_looks, instants, largest, plain
-from tmodes.plot.panels import AxesLike, letter, panels, shared_legend
-from tmodes.plot.style import QUIET
-from tmodes.plot.units import readable
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
+from tmodes.plot.facts import instant_looks, instants, largest, names_of, plain
+from tmodes.plot.figure import Figure
+from tmodes.plot.panels import Axes, AxesLike, curves, letter, pairs, panels, shared_legend, zero_line
 
 __all__ = ["LinkDeflection"]
 
@@ -35,26 +30,21 @@ class LinkDeflection(Figure):
         """Two panels for each link: along y and along z of its root."""
         data = result.data
         bent = data["deflection"].transpose("bending_link", "time", "s", "plane")
-        names = [str(name) for name in data["bending_link"].values]
+        names = names_of(data, "bending_link")
         names = largest(names, np.abs(bent.values).max(axis=(1, 2, 3)), _MOST)
         chosen = instants(data)
-        layout = [[f"{k} left", f"{k} right"] for k in range(len(names))]
+        layout = pairs(len(names))
         axes = panels(ax, layout, 0.8 + 1.75 * len(names), sharex=ax is None)
         shown = [(name, plane) for name in names for plane in ("y", "z")]
         for panel, (name, plane) in zip(axes, shown, strict=True):
-            curves = bent.sel(bending_link=name, plane=plane).values[chosen]
-            _curves(panel, data["s"].values, curves, data["time"].values[chosen])
+            lines, times = bent.sel(bending_link=name, plane=plane).values[chosen], data["time"].values[chosen]
+            looks = zip(lines, instant_looks(len(times)), times, strict=True)
+            drawn = {f"{time:.3g} s": (line, look) for line, look, time in looks}
+            curves(panel, data["s"].values, drawn, "m", "deflection")
+            zero_line(panel)
+            panel.set_xlim(0.0, 1.0)
         for panel in axes[-2:]:
             panel.set_xlabel("along the link $s$ [–]")
         shared_legend(axes[0])
         letter(axes, (f"{plain(name)}, along {plane}" for name, plane in shown))
         return axes
-
-
-def _curves(panel: Axes, s: Any, curves: Any, times: Any) -> None:
-    unit = readable("m", curves)
-    for curve, look, time in zip(curves, instant_looks(len(times)), times, strict=True):
-        panel.plot(s, unit.of(curve), label=f"{time:.3g} s", **look)
-    panel.axhline(0.0, color=QUIET, linewidth=0.5)
-    panel.set_xlim(0.0, 1.0)
-    panel.set_ylabel(f"deflection [{unit.name}]")

@@ -2,25 +2,20 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.plot.contract import Figure
-from tmodes.plot.facts import largest, plain
-from tmodes.plot.panels import AxesLike, letter, panels, shared_legend
-from tmodes.plot.style import BAND, BLUE, COMPONENTS, QUIET, RED
-from tmodes.plot.units import Unit, readable
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-
+from tmodes.plot.facts import largest, names_of, plain
+from tmodes.plot.figure import Figure
+from tmodes.plot.panels import Axes, AxesLike, Unit, curves, letter, pairs, panels, readable, shared_legend, zero_line
+from tmodes.plot.style import BAND, BLUE, COMPONENTS, RED
 
 __all__ = ["LinkLoads"]
 
 _MOST_LINKS = 6
-_KINDS = {"torsion": "torsion", "y": "bending about y", "z": "bending about z"}
+_KINDS = ("torsion", "bending about y", "bending about z")
 
 Array = NDArray[Any]
 
@@ -43,11 +38,11 @@ class LinkLoads(Figure):
     def draw(self, result: Any, ax: AxesLike = None) -> list[Axes]:
         """Two panels for each link."""
         data = result.data
-        names = [str(name) for name in data["bending_link"].values]
+        names = names_of(data, "bending_link")
         moments = data["moment"].transpose("bending_link", "time", "s", "moment_kind").values
         bending = np.linalg.norm(moments[..., 1:], axis=-1)
         shown = largest(names, bending.max(axis=(1, 2)), _MOST_LINKS)
-        layout = [[f"{k} left", f"{k} right"] for k in range(len(shown))]
+        layout = pairs(len(shown))
         axes = panels(ax, layout, 0.8 + 1.6 * len(shown), sharex=ax is None)
         titles = []
         for k, name in enumerate(shown):
@@ -64,12 +59,10 @@ class LinkLoads(Figure):
 
 
 def _moments(panel: Axes, data: Any, moments: Array) -> None:
-    unit, s = readable("N m", moments), data["s"].values
-    for label, values, look in zip(_KINDS.values(), moments.T, COMPONENTS, strict=False):
-        panel.plot(s, unit.of(values), label=label, **look)
-    panel.axhline(0.0, color=QUIET, linewidth=0.6)
+    shown = {kind: (values, look) for kind, values, look in zip(_KINDS, moments.T, COMPONENTS, strict=False)}
+    curves(panel, data["s"].values, shown, "N m", "moment")
+    zero_line(panel, 0.6)
     panel.set_xlim(0.0, 1.0)
-    panel.set_ylabel(f"moment [{unit.name}]")
 
 
 def _right(panel: Axes, data: Any, name: str) -> str:

@@ -2,18 +2,14 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import Any, ClassVar
 
 import numpy as np
 
-from tmodes.plot.contract import Figure
-from tmodes.plot.facts import largest, plain
-from tmodes.plot.panels import AxesLike, last_times, letter, panels, shared_legend
+from tmodes.plot.facts import largest, names_of, plain
+from tmodes.plot.figure import Figure
+from tmodes.plot.panels import Axes, AxesLike, curves, last_times, letter, panels, shared_legend
 from tmodes.plot.style import COMPONENTS
-from tmodes.plot.units import readable
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
 
 __all__ = ["LinkTips"]
 
@@ -32,16 +28,14 @@ class LinkTips(Figure):
     def draw(self, result: Any, ax: AxesLike = None) -> list[Axes]:
         """One panel for each link."""
         data = result.data
-        names = [str(name) for name in data["bending_link"].values]
+        names = names_of(data, "bending_link")
         ends = data["deflection"].isel(s=-1).transpose("bending_link", "time", "plane")
         names = largest(names, np.abs(ends.values).max(axis=(1, 2)))
         axes = panels(ax, [[str(k)] for k in range(len(names))], 0.8 + 1.25 * len(names), sharex=ax is None)
         for panel, name in zip(axes, names, strict=True):
             bent = ends.sel(bending_link=name)
-            unit = readable("m", bent.values)
-            for plane, look in zip(("y", "z"), COMPONENTS, strict=False):
-                panel.plot(data["time"].values, unit.of(bent.sel(plane=plane)), label=f"along {plane}", **look)
-            panel.set_ylabel(f"[{unit.name}]")
+            shown = {f"along {one}": (bent.sel(plane=one), look) for one, look in zip("yz", COMPONENTS, strict=False)}
+            curves(panel, data["time"].values, shown, "m")
         last_times(axes, data["time"].values, 1)
         shared_legend(axes[0])
         letter(axes, (f"End of {plain(name)}" for name in names))

@@ -2,21 +2,16 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.plot.contract import Figure
 from tmodes.plot.facts import deformation_unit, largest, plain, spectral_part
+from tmodes.plot.figure import Figure
 from tmodes.plot.frequency_marks import amplitude_spectrum, mark_frequencies
-from tmodes.plot.panels import AxesLike, letter, panels
+from tmodes.plot.panels import Axes, AxesLike, letter, panels, readable
 from tmodes.plot.style import COMPONENTS
-from tmodes.plot.units import readable
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-
 
 __all__ = ["Spectrum"]
 

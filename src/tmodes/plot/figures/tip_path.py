@@ -2,16 +2,13 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
-from tmodes.plot.contract import Figure
-from tmodes.plot.panels import AxesLike, letter, panels, shared_legend
+from tmodes.plot.figure import Figure
+from tmodes.plot.panels import Axes, AxesLike, letter, panels, shared_legend
 from tmodes.plot.style import INK, REAL, REFERENCE
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
 
 __all__ = ["PLANES", "TipPath", "views"]
 

@@ -2,15 +2,11 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-from tmodes.plot.contract import Figure
-from tmodes.plot.panels import AxesLike, letter, panels, shared_legend, time_axis
+from tmodes.plot.figure import Figure
+from tmodes.plot.panels import Axes, AxesLike, curves, letter, panels, shared_legend, time_axis
 from tmodes.plot.style import COMPONENTS, INK, REAL, REFERENCE
-from tmodes.plot.units import readable
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
 
 __all__ = ["TipTracking"]
 
@@ -45,22 +41,15 @@ class TipTracking(Figure):
 
 
 def _coordinate(panel: Axes, data: Any, axis: str) -> None:
-    time = data["time"].values
-    curves = {"actual": ("tip", REAL), "reference": ("tip_reference", REFERENCE)}
-    shown = {label: (data[name].sel(axis=axis).values, look) for label, (name, look) in curves.items() if name in data}
-    unit = readable("m", *(values for values, _ in shown.values()))
-    for label, (values, look) in shown.items():
-        panel.plot(time, unit.of(values), label=label, **look)
-    panel.set_ylabel(f"{axis} [{unit.name}]")
-    time_axis(panel, time)
+    known = {"actual": ("tip", REAL), "reference": ("tip_reference", REFERENCE)}
+    shown = {label: (data[name].sel(axis=axis).values, look) for label, (name, look) in known.items() if name in data}
+    curves(panel, data["time"].values, shown, "m", axis)
+    time_axis(panel, data["time"].values)
 
 
 def _deviation(panel: Axes, data: Any) -> None:
-    time, total = data["time"].values, data["deviation"].values
-    difference = data["tip"] - data["tip_reference"]
-    unit = readable("m", total)
-    panel.plot(time, unit.of(total), color=INK, linewidth=1.5, label="distance")
-    for axis, look in zip("xyz", COMPONENTS, strict=False):
-        panel.plot(time, unit.of(difference.sel(axis=axis)), label=f"Δ{axis}", **look)
-    panel.set_ylabel(f"deviation [{unit.name}]")
-    time_axis(panel, time)
+    difference = data["tip"] - data["tip_reference"]  # no component is larger than the distance
+    parts = {f"Δ{axis}": (difference.sel(axis=axis), look) for axis, look in zip("xyz", COMPONENTS, strict=False)}
+    shown = {"distance": (data["deviation"].values, {"color": INK, "linewidth": 1.5})} | parts
+    curves(panel, data["time"].values, shown, "m", "deviation")
+    time_axis(panel, data["time"].values)
