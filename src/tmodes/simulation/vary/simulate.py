@@ -21,11 +21,10 @@ from tmodes.simulation.parts import sample_times
 from tmodes.simulation.start import RunSetup, run_setup
 from tmodes.simulation.vary.lanes import Columns, changed_sheet, structure_of
 
-__all__ = ["Prepared", "prepared", "prepared_alone", "run_prepared", "simulate_batch"]
+__all__ = ["Prepared", "prepared", "run_prepared", "simulate_batch"]
 
 Array = NDArray[np.float64]
 Progress = Callable[[str, float], None]
-Changes = Mapping[str, float | int]
 
 
 def simulate_batch(
@@ -72,21 +71,34 @@ class Prepared:
 
 def prepared(
     sheet: Robot,
-    vary: Mapping[str, ArrayLike],
+    vary: Mapping[str, ArrayLike] | None,
     *,
     out: str | os.PathLike[str] | None = None,
     progress: Progress = lambda stage, share: None,
 ) -> Prepared:
-    """All that can be wrong with a batch is reported here, before anything runs; see :func:`simulate_batch`."""
-    values = _checked(vary)
-    size = len(next(iter(values.values())))
-    changes = [{path: _plain(numbers[lane]) for path, numbers in values.items()} for lane in range(size)]
-    return _prepared(sheet, changes, values, None if out is None else Path(out), progress)
+    """All that can be wrong with a batch is reported here, before anything runs; see :func:`simulate_batch`.
 
-
-def prepared_alone(sheet: Robot, progress: Progress = lambda stage, share: None) -> Prepared:
-    """The sheet as it stands, as a batch of one lane."""
-    return _prepared(sheet, [{}], {}, None, progress)
+    ``vary`` None: the sheet as it stands, as a batch of one lane. The room is asked for as soon as the size of a state
+    is known.
+    """
+    values, folder = {} if vary is None else _checked(vary), None if out is None else Path(out)
+    size = len(next(iter(values.values()))) if values else 1
+    refuse_stops(sheet.integration, "all lanes of a batch run")
+    if sheet.integration.energy_stop:
+        hint = "leave it out, or run the lane by itself (tmodes run)"
+        raise InputError("integration.energy_stop", "true", "false: a batch watches no energy", hint)
+    lanes: list[RunSetup | str] = []
+    times, columns = sample_times(sheet.integration), None
+    for index in range(size):
+        changes = {path: _plain(numbers[index]) for path, numbers in values.items()}
+        lanes.append(lane := _lane(sheet, changes, index))
+        if isinstance(lane, RunSetup) and (columns is None or not columns.have(lane)):
+            columns = Columns.of_all([one for one in lanes if isinstance(one, RunSetup)], index)
+            check_room((size, len(times), columns.width), folder)
+        progress("preparing", (index + 1) / size)
+    if columns is None:
+        raise SimulationError(f"no case can start; case 0: {lanes[0]}")
+    return Prepared(lanes, columns, values, times, folder)
 
 
 def run_prepared(
@@ -99,27 +111,6 @@ def run_prepared(
         if tips:
             done = replace(done, tips=_tips(done, batch, progress))
     return stored(done, batch.folder)
-
-
-def _prepared(
-    sheet: Robot, changes: Sequence[Changes], values: dict[str, Array], folder: Path | None, progress: Progress
-) -> Prepared:
-    """All lanes; the room is asked for as soon as the size of a state is known."""
-    refuse_stops(sheet.integration, "all lanes of a batch run")
-    if sheet.integration.energy_stop:
-        hint = "leave it out, or run the lane by itself (tmodes run)"
-        raise InputError("integration.energy_stop", "true", "false: a batch watches no energy", hint)
-    lanes: list[RunSetup | str] = []
-    times, columns = sample_times(sheet.integration), None
-    for index, info in enumerate(changes):
-        lanes.append(lane := _lane(sheet, info, index))
-        if isinstance(lane, RunSetup) and (columns is None or not columns.have(lane)):
-            columns = Columns.of_all([one for one in lanes if isinstance(one, RunSetup)], index)
-            check_room((len(changes), len(times), columns.width), folder)
-        progress("preparing", (index + 1) / len(changes))
-    if columns is None:
-        raise SimulationError(f"no case can start; case 0: {lanes[0]}")
-    return Prepared(lanes, columns, values, times, folder)
 
 
 def _checked(vary: Mapping[str, ArrayLike]) -> dict[str, Array]:
@@ -148,7 +139,7 @@ def _plain(value: np.float64) -> float | int:
     return int(number) if number.is_integer() and abs(number) < 2**53 else number
 
 
-def _lane(sheet: Robot, changes: Changes, index: int) -> RunSetup | str:
+def _lane(sheet: Robot, changes: Mapping[str, float | int], index: int) -> RunSetup | str:
     """A lane, or why it cannot start."""
     real = changed_sheet(sheet, changes, index)
     try:
