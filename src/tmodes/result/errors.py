@@ -75,9 +75,8 @@ class Figure(NamedTuple):
         """
         if len(self.samples) > 1 or rows > 2:
             return self
-        (middle,) = self.samples
         near = range(-_WINDOW_SAMPLES, _WINDOW_SAMPLES + 1)
-        apart = {middle + round(k * _WINDOW * count / _WINDOW_SAMPLES) for k in near}
+        apart = {self.samples[0] + round(k * _WINDOW * count / _WINDOW_SAMPLES) for k in near}
         return self._replace(samples=tuple(sorted(k for k in apart if 0 <= k < count)))
 
 

@@ -189,7 +189,8 @@ class WatchedRun:
 
 
 def _one(points: _Points, k: int) -> _Points:
-    return _Points(*(values[k : k + 1] for values in points))
+    here = slice(k, k + 1)
+    return _Points(points.times[here], points.segments[here], points.states[here])
 
 
 def _joined(*parts: _Points) -> _Points:
