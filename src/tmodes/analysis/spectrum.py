@@ -35,7 +35,7 @@ _MOST_WHOLE = 500
 
 
 class MotorState(StrEnum):
-    """What the motors do while the arm vibrates: they stand still, turn without current, or are controlled."""
+    """What the motors do while the robot vibrates: they stand still, turn without current, or are controlled."""
 
     LOCKED = "locked"
     FREE = "free"

@@ -95,7 +95,7 @@ def run_warnings(robot: Robot, model: Model, times: ArrayLike, q: ArrayLike, lin
 
 
 def rest_warnings(robot: Robot, model: Model, lines: LinkLines) -> list[str]:
-    """Sentences on an arm at rest: functions that are missing, material that yields, links pressed too hard.
+    """Sentences on a robot at rest: functions that are missing, material that yields, links pressed too hard.
 
     ``lines``: of the one pose, under its loads.
     """

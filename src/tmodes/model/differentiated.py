@@ -1,4 +1,4 @@
-"""Derivatives of an arm's dynamics: along directions, in reverse, and all at once by those of the inverse dynamics.
+"""Derivatives of a robot's dynamics: along directions, in reverse, and all at once by those of the inverse dynamics.
 
 The accelerations a(q, v, effort) solve ID(q, v, a) = forces, hence da/dq = -M^-1 dID/dq, da/dv = -M^-1 dID/dv and
 da/deffort = M^-1 S: J. Carpentier, N. Mansard, Analytical Derivatives of Rigid Body Dynamics Algorithms, RSS (2018).
@@ -34,7 +34,7 @@ _INPUTS = ("q", "v", "effort", "given", "wrenches", "base", "parameters")
 
 @dataclass(frozen=True, eq=False)
 class DifferentiatedModel:
-    """An arm's schedules with their derivatives. Arrays as :class:`tmodes.model.model.Model` has them."""
+    """A robot's schedules with their derivatives. Arrays as :class:`tmodes.model.model.Model` has them."""
 
     chain: Chain
     _made: dict[Any, Any] = field(default_factory=dict, init=False, repr=False)
@@ -211,7 +211,7 @@ class DifferentiatedModel:
         found[rows, rows] += passes.rotor_inertias
 
     def _solved(self, state: Blocks, *, loaded: bool) -> AccelerationDerivatives:
-        """M^-1 times the derivatives of the forces, of an arm with prescribed joints, which stay as they are."""
+        """M^-1 times the derivatives of the forces, of a robot with prescribed joints, which stay as they are."""
         parts = self.passes.parts
         size, driven, width = len(state["q"]), len(parts.driven), 3 * padded(len(state["q"]))
         rows = aligned(size, width + padded(driven))

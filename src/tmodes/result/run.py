@@ -46,7 +46,7 @@ _EXAMPLE = "{{joint: {name}, command: {command}, signal: {{type: quintic, start:
 
 
 def result_bytes(robot: Robot) -> int:
-    """Size of an arm's result in memory [bytes]; raises :class:`tmodes.errors.InputError` where it is too large."""
+    """Size of a robot's result in memory [bytes]; raises :class:`tmodes.errors.InputError` where it is too large."""
     samples, each = (
         len(sample_times(robot.integration)),
         _bytes_per_sample(robot.chain(), robot.integration.line_points),
@@ -62,7 +62,7 @@ def _bytes_per_sample(chain: Chain, stations: int) -> int:
 
 
 def ready_to_run(robot: Robot) -> Robot:
-    """The arm, if something moves it; one with an initial state and no drives runs freely, its motors without torque.
+    """The robot, if something moves it; one with an initial state and no drives runs freely, its motors without torque.
 
     Raises :class:`tmodes.errors.InputError` that says what to add where joints could move and nothing moves them.
     """

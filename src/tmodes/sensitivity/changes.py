@@ -29,7 +29,7 @@ Array = NDArray[np.float64]
 class Changes:
     """Differences of the plan, exact to about 1e-9 of a number that depends smoothly on the quantity.
 
-    Those of the state at rest follow from the equations of rest, K q' = -f', where nothing but the arm's own numbers
+    Those of the state at rest follow from the equations of rest, K q' = -f', where nothing but the robot's own numbers
     changes; elsewhere they are differences of equilibria.
     """
 
@@ -73,7 +73,7 @@ class Changes:
         return start
 
     def _changed(self, path: str, value: float) -> Robot:
-        """The arm as it really is with another number, which is only checked where it does not simply replace one."""
+        """The robot as it really is with another number, which is only checked where it does not simply replace one."""
         # In an imported robot a number may stand for several, which only the importer knows.
         robot = None if self.sheet.imported else replaced(self.sheet, steps_of(path, self.data), value)
         return (robot or self.sheet.with_({path: value})).pair().real
@@ -89,14 +89,14 @@ class Changes:
         raise InputError(path, what, "a change of numbers alone, along which a run can be differentiated", hint)
 
     def _robot_alone(self, change: Change) -> bool:
-        """Whether nothing acts on the arm at rest but its weight, which does not change, nor where its base stands."""
+        """Whether nothing acts on the robot at rest but its weight, which stays, as its base stays where it is."""
         setup = self.here.setup
         sheet, base = self.sheet, setup.model.loop.base
         moved = change.parameters[base.start : base.start + base.size].any()
         return not (sheet.loads or sheet.contact or sheet.initial.coordinates or sheet.initial.rates or moved)
 
     def _at_rest(self) -> tuple[Model, NDArray[np.intp], Array]:
-        """The arm, its coordinates that are free at rest, and its stiffness there."""
+        """The robot, its coordinates that are free at rest, and its stiffness there."""
         if self._rest is None:
             setup = self.here.setup
             model = setup.mechanics

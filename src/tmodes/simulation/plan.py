@@ -1,4 +1,4 @@
-"""From the data sheet of an arm to what happens in a run: the plan of the closed loop, and its signals over time."""
+"""From the data sheet of a robot to what happens in a run: the plan of the closed loop, and its signals over time."""
 
 from __future__ import annotations
 
@@ -67,7 +67,7 @@ class _Signals:
 
 
 def planned(robot: Robot, follow: Follow = Follow.SHEET, like: Chain | None = None) -> Planned:
-    """The plan of an arm's run over ``integration.duration``; ``like``: the chain of another plan of the same arm.
+    """The plan of a robot's run over ``integration.duration``; ``like``: the chain of another plan of the same arm.
 
     Raises :class:`tmodes.errors.InputError` for a signal without a value, and for a contact that cannot be.
     """

@@ -27,7 +27,7 @@ _CONTACT = (("force", "N", "contact", 3), ("fold", "-", "contact_fold", 0), ("pe
 
 
 def run_stops(setup: RunSetup, more: tuple[str, ...] = ()) -> Stops:
-    """The stop conditions of an arm's sheet, ``more`` of them, and its limits where they end a run.
+    """The stop conditions of a robot's sheet, ``more`` of them, and its limits where they end a run.
 
     Raises :class:`tmodes.errors.InputError` as :func:`tmodes.simulation.stops.resolved`.
     """

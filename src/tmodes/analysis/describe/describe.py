@@ -1,4 +1,4 @@
-"""What an arm is, in numbers: masses, lengths, stiffnesses, frequencies, sag, and what gives way at the tip."""
+"""What a robot is, in numbers: masses, lengths, stiffnesses, frequencies, sag, and what gives way at the tip."""
 
 from __future__ import annotations
 
@@ -31,9 +31,9 @@ def describe(
 ) -> dict[str, Any]:
     """All that ``tmodes describe`` prints of a robot, as plain data with units in the names.
 
-    The sag and the stiffness are those under the arm's weight alone, the driven coordinates at ``held``, else at their
-    first command. An arm that finds no rest is described too: then ``sag`` and ``stiffness`` are None and ``warnings``
-    say why. Raises :class:`tmodes.errors.InputError` for an unknown name in ``held``.
+    The sag and the stiffness are those under the robot's weight alone, the driven coordinates at ``held``, else at
+    their first command. A robot that finds no rest is described too: then ``sag`` and ``stiffness`` are None and
+    ``warnings`` say why. Raises :class:`tmodes.errors.InputError` for an unknown name in ``held``.
     """
     chain = robot.chain()
     model = Model(chain)
@@ -129,7 +129,7 @@ def sag(rest: Equilibrium, point: int = 0) -> dict[str, Any]:
 def compliance_table(rest: Equilibrium, point: int = 0) -> dict[str, Any] | None:
     """Stiffness of a point by direction and the share of each element in its compliance; None where it has none.
 
-    A direction in which the sheet leaves out how the arm gives has no numbers, and ``why`` says so; one without a
+    A direction in which the sheet leaves out how the robot gives has no numbers, and ``why`` says so; one without a
     stiffness and a reason is rigid.
     """
     try:

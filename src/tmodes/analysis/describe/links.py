@@ -117,7 +117,7 @@ THICK = 10.0
 
 
 def notices(robot: Robot, chain: Chain, info: dict[str, Any], rest: Equilibrium | None) -> list[str]:
-    """Sentences on what is reported of an arm, and on its rest where it has one."""
+    """Sentences on what is reported of a robot, and on its rest where it has one."""
     found = [*_frequencies(info["links"]), *_gears(info["gears"]), *_thick(chain)]
     return [*found, *(rest_notices(robot, rest) if rest else ())]
 

@@ -1,4 +1,4 @@
-"""The ladder of link models, climbed: one arm with every model of its links, what each costs and how far it is off.
+"""The ladder of link models, climbed: one robot with every model of its links, what each costs and how far it is off.
 
 A rung is compared with the finest one: by its first frequency, and by its tip along a short move that the motors follow
 exactly, over the largest deflection of the tip in it. The cheapest rung within the tolerance is recommended: that with
@@ -46,8 +46,8 @@ _SHARE = 1e-2
 class Rung:
     """One model of the links.
 
-    ``coordinates``: how many the arm has; ``frequencies_Hz``: the first three with the motors locked, about its rest;
-    ``sag_m``: tip at rest, off the undeformed arm's; ``cost_us``: one forward dynamics, native, median;
+    ``coordinates``: how many the robot has; ``frequencies_Hz``: the first three with the motors locked, about its rest;
+    ``sag_m``: tip at rest, off the undeformed robot's; ``cost_us``: one forward dynamics, native, median;
     ``highest_eigenvalue`` [1/s]: what bounds explicit steps. Against the finest rung: ``tip_difference_m``, largest
     along the move; ``tip_error`` and ``frequency_error`` [-], None where there is nothing to compare. ``why``: why
     there is no move, else empty.
@@ -113,7 +113,7 @@ def ladder(
 ) -> Ladder:
     """Climb the ladder of an arm.
 
-    Raises :class:`tmodes.errors.InputError` for an arm without beams, or a tolerance that is none;
+    Raises :class:`tmodes.errors.InputError` for a robot without beams, or a tolerance that is none;
     :class:`tmodes.errors.SimulationError` where the finest rung has no rest.
     """
     if not 0 < tolerance < 1:

@@ -24,7 +24,7 @@ __all__ = ["Move", "chosen_move", "followed"]
 Array = NDArray[np.float64]
 
 AMPLITUDE = 0.2
-"""Travel [rad, m] of each joint where the arm has no drives of its own."""
+"""Travel [rad, m] of each joint where the robot has no drives of its own."""
 
 _SHORTEST, _LONGEST = 0.5, 5.0
 """Duration of that move [s]: at least, at most."""
@@ -56,7 +56,7 @@ class Move:
 
 
 def chosen_move(robot: Robot, lowest_frequency: float) -> Move:
-    """The arm's own drives where they are smooth; else 0.2 rad in each joint over max(0.5 s, three periods)."""
+    """The robot's own drives where they are smooth; else 0.2 rad in each joint over max(0.5 s, three periods)."""
     chain = whole_chain(robot)
     joints, mix = [joint.name for joint in driven(chain)], input_mix(chain)
     own = {drive.joint: drive for drive in robot.drives if drive.command.is_motion}

@@ -1,4 +1,4 @@
-"""The rungs of the ladder: one arm with each model of its links; and the same arm with its motors' motion given."""
+"""The rungs of the ladder: one robot with each model of its links; and the same robot with its motors' motion given."""
 
 from __future__ import annotations
 
@@ -24,11 +24,11 @@ SEGMENTS = (1, 2, 3)
 
 
 def rungs(robot: Robot, finest: int) -> Iterator[tuple[str, Robot]]:
-    """Name and arm of every rung, from rigid to ``strain(finest)``; directions that do not bend stay so.
+    """Name and robot of every rung, from rigid to ``strain(finest)``; directions that do not bend stay so.
 
     ``modes`` are there where every beam is straight and bends alike in both planes.
 
-    Raises :class:`tmodes.errors.InputError` for an arm without a beam, or with one that has no other model.
+    Raises :class:`tmodes.errors.InputError` for a robot without a beam, or with one that has no other model.
     """
     if not any(link.beam for link in robot.links):
         hint = "give a link a `beam`; without one there is only one model"
@@ -59,12 +59,12 @@ def _with_beams(robot: Robot, model: str, count: int | None) -> Robot:
 
 
 def whole_chain(robot: Robot) -> Chain:
-    """The chain of an arm with all its motors, whatever its drives prescribe."""
+    """The chain of a robot with all its motors, whatever its drives prescribe."""
     return robot.model_copy(update={"drives": ()}).chain()
 
 
 def moved_chain(chain: Chain) -> Chain:
-    """The same arm, its gear inputs given motions: an elastic drive is a given joint, then a spring on the same axis.
+    """The same robot, its gear inputs given motions: an elastic drive is a given joint, then a spring on the same axis.
 
     The given joints come in the order of the chain's moving joints that have a drive of their own.
     """

@@ -1,4 +1,4 @@
-"""Small vibrations of an arm about its rest: frequencies, damping, shapes, and the element in which each mode lives."""
+"""Small vibrations of a robot about its rest: frequencies, damping, shapes, dominant elements."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ class Mode:
     ``damped_frequency_Hz``: as it rings, None when it does not; ``damping_ratio``: -Re/|lambda|, 1 when over-damped;
     ``element``: where most of its elastic energy is, and the ``share`` of it; ``shares`` of all elements; ``stable`` is
     False where it grows, by the factor e in ``growth_time_s``, else None. ``shape`` (nq,): of the undamped mode, its
-    largest entry 1. ``motion`` (nq,): complex, as the damped arm moves.
+    largest entry 1. ``motion`` (nq,): complex, as the damped robot moves.
     """
 
     frequency_Hz: float
@@ -65,12 +65,12 @@ def modes_about(
     servos: Mapping[str, Servo] | None = None,
     feedback: Feedback | None = None,
 ) -> list[Mode]:
-    """Modes by rising frequency about an arm at rest.
+    """Modes by rising frequency about a robot at rest.
 
     ``motors`` locked: the driven coordinates stand still; free: they turn without current; controlled: they are on the
     springs and dampers ``servos`` of their controllers, or under the ``feedback`` of
     :func:`tmodes.analysis.modes.closed_loop.feedback_of`; those without one stand still. Prescribed joints always stand
-    still. Dry friction, which has no slope at rest, is left out. Of an arm of more than 120 coordinates the lowest 60
+    still. Dry friction, which has no slope at rest, is left out. Of a robot of more than 120 coordinates the lowest 60
     modes. Raises :class:`SimulationError` for a mass matrix that is not positive definite.
     """
     chosen = servos or {} if motors is MotorState.CONTROLLED else {}

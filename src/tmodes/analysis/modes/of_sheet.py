@@ -1,4 +1,4 @@
-"""The modes of an arm as its data sheet states it: about its rest, for each thing that its motors may do."""
+"""The modes of a robot as its data sheet states it: about its rest, for each thing that its motors may do."""
 
 from __future__ import annotations
 
@@ -60,7 +60,7 @@ def vibrations(robot: Robot, *, contact: bool = False, progress: Progress = lamb
     :func:`tmodes.analysis.statics.equilibrium.robot_rest`.
 
     ``frequency_error`` of a mode: by which share it is higher than with two more functions a direction, None where that
-    is not known (arms of more than 60 coordinates, segments, modes without a partner); ``converged``: within 1 %.
+    is not known (robots of more than 60 coordinates, segments, modes without a partner); ``converged``: within 1 %.
     """
     rest = robot_rest(robot, contact=contact, progress=progress)
     states = _states(robot, rest, progress)
@@ -152,14 +152,14 @@ CONVERGED = 0.01
 """Share by which a frequency may change with more functions."""
 
 MOST_CHECKED = 60
-"""Coordinates up to which an arm is compared with a finer one."""
+"""Coordinates up to which a robot is compared with a finer one."""
 
 ALIKE = 0.3
 """Likeness (modal assurance) from which two modes are the same motion."""
 
 
 def finer(robot: Robot) -> Robot | None:
-    """The arm with more functions; None where no link has any to which more could be added."""
+    """The robot with more functions; None where no link has any to which more could be added."""
 
     def refined(link: LinkSheet) -> LinkSheet:
         return link.model_copy(update={"beam": link.beam.finer()}) if link.beam else link
@@ -171,7 +171,7 @@ def finer(robot: Robot) -> Robot | None:
 def frequency_errors(
     rest: Equilibrium, modes: Sequence[Mode], fine: Equilibrium, fine_modes: Sequence[Mode]
 ) -> list[float | None]:
-    """By which share each frequency is higher than that of the finer arm's mode most like it; None where none is."""
+    """By which share each frequency is higher than that of the finer robot's mode most like it; None where none is."""
     from scipy.optimize import linear_sum_assignment
 
     if not modes:

@@ -39,12 +39,12 @@ class UnstableMode:
 
 @dataclass(frozen=True, eq=False)
 class Equilibrium:
-    """An arm at rest.
+    """A robot at rest.
 
     ``q`` (nq,): the pose. ``residual``: force left over against the largest in play. ``lowest_frequency_Hz``: of the
-    undamped arm with its held coordinates fixed; 0 where it is not ``stable``, infinite where nothing is free.
+    undamped robot with its held coordinates fixed; 0 where it is not ``stable``, infinite where nothing is free.
     ``load_path`` (stations, 1 + nq): load factor and pose on the way; ``lost_stability_at``: load factor at which the
-    arm first lost its stability (buckled), None where it did not. ``free``: indices of the coordinates that were
+    robot first lost its stability (buckled), None where it did not. ``free``: indices of the coordinates that were
     found. ``matrices``: M, D, K (nq, nq) about the pose, with the stiffness of loads and surfaces. ``wrenches``
     (points, 6): what acts on the points, world axes, None for nothing. ``positions`` (points, 3) [m] and ``rotations``
     (points, 3, 3) of the points, and the same without loads.
@@ -70,7 +70,7 @@ class Equilibrium:
         return dict(zip(self.model.coordinates, self.q.tolist(), strict=True))
 
     def displacement(self, point: int = 0) -> tuple[Array, Array]:
-        """Travel (3,) [m] and rotation vector (3,) [rad] of a point from the unloaded arm, world axes."""
+        """Travel (3,) [m] and rotation vector (3,) [rad] of a point from the unloaded robot, world axes."""
         from scipy.spatial.transform import Rotation
 
         (before, after), turns = self.model.pose(np.stack([self.unloaded, self.q]))
@@ -88,12 +88,12 @@ def equilibrium(
     contact: Contact | None = None,
     progress: Progress = lambda stage, share: None,
 ) -> Equilibrium:
-    """The pose in which an arm rests under its weight and ``loads``, reached from the unloaded arm.
+    """The pose in which a robot rests under its weight and ``loads``, reached from the unloaded arm.
 
     Motors and joints that are driven directly or prescribed are held: at ``held`` [rad, m], else at ``start``, else
     at 0; all other coordinates, and those named in ``free``, are found, from ``start`` on. The load, weight included,
     rises from nothing in steps that keep to their branch (Crisfield, Non-linear Finite Element Analysis of Solids and
-    Structures 1, 1991, ch. 9); an arm with loose joints first sinks to where a thousandth of the load puts it.
+    Structures 1, 1991, ch. 9); a robot with loose joints first sinks to where a thousandth of the load puts it.
 
     Raises :class:`tmodes.errors.InputError` for an unknown name or a number that is not finite, and
     :class:`tmodes.errors.SimulationError` with the last load factor reached where the whole load finds no rest.
@@ -181,7 +181,7 @@ def robot_rest(
     contact: bool = True,
     progress: Progress = lambda stage, share: None,
 ) -> Equilibrium:
-    """Static equilibrium of an arm under its weight, the loads of its data sheet at time 0 (``sheet``) and ``loads``.
+    """Static equilibrium of a robot under its weight, the loads of its data sheet at time 0 (``sheet``) and ``loads``.
 
     Driven coordinates are held at ``held``, else at their first command, else at the sheet's initial coordinates, else
     at 0; ``contact`` False leaves the sheet's contact out. One that was solved lately is taken again: a run, its modes
@@ -238,5 +238,5 @@ def sheet_loads(robot: Robot) -> list[Load]:
 
 
 def first_value(robot: Robot, signal: Any) -> float:
-    """The value of a signal at time 0; beyond the arm's run it may have none."""
+    """The value of a signal at time 0; beyond the robot's run it may have none."""
     return float(signal.schedule(min(1.0, robot.integration.duration)).coefficients[0, 0])

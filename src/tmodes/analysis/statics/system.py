@@ -33,7 +33,7 @@ class Forces(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class StaticSystem:
-    """The equations of one arm, its acts, and the indices of the coordinates that are free to move."""
+    """The equations of one robot, its acts, and the indices of the coordinates that are free to move."""
 
     model: Model
     acts: Sequence[Act]
@@ -118,7 +118,7 @@ GOOD = 1e-9
 """Residual over the level of the loads of what is reported as an equilibrium."""
 
 SMALL_TURN = 1e-6
-"""Deflection [rad, m] whose force is the level of an arm that carries next to nothing."""
+"""Deflection [rad, m] whose force is the level of a robot that carries next to nothing."""
 
 NEARLY = 1e-6
 """Step of the descent [rad, m] from which Newton's method takes over."""
@@ -200,7 +200,7 @@ def _searched(system: StaticSystem, q: Array, step: Array, factor: float, stiffn
 
 
 def descend(system: StaticSystem, q: Array, factor: float) -> Root | None:
-    """The pose to which an arm sinks when it moves slowly in a thick fluid, downhill all the way.
+    """The pose to which a robot sinks when it moves slowly in a thick fluid, downhill all the way.
 
     Linearly implicit Euler steps of M q' = -r(q), each longer as the force falls (Kelley & Keyes, "Convergence analysis
     of pseudo-transient continuation", SIAM J. Numer. Anal. 35, 1998). None where it comes to no rest.
@@ -226,6 +226,6 @@ def descend(system: StaticSystem, q: Array, factor: float) -> Root | None:
 
 
 def _damper(mass: Array, stiffness: Array, force: Array) -> Array:
-    """A fluid in which the arm turns by about its springs' pace, or, without springs, by about a radian in a step."""
+    """A fluid in which the robot turns by about its springs' pace, or, without springs, by about a radian in a step."""
     own = np.diagonal(mass)
     return mass * max(float((np.abs(np.diagonal(stiffness)) / own).max()), float((np.abs(force) / own).max()))
