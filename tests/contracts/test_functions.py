@@ -8,8 +8,7 @@ import numpy as np
 import pytest
 
 from tmodes.kinds.kernel import functions as f
-from tmodes.kinds.kernel.kernel import Kernel
-from tmodes.kinds.kernel.schedule import Schedule
+from tmodes.kinds.kernel.schedule import Kernel, Schedule
 from tmodes.model.passes import evaluate
 
 FUNCTIONS: dict[str, Any] = {

@@ -84,7 +84,8 @@ class CheckpointWriter:
         self.path = Path(path)
         if not os.path.lexists(self.path):
             with atomic_write(self.path, overwrite=False) as temporary:
-                temporary.write_bytes(_header(identity))
+                start = HEADER.pack(MAGIC, FORMAT_VERSION, len(identity.encode())) + identity.encode()
+                temporary.write_bytes(start + CHECK.pack(zlib.crc32(start)))
         self._end = read_checkpoint(self.path, identity).end
         try:
             self._file: BinaryIO = self.path.open("rb+")
@@ -121,12 +122,6 @@ class CheckpointWriter:
     def _cannot_write(self, error: OSError) -> Exception:
         hint = "free some space or fix the permissions; the records before are whole"
         return file_error(self.path, f"“{error.strerror}” when writing", "a file that can be written", hint)
-
-
-def _header(identity: str) -> bytes:
-    text = identity.encode()
-    start = HEADER.pack(MAGIC, FORMAT_VERSION, len(text)) + text
-    return start + CHECK.pack(zlib.crc32(start))
 
 
 def _read_header(path: object, file: BinaryIO, size: int, identity: str) -> None:
@@ -203,10 +198,7 @@ class RunJournal:
         self._began = self._last = clock.monotonic()
 
     def restore(self) -> Record | None:
-        """The run as far as it was kept, or None when there is nothing yet.
-
-        Raises :class:`tmodes.errors.ResultFileError` when the file belongs to another run.
-        """
+        """The run as far as it was kept, None when there is nothing yet; ResultFileError for a file of another run."""
         if not self.path.exists():
             return None
         records = read_checkpoint(self.path, self.identity).records

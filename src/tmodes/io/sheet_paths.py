@@ -16,27 +16,19 @@ from tmodes.io.sheet_words import at, fields, is_group, members_of
 from tmodes.io.words import nearest, plain, shown
 from tmodes.kinds.links.material import LIBRARY
 
-__all__ = ["changed_places", "entered", "later_changes", "set_paths", "steps_of"]
+__all__ = ["changed_places", "entered", "later_changes", "steps_of"]
 
 LONGEST = 500
 MOST_LISTED = 20
 """Keys or names listed in one message."""
 
 
-def set_paths(data: Mapping[str, Any], changes: Mapping[str, Any]) -> dict[str, Any]:
-    """A copy of a robot's plain data with the value at each path replaced; the values are checked elsewhere.
-
-    Every key that a data sheet may hold can be set, also one that this one leaves out. Raises
-    :class:`tmodes.errors.InputError` with the nearest name for a path that does not exist.
-    """
-    return changed_places(data, changes)[0]
-
-
 def changed_places(data: Mapping[str, Any], changes: Mapping[str, Any]) -> tuple[dict[str, Any], list[str]]:
-    """The changed data, as :func:`set_paths` gives it, and where each change stands, by keys and numbers alone.
+    """A copy of plain data with changed values by path, and where each change stands, by keys and numbers alone.
 
-    A path is looked up in what the changes before it have left: one may give a signal its type, the next a number that
-    only this type has.
+    Every key that a data sheet may hold can be set, also one that this one leaves out; the values are checked
+    elsewhere. InputError with the nearest name for a path that does not exist. A path is looked up in what the changes
+    before it have left: one may give a signal its type, the next a number that only this type has.
     """
     changed = copy.deepcopy(dict(data))
     places = []
@@ -93,10 +85,7 @@ def entered(data: Any, steps: Sequence[Step], path: str) -> Any:
 
 
 def steps_of(path: str, data: Any) -> list[Step]:
-    """The keys and numbers that lead to a path.
-
-    Raises :class:`tmodes.errors.InputError` when nothing may stand there.
-    """
+    """The keys and numbers that lead to a path; InputError with the nearest name when nothing may stand there."""
     if not isinstance(path, str) or not 0 < len(path) <= LONGEST:
         raise InputError(
             shown(path), "an unknown path", "the path of a value of the data sheet", "write it like payload.mass"

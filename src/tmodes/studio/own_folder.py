@@ -11,7 +11,7 @@ from contextlib import ExitStack, contextmanager, suppress
 from pathlib import Path
 
 from tmodes.compile.cache import folder
-from tmodes.io.processes import place, state
+from tmodes.io.atomic import process_state, this_place
 
 __all__ = ["door", "make_within", "own_folder", "remove"]
 
@@ -53,7 +53,7 @@ def remove(room: Path) -> None:
 
 
 def _prefix() -> str:
-    return f"tmodes-studio-{place()}-"
+    return f"tmodes-studio-{this_place()}-"
 
 
 def _sweep(parent: Path) -> None:
@@ -61,7 +61,7 @@ def _sweep(parent: Path) -> None:
     for path in parent.glob(f"{_prefix()}*"):
         with suppress(OSError, ValueError):
             number = int(path.name.removeprefix(_prefix()).partition("-")[0])
-            if _is_mine(path) and not state(number)[0]:
+            if _is_mine(path) and not process_state(number)[0]:
                 remove(path)
 
 

@@ -10,6 +10,7 @@ from pydantic import Field, model_validator
 from tmodes.integrate.settings import RobotIntegration
 from tmodes.kinds.links.registry import Mode
 from tmodes.kinds.schema.quantity import DataSheet, any_sign, dissipation, not_negative, plain_texts, positive, refuse
+from tmodes.sheet.parts import by_name
 
 __all__ = ["FORMAT", "PLANT", "Format2010", "FrictionLaw", "Reading"]
 
@@ -138,10 +139,8 @@ class Format2010(DataSheet):
     environment: Environment
     controller: Controller
     reference: Reference
-    real: dict[str, Annotated[float, _FACTOR]] = Field(
-        default_factory=dict,
-        description="the real robot where it differs from the known one: path of a number -> factor on it [-]",
-        json_schema_extra={"unit": "-", "symbol": "-", "smallest": 0.0, "plausible": None},
+    real: dict[str, Annotated[float, _FACTOR]] = by_name(
+        "-", "-", "the real robot where it differs from the known one: path of a number -> factor on it [-]"
     )
     integration: RobotIntegration = Field(default_factory=RobotIntegration)
 
