@@ -12,9 +12,7 @@ from tmodes.equations.lagrange.solving import Solver, push_rows_kernel
 from tmodes.equations.recursion.driven import Coordinates, Driven
 from tmodes.equations.recursion.parts import AxisPart
 from tmodes.equations.recursion.passes import Blocks
-from tmodes.kinds.kernel.kernel import Kernel
-from tmodes.kinds.kernel.schedule import Divisible, Slot
-from tmodes.kinds.kernel.spatial import FORCE
+from tmodes.kinds.kernel.schedule import Divisible, Kernel, Slot
 
 __all__ = ["LagrangeDynamics", "LagrangeWay"]
 
@@ -25,7 +23,6 @@ class LagrangeWay(Coordinates):
     def __init__(self, chained: ChainedSystem, blocks: Blocks) -> None:
         super().__init__(chained.parts, blocks.schedule, blocks.q, blocks.v)
         self.chained, self.base = chained, blocks.base
-        self.wrenches: dict[int, Slot] = {}
         self.contact: tuple[int, Any, Slot, Slot] | None = None
 
     def call(self, kernel: Kernel, *blocks: Slot) -> tuple[Slot, ...]:
@@ -45,11 +42,6 @@ class LagrangeWay(Coordinates):
     def pull(self) -> Slot:
         """The base's acceleration less gravity."""
         return self.base.part(3, 3)
-
-    def take_wrenches(self) -> None:
-        """The input of forces on the points (6 each, in world axes)."""
-        block = self.schedule.input("wrenches", FORCE * len(self.parts.points))
-        self.wrenches = {k: block.part(FORCE * k, FORCE) for k in range(len(self.parts.points))}
 
     def pose(self, k: int) -> tuple[Slot, Slot]:
         """Pose and velocity of a point, and its rate, in world axes."""
@@ -125,7 +117,7 @@ class LagrangeDynamics(Driven):
         met = way.met()
         self._solver = Solver(kernels, len(self.parts.joints), chained.held, bool(met))
         self._balance = (mass, bias, force, added, way.pushed())
-        found, *solved = way.call(self._solver.kernel(), *self._balance, *efforts, *own, *met)
+        found, *solved = way.call(self._solver.solution(), *self._balance, *efforts, *own, *met)
         if solved:
             self.contact, self._balance = solved[0], (*self._balance[:-1], solved[1])
         self.found = found

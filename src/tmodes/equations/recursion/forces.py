@@ -22,7 +22,7 @@ def inertia_forces(parts: Parts, *, loaded: bool = False) -> Schedule:
     ``moment`` (3: sum of mass times position). Rotors are left out: they are a diagonal of numbers.
     """
     way = Passes(parts, posed=True, loaded=loaded)
-    way.take_wrenches()
+    way.take_wrenches(loaded=loaded)
     found = balance(way, way.schedule.input("a", parts.size))
     schedule = way.schedule
     motions = (

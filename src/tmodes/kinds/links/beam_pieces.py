@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from functools import lru_cache
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -78,6 +78,11 @@ class Piece(NamedTuple):
     end: float
     start: SectionNumbers
     stop: SectionNumbers
+
+    def at(self, name: str, share: Any) -> Any:
+        """A number of its sections at ``share`` (0..1) of the piece."""
+        first, last = getattr(self.start, name), getattr(self.stop, name)
+        return first if first == last else first + share * (last - first)
 
 
 def uniform_piece(end: float, numbers: SectionNumbers) -> Piece:
