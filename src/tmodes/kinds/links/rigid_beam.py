@@ -24,9 +24,9 @@ def rigid_body(beam: BeamData) -> Body:
             for x, weight in zip(share, weights * (piece.end - start) * beam.length / 8, strict=True):
                 rotation, position = bent_line(beam.rest_curvature, (start + x * (piece.end - start)) * beam.length)
                 counted = beam.turning_axes
-                own = np.diag([_at(piece, f"inertia_{axis}", x) if axis in counted else 0.0 for axis in "xyz"])
+                own = np.diag([piece.at(f"inertia_{axis}", x) if axis in counted else 0.0 for axis in "xyz"])
                 inertia += weight * rotation @ own @ rotation.T
-                masses.append(weight * _at(piece, "mass", x))
+                masses.append(weight * piece.at("mass", x))
                 positions.append(position)
         start = piece.end
     mass, places = np.array(masses), np.array(positions)
@@ -34,8 +34,3 @@ def rigid_body(beam: BeamData) -> Body:
     off = places - center
     spread = np.einsum("i,ij,ik->jk", mass, off, off)
     return Body(float(mass.sum()), center, inertia + np.trace(spread) * np.eye(3) - spread)
-
-
-def _at(piece: object, name: str, share: float) -> float:
-    first, last = getattr(piece.start, name), getattr(piece.stop, name)  # pyright: ignore[reportAttributeAccessIssue]
-    return first + share * (last - first)

@@ -3,45 +3,36 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from typing import Annotated, Any, Literal, NamedTuple
 
-from pydantic import Field, field_validator, model_validator
+from pydantic import Field, field_validator
 
 from tmodes.kinds.links.material import Material
-from tmodes.kinds.schema.quantity import LARGEST, SMALLEST, DataSheet, Issue, not_negative, positive, refuse
+from tmodes.kinds.schema.frames import list_of_numbers
+from tmodes.kinds.schema.quantity import LARGEST, SMALLEST, DataSheet, Issue, not_negative, positive
 
 __all__ = ["Geometry", "GivenSection", "SectionNumbers"]
 
 _Stiffness = Annotated[float, Field(gt=0.0, allow_inf_nan=True)]
-_BENDING = {
-    "unit": "N*m^2",
-    "symbol": "EI",
-    "rigid_when_infinite": True,
-    "plausible": [1e-6, 1e10],
-    "smallest": SMALLEST,
-}
 
 
 class GivenSection(DataSheet):
     """Stiffnesses instead of a drawing; one that is left out is infinite: the link does not twist, does not stretch."""
 
     shape: Literal["given"] = Field(default="given", description="which shape")
-    bending_stiffness: tuple[_Stiffness, _Stiffness] = Field(
-        strict=False,
-        description="bending stiffness about y and about z; one number: both [N*m^2]",
-        json_schema_extra=_BENDING,
-    )
+    bending_stiffness: tuple[_Stiffness, _Stiffness] = list_of_numbers(
+        "N*m^2", "EI", "bending stiffness about y and about z; one number: both",
+        rigid_when_infinite=True, plausible=[1e-6, 1e10], smallest=SMALLEST,
+    )  # fmt: skip
     torsional_stiffness: float = positive(
         "N*m^2", "GJ", "torsional stiffness", default=math.inf, rigid=True, plausible=(1e-6, 1e10)
     )
     axial_stiffness: float = positive("N", "EA", "axial stiffness", default=math.inf, rigid=True, plausible=(1.0, 1e12))
-    shear_stiffness: tuple[_Stiffness, _Stiffness] = Field(
-        default=(math.inf, math.inf),
-        strict=False,
-        description="shear stiffness kGA along y and along z; one number: both [N]",
-        json_schema_extra=_BENDING | {"unit": "N", "symbol": "kGA", "plausible": [1.0, 1e12]},
-    )
+    shear_stiffness: tuple[_Stiffness, _Stiffness] = list_of_numbers(
+        "N", "kGA", "shear stiffness along y and along z; one number: both", default=(math.inf, math.inf),
+        rigid_when_infinite=True, plausible=[1.0, 1e12], smallest=SMALLEST,
+    )  # fmt: skip
     mass_per_length: float = positive("kg/m", "w", "mass per length", plausible=(1e-5, 1e4))
     polar_inertia_per_length: float = not_negative(
         "kg*m", "rho_Ip", "rotary inertia per length about the link's line", default=0.0, plausible=(0.0, 1e3)
@@ -52,25 +43,15 @@ class GivenSection(DataSheet):
     def _one_number_is_both(cls, value: Any) -> Any:
         return (value, value) if isinstance(value, (int, float)) else value
 
-    @model_validator(mode="after")
-    def _in_range_of_stiffness(self) -> GivenSection:
-        refuse(
-            [
-                Issue(
-                    name,
-                    f"{value:g}",
-                    f"a magnitude from {SMALLEST:g} to {LARGEST:g} [{unit}], or .inf for rigid",
-                    "correct the exponent or the unit",
-                )
-                for name, unit in (("bending_stiffness", "N*m^2"), ("shear_stiffness", "N"))
-                for value in getattr(self, name)
-                if not (SMALLEST <= value <= LARGEST or math.isinf(value))
-            ]
-        )
-        return self
+    def _issues(self) -> Iterator[Issue]:
+        for name, unit in (("bending_stiffness", "N*m^2"), ("shear_stiffness", "N")):
+            expected = f"a magnitude from {SMALLEST:g} to {LARGEST:g} [{unit}], or .inf for rigid"
+            for value in getattr(self, name):
+                if not (SMALLEST <= value <= LARGEST or math.isinf(value)):
+                    yield Issue(name, f"{value:g}", expected, "correct the exponent or the unit")
 
     def properties(self, material: Material | None = None) -> SectionNumbers:
-        """The numbers as given; a material has no say, its moduli are only handed on where it is known.
+        """The numbers as given; of a material only the moduli are kept, for stresses.
 
         The rotary inertias about y and z part the polar one as the stiffnesses: exact for one material.
         """
