@@ -201,9 +201,8 @@ class BeamData(BendingSheet):
                 yield Issue(f"functions.{name}", got, f"0 where {info} is infinite", hint)
         for name, axis, partner in (("twist", "x", "twist"), ("shear_y", "z", "bend_z"), ("shear_z", "y", "bend_y")):
             counts = axis in self.turning_axes
-            if all(getattr(numbers, f"inertia_{axis}") > 0 for numbers in ends) and counts:
-                continue
-            yield from self._inertia_issues(name, partner, counts=counts)
+            if not (counts and all(getattr(numbers, f"inertia_{axis}") > 0 for numbers in ends)):
+                yield from self._inertia_issues(name, partner, counts=counts)
 
     @property
     def turning_axes(self) -> str:
@@ -219,12 +218,10 @@ class BeamData(BendingSheet):
 
         Bending and shear that leave the line where it is move no mass but by the rotary inertia of the sections.
         """
-        least = {"twist": 1}.get(name, 2)
-        count = getattr(self.functions, name)
-        if count >= least and getattr(self.functions, partner):
-            wanted = "twist" if name == "twist" else "full"
+        count, most, wanted = getattr(self.functions, name), *((0, "twist") if name == "twist" else (1, "full"))
+        if count > most and getattr(self.functions, partner):
             hint = "give `polar_inertia_per_length`" if counts else f"write `rotary_inertia: {wanted}`"
-            most = f"{least - 1}, or an inertia that resists the {name.partition('_')[0]}"
+            most = f"{most}, or an inertia that resists the {name.partition('_')[0]}"
             yield Issue(f"functions.{name}", f"{count} without rotary inertia", most, hint)
 
     def section_pieces(self) -> list[Piece]:

@@ -8,7 +8,7 @@ import numpy as np
 
 from tmodes.frame import Placement
 from tmodes.kinds.links.beam_data import MOST_FUNCTIONS, BeamData, Functions, PieceSheet
-from tmodes.kinds.links.beam_functions import MODULI, SHIFTING
+from tmodes.kinds.links.beam_functions import MODULI
 from tmodes.kinds.links.beam_pieces import Basis, BeamModel, BeamPiece, Piece
 from tmodes.kinds.links.body import BodySheet
 from tmodes.kinds.links.contract import Body
@@ -146,12 +146,7 @@ def _strain(beam: BeamData, bodies: Sequence[BodySheet]) -> LoweredLink:
     shape = Beam(
         length=beam.length,
         pieces=tuple(_chain_piece(piece, beam.turning_axes) for piece in pieces),
-        twist=functions.twist,
-        bend_y=functions.bend_y,
-        bend_z=functions.bend_z,
-        stretch=functions.stretch,
-        shear_y=functions.shear_y,
-        shear_z=functions.shear_z,
+        **functions.model_dump(),
         basis=str(Basis.LEGENDRE if beam.basis is Basis.AUTO else beam.basis),
         points=beam.points,
         damping_time=beam.damping_time or 0.0,
@@ -207,12 +202,8 @@ def _segment(beam: BeamData, index: int, bodies: tuple[Body, ...]) -> Segment:
 
 def _bends(beam: BeamData) -> bool:
     functions = _finite_functions(beam)
-    counts = (functions.bend_y, functions.bend_z)
-    return any(
-        counts
-        if beam.model is BeamModel.SEGMENTS
-        else (*counts, functions.twist, *(getattr(functions, name) for name in SHIFTING))
-    )
+    names = ("bend_y", "bend_z") if beam.model is BeamModel.SEGMENTS else MODULI
+    return any(getattr(functions, name) for name in names)
 
 
 def _finite_functions(beam: BeamData) -> Functions:
