@@ -1,4 +1,4 @@
-"""What a joint moves must have mass: a moving end without any has no acceleration that a force would tell."""
+"""What a joint moves must have mass: a force gives a massless moving end no finite acceleration."""
 
 from __future__ import annotations
 

@@ -112,7 +112,7 @@ def this_place() -> str:
 
 
 def process_state(pid: int) -> tuple[bool, str]:
-    """Whether a process of this computer runs, and when it started; empty where the system does not tell."""
+    """Whether a process of this computer runs, and when it started; empty where the system does not report it."""
     with suppress(OSError, IndexError):
         info = Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()
         return info[0] not in "ZX", info[19]  # zombies and the dead do not run
@@ -138,7 +138,7 @@ def _runs_on_windows(pid: int) -> bool:
 
 
 class _Holder(NamedTuple):
-    """Who holds a lock, stated so that another process can judge whether it still lives."""
+    """Who holds a lock, stated so that another process can judge whether it still runs."""
 
     pid: int
     started: str
@@ -173,7 +173,7 @@ class FolderLock:
         try:
             if os.path.lexists(self.path):
                 with suppress(FileNotFoundError):  # released meanwhile
-                    self._bury_the_dead()
+                    self._remove_stale()
             with _temporary(self.folder) as temporary:
                 temporary.write_bytes(self._content)
                 _claim(temporary, self.path)
@@ -189,19 +189,19 @@ class FolderLock:
             if self.path.read_bytes() == self._content:
                 self.path.unlink()
 
-    def _bury_the_dead(self) -> None:
-        """Remove the lock of a holder that is gone; refuse when it lives.
+    def _remove_stale(self) -> None:
+        """Remove the lock of a holder that is gone; refuse when it runs.
 
         One at a time, and read again once its holder is known to be dead: it may have been taken again.
         """
-        undertaker = self.folder / f"{LOCK_NAME}.bury"
-        _create(undertaker)
+        removing = self.folder / f"{LOCK_NAME}.bury"
+        _create(removing)
         try:
             stale = self._refuse_if_held()
             if self.path.read_bytes() == stale:
                 self.path.unlink()
         finally:
-            undertaker.unlink()
+            removing.unlink()
 
     def _refuse_if_held(self) -> bytes:
         """The content of a lock that nobody holds."""

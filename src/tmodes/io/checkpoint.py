@@ -70,7 +70,7 @@ def read_checkpoint(path: str | os.PathLike[str], identity: str) -> Checkpoint:
             return _read_records(file, size)
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or str(error)
-        raise file_error(path, f"“{reason}”", "a checkpoint", "check the name, or start the run afresh") from error
+        raise file_error(path, f"“{reason}”", "a checkpoint", "check the name, or restart the run") from error
 
 
 class CheckpointWriter:
@@ -126,18 +126,20 @@ class CheckpointWriter:
 
 def _read_header(path: object, file: BinaryIO, size: int, identity: str) -> None:
     """Leave the file at its first record; refuse a foreign one."""
-    afresh = "delete the file to start the run afresh, or use another folder"
+    restart = "delete the file to restart the run, or use another folder"
     start = file.read(HEADER.size)
     magic, version, length = HEADER.unpack(start) if len(start) == HEADER.size else (b"", 0, 0)
     if magic != MAGIC or length > size - HEADER.size - CHECK.size:
-        raise file_error(path, "a file of another kind, or a damaged header", "a checkpoint of tmodes", afresh)
+        raise file_error(path, "a file of another kind, or a damaged header", "a checkpoint of tmodes", restart)
     start += file.read(length)
     if zlib.crc32(start) != CHECK.unpack(file.read(CHECK.size))[0]:
-        raise file_error(path, "a damaged header", "a header that matches its checksum", afresh)
+        raise file_error(path, "a damaged header", "a header that matches its checksum", restart)
     if version != FORMAT_VERSION:
-        raise file_error(path, f"format version {version}", f"version {FORMAT_VERSION}", "upgrade tmodes, or " + afresh)
+        raise file_error(
+            path, f"format version {version}", f"version {FORMAT_VERSION}", "upgrade tmodes, or " + restart
+        )
     if start[HEADER.size :] != identity.encode():
-        raise file_error(path, "the checkpoint of another run", "the same robot, settings and versions", afresh)
+        raise file_error(path, "the checkpoint of another run", "the same robot, settings and versions", restart)
 
 
 def _read_records(file: BinaryIO, size: int) -> Checkpoint:

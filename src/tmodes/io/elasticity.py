@@ -81,10 +81,8 @@ class _Overlay:
     """The sheet that is being made, and what was found wrong."""
 
     def __init__(self, robot: UrdfRobot, positions: Positions, source: str) -> None:
-        self.robot = robot
+        self.robot, self.lines, self.source = robot, positions, source
         self.sheet = copy.deepcopy(robot.data)
-        self.source = source
-        self.lines = positions
         self.positions: Positions = {"": 1}
         self.errors: list[InputError] = []
         self.links: dict[str, dict[str, Any]] = {link["name"]: link for link in self.sheet["links"]}
@@ -104,7 +102,10 @@ class _Overlay:
             elif not isinstance(group, dict):
                 self._wrong(which, shown(group), "a group", f"write `{name}: {{...}}`")
             else:
-                self._tried(one, name, copy.deepcopy(group))
+                try:
+                    one(name, copy.deepcopy(group))
+                except InputError as error:
+                    self._wrong(error.which, error.got, error.expected, error.hint)
 
     def joint(self, name: str, group: dict[str, Any]) -> None:
         """Lay a group over a joint: limits one by one, the others whole."""
@@ -141,11 +142,11 @@ class _Overlay:
 
     def the_rest(self, data: dict[str, Any]) -> None:
         """Take over the other groups of a sheet as they are."""
-        if "kind" in data and data["kind"] != "elasticity":
+        if data.get("kind", "elasticity") != "elasticity":
             self._wrong("kind", shown(data["kind"]), "elasticity, or no kind", "remove the line `kind: ...`")
-        for key in data.keys() - {"urdf", "joints", "links", "kind"}:
-            self._copy_lines(key, key)
         rest = {key: value for key, value in data.items() if key not in {"urdf", "joints", "links", "kind"}}
+        for key in rest:
+            self._copy_lines(key, key)
         if "assumed" in self.sheet and isinstance(rest.get("assumed"), str):
             rest["assumed"] = f"{rest['assumed']} {self.sheet['assumed']}"
         self.sheet.update(copy.deepcopy(rest))
@@ -176,12 +177,6 @@ class _Overlay:
                 self._wrong(f"{which}.{key}", "a key that the URDF gives", f"one of {', '.join(known)}", "remove it")
             elif key not in known:
                 self._unknown(f"{which}.{key}", str(key), known, f"one of {', '.join(known)}")
-
-    def _tried(self, one: Callable[[str, dict[str, Any]], None], name: str, group: dict[str, Any]) -> None:
-        try:
-            one(name, group)
-        except InputError as error:
-            self._wrong(error.which, error.got, error.expected, error.hint)
 
     def _unknown(self, which: str, name: str, names: Iterable[str], expected: str) -> None:
         hint = meant(name, names, "remove it")

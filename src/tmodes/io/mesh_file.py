@@ -140,13 +140,10 @@ def sphere(radius: float) -> Triangles:
 def _turned(radii: np.ndarray, heights: np.ndarray) -> Triangles:
     """The surface of a profile that turns about z, from below to above."""
     angle = 2 * np.pi * np.arange(_AROUND) / _AROUND
-    rings = [np.column_stack([r * np.cos(angle), r * np.sin(angle), np.full(_AROUND, z)]) for r, z in
-             zip(radii, heights, strict=True)]  # fmt: skip
+    circle = np.column_stack([np.cos(angle), np.sin(angle)])
+    rings = [np.column_stack([r * circle, np.full(_AROUND, z)]) for r, z in zip(radii, heights, strict=True)]
     here = np.arange(_AROUND)
-    after = np.roll(here, -1)
-    faces = []
-    for k in range(len(radii) - 1):
-        low, high = k * _AROUND, (k + 1) * _AROUND
-        faces += [np.column_stack([low + here, low + after, high + here]),
-                  np.column_stack([low + after, high + after, high + here])]  # fmt: skip
+    after, above = np.roll(here, -1), here + _AROUND
+    below = np.column_stack([here, after, above]), np.column_stack([after, after + _AROUND, above])
+    faces = [k * _AROUND + one for k in range(len(radii) - 1) for one in below]
     return Triangles(np.concatenate(rings), np.concatenate(faces))

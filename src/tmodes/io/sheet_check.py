@@ -195,7 +195,7 @@ def _other_format(data: Any, form: Form) -> Iterator[Problem]:
 
 
 def _read_numbers(data: Any) -> Iterator[Problem]:
-    """Put plain numbers in place of text with units, where numbers belong; tell those that are none."""
+    """Put plain numbers in place of text with units, where numbers belong; an issue for each that is none."""
     for container, key, steps, place in quantities(data):
         try:
             container[key] = _read_number(container[key], place)

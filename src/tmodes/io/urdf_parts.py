@@ -33,7 +33,9 @@ def body_of(link: Element, name: str) -> dict[str, Any] | None:
     which = f"link {name}"
     link.check_attributes({"name", "type"}, which)
     link.check_children(LINK_CHILDREN, which)
-    _refuse_stray(link, which)
+    for stray in (one for one in link.children if one.tag in {"mass", "inertia"}):  # it would be lost without a word
+        got, hint = f"<{stray.tag}> outside of <inertial>", f"put <{stray.tag}> inside <inertial>"
+        raise stray.fault(which, got, "mass and inertia inside <inertial>", hint)
     inertial = link.only("inertial", which)
     if inertial is None:
         return None
@@ -56,14 +58,6 @@ def says_massless(link: Element) -> Element | None:
     inertial = link.first("inertial")
     mass = inertial.first("mass") if inertial else None
     return mass if mass is not None and mass.number("value", "mass", 1.0) == 0.0 else None
-
-
-def _refuse_stray(link: Element, which: str) -> None:
-    """A mass next to the inertial would be lost without a word."""
-    for tag in ("mass", "inertia"):
-        if stray := link.first(tag):
-            hint = f"put <{tag}> inside <inertial>"
-            raise stray.fault(which, f"<{tag}> outside of <inertial>", "mass and inertia inside <inertial>", hint)
 
 
 def _mass(inertial: Element, which: str) -> float:

@@ -119,7 +119,9 @@ def _placed(shape: Element, robot: UrdfRobot, which: str, read: Read) -> Triangl
 def _surface(element: Element, robot: UrdfRobot, which: str, read: Read) -> Triangles:
     match element.tag:
         case "box":
-            return box(_sizes(element, which))
+            if "size" not in element.attributes:
+                raise element.fault(which, "<box> without the attribute `size`", 'size="x y z"', "add it")
+            return box(_positive(element, "size", which, element.triple("size", which)))
         case "cylinder":
             return cylinder(_length(element, "radius", which), _length(element, "length", which))
         case "sphere":
@@ -137,12 +139,6 @@ def _mesh(element: Element, robot: UrdfRobot, which: str, read: Read) -> Triangl
     scale = element.triple("scale", which) if "scale" in element.attributes else [1.0, 1.0, 1.0]
     surface = read(path)
     return Triangles(surface.vertices * scale, surface.faces)
-
-
-def _sizes(element: Element, which: str) -> list[float]:
-    if "size" not in element.attributes:
-        raise element.fault(which, "<box> without the attribute `size`", 'size="x y z"', "add it")
-    return _positive(element, "size", which, element.triple("size", which))
 
 
 def _length(element: Element, name: str, which: str) -> float:

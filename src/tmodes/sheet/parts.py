@@ -1,4 +1,4 @@
-"""Parts of a robot's data sheet besides its joints: links, points, loads, drives, base motion, initial state."""
+"""Parts of a robot's data sheet other than its joints: links, points, loads, drives, base motion, initial state."""
 
 from __future__ import annotations
 

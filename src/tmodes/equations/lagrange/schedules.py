@@ -6,9 +6,8 @@ from typing import Any
 
 import casadi as ca
 
-from tmodes.equations.lagrange.chained import ChainedSystem
 from tmodes.equations.lagrange.kernels import SystemKernels, entries, unpacked
-from tmodes.equations.lagrange.motion import LagrangeDynamics, LagrangeWay
+from tmodes.equations.lagrange.motion import ChainedSystem, LagrangeDynamics, LagrangeWay
 from tmodes.equations.recursion.driven import Drives
 from tmodes.equations.recursion.forces import elastic_of_drives
 from tmodes.equations.recursion.forward import ahead_kernel

@@ -222,10 +222,9 @@ class Passes(Coordinates):
 
     def link_losses(self) -> list[Slot]:
         """Power lost in the dampers of each link [W]."""
-        found = []
-        for part in self.parts.nodes:
-            if part.link:
-                link = part.link
-                blocks = (link.stiffness, link.damping, self.bend(link, self.q), self.bend(link, self.v))
-                found.append(self.schedule.call(link.kernels.elastic(), *blocks)[2])
-        return found
+        return [self.elastic(part.link)[2] for part in self.parts.nodes if part.link]
+
+    def elastic(self, link: LinkPart) -> tuple[Slot, ...]:
+        """Forces of a link's springs and dampers on its coordinates, their energy, and the power lost."""
+        blocks = (link.stiffness, link.damping, self.bend(link, self.q), self.bend(link, self.v))
+        return self.schedule.call(link.kernels.elastic(), *blocks)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from enum import StrEnum
+from functools import partial
 from typing import Annotated, Literal
 
 from pydantic import Field, model_validator
@@ -23,6 +24,7 @@ PLANT = ("gravity", "motor", "gear", "link", "payload", "environment", "controll
 TURN = 6.3
 """A full turn [rad], a little rounded up."""
 
+_angle = partial(any_sign, "rad", at_least=-1e3, at_most=1e3, plausible=(-TURN, TURN))
 _FACTOR = not_negative("-", "-", "factor of the real robot on the known value", at_most=1e6)
 
 
@@ -107,12 +109,8 @@ class Noise(DataSheet):
 class Reference(DataSheet):
     """The motor's reference angle: rest to rest with constant acceleration, speed and deceleration."""
 
-    start: float = any_sign(
-        "rad", "theta_o(0)", "motor angle at the start", at_least=-1e3, at_most=1e3, plausible=(-TURN, TURN)
-    )
-    end: float = any_sign(
-        "rad", "theta_o(T)", "motor angle at the end", at_least=-1e3, at_most=1e3, plausible=(-TURN, TURN)
-    )
+    start: float = _angle(symbol="theta_o(0)", meaning="motor angle at the start")
+    end: float = _angle(symbol="theta_o(T)", meaning="motor angle at the end")
     duration: float = positive("s", "T", "duration of the move", at_most=1e5, smallest=1e-6)
     ramp_fraction: float = positive(
         "-", "ramp", "share of the duration that each ramp takes", at_most=0.5, smallest=1e-6

@@ -10,8 +10,7 @@ from typing import Annotated, Any, ClassVar
 from pydantic import Discriminator, Field, Tag, field_validator
 
 from tmodes.errors import InputError
-from tmodes.kinds.links.beam_choices import Basis, BeamModel, RotaryInertia
-from tmodes.kinds.links.beam_pieces import Piece, tapered_pieces, uniform_piece
+from tmodes.kinds.links.beam_pieces import Basis, BeamModel, Piece, RotaryInertia, tapered_pieces, uniform_piece
 from tmodes.kinds.links.material import Material, find_material
 from tmodes.kinds.links.section import GivenSection, Section, between
 from tmodes.kinds.links.sheet import BendingSheet

@@ -7,9 +7,8 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from tmodes.frame import Placement
-from tmodes.kinds.links.beam_choices import Basis, BeamModel, RotaryInertia
 from tmodes.kinds.links.beam_data import MOST_FUNCTIONS, BeamData, Functions, PieceSheet
-from tmodes.kinds.links.beam_pieces import BeamPiece, Piece
+from tmodes.kinds.links.beam_pieces import Basis, BeamModel, BeamPiece, Piece, RotaryInertia
 from tmodes.kinds.links.body import BodySheet
 from tmodes.kinds.links.contract import Body
 from tmodes.kinds.links.material import Material, find_material

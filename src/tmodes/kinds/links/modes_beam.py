@@ -10,8 +10,7 @@ import numpy as np
 from pydantic import Field
 
 from tmodes.frame import Placement
-from tmodes.kinds.links.beam_choices import BeamModel
-from tmodes.kinds.links.beam_pieces import Piece, uniform_piece
+from tmodes.kinds.links.beam_pieces import BeamModel, Piece, uniform_piece
 from tmodes.kinds.links.beam_sheet import BeamSheet, Functions, PieceSheet
 from tmodes.kinds.links.body import BodySheet
 from tmodes.kinds.links.contract import Body

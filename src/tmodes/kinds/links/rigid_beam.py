@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from tmodes.kinds.links.beam_choices import RotaryInertia
 from tmodes.kinds.links.beam_data import BeamData
+from tmodes.kinds.links.beam_pieces import RotaryInertia
 from tmodes.kinds.links.contract import Body
 from tmodes.kinds.schema.axes import bent_line
 
