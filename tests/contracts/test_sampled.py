@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from numpy.typing import NDArray
 from scipy.linalg import expm
 
 import tmodes
@@ -105,7 +106,7 @@ def test_derivatives_are_refused() -> None:
         forward_sensitivities(motor(), ["joints.j.motor.inertia"])
 
 
-def ordered(values: np.ndarray) -> np.ndarray:
+def ordered(values: NDArray[np.complex128]) -> NDArray[np.complex128]:
     """By real part, whose rounding does not tear a pair apart, then by imaginary part."""
     return values[np.lexsort((values.imag, values.real.round(6)))]
 
