@@ -9,7 +9,7 @@ import typer
 
 from tmodes.cli import options
 from tmodes.cli.options import chosen_sheet
-from tmodes.cli.summary_text import print_run
+from tmodes.cli.summary_text import print_run, result_record
 from tmodes.cli.terminal import notice, print_json, warn, working
 from tmodes.errors import SimulationError
 
@@ -101,7 +101,11 @@ def _computed(folder: RunFolder, sheet: Robot, figures: bool) -> Any:
 
 
 def _tell(result: Any, folder: RunFolder, as_json: bool) -> None:
-    print_json(folder.summary(result)) if as_json else print_run(result, folder)
+    if as_json:
+        timing = {"files": folder.written(), "seconds_per_simulated_second": result.timing}
+        print_json(result_record(result) | timing)
+    else:
+        print_run(result, folder)
     warn(result.warnings)
     if result.status != "finished":
         notice(f"tmodes: {result.message}")
