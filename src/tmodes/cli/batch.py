@@ -53,8 +53,8 @@ def batch(
     """Many runs at once with numbers varied: a sweep (--vary) or a Monte Carlo study (--draw).
 
     Each is the real robot under control, as of `tmodes run`, compared with the run of the sheet as it stands: the
-    distance of their tips. Everything is checked before anything runs. A run that cannot go on is named, and disturbs
-    no other. The folder of --out holds states.npy, tips.npy, times.npy and batch.json;
+    distance of their tips. Everything is checked before anything runs. A run that cannot continue is named, and
+    disturbs no other. The folder of --out holds states.npy, tips.npy, times.npy and batch.json;
     tmodes.simulation.batch.result.load_batch("FOLDER") reads them.
 
     Example, a gear whose stiffness is known to 20 %: tmodes batch filipovic2010
@@ -70,7 +70,7 @@ def batch(
     changes = options.integration_changes(integrator, rtol, atol, duration, check_error=False)
     sheet = options.chosen_sheet(robot, settings, roots=root, trust_paths=trust_paths, changes=changes)
     found, parted = _run(sheet, values, threads, out)
-    _tell(sheet.name, found, parted, as_json)
+    _report(sheet.name, found, parted, as_json)
     if not found.finished.all():
         raise typer.Exit(130 if "interrupted" in found.status else 3)
 
@@ -138,7 +138,7 @@ def _run(sheet: Any, values: dict[str, Any], threads: int | None, out: Path | No
     return found, spread(found, own)
 
 
-def _tell(name: str, found: BatchRun, parted: Spread, as_json: bool) -> None:
+def _report(name: str, found: BatchRun, parted: Spread, as_json: bool) -> None:
     info = parted.info(found)
     if as_json:
         print_json(info | {"each": _each(found, parted)})

@@ -61,7 +61,7 @@ def run(
         out or Path("results") / folder_name(sheet.name), sheet, overwrite, _Looks(robot, root, trust_paths), live=live
     )
     result = _computed(folder, sheet, figures)
-    _tell(result, folder, as_json)
+    _report(result, folder, as_json)
     if not result.success:
         raise typer.Exit(130 if result.status == "interrupted" else 3)
 
@@ -100,7 +100,7 @@ def _computed(folder: RunFolder, sheet: Robot, figures: bool) -> Any:
     return result
 
 
-def _tell(result: Any, folder: RunFolder, as_json: bool) -> None:
+def _report(result: Any, folder: RunFolder, as_json: bool) -> None:
     if as_json:
         timing = {"files": folder.written(), "seconds_per_simulated_second": result.timing}
         print_json(result_record(result) | timing)

@@ -92,8 +92,8 @@ def _modes(frequencies: dict[str, list[dict[str, Any]]]) -> Iterator[list[str]]:
             frequency = mode["damped_frequency_Hz"]
             if frequency or mode["frequency_Hz"]:
                 ringing = f"{frequency:.4g}" if frequency else f"{mode['frequency_Hz']:.4g}, over-damped"
-                home = plain(str(mode["element"])) + ("" if mode.get("stable", True) else " (UNSTABLE)")
-                yield [case, home, ringing, f"{mode['damping_ratio'] + 0.0:.4f}"]
+                element = plain(str(mode["element"])) + ("" if mode.get("stable", True) else " (UNSTABLE)")
+                yield [case, element, ringing, f"{mode['damping_ratio'] + 0.0:.4f}"]
 
 
 MOST = 6

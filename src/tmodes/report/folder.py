@@ -71,7 +71,7 @@ class RunFolder:
                 raise ResultFileError(f"{place} must be {expected} or not exist, got {got}; {hint}")
 
     def _look_at_what_is_there(self) -> None:
-        """Begin afresh, go on with an earlier begin of this very run, or refuse: a result is never replaced unasked."""
+        """Start, resume an earlier start of this very run, or refuse: a result is replaced only where that is asked."""
         if self.overwrite:
             for left in self.path.glob(".checkpoint-*"):
                 left.unlink()
