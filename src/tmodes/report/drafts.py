@@ -10,10 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.plot.facts import deformation_unit, spectral_part
-from tmodes.plot.frequency_marks import NO_PEAK, amplitude_spectrum
+from tmodes.plot.figures.spectrum import NO_PEAK, amplitude_spectrum
 from tmodes.plot.panels import Unit, readable
-from tmodes.report.arrays import MOST_POINTS, thinned
-from tmodes.report.pack import Coarse
+from tmodes.report.pack import MOST_POINTS, Coarse, thinned
 from tmodes.result import Result
 
 __all__ = [

@@ -11,7 +11,7 @@ from tmodes.analysis.line.line import elastic_line
 from tmodes.chain.chain import node_of_line
 from tmodes.model.model import Model
 from tmodes.plot.facts import names_of
-from tmodes.report.arrays import colour, displaced, kept, quaternions, scene_frames, stations_shown
+from tmodes.report.pack import colour, displaced, kept, quaternions, scene_frames, stations_shown
 from tmodes.report.scene_parts import actual, meshes_in, nearest_drawn, section_of
 from tmodes.result import Result
 from tmodes.result.lines import without_elasticity
@@ -35,7 +35,7 @@ _QUANTITIES = (
 
 
 def scene_of(result: Result, frames: Frames | None = None) -> dict[str, Any]:
-    """The robot at the samples ``frames``; None chooses them by :func:`tmodes.report.arrays.scene_frames`.
+    """The robot at the samples ``frames``; None chooses them by :func:`tmodes.report.pack.scene_frames`.
 
     Lengths in m, times in s; arrays are NumPy's or those of :mod:`tmodes.report.pack`. Of a robot that cannot be
     rebuilt only the lines that the result holds.

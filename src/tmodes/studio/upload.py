@@ -17,10 +17,9 @@ from tmodes.io.urdf import UrdfRobot
 from tmodes.io.words import shown
 from tmodes.robots.load import load, urdf_of
 from tmodes.sheet import Robot
-from tmodes.studio.folder import LONGEST_NAME, NAME, SIGNS
+from tmodes.studio.folders import LONGEST_NAME, NAME, SIGNS, make_within, remove
 from tmodes.studio.looks import Shelf
 from tmodes.studio.messages import as_sent
-from tmodes.studio.own_folder import make_within, remove
 
 __all__ = ["MOST_UPLOADED", "Uploaded", "lay_out", "main_file", "uploaded"]
 
