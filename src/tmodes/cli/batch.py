@@ -67,7 +67,9 @@ def batch(
     --set reference.noise.deviation=1e-4 --vary reference.noise.seed=0:99:100
     """
     values = _values(vary or [], draw or [], runs, seed)
-    changes = options.integration_changes(integrator, rtol, atol, duration, check_error=False)
+    changes = options.integration_changes(
+        method=integrator, relative_tolerance=rtol, absolute_tolerance=atol, duration=duration
+    )
     sheet = options.chosen_sheet(robot, settings, roots=root, trust_paths=trust_paths, changes=changes)
     found, parted = _run(sheet, values, threads, out)
     _report(sheet.name, found, parted, as_json)

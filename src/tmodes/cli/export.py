@@ -44,7 +44,7 @@ def export(
 
     if not wasm:
         raise InputError("export", "none", "called with a kind of files", f"write: tmodes export {robot} --wasm")
-    changes = options.integration_changes(integrator, None, None, None, False)
+    changes = options.integration_changes(method=integrator)
     sheet = chosen_sheet(robot, settings, reading, contact, roots=root, trust_paths=trust_paths, changes=changes)
     name = folder_name(sheet.name)
     made = exported(sheet, name)

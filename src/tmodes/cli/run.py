@@ -54,8 +54,10 @@ def run(
     Example, a high-accuracy run with an error estimate: tmodes run spong1987 --integrator dop853 --rtol 1e-11
     --atol 1e-14 --check-error
     """
-    ending = {"stop": stop, "stop_at_limits": stop_at_limits}
-    changes = options.integration_changes(integrator, rtol, atol, duration, check_error, **ending)
+    changes = options.integration_changes(
+        method=integrator, relative_tolerance=rtol, absolute_tolerance=atol, duration=duration,
+        check_error=check_error, stop=stop or None, stop_at_limits=stop_at_limits,
+    )  # fmt: skip
     sheet = chosen_sheet(robot, settings, reading, contact, roots=root, trust_paths=trust_paths, changes=changes)
     folder = _folder(
         out or Path("results") / folder_name(sheet.name), sheet, overwrite, _Looks(robot, root, trust_paths), live=live
