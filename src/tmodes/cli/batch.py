@@ -82,11 +82,8 @@ def _values(vary: list[str], draw: list[str], runs: int, seed: int) -> dict[str,
     from tmodes.simulation.vary.study import drawn, grid
 
     if bool(vary) == bool(draw):
-        got, hint = (
-            "both" if vary else "neither",
-            "write --vary payload.mass=0.4:0.6:11, or --draw payload.mass=0.4:0.6",
-        )
-        raise InputError("--vary, --draw", got, "one of them", hint)
+        hint = "write --vary payload.mass=0.4:0.6:11, or --draw payload.mass=0.4:0.6"
+        raise InputError("--vary, --draw", "both" if vary else "neither", "one of them", hint)
     if draw:
         return drawn({path: (low, high) for path, low, high in _ranges("--draw", draw)}, runs, seed)
     ranges = {path: (low, high, _count(path, count)) for path, low, high, count in _ranges("--vary", vary)}

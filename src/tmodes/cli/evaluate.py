@@ -55,10 +55,8 @@ def evaluate(
         print_json_list(iter(answers)) if as_json else _print(answers)
         return
     if contact:
-        expected, hint = (
-            "left out: its terms are those in free space",
-            "evaluate a sheet of the 2010 robot, or leave it out",
-        )
+        expected = "left out: its terms are those in free space"
+        hint = "evaluate a sheet of the 2010 robot, or leave it out"
         raise InputError("--contact", f"the robot {sheet.name}", expected, hint)
     pair = sheet.pair()
     evaluate_states(pair.nominal if nominal else pair.real, states, as_json=as_json)

@@ -89,18 +89,13 @@ def chart_data(draft: Draft, unit: Unit) -> dict[str, Any]:
     """A chart as the page holds it, in ``unit``; too many samples are thinned so that every extreme stays."""
     kept = thinned(np.stack([line.values for line in draft.lines], axis=1), MOST_POINTS)
     coarse = len(kept) < len(draft.at) and draft.log == "no"
-    return {
-        "id": draft.id,
-        "title": draft.title,
-        "group": draft.group,
+    as_drafted = {name: getattr(draft, name) for name in ("id", "title", "group", "abscissa", "span", "log")}
+    return as_drafted | {
         "unit": unit.name,
-        "abscissa": draft.abscissa,
         "at": draft.at[kept] if len(kept) < len(draft.at) else draft.at,
         "samples": len(draft.at),
-        "span": draft.span,
         "marks": [{"at": place, "label": name} for place, name in draft.marks],
         "curves": [_curve(line, unit, kept, coarse=coarse) for line in draft.lines],
-        "log": draft.log,
     }
 
 

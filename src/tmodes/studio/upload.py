@@ -108,10 +108,8 @@ def _checked_name(file: Any) -> str:
         got = f"the name {shown(name)}, {len(parts) - 1} folders deep"
         raise InputError("files", got, f"at most {MOST_DEPTH - 1}", hint)
     if not parts or not all(NAME.fullmatch(part) and part != ".." for part in parts):
-        got, expected = (
-            f"the name {shown(name)}{_why(parts)}",
-            "a relative path of letters, digits and . _ + - ( ) ' alone",
-        )
+        got = f"the name {shown(name)}{_why(parts)}"
+        expected = "a relative path of letters, digits and . _ + - ( ) ' alone"
         raise InputError("files", got, expected, "rename it, also where another file names it")
     return str(PurePosixPath(*parts))
 
