@@ -90,7 +90,7 @@ class Robot:
 
 
 _COLD = """
-import time, casadi, llvmlite.binding, numpy, tmodes.model.model, tmodes.model.evaluator, tmodes.compile.ir.block
+import time, casadi, llvmlite.binding, numpy, tmodes.model.model, tmodes.model.passes, tmodes.compile.ir.block
 from benchmarks.arm import chain
 from tmodes.model.model import Model
 import numpy as np

@@ -17,9 +17,8 @@ from tmodes.io.sheet_paths import entered, steps_of
 from tmodes.io.sheet_words import at
 from tmodes.robots.load import load
 from tmodes.sensitivity.changes import Changes
-from tmodes.sensitivity.functional import Functional, tracking_error
 from tmodes.sensitivity.lowering import lowered
-from tmodes.sensitivity.quantities import Quantities
+from tmodes.sensitivity.quantities import Functional, Quantities, tracking_error
 from tmodes.simulation.trajectory import integrate
 
 from .stiff_arm import stiff_arm

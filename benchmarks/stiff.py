@@ -57,15 +57,15 @@ class Case(NamedTuple):
     damping_time: float
     start: str
 
-    def regime(self, **integration: Any) -> RunSetup:
+    def setup(self, **integration: Any) -> RunSetup:
         """The arm, ready to run."""
         arm = stiff_arm(start=self.start, damping_time=self.damping_time, output_step=1e-3, **integration)
         return run_setup(arm)
 
 
-def _timed(regime: RunSetup) -> tuple[float, Trajectory]:
+def _timed(setup: RunSetup) -> tuple[float, Trajectory]:
     began = time.process_time()
-    run = run_trajectory(regime)
+    run = run_trajectory(setup)
     return time.process_time() - began, run
 
 
@@ -82,16 +82,16 @@ def measured(case: Case, rounds: int, stretch: float) -> dict[str, Figures]:
     """Figures of all contenders."""
     explicit = case.damping_time <= EXPLICIT_AT_MOST
     name = "dormand_prince" if explicit else "extrapolation"
-    regimes = {label: case.regime(**info) for label, info in METHODS.items()}
+    regimes = {label: case.setup(**info) for label, info in METHODS.items()}
     times: dict[str, list[float]] = {label: [] for label in (*regimes, "short")}
     runs: dict[str, Trajectory] = {}
-    for regime in regimes.values():
-        run_trajectory(regime, until=1e-3)  # compiled before it is timed
-    whole, exact = _timed(case.regime(**_at(name, 1e-10)))
-    regimes["short"] = case.regime(duration=stretch, **_at("dormand_prince", 1e-6))
+    for setup in regimes.values():
+        run_trajectory(setup, until=1e-3)  # compiled before it is timed
+    whole, exact = _timed(case.setup(**_at(name, 1e-10)))
+    regimes["short"] = case.setup(duration=stretch, **_at("dormand_prince", 1e-6))
     for _ in range(rounds):
-        for label, regime in regimes.items():
-            seconds, runs[label] = _timed(regime)
+        for label, setup in regimes.items():
+            seconds, runs[label] = _timed(setup)
             times[label].append(seconds)
     count = len(regimes["short"].model.coordinates)
     figures = {
@@ -104,7 +104,7 @@ def measured(case: Case, rounds: int, stretch: float) -> dict[str, Figures]:
         scaled, float("nan"), _passes(runs["short"]) / stretch
     )
     if not explicit:
-        seconds, checked = _timed(case.regime(duration=stretch, **_at("dormand_prince", 1e-10)))
+        seconds, checked = _timed(case.setup(duration=stretch, **_at("dormand_prince", 1e-10)))
         apart, passes = _apart(checked, exact, count), _passes(checked) / stretch
         figures[f"dormand_prince 1e-10, {stretch:g} s scaled"] = Figures(seconds / stretch, apart, passes)
     return figures

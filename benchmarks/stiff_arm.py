@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from tmodes.analysis.statics.rest import arm_rest
+from tmodes.analysis.statics.equilibrium import robot_rest
 from tmodes.model.model import Model
 from tmodes.sheet import Robot
 
@@ -59,7 +59,7 @@ def stiff_arm(*, start: str = "rest", damping_time: float = DAMPING_TIME, **inte
     if start == "rest":
         arm = _sheet(angles, damping_time, {})
         model = Model(arm.chain())
-        angles = dict(zip(model.coordinates, arm_rest(arm, model=model, held=motors).q.tolist(), strict=True))
+        angles = dict(zip(model.coordinates, robot_rest(arm, model=model, held=motors).q.tolist(), strict=True))
     return _sheet(angles, damping_time, integration)
 
 

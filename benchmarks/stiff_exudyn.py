@@ -37,22 +37,22 @@ def _regime(tolerance: float) -> RunSetup:
     return run_setup(falling_arm(method="extrapolation", **info))
 
 
-def _tip(regime: RunSetup) -> NDArray[np.float64]:
-    return gathered(regime, run_trajectory(regime)).points.position[:, -1]
+def _tip(setup: RunSetup) -> NDArray[np.float64]:
+    return gathered(setup, run_trajectory(setup)).points.position[:, -1]
 
 
 def _ours(rounds: int) -> tuple[float, float]:
     """Seconds at the largest tolerance whose error of the tip is below the one asked for, and that error."""
     exact = _tip(_regime(1e-10))
     for tolerance in (1e-5, 5e-6, 3e-6, 2e-6, 1e-6, 5e-7):
-        regime = _regime(tolerance)
-        error = float(np.abs(_tip(regime) - exact).max())
+        setup = _regime(tolerance)
+        error = float(np.abs(_tip(setup) - exact).max())
         if error <= ERROR:
             break
     times = []
     for _ in range(rounds):
         began = time.process_time()
-        run_trajectory(regime)
+        run_trajectory(setup)
         times.append(time.process_time() - began)
     return statistics.median(times), error
 

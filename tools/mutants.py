@@ -48,20 +48,20 @@ FAULTS = (
         "tests/paper tests/arm/run/test_contact.py",
     ),
     Fault(
-        "kinds/drives/laws.py",
+        "kinds/drives/contract.py",
         "ahead, behind = deflection - self.backlash, deflection + self.backlash",
         "ahead, behind = deflection - self.backlash / 2, deflection + self.backlash / 2",
         "tests/arm/dynamics/test_joints.py tests/arm/statics/test_elements.py",
     ),
     Fault(
-        "kinds/drives/laws.py",
+        "kinds/drives/contract.py",
         "energy = energy + (over > 0) * step * over * over / 2",
         "energy = energy + (over > 0) * step * over * over",
         "tests/contracts/test_drives.py",
     ),
     Fault(
         "kinds/controllers/pid.py",
-        "f.if_else(wish * error > 0, 0.0, error)",
+        "f.if_else(command * error > 0, 0.0, error)",
         "error",
         "tests/contracts/test_controllers.py",
     ),
@@ -97,8 +97,8 @@ FAULTS = (
     ),
     Fault(
         "equations/loop/contact_kernels.py",
-        "mass = self._mass(p, met, step)\n            direction,",
-        "mass = p[SURFACE]\n            direction,",
+        "mass = self._mass(p, met, step)\n        direction,",
+        "mass = p[SURFACE]\n        direction,",
         "tests/arm/run tests/contracts/test_contacts.py",
     ),
     Fault(
@@ -114,8 +114,8 @@ FAULTS = (
         "tests/result/test_resultfile.py",
     ),
     Fault("io/atomic.py", "path.unlink(missing_ok=True)\n\n\ndef _create", "pass\n\n\ndef _create", "tests/result"),
-    Fault("compile/cache.py", "if status.st_uid != os.getuid():", "if False:", "tests/core/test_cache.py"),
-    Fault("compile/cache.py", "if status.st_mode & 0o022:", "if False:", "tests/core/test_cache.py"),
+    Fault("compile/cache_folder.py", "if status.st_uid != os.getuid():", "if False:", "tests/core/test_cache.py"),
+    Fault("compile/cache_folder.py", "if status.st_mode & _OTHERS:", "if False:", "tests/core/test_cache.py"),
     Fault(
         "result/settling.py",
         "float(outside[-1] - move_end)",
@@ -148,8 +148,8 @@ FAULTS = (
     ),
     Fault(
         "equations/recursion/hinge.py",
-        "return Force(e, v.zero()) if self.kind.turns else Force(v.zero(), e)",
-        "return Force(e, v.zero())",
+        "return [Force(e, v.zero()) if self.kind.turns else Force(v.zero(), e)] if self.moves else []",
+        "return [Force(e, v.zero())] if self.moves else []",
         "tests/contracts/test_joints.py",
     ),
     Fault(

@@ -17,8 +17,8 @@ if TYPE_CHECKING:
     from tmodes.result.result import Result
     from tmodes.result.run import run
     from tmodes.robots.load import load
-    from tmodes.sensitivity.functional import Functional, tracking_error
     from tmodes.sensitivity.gradient import adjoint_gradient, forward_sensitivities
+    from tmodes.sensitivity.quantities import Functional, tracking_error
     from tmodes.sheet.robot import Robot
     from tmodes.simulation.vary.simulate import simulate_batch
 
@@ -42,7 +42,7 @@ __all__ = [
 ]
 
 _HOMES = {
-    "Functional": "tmodes.sensitivity.functional.Functional",
+    "Functional": "tmodes.sensitivity.quantities.Functional",
     "Model": "tmodes.model.model.Model",
     "Result": "tmodes.result.result.Result",
     "Robot": "tmodes.sheet.robot.Robot",
@@ -54,7 +54,7 @@ _HOMES = {
     "run": "tmodes.result.run.run",
     "show": "tmodes.notebook.show",
     "simulate_batch": "tmodes.simulation.vary.simulate.simulate_batch",
-    "tracking_error": "tmodes.sensitivity.functional.tracking_error",
+    "tracking_error": "tmodes.sensitivity.quantities.tracking_error",
     "use": "tmodes.kinds.registry.use",
 }
 

@@ -14,9 +14,9 @@ from tmodes.simulation.trajectory import integrate
 SHORT = {"duration": 0.3, "output_step": 0.013, "relative_tolerance": 1e-9, "absolute_tolerance": 1e-11}
 
 
-def settings(regime, **changes):
+def settings(setup, **changes):
     info = {"method": "dormand_prince", **changes}
-    return regime.arm.integration.model_copy(update=info)
+    return setup.robot.integration.model_copy(update=info)
 
 
 @pytest.fixture(scope="module")
@@ -57,8 +57,8 @@ def test_pieces_are_not_seen_where_there_is_a_contact(bounce, monkeypatch):
     model, chosen = bounce.model, settings(bounce)
     given = (model.numbers, bounce.planned.schedule, bounce.start, chosen)
     whole = simulate_lanes(model, *given)
-    monkeypatch.setattr("tmodes.simulation.batch.workers._FIRST_PIECE", 1)
-    monkeypatch.setattr("tmodes.simulation.batch.workers._PIECE_SECONDS", 0.0)
+    monkeypatch.setattr("tmodes.simulation.batch.simulate._FIRST_PIECE", 1)
+    monkeypatch.setattr("tmodes.simulation.batch.simulate._PIECE_SECONDS", 0.0)
     assert simulate_lanes(model, *given).states.tobytes() == whole.states.tobytes()
 
 

@@ -57,9 +57,9 @@ def test_bytes_do_not_depend_on_the_company(lot, method, lanes, threads):
 def test_bytes_do_not_depend_on_the_pieces(lot, monkeypatch):
     """How often the loop is called is not seen in its result."""
     whole = lot.run()
-    monkeypatch.setattr("tmodes.simulation.batch.workers._FIRST_PIECE", 3)
+    monkeypatch.setattr("tmodes.simulation.batch.simulate._FIRST_PIECE", 3)
     monkeypatch.setattr(
-        "tmodes.simulation.batch.workers._PIECE_SECONDS", 0.0
+        "tmodes.simulation.batch.simulate._PIECE_SECONDS", 0.0
     )  # as on a machine so busy that each step takes long
     assert lot.run().states.tobytes() == whole.states.tobytes()
 

@@ -9,9 +9,8 @@ from tmodes.compile.lanes.lanes_loop import WIDTH
 from tmodes.errors import InputError
 from tmodes.kinds.signals.schedule import Schedule
 from tmodes.simulation.batch.side_by_side import LINE, private
-from tmodes.simulation.batch.simulate import simulate_lanes
+from tmodes.simulation.batch.simulate import simulate_lanes, spans, thread_count
 from tmodes.simulation.batch.work import Work, inputs
-from tmodes.simulation.batch.workers import spans, thread_count
 
 
 def work_of(lot, lanes, method):
@@ -51,7 +50,7 @@ def test_one_room_for_many_groups(lot, method, monkeypatch):
         given = (many, moved, starts, settings)
         short = simulate_lanes(lot.model, *given, threads=2)
         with monkeypatch.context() as patch:
-            patch.setattr("tmodes.simulation.batch.workers._SPANS", 1)
+            patch.setattr("tmodes.simulation.batch.simulate._SPANS", 1)
             long = simulate_lanes(lot.model, *given, threads=1)
         assert long.states.tobytes() == short.states.tobytes()
         assert (long.status, long.message) == (short.status, short.message)

@@ -70,7 +70,7 @@ import tmodes
 from tmodes.simulation.batch.simulate import simulate_lanes
 from tmodes.simulation.start import run_setup
 setup = run_setup(tmodes.load("filipovic2010"))
-settings = setup.arm.integration.model_copy(update={"duration": 2000.0, "output_step": 1.0})
+settings = setup.robot.integration.model_copy(update={"duration": 2000.0, "output_step": 1.0})
 def kill(share):
     os.kill(os.getpid(), signal.SIGKILL)
 model, numbers = setup.model, setup.model.numbers

@@ -16,8 +16,8 @@ import pytest
 import tmodes
 from command import COMMAND, Done, called
 from command import tmodes as done_by
+from tmodes.robots import installed_models
 from tmodes.robots.load import sheet_names
-from tmodes.robots.packages import installed_models
 
 SHORT = ("--set", "integration.duration=0.02", "--set", "integration.output_step=0.01")
 REASONS = ("no rest", "moves without force", "no spring", "nothing moves", "not positive definite",

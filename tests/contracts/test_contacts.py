@@ -142,7 +142,7 @@ def test_run(name, tmp_path):
     other = simulate_motion(sheet.with_({"integration.method": "extrapolation"}))
     assert np.abs(other.q - run.q).max() < 1e-6
     setup = run_setup(sheet.with_({"integration.method": "dormand_prince"}))
-    model, settings = setup.model, setup.arm.integration.model_copy(update={"method": "dormand_prince"})
+    model, settings = setup.model, setup.robot.integration.model_copy(update={"method": "dormand_prince"})
     native = run_trajectory(setup)
     batch = simulate_lanes(model, np.array([model.numbers] * 3), setup.planned.schedule, setup.start, settings)
     assert np.abs(batch.states[1] - native.states).max() < 1e-9

@@ -8,9 +8,8 @@ import numpy as np
 import pytest
 
 from tmodes.kinds.kernel import functions as f
-from tmodes.kinds.kernel.kernel import Kernel
-from tmodes.kinds.kernel.schedule import Schedule
-from tmodes.model.evaluator import evaluate
+from tmodes.kinds.kernel.schedule import Kernel, Schedule
+from tmodes.model.passes import evaluate
 
 FUNCTIONS: dict[str, Any] = {
     "sin": f.sin, "cos": f.cos, "tan": f.tan, "fabs": f.fabs, "exp": f.exp, "tanh": f.tanh,

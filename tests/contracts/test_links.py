@@ -185,7 +185,7 @@ def test_run(word: str) -> None:
     assert np.abs(other.q - run.q).max() < 1e-6
     setup = run_setup(sheet(word, method="dormand_prince"))
     native = run_trajectory(setup)
-    settings = setup.arm.integration
+    settings = setup.robot.integration
     rows = np.array([setup.model.numbers] * 2)
     batch = simulate_lanes(setup.model, rows, setup.planned.schedule, setup.start, settings)
     assert np.abs(batch.states[1] - native.states).max() < 1e-9

@@ -69,8 +69,8 @@ def test_side_by_side(method: str) -> None:
     """In a batch each robot has its own gains, and signals whose knots are its own."""
     setup = run_setup(motor(method=method, step=2e-3))
     rows = np.array([setup.model.numbers] * 5)
-    batch = simulate_lanes(setup.model, rows, setup.planned.schedule, setup.start, setup.arm.integration)
-    true = exact(sample_times(setup.arm.integration))[:, 0]
+    batch = simulate_lanes(setup.model, rows, setup.planned.schedule, setup.start, setup.robot.integration)
+    true = exact(sample_times(setup.robot.integration))[:, 0]
     assert np.abs(batch.states[:, :, 0] - true).max() < 1e-9
 
 

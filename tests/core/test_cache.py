@@ -37,7 +37,7 @@ def test_folder_of_another_user_is_refused(place: Path, monkeypatch: pytest.Monk
     assert cache.folder() is None
     assert cache.load("key") is None
     cache.save("other", b"ours")
-    assert len(list(place.iterdir())) == 1
+    assert len(list(place.glob("*.o"))) == 1
     assert "another user" in cli()
 
 
@@ -57,6 +57,115 @@ def test_folder_that_others_may_write_into_is_refused(place: Path, mode: int) ->
     assert "chmod go-w" in cache.judged()[1]
 
 
+def planted(place: Path, content: bytes = b"", name: str = "key") -> Path:
+    """An entry as the last version wrote it, sealed with nothing that is not public."""
+    content = content or cache._HEAD + hashlib.sha256(b"key\0evil").hexdigest().encode() + b"evil"
+    entry = cache._entry(place, name)
+    entry.write_bytes(content)
+    entry.chmod(0o600)
+    return entry
+
+
+@pytest.mark.skipif(not hasattr(os, "getuid"), reason="needs permissions of files")
+def test_what_others_could_leave_is_not_trusted_when_the_folder_is_closed_again(place: Path) -> None:
+    """Neither a seal that anybody can compute, nor what was sealed before others could write."""
+    place.mkdir(mode=0o700)
+    planted(place)
+    assert cache.load("key") is None
+    cache.save("other", b"ours")
+    assert cache.load("other") == b"ours"
+    place.chmod(0o777)
+    assert cache.folder() is None
+    place.chmod(0o755)
+    assert cache.folder() == place
+    assert cache.load("other") is None
+    cache.save("other", b"ours")
+    assert cache.load("other") == b"ours"
+
+
+@pytest.mark.skipif(not hasattr(os, "getuid"), reason="needs links and permissions of files")
+@pytest.mark.parametrize("kind", ["symbolic link", "hard link", "pipe", "folder", "open to others", "too large"])
+def test_an_entry_that_is_not_the_users_own_file_is_not_read(
+    place: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, kind: str
+) -> None:
+    """Its content would be right; it is made again, and what a link names is left alone."""
+    cache.save("key", b"code")
+    entry = cache._entry(place, "key")
+    content, elsewhere = entry.read_bytes(), tmp_path / "elsewhere"
+    elsewhere.write_bytes(content)
+    elsewhere.chmod(0o600)
+    if kind == "open to others":
+        entry.chmod(0o620)
+    elif kind == "too large":
+        monkeypatch.setattr(cache, "_MAX_ENTRY", 3)
+    else:
+        entry.unlink()
+        make = {"symbolic link": lambda: entry.symlink_to(elsewhere), "hard link": lambda: entry.hardlink_to(elsewhere),
+                "pipe": lambda: os.mkfifo(entry, 0o600), "folder": entry.mkdir}  # fmt: skip
+        make[kind]()
+    assert cache.load("key") is None
+    cache.save("key", b"code")
+    assert (cache.load("key") == b"code") == (kind not in ("folder", "too large"))
+    assert elsewhere.read_bytes() == content
+
+
+@pytest.mark.skipif(not hasattr(os, "getuid"), reason="needs permissions of files")
+@pytest.mark.parametrize("damage", ["open to others", "short", "link"])
+def test_a_secret_that_others_may_know_is_replaced(place: Path, tmp_path: Path, damage: str) -> None:
+    cache.save("key", b"code")
+    secret = place / "secret"
+    before = secret.read_bytes()
+    assert (len(before), secret.stat().st_mode & 0o777) == (32, 0o600)
+    if damage == "open to others":
+        secret.chmod(0o644)
+    elif damage == "short":
+        secret.write_bytes(b"short")
+    else:
+        (tmp_path / "known").write_bytes(before)
+        secret.unlink()
+        secret.symlink_to(tmp_path / "known")
+    os.utime(secret, (1, 1), follow_symlinks=False)
+    assert cache.load("key") is None
+    cache.save("key", b"code")
+    assert cache.load("key") == b"code"
+    assert secret.read_bytes() != before
+    assert not secret.is_symlink()
+
+
+@pytest.mark.skipif(not hasattr(os, "getuid"), reason="needs permissions of files")
+@pytest.mark.parametrize(("mode", "used"), [(0o755, True), (0o1777, True), (0o777, False), (0o775, False)])
+def test_folders_on_the_way_are_judged_too(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, mode: int, used: bool
+) -> None:
+    """Who may write into a folder above may put another folder there, unless that folder is sticky."""
+    above = tmp_path / "above"
+    (above / "between").mkdir(parents=True)
+    above.chmod(mode)
+    monkeypatch.setenv("TMODES_CACHE", str(above / "between" / "cache"))
+    assert (cache.folder() is not None) == used
+    assert used or f"it is in {above}, into which others may write" in cli()
+    link = tmp_path / "link"
+    link.symlink_to(above / "between")
+    monkeypatch.setenv("TMODES_CACHE", str(link / "cache"))
+    assert (cache.folder() is not None) == used
+
+
+@pytest.mark.skipif(os.name == "nt", reason="needs the XDG folders")
+def test_relative_folders_are_ignored(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """As the XDG base directory specification says; the next rule decides."""
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "own"))
+    monkeypatch.setenv("TMODES_CACHE", "here")
+    assert cache.folder() == tmp_path / "own" / "tmodes"
+    monkeypatch.setenv("XDG_CACHE_HOME", "there")
+    monkeypatch.setenv("HOME", str(tmp_path / "home"))
+    assert cache.folder() == tmp_path / "home" / ".cache" / "tmodes"
+    monkeypatch.setenv("HOME", "somewhere")
+    place = cache.judged()[0]
+    assert place is None or place.is_absolute()
+    assert {entry.name for entry in tmp_path.iterdir()} == {"own", "home"}
+
+
 def test_folder_that_cannot_be_made_is_reported(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     (tmp_path / "file").touch()
     monkeypatch.setenv("TMODES_CACHE", str(tmp_path / "file" / "cache"))
@@ -69,7 +178,7 @@ def test_folder_that_cannot_be_made_is_reported(tmp_path: Path, monkeypatch: pyt
 def test_entry_of_another_layout_is_made_again(place: Path) -> None:
     """What an older version wrote, sealed in its own way, is no entry of ours."""
     cache.save("key", b"code")
-    (entry,) = place.iterdir()
+    (entry,) = place.glob("*.o")
     sealed = hashlib.sha256(b"key\0code").hexdigest().encode()
     entry.write_bytes(sealed + b"code")
     assert cache.load("key") is None
@@ -87,14 +196,14 @@ def test_files_of_others_are_never_touched(place: Path, monkeypatch: pytest.Monk
     for number in range(12):
         cache.save(f"key {number}", bytes(1000))
     cli("clear")
-    assert set(place.iterdir()) == others
+    assert set(place.iterdir()) == others | {place / "secret"}
 
 
 def test_what_was_used_last_stays(place: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Reading an entry counts as use; sizes add up to the limit at most."""
     for number in range(8):
         cache.save(f"key {number}", bytes(1000))
-        os.utime(cache._entry(f"key {number}"), (number, number))  # type: ignore[arg-type]
+        os.utime(cache._entry(place, f"key {number}"), (number, number))
     assert cache.load("key 0") is not None
     assert cache.trim(place, 5000) <= 5000
     left = [number for number in range(8) if cache.load(f"key {number}") is not None]
@@ -122,7 +231,7 @@ def test_command_reports_folder_size_and_limit(place: Path) -> None:
     cache.save("one", bytes(1000))
     cache.save("two", bytes(2000))
     info = json.loads(cli("--json"))
-    size = sum(file.stat().st_size for file in place.iterdir())
+    size = sum(file.stat().st_size for file in place.glob("*.o"))
     assert info == {
         "folder": str(place), "used": True, "entries": 2, "bytes": size, "limit": cache.MAX_BYTES, "why_not": "",
     }  # fmt: skip

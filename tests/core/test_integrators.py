@@ -35,7 +35,7 @@ def plucked(setup):
 
 
 def integrated(setup, state=None, **changes):
-    settings = setting(setup.arm, **changes)
+    settings = setting(setup.robot, **changes)
     state = setup.start if state is None else state
     return integrate(setup.model, setup.model.numbers, setup.planned.schedule, state, settings)
 

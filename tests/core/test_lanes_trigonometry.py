@@ -8,8 +8,7 @@ import numpy as np
 import pytest
 
 from tmodes.compile.ir import kernels
-from tmodes.kinds.kernel.kernel import Kernel
-from tmodes.kinds.kernel.schedule import Schedule
+from tmodes.kinds.kernel.schedule import Kernel, Schedule
 
 TURN = Kernel("test turn", (1,), (2,), lambda x: [[ca.sin(x[0]), ca.cos(x[0])]])
 

@@ -13,8 +13,7 @@ from tmodes.compile.ir.ordering import kernel_function
 from tmodes.compile.ir.program import block_program
 from tmodes.errors import CompileError, ResultFileError
 from tmodes.kinds.kernel import functions
-from tmodes.kinds.kernel.kernel import Kernel
-from tmodes.kinds.kernel.schedule import Schedule
+from tmodes.kinds.kernel.schedule import Kernel, Schedule
 from tmodes.simulation.start import run_setup
 
 SINE_COSINE = Kernel("sine and cosine", (1,), (2,), lambda x: [[functions.sin(x[0]), functions.cos(x[0])]])

@@ -11,10 +11,10 @@ import pytest
 
 import tmodes
 from tmodes.errors import InputError, InputErrors, SimulationError
-from tmodes.io.scalars import parse_assignment
 from tmodes.io.sheet_write import robot_to_yaml
+from tmodes.io.units import parse_assignment
 from tmodes.simulation.plan import Follow
-from tmodes.simulation.quantities import arm_quantities, arm_stops
+from tmodes.simulation.quantities import run_quantities, run_stops
 from tmodes.simulation.start import run_setup, run_trajectory
 from tmodes.simulation.stops import Instants
 
@@ -33,7 +33,7 @@ def test_a_motor_that_follows_its_reference_passes_an_angle(robot, method):
     """The motor of the reference run passes an angle when the polynomials of the signal do."""
     changes = {**SHORT, "integration.method": method, "integration.stop": ["joint.motor.position > 2 deg"]}
     setup = run_setup(robot.with_(changes), Follow.WANTED)
-    done = run_trajectory(setup, stops=arm_stops(setup))
+    done = run_trajectory(setup, stops=run_stops(setup))
     signal = robot.drives[0].signal.schedule(robot.integration.duration)
     assert done.status == "stopped_by_condition"
     assert signal.at(done.times[-1]) == pytest.approx(np.deg2rad(2), abs=1e-9)
@@ -64,7 +64,7 @@ def test_every_name_gives_a_number(robot):
     """All quantities that a message may offer have values at a state, one for each instant."""
     setup = run_setup(robot)
     states, rows = np.tile(setup.start, (3, 1)), np.tile(setup.first_row, (3, 1))
-    for name, quantity in arm_quantities(setup).items():
+    for name, quantity in run_quantities(setup).items():
         values = quantity.of(Instants(np.zeros(3), states, rows))
         assert values.shape == (3,), name
         assert np.isfinite(values).all(), name

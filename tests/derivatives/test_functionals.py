@@ -17,9 +17,9 @@ from tmodes.io.sheet_check import sheet_data
 from tmodes.io.sheet_paths import steps_of
 from tmodes.robots.load import load
 from tmodes.sensitivity.changes import replaced
-from tmodes.sensitivity.functional import Functional, tracking_error
 from tmodes.sensitivity.gradient import adjoint_gradient, forward_sensitivities
 from tmodes.sensitivity.lowering import lowered
+from tmodes.sensitivity.quantities import Functional, tracking_error
 from tmodes.sheet import Robot
 
 Array = NDArray[np.float64]

@@ -14,9 +14,9 @@ from io_cases import value_of
 from tmodes.errors import InputError, SimulationError
 from tmodes.robots.load import load
 from tmodes.sensitivity.changes import Changes
-from tmodes.sensitivity.functional import Functional
 from tmodes.sensitivity.gradient import adjoint_gradient, forward_sensitivities
 from tmodes.sensitivity.lowering import Lowered, lowered
+from tmodes.sensitivity.quantities import Functional
 from tmodes.sheet import Robot
 from tmodes.simulation.recording import record
 from tmodes.simulation.replay import Replay

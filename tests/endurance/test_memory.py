@@ -16,9 +16,8 @@ from tmodes.integrate.settings import Integration
 from tmodes.kinds.drives.registry import drive_kind
 from tmodes.kinds.joints.registry import joint_kind
 from tmodes.kinds.kernel.functions import sqrt
-from tmodes.kinds.kernel.kernel import Kernel
+from tmodes.kinds.kernel.schedule import Kernel, Slot
 from tmodes.kinds.kernel.schedule import Schedule as MotionSchedule
-from tmodes.kinds.kernel.schedule import Slot
 from tmodes.kinds.links.contract import Body
 from tmodes.kinds.links.rigid import RigidLink
 from tmodes.kinds.signals.schedule import Schedule

@@ -13,7 +13,7 @@ import pytest
 from io_cases import SHEET, line_of, value_of
 from tmodes.errors import InputError, InputErrors
 from tmodes.io.sheet_check import sheet_from_data as robot_from_data
-from tmodes.io.sheet_paths import set_paths
+from tmodes.io.sheet_paths import changed_places
 from tmodes.io.yaml_file import parse_yaml
 from tmodes.sheet import Robot
 
@@ -44,7 +44,7 @@ def problem(*changes: str) -> str:
 
 def changed(**values: Any) -> Robot:
     data, _ = parse_yaml(SHEET, "my.yaml")
-    return robot_from_data(set_paths(data, {path.replace("__", "."): value for path, value in values.items()}))
+    return robot_from_data(changed_places(data, {path.replace("__", "."): value for path, value in values.items()})[0])
 
 
 def test_published_sheet_is_right() -> None:

@@ -8,9 +8,8 @@ import pytest
 
 from io_cases import SHEET, line_of, value_of
 from tmodes.errors import InputError, InputErrors
-from tmodes.robots import names, text
+from tmodes.robots import installed_models, names, text
 from tmodes.robots.load import load
-from tmodes.robots.packages import installed_models
 
 
 def test_published_robots_are_listed_and_read() -> None:

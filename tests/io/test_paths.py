@@ -12,9 +12,9 @@ from hypothesis import strategies as st
 
 from io_cases import SHEET, number_paths, value_of
 from tmodes.errors import InputError, InputErrors
-from tmodes.io.scalars import parse_assignment
 from tmodes.io.sheet_check import sheet_from_data as robot_from_data
-from tmodes.io.sheet_paths import set_paths
+from tmodes.io.sheet_paths import changed_places
+from tmodes.io.units import parse_assignment
 from tmodes.io.yaml_file import parse_yaml
 from tmodes.robots.load import load
 from tmodes.simulation.vary.lanes import changed_sheet
@@ -37,7 +37,7 @@ def sheet() -> dict[str, Any]:
 )
 def test_value_lands_at_its_path(path: str, keys: list[Any]) -> None:
     before = sheet()
-    value: Any = set_paths(before, {path: 7.0})
+    value: Any = changed_places(before, {path: 7.0})[0]
     for key in keys:
         value = value[key]
     assert value == 7.0
@@ -47,7 +47,7 @@ def test_value_lands_at_its_path(path: str, keys: list[Any]) -> None:
 def test_groups_that_the_sheet_leaves_out_are_made() -> None:
     data = sheet()
     del data["integration"], data["real"]
-    changed = set_paths(data, {"integration.step": 1.0, "real.gear.damping": 2.0})
+    changed = changed_places(data, {"integration.step": 1.0, "real.gear.damping": 2.0})[0]
     assert (changed["integration"], changed["real"]) == ({"step": 1.0}, {"gear.damping": 2.0})
 
 
@@ -126,14 +126,14 @@ def test_the_contact_is_switched_off_and_on() -> None:
 )
 def test_an_unknown_path_is_reported_with_the_nearest(path: str, meant: str) -> None:
     with pytest.raises((InputError, InputErrors), match="unknown key") as caught:
-        robot_from_data(set_paths(sheet(), {path: 1.0}))
+        robot_from_data(changed_places(sheet(), {path: 1.0})[0])
     assert meant in str(caught.value)
 
 
 @pytest.mark.parametrize("data", [{"link": 3.0}, {"link": {"modes": []}}, {"link": {"modes": 5}}, {"link": None}])
 def test_a_path_through_something_else_is_reported(data: dict[str, Any]) -> None:
     with pytest.raises(InputError, match=r"link\.modes\.0\.length"):
-        set_paths(data, {"link.modes.0.length": 1.0})
+        changed_places(data, {"link.modes.0.length": 1.0})
 
 
 @pytest.mark.parametrize(

@@ -12,8 +12,8 @@ import numpy as np
 import pytest
 
 import tmodes
-from tmodes.analysis.modes.modes import arm_modes
-from tmodes.analysis.statics.rest import arm_rest
+from tmodes.analysis.modes.modes import modes_about
+from tmodes.analysis.statics.equilibrium import robot_rest
 from tmodes.errors import InputError, InputErrors
 from tmodes.simulation.simulate import simulate_motion
 
@@ -66,7 +66,7 @@ def test_frequencies_are_the_closed_form() -> None:
     mass = np.array([[(m1 + m2) * l1**2, m2 * l1 * l2], [m2 * l1 * l2, m2 * l2**2]])
     stiffness = np.array([[(m1 + m2) * g * l1 + k, -k], [-k, m2 * g * l2 + k]])
     expected = np.sqrt(np.sort(np.linalg.eigvals(np.linalg.solve(mass, stiffness)).real)) / (2 * np.pi)
-    found = [mode.frequency_Hz for mode in arm_modes(arm_rest(robot))]
+    found = [mode.frequency_Hz for mode in modes_about(robot_rest(robot))]
     assert found == pytest.approx(expected, rel=1e-10)
 
 
@@ -118,7 +118,7 @@ def test_the_example_has_what_robots_have(example: dict[str, Any], tmp_path: Pat
     assert abs(float(result.data["q"].isel(time=-1).sel(coordinate="cart")) - 0.5) < 0.02
     assert tmodes.Result.load(result.save(tmp_path / "result.nc") or tmp_path / "result.nc").data.equals(result.data)
     held = np.sqrt((20.0 - 0.3 * 9.81 * 0.5) / (0.3 * 0.5**2)) / (2 * np.pi)
-    assert [mode.frequency_Hz for mode in arm_modes(arm_rest(robot))] == pytest.approx([held], rel=1e-10)
+    assert [mode.frequency_Hz for mode in modes_about(robot_rest(robot))] == pytest.approx([held], rel=1e-10)
     result.show().save(tmp_path / "page.html")
     assert "cart_with_flexible_pole" in (tmp_path / "page.html").read_text(encoding="utf-8")
 

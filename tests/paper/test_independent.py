@@ -12,7 +12,7 @@ from lagrange.robot2010 import TO_PAPER, symbols
 from oracle.line import line
 from oracle.oracle import contact_map, oracle
 from tmodes.analysis.modes.of_sheet import sheet_frequencies
-from tmodes.analysis.statics.rest import arm_rest
+from tmodes.analysis.statics.equilibrium import robot_rest
 from tmodes.simulation.plan import planned
 
 FINE = {
@@ -122,7 +122,7 @@ def test_frequencies_are_those_of_the_oracle(robot, reading, state, touch):
     """
     changes = {"reading": reading, "payload.mass": 1.5, "controller.position_gain": 150.0, "contact": touch}
     robot = robot.with_(changes)
-    rest = TO_PAPER @ arm_rest(robot, contact=touch).q
+    rest = TO_PAPER @ robot_rest(robot, contact=touch).q
     p, count, small = symbols(robot) | {"mu": 0.0}, 5 if state == "locked" else 6, 2e-6
     if state == "locked":
         p["I"] = 1e15

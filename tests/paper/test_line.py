@@ -8,7 +8,7 @@ import pytest
 from lagrange.robot2010 import TO_PAPER, close, lines, terms
 from oracle.line import angles, line
 from oracle.parameters import random_parameters, random_state
-from tmodes.analysis.statics.rest import arm_rest
+from tmodes.analysis.statics.equilibrium import robot_rest
 
 PHI = np.array([0.302, 0.012, 0.3, -0.004, -0.02, 0.29])
 PHID = np.array([0.5, -0.2, 0.45, 0.05, -0.1, 0.6])
@@ -68,7 +68,7 @@ def test_line_moments_obey_galerkin(numbers):
 
 def test_static_moments_are_levers(robot, numbers):
     """At rest without contact: the vertical moment is weight times lever, the shear is the weight outboard."""
-    phi = TO_PAPER @ arm_rest(robot.with_({"contact": False})).q
+    phi = TO_PAPER @ robot_rest(robot.with_({"contact": False})).q
     _, found, info = state(numbers, phi, np.zeros(6), contact=False)
     inner, outer = numbers["mel1"] * 9.81, (numbers["mel2"] + 0.5) * 9.81
     middle = found["line"][0, -1]

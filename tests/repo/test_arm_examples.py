@@ -9,8 +9,8 @@ from pathlib import Path
 import pytest
 
 from tmodes.kinds.links.beam_data import BeamData
+from tmodes.robots import installed_models
 from tmodes.robots.load import load
-from tmodes.robots.packages import installed_models
 from tmodes.sheet import Robot
 
 GUIDE = (Path(__file__).resolve().parents[2] / "docs" / "arms.md").read_text(encoding="utf-8")

@@ -222,7 +222,7 @@ def test_a_reused_process_number_does_not_hold_a_lock(tmp_path: Path) -> None:
 def test_a_process_whose_start_is_not_reported_holds_its_lock(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """As on macOS, or where the administrator hides the processes of others."""
     left_lock(tmp_path)
-    monkeypatch.setattr(atomic, "_process", lambda _: (True, ""))
+    monkeypatch.setattr(atomic, "process_state", lambda _: (True, ""))
     with pytest.raises(ResultFileError, match="held by process"), FolderLock(tmp_path):
         pass
 

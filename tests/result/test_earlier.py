@@ -10,8 +10,8 @@ import xarray as xr
 
 import tmodes
 from tmodes.errors import ResultFileError
-from tmodes.io.filipovic2010.coordinates import COORDINATES, to_robot
 from tmodes.io.filipovic2010.format import Format2010
+from tmodes.io.filipovic2010.importer import COORDINATES, to_robot
 from tmodes.io.resultfile import write_sealed
 from tmodes.io.yaml_file import parse_yaml
 from tmodes.result import Result

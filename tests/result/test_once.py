@@ -8,14 +8,14 @@ from typing import Any
 import pytest
 
 import tmodes
-import tmodes.analysis.statics.rest
+import tmodes.analysis.statics.equilibrium
 import tmodes.chain.lowering
 import tmodes.result.assemble
 import tmodes.simulation.start
 from arm.see.runs import swinging
 from tmodes.analysis.modes.of_sheet import sheet_frequencies
+from tmodes.analysis.statics.equilibrium import robot_rest
 from tmodes.analysis.statics.loads import Load
-from tmodes.analysis.statics.rest import arm_rest
 from tmodes.result import Result, load_result
 from tmodes.sheet import Robot
 
@@ -23,7 +23,7 @@ from tmodes.sheet import Robot
 @pytest.fixture
 def counts(monkeypatch: pytest.MonkeyPatch) -> Counter[str]:
     """How often the rest is solved, a sheet is lowered, and each analysis is made."""
-    tmodes.analysis.statics.rest._solved.clear()
+    tmodes.analysis.statics.equilibrium._solved.clear()
     found: Counter[str] = Counter()
 
     def counted(module: Any, name: str) -> None:
@@ -35,7 +35,7 @@ def counts(monkeypatch: pytest.MonkeyPatch) -> Counter[str]:
 
         monkeypatch.setattr(module, name, counting)
 
-    counted(tmodes.analysis.statics.rest, "equilibrium")
+    counted(tmodes.analysis.statics.equilibrium, "equilibrium")
     counted(tmodes.chain.lowering, "lowered")
     for name in ("line_series", "frequencies_about", "settling", "summary_errors"):
         counted(tmodes.result.assemble, name)
@@ -68,12 +68,12 @@ def test_a_rest_is_solved_once_for_run_modes_and_page(counts):
     robot = short(real={})
     result = tmodes.run(robot)
     assert result.frequencies
-    sheet_frequencies(Robot.from_data(swinging() | {"real": {}}), contact=robot.contact is not None)
+    sheet_frequencies(Robot.from_data(swinging() | {"real": {}}))
     assert counts["equilibrium"] == 1
     for change in ({"links.0.beam.length": 0.61}, {"gravity": 3.0}):
-        sheet_frequencies(robot.with_(change), contact=robot.contact is not None)
+        sheet_frequencies(robot.with_(change))
     assert counts["equilibrium"] == 3
-    arm_rest(robot, [Load("tip", (0.0, 0.0, -0.1))])
+    robot_rest(robot, [Load("tip", (0.0, 0.0, -0.1))])
     assert counts["equilibrium"] == 4
 
 
@@ -116,6 +116,6 @@ def test_a_rest_that_is_taken_again_has_the_names_of_the_robot_that_asks(counts)
     def with_point(name: str) -> Robot:
         return short(points=[*swinging()["points"], {"name": name, "link": "rod"}])
 
-    names = [[point.name for point in arm_rest(with_point(name)).model.chain.points] for name in ("eye", "ear")]
+    names = [[point.name for point in robot_rest(with_point(name)).model.chain.points] for name in ("eye", "ear")]
     assert counts["equilibrium"] == 1
     assert [last for *_, last in names] == ["eye", "ear"]

@@ -146,7 +146,7 @@ def test_a_failed_run_says_so_first(texts: dict[str, str]) -> None:
 
 def test_a_finished_run_says_so(texts: dict[str, str]) -> None:
     page = Page(texts["good"])
-    assert "Finished.  reached the end, t = 2 s, by dormand_prince" in page.text
+    assert "Finished.  completed at t = 2 s (dormand_prince chosen: fastest eigenvalue" in page.text
     assert not [a for _, a in page.elements if a.get("role") == "alert"]
     left_out = page.text.partition("Left out:")[2].partition("Robot")[0]
     assert left_out.split(":")[0].strip() == "States of the controllers"

@@ -11,10 +11,10 @@ from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
 from see.scenes import arm_result, robot_result
-from tmodes.analysis.modes.modes import arm_modes
+from tmodes.analysis.modes.modes import modes_about
 from tmodes.analysis.modes.of_sheet import servos_of
 from tmodes.analysis.spectrum import MotorState
-from tmodes.analysis.statics.rest import arm_rest
+from tmodes.analysis.statics.equilibrium import robot_rest
 from tmodes.report.data import modes_of
 from tmodes.report.pack import Coarse, TwoParts, displaced, kept, pack, stations_shown, steady
 from tmodes.report.scene import line_of, scene_of
@@ -153,9 +153,9 @@ def test_modes_are_those_of_the_result(made: Any) -> None:
 def test_the_tip_of_a_mode_moves_by_the_jacobian() -> None:
     result = robot_result()
     robot = actual(result).robot
-    rest = arm_rest(robot, contact=True)
+    rest = robot_rest(robot, contact=True)
     jacobian = rest.model.jacobian(rest.q)[0, :3]
-    shaped = arm_modes(rest, MotorState.CONTROLLED, servos_of(robot, rest.model))
+    shaped = modes_about(rest, MotorState.CONTROLLED, servos_of(robot, rest.model))
     moving = [mode for mode in shaped if mode.motion is not None and mode.frequency_Hz > 0]
     assert len(moving) == 6
     for mode, one in zip(modes_of(result), moving, strict=False):

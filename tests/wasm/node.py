@@ -91,9 +91,9 @@ def in_node(module: LiveModule, jobs: list[dict[str, Any]], folder: Path) -> lis
 
 def page_states(setup: RunSetup, folder: Path) -> np.ndarray:
     """The states (n, size) of a run in WebAssembly, which reaches its end; of a robot that runs by `dormand_prince`."""
-    settings = setup.arm.integration
+    settings = setup.robot.integration
     schedule = setup.planned.schedule.until(settings.duration)
-    module = live_module(ModelFunctions(setup.arm.pair(), (1.0,)), [settings.method])
+    module = live_module(ModelFunctions(setup.robot.pair(), (1.0,)), [settings.method])
     (found,) = in_node(module, [{"run": {
         "loop": f"real.{settings.method}", "parameters": setup.model.numbers, "knots": schedule.knots,
         "rows": np.column_stack([schedule.knots[:-1], schedule.coefficients]), "state": setup.start,

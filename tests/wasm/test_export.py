@@ -90,7 +90,7 @@ def test_the_example_runs_from_disk(made: Exported, seed: Any, folder: Path, chr
         browser.close()
     assert said == []
     assert title == "<script>"
-    assert info.startswith("finished: reached the end, t = 0.1 s")
+    assert info.startswith("finished: completed at t = 0.1 s")
     last = float(run(seed).data["q"].values[-1, 0])
     assert float(info.rpartition(" ")[2]) == pytest.approx(last, rel=1e-10)
 

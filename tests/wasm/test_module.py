@@ -15,8 +15,8 @@ from tmodes.compile.ir.calls import DIRECT
 from tmodes.compile.ir.ordering import kernel_program
 from tmodes.compile.wasm.wasm_parts import schedule_samples
 from tmodes.live.functions import Functions, LiveModule, ModelFunctions, live_module, needed_for, stationed
-from tmodes.model.evaluator import derivatives
 from tmodes.model.model import Model
+from tmodes.model.passes import derivatives
 from tmodes.sheet import Robot
 from tmodes.simulation.loop import LoopModel
 from tmodes.simulation.parts import sample_times
@@ -45,11 +45,11 @@ def _regimes(arm: Robot) -> dict[str, RunSetup]:
     return {"reference": run_setup(pair.nominal, Follow.WANTED), "real": run_setup(pair.real)}
 
 
-def _job(name: str, regime: RunSetup) -> dict[str, Any]:
-    settings, schedule = regime.arm.integration, regime.planned.schedule.until(regime.arm.integration.duration)
+def _job(name: str, setup: RunSetup) -> dict[str, Any]:
+    settings, schedule = setup.robot.integration, setup.planned.schedule.until(setup.robot.integration.duration)
     return {"run": {
-        "loop": f"{name}.{settings.method}", "parameters": regime.model.numbers, "knots": schedule.knots,
-        "rows": np.column_stack([schedule.knots[:-1], schedule.coefficients]), "state": regime.start,
+        "loop": f"{name}.{settings.method}", "parameters": setup.model.numbers, "knots": schedule.knots,
+        "rows": np.column_stack([schedule.knots[:-1], schedule.coefficients]), "state": setup.start,
         "times": sample_times(settings), "settings": {
             "duration": settings.duration, "relativeTolerance": settings.relative_tolerance,
             "absoluteTolerance": settings.absolute_tolerance, "step": settings.step, "maxSteps": settings.max_steps,
@@ -59,10 +59,10 @@ def _job(name: str, regime: RunSetup) -> dict[str, Any]:
 
 def test_motion_is_the_native_one(module: LiveModule, tmp_path: Path) -> None:
     cases = [(method, *case) for method in SAME for case in _regimes(_arm(method)).items()]
-    found = in_node(module, [_job(name, regime) for _, name, regime in cases], tmp_path)
+    found = in_node(module, [_job(name, setup) for _, name, setup in cases], tmp_path)
     touched = 0
-    for (method, _, regime), info in zip(cases, found, strict=True):
-        native = run_trajectory(regime)
+    for (method, _, setup), info in zip(cases, found, strict=True):
+        native = run_trajectory(setup)
         assert info["status"] == native.status == "finished"
         touched += info["statistics"].get("contact_changes", 0)
         states, largest = info["states"].reshape(native.states.shape), np.abs(native.states).max()
@@ -81,13 +81,13 @@ def _states(model: LoopModel, count: int, seed: int) -> np.ndarray:
 def test_samples_are_the_native_ones(module: LiveModule, tmp_path: Path) -> None:
     regimes, times = _regimes(_arm()), np.linspace(0, 0.05, 4)
     cases = []
-    for name, regime in regimes.items():
-        states, rows = _states(regime.model, 4, 3), regime.planned.schedule.rows_at(times)
+    for name, setup in regimes.items():
+        states, rows = _states(setup.model, 4, 3), setup.planned.schedule.rows_at(times)
         inputs = {"time": times, "state": states, "row": rows, "step": np.zeros(1)}
-        shown = {label: values.reshape(4, -1) for label, values in regime.model.observe(times, states, rows).items()}
+        shown = {label: values.reshape(4, -1) for label, values in setup.model.observe(times, states, rows).items()}
         cases += [
             (name, "observe", inputs, shown),
-            (name, "rate", inputs, {"rate": regime.model.rate(times, states, rows)}),
+            (name, "rate", inputs, {"rate": setup.model.rate(times, states, rows)}),
         ]
     jobs = [
         {"sample": f"{name}.{label}", "parameters": regimes[name].model.numbers, "inputs": inputs, "count": 4}
@@ -131,10 +131,10 @@ def test_picture_and_energies_are_the_native_ones(module: LiveModule, tmp_path: 
 
 def test_rest_is_where_nothing_accelerates(module: LiveModule, tmp_path: Path) -> None:
     pair = _arm().pair()
-    arm, regime = ModelFunctions(pair, STATIONS), run_setup(pair.real)
+    arm, setup = ModelFunctions(pair, STATIONS), run_setup(pair.real)
     held, row = LoopModel(arm.plans["rest"].plan), arm.numbers()["rest_row"]
     state = np.zeros(held.layout.size)
-    state[held.layout.q] = regime.start[regime.model.layout.q]
+    state[held.layout.q] = setup.start[setup.model.layout.q]
     count, n = len(held.coordinates), held.layout.size
     inputs = {"time": np.zeros(1), "state": state, "row": row, "step": np.zeros(1)}
     directions = {"state": np.eye(count, n)}

@@ -5,19 +5,10 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["balance", "energy_lost", "energy_sentence", "largest_flow"]
+__all__ = ["energy_lost", "energy_sentence", "largest_flow"]
 
 _ROUNDING = 1e-12
 """A residual [J] that is rounding, however little energy was moved."""
-
-
-def balance(energy: ArrayLike, work: ArrayLike) -> NDArray[np.float64]:
-    """Residual of the balance [J] at each sample: (E - E0) - motor's work + all losses.
-
-    ``energy`` (n, kinds) and ``work`` (n, kinds), the motor's work first.
-    """
-    total, work = np.sum(energy, axis=1), np.asarray(work)
-    return total - total[0] - work[:, 0] + work[:, 1:].sum(axis=1)
 
 
 def largest_flow(energy: ArrayLike, work: ArrayLike) -> float:

@@ -15,15 +15,8 @@ from numpy.typing import ArrayLike, NDArray
 from tmodes.model.model import Model
 
 __all__ = [
-    "Split",
-    "deflections",
-    "elastic_names",
-    "gear_inputs",
-    "gross_motion",
-    "held_shape",
-    "split_motion",
-    "sprung",
-]
+    "Split", "deflections", "elastic_names", "gear_inputs", "gross_motion", "held_shape", "split_motion", "sprung",
+]  # fmt: skip
 
 Array = NDArray[np.float64]
 
@@ -49,8 +42,8 @@ _ROWS = 40_000
 class Split:
     """``stationary`` and ``oscillatory`` (n, m) of the m elastic coordinates ``names`` at n samples [rad, m].
 
-    ``held`` (n,): False where the arm could not hold its loads statically; there the stationary part is that of the arm
-    as it is linear about its present shape.
+    ``held`` (n,): False where the robot could not hold its loads statically; there the stationary part is that of the
+    robot as it is linear about its present shape.
     """
 
     names: tuple[str, ...]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 from typing import Any
@@ -11,13 +11,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.errors import SimulationError
-from tmodes.integrate.choice import chosen_method
-from tmodes.integrate.registry import AUTO
 from tmodes.integrate.settings import Integration
 
 __all__ = [
-    "GROWING", "RINGS", "MotorState", "Spectrum", "StepVerdict", "chosen_settings",
-    "growth_warnings", "spectrum_of", "step_size_verdict", "step_times_eigenvalue",
+    "GROWING", "RINGS", "MotorState", "Spectrum", "StepVerdict", "growth_warnings",
+    "spectrum_of", "step_size_verdict", "step_times_eigenvalue",
 ]  # fmt: skip
 
 Array = NDArray[np.float64]
@@ -37,7 +35,7 @@ _MOST_WHOLE = 500
 
 
 class MotorState(StrEnum):
-    """What the motors do while the arm vibrates: they stand still, turn without current, or are controlled."""
+    """What the motors do while the robot vibrates: they stand still, turn without current, or are controlled."""
 
     LOCKED = "locked"
     FREE = "free"
@@ -93,7 +91,7 @@ def spectrum_of(matrix: Array, coordinates: Sequence[str], currents: Sequence[st
 
 @dataclass(frozen=True)
 class StepVerdict:
-    """``highest`` |eigenvalue| [1/s] at the start; ``dt_omega`` = step times it; ``stable``; ``sentence`` to tell."""
+    """``highest`` |eigenvalue| [1/s] at the start; ``dt_omega`` = step times it; ``stable``; ``sentence``: warning."""
 
     highest: float
     dt_omega: float | None
@@ -128,13 +126,6 @@ def step_size_verdict(settings: Integration, spectrum: Spectrum) -> StepVerdict:
         hint = f"set integration.step near {0.3 / highest:.2g}, or integration.method: dormand_prince"
         return StepVerdict(highest, dt_omega, True, f"{one.name} is stable but inaccurate at this step: {info}; {hint}")
     return StepVerdict(highest, dt_omega, True)
-
-
-def chosen_settings(settings: Integration, spectrum: Callable[[], Spectrum]) -> Integration:
-    """The settings with a method, chosen by the eigenvalues at the start where none is named, and its tolerances."""
-    if settings.method != AUTO:
-        return settings.chosen(settings.method)
-    return settings.chosen(chosen_method(settings, spectrum().highest)[0])
 
 
 def step_times_eigenvalue(verdict: StepVerdict, statistics: dict[str, Any]) -> float | None:

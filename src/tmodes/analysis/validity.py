@@ -1,56 +1,115 @@
-"""Where a run leaves what its model or its material are good for: reported in the result."""
+"""How far links bend, and where a robot leaves what its models or its materials are good for."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tmodes.analysis.line.line import LinkLine, LinkLines
+from tmodes.analysis.line.line import LinkLine, LinkLines, elastic_line
+from tmodes.equations.recursion.parts import NodePart
 from tmodes.kinds.links.contract import Link
 from tmodes.model.model import Model
 from tmodes.sheet import Robot
 
-__all__ = ["missing_share", "rest_warnings", "run_warnings", "yield_strength"]
-
+__all__ = [
+    "LinkRange", "link_angles", "link_ranges", "missing_share", "rest_warnings", "run_warnings", "yield_strength",
+]  # fmt: skip
 
 Array = NDArray[np.float64]
 
-MISSING_SHARE = 0.01
+VERDICTS = ("good", "fair", "beyond the model")
 
+
+@dataclass(frozen=True)
+class LinkRange:
+    """A flexible link in one pose.
+
+    ``angle_rad``: the one that limits its ``model``; ``slope_rad``: by which its end has turned from the unbent link;
+    ``deflection_m``: by which its end has moved, ``deflection_over_length``;
+    ``verdict``: good, fair, beyond the model; ``cure``: what would help.
+    """
+
+    link: str
+    model: str
+    angle_rad: float
+    slope_rad: float
+    deflection_m: float
+    deflection_over_length: float
+    verdict: str
+    cure: str = ""
+
+
+def link_angles(model: Model, q: ArrayLike) -> dict[str, Array]:
+    """For each flexible link the angle [rad] that limits its model, at poses q (n, nq): arrays (n,)."""
+    poses = np.atleast_2d(np.asarray(q, dtype=float))
+    return {
+        one.node.name: one.node.link.limiting_angles(poses[:, one.link.own]) for one in model.parts.nodes if one.link
+    }
+
+
+def link_ranges(model: Model, q: ArrayLike) -> list[LinkRange]:
+    """The flexible links in the pose q (nq,)."""
+    pose = np.asarray(q, dtype=float)
+    angles, unbent = link_angles(model, pose), pose.copy()
+    unbent[model.deformations] = 0.0
+    lines = elastic_line(model, np.stack([pose, unbent]), stations=[0.0, 1.0])
+    return [
+        _range(part, [line for line in lines.links.values() if line.node == index], float(angles[part.node.name][0]))
+        for index, part in enumerate(model.parts.nodes)
+        if part.link
+    ]
+
+
+def _range(part: NodePart, lines: list[LinkLine], angle: float) -> LinkRange:
+    """``lines`` of the link from root to tip: bent and unbent, the ends of each."""
+    link, first, last = part.node.link, lines[0], lines[-1]
+    roots = first.rotation[:, 0].swapaxes(1, 2)
+    bent_tip, tip = (roots @ (last.position[:, 1] - first.position[:, 0])[..., None])[..., 0]
+    moved = float(np.linalg.norm(bent_tip - tip))
+    bent_axes, axes = roots @ last.rotation[:, 1]
+    turned = bent_axes @ axes.T
+    slope = float(np.arctan2(np.linalg.norm(turned - turned.T) / np.sqrt(8), (np.trace(turned) - 1) / 2))
+    limit = link.angle_limit
+    verdict = VERDICTS[int(angle > limit.good) + int(angle > limit.fair)]
+    share = moved / link.length
+    return LinkRange(part.node.name, link.kind, angle, slope, moved, share, verdict, limit.cure)
+
+
+MISSING_SHARE = 0.01
 """Share of a link's bending energy in shapes that its functions do not have, from which more are advised."""
 
 _NEGLIGIBLE = 1e-4
-
 """Share of a link's energy below which a direction does not count."""
 
 
-def run_warnings(arm: Robot, model: Model, times: ArrayLike, q: ArrayLike, lines: LinkLines) -> list[str]:
+def run_warnings(robot: Robot, model: Model, times: ArrayLike, q: ArrayLike, lines: LinkLines) -> list[str]:
     """Sentences on the links in a run at n times [s]; each says what, when first, how far, and what to do.
 
     ``q`` (n, nq); ``lines`` of the same samples, under the same wrenches.
     """
     time, q = (np.asarray(x, dtype=float) for x in (times, q))
-    return [*_range(model, time, q), *_of_lines(arm, model, time, lines)]
+    return [*_angles(model, time, q), *_of_lines(robot, model, time, lines)]
 
 
-def rest_warnings(arm: Robot, model: Model, lines: LinkLines) -> list[str]:
-    """Sentences on an arm at rest: functions that are missing, material that yields, links pressed too hard.
+def rest_warnings(robot: Robot, model: Model, lines: LinkLines) -> list[str]:
+    """Sentences on a robot at rest: functions that are missing, material that yields, links pressed too hard.
 
     ``lines``: of the one pose, under its loads.
     """
-    return [*_of_lines(arm, model, np.zeros(1), lines)]
+    return [*_of_lines(robot, model, np.zeros(1), lines)]
 
 
-def _of_lines(arm: Robot, model: Model, time: Array, lines: LinkLines) -> Iterator[str]:
+def _of_lines(robot: Robot, model: Model, time: Array, lines: LinkLines) -> Iterator[str]:
     yield from _functions(model, lines)
     for line in lines.bending():
-        yield from _yielding(arm, time, line)
+        yield from _yielding(robot, time, line)
         yield from _buckling(model, time, line)
 
 
-def _range(model: Model, time: Array, q: Array) -> Iterator[str]:
+def _angles(model: Model, time: Array, q: Array) -> Iterator[str]:
     """Angles beyond what the equations of a link are good for."""
     for part in model.parts.nodes:
         if part.link is None:
@@ -96,8 +155,8 @@ def _functions(model: Model, lines: LinkLines) -> Iterator[str]:
                 )
 
 
-def _yielding(arm: Robot, time: Array, line: LinkLine) -> Iterator[str]:
-    strength = yield_strength(arm, line.name)
+def _yielding(robot: Robot, time: Array, line: LinkLine) -> Iterator[str]:
+    strength = yield_strength(robot, line.name)
     if line.stress is None or strength is None:
         return
     worst = line.largest("mises_stress")
@@ -109,10 +168,10 @@ def _yielding(arm: Robot, time: Array, line: LinkLine) -> Iterator[str]:
     )  # fmt: skip
 
 
-def yield_strength(arm: Robot, name: str) -> float | None:
+def yield_strength(robot: Robot, name: str) -> float | None:
     """Least yield strength [Pa] of a link's materials, None where unknown. Segments bear their link's name."""
-    names = {link.name for link in arm.links}
-    beam = arm.link(name if name in names else name.rpartition(".")[0]).beam if arm.links else None
+    names = {link.name for link in robot.links}
+    beam = robot.link(name if name in names else name.rpartition(".")[0]).beam if robot.links else None
     if beam is None:
         return None
     return min(beam.yield_strengths, default=None)

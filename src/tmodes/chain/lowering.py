@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from tmodes.chain.chain import Chain, Friction, Gear, Joint, Motor, Node, Point
 from tmodes.frame import Placement
 from tmodes.kinds.drives.contract import DriveKind
-from tmodes.kinds.drives.drive import FrictionSheet, GearSheet, MotorSheet
+from tmodes.kinds.drives.drive import FrictionSheet, MotorSheet
 from tmodes.kinds.drives.registry import drive_kind
 from tmodes.kinds.joints.joint import JointSheet, MeasuredFrom
 from tmodes.kinds.joints.registry import joint_kind
@@ -50,23 +50,20 @@ def lowered(robot: Robot) -> Chain:
         sheet = robot.link(joint.child)
         link = lowered_link(sheet, node, frame, chord)
         hung[joint.child] = _Hung(len(nodes), link)
-        nodes.extend(_numbered(link.nodes, len(nodes)))
+        first, *rest = link.nodes  # each but the first hangs on the one before
+        nodes += [first, *(replace(each, parent=k) for k, each in enumerate(rest, len(nodes)))]
+    tip = robot.tip or TipSheet(link=last_link(robot.joints))
+    points = [("tip", tip), *((point.name, point) for point in robot.points)]
     return Chain(
         name=robot.name,
         nodes=tuple(nodes),
         gravity=np.array(robot.gravity),
         base=placed(robot.base),
-        points=tuple(_points(robot, hung)),
+        points=tuple(_point(name, point, hung) for name, point in points),
         couplings=_couplings(robot, nodes),
         equations=robot.equations,
         parameters=dict(robot.parameters),
     )
-
-
-def _numbered(nodes: tuple[Node, ...], first: int) -> list[Node]:
-    """The nodes of a link, each but the first with the one before as its parent."""
-    rest = [Node(node.name, first + k, node.joint, node.link) for k, node in enumerate(nodes[1:])]
-    return [nodes[0], *rest]
 
 
 def _frames(joint: JointSheet, holder: _Hung | None) -> tuple[Placement, Placement]:
@@ -85,7 +82,8 @@ def _joint(sheet: JointSheet, placement: Placement, robot: Robot) -> Joint:
         still = Placement(*sheet.kind.placement([sheet.locked_at] * sheet.kind.size, [*axis, *parameters]))
         return Joint(sheet.name, joint_kind("fixed"), placement @ still, axis)
     drives, limits = tuple(_drive(sheet, name, robot) for name in sheet.coordinates), sheet.limits
-    drive = drives[0]
+    drive, gear = drives[0], sheet.gear
+    gear = Gear(gear.stiffness, gear.torque_limits, gear.damping, gear.backlash) if gear else None
     lower, upper = (limits.lower, limits.upper) if limits else (None, None)
     return Joint(
         name=sheet.name,
@@ -94,7 +92,7 @@ def _joint(sheet: JointSheet, placement: Placement, robot: Robot) -> Joint:
         axis=axis,
         drive=drive,
         motor=_motor(sheet.motor) if sheet.motor and drive.takes_effort else None,
-        gear=_gear(sheet.gear) if sheet.gear and drive.has_gear else None,
+        gear=gear if drive.has_gear else None,
         friction=_friction(sheet.friction),
         rest=sheet.locked_at,
         lower=-np.inf if lower is None else lower,
@@ -129,16 +127,6 @@ def _motor(sheet: MotorSheet) -> Motor:
         torque_constant=info.torque_constant,
         inductance=info.inductance,
     )
-
-
-def _gear(sheet: GearSheet) -> Gear:
-    return Gear(sheet.stiffness, sheet.torque_limits, sheet.damping, sheet.backlash)
-
-
-def _points(robot: Robot, hung: dict[str, _Hung]) -> list[Point]:
-    tip = robot.tip or TipSheet(link=last_link(robot.joints))
-    named = [("tip", tip), *((point.name, point) for point in robot.points)]
-    return [_point(name, point, hung) for name, point in named]
 
 
 def _point(name: str, sheet: TipSheet, hung: dict[str, _Hung]) -> Point:

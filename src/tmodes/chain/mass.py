@@ -1,4 +1,4 @@
-"""What a joint moves must have mass: a moving end without any has no acceleration that a force would tell."""
+"""What a joint moves must have mass: a force gives a massless moving end no finite acceleration."""
 
 from __future__ import annotations
 
@@ -45,12 +45,8 @@ def _same_names(chain: Chain) -> Iterator[Issue]:
     """Parts of a link have names of their own, such as ``upper.1``; a link may not be called so too."""
     names = [node.name for node in chain.nodes]
     for name in sorted({name for name in names if names.count(name) > 1}):
-        yield Issue(
-            "links",
-            f"`{name}`, also the name of a part of a link",
-            "links whose names no part of a link has",
-            "rename the link",
-        )
+        got = f"`{name}`, also the name of a part of a link"
+        yield Issue("links", got, "links whose names no part of a link has", "rename the link")
 
 
 def _nothing_moved(chain: Chain, index: int, moved: Array) -> str:
@@ -103,18 +99,14 @@ def _dependent(chain: Chain, carried: list[Array]) -> dict[int, str]:
 
 
 def _upward(chain: Chain, index: int) -> Array:
-    """What carries a force (6,) in the frame of a node's joint to that of its parent."""
-    offset = _offset(chain, index)
+    """What carries a force (6,) in the frame of a node's joint, as it has moved, to that of its parent's."""
+    joint, parent = chain.nodes[index].joint, chain.nodes[index].parent
+    length = chain.nodes[parent].link.length if parent >= 0 else 0.0
+    tip = Placement(position=np.array([length, 0.0, 0.0]))  # of the parent's link in its frame, unbent
+    offset = tip @ joint.placement @ joint.placed(_general(joint, index))
     shift = np.eye(6)
     shift[3:, :3] = -cross_matrix(offset.position)
     return shift.T @ np.kron(np.eye(2), offset.rotation)
-
-
-def _offset(chain: Chain, index: int) -> Placement:
-    """Frame of a node's joint, as it has moved, in that of its parent's."""
-    joint, parent = chain.nodes[index].joint, chain.nodes[index].parent
-    start = _length(chain.nodes[parent]) if parent >= 0 else Placement()
-    return start @ joint.placement @ joint.placed(_general(joint, index))
 
 
 def _has_inertia(axis: Axis) -> bool:
@@ -135,11 +127,6 @@ def _carried(chain: Chain) -> list[Array]:
 
 def _own(node: Node) -> Array:
     return sum((_spatial(body) for body in node.link.unbent_bodies()), np.zeros((6, 6)))
-
-
-def _length(node: Node) -> Placement:
-    """The chain's tip frame of a node in its link's frame, unbent."""
-    return Placement(position=np.array([node.link.length, 0.0, 0.0]))
 
 
 def _general(joint: Joint, index: int) -> list[float]:

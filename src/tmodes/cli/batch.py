@@ -125,12 +125,12 @@ def _count(path: str, count: float) -> int:
 
 
 def _run(sheet: Any, values: dict[str, Any], threads: int | None, out: Path | None) -> tuple[BatchRun, Spread]:
-    from tmodes.simulation.vary.simulate import prepared, prepared_alone, run_prepared
+    from tmodes.simulation.vary.simulate import prepared, run_prepared
     from tmodes.simulation.vary.study import spread
 
     with working() as tell:
         lanes = prepared(sheet, values, out=out, progress=tell)
-        own = run_prepared(prepared_alone(sheet), tips=True, threads=1, progress=tell)
+        own = run_prepared(prepared(sheet, None), tips=True, threads=1, progress=tell)
         if "interrupted" in own.status:
             raise KeyboardInterrupt
         found = run_prepared(lanes, tips=True, threads=threads, progress=tell)

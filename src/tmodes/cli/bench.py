@@ -147,5 +147,5 @@ def cache(
         print(f"not used       {refusal}")
     print(f"entries        {len(found)}, {size / 1e6:.1f} MB of at most {MAX_BYTES / 1e6:.0f} MB")
     print("what for       a robot's equations are compiled once and cached; a second run of it compiles nothing")
-    print("elsewhere      TMODES_CACHE=FOLDER names another folder; empty: nothing is kept")
+    print("elsewhere      TMODES_CACHE=FOLDER names another folder, by its absolute path; empty: nothing is kept")
     print("remove         tmodes cache clear")

@@ -128,7 +128,7 @@ def ladder(
 def _print_ladder(found: Ladder) -> None:
     columns = ["model", "coordinates", "first [Hz]", "sag [mm]", "tip off by [mm]", "of deflection", "first off by",
                "one step [us]", "fastest [1/s]", ""]  # fmt: skip
-    title = f"{found.arm}: {found.move}; the tip deflects by up to {found.deflection_m * 1e3:.4g} mm"
+    title = f"{found.robot}: {found.move}; the tip deflects by up to {found.deflection_m * 1e3:.4g} mm"
     print_table(title, columns, [_rung_row(rung, found) for rung in found.rungs])
     print(f"Within {found.tolerance:g} of {found.rungs[-1].model}, the cheapest is {found.recommended}.")
     if not found.converged:

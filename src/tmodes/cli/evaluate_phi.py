@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.errors import SimulationError
-from tmodes.io.filipovic2010.coordinates import COORDINATES, to_robot
+from tmodes.io.filipovic2010.importer import COORDINATES, to_robot
 from tmodes.model.model import Model
 from tmodes.simulation.loop import LoopModel
 from tmodes.simulation.plan import planned

@@ -133,7 +133,7 @@ def chosen_sheet(
     changes: dict[str, Any] | None = None,
 ) -> Robot:
     """The robot that a command line names, with its changes; raises an InputError for any wrong part."""
-    from tmodes.io.scalars import parse_assignment
+    from tmodes.io.units import parse_assignment
 
     info = dict(parse_assignment(text) for text in settings or []) | (changes or {})
     sheet = load(robot, info, roots=roots or (), trust_paths=trust_paths)

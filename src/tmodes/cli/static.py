@@ -57,8 +57,8 @@ def static(
     The loads are those of the data sheet and those given here; motors stand at their first command.
     """
     from tmodes.analysis.describe.describe import statics_info
+    from tmodes.analysis.statics.equilibrium import robot_rest
     from tmodes.analysis.statics.loads import Load, point_index
-    from tmodes.analysis.statics.rest import arm_rest
     from tmodes.model.model import Model
 
     sheet = chosen_sheet(robot, settings, roots=root, trust_paths=trust_paths)
@@ -70,7 +70,7 @@ def static(
     index = point_index(model, point)
     held = dict(held_of(text, sheet) for text in hold or [])
     with working() as tell:
-        rest = arm_rest(sheet, loads, model=model, held=held, progress=tell)
+        rest = robot_rest(sheet, loads, model=model, held=held, progress=tell)
     info = statics_info(sheet, rest, index)
     if as_json:
         print_json({"robot": sheet.name, "units": UNITS, **info})

@@ -1,22 +1,23 @@
 """Compiled code on disk, in a folder that is kept small, so that a second run of the same robot compiles nothing.
 
-An entry is an object file that we wrote, behind a line with the digest of its key and of its bytes; one that does not
-fit is made again, never trusted. The key names versions, processor and its features, and the digest of our own source.
-The folder is private to the user and refused when it belongs to another.
+An entry is an object file that we wrote, behind a seal of its key and its bytes under a secret of the user's; one that
+does not fit is made again, never trusted. The key names versions, processor and its features, and the digest of our own
+source. What folder and which files are trusted: :mod:`tmodes.compile.cache_folder`.
 """
 
 from __future__ import annotations
 
 import hashlib
+import hmac
 import os
 import re
-import sys
 from collections.abc import Iterator
 from contextlib import suppress
 from functools import cache
 from pathlib import Path
 from typing import NamedTuple
 
+from tmodes.compile.cache_folder import folder, judged, own_file, secret
 from tmodes.errors import ResultFileError
 from tmodes.io.atomic import atomic_write, remove_orphans
 
@@ -25,9 +26,12 @@ __all__ = ["MAX_BYTES", "Entry", "clear", "entries", "folder", "judged", "load",
 MAX_BYTES = 256 * 2**20
 """Size of the cache above which the entries not used for the longest time go."""
 
+_MAX_ENTRY = 64 * 2**20
+"""Size of one entry above which it is neither kept nor read."""
+
 _SOURCES = ("chain", "compile", "equations", "kinds", "sheet")
 
-_HEAD = b"tmodes compiled code, layout 1\n"
+_HEAD = b"tmodes compiled code, layout 2\n"
 """First line of an entry; entries of another layout are made again."""
 
 _START = len(_HEAD) + 64
@@ -52,40 +56,46 @@ def source_digest(sources: tuple[str, ...] = _SOURCES) -> str:
     return digest.hexdigest()
 
 
-def _entry(key: str) -> Path | None:
-    place = folder()
-    return place and place / f"{hashlib.sha256(key.encode()).hexdigest()}.o"
+def _entry(place: Path, key: str) -> Path:
+    return place / f"{hashlib.sha256(key.encode()).hexdigest()}.o"
 
 
 def load(key: str) -> bytes | None:
-    """The object file of a key, or None where there is none that is whole."""
-    entry = _entry(key)
-    try:
-        content = entry.read_bytes() if entry else b""
-        binary = content[_START:]
-        if content[:_START] != _seal(key, binary):
-            return None
-        os.utime(entry)  # type: ignore[arg-type]
-    except OSError:
+    """The object file of a key, or None where there is none that is whole and the user's own."""
+    place = folder()
+    known = place and secret(place, make=False)
+    if not place or not known:
         return None
+    entry = _entry(place, key)
+    content = own_file(entry, _START + _MAX_ENTRY) or b""
+    binary = content[_START:]
+    if not hmac.compare_digest(content[:_START], _seal(known, key, binary)):
+        return None
+    with suppress(OSError):
+        os.utime(entry)
     return binary
 
 
 def save(key: str, binary: bytes) -> None:
     """Keep an object file; a cache that cannot be written only costs time, so it is no error."""
-    entry = _entry(key)
-    if entry is None:
+    place = folder()
+    known = place and secret(place, make=True)
+    if not place or not known or len(binary) > _MAX_ENTRY:
         return
+    entry = _entry(place, key)
     try:
-        with atomic_write(entry, durable=False) as temporary:  # a damaged entry is found by its digest, and made again
-            temporary.write_bytes(_seal(key, binary) + binary)
+        if entry.is_symlink():
+            entry.unlink()  # what it names is not ours to replace
+        with atomic_write(entry, durable=False) as temporary:  # a damaged entry is found by its seal, and made again
+            temporary.chmod(0o600)
+            temporary.write_bytes(_seal(known, key, binary) + binary)
         _bound(entry.parent, _START + len(binary))
     except (OSError, ResultFileError):
         return
 
 
-def _seal(key: str, binary: bytes) -> bytes:
-    return _HEAD + hashlib.sha256(key.encode() + b"\0" + binary).hexdigest().encode()
+def _seal(known: bytes, key: str, binary: bytes) -> bytes:
+    return _HEAD + hmac.new(known, key.encode() + b"\0" + binary, hashlib.sha256).hexdigest().encode()
 
 
 def _bound(place: Path, size: int) -> None:
@@ -112,41 +122,6 @@ class Entry(NamedTuple):
     used: float
     size: int
     file: Path
-
-
-def folder() -> Path | None:
-    """The cache's folder, or None where there is none that is safe; ``TMODES_CACHE`` names another (empty: none)."""
-    place, refusal = judged()
-    return None if refusal else place
-
-
-def judged() -> tuple[Path | None, str]:
-    """The folder, made where it is missing, and why it is not used, or nothing where it is."""
-    named = os.environ.get("TMODES_CACHE")
-    if named is not None and not named.strip():
-        return None, "the environment variable TMODES_CACHE is empty: nothing is kept"
-    try:
-        place = Path(named) if named else _user_cache() / "tmodes"
-        if not place.is_dir():
-            place.mkdir(mode=0o700, parents=True, exist_ok=True)
-        status = place.stat()
-    except (OSError, RuntimeError, ValueError) as error:  # RuntimeError: a user without a home
-        return None, f"it cannot be made: {error}"
-    if not hasattr(os, "getuid"):
-        return place, ""
-    if status.st_uid != os.getuid():
-        return place, "it belongs to another user, whose code is not run"
-    if status.st_mode & 0o022:
-        return place, f"others may write into it; private is: chmod go-w {place}"
-    return place, ""
-
-
-def _user_cache() -> Path:
-    if sys.platform == "win32":
-        return Path(os.environ.get("LOCALAPPDATA", Path.home() / "AppData/Local"))
-    if sys.platform == "darwin":
-        return Path.home() / "Library/Caches"
-    return Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache")
 
 
 def entries(place: Path) -> Iterator[Entry]:

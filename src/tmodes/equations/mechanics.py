@@ -11,8 +11,7 @@ from __future__ import annotations
 from typing import Any
 
 from tmodes.chain.chain import Chain
-from tmodes.equations.lagrange.chained import ChainedSystem
-from tmodes.equations.lagrange.motion import LagrangeDynamics, LagrangeWay
+from tmodes.equations.lagrange.motion import ChainedSystem, LagrangeDynamics, LagrangeWay
 from tmodes.equations.lagrange.registry import SYSTEMS
 from tmodes.equations.lagrange.schedules import elastic_schedule, forward_schedule, inertia_schedule
 from tmodes.equations.lagrange.system import System

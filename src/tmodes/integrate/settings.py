@@ -162,7 +162,7 @@ class Integration(DataSheet):
 
 
 class RobotIntegration(Integration):
-    """The same settings for an arm, whose joints may have limits."""
+    """The same settings for a robot, whose joints may have limits."""
 
     stop_at_limits: bool = Field(
         default=False,

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import hashlib
 import json
 import os
 import secrets
 import shutil
 import socket
+import sys
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
@@ -14,11 +16,10 @@ from pathlib import Path
 from typing import NamedTuple, Self
 
 from tmodes.errors import ResultFileError, sentence
-from tmodes.io.processes import place as _place
-from tmodes.io.processes import state as _process
 from tmodes.io.words import shown_path
 
-__all__ = ["FolderLock", "atomic_write", "check_writable", "file_error", "real_path", "remove_orphans"]
+__all__ = ["FolderLock", "atomic_write", "check_writable", "file_error", "process_state", "real_path"]
+__all__ += ["remove_orphans", "this_place"]
 
 LOCK_NAME = ".tmodes.lock"
 YOUNG = 10.0  # age [s] below which a lock without content is believed to be one that is just being written
@@ -33,12 +34,10 @@ def file_error(which: object, got: str, expected: str, hint: str) -> ResultFileE
 def atomic_write(path: str | os.PathLike[str], *, overwrite: bool = True, durable: bool = True) -> Iterator[Path]:
     """Give a temporary path next to ``path``; what is written there becomes ``path`` when the block ends well.
 
-    The content is on the disk before the name changes; not where it is not to be ``durable``, because what is read back
-    is checked and can be made again. When the block fails, or the process dies, the old file is untouched. A symbolic
-    link is followed: the file it names is replaced, not the link.
+    The content is on the disk before the name changes, unless it need not be ``durable``: checked when it is read back,
+    and made again. When the block fails, or the process dies, the old file is untouched. A symbolic link is followed.
 
-    Raises :class:`ResultFileError` when it cannot be written, or exists (even since just now) and ``overwrite`` is
-    False.
+    Raises :class:`ResultFileError` when it cannot be written, or exists (even since just now) without ``overwrite``.
     """
     target = real_path(path)
     try:
@@ -67,7 +66,7 @@ def real_path(path: str | os.PathLike[str]) -> Path:
 @contextmanager
 def _temporary(folder: Path) -> Iterator[Path]:
     """A new empty file, gone at the end; named after the process that writes it, so that orphans can be recognised."""
-    path = folder / f".tmodes-{_place()}-{os.getpid()}-{secrets.token_hex(4)}.tmp"
+    path = folder / f".tmodes-{this_place()}-{os.getpid()}-{secrets.token_hex(4)}.tmp"
     _create(path)
     try:
         yield path
@@ -105,8 +104,41 @@ def _cannot_write(path: object, error: Exception) -> ResultFileError:
     return file_error(path, got, "a place that can be written", hint)
 
 
+def this_place() -> str:
+    """A short name of this computer, or of the container: within it a process number means one process."""
+    path = Path("/proc/self/ns/pid")
+    space = path.readlink() if path.is_symlink() else ""
+    return hashlib.sha256(f"{socket.gethostname()} {space}".encode()).hexdigest()[:8]
+
+
+def process_state(pid: int) -> tuple[bool, str]:
+    """Whether a process of this computer runs, and when it started; empty where the system does not report it."""
+    with suppress(OSError, IndexError):
+        info = Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()
+        return info[0] not in "ZX", info[19]  # zombies and the dead do not run
+    if sys.platform == "win32":
+        return _runs_on_windows(pid), ""
+    try:
+        with suppress(PermissionError):  # then it runs, under another user
+            os.kill(pid, 0)
+    except (OSError, OverflowError):
+        return False, ""
+    return True, ""
+
+
+def _runs_on_windows(pid: int) -> bool:
+    """Never os.kill here: on Windows that ends the process."""
+    import ctypes
+
+    kernel = ctypes.windll.kernel32  # pyright: ignore[reportAttributeAccessIssue]
+    handle, code = kernel.OpenProcess(0x1000, False, pid), ctypes.c_ulong()  # 0x1000: may ask whether it runs
+    kernel.GetExitCodeProcess(handle, ctypes.byref(code))
+    kernel.CloseHandle(handle)
+    return code.value == 259  # 259: still active
+
+
 class _Holder(NamedTuple):
-    """Who holds a lock, stated so that another process can judge whether it still lives."""
+    """Who holds a lock, stated so that another process can judge whether it still runs."""
 
     pid: int
     started: str
@@ -117,13 +149,13 @@ class _Holder(NamedTuple):
     @classmethod
     def here(cls) -> Self:
         now = time.strftime("%Y-%m-%d %H:%M:%S %z")
-        return cls(os.getpid(), _process(os.getpid())[1], socket.gethostname(), _place(), now)
+        return cls(os.getpid(), process_state(os.getpid())[1], socket.gethostname(), this_place(), now)
 
     def gone(self) -> bool:
         """True only when it is sure that the holder no longer runs; on another computer it never is."""
-        runs, started = _process(self.pid)
+        runs, started = process_state(self.pid)
         reused = bool(self.started and started) and self.started != started
-        return self.place == _place() and (not runs or reused)
+        return self.place == this_place() and (not runs or reused)
 
 
 class FolderLock:
@@ -141,7 +173,7 @@ class FolderLock:
         try:
             if os.path.lexists(self.path):
                 with suppress(FileNotFoundError):  # released meanwhile
-                    self._bury_the_dead()
+                    self._remove_stale()
             with _temporary(self.folder) as temporary:
                 temporary.write_bytes(self._content)
                 _claim(temporary, self.path)
@@ -157,19 +189,19 @@ class FolderLock:
             if self.path.read_bytes() == self._content:
                 self.path.unlink()
 
-    def _bury_the_dead(self) -> None:
-        """Remove the lock of a holder that is gone; refuse when it lives.
+    def _remove_stale(self) -> None:
+        """Remove the lock of a holder that is gone; refuse when it runs.
 
         One at a time, and read again once its holder is known to be dead: it may have been taken again.
         """
-        undertaker = self.folder / f"{LOCK_NAME}.bury"
-        _create(undertaker)
+        removing = self.folder / f"{LOCK_NAME}.bury"
+        _create(removing)
         try:
             stale = self._refuse_if_held()
             if self.path.read_bytes() == stale:
                 self.path.unlink()
         finally:
-            undertaker.unlink()
+            removing.unlink()
 
     def _refuse_if_held(self) -> bytes:
         """The content of a lock that nobody holds."""
@@ -193,17 +225,14 @@ class FolderLock:
 
 def remove_orphans(folder: Path) -> None:
     """Remove temporary files of writers of this computer that were killed."""
-    for path in folder.glob(f".tmodes-{_place()}-*-*.tmp"):
+    for path in folder.glob(f".tmodes-{this_place()}-*-*.tmp"):
         with suppress(OSError, ValueError):
-            if not _process(int(path.name.split("-")[2]))[0]:
+            if not process_state(int(path.name.split("-")[2]))[0]:
                 path.unlink()
 
 
 def check_writable(folder: str | os.PathLike[str], bytes_needed: int) -> None:
-    """Make sure, before a run, that its result can be stored: make the folder, write a probe, compare the space.
-
-    Raises :class:`ResultFileError`; of a disk too small with the bytes needed and the bytes free.
-    """
+    """Make the folder, write a probe, compare the space, before a run; ResultFileError where nothing can be stored."""
     path = Path(folder)
     try:
         standing = next(place for place in (path, *path.absolute().parents) if os.path.lexists(place))

@@ -70,7 +70,7 @@ def read_checkpoint(path: str | os.PathLike[str], identity: str) -> Checkpoint:
             return _read_records(file, size)
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or str(error)
-        raise file_error(path, f"“{reason}”", "a checkpoint", "check the name, or start the run afresh") from error
+        raise file_error(path, f"“{reason}”", "a checkpoint", "check the name, or restart the run") from error
 
 
 class CheckpointWriter:
@@ -84,7 +84,8 @@ class CheckpointWriter:
         self.path = Path(path)
         if not os.path.lexists(self.path):
             with atomic_write(self.path, overwrite=False) as temporary:
-                temporary.write_bytes(_header(identity))
+                start = HEADER.pack(MAGIC, FORMAT_VERSION, len(identity.encode())) + identity.encode()
+                temporary.write_bytes(start + CHECK.pack(zlib.crc32(start)))
         self._end = read_checkpoint(self.path, identity).end
         try:
             self._file: BinaryIO = self.path.open("rb+")
@@ -123,26 +124,22 @@ class CheckpointWriter:
         return file_error(self.path, f"“{error.strerror}” when writing", "a file that can be written", hint)
 
 
-def _header(identity: str) -> bytes:
-    text = identity.encode()
-    start = HEADER.pack(MAGIC, FORMAT_VERSION, len(text)) + text
-    return start + CHECK.pack(zlib.crc32(start))
-
-
 def _read_header(path: object, file: BinaryIO, size: int, identity: str) -> None:
     """Leave the file at its first record; refuse a foreign one."""
-    afresh = "delete the file to start the run afresh, or use another folder"
+    restart = "delete the file to restart the run, or use another folder"
     start = file.read(HEADER.size)
     magic, version, length = HEADER.unpack(start) if len(start) == HEADER.size else (b"", 0, 0)
     if magic != MAGIC or length > size - HEADER.size - CHECK.size:
-        raise file_error(path, "a file of another kind, or a damaged header", "a checkpoint of tmodes", afresh)
+        raise file_error(path, "a file of another kind, or a damaged header", "a checkpoint of tmodes", restart)
     start += file.read(length)
     if zlib.crc32(start) != CHECK.unpack(file.read(CHECK.size))[0]:
-        raise file_error(path, "a damaged header", "a header that matches its checksum", afresh)
+        raise file_error(path, "a damaged header", "a header that matches its checksum", restart)
     if version != FORMAT_VERSION:
-        raise file_error(path, f"format version {version}", f"version {FORMAT_VERSION}", "upgrade tmodes, or " + afresh)
+        raise file_error(
+            path, f"format version {version}", f"version {FORMAT_VERSION}", "upgrade tmodes, or " + restart
+        )
     if start[HEADER.size :] != identity.encode():
-        raise file_error(path, "the checkpoint of another run", "the same robot, settings and versions", afresh)
+        raise file_error(path, "the checkpoint of another run", "the same robot, settings and versions", restart)
 
 
 def _read_records(file: BinaryIO, size: int) -> Checkpoint:
@@ -203,10 +200,7 @@ class RunJournal:
         self._began = self._last = clock.monotonic()
 
     def restore(self) -> Record | None:
-        """The run as far as it was kept, or None when there is nothing yet.
-
-        Raises :class:`tmodes.errors.ResultFileError` when the file belongs to another run.
-        """
+        """The run as far as it was kept, None when there is nothing yet; ResultFileError for a file of another run."""
         if not self.path.exists():
             return None
         records = read_checkpoint(self.path, self.identity).records

@@ -33,11 +33,7 @@ OWN = ("kind", "convention", "rows")
 
 
 def sheet_of_table(data: Mapping[str, Any], positions: Positions, source: str = "") -> tuple[dict[str, Any], Positions]:
-    """Plain data of a robot's sheet, and its positions, of the data of a table.
-
-    Numbers are handed on as they are written, to be checked with the sheet. Raises
-    :class:`tmodes.errors.InputErrors` for a table that is none.
-    """
+    """Data and positions of a table's sheet, the numbers as they are written; InputErrors for a table that is none."""
     wrong = [InputError(*fault, f"{source}:{nearest_line(fault[0], positions, 1)}") for fault in _faults(data)]
     if wrong:
         raise InputErrors(wrong)

@@ -11,8 +11,7 @@ A link that bends is given in :mod:`tmodes.io.elasticity_beam`. Everything else 
 from __future__ import annotations
 
 import copy
-import os
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -21,13 +20,13 @@ import numpy as np
 
 from tmodes.errors import InputError, InputErrors
 from tmodes.io.elasticity_beam import give_mass, length_along, line_of, place_beam, riding_body
-from tmodes.io.mesh_paths import folders_of
+from tmodes.io.files import FilePath, Roots, folders_of
 from tmodes.io.urdf import UrdfRobot, read_urdf
 from tmodes.io.words import meant, shown, shown_path
 from tmodes.io.xacro import read_xacro
 from tmodes.io.yaml_file import Positions, nearest_line, read_yaml
 
-__all__ = ["elasticity_of", "lay_over", "read_elasticity"]
+__all__ = ["read_elasticity"]
 
 OF_JOINT = ("state", "locked_at", "limits", "friction", "motor", "gear")
 OF_LINK = ("beam", "bodies", "keep_inertial")
@@ -36,36 +35,23 @@ OF_URDF = ("name", "type", "parent", "child", "origin", "from", "axis", "dh")
 
 
 def read_elasticity(
-    path: str | os.PathLike[str],
-    roots: Sequence[str | os.PathLike[str]] = (),
+    path: FilePath,
+    roots: Roots = (),
     trust_paths: bool = False,
+    read: tuple[dict[str, Any], Positions] | None = None,
 ) -> UrdfRobot:
     """The robot of an elasticity file and the URDF (or xacro) that it names; ``positions`` are the elasticity file's.
 
-    Raises :class:`tmodes.errors.InputError` or :class:`tmodes.errors.InputErrors`, each with its file and line.
+    ``read``: its data and positions, where they are read already. Raises :class:`tmodes.errors.InputError` or
+    :class:`tmodes.errors.InputErrors` with all that is wrong, each with its file and line.
     """
-    return elasticity_of(path, *read_yaml(path), roots, trust_paths)
-
-
-def elasticity_of(
-    path: str | os.PathLike[str],
-    data: dict[str, Any],
-    positions: Positions,
-    roots: Sequence[str | os.PathLike[str]] = (),
-    trust_paths: bool = False,
-) -> UrdfRobot:
-    """The same of an elasticity file whose ``data`` and ``positions`` are read already; see :func:`read_elasticity`."""
-    source = shown_path(path)
+    data, positions = read or read_yaml(path)
     urdf = _urdf_path(path, data, positions, roots, trust_paths)
     groups = data.get("links")
     weighed = [name for name, group in groups.items() if _weighs(group)] if isinstance(groups, dict) else []
-    read = read_xacro if urdf.suffix.lower() == ".xacro" else read_urdf
-    return lay_over(read(urdf, roots, trust_paths, weighed), data, positions, source)
-
-
-def lay_over(robot: UrdfRobot, data: dict[str, Any], positions: Positions, source: str = "") -> UrdfRobot:
-    """The robot of a URDF's robot with an elasticity file's ``data`` laid over it; all errors are reported at once."""
-    overlay = _Overlay(robot, positions, source)
+    reader = read_xacro if urdf.suffix.lower() == ".xacro" else read_urdf
+    robot = reader(urdf, roots, trust_paths, weighed)
+    overlay = _Overlay(robot, positions, shown_path(path))
     overlay.lay("joints", data.get("joints"), [joint["name"] for joint in overlay.sheet["joints"]], overlay.joint)
     overlay.lay("links", data.get("links"), [joint["child"] for joint in overlay.sheet["joints"]], overlay.link)
     overlay.the_rest(data)
@@ -78,9 +64,7 @@ def _weighs(group: Any) -> bool:
     return isinstance(group, dict) and ("beam" in group or bool(group.get("bodies")))
 
 
-def _urdf_path(
-    path: str | os.PathLike[str], data: dict[str, Any], positions: Positions, roots: Sequence[Any], trust: bool
-) -> Path:
+def _urdf_path(path: FilePath, data: dict[str, Any], positions: Positions, roots: Roots, trust: bool) -> Path:
     name, place = data.get("urdf"), f"{shown_path(path)}:{positions.get('urdf', 1)}"
     if not isinstance(name, str) or not name:
         raise InputError("urdf", shown(name), "the path of a URDF", "write `urdf: robot.urdf`", place)
@@ -97,10 +81,8 @@ class _Overlay:
     """The sheet that is being made, and what was found wrong."""
 
     def __init__(self, robot: UrdfRobot, positions: Positions, source: str) -> None:
-        self.robot = robot
+        self.robot, self.lines, self.source = robot, positions, source
         self.sheet = copy.deepcopy(robot.data)
-        self.source = source
-        self.lines = positions
         self.positions: Positions = {"": 1}
         self.errors: list[InputError] = []
         self.links: dict[str, dict[str, Any]] = {link["name"]: link for link in self.sheet["links"]}
@@ -120,7 +102,10 @@ class _Overlay:
             elif not isinstance(group, dict):
                 self._wrong(which, shown(group), "a group", f"write `{name}: {{...}}`")
             else:
-                self._tried(one, name, copy.deepcopy(group))
+                try:
+                    one(name, copy.deepcopy(group))
+                except InputError as error:
+                    self._wrong(error.which, error.got, error.expected, error.hint)
 
     def joint(self, name: str, group: dict[str, Any]) -> None:
         """Lay a group over a joint: limits one by one, the others whole."""
@@ -157,11 +142,11 @@ class _Overlay:
 
     def the_rest(self, data: dict[str, Any]) -> None:
         """Take over the other groups of a sheet as they are."""
-        if "kind" in data and data["kind"] != "elasticity":
+        if data.get("kind", "elasticity") != "elasticity":
             self._wrong("kind", shown(data["kind"]), "elasticity, or no kind", "remove the line `kind: ...`")
-        for key in data.keys() - {"urdf", "joints", "links", "kind"}:
-            self._copy_lines(key, key)
         rest = {key: value for key, value in data.items() if key not in {"urdf", "joints", "links", "kind"}}
+        for key in rest:
+            self._copy_lines(key, key)
         if "assumed" in self.sheet and isinstance(rest.get("assumed"), str):
             rest["assumed"] = f"{rest['assumed']} {self.sheet['assumed']}"
         self.sheet.update(copy.deepcopy(rest))
@@ -192,12 +177,6 @@ class _Overlay:
                 self._wrong(f"{which}.{key}", "a key that the URDF gives", f"one of {', '.join(known)}", "remove it")
             elif key not in known:
                 self._unknown(f"{which}.{key}", str(key), known, f"one of {', '.join(known)}")
-
-    def _tried(self, one: Callable[[str, dict[str, Any]], None], name: str, group: dict[str, Any]) -> None:
-        try:
-            one(name, group)
-        except InputError as error:
-            self._wrong(error.which, error.got, error.expected, error.hint)
 
     def _unknown(self, which: str, name: str, names: Iterable[str], expected: str) -> None:
         hint = meant(name, names, "remove it")

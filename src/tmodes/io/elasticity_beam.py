@@ -17,7 +17,7 @@ from tmodes.errors import InputError
 from tmodes.io.units import NotANumber, number
 from tmodes.io.words import shown
 from tmodes.kinds.links.body import entries
-from tmodes.kinds.schema.axes import matrix_quaternion
+from tmodes.kinds.schema.axes import matrix_quaternion, rpy_matrix
 
 __all__ = ["give_mass", "length_along", "line_of", "place_beam", "riding_body", "section_axes"]
 
@@ -67,10 +67,7 @@ def section_axes(direction: Array) -> Array:
 
 
 def place_beam(which: str, beam: dict[str, Any], start: Array, end: Array) -> None:
-    """Put length, root mount and tip mount into a beam's group; those that the file gives stay.
-
-    Raises :class:`tmodes.errors.InputError` for modes that are not as long as the line together.
-    """
+    """Give a beam's group the length and mounts that it lacks; InputError for modes of another length than the line."""
     axes, distance = section_axes(end - start), float(np.linalg.norm(end - start))
     if modes := _modes(beam):
         for mode in modes:
@@ -108,7 +105,7 @@ def give_mass(which: str, beam: dict[str, Any], body: dict[str, Any] | None, kee
     :class:`tmodes.errors.InputError` where both would count, or none.
     """
     sections = list(_sections(beam))
-    weighed = [section for section in sections if _has_mass(section)]
+    weighed = [one for one in sections if "mass_per_length" in one or one.get("shape", "given") != "given"]
     if weighed and body and keep is None:
         got = f"a section that has a mass, next to {body['mass']:g} kg of the URDF"
         hint = "write `keep_inertial: rigid` to add both, or `keep_inertial: replaced` to count the section's alone"
@@ -128,22 +125,15 @@ def riding_body(body: dict[str, Any], start: Array, end: Array) -> dict[str, Any
 
     Between the ends a body is given in section axes from the line; at the tip in the tip frame, which has the link's.
     """
-    axes, line, center = section_axes(end - start), end - start, np.array(body["center"])
+    line, center = end - start, np.array(body["center"])
     station = float(np.clip((center - start) @ line / (line @ line), 0.0, 1.0))
-    turn = np.eye(3) if station == 1.0 else axes.T
+    turn = np.eye(3) if station == 1.0 else section_axes(line).T
     riding = body | {"at": station, "center": (turn @ (center - start - station * line)).tolist()}
-    turned = riding.pop("rpy", None)
+    axes = turn @ rpy_matrix(*riding.pop("rpy", (0.0, 0.0, 0.0)))
     if "inertia" in riding:
-        riding["inertia"] = _turned(riding["inertia"], turned, turn)
+        xx, yy, zz, xy, xz, yz = (riding["inertia"][pair] for pair in ("xx", "yy", "zz", "xy", "xz", "yz"))
+        riding["inertia"] = entries(axes @ np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]) @ axes.T)
     return riding
-
-
-def _turned(inertia: dict[str, float], rpy: Sequence[float] | None, turn: Array) -> dict[str, float]:
-    from scipy.spatial.transform import Rotation
-
-    xx, yy, zz, xy, xz, yz = (inertia[pair] for pair in ("xx", "yy", "zz", "xy", "xz", "yz"))
-    axes = turn @ Rotation.from_euler("xyz", rpy or [0.0, 0.0, 0.0]).as_matrix()
-    return entries(axes @ np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]) @ axes.T)
 
 
 def _only_joint(which: str, carried: Sequence[dict[str, Any]]) -> Array:
@@ -185,10 +175,6 @@ def _sections(beam: dict[str, Any]) -> Iterator[dict[str, Any]]:
     for group in (beam, beam.get("taper"), *(pieces if isinstance(pieces, list) else ())):
         if isinstance(group, dict) and isinstance(group.get("section"), dict):
             yield group["section"]
-
-
-def _has_mass(section: dict[str, Any]) -> bool:
-    return "mass_per_length" in section or section.get("shape", "given") != "given"
 
 
 def _written(point: Array) -> str:

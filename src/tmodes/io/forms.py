@@ -24,25 +24,11 @@ class Form:
     factored: tuple[str, ...]
 
 
-ROBOT = Form(
-    "arm",
-    Robot,
-    SHEET_FORMAT,
-    (
-        "gravity",
-        "base",
-        "joints",
-        "links",
-        "tip",
-        "points",
-        "couplings",
-        "loads",
-        "drives",
-        "contact",
-        "contact_off",
-        "parameters",
-    ),
+_FACTORED = (
+    *("gravity", "base", "joints", "links", "tip", "points", "couplings", "loads", "drives"),
+    *("contact", "contact_off", "parameters"),
 )
+ROBOT = Form("arm", Robot, SHEET_FORMAT, _FACTORED)
 F2010 = Form(importer.NAME, Format2010, FORMAT, PLANT)
 
 _ROBOT_KEYS = ("kind", "joints", "links", "urdf")
@@ -76,17 +62,16 @@ def _is_imported(data: Any) -> bool:
 
 
 WITH_UNIT = {"type": "string", "description": 'a number with its unit in quotes, such as "600 mm"'}
-RULES = ("type", "exclusiveMinimum", "minimum", "maximum", "anyOf", "items", "prefixItems", "additionalProperties")
-RULES = (*RULES, "minItems", "maxItems")
+RULES = (
+    *("type", "exclusiveMinimum", "minimum", "maximum", "anyOf", "items", "prefixItems", "additionalProperties"),
+    *("minItems", "maxItems"),
+)
 OWN = ("smallest", "plausible", "span")
 """What a field keeps for messages, and no editor needs."""
 
 SHORTHANDS = {
-    "gravity": {"type": "number"},
-    "stiffness": {"type": "number"},
-    "bending_stiffness": {"type": "number"},
+    **{name: {"type": "number"} for name in ("gravity", "stiffness", "bending_stiffness", "inertia")},
     "functions": {"type": "integer"},
-    "inertia": {"type": "number"},
 }
 """Lists and groups in whose place one number may stand."""
 
@@ -116,7 +101,9 @@ def _with_units(node: Any, name: str = "") -> Any:
         else _with_units(value)
         for key, value in node.items()
     }
-    return _or_number(inside, name) if name in SHORTHANDS and "type" not in inside else inside
+    if name in SHORTHANDS and "type" not in inside:
+        inside["anyOf"] = [*inside.get("anyOf", []), SHORTHANDS[name]]
+    return inside
 
 
 def _quantity(node: dict[str, Any], name: str) -> dict[str, Any]:
@@ -139,10 +126,6 @@ def _numbers(node: Any) -> Any:
     if node.get("type") == "number":
         return {"anyOf": [{key: value for key, value in node.items() if key in RULES}, WITH_UNIT]}
     return {key: _numbers(value) for key, value in node.items() if key not in OWN}
-
-
-def _or_number(node: dict[str, Any], name: str) -> dict[str, Any]:
-    return {**node, "anyOf": [*node.get("anyOf", []), SHORTHANDS[name]]}
 
 
 def _finite(node: Any) -> Any:

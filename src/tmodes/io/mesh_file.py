@@ -36,10 +36,7 @@ class Triangles(NamedTuple):
 
 
 def read_mesh(path: str | os.PathLike[str]) -> Triangles:
-    """The triangles of a file ``.stl`` or ``.obj``; equal corners are one vertex.
-
-    Raises :class:`tmodes.errors.InputError` for another format, and for a file that is damaged, empty or too large.
-    """
+    """Triangles of an STL or OBJ, equal corners one vertex; InputError for other, damaged, empty or too large files."""
     ending, which = Path(path).suffix.lower(), shown_path(path)
     if ending not in {".stl", ".obj"}:
         raise _fault(which, f"a file with the ending {ending or 'of none'}", "save the mesh as .stl or .obj")
@@ -59,7 +56,11 @@ def _stl(content: bytes, which: str) -> Triangles:
         corners = np.frombuffer(content, _RECORD, count, _HEAD)["corners"].astype(float).reshape(-1, 3)
     elif content.lstrip()[:5].lower() == b"solid":
         _refuse_long_text(content, which)
-        info = [line.split()[1:4] for line in content.decode("latin-1").splitlines() if _is_corner(line)]
+        info = [
+            line.split()[1:4]
+            for line in content.decode("latin-1").splitlines()
+            if line.lstrip()[:6].lower() == "vertex"
+        ]
         _bound(len(info) // 3, which)
         corners = np.array(info, dtype=float).reshape(-1, 3)
     else:
@@ -97,10 +98,6 @@ def _checked(found: Triangles, which: str) -> Triangles:
     if not (np.isfinite(vertices).all() and np.abs(vertices).max() < LARGEST):
         raise _fault(which, f"a coordinate that is no number below {LARGEST:g}", "use a whole copy of the file")
     return found
-
-
-def _is_corner(line: str) -> bool:
-    return line.lstrip()[:6].lower() == "vertex"
 
 
 def _refuse_long_text(content: bytes, which: str) -> None:
@@ -143,13 +140,10 @@ def sphere(radius: float) -> Triangles:
 def _turned(radii: np.ndarray, heights: np.ndarray) -> Triangles:
     """The surface of a profile that turns about z, from below to above."""
     angle = 2 * np.pi * np.arange(_AROUND) / _AROUND
-    rings = [np.column_stack([r * np.cos(angle), r * np.sin(angle), np.full(_AROUND, z)]) for r, z in
-             zip(radii, heights, strict=True)]  # fmt: skip
+    circle = np.column_stack([np.cos(angle), np.sin(angle)])
+    rings = [np.column_stack([r * circle, np.full(_AROUND, z)]) for r, z in zip(radii, heights, strict=True)]
     here = np.arange(_AROUND)
-    after = np.roll(here, -1)
-    faces = []
-    for k in range(len(radii) - 1):
-        low, high = k * _AROUND, (k + 1) * _AROUND
-        faces += [np.column_stack([low + here, low + after, high + here]),
-                  np.column_stack([low + after, high + after, high + here])]  # fmt: skip
+    after, above = np.roll(here, -1), here + _AROUND
+    below = np.column_stack([here, after, above]), np.column_stack([after, after + _AROUND, above])
+    faces = [k * _AROUND + one for k in range(len(radii) - 1) for one in below]
     return Triangles(np.concatenate(rings), np.concatenate(faces))

@@ -1,22 +1,43 @@
-"""Look through an MJCF before MuJoCo opens it: no file outside the robot's folders, nothing without bound."""
+"""Bodies and joints of an MJCF file, compiled by MuJoCo, as links and joints of a robot's sheet.
+
+The file is looked through before MuJoCo opens it: no file outside the robot's folders, nothing without bound.
+
+MuJoCo's joint stands at an anchor in its body's frame; the sheet's link frame stands at its joint. So a link's frame
+has the body's axes and lies at the anchor of the body's last joint. A body with several joints is carried by frames
+without mass between them. A joint whose position is `ref` in the drawn pose is turned back by it, so that its
+positions are MuJoCo's own.
+"""
 
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping
 from importlib import import_module
+from itertools import product
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+from numpy.typing import NDArray
+
 from tmodes.errors import InputError
-from tmodes.io.mesh_paths import Folders, folders_of
-from tmodes.io.mjcf_body import sheet_of_model
-from tmodes.io.scalars import finite_float
+from tmodes.io.files import FilePath, Folders, Roots, folders_of
+from tmodes.io.units import finite_float
 from tmodes.io.words import shown, shown_path
 from tmodes.io.xml_file import Element, read_xml
 from tmodes.io.yaml_file import Positions
+from tmodes.kinds.links.body import entries
+from tmodes.kinds.schema.axes import matrix_quaternion, quaternion_matrix, rotation_about
+from tmodes.sheet.topology import BASE
 
-__all__ = ["check_mjcf", "read_mjcf", "sheet_of_mjcf"]
+__all__ = ["check_mjcf", "sheet_of_mjcf"]
+
+Array = NDArray[np.float64]
+Lines = Mapping[tuple[str, str], int]
+"""Where each body and joint, by its tag and its name, is written."""
+
+HINGE = 3
+OTHER_KINDS = {0: "a free joint (a free-flying base)", 1: "a ball joint"}
 
 FOLDER_KEYS = ("meshdir", "texturedir", "assetdir")
 FILE_KEYS = ("file", "fileright", "fileleft", "fileup", "filedown", "filefront", "fileback")
@@ -29,16 +50,14 @@ MOST_FILES = 100
 def check_mjcf(root: Element, folders: Folders) -> list[Element]:
     """The root elements of a model and of all that it includes.
 
-    Raises :class:`tmodes.errors.InputError` for a path that leaves the folders and for elements that stand for
-    unbounded numbers of others.
+    InputError for a path that leaves the folders and for elements that stand for unbounded numbers of others.
     """
     roots, waiting = [], [root]
     while waiting:
-        element = waiting.pop()
-        roots.append(element)
+        roots.append(element := waiting.pop())
         if len(roots) > MOST_FILES:
-            hint = "look for a file that includes itself"
-            raise InputError("include", f"more than {MOST_FILES} files", f"at most {MOST_FILES}", hint, element.place)
+            got, most = f"more than {MOST_FILES} files", f"at most {MOST_FILES}"
+            raise element.fault("include", got, most, "look for a file that includes itself")
         waiting.extend(_included(element, folders))
     bases = [folders.home, *(base for one in roots for base in _asset_folders(one, folders))]
     for one in roots:
@@ -51,27 +70,24 @@ def _included(root: Element, folders: Folders) -> Iterator[Element]:
     """Roots of the files that are read as further models."""
     for element in root.within():
         if element.tag in {"include", "model"} and "file" in element.attributes:
-            path = folders.find(element.attributes["file"], f"<{element.tag}>", element.place)
+            name = element.attributes["file"]
+            path = folders.find(name, element.label, element.place)
             if path is None:
-                got = f"{shown(element.attributes['file'])}, which is not there"
-                raise InputError(f"<{element.tag}>", got, "a file", "check the path", element.place)
+                raise element.wrong(f"{shown(name)}, which is not there", "a file", "check the path")
             yield read_xml(path)
 
 
 def _asset_folders(root: Element, folders: Folders) -> Iterator[Path]:
-    for element in root.within():
-        if element.tag == "compiler":
-            for key in FOLDER_KEYS:
-                if name := element.attributes.get(key, ""):
-                    found = folders.find(name, f"compiler {key}", element.place)
-                    yield found if found is not None else folders.home
+    for element, key in product(root.within(), FOLDER_KEYS):
+        if element.tag == "compiler" and (name := element.attributes.get(key, "")):
+            yield folders.find(name, f"compiler {key}", element.place) or folders.home
 
 
 def _check(element: Element, folders: Folders, bases: list[Path]) -> None:
-    which = f"<{element.tag[:60]}>"
+    which = element.label
     if element.tag in NOT_BODIES:
-        hint = "write the bodies and joints out"
-        raise InputError(which, f"the element {which}", "bodies, joints, geoms and assets", hint, element.place)
+        got, expected = f"the element {which}", "bodies, joints, geoms and assets"
+        raise element.wrong(got, expected, "write the bodies and joints out")
     for key in FILE_KEYS:
         if name := element.attributes.get(key, ""):
             for base in bases:
@@ -79,38 +95,20 @@ def _check(element: Element, folders: Folders, bases: list[Path]) -> None:
     most = MOST.get(element.tag)
     for key, text in element.attributes.items() if most else ():
         if (key in SIZES or element.tag == "size") and (finite_float(text.strip()) or 0.0) > (most or 0.0):
-            got, hint = f"{key} = {shown(text)}", "write a sensible size"
-            raise InputError(which, got, f"at most {most:g}", hint, element.place)
+            raise element.wrong(f"{key} = {shown(text)}", f"at most {most:g}", "write a sensible size")
 
 
-UNTOLD = "a model with {}, which no tree of joints with one axis has"
-
-
-def read_mjcf(
-    path: str | os.PathLike[str], roots: Sequence[str | os.PathLike[str]] = (), trust_paths: bool = False
+def sheet_of_mjcf(
+    path: FilePath, root: Element, roots: Roots = (), trust_paths: bool = False
 ) -> tuple[dict[str, Any], Positions]:
-    """Data and positions of the sheet of an MJCF file.
+    """Data and positions of the sheet of an MJCF file, whose ``root`` element is read already.
 
     Raises :class:`tmodes.errors.InputError` for a broken model, one that is more than a robot, a path that leaves the
     folders, and where MuJoCo is not installed.
     """
-    return sheet_of_mjcf(path, read_xml(path), roots, trust_paths)
-
-
-def sheet_of_mjcf(
-    path: str | os.PathLike[str],
-    root: Element,
-    roots: Sequence[str | os.PathLike[str]] = (),
-    trust_paths: bool = False,
-) -> tuple[dict[str, Any], Positions]:
-    """The same of an MJCF file whose root element is read already; see :func:`read_mjcf`."""
-    if root.tag != "mujoco":
-        raise InputError("the root element", f"<{root.tag[:60]}>", "<mujoco>", "check that this is MJCF", root.place)
     folders = folders_of(path, roots, trust_paths)
-    elements = check_mjcf(root, folders)
-    source = shown_path(path)
+    elements, source = check_mjcf(root, folders), shown_path(path)
     model = _compiled(path, source, folders)
-    _refuse_more(model, source)
     lines = {
         (element.tag, element.attributes["name"]): element.line
         for one in elements
@@ -118,29 +116,135 @@ def sheet_of_mjcf(
         for element in one.within()
         if element.tag in {"body", "joint"} and "name" in element.attributes
     }
-    return sheet_of_model(model, _name(root), lines, source)
+    reader = _Reader(model, lines, source)
+    for body in range(1, model.nbody):
+        reader.body(body)
+    if not reader.joints:
+        raise InputError("the model", "no body", "bodies and joints", "check that this is a robot", source)
+    name = root.attributes.get("model", "").strip()[:100] or "mjcf"
+    data: dict[str, Any] = {"format": 1, "kind": "arm", "name": name}
+    if BASE in reader.names:
+        data["assumed"] = f"The file's body {BASE}, which is not the ground, is called {BASE}_frame here."
+    data |= {"gravity": model.opt.gravity.tolist(), "joints": reader.joints, "links": reader.links}
+    return data, reader.positions
 
 
-def _name(root: Element) -> str:
-    return root.attributes.get("model", "").strip()[:100] or "mjcf"
-
-
-def _compiled(path: str | os.PathLike[str], source: str, folders: Folders) -> Any:
+def _compiled(path: FilePath, source: str, folders: Folders) -> Any:
     try:
         mujoco: Any = import_module("mujoco")  # its binary module has no types
     except ImportError:
         hint = "install it with `pip install tmodes[peers]`, or write the arm as URDF"
         raise InputError(source, "no MuJoCo", "read with MuJoCo", hint) from None
     try:
-        return mujoco.MjModel.from_xml_path(str(folders.home / os.path.basename(path)))  # noqa: PTH119 (bytes paths)
+        model = mujoco.MjModel.from_xml_path(str(folders.home / os.path.basename(path)))  # noqa: PTH119 (bytes paths)
     except ValueError as error:
         got = f"a model that MuJoCo refuses ({shown(' '.join(str(error).split()))})"
         raise InputError("the model", got, "a valid MJCF", "correct what MuJoCo reports", source) from None
-
-
-def _refuse_more(model: Any, source: str) -> None:
     more = {"equality constraints": model.neq, "tendons": model.ntendon, "mocap bodies": model.nmocap}
     for what, count in more.items():
         if count:
+            got = f"a model with {what}, which no tree of joints with one axis has"
             hint = "remove them, or model the mechanism as an open tree"
-            raise InputError("the model", UNTOLD.format(what), "bodies and joints alone", hint, source)
+            raise InputError("the model", got, "bodies and joints alone", hint, source)
+    return model
+
+
+class _Reader:
+    """What has been read of a model so far."""
+
+    def __init__(self, model: Any, lines: Lines, source: str) -> None:
+        self.model, self.lines, self.source = model, lines, source
+        self.names = [model.body(i).name or f"body_{i}" for i in range(model.nbody)]
+        self.frames = [BASE, *(f"{BASE}_frame" if name == BASE else name for name in self.names[1:])]
+        self.anchors = np.zeros((model.nbody, 3))
+        self.driven = {int(joint) for joint in model.actuator_trnid[:, 0]} if model.nu else set()
+        self.joints: list[dict[str, Any]] = []
+        self.links: list[dict[str, Any]] = []
+        self.positions: Positions = {"": 1, "joints": 1, "links": 1}
+
+    def body(self, body: int) -> None:
+        """Read a body: its joints one after the other, then its mass."""
+        model, parent = self.model, int(self.model.body_parentid[body])
+        place = model.body_pos[body] - self.anchors[parent]
+        turn = quaternion_matrix(np.roll(model.body_quat[body], -1))
+        first, count = int(model.body_jntadr[body]), int(model.body_jntnum[body])
+        holder, link = self.frames[parent], self.frames[body]
+        if count == 0:
+            fixed = {"name": f"fix_{self.names[body]}", "type": "fixed", "parent": holder, "child": link}
+            self._add(fixed | {"origin": _origin(turn, place)}, ("body", self.names[body]))
+        anchor = np.zeros(3)
+        for joint in range(first, first + count):
+            last = joint == first + count - 1
+            child = link if last else f"{link}_{joint - first + 1}"
+            turns = model.jnt_type[joint] == HINGE
+            at = model.jnt_pos[joint] if turns else anchor
+            data = self._joint(joint) | {"parent": holder, "child": child}
+            ref, axis = float(model.qpos0[model.jnt_qposadr[joint]]), model.jnt_axis[joint]
+            zero = place + turn @ (
+                at - anchor if turns else -ref * axis
+            )  # the drawn pose, moved or turned back by `ref`
+            data["origin"] = _origin(turn @ rotation_about(axis, -ref) if turns else turn, zero)
+            self._add(data, ("joint", data["name"]))
+            holder, place, turn, anchor = child, np.zeros(3), np.eye(3), at
+        self.anchors[body] = anchor
+        self._weigh(body, link)
+
+    def _joint(self, joint: int) -> dict[str, Any]:
+        """Name, type, axis, limits, friction, and what drives it."""
+        model, dof = self.model, int(self.model.jnt_dofadr[joint])
+        name, kind = model.joint(joint).name or f"joint_{joint + 1}", int(model.jnt_type[joint])
+        if kind in OTHER_KINDS:
+            hint = "write it as hinges and slides, or fix the base to the world"
+            raise self._fault(name, OTHER_KINDS[kind], "hinge or slide", hint)
+        data: dict[str, Any] = {"name": name, "type": "revolute" if kind == HINGE else "prismatic"}
+        data["axis"] = model.jnt_axis[joint].tolist()
+        friction = {"viscous": float(model.dof_damping[dof]), "coulomb": float(model.dof_frictionloss[dof])}
+        data |= {"limits": limits} if (limits := _limits(model, joint)) else {}
+        data |= {"friction": friction} if any(friction.values()) else {}
+        for field, index in (("jnt_stiffnesspoly", joint), ("dof_dampingpoly", dof)):
+            if np.any(getattr(model, field, np.zeros((index + 1, 1)))[index]):
+                raise self._fault(name, "a nonlinear spring or damper", "a linear one", "give one number")
+        stiffness, armature = float(model.jnt_stiffness[joint]), float(model.dof_armature[dof])
+        if stiffness:
+            return data | self._spring(joint, name, stiffness, armature)
+        return data | ({"motor": {"inertia": armature, "side": "joint"}} if armature else {})
+
+    def _spring(self, joint: int, name: str, stiffness: float, armature: float) -> dict[str, Any]:
+        if joint in self.driven or armature:
+            got = "a spring next to an actuator" if joint in self.driven else "a spring next to an armature"
+            hint = "remove one of them, or write the arm as a sheet with an elastic gear"
+            raise self._fault(name, got, "a passive spring, or none", hint)
+        rest = float(self.model.qpos_spring[self.model.jnt_qposadr[joint]])
+        return {"state": "locked", "locked_at": rest, "gear": {"stiffness": stiffness, "damping": 0.0}}
+
+    def _weigh(self, body: int, link: str) -> None:
+        model, mass = self.model, float(self.model.body_mass[body])
+        if mass <= 0.0:
+            return
+        axes = quaternion_matrix(np.roll(model.body_iquat[body], -1))
+        inertia = entries(axes @ np.diag(model.body_inertia[body]) @ axes.T)
+        center = (model.body_ipos[body] - self.anchors[body]).tolist()
+        self.positions[f"links.{len(self.links)}"] = self.lines.get(("body", self.names[body]), 1)
+        bodies = [{"name": link, "mass": mass, "center": center, "inertia": inertia}]
+        self.links.append({"name": link, "bodies": bodies})
+
+    def _add(self, joint: dict[str, Any], key: tuple[str, str]) -> None:
+        self.positions[f"joints.{len(self.joints)}"] = self.lines.get(key, 1)
+        self.joints.append(joint | {"from": "frame"})
+
+    def _fault(self, name: str, got: str, expected: str, hint: str) -> InputError:
+        line = self.lines.get(("joint", name), 1)
+        return InputError(f"joint {shown(name)}", got, expected, hint, f"{self.source}:{line}")
+
+
+def _limits(model: Any, joint: int) -> dict[str, float]:
+    limits: dict[str, float] = {}
+    if model.jnt_limited[joint]:
+        limits["lower"], limits["upper"] = model.jnt_range[joint].tolist()
+    if model.jnt_actfrclimited[joint] and model.jnt_actfrcrange[joint, 1] > 0:
+        limits["effort"] = float(model.jnt_actfrcrange[joint, 1])
+    return limits
+
+
+def _origin(turn: Array, place: Array) -> dict[str, list[float]]:
+    return {"position": place.tolist(), "quaternion": matrix_quaternion(turn)}

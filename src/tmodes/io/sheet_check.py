@@ -14,7 +14,7 @@ from tmodes.errors import InputError, InputErrors
 from tmodes.io.filipovic2010.importer import robot_data
 from tmodes.io.forms import F2010, ROBOT, Form, form_of, own_path, with_reach
 from tmodes.io.sheet_fields import ChainPlace, Step, named, place_of, quantities
-from tmodes.io.sheet_paths import entered, set_paths, steps_of
+from tmodes.io.sheet_paths import changed_places, entered, steps_of
 from tmodes.io.sheet_problems import AS_LIST, MOST_REPORTED, SHEET, Problem, sheet_problems
 from tmodes.io.sheet_words import at
 from tmodes.io.units import NotANumber, number
@@ -50,7 +50,8 @@ def sheet_from_data(data: Any, positions: Mapping[str, int] | None = None, sourc
         found |= {steps: one for steps, one in _checked(form, plain, data) if steps not in found}
     if found:
         raise _located(list(found.items()), data, positions, source)
-    robot = _robot(form, plain)
+    data_2010 = None if form is ROBOT else form.root.model_validate(plain).model_dump(mode="json")
+    robot = Robot.model_validate(plain if data_2010 is None else robot_data(data_2010))
     if info := list(_wrong_real(robot)):
         raise _located(info, data, positions, source)
     return robot
@@ -66,21 +67,14 @@ def _checked(form: Form, plain: Any, data: Any) -> Iterator[Problem]:
         yield from ((steps, _as_typed(one, steps, data)) for steps, one in sheet_problems(error, plain))
 
 
-def _robot(form: Form, plain: Any) -> Robot:
-    """The robot of checked plain data."""
-    if form is ROBOT:
-        return Robot.model_validate(plain)
-    return Robot.model_validate(robot_data(form.root.model_validate(plain).model_dump(mode="json")))
-
-
 def sheet_data(robot: Robot) -> dict[str, Any]:
     """The plain data of a robot: reading it gives the same robot."""
     return robot.model_dump(mode="json", by_alias=True, exclude_none=True)
 
 
 def changed_robot(robot: Robot, changes: Mapping[str, Any]) -> Robot:
-    """The checked robot with changes by path; see :func:`tmodes.io.sheet_paths.set_paths`."""
-    return sheet_from_data(set_paths(sheet_data(robot), changes))
+    """The checked robot with changes by path; see :func:`tmodes.io.sheet_paths.changed_places`."""
+    return sheet_from_data(changed_places(sheet_data(robot), changes)[0])
 
 
 def real_robot(robot: Robot) -> Robot:
@@ -93,7 +87,8 @@ def real_robot(robot: Robot) -> Robot:
     data, wrong = sheet_data(robot), []
     for path, factor in robot.real.items():
         try:
-            _scale(data, path, factor)
+            inner, key = _factored(data, path)
+            inner[key] = _scaled(inner[key], factor)
         except InputError as error:
             wrong.append(InputError(f"real.{path}", error.got, error.expected, _of_real(error.hint)))
     if wrong:
@@ -118,11 +113,6 @@ def _of_real(hint: str) -> str:
     return hint.replace("did you mean `", "did you mean `real.")
 
 
-def _scale(data: dict[str, Any], path: str, factor: float) -> None:
-    inner, key = _factored(data, path)
-    inner[key] = _scaled(inner[key], factor)
-
-
 def _factored(data: dict[str, Any], path: str) -> tuple[Any, Any]:
     """Where a number stands that ``real`` may name: its group or list, and its key."""
     steps = steps_of(path, data)
@@ -140,10 +130,8 @@ def _factored(data: dict[str, Any], path: str) -> tuple[Any, Any]:
 
 def _is_number(place: ChainPlace, value: Any) -> bool:
     """Whether a factor may stand here: at a number, or at the entries of an inertia."""
-    return not place.whole if place.unit is not None else _entries(value)
-
-
-def _entries(value: Any) -> bool:
+    if place.unit is not None:
+        return not place.whole
     return isinstance(value, dict) and {"xx", "yy", "zz"} <= value.keys()
 
 
@@ -181,16 +169,14 @@ def _product(robot: Robot, path: str, got: str) -> str:
 
 def _refuse_huge(data: Any, source: str) -> None:
     """Bounded before anything is copied."""
-    count, waiting, hint = 0, [(data, 0)], "check that this is a data sheet"
+    count, waiting = 0, [(data, 0)]
     while waiting:
         value, depth = waiting.pop()
         count += 1
-        if count > MOST_VALUES:
-            got = f"more than {MOST_VALUES} values"
-            raise InputErrors([InputError(SHEET, got, f"at most {MOST_VALUES}", hint, source)])
-        if depth > MOST_DEPTH:
-            got = f"more than {MOST_DEPTH} levels"
-            raise InputErrors([InputError(SHEET, got, f"at most {MOST_DEPTH}", hint, source)])
+        for size, most, what in ((count, MOST_VALUES, "values"), (depth, MOST_DEPTH, "levels")):
+            if size > most:
+                got, hint = f"more than {most} {what}", "check that this is a data sheet"
+                raise InputErrors([InputError(SHEET, got, f"at most {most}", hint, source)])
         inner = value.values() if isinstance(value, dict) else value if isinstance(value, (list, tuple)) else ()
         waiting.extend((item, depth + 1) for item in inner)
 
@@ -209,7 +195,7 @@ def _other_format(data: Any, form: Form) -> Iterator[Problem]:
 
 
 def _read_numbers(data: Any) -> Iterator[Problem]:
-    """Put plain numbers in place of text with units, where numbers belong; tell those that are none."""
+    """Put plain numbers in place of text with units, where numbers belong; an issue for each that is none."""
     for container, key, steps, place in quantities(data):
         try:
             container[key] = _read_number(container[key], place)

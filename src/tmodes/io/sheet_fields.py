@@ -7,95 +7,15 @@ only known next to the data; its unit too, because a joint turns or slides.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
-from types import NoneType
+from dataclasses import replace
 from typing import Any, get_args, get_origin
 
-from pydantic.fields import FieldInfo
-
 from tmodes.io.forms import form_of
-from tmodes.io.sheet_words import (
-    at,
-    bounds,
-    expected_kind,
-    fields,
-    first_line,
-    is_group,
-    is_registered,
-    kind_of,
-    members_of,
-    own_unit,
-    unit_at,
-)
+from tmodes.io.sheet_words import ChainPlace, Step, at, fields, is_group, kind_of, own_unit
+from tmodes.kinds.joints.registry import JOINTS
 from tmodes.kinds.schema.kind import form_of_field
 
 __all__ = ["ChainPlace", "Step", "chosen", "inside", "keys", "named", "place_of", "quantities", "root_of"]
-
-Step = str | int
-
-
-@dataclass(frozen=True)
-class ChainPlace:
-    """One place of the data sheet: its type, its field (None for the sheet itself), and its unit there."""
-
-    annotation: Any
-    info: FieldInfo | None = None
-    unit: str | None = None
-
-    @property
-    def extra(self) -> dict[str, Any]:
-        """Unit, symbol and range of a quantity; empty for other places."""
-        extra = self.info.json_schema_extra if self.info else None
-        return extra if isinstance(extra, dict) else {}
-
-    @property
-    def may_be_infinite(self) -> bool:
-        """True for a stiffness that may be infinite, by wish."""
-        return bool(self.extra.get("rigid_when_infinite"))
-
-    @property
-    def members(self) -> list[Any]:
-        """The types it may have, without None and without their notes."""
-        return members_of(self.annotation)
-
-    @property
-    def tagged(self) -> bool:
-        """Whether the validator names the chosen type as a step of its locations."""
-        return len(self.members) > 1 and not any(is_registered(member) for member in self.members)
-
-    @property
-    def may_be_left_out(self) -> bool:
-        """True where nothing may stand."""
-        return NoneType in get_args(self.annotation)
-
-    @property
-    def whole(self) -> bool:
-        """True for a count."""
-        return self.members == [int]
-
-    @property
-    def meaning(self) -> str:
-        """What it is, in words without the unit."""
-        description = (self.info.description if self.info else None) or first_line(self.members[0])
-        return description.partition(" [")[0].removeprefix("the ").removeprefix("the ")
-
-    @property
-    def expected(self) -> str:
-        """What belongs here, with its bounds and unit, for a message."""
-        if self.unit is None:
-            return expected_kind(self.members, self.info)
-        infinite = ", or .inf for rigid" if self.may_be_infinite else ""
-        return f"{self._numbers}{bounds(self.info, self.annotation)} [{self.unit}]{infinite}"
-
-    @property
-    def _numbers(self) -> str:
-        member = self.members[0]
-        if get_origin(member) is dict:
-            return "a group of names and numbers"
-        if get_origin(member) is not tuple:
-            return "a whole number" if self.whole else "a number"
-        items = get_args(member)
-        return "a number, or a list of numbers" if Ellipsis in items else f"a list of {len(items)} numbers"
 
 
 def root_of(data: Any) -> ChainPlace:
@@ -111,7 +31,7 @@ def inside(place: ChainPlace, step: Step, value: Any, steps: Sequence[Step], dat
     member = chosen(place.members, value)
     if is_group(member):
         info = fields(member).get(str(step))
-        return ChainPlace(form_of_field(info, value), info, unit_at(own_unit(info), steps, data)) if info else None
+        return ChainPlace(form_of_field(info, value), info, _unit_at(own_unit(info), steps, data)) if info else None
     if get_origin(member) is tuple and isinstance(step, int):
         items = get_args(member)
         item = items[0] if Ellipsis in items else items[step] if 0 <= step < len(items) else None
@@ -173,16 +93,12 @@ def _quantities(
         inner = inside(place, key, value, here, data)
         if inner is None or (item is None and inner.may_be_left_out):
             continue
-        if inner.unit is not None and not _holds_more(inner, item):
+        # the items of a list or a group, where one belongs, are quantities themselves
+        holds_more = isinstance(item, (list, dict)) and get_origin(chosen(inner.members, item)) in {tuple, dict}
+        if inner.unit is not None and not holds_more:
             yield value, key, here, inner
         else:
             yield from _quantities(inner, item, here, data)
-
-
-def _holds_more(place: ChainPlace, value: Any) -> bool:
-    """True for a list or a group at a place where one belongs: its items are the quantities."""
-    kind = get_origin(chosen(place.members, value))
-    return kind in {tuple, dict} and isinstance(value, (list, dict))
 
 
 def named(steps: Sequence[Step], data: Any) -> str:
@@ -193,3 +109,54 @@ def named(steps: Sequence[Step], data: Any) -> str:
         name = value.get("name") if isinstance(value, Mapping) and isinstance(step, int) else None
         info.append(name if isinstance(name, str) and name.isprintable() and 0 < len(name) <= 100 else str(step))
     return ".".join(info)
+
+
+COMMANDS = {"voltage": "V", "torque": "N*m|N", "effort": "N*m|N", "position": "rad|m", "prescribed": "rad|m"}
+
+
+def _unit_at(unit: str | None, steps: Sequence[Step], data: Any) -> str | None:
+    """The unit of a field at a path of plain data: ``rad|m`` becomes one of the two, ``signal`` what it drives."""
+    match unit:
+        case "signal":
+            unit = _signal_unit(steps, data)
+        case "gain" | "gain*s":
+            electric = at(_joint(steps, data), "motor", "resistance") is not None
+            of_time = "*s" if unit.endswith("*s") else ""
+            unit = f"V{of_time}/rad|V{of_time}/m" if electric else f"N*m{of_time}/rad|N{of_time}/m"
+        case "coordinate" | "coordinate/s":
+            unit = "rad/s|m/s" if unit.endswith("/s") else "rad|m"
+        case _:
+            pass
+    if unit is None or "|" not in unit:
+        return unit
+    kind = JOINTS.get(str(at(_joint(steps, data), "type")))
+    slides = kind is not None and any(each.slides for each in kind.coordinates)
+    return unit.split("|")[slides]
+
+
+def _signal_unit(steps: Sequence[Step], data: Any) -> str:
+    match list(steps):
+        case ["base_motion", ("x" | "y" | "z"), *_]:
+            return "m"
+        case ["base_motion", *_]:
+            return "rad"
+        case ["drives", int(index), *_]:
+            return COMMANDS.get(str(at(data, "drives", index, "command")), "rad|m")
+        case _:
+            return "-"
+
+
+def _joint(steps: Sequence[Step], data: Any) -> Any:
+    """The joint that a path belongs to."""
+    match list(steps):
+        case ["joints", int(index), *_]:
+            return at(data, "joints", index)
+        case ["drives", int(index), *_]:
+            name = at(data, "drives", index, "joint")
+        case ["initial", _, str(coordinate), *_]:
+            name = coordinate.removesuffix(".motor")
+        case _:
+            return None
+    joints = at(data, "joints")
+    found = (joint for joint in joints if at(joint, "name") == name) if isinstance(joints, list) else iter(())
+    return next(found, None)

@@ -6,7 +6,7 @@ Items of a list go by their name, or by their number where none has that name.
 from __future__ import annotations
 
 import copy
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any, get_args, get_origin
 
 from tmodes.errors import InputError
@@ -16,27 +16,19 @@ from tmodes.io.sheet_words import at, fields, is_group, members_of
 from tmodes.io.words import nearest, plain, shown
 from tmodes.kinds.links.material import LIBRARY
 
-__all__ = ["changed_places", "entered", "later_changes", "set_paths", "steps_of"]
+__all__ = ["changed_places", "entered", "later_changes", "steps_of"]
 
 LONGEST = 500
 MOST_LISTED = 20
 """Keys or names listed in one message."""
 
 
-def set_paths(data: Mapping[str, Any], changes: Mapping[str, Any]) -> dict[str, Any]:
-    """A copy of a robot's plain data with the value at each path replaced; the values are checked elsewhere.
-
-    Every key that a data sheet may hold can be set, also one that this one leaves out. Raises
-    :class:`tmodes.errors.InputError` with the nearest name for a path that does not exist.
-    """
-    return changed_places(data, changes)[0]
-
-
 def changed_places(data: Mapping[str, Any], changes: Mapping[str, Any]) -> tuple[dict[str, Any], list[str]]:
-    """The changed data, as :func:`set_paths` gives it, and where each change stands, by keys and numbers alone.
+    """A copy of plain data with changed values by path, and where each change stands, by keys and numbers alone.
 
-    A path is looked up in what the changes before it have left: one may give a signal its type, the next a number that
-    only this type has.
+    Every key that a data sheet may hold can be set, also one that this one leaves out; the values are checked
+    elsewhere. InputError with the nearest name for a path that does not exist. A path is looked up in what the changes
+    before it have left: one may give a signal its type, the next a number that only this type has.
     """
     changed = copy.deepcopy(dict(data))
     places = []
@@ -93,14 +85,10 @@ def entered(data: Any, steps: Sequence[Step], path: str) -> Any:
 
 
 def steps_of(path: str, data: Any) -> list[Step]:
-    """The keys and numbers that lead to a path.
-
-    Raises :class:`tmodes.errors.InputError` when nothing may stand there.
-    """
+    """The keys and numbers that lead to a path; InputError with the nearest name when nothing may stand there."""
     if not isinstance(path, str) or not 0 < len(path) <= LONGEST:
-        raise InputError(
-            shown(path), "an unknown path", "the path of a value of the data sheet", "write it like payload.mass"
-        )
+        expected, hint = "the path of a value of the data sheet", "write it like payload.mass"
+        raise InputError(shown(path), "an unknown path", expected, hint)
     steps: list[Step] = []
     place: ChainPlace | None = root_of(data)
     value, words = data, robot_path(path, data).split(".")
@@ -152,19 +140,15 @@ def _unknown(
         look = "choose one of these keys" if known else "leave out what follows it"
     start = own_path(named(before, data), data)
     meant = nearest(where, known)
-    found = ".".join(filter(None, (start, meant, *beyond))) if meant else _elsewhere(where, data)
-    found = found if before else _in_other_letters(path, data) or found
+    found = ".".join(filter(None, (start, meant, *beyond))) if meant else ""
+    found = found or _first(data, lambda steps, _: steps[-1] == where)
+    if not before:  # a path may differ in capital letters and hyphens alone
+        found = _first(data, lambda _, other: plain(other) == plain(path)) or found
     expected = f"one of {', '.join(known[:MOST_LISTED])}" if known else f"no key inside `{start}`"
     return InputError(path, "an unknown key", expected, f"did you mean `{found}`?" if found else look)
 
 
-def _in_other_letters(path: str, data: Any) -> str:
-    """The path of a number that differs in capital letters and hyphens alone; empty where there is none."""
-    paths = (own_path(named(steps, data), data) for _, _, steps, _ in quantities(data))
-    return next((found for found in paths if plain(found) == plain(path)), "")
-
-
-def _elsewhere(word: str, data: Any) -> str:
-    """The first number of the sheet whose key is this word; empty where there is none."""
-    paths = (steps for _, _, steps, _ in quantities(data) if steps[-1] == word)
-    return next((own_path(named(steps, data), data) for steps in paths), "")
+def _first(data: Any, fits: Callable[[tuple[Step, ...], str], bool]) -> str:
+    """The path of the first number of the sheet that fits; empty where there is none."""
+    paths = ((steps, own_path(named(steps, data), data)) for _, _, steps, _ in quantities(data))
+    return next((path for steps, path in paths if fits(steps, path)), "")

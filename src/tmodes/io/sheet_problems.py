@@ -12,7 +12,7 @@ from pydantic_core import ErrorDetails
 from tmodes.errors import InputError
 from tmodes.io.forms import own_path
 from tmodes.io.sheet_fields import ChainPlace, Step, chosen, inside, keys, named, place_of, quantities, root_of
-from tmodes.io.sheet_words import at, choices, is_group, kind_of
+from tmodes.io.sheet_words import at, is_group, kind_of
 from tmodes.io.words import nearest, shown
 from tmodes.kinds.schema.quantity import LARGEST
 
@@ -62,7 +62,9 @@ def _problems(detail: ErrorDetails, data: Any) -> Iterator[Problem]:
         case "extra_forbidden" | "invalid_key":
             yield steps, _unknown(steps, data)
         case "missing" if steps and isinstance(steps[-1], int):
-            yield steps[:-1], _short(steps[:-1], data)
+            place, got = place_of(steps[:-1], data), shown(at(data, *steps[:-1]))
+            expected = place.expected if place else "a longer list"
+            yield steps[:-1], InputError("", got, expected, "write each of its numbers")
         case "missing":
             yield steps, _missing(steps, data)
         case "union_tag_not_found" | "union_tag_invalid":
@@ -118,18 +120,12 @@ def _elsewhere(key: str, data: Any) -> str:
     return f"put `{key}` at the outermost level" if key in keys(root_of(data).annotation) else _REMOVE
 
 
-def _short(steps: tuple[Step, ...], data: Any) -> InputError:
-    place = place_of(steps, data)
-    expected = place.expected if place else "a longer list"
-    return InputError("", shown(at(data, *steps)), expected, "write each of its numbers")
-
-
 def _missing(steps: tuple[Step, ...], data: Any) -> InputError:
     place = place_of(steps, data)
     expected = place.expected if place else "a value"
     if place and place.info and place.info.description:
         expected += f": {place.meaning}"
-    words = choices(place.members, place.info) if place else []
+    words = place.choices if place else []
     lines = " or ".join(f"`{steps[-1]}: {choice}`" for choice in words or ["..."]) if steps else ""
     group = own_path(named(steps[:-1], data), data)
     inside = f" inside `{group}`" if group else ""
@@ -161,14 +157,10 @@ def _wrong(steps: tuple[Step, ...], kind: str, detail: ErrorDetails, data: Any) 
         expected = f"a magnitude from {bounds['smallest']:g} to {bounds['largest']:g} [{place.unit}]"
         rigid = "; .inf makes it rigid" if place.may_be_infinite else ""
         return InputError("", shown(value), expected, f"correct the exponent or the unit{rigid}")
-    if LARGEST in map(_magnitude, bounds.values()):
+    if LARGEST in (abs(bound) for bound in bounds.values() if isinstance(bound, float)):
         expected = f"{place.expected} of a magnitude of at most {LARGEST:g}"
         return InputError("", shown(value), expected, "correct the exponent or the unit")
     return InputError("", shown(value), place.expected, _hint(place, value))
-
-
-def _magnitude(bound: Any) -> float:
-    return abs(bound) if isinstance(bound, float) else 0.0
 
 
 def _hint(place: ChainPlace, value: Any) -> str:
@@ -179,7 +171,7 @@ def _hint(place: ChainPlace, value: Any) -> str:
         return "check sign, size and unit"
     if place.unit is not None:
         return "write numbers, each alone or with its unit in quotes"
-    known = choices(place.members, place.info)
+    known = place.choices
     if isinstance(value, str) and (close := nearest(value, known)):
         return f"did you mean `{close}`?"
     if any(map(is_group, place.members)):

@@ -1,9 +1,10 @@
-"""The types of a robot's data sheet, and what belongs in a place of each type, given in words."""
+"""The types of a robot's data sheet, and a place of each type: what belongs there, given in words."""
 
 from __future__ import annotations
 
 import inspect
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
+from dataclasses import dataclass
 from enum import Enum
 from types import NoneType, UnionType
 from typing import Annotated, Any, Literal, Union, get_args, get_origin
@@ -11,24 +12,12 @@ from typing import Annotated, Any, Literal, Union, get_args, get_origin
 from pydantic import BaseModel
 from pydantic.fields import FieldInfo
 
-from tmodes.kinds.joints.registry import JOINTS
 from tmodes.kinds.schema.kind import names_allowed
 from tmodes.kinds.schema.quantity import LARGEST, span_info
 
-__all__ = [
-    "at",
-    "bounds",
-    "choices",
-    "expected_kind",
-    "fields",
-    "first_line",
-    "is_group",
-    "is_registered",
-    "kind_of",
-    "members_of",
-    "own_unit",
-    "unit_at",
-]
+__all__ = ["ChainPlace", "Step", "at", "fields", "is_group", "kind_of", "members_of", "own_unit"]
+
+Step = str | int
 
 
 def members_of(annotation: Any) -> list[Any]:
@@ -53,11 +42,6 @@ def is_group(member: Any) -> bool:
     return inspect.isclass(member) and issubclass(member, BaseModel)
 
 
-def is_registered(member: Any) -> bool:
-    """True for the sheet of a kind that a field of several words chooses among the registered ones."""
-    return is_group(member) and bool(member.chosen_by()[1])
-
-
 def own_unit(info: FieldInfo) -> str | None:
     """The unit as the field says it, which may depend on where it stands."""
     extra = info.json_schema_extra
@@ -66,74 +50,12 @@ def own_unit(info: FieldInfo) -> str | None:
 
 def kind_of(member: Any) -> tuple[str, tuple[Any, ...], Any]:
     """The key that says which of several groups this is, its values here, and what it is when it is left out."""
-    if is_registered(member):
+    if is_group(member) and member.chosen_by()[1]:  # a kind that a field of several words chooses among the registered
         return (*member.chosen_by(), None)
     for name, info in fields(member).items():
         if get_origin(info.annotation) is Literal:
             return name, get_args(info.annotation)[:1], None if info.is_required() else info.default
     return "", (), None
-
-
-def expected_kind(members: list[Any], info: FieldInfo | None) -> str:
-    """What belongs in a place that is no quantity."""
-    if len(members) > 1:
-        kinds = [str(kind) for _, words, _ in map(kind_of, members) for kind in words]
-        return f"a group of the kind {', '.join(kinds)}" if kinds else "a name, or a group of numbers"
-    member = members[0]
-    if is_group(member):
-        return f"a group with the keys {', '.join(fields(member))}"
-    if names := choices(members, info):
-        return f"one of {', '.join(names)}"
-    items = get_args(member) if get_origin(member) is tuple else ()
-    if items and Ellipsis not in items:
-        return f"a list of exactly {len(items)} {'groups' if is_group(items[0]) else 'values'}"
-    plain = {tuple: f"a list{_length(info, 'items')}", dict: "a group of names"}
-    if origin := get_origin(member):
-        return repr(get_args(member)[0]) if origin is Literal else plain[origin]
-    return "true or false" if member is bool else f"text{_length(info, 'characters')}"
-
-
-def choices(members: list[Any], info: FieldInfo | None) -> list[str]:
-    """The words that a place allows, where it allows only some."""
-    enums = [member for member in members if inspect.isclass(member) and issubclass(member, Enum)]
-    return names_allowed(info) or [str(choice.value) for member in enums for choice in member]
-
-
-def bounds(info: FieldInfo | None, annotation: Any) -> str:
-    """The bounds of a number, such as `` greater than 0``, but for those of arithmetic."""
-    extra = info.json_schema_extra if info else None
-    if info and isinstance(extra, dict) and extra.get("span"):
-        largest = next((rule.le for rule in info.metadata if hasattr(rule, "le")), None)
-        return span_info(extra, largest, whole=annotation is int)
-    words = {"gt": "greater than", "ge": "not less than", "le": "not more than"}
-    found = [
-        f"{word} {getattr(rule, name):.15g}"
-        for rule in [*(info.metadata if info else ()), *_notes(annotation)]
-        for name, word in words.items()
-        if getattr(rule, name, None) is not None and abs(getattr(rule, name)) < LARGEST
-    ]
-    return " " + " and ".join(dict.fromkeys(found)) if found else ""
-
-
-def _notes(annotation: Any) -> list[Any]:
-    """Rules that a type itself carries."""
-    notes = get_args(annotation)[1:] if get_origin(annotation) is Annotated else ()
-    return [rule for note in notes for rule in (note.metadata if isinstance(note, FieldInfo) else [note])]
-
-
-def first_line(member: Any) -> str:
-    """What a group is, by the first line of its docstring."""
-    return (inspect.getdoc(member) or "").split("\n")[0].rstrip(".") if is_group(member) else "value"
-
-
-def _length(info: FieldInfo | None, of: str) -> str:
-    rules = info.metadata if info else ()
-    longest = [rule.max_length for rule in rules if hasattr(rule, "max_length")]
-    shortest = [rule.min_length for rule in rules if hasattr(rule, "min_length")]
-    return f" of {max([0, *shortest])} to {min(longest)} {of}" if longest else ""
-
-
-COMMANDS = {"voltage": "V", "torque": "N*m|N", "effort": "N*m|N", "position": "rad|m", "prescribed": "rad|m"}
 
 
 def at(value: Any, *steps: str | int) -> Any:
@@ -148,59 +70,115 @@ def at(value: Any, *steps: str | int) -> Any:
     return value
 
 
-def unit_at(unit: str | None, steps: Sequence[str | int], data: Any) -> str | None:
-    """The unit of a field at a path of plain data: ``rad|m`` becomes one of the two, ``signal`` what it drives."""
-    match unit:
-        case "signal":
-            unit = _signal_unit(steps, data)
-        case "gain" | "gain*s":
-            unit = _gain_unit(steps, data).replace("/", "*s/" if unit.endswith("*s") else "/")
-        case "coordinate" | "coordinate/s":
-            unit = "rad/s|m/s" if unit.endswith("/s") else "rad|m"
-        case _:
-            pass
-    if unit is None or "|" not in unit:
-        return unit
-    turning, sliding = unit.split("|")
-    return sliding if _slides(steps, data) else turning
+@dataclass(frozen=True)
+class ChainPlace:
+    """One place of the data sheet: its type, its field (None for the sheet itself), and its unit there."""
 
+    annotation: Any
+    info: FieldInfo | None = None
+    unit: str | None = None
 
-def _signal_unit(steps: Sequence[str | int], data: Any) -> str:
-    match list(steps):
-        case ["base_motion", ("x" | "y" | "z"), *_]:
-            return "m"
-        case ["base_motion", *_]:
-            return "rad"
-        case ["drives", int(index), *_]:
-            return COMMANDS.get(str(at(data, "drives", index, "command")), "rad|m")
-        case _:
-            return "-"
+    @property
+    def extra(self) -> dict[str, Any]:
+        """Unit, symbol and range of a quantity; empty for other places."""
+        extra = self.info.json_schema_extra if self.info else None
+        return extra if isinstance(extra, dict) else {}
 
+    @property
+    def may_be_infinite(self) -> bool:
+        """True for a stiffness that may be infinite, by wish."""
+        return bool(self.extra.get("rigid_when_infinite"))
 
-def _gain_unit(steps: Sequence[str | int], data: Any) -> str:
-    joint = _joint(steps, data)
-    return "V/rad|V/m" if at(joint, "motor", "resistance") is not None else "N*m/rad|N/m"
+    @property
+    def members(self) -> list[Any]:
+        """The types it may have, without None and without their notes."""
+        return members_of(self.annotation)
 
+    @property
+    def tagged(self) -> bool:
+        """Whether the validator names the chosen type as a step of its locations."""
+        return len(self.members) > 1 and not any(is_group(member) and member.chosen_by()[1] for member in self.members)
 
-def _slides(steps: Sequence[str | int], data: Any) -> bool:
-    kind = str(at(_joint(steps, data), "type"))
-    return kind in JOINTS and any(each.slides for each in JOINTS[kind].coordinates)
+    @property
+    def may_be_left_out(self) -> bool:
+        """True where nothing may stand."""
+        return NoneType in get_args(self.annotation)
 
+    @property
+    def whole(self) -> bool:
+        """True for a count."""
+        return self.members == [int]
 
-def _joint(steps: Sequence[str | int], data: Any) -> Any:
-    """The joint that a path belongs to."""
-    match list(steps):
-        case ["joints", int(index), *_]:
-            return at(data, "joints", index)
-        case ["drives", int(index), *_]:
-            return _named_joint(data, at(data, "drives", index, "joint"))
-        case ["initial", _, str(name), *_]:
-            return _named_joint(data, name.removesuffix(".motor"))
-        case _:
-            return None
+    @property
+    def choices(self) -> list[str]:
+        """The words that it allows, where it allows only some."""
+        enums = [member for member in self.members if inspect.isclass(member) and issubclass(member, Enum)]
+        return names_allowed(self.info) or [str(choice.value) for member in enums for choice in member]
 
+    @property
+    def meaning(self) -> str:
+        """What it is, in words without the unit."""
+        described, member = self.info.description if self.info else None, self.members[0]
+        own = (inspect.getdoc(member) or "").split("\n")[0].rstrip(".") if is_group(member) else "value"
+        return (described or own).partition(" [")[0].removeprefix("the ").removeprefix("the ")
 
-def _named_joint(data: Any, name: Any) -> Any:
-    joints = at(data, "joints")
-    found = (joint for joint in joints if at(joint, "name") == name) if isinstance(joints, list) else iter(())
-    return next(found, None)
+    @property
+    def expected(self) -> str:
+        """What belongs here, with its bounds and unit, for a message."""
+        if self.unit is None:
+            return self._kind
+        infinite = ", or .inf for rigid" if self.may_be_infinite else ""
+        return f"{self._numbers}{self._bounds} [{self.unit}]{infinite}"
+
+    @property
+    def _numbers(self) -> str:
+        member = self.members[0]
+        if get_origin(member) is dict:
+            return "a group of names and numbers"
+        if get_origin(member) is not tuple:
+            return "a whole number" if self.whole else "a number"
+        items = get_args(member)
+        return "a number, or a list of numbers" if Ellipsis in items else f"a list of {len(items)} numbers"
+
+    @property
+    def _kind(self) -> str:
+        """What belongs in a place that is no quantity."""
+        if len(self.members) > 1:
+            kinds = [str(kind) for _, words, _ in map(kind_of, self.members) for kind in words]
+            return f"a group of the kind {', '.join(kinds)}" if kinds else "a name, or a group of numbers"
+        member = self.members[0]
+        if is_group(member):
+            return f"a group with the keys {', '.join(fields(member))}"
+        if names := self.choices:
+            return f"one of {', '.join(names)}"
+        items = get_args(member) if get_origin(member) is tuple else ()
+        if items and Ellipsis not in items:
+            return f"a list of exactly {len(items)} {'groups' if is_group(items[0]) else 'values'}"
+        plain = {tuple: f"a list{self._length('items')}", dict: "a group of names"}
+        if origin := get_origin(member):
+            return repr(get_args(member)[0]) if origin is Literal else plain[origin]
+        return "true or false" if member is bool else f"text{self._length('characters')}"
+
+    @property
+    def _bounds(self) -> str:
+        """The bounds of a number, such as `` greater than 0``, but for those of arithmetic."""
+        rules = self.info.metadata if self.info else []
+        if self.extra.get("span"):
+            largest = next((rule.le for rule in rules if hasattr(rule, "le")), None)
+            return span_info(self.extra, largest, whole=self.annotation is int)
+        notes = get_args(self.annotation)[1:] if get_origin(self.annotation) is Annotated else ()
+        inner = [rule for note in notes for rule in (note.metadata if isinstance(note, FieldInfo) else [note])]
+        words = {"gt": "greater than", "ge": "not less than", "le": "not more than"}
+        found = [
+            f"{word} {getattr(rule, name):.15g}"
+            for rule in [*rules, *inner]
+            for name, word in words.items()
+            if getattr(rule, name, None) is not None and abs(getattr(rule, name)) < LARGEST
+        ]
+        return " " + " and ".join(dict.fromkeys(found)) if found else ""
+
+    def _length(self, of: str) -> str:
+        rules = self.info.metadata if self.info else ()
+        longest = [rule.max_length for rule in rules if hasattr(rule, "max_length")]
+        shortest = [rule.min_length for rule in rules if hasattr(rule, "min_length")]
+        return f" of {max([0, *shortest])} to {min(longest)} {of}" if longest else ""

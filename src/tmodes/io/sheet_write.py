@@ -5,14 +5,12 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Iterator, Mapping
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-from tmodes.io.scalars import scalar
 from tmodes.io.sheet_check import sheet_data
 from tmodes.io.sheet_fields import Step, place_of
-
-if TYPE_CHECKING:
-    from tmodes.sheet import Robot
+from tmodes.io.units import scalar
+from tmodes.sheet import Robot
 
 __all__ = ["robot_to_yaml", "scalar_text", "text"]
 

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from tmodes.errors import InputError
 from tmodes.io.files import read_bytes
-from tmodes.io.filipovic2010.coordinates import COORDINATES
+from tmodes.io.filipovic2010.importer import COORDINATES
 from tmodes.io.words import meant, shown, shown_path
 from tmodes.kinds.schema.quantity import LARGEST
 

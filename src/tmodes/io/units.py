@@ -1,4 +1,4 @@
-"""Numbers at the border of a file: plain, as text, or with their unit (``"600 mm"``, ``"82 N*m/deg"``).
+"""Scalars of a file or the command line: bare words of YAML 1.2, numbers, and numbers with their unit (``"600 mm"``).
 
 Text is held against a closed grammar before the unit library sees it: a number and a few unit words, with ``*``, ``/``,
 one-digit powers and one level of parentheses. Inside tmodes every number is a plain float in SI units.
@@ -13,12 +13,13 @@ from functools import cache
 from numbers import Real
 from typing import Any
 
-from tmodes.io.scalars import finite_float
+from tmodes.errors import InputError
 from tmodes.io.words import shown
 
-__all__ = ["NotANumber", "number"]
+__all__ = ["FLOAT", "NotANumber", "finite_float", "number", "parse_assignment", "scalar"]
 
 NUMBER = r"[-+]?(?:\.[0-9]+|[0-9]+(?:\.[0-9]*)?)(?:[eE][-+]?[0-9]+)?"
+FLOAT = re.compile(NUMBER)
 WORD = r"[A-Za-zµμΩ°]{1,20}(?:(?:\^|\*\*)-?[1-9])?[²³]?"
 TIMES = r"(?: ?[*·/] ?| )"
 WORDS = rf"{WORD}(?:{TIMES}{WORD}){{0,5}}"
@@ -45,7 +46,9 @@ def number(value: Any, unit: str) -> float:
     if isinstance(value, str):
         return _from_text(" ".join(value.split()), unit)
     if isinstance(value, bool) or not isinstance(value, Real):
-        raise NotANumber(shown(value), _hint_kind(value, unit))
+        hint = f"write the number{_in(unit)} after the colon" if value is None else f"write one number{_in(unit)}"
+        boolean = "write a number; true and false are not numbers"
+        raise NotANumber(shown(value), boolean if isinstance(value, bool) else hint)
     try:
         result = float(value)
     except OverflowError:
@@ -53,14 +56,6 @@ def number(value: Any, unit: str) -> float:
     if math.isnan(result):
         raise NotANumber(".nan (not a number)", "write a finite number")
     return result
-
-
-def _hint_kind(value: Any, unit: str) -> str:
-    if isinstance(value, bool):
-        return "write a number; true and false are not numbers"
-    if value is None:
-        return f"write the number{_in(unit)} after the colon"
-    return f"write one number{_in(unit)}"
 
 
 def _from_text(text: str, unit: str) -> float:
@@ -119,3 +114,60 @@ def _registry() -> Any:
 
 def _in(unit: str) -> str:
     return "" if unit == "-" else f" in {unit}"
+
+
+INTEGER = re.compile(r"[-+]?[0-9]+")
+YAML_INFINITE = re.compile(r"([-+]?)\.(inf|Inf|INF)")
+BARE_WORDS = {
+    **dict.fromkeys(("", "~", "null", "Null", "NULL")),
+    **dict.fromkeys(("true", "True", "TRUE"), True),
+    **dict.fromkeys(("false", "False", "FALSE"), False),
+    **dict.fromkeys((".nan", ".NaN", ".NAN"), float("nan")),
+}
+MOST_DIGITS = 4000
+
+
+def scalar(text: str) -> bool | int | float | str | None:
+    """The value of a bare word after the core schema of YAML 1.2 (without octal and hexadecimal integers).
+
+    A number that no double can hold (``1e400``) stays text, so that nothing is rounded to infinity or to zero.
+    """
+    if text in BARE_WORDS:
+        return BARE_WORDS[text]
+    if INTEGER.fullmatch(text) and len(text) <= MOST_DIGITS:
+        return int(text)
+    if FLOAT.fullmatch(text):
+        value = finite_float(text)
+        return text if value is None else value
+    if infinite := YAML_INFINITE.fullmatch(text):
+        return float(f"{infinite[1]}inf")
+    return text
+
+
+def finite_float(text: str) -> float | None:
+    """The double nearest to a decimal number; None when there is none (overflow, or underflow to zero)."""
+    if len(text) > MOST_DIGITS or not FLOAT.fullmatch(text):
+        return None
+    value = float(text)
+    mantissa = re.split("[eE]", text)[0]
+    lost = value == 0.0 and any(digit in mantissa for digit in "123456789")
+    return None if lost or value in (float("inf"), float("-inf")) else value
+
+
+LONGEST_VALUE = 2_000
+
+NUMBERS = re.compile(r"\[ *[-+.0-9][^][{},'\"&*!]*(,[ ]*[-+.0-9][^][{},'\"&*!]*)*\]")
+"""A flow list of numbers, each perhaps with its unit."""
+
+
+def parse_assignment(text: str) -> tuple[str, Any]:
+    """Path and value of ``path=value``: a bare word, quoted text or list of numbers of YAML; else an InputError."""
+    path, equals, value = (part.strip() for part in text.partition("="))
+    if not (path and equals and value) or len(value) > LONGEST_VALUE:
+        hint = "write it without spaces around =, as in gear.stiffness=900"
+        raise InputError("--set", shown(text), "PATH=VALUE", hint)
+    if len(value) > 1 and value[0] == value[-1] and value[0] in "'\"":
+        return path, value[1:-1]
+    if NUMBERS.fullmatch(value):
+        return path, [scalar(word.strip()) for word in value[1:-1].split(",")]
+    return path, scalar(value)

@@ -7,19 +7,15 @@ misspelt is not. Format: http://wiki.ros.org/urdf/XML.
 
 from __future__ import annotations
 
-import os
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 from tmodes.errors import InputError, InputErrors
-from tmodes.io.mesh_paths import Folders, folders_of
-from tmodes.io.urdf_joint import MOVING, joint_ends, joint_of
-from tmodes.io.urdf_link import body_of, says_massless
-from tmodes.io.urdf_sheet import name_of, sheet_of
-from tmodes.io.urdf_tree import Tree, UrdfJoint, tree_of
-from tmodes.io.urdf_values import check_attributes, check_children, fault, text_at
+from tmodes.io.files import FilePath, Folders, Roots, folders_of
+from tmodes.io.urdf_parts import MOVING, UrdfJoint, body_of, joint_ends, joint_of, says_massless
+from tmodes.io.urdf_tree import Tree, name_of, sheet_of, tree_of
 from tmodes.io.words import shown
 from tmodes.io.xml_file import Element, read_xml
 from tmodes.io.yaml_file import Positions
@@ -60,12 +56,7 @@ class _Reading:
             raise InputErrors(self.errors[:MOST_ERRORS])
 
 
-def read_urdf(
-    path: str | os.PathLike[str],
-    roots: Sequence[str | os.PathLike[str]] = (),
-    trust_paths: bool = False,
-    weighed: Collection[str] = (),
-) -> UrdfRobot:
+def read_urdf(path: FilePath, roots: Roots = (), trust_paths: bool = False, weighed: Collection[str] = ()) -> UrdfRobot:
     """The robot of a URDF file.
 
     ``roots`` are further folders in which the files it names may lie; ``trust_paths`` allows any. Links that are
@@ -80,11 +71,9 @@ def urdf_robot(robot: Element, folders: Folders, weighed: Collection[str] = ()) 
     _check_root(robot)
     reading = _Reading()
     for element in robot.children:
-        _read(element, reading)
+        _tried(reading, _read, element, reading)
     if not reading.links and not reading.errors:
-        reading.errors.append(
-            fault(robot, "the robot", "no link", "made of links and joints", "add <link> and <joint>")
-        )
+        reading.errors.append(robot.fault("the robot", "no link", "made of links and joints", "add <link> and <joint>"))
     reading.refuse()
     tree = tree_of(robot, reading.links, list(reading.joints.values()))
     reading.errors.extend(massless(tree, reading.links, reading.bodies, weighed))
@@ -92,7 +81,7 @@ def urdf_robot(robot: Element, folders: Folders, weighed: Collection[str] = ()) 
     joints = [_tried(reading, joint_of, joint) or {} for joint in tree.joints]
     reading.refuse()
     if not joints:
-        raise fault(robot, "the robot", "no joint", "at least one joint", "add <joint>: what does not move is no robot")
+        raise robot.fault("the robot", "no joint", "at least one joint", "add <joint>: what does not move is no robot")
     names = {link: name_of(link, tree) for link in reading.links}
     bodies = {names[link]: body for link, body in reading.bodies.items()}
     files = {names[link]: paths for link, paths in meshes.items() if paths}
@@ -103,40 +92,37 @@ def urdf_robot(robot: Element, folders: Folders, weighed: Collection[str] = ()) 
 
 def _check_root(robot: Element) -> None:
     if robot.tag != "robot":
-        got, hint = f"<{robot.tag[:60]}>", "check that this is a URDF"
-        raise fault(robot, "the root element", got, "<robot>", hint)
-    check_attributes(robot, {"name", "version"}, "robot")
-    check_children(robot, TOP, "robot")
+        raise robot.fault("the root element", robot.label, "<robot>", "check that this is a URDF")
+    robot.check_attributes({"name", "version"}, "robot")
+    robot.check_children(TOP, "robot")
     if prefixed := next((child for child in robot.children if child.tag.startswith("xacro:")), None):
         hint = "save the file with the ending .xacro"
-        raise fault(prefixed, "robot", f"<{prefixed.tag[:60]}> in a plain URDF", "<link> and <joint>", hint)
+        raise prefixed.fault("robot", f"{prefixed.label} in a plain URDF", "<link> and <joint>", hint)
 
 
 def _read(element: Element, reading: _Reading) -> None:
-    """Read one link or joint; what is wrong with it is kept next to the errors of the others."""
-    try:
-        if element.tag == "link":
-            name = text_at(element, "name", "a link's name")
-            _refuse_second(name, "link", element, reading.links.get(name))
-            reading.links[name] = element
-            if body := body_of(element, name):
-                reading.bodies[name] = body
-        elif element.tag == "joint":
-            joint = joint_ends(element)
-            first = reading.joints.get(joint.name)
-            _refuse_second(joint.name, "joint", element, first.element if first else None)
-            reading.joints[joint.name] = joint
-    except InputError as error:
-        reading.errors.append(error)
+    """Read one link or joint."""
+    if element.tag == "link":
+        name = element.text("name", "a link's name")
+        _refuse_second(name, "link", element, reading.links.get(name))
+        reading.links[name] = element
+        if body := body_of(element, name):
+            reading.bodies[name] = body
+    elif element.tag == "joint":
+        joint = joint_ends(element)
+        first = reading.joints.get(joint.name)
+        _refuse_second(joint.name, "joint", element, first.element if first else None)
+        reading.joints[joint.name] = joint
 
 
 def _refuse_second(name: str, kind: str, element: Element, first: Element | None) -> None:
     if first is not None:
         got, hint = f"a second {kind} of this name (first in line {first.line})", "give each its own name"
-        raise fault(element, f"{kind} {name}", got, f"one {kind} of each name", hint)
+        raise element.fault(f"{kind} {name}", got, f"one {kind} of each name", hint)
 
 
 def _tried(reading: _Reading, read: Any, *what: Any) -> Any:
+    """What is read; what is wrong is kept next to the other errors."""
     try:
         return read(*what)
     except InputError as error:
@@ -146,14 +132,9 @@ def _tried(reading: _Reading, read: Any, *what: Any) -> Any:
 
 def _meshes(name: str, link: Element, folders: Folders, reading: _Reading) -> list[Path]:
     """The checked paths of a link's files of geometry; those that are not there are left out."""
-    paths = [_tried(reading, folders.find, file, f"link {name}: {tag}", place) for file, tag, place in _files(link)]
-    return [path for path in paths if path is not None]
-
-
-def _files(link: Element) -> Iterator[tuple[str, str, str]]:
-    for element in link.within():
-        if element.tag in {"mesh", "texture"} and "filename" in element.attributes:
-            yield element.attributes["filename"].strip(), element.tag, element.place
+    named = [one for one in link.within() if one.tag in {"mesh", "texture"} and "filename" in one.attributes]
+    files = [(one.attributes["filename"].strip(), f"link {name}: {one.tag}", one.place) for one in named]
+    return [path for file in files if (path := _tried(reading, folders.find, *file)) is not None]
 
 
 HINT = "give it a mass and an inertia, make the joint fixed, or remove both"
@@ -173,17 +154,13 @@ def massless(
     for joint in tree.joints:
         if joint.type not in MOVING:
             continue
-        stated = says_massless(links[joint.child])
+        stated, which = says_massless(links[joint.child]), f"link {joint.child}: mass"
         if whole[joint.child] == 0.0:
-            yield _weightless(joint, stated if stated is not None else links[joint.child])
+            got = f"no mass on the moving joint {shown(joint.name)}, neither its own nor of what it carries"
+            yield (stated or links[joint.child]).fault(which, got, "a mass greater than 0 [kg]", HINT)
         elif stated is not None and rigid[joint.child] == 0.0:
             hint = "give its mass, or remove its <inertial> if it is only a frame between two joints"
-            yield fault(stated, f"link {joint.child}: mass", "0 on a moving link", "a mass greater than 0 [kg]", hint)
-
-
-def _weightless(joint: UrdfJoint, element: Element) -> InputError:
-    got = f"no mass on the moving joint {shown(joint.name)}, neither its own nor of what it carries"
-    return fault(element, f"link {joint.child}: mass", got, "a mass greater than 0 [kg]", HINT)
+            yield stated.fault(which, "0 on a moving link", "a mass greater than 0 [kg]", hint)
 
 
 def _carried(tree: Tree, own: Mapping[str, float]) -> tuple[dict[str, float], dict[str, float]]:

@@ -7,12 +7,10 @@ from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from tmodes.errors import InputError
 from tmodes.io.mesh_file import Triangles, box, cylinder, read_mesh, sphere
 from tmodes.io.urdf import UrdfRobot
-from tmodes.io.urdf_values import fault, number_at, only, origin_at, text_at, triple_at
 from tmodes.io.words import shown
 from tmodes.io.xml_file import Element
 from tmodes.kinds.schema.axes import rpy_matrix
@@ -62,7 +60,7 @@ def link_shapes(robot: UrdfRobot) -> tuple[list[LinkShape], list[Unseen]]:
         if number == MOST_SHAPES or faces > MOST_FACES:
             most = f"{MOST_SHAPES} shapes" if number == MOST_SHAPES else f"{MOST_FACES:,} triangles"
             got, expected = "more, from this link on", f"at most {most} of all links"
-            unseen.append(Unseen(name, fault(shape, which, got, expected, "simplify them")))
+            unseen.append(Unseen(name, shape.fault(which, got, expected, "simplify them")))
             break
         try:
             found.append(LinkShape(name, colour, _placed(shape, robot, which, read)))
@@ -106,64 +104,52 @@ def _is_readable(shape: Element) -> bool:
 
 
 def _placed(shape: Element, robot: UrdfRobot, which: str, read: Read) -> Triangles:
-    geometry = only(shape, "geometry", which)
+    geometry = shape.only("geometry", which)
     if geometry is None or len(geometry.children) != 1:
-        raise fault(shape, which, "no geometry, or several", "<geometry> with one shape", "give each shape its own")
+        raise shape.fault(which, "no geometry, or several", "<geometry> with one shape", "give each shape its own")
     surface = _surface(geometry.children[0], robot, which, read)
-    if not _has_area(surface):
+    a, b, c = (surface.vertices[surface.faces[:, k]] for k in range(3))
+    if not np.cross(b - a, c - a).any():
         got, expected = "a surface without area", "lengths and scales other than 0"
-        raise fault(geometry.children[0], which, got, expected, "write its size, or leave it out")
-    origin = origin_at(shape, which)
+        raise geometry.children[0].fault(which, got, expected, "write its size, or leave it out")
+    origin = shape.origin(which)
     return Triangles(surface.vertices @ rpy_matrix(*origin["rpy"]).T + origin["position"], surface.faces)
 
 
 def _surface(element: Element, robot: UrdfRobot, which: str, read: Read) -> Triangles:
     match element.tag:
         case "box":
-            return box(_sizes(element, which))
+            if "size" not in element.attributes:
+                raise element.fault(which, "<box> without the attribute `size`", 'size="x y z"', "add it")
+            return box(_positive(element, "size", which, element.triple("size", which)))
         case "cylinder":
             return cylinder(_length(element, "radius", which), _length(element, "length", which))
         case "sphere":
             return sphere(_length(element, "radius", which))
         case "mesh":
             return _mesh(element, robot, which, read)
-    raise fault(element, which, f"<{element.tag[:40]}>", "box, cylinder, sphere or mesh", "use one of these shapes")
-
-
-def _has_area(surface: Triangles) -> bool:
-    a, b, c = (surface.vertices[surface.faces[:, k]] for k in range(3))
-    return bool(np.cross(b - a, c - a).any())
+    raise element.fault(which, f"<{element.tag[:40]}>", "box, cylinder, sphere or mesh", "use one of these shapes")
 
 
 def _mesh(element: Element, robot: UrdfRobot, which: str, read: Read) -> Triangles:
-    name = text_at(element, "filename", which) if len(element.attributes.get("filename", "")) <= 100 else ""
+    name = element.text("filename", which) if len(element.attributes.get("filename", "")) <= 100 else ""
     path = robot.folders.find(name or element.attributes["filename"].strip(), which, element.place)
     if path is None:
-        raise fault(element, which, "a file that is not there", "the path of a mesh", "check the path, or give --root")
-    scale = triple_at(element, "scale", which) if "scale" in element.attributes else [1.0, 1.0, 1.0]
+        raise element.fault(which, "a file that is not there", "the path of a mesh", "check the path, or give --root")
+    scale = element.triple("scale", which) if "scale" in element.attributes else [1.0, 1.0, 1.0]
     surface = read(path)
     return Triangles(surface.vertices * scale, surface.faces)
 
 
-def _sizes(element: Element, which: str) -> NDArray[np.float64]:
-    if "size" not in element.attributes:
-        raise fault(element, which, "<box> without the attribute `size`", 'size="x y z"', "add it")
-    sizes = np.array(triple_at(element, "size", which))
-    if sizes.min() < 0:
-        raise _negative(element, which, "size")
-    return sizes
-
-
 def _length(element: Element, name: str, which: str) -> float:
-    length = number_at(element, name, which)
-    if length < 0:
-        raise _negative(element, which, name)
-    return length
+    return _positive(element, name, which, [element.number(name, which)])[0]
 
 
-def _negative(element: Element, which: str, name: str) -> InputError:
-    got = f"{name}={shown(element.attributes[name])}, which is negative"
-    return fault(element, which, got, "lengths in metres that are positive", "leave the minus sign out")
+def _positive(element: Element, name: str, which: str, lengths: list[float]) -> list[float]:
+    if min(lengths) < 0:
+        got = f"{name}={shown(element.attributes[name])}, which is negative"
+        raise element.fault(which, got, "lengths in metres that are positive", "leave the minus sign out")
+    return lengths
 
 
 def _colour(shape: Element, root: Element) -> str:
@@ -172,7 +158,7 @@ def _colour(shape: Element, root: Element) -> str:
     if material is None:
         return PLAIN
     named = [one for one in root.all("material") if one.attributes.get("name") == material.attributes.get("name")]
-    for color in _colors([material, *named]):
+    for color in filter(None, (one.first("color") for one in (material, *named))):
         words = color.attributes.get("rgba", "").split()
         try:
             red, green, blue = (round(255 * min(max(float(word), 0.0), 1.0)) for word in words[:3])
@@ -180,7 +166,3 @@ def _colour(shape: Element, root: Element) -> str:
             continue
         return f"#{red:02x}{green:02x}{blue:02x}"
     return PLAIN
-
-
-def _colors(materials: list[Element]) -> Iterator[Element]:
-    return (color for material in materials if (color := material.first("color")) is not None)

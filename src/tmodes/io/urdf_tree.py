@@ -1,29 +1,26 @@
-"""The tree of a URDF's links and joints: one root, one parent for every other link, no cycle. Linear in the number."""
+"""The tree of a URDF's links and joints, and the plain data of a robot's sheet that it gives.
+
+One root, one parent for every other link, no cycle; linear in the number. Names stay; only the ground has a name of its
+own in a sheet.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
 
 from tmodes.errors import InputError
-from tmodes.io.urdf_values import fault
+from tmodes.io.urdf_parts import MOVING, Follows, UrdfJoint, follows
 from tmodes.io.words import meant, shown
 from tmodes.io.xml_file import Element
+from tmodes.io.yaml_file import Positions
+from tmodes.sheet.topology import BASE
 
-__all__ = ["Tree", "UrdfJoint", "tree_of"]
+__all__ = ["Tree", "name_of", "sheet_of", "tree_of"]
 
 MOST_NAMES = 8
-
-
-@dataclass(frozen=True, eq=False)
-class UrdfJoint:
-    """A joint's name, kind, and the links that it connects, with its element."""
-
-    name: str
-    type: str
-    parent: str
-    child: str
-    element: Element
 
 
 @dataclass(frozen=True, eq=False)
@@ -43,17 +40,12 @@ def tree_of(robot: Element, links: dict[str, Element], joints: list[UrdfJoint]) 
     roots = [name for name in links if name not in carried]
     if not roots:
         hint = "remove the joint that closes the cycle"
-        raise fault(
-            robot,
-            "the tree of links",
-            f"a cycle: each of {_names(links)} is carried",
-            "a tree with one root link",
-            hint,
-        )
+        got = f"a cycle: each of {_names(links)} is carried"
+        raise robot.fault("the tree of links", got, "a tree with one root link", hint)
     if len(roots) > 1:
         got = f"links that hang together with no joint: {_names(roots)}"
         hint = f"add the joints that carry them, or remove all of them but {shown(roots[0])}"
-        raise fault(links[roots[1]], "the tree of links", got, "one tree with one root link", hint)
+        raise links[roots[1]].fault("the tree of links", got, "one tree with one root link", hint)
     tree = Tree(roots[0], tuple(_depth_first(roots[0], joints)))
     reached = set(tree.joints)
     if missing := [joint for joint in joints if joint not in reached]:
@@ -65,10 +57,10 @@ def _check_ends(joint: UrdfJoint, links: dict[str, Element]) -> None:
     for end, name in (("parent", joint.parent), ("child", joint.child)):
         if name not in links:
             hint = meant(name, links, f"add <link name={shown(name)}>")
-            raise fault(joint.element, f"joint {joint.name}: {end}", f"the unknown link {shown(name)}", "a link", hint)
+            raise joint.element.fault(f"joint {joint.name}: {end}", f"the unknown link {shown(name)}", "a link", hint)
     if joint.parent == joint.child:
         got, hint = f"{shown(joint.child)} on itself", "name two different links"
-        raise fault(joint.element, f"joint {joint.name}", got, "a joint between two links", hint)
+        raise joint.element.fault(f"joint {joint.name}", got, "a joint between two links", hint)
 
 
 def _check_one_parent(joints: list[UrdfJoint]) -> None:
@@ -77,7 +69,7 @@ def _check_one_parent(joints: list[UrdfJoint]) -> None:
         if first := carrier.get(joint.child):
             got = f"two parents, {shown(first.parent)} by joint {first.name} and {shown(joint.parent)} by {joint.name}"
             hint = "remove one of the two joints: closed loops are not modelled"
-            raise fault(joint.element, f"link {joint.child}", got, "carried by one joint", hint)
+            raise joint.element.fault(f"link {joint.child}", got, "carried by one joint", hint)
         carrier[joint.child] = joint
 
 
@@ -96,9 +88,97 @@ def _cycle(joints: list[UrdfJoint]) -> InputError:
     """Every link has one parent, and these are not reached from the root: at least one cycle is among them."""
     got = f"a cycle apart from the root, among {_names([joint.child for joint in joints])}"
     hint = "remove the joint that closes the cycle, and carry one of the links from the root's side"
-    return fault(joints[0].element, "the tree of links", got, "links that all hang on the root", hint)
+    return joints[0].element.fault("the tree of links", got, "links that all hang on the root", hint)
 
 
 def _names(names: dict[str, Element] | list[str]) -> str:
     few = [shown(name) for name in [*names][:MOST_NAMES]]
     return ", ".join(few) + (f" and {len(names) - MOST_NAMES} more" if len(names) > MOST_NAMES else "")
+
+
+def hold_followers(joints: tuple[UrdfJoint, ...], data: list[dict[str, Any]]) -> str:
+    """Lock each joint that mimics, and the one it follows, where the mimic's own equation holds; what was locked.
+
+    The leader stands at zero, or at its limit next to zero. Raises :class:`tmodes.errors.InputError` for a leader
+    that does not exist, does not move, or follows another itself.
+    """
+    info = {joint.name: said for joint in joints if (said := follows(joint))}
+    moving = {joint.name: sheet for joint, sheet in zip(joints, data, strict=True) if joint.type in MOVING}
+    for joint in joints:
+        if joint.name in info:
+            _check_leader(joint, info[joint.name].leader, moving, info)
+    for name, said in info.items():
+        leader = moving[said.leader]
+        limits = leader.get("limits", {})
+        nearest = min(max(0.0, limits.get("lower", 0.0)), limits.get("upper", float("inf")))
+        leader |= {"state": "locked", "locked_at": nearest}
+        moving[name] |= {"state": "locked", "locked_at": said.factor * leader["locked_at"] + said.offset}
+    return _notice(info)
+
+
+def _check_leader(joint: UrdfJoint, leader: str, moving: dict[str, Any], info: dict[str, Follows]) -> None:
+    which = f"joint {joint.name}: mimic"
+    if leader not in moving:
+        hint = meant(leader, moving, "name a joint that moves, or remove <mimic>")
+        raise joint.element.fault(which, f"the unknown joint {shown(leader)}", "a joint that moves", hint)
+    if leader in info:
+        got, hint = f"{shown(leader)}, which mimics {shown(info[leader].leader)} itself", "name that joint instead"
+        raise joint.element.fault(which, got, "a joint that moves by itself", hint)
+
+
+def _notice(info: dict[str, Follows]) -> str:
+    if not info:
+        return ""
+    pairs = ", ".join(f"{name} (follows {said.leader})" for name, said in info.items())
+    few = pairs if len(pairs) <= 1500 else pairs[:1500] + " ..."
+    return f"Joints coupled by mimic are held with those they follow, which is no part of the file: {few}."
+
+
+def name_of(link: str, tree: Tree) -> str:
+    """A link's name in the sheet: its own, but for one that is called as the ground is and does not stand there."""
+    if link != BASE or tree.root == BASE:
+        return link
+    taken = {tree.root, *(joint.child for joint in tree.joints)}
+    return _free(f"{BASE}_frame", taken)
+
+
+def sheet_of(
+    robot: Element,
+    tree: Tree,
+    joints: list[dict[str, Any]],
+    links: Mapping[str, Element],
+    bodies: Mapping[str, dict[str, Any]],
+) -> tuple[dict[str, Any], Positions]:
+    """Data and positions of the sheet: ``joints`` in the order of the tree, ``bodies`` by their names in the sheet.
+
+    The root stands on the ground by a fixed joint of its own, so that it keeps its name.
+    """
+    notices = [hold_followers(tree.joints, joints)]
+    for joint in joints:
+        joint |= {"parent": name_of(joint["parent"], tree), "child": name_of(joint["child"], tree)}
+    lines = [joint.element.line for joint in tree.joints]
+    if tree.root != BASE:
+        taken = {joint["name"] for joint in joints}
+        joints = [
+            {"name": _free(f"{BASE}_to_{tree.root}"[:90], taken), "type": "fixed", "parent": BASE, "child": tree.root},
+            *joints,
+        ]
+        lines = [links[tree.root].line, *lines]
+    if BASE in links and tree.root != BASE:
+        notices.append(f"The file's link {BASE}, which is not its root, is called {name_of(BASE, tree)} here.")
+    weighing = [joint["child"] for joint in joints if joint["child"] in bodies]
+    title = (robot.attributes.get("name", "").strip() or Path(robot.source).stem)[:100]
+    data: dict[str, Any] = {"format": 1, "kind": "arm", "name": title}
+    if info := " ".join(filter(None, notices)):
+        data["assumed"] = info
+    data |= {"joints": joints, "links": [{"name": name, "bodies": [bodies[name]]} for name in weighing]}
+    positions = dict.fromkeys(("", "name", "joints", "links"), robot.line)
+    positions |= {f"joints.{index}": line for index, line in enumerate(lines)}
+    by_name = {name_of(name, tree): link.line for name, link in links.items()}
+    return data, positions | {f"links.{index}": by_name[name] for index, name in enumerate(weighing)}
+
+
+def _free(name: str, taken: set[str]) -> str:
+    while name in taken:
+        name += "_"
+    return name

@@ -1,5 +1,6 @@
 """The formulas of a xacro file by a closed grammar: numbers, texts, names, arithmetic, comparisons, a few functions.
 
+Text of the file has its ``${formula}``, ``$(arg name)`` and ``$(find package)`` replaced.
 Nothing is handed to Python's own evaluation. The formula is parsed into a tree, every kind of node that is not listed
 here is refused, and length, number of nodes and size of every number and text are bounded.
 """
@@ -9,13 +10,19 @@ from __future__ import annotations
 import ast
 import math
 import operator
+import re
 import warnings
+from collections import ChainMap
 from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
 from typing import Any
 
-from tmodes.io.words import nearest, shown
+from tmodes.errors import InputError
+from tmodes.io.units import INTEGER, finite_float
+from tmodes.io.words import meant, nearest, shown
+from tmodes.io.xml_file import LONGEST_ATTRIBUTE, Element
 
-__all__ = ["FormulaError", "Value", "evaluate"]
+__all__ = ["FormulaError", "Scope", "Value", "as_value", "evaluate", "filled", "is_true", "typed"]
 
 Value = bool | int | float | str
 
@@ -145,3 +152,87 @@ def _bounded(value: Value) -> Value:
     if isinstance(value, float) and not math.isfinite(value):
         raise FormulaError("a result that no double can hold")
     return value
+
+
+PART = re.compile(r"\$\$(?=[{(])|\$\{[^{}]*\}|\$\([^()]*\)")
+
+
+@dataclass
+class Scope:
+    """Properties and blocks that are known at a place, those of the places around it too; the file's arguments."""
+
+    arguments: dict[str, Value]
+    values: ChainMap[str, Value] = field(default_factory=lambda: ChainMap({}))
+    blocks: ChainMap[str, list[Element]] = field(default_factory=lambda: ChainMap({}))
+
+    def inner(self) -> Scope:
+        """A scope inside this one."""
+        return Scope(self.arguments, self.values.new_child(), self.blocks.new_child())
+
+
+def filled(text: str, element: Element, scope: Scope) -> str:
+    """The text with each part replaced by its value; InputError at the element's place for what has none."""
+    pieces = PART.split(text)
+    values = [_part(part, element, scope) for part in PART.findall(text)]
+    if stray := next((piece for piece in pieces if "${" in piece or "$(" in piece), None):
+        raise _fault(element, f"the unfinished formula {shown(stray)}", "close its bracket")
+    whole = "".join(
+        f"{piece}{str(value).lower() if isinstance(value, bool) else value}"
+        for piece, value in zip(pieces, [*values, ""], strict=True)
+    )
+    if len(whole) > LONGEST_ATTRIBUTE:
+        raise _fault(element, f"a text of {len(whole)} characters", "shorten it")
+    return whole
+
+
+def typed(text: str, element: Element, scope: Scope) -> Value:
+    """As :func:`filled`, but a number or truth value stays one."""
+    if len(PART.findall(text)) == 1 and PART.fullmatch(text.strip()):
+        return as_value(_part(text.strip(), element, scope))
+    return as_value(filled(text, element, scope))
+
+
+def as_value(value: Value) -> Value:
+    """A text that is a number or a truth value, as such."""
+    if not isinstance(value, str):
+        return value
+    text = value.strip()
+    if text in {"true", "True", "false", "False"}:
+        return text in {"true", "True"}
+    if INTEGER.fullmatch(text) and len(text) <= 15:
+        return int(text)
+    number = finite_float(text)
+    return value if number is None else number
+
+
+def is_true(text: str, element: Element, scope: Scope) -> bool:
+    """Whether the condition of ``xacro:if`` holds: a truth value or a number."""
+    value = typed(text, element, scope)
+    if isinstance(value, str):
+        raise _fault(element, f"the condition {shown(value)}", "write true, false, or a formula such as ${a == 1}")
+    return bool(value)
+
+
+def _part(part: str, element: Element, scope: Scope) -> Value:
+    if part == "$$":
+        return "$"
+    if part.startswith("${"):
+        try:
+            return evaluate(part[2:-1], scope.values)
+        except FormulaError as error:
+            hint = "write numbers, properties, + - * / ** and functions such as sin, sqrt, radians"
+            raise _fault(element, str(error), hint) from None
+    command, _, name = part[2:-1].strip().partition(" ")
+    name = name.strip()
+    if command == "find" and name:
+        return f"package://{name}"
+    if command != "arg":
+        raise _fault(element, f"the command {shown(part)}", "write the value, or use $(arg name) or $(find package)")
+    if name not in scope.arguments:
+        hint = meant(name, scope.arguments, "give the xacro:arg a default")
+        raise _fault(element, f"the argument {shown(name)}, which has no value", hint)
+    return scope.arguments[name]
+
+
+def _fault(element: Element, got: str, hint: str) -> InputError:
+    return element.wrong(got, "text with ${formula} or $(arg name)", hint)

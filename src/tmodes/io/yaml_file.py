@@ -12,7 +12,7 @@ from typing import Any
 
 from tmodes.errors import InputError
 from tmodes.io.files import read_bytes
-from tmodes.io.scalars import scalar
+from tmodes.io.units import scalar
 from tmodes.io.words import shown, shown_path
 
 __all__ = ["Positions", "nearest_line", "parse_yaml", "read_yaml"]
@@ -34,20 +34,17 @@ LONGEST_SCALAR = 5_000
 
 
 def read_yaml(path: str | os.PathLike[str]) -> tuple[dict[str, Any], Positions]:
-    """Plain data of a YAML file (maps, lists, scalars of YAML 1.2) and the line of each of its keys.
-
-    Raises :class:`tmodes.errors.InputError` with ``file:line`` for everything that is not such a file.
-    """
+    """Plain data of a YAML 1.2 file (maps, lists, scalars) and the line of each key; else InputError with its line."""
     source = shown_path(path)
     return parse_yaml(_decoded(read_bytes(path, MOST_BYTES), source), source)
 
 
 def parse_yaml(text: str, source: str) -> tuple[dict[str, Any], Positions]:
-    """Plain data and positions of a YAML text; ``source`` is its name in messages.
-
-    Raises :class:`tmodes.errors.InputError` for a text that is not of this kind.
-    """
-    _refuse_long_lines(text, source)
+    """The same of a YAML text; ``source`` is its name in messages."""
+    for number, line in enumerate(text.splitlines(), 1):  # the scanner needs time of the square of a line's length
+        if len(line) > LONGEST_LINE:
+            got, most = f"a line of {len(line)} characters", f"at most {LONGEST_LINE} characters"
+            raise InputError("the file", got, most, "break the line", f"{source}:{number}")
     builder = _Builder(source)
     data = builder.document(_events(text, source))
     if not isinstance(data, dict):
@@ -74,14 +71,6 @@ def _decoded(content: bytes, source: str) -> str:
         got = f"the byte 0x{content[error.start]:02x}, which is not UTF-8"
         hint = "save the file as UTF-8 text"
         raise InputError("the file", got, "text in UTF-8", hint, f"{source}:{line}") from None
-
-
-def _refuse_long_lines(text: str, source: str) -> None:
-    """The YAML scanner needs time of the square of a line's length; no data sheet has such lines."""
-    for number, line in enumerate(text.splitlines(), 1):
-        if len(line) > LONGEST_LINE:
-            got, most = f"a line of {len(line)} characters", f"at most {LONGEST_LINE} characters"
-            raise InputError("the file", got, most, "break the line", f"{source}:{number}")
 
 
 def _events(text: str, source: str) -> Iterator[Any]:
@@ -130,7 +119,9 @@ class _Builder:
                 case "StreamStartEvent":
                     pass
                 case "DocumentStartEvent":
-                    self._check_directives(event)
+                    if event.tags or event.version not in (None, (1, 2)):
+                        got, hint = "a %YAML or %TAG directive", "remove the line that starts with %"
+                        raise self.error(_line(event), "the file", got, "YAML 1.2 without directives", hint)
                     break
                 case _:
                     raise self.error(1, "the file", "no data", "a data sheet", "start from a published robot")
@@ -146,11 +137,6 @@ class _Builder:
             if self.count > MOST_EVENTS:
                 raise self.too_many(_line(event), MOST_EVENTS, "check that this is a data sheet")
             yield event
-
-    def _check_directives(self, event: Any) -> None:
-        if event.tags or event.version not in (None, (1, 2)):
-            got, hint = "a %YAML or %TAG directive", "remove the line that starts with %"
-            raise self.error(_line(event), "the file", got, "YAML 1.2 without directives", hint)
 
     def _node(self, event: Any, events: Iterator[Any], path: str, depth: int) -> Any:
         self._check_plain(event, path, depth)

@@ -18,7 +18,7 @@ from tmodes.live.places import evenly, joint_limits, lines_info, load_places, vi
 from tmodes.live.template import sheet_template
 from tmodes.model.model import Model
 from tmodes.result import Result
-from tmodes.result.lines import without_elasticity
+from tmodes.result.series import without_elasticity
 from tmodes.sheet import Robot, RobotPair
 from tmodes.simulation.loop import LoopModel
 from tmodes.simulation.plan import Follow, planned, starts_at_rest
@@ -123,7 +123,7 @@ def mechanics(
     return {
         "module": np.frombuffer(module.wasm, dtype=np.uint8),
         "layout": module.layout,
-        "runs": {name: _run(regime) for name, regime in runs.items()},
+        "runs": {name: _run(setup) for name, setup in runs.items()},
         "restSize": LoopModel(planned(pair.real, Follow.HELD).plan).layout.size,
         "atRest": starts_at_rest(pair.real),
         "base": model.at_rest(gravity=0.0),
@@ -147,19 +147,19 @@ def _positioned(pair: RobotPair) -> set[str]:
     return {drive.joint for drive in pair.real.drives if drive.command in ("position", "prescribed")}
 
 
-def _run(regime: RunSetup) -> dict[str, Any]:
+def _run(setup: RunSetup) -> dict[str, Any]:
     """Where its state holds what, how it starts, what its sheet says of that, and drives that follow exactly."""
-    layout, names = regime.model.layout, regime.model.coordinates
-    info, plan = regime.arm.initial, regime.planned.plan
+    layout, names = setup.model.layout, setup.model.coordinates
+    info, plan = setup.robot.initial, setup.planned.plan
     return {
         "state": {name: [part.start, part.stop] for name, part in layout._asdict().items()},
-        "start": regime.start,
+        "start": setup.start,
         "info": [names.index(name) for name in info.coordinates],
         "exact": [
-            [driver.coordinate, driver.plan.signal] for driver in regime.model.loop.drivers if driver.plan.servo is None
+            [driver.coordinate, driver.plan.signal] for driver in setup.model.loop.drivers if driver.plan.servo is None
         ],
-        "signals": len(regime.planned.each),
-        "moving": [k for k in range(len(regime.planned.each)) if k not in plan.aside],
+        "signals": len(setup.planned.each),
+        "moving": [k for k in range(len(setup.planned.each)) if k not in plan.aside],
     }
 
 

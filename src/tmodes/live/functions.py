@@ -24,7 +24,7 @@ from tmodes.kinds.kernel.schedule import Schedule, Slot
 from tmodes.live.numbers import follow_of, has_reference
 from tmodes.live.places import line_names
 from tmodes.model.model import Model
-from tmodes.model.passes import ArmPasses
+from tmodes.model.passes import ChainPasses
 from tmodes.sheet import RobotPair
 from tmodes.sheet.robot import RECURSION
 from tmodes.simulation.native_run import BOUND, EVENT_TIME, MOST_EVENTS
@@ -61,7 +61,7 @@ class ModelFunctions:
         return {name: ClosedLoop(plan.plan) for name, plan in self.plans.items()}
 
     @cached_property
-    def passes(self) -> dict[str, ArmPasses]:
+    def passes(self) -> dict[str, ChainPasses]:
         """The passes over the real ``chain``, and over the one with a point at each station (``pose``).
 
         Of a robot that is stated by its energies alone, ``pose`` has the points of the statement.
@@ -72,7 +72,7 @@ class ModelFunctions:
             return passes
         if passes["chain"].mechanics.on_links:
             chain = replace(stationed(chain, self.stations), equations=RECURSION)
-        return passes | {"pose": ArmPasses(mechanics(chain))}
+        return passes | {"pose": ChainPasses(mechanics(chain))}
 
     @cached_property
     def lines(self) -> Lines | None:
@@ -103,7 +103,7 @@ def live_module(functions: ModelFunctions, methods: Sequence[str], *, slopes: bo
     Loops: ``reference.METHOD`` (where there is a reference run) and ``real.METHOD``. Samples: ``observe`` and ``rate``
     of both as of :class:`tmodes.simulation.loop.LoopModel`; ``rest.rate``, whose accelerations vanish at
     rest, where ``held`` coordinates stand by themselves; ``inertia`` and ``elastic`` as of
-    :class:`tmodes.model.passes.ArmPasses`; ``pose``: the motion of every station (24 numbers each: rotation, position,
+    :class:`tmodes.model.passes.ChainPasses`; ``pose``: motion of every station (24 numbers each: rotation, position,
     velocity, rate, accelerations), link by link; ``loaded``: the forces of ``inertia`` with wrenches on the points,
     where any act; ``elastic.slopes``: the forces of ``elastic`` with their derivatives.
     """

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from tmodes.equations.loop.closed_loop import ClosedLoop
 from tmodes.live.places import line_lengths, load_places, vibration_numbers
 from tmodes.model.model import Model
-from tmodes.model.passes import ArmPasses
+from tmodes.model.passes import ChainPasses
 from tmodes.sheet import Robot
 from tmodes.simulation.plan import Follow, planned
 
@@ -68,7 +68,7 @@ def run_numbers(robot: Robot, follow: Follow, until: float, stations: tuple[floa
 
 def _rotors(loop: ClosedLoop) -> Array:
     """Inertia of the rotors along each coordinate, those that follow their signals among them."""
-    rotors = ArmPasses(loop.mechanics).rotor_inertias.copy()
+    rotors = ChainPasses(loop.mechanics).rotor_inertias.copy()
     for driver in loop.drivers:
         motor = driver.part.node.joint.motor
         if driver.part.given >= 0 and motor:

@@ -13,8 +13,7 @@ from tmodes.analysis.modes.of_sheet import local_servos
 from tmodes.analysis.modes.shapes import MOST_WHOLE
 from tmodes.analysis.quasistatic import gross_motion, sprung
 from tmodes.analysis.statics.compliance import spring_rows
-from tmodes.analysis.statics.equilibrium import Equilibrium
-from tmodes.analysis.statics.rest import arm_rest
+from tmodes.analysis.statics.equilibrium import Equilibrium, robot_rest
 from tmodes.analysis.validity import yield_strength
 from tmodes.chain.chain import Chain
 from tmodes.equations.line.schedule import ROOTS, Lines
@@ -150,7 +149,7 @@ def _modes(robot: Robot, model: Model) -> tuple[dict[str, Any] | None, str]:
     if model.nq > MOST_WHOLE:
         return None, f"of {model.nq} coordinates modes are found natively alone"
     try:
-        rest = arm_rest(robot, contact=robot.contact is not None)
+        rest = robot_rest(robot, contact=robot.contact is not None)
     except SimulationError as error:
         return None, str(error)
     if rest.model.coordinates != model.coordinates:

@@ -66,14 +66,14 @@ def _described(robot: Robot) -> tuple[LiveModule, dict[str, Any]]:
     functions = ModelFunctions(pair, _STATIONS)
     follows = {"reference": (pair.nominal, Follow.WANTED), "real": (pair.real, Follow.SHEET)}
     runs = {}
-    regime = run_setup(pair.real)
+    setup = run_setup(pair.real)
     for name in ("reference", "real"):
         if name in functions.loops:
             which, follow = follows[name]
             moved = run_setup(which, follow)
             runs[name] = _run(moved.planned.schedule, moved.start, which.integration)
     base = functions.passes["chain"].at_rest(gravity=0.0)
-    info = _settings(pair.real.integration, regime.spectrum.highest)
+    info = _settings(pair.real.integration, setup.spectrum.highest)
     info |= {"runs": runs, "base": base.tolist()} | _named(pair, [*runs])
     return live_module(functions, [info["method"]], slopes=False), info
 

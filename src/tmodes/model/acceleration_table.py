@@ -1,4 +1,4 @@
-"""All derivatives of an arm's accelerations at one state by one table: it costs one call from Python."""
+"""All derivatives of a robot's accelerations at one state by one table: it costs one call from Python."""
 
 from __future__ import annotations
 

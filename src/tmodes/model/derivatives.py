@@ -14,11 +14,11 @@ from tmodes.compile.ir.derivative_kernels import LANES
 from tmodes.compile.ir.elimination import aligned, padded
 from tmodes.compile.ir.tape import Tape
 from tmodes.compile.loops.tape_loop import Table, operations
+from tmodes.model.passes import Blocks, packed, split
 
 __all__ = ["Columns", "Differentiated", "Group", "Ready", "differentiated"]
 
 Array = NDArray[np.float64]
-Blocks = dict[str, Array]
 Group = tuple[str, Sequence[Sequence[int]]]
 
 
@@ -65,7 +65,7 @@ class Differentiated:
         size = self.tape.output_size
         ready = self.kept("values", lambda: Ready(self.tape.values(), 1, (0, 0), (self.tape.end, size)))
         nothing = np.empty((len(next(iter(blocks.values()))), 0))
-        return self._split(self._run(ready, parameters, blocks, nothing, None))
+        return split(self._run(ready, parameters, blocks, nothing, None), self.outputs)
 
     def along(self, parameters: Array, blocks: Blocks, directions: Blocks, *, change: Array | None = None) -> Blocks:
         """Slopes of the outputs by name, (n, size), along a direction of the inputs named, and of the parameters.
@@ -79,8 +79,8 @@ class Differentiated:
         seeds = [directions.get(name, np.zeros((count, slot.size))) for name, slot in self.schedule.inputs.items()]
         slopes = np.zeros(self.tape.size)
         slopes[: 0 if change is None else len(parameters)] = change if change is not None else ()
-        packed = np.concatenate(seeds, axis=1).reshape(count, size)
-        return self._split(self._run(ready, parameters, blocks, packed, slopes))
+        along = np.concatenate(seeds, axis=1).reshape(count, size)
+        return split(self._run(ready, parameters, blocks, along, slopes), self.outputs)
 
     def back(self, parameters: Array, blocks: Blocks, weights: Blocks, names: Sequence[str]) -> Blocks:
         """Sums of ``weights`` times the derivatives of the outputs by the inputs named, (n, size).
@@ -103,10 +103,6 @@ class Differentiated:
         """Ready to compute the derivatives of the outputs by the elements of inputs that ``groups`` name."""
         key = ("columns", tuple((name, tuple(map(tuple, bodies))) for name, bodies in groups))
         return Columns(self, groups, self.kept(key, lambda: self._columns(groups)))
-
-    def packed(self, blocks: Blocks) -> Array:
-        """The inputs of each sample, one after the other, (n, numbers)."""
-        return np.ascontiguousarray(np.concatenate([blocks[name] for name in self.schedule.inputs], axis=1))
 
     def kept(self, key: Any, make: Callable[[], Any]) -> Any:
         """What was made for a key, once."""
@@ -151,7 +147,7 @@ class Differentiated:
 
     def _run(self, ready: Ready, parameters: Array, blocks: Blocks, seeds: Array, slopes: Array | None) -> Array:
         """Run a table at all samples; without ``slopes`` what is found stands among the values."""
-        inputs = self.packed(blocks)
+        inputs = packed(self.schedule, blocks)
         count, seeds = len(inputs), np.ascontiguousarray(seeds)
         values, found = np.empty(self.tape.size), np.empty((count, ready.found[1]))
         values[: len(parameters)] = parameters
@@ -159,14 +155,6 @@ class Differentiated:
         arrays = (ready.table.words, values, values if slopes is None else slopes, inputs, seeds, found)
         operations()["samples"](*counts, *(array.ctypes.data for array in arrays))
         return found
-
-    def _split(self, found: Array) -> Blocks:
-        parts, start = {}, 0
-        for name, slots in self.outputs.items():
-            size = sum(slot.size for slot in slots)
-            parts[name] = found[:, start : start + size]
-            start += size
-        return parts
 
 
 class Columns:

@@ -1,4 +1,4 @@
-"""Derivatives of an arm's dynamics: along directions, in reverse, and all at once by those of the inverse dynamics.
+"""Derivatives of a robot's dynamics: along directions, in reverse, and all at once by those of the inverse dynamics.
 
 The accelerations a(q, v, effort) solve ID(q, v, a) = forces, hence da/dq = -M^-1 dID/dq, da/dv = -M^-1 dID/dv and
 da/deffort = M^-1 S: J. Carpentier, N. Mansard, Analytical Derivatives of Rigid Body Dynamics Algorithms, RSS (2018).
@@ -20,8 +20,7 @@ from tmodes.equations.mechanics import mechanics
 from tmodes.errors import InputError, SimulationError
 from tmodes.model.acceleration_table import AccelerationDerivatives, AccelerationTable
 from tmodes.model.derivatives import Columns, Differentiated, differentiated
-from tmodes.model.evaluator import Blocks, Rows, derivatives
-from tmodes.model.passes import ArmPasses
+from tmodes.model.passes import Blocks, ChainPasses, Rows, derivatives
 
 __all__ = ["DifferentiatedModel"]
 
@@ -35,15 +34,15 @@ _INPUTS = ("q", "v", "effort", "given", "wrenches", "base", "parameters")
 
 @dataclass(frozen=True, eq=False)
 class DifferentiatedModel:
-    """An arm's schedules with their derivatives. Arrays as :class:`tmodes.model.model.Model` has them."""
+    """A robot's schedules with their derivatives. Arrays as :class:`tmodes.model.model.Model` has them."""
 
     chain: Chain
     _made: dict[Any, Any] = field(default_factory=dict, init=False, repr=False)
 
     @cached_property
-    def passes(self) -> ArmPasses:
+    def passes(self) -> ChainPasses:
         """The schedules of the chain's equations, with its numbers."""
-        return ArmPasses(mechanics(self.chain))
+        return ChainPasses(mechanics(self.chain))
 
     def forward_dynamics_jvp(
         self,
@@ -212,7 +211,7 @@ class DifferentiatedModel:
         found[rows, rows] += passes.rotor_inertias
 
     def _solved(self, state: Blocks, *, loaded: bool) -> AccelerationDerivatives:
-        """M^-1 times the derivatives of the forces, of an arm with prescribed joints, which stay as they are."""
+        """M^-1 times the derivatives of the forces, of a robot with prescribed joints, which stay as they are."""
         parts = self.passes.parts
         size, driven, width = len(state["q"]), len(parts.driven), 3 * padded(len(state["q"]))
         rows = aligned(size, width + padded(driven))

@@ -1,4 +1,4 @@
-"""ArmModel: the boundary type of a general arm. Functions of numbers, native underneath; built from a Chain."""
+"""Model: the boundary type of a robot. Functions of numbers, native underneath; built from a Chain."""
 
 from __future__ import annotations
 
@@ -13,8 +13,7 @@ from tmodes import upward
 from tmodes.equations.recursion.parts import Parts
 from tmodes.errors import InputError
 from tmodes.model.differentiated import DifferentiatedModel
-from tmodes.model.evaluator import Rows
-from tmodes.model.passes import PointMotion
+from tmodes.model.passes import PointMotion, Rows
 
 __all__ = ["Model", "PointMotion"]
 

@@ -1,28 +1,85 @@
-"""The schedules of a chain's equations with its numbers, evaluated at rows of states."""
+"""The schedules of a chain's equations with its numbers, evaluated at rows of states by native code."""
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from tmodes.compile.ir import kernels
 from tmodes.equations.line.schedule import Lines, line_schedule
 from tmodes.equations.mechanics import Mechanics
 from tmodes.equations.recursion.parts import Parts
 from tmodes.equations.recursion.passes import BASE, resting_base
-from tmodes.kinds.kernel.schedule import Schedule
-from tmodes.model.evaluator import Blocks, Rows, evaluate
+from tmodes.kinds.kernel.schedule import Schedule, Slot
 
-__all__ = ["ArmPasses", "PointMotion"]
+__all__ = ["ChainPasses", "PointMotion", "Rows", "derivatives", "evaluate", "packed", "split"]
 
 Array = NDArray[np.float64]
+Blocks = dict[str, Array]
+
+
+def packed(schedule: Any, blocks: Blocks) -> Array:
+    """The inputs of a schedule at each sample, one after the other, (n, numbers)."""
+    return np.ascontiguousarray(np.concatenate([blocks[name] for name in schedule.inputs], axis=1))
+
+
+def evaluate(parameters: Array, schedule: Any, blocks: Blocks, count: int) -> Blocks:
+    """Outputs of a schedule at ``count`` samples by name, each (count, numbers); ``blocks`` are its inputs by name."""
+    library = kernels.schedule_function("arm", schedule, "double")
+    inputs = packed(schedule, blocks)
+    out, workspace = np.empty((count, schedule.output_size)), np.zeros(schedule.workspace)
+    library["run"](count, 0, *(array.ctypes.data for array in (parameters, workspace, inputs, out)))
+    return split(out, schedule.outputs)
+
+
+def derivatives(parameters: Array, schedule: Any, blocks: Blocks, directions: Blocks, count: int) -> Blocks:
+    """Exact derivatives of the outputs at ``count`` samples, each along its own direction of the inputs named."""
+    library = kernels.schedule_function("arm", schedule, "derivative")
+    values = np.concatenate([blocks[name] for name in schedule.inputs], axis=1)
+    slopes = [directions.get(name, np.zeros_like(blocks[name])) for name in schedule.inputs]
+    inputs = np.ascontiguousarray(np.stack([values, np.concatenate(slopes, axis=1)], axis=1))
+    out, workspace = np.empty((count, 2, schedule.output_size)), np.zeros(2 * schedule.workspace)
+    library["run"](count, 0, *(array.ctypes.data for array in (parameters, workspace, inputs, out)))
+    return split(np.ascontiguousarray(out[:, 1]), schedule.outputs)
+
+
+class Rows:
+    """States as rows, one or many."""
+
+    def __init__(self, q: ArrayLike, v: ArrayLike, size: int) -> None:
+        given = np.asarray(q, dtype=float)
+        self.single = given.ndim == 1
+        rows = np.atleast_2d(given)
+        self.count = rows.size // size if size else len(rows)  # an arm in which nothing moves has states too
+        self.q = rows.reshape(self.count, size)
+        self.v = self.of(v, size)
+
+    def of(self, values: ArrayLike, width: int) -> Array:
+        """Values as rows of ``width`` numbers, one for each state."""
+        return np.broadcast_to(np.asarray(values, dtype=float), (self.count, width))
+
+    def shaped(self, values: Array) -> Array:
+        """Rows as the states were given."""
+        return values[0] if self.single else values
+
+
+def split(out: Array, outputs: Mapping[str, Sequence[Slot]]) -> Blocks:
+    """Outputs that stand one after the other in the columns of ``out``, by name."""
+    parts, start = {}, 0
+    for name, slots in outputs.items():
+        size = sum(slot.size for slot in slots)
+        parts[name] = out[:, start : start + size]
+        start += size
+    return parts
 
 
 @dataclass(frozen=True, eq=False)
-class ArmPasses:
+class ChainPasses:
     """Forward dynamics, forces of inertia, elastic forces; each schedule is made at its first use.
 
     ``base`` is a row of 24 numbers (None: at rest), ``wrenches`` (n, points, 6) or None: no force on any point.
@@ -113,8 +170,6 @@ class ArmPasses:
             blocks["wrenches"] = rows.of(np.asarray(wrenches, dtype=float).reshape(-1, size), size)
         return blocks
 
-
-Array = NDArray[np.float64]
 
 _POINT = 24
 """Numbers reported of a point: pose (15), rate (3), acceleration (6)."""

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.analysis.modes.modes import ArmMode
+from tmodes.analysis.modes.modes import Mode
 from tmodes.analysis.spectrum import MotorState
 from tmodes.errors import InputError, InputErrors, SimulationError, TmodesError
 from tmodes.live.bundle import live_bundle, why_not_live
@@ -113,7 +113,7 @@ Array = NDArray[np.float64]
 Lines = Callable[[Array], Array]
 """Coordinates (n, nq) to the lines of all links (n, L, S, 3) [m]."""
 
-Shaped = tuple[ArmMode, NDArray[np.complex128]]
+Shaped = tuple[Mode, NDArray[np.complex128]]
 
 _CASES = (MotorState.CONTROLLED, MotorState.LOCKED, MotorState.FREE)
 
@@ -142,17 +142,17 @@ def modes_of(result: Result) -> list[dict[str, Any]]:
 
 def _modes(result: Result) -> list[dict[str, Any]]:
     from tmodes.analysis.modes.closed_loop import feedback_of
-    from tmodes.analysis.modes.modes import arm_modes
+    from tmodes.analysis.modes.modes import modes_about
     from tmodes.analysis.modes.of_sheet import servos_of
-    from tmodes.analysis.statics.rest import arm_rest
+    from tmodes.analysis.statics.equilibrium import robot_rest
 
     known = actual(result)
     robot = known.robot
-    rest = arm_rest(robot, model=known.model, contact=robot.contact is not None)
+    rest = robot_rest(robot, model=known.model, contact=robot.contact is not None)
     servos, feedback = servos_of(robot, rest.model), feedback_of(robot, rest)
     stations, found = np.linspace(0, 1, _STATIONS), []
     for state in _CASES[0 if servos else 1 :]:
-        modes = [(mode, mode.motion) for mode in arm_modes(rest, state, servos, feedback) if mode.motion is not None]
+        modes = [(mode, mode.motion) for mode in modes_about(rest, state, servos, feedback) if mode.motion is not None]
         found += list(_lowest(str(state), modes, rest.q, lambda q: lines_at(rest.model, known.names, q, stations)[0]))
     return found
 

@@ -14,7 +14,7 @@ from tmodes.plot.facts import names_of
 from tmodes.report.pack import colour, displaced, kept, quaternions, scene_frames, stations_shown
 from tmodes.report.scene_parts import actual, meshes_in, nearest_drawn, section_of
 from tmodes.result import Result
-from tmodes.result.lines import without_elasticity
+from tmodes.result.series import without_elasticity
 from tmodes.sheet import Robot
 
 __all__ = ["line_of", "lines_at", "scene_of"]

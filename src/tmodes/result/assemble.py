@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Mapping
+import platform
+from collections.abc import Mapping
 from functools import cached_property
+from importlib.metadata import version
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -16,20 +18,16 @@ from tmodes.analysis.quasistatic import elastic_names
 from tmodes.errors import SimulationError
 from tmodes.io.sheet_plausible import implausible_numbers, reading_notices
 from tmodes.result.errors import summary_errors
-from tmodes.result.lines import line_series
-from tmodes.result.provenance import ending, move_end, provenance
-from tmodes.result.series import Variables, coordinates_of, motion_series
-from tmodes.result.settling import settling
+from tmodes.result.record import RESULT_FORMAT, STATUSES
+from tmodes.result.series import Variables, coordinates_of, line_series, motion_series
+from tmodes.result.settling import move_end, settling
 from tmodes.sheet import Robot
 from tmodes.simulation.motion_run import RunData
 
 if TYPE_CHECKING:
     from xarray import Dataset
 
-__all__ = ["Assembly", "frequencies_of_sheet"]
-
-Progress = Callable[[str, float], None]
-Frequencies = dict[str, list[dict[str, Any]]]
+__all__ = ["Assembly"]
 
 
 class Assembly:
@@ -50,7 +48,7 @@ class Assembly:
     @cached_property
     def _lost(self) -> int | None:
         """The sample at which the energy balance is lost, of a run whose sheet asks to end there."""
-        run, settings, count = self.run, self.run.arm.integration, self._whole
+        run, settings, count = self.run, self.run.robot.integration, self._whole
         if not settings.energy_stop:
             return None
         return energy_lost(run.energy_balance[:count], run.energy_moved, settings.energy_tolerance)
@@ -70,7 +68,7 @@ class Assembly:
     @cached_property
     def stations(self) -> NDArray[np.float64]:
         """Places along each link at which its line is kept [-]."""
-        return np.linspace(0.0, 1.0, self.run.arm.integration.line_points)
+        return np.linspace(0.0, 1.0, self.run.robot.integration.line_points)
 
     @cached_property
     def _motion(self) -> Variables:
@@ -91,17 +89,17 @@ class Assembly:
         return move_end(self.run.planned)
 
     @cached_property
-    def _frequencies(self) -> tuple[Frequencies, list[str]]:
+    def _frequencies(self) -> tuple[dict[str, list[dict[str, Any]]], list[str]]:
         setup = self.run.setup
         try:
-            if setup is None or setup.rest is None:
-                return frequencies_of_sheet(self.run.arm), []
-            return frequencies_about(self.run.arm, setup.rest), []
+            if setup.rest is None:
+                return sheet_frequencies(self.run.robot), []
+            return frequencies_about(self.run.robot, setup.rest), []
         except SimulationError as error:
             return {}, [f"no frequencies are computed: {error}"]
 
     @property
-    def frequencies(self) -> Frequencies:
+    def frequencies(self) -> dict[str, list[dict[str, Any]]]:
         """Natural frequencies about the rest, by the state of the motors."""
         return self._frequencies[0]
 
@@ -144,9 +142,30 @@ class Assembly:
         return data
 
 
-def frequencies_of_sheet(robot: Robot) -> Frequencies:
-    """Natural frequencies of a robot about its rest, in contact where it is; solves for the rest."""
-    return sheet_frequencies(robot, contact=robot.contact is not None)
+def ending(run: RunData) -> tuple[str, str]:
+    """Status and sentence of the whole run: its own, or that of the reference where that ended early."""
+    planned_run = run.reference
+    if planned_run is not None and planned_run.status != "finished":
+        return planned_run.status, f"reference: {planned_run.message}"
+    return run.status, run.message if run.status in STATUSES[:2] else f"real robot: {run.message}"
+
+
+def provenance(run: RunData, known: Robot) -> dict[str, Any]:
+    """Where the numbers come from: sheets, versions, what the integration took."""
+    from tmodes.io.sheet_check import sheet_data
+
+    packages = ("tmodes", "numpy", "llvmlite", "xarray")
+    counts = {"real": run.statistics} | ({"reference": run.reference.statistics} if run.reference else {})
+    return {
+        "tmodes_format": RESULT_FORMAT,
+        "kind": "arm",
+        "title": known.title or known.name,
+        "robot": json.dumps(sheet_data(known)),
+        "robot_real": json.dumps(sheet_data(run.robot)),
+        "method": str(run.robot.integration.method),
+        "versions": json.dumps({name: version(name) for name in packages} | {"python": platform.python_version()}),
+        "statistics": json.dumps(counts),
+    }
 
 
 def _dataset(variables: Variables, coordinates: dict[str, Any]) -> Dataset:

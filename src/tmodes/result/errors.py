@@ -3,18 +3,16 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from typing import Any, NamedTuple, cast
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.result.lines import load_series
-from tmodes.result.series import Variables, motion_series
+from tmodes.result.series import Variables, load_series, motion_series
 from tmodes.simulation.motion_run import RunData, gathered
 from tmodes.simulation.parts import Trajectory
-from tmodes.simulation.start import RunSetup
 
 __all__ = ["summary_errors"]
 
@@ -22,6 +20,12 @@ Array = NDArray[np.float64]
 
 _MOST = 40
 """Deformations whose error is estimated, the largest ones."""
+
+_PATTERNS = 8
+"""Patterns of signs with which the sizes of errors are added."""
+
+_WINDOW, _WINDOW_SAMPLES = 0.03, 8
+"""The window about an instant, to each side: as a share of the run, and samples in it."""
 
 
 def summary_errors(run: RunData, stations: Array, variables: Variables, names: dict[str, Any]) -> dict[str, Any]:
@@ -31,7 +35,7 @@ def summary_errors(run: RunData, stations: Array, variables: Variables, names: d
     counts too. ``names``: the labels along the dimensions of ``variables``. Empty where no error is known.
     """
     runs = [one for one in (run, run.reference) if one is not None]
-    estimates = [one.error for one in runs if one.error and one.setup]
+    estimates = [one.error for one in runs if one.error]
     if len(estimates) < len(runs):
         return {}
     rows = rows_each(estimates)
@@ -46,98 +50,23 @@ def summary_errors(run: RunData, stations: Array, variables: Variables, names: d
 def _disturbed(run: RunData, samples: list[int], rows: int, turn: int) -> RunData:
     states = disturbed_rows(run.states, run.error, samples, rows, turn)
     times = run.times[np.repeat(samples, rows)]
-    return gathered(cast("RunSetup", run.setup), Trajectory(times, states, run.status, run.message))
-
-
-def _figures(variables: Variables, names: dict[str, Any], rows: int) -> list[Figure]:
-    values = {name: info[1] for name, info in variables.items()}
-    count = len(values["tip"])
-    figures = [Figure("tip_m", even_samples(count, rows), lambda found: found["tip"][1])]
-    if "deviation" in values:
-        figures.append(at_worst("deviation.max_m", "deviation", values["deviation"]))
-        figures.append(Figure("deviation.end_m", (count - 1,), lambda found: found["deviation"][1]))
-    return [
-        *figures,
-        *_deformations(values, names),
-        *_joints(values, names),
-        *_links(values, names),
-        *_contact(values, rows),
-    ]
-
-
-def _deformations(values: dict[str, Array], names: dict[str, Any]) -> list[Figure]:
-    if "deformation" not in values:
-        return []
-    largest = np.argsort(-np.abs(values["deformation"]).max(axis=0), kind="stable")[:_MOST]
-    info = names["deformation_kind"]
-    return [at_worst(f"deformations.{info[k]}.max", "deformation", values["deformation"], int(k)) for k in largest]
-
-
-def _joints(values: dict[str, Array], names: dict[str, Any]) -> list[Figure]:
-    kinds = (("largest_effort", "effort"), ("largest_gear_torque", "gear_torque"))
-    return [
-        at_worst(f"joints.{joint}.{key}", series, values[series], k)
-        for k, joint in enumerate(names.get("drive", ()))
-        for key, series in kinds
-    ]
-
-
-def _links(values: dict[str, Array], names: dict[str, Any]) -> list[Figure]:
-    figures = []
-    for k, name in enumerate(names["bending_link"]):
-        tip = np.linalg.norm(values["deflection"][:, k, -1], axis=-1)
-        figures.append(Figure(f"links.{name}.deflection.max_m", (int(tip.argmax()),), _end_of(k)))
-        bending = np.linalg.norm(values["moment"][:, k, :, 1:], axis=-1)
-        sample, place = map(int, np.unravel_index(int(bending.argmax()), bending.shape))
-        figures.append(Figure(f"links.{name}.bending_moment.max_Nm", (sample,), _moment_at(k, place)))
-    for k, name in enumerate(names["stressed_link"]):
-        stress = values["stress"][:, k]
-        sample, place = map(int, np.unravel_index(int(stress.argmax()), stress.shape))
-        figures.append(Figure(f"links.{name}.stress.max_Pa", (sample,), _stress_at(k, place)))
-    return figures
-
-
-def _end_of(link: int) -> Any:
-    return lambda found: found["deflection"][1][:, link, -1]
-
-
-def _moment_at(link: int, place: int) -> Any:
-    return lambda found: found["moment"][1][:, link, place, 1:]
-
-
-def _stress_at(link: int, place: int) -> Any:
-    return lambda found: found["stress"][1][:, link, place]
-
-
-def _contact(values: dict[str, Array], rows: int) -> list[Figure]:
-    if "contact_force_normal" not in values:
-        return []
-    force = values["contact_force_normal"]
-    samples = {
-        "min_N": (int(force.argmin()),),
-        "max_N": (int(force.argmax()),),
-        "mean_N": even_samples(len(force), rows),
-    }
-    return [
-        Figure(f"contact_force.{name}", where, lambda found: found["contact_force_normal"][1])
-        for name, where in samples.items()
-    ]
-
-
-_PATTERNS = 8
-
-"""Patterns of signs with which the sizes of errors are added."""
+    return gathered(run.setup, Trajectory(times, states, run.status, run.message))
 
 
 class Figure(NamedTuple):
-    """A headline figure: its path in the summary, the samples it comes from, and how it follows from all series.
+    """A number of the summary: its path there, the samples that it comes from, its series and the place in it.
 
-    ``value`` gives (rows,) or (rows, components), whose distance counts.
+    The place leaves (rows,) or (rows, components) of the series, whose distance counts.
     """
 
     name: str
     samples: tuple[int, ...]
-    value: Callable[[Variables], Array]
+    series: str
+    place: tuple[Any, ...] = ()
+
+    def value(self, found: Variables) -> Array:
+        """What it follows from, in other series."""
+        return found[self.series][1][(slice(None), *self.place)]
 
     def widened(self, count: int, rows: int) -> Figure:
         """The same of a window of time about its sample of ``count``: an error that oscillates is zero at instants.
@@ -146,20 +75,58 @@ class Figure(NamedTuple):
         """
         if len(self.samples) > 1 or rows > 2:
             return self
-        (middle,) = self.samples
         near = range(-_WINDOW_SAMPLES, _WINDOW_SAMPLES + 1)
-        apart = {middle + round(k * _WINDOW * count / _WINDOW_SAMPLES) for k in near}
+        apart = {self.samples[0] + round(k * _WINDOW * count / _WINDOW_SAMPLES) for k in near}
         return self._replace(samples=tuple(sorted(k for k in apart if 0 <= k < count)))
 
 
-_WINDOW, _WINDOW_SAMPLES = 0.03, 8
-"""The window about an instant, to each side: as a share of the run, and samples in it."""
+def _figures(variables: Variables, names: dict[str, Any], rows: int) -> list[Figure]:
+    values = {name: info[1] for name, info in variables.items()}
+    count = len(values["tip"])
+    figures = [Figure("tip_m", even_samples(count, rows), "tip")]
+    if "deviation" in values:
+        figures.append(at_worst("deviation.max_m", "deviation", values["deviation"]))
+        figures.append(Figure("deviation.end_m", (count - 1,), "deviation"))
+    if "deformation" in values:
+        size = np.abs(values["deformation"]).max(axis=0)
+        for k in map(int, np.argsort(-size, kind="stable")[:_MOST]):
+            name = f"deformations.{names['deformation_kind'][k]}.max"
+            figures.append(at_worst(name, "deformation", values["deformation"], k))
+    for k, joint in enumerate(names.get("drive", ())):
+        for key, series in (("largest_effort", "effort"), ("largest_gear_torque", "gear_torque")):
+            figures.append(at_worst(f"joints.{joint}.{key}", series, values[series], k))
+    return [*figures, *_links(values, names), *_contact(values, rows)]
+
+
+def _links(values: dict[str, Array], names: dict[str, Any]) -> Iterator[Figure]:
+    for k, name in enumerate(names["bending_link"]):
+        tip = np.linalg.norm(values["deflection"][:, k, -1], axis=-1)
+        yield Figure(f"links.{name}.deflection.max_m", (int(tip.argmax()),), "deflection", (k, -1))
+        sample, s = _largest(np.linalg.norm(values["moment"][:, k, :, 1:], axis=-1))
+        yield Figure(f"links.{name}.bending_moment.max_Nm", (sample,), "moment", (k, s, slice(1, None)))
+    for k, name in enumerate(names["stressed_link"]):
+        sample, s = _largest(values["stress"][:, k])
+        yield Figure(f"links.{name}.stress.max_Pa", (sample,), "stress", (k, s))
+
+
+def _largest(values: Array) -> tuple[int, int]:
+    """Sample and place of the largest of values (n, S)."""
+    sample, place = np.unravel_index(int(values.argmax()), values.shape)
+    return int(sample), int(place)
+
+
+def _contact(values: dict[str, Array], rows: int) -> Iterator[Figure]:
+    series = "contact_force_normal"
+    if series in values:
+        force = values[series]
+        yield Figure("contact_force.min_N", (int(force.argmin()),), series)
+        yield Figure("contact_force.max_N", (int(force.argmax()),), series)
+        yield Figure("contact_force.mean_N", even_samples(len(force), rows), series)
 
 
 def at_worst(name: str, series: str, values: Array, *place: int) -> Figure:
     """The largest size of one series (n, ...) at a place of it, at the sample where it is reached."""
-    worst = int(np.argmax(np.abs(values[(slice(None), *place)])))
-    return Figure(name, (worst,), lambda found: found[series][1][(slice(None), *place)])
+    return Figure(name, (int(np.argmax(np.abs(values[(slice(None), *place)]))),), series, place)
 
 
 def rows_each(estimates: Sequence[Any]) -> int:

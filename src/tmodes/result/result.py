@@ -15,10 +15,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Self
 
 from tmodes import upward
+from tmodes.analysis.modes.of_sheet import sheet_frequencies
 from tmodes.io.atomic import file_error
 from tmodes.kinds.registry import UnknownKindError
 from tmodes.result import record
-from tmodes.result.assemble import Assembly, frequencies_of_sheet
+from tmodes.result.assemble import Assembly
 from tmodes.result.earlier import assembly_2010
 from tmodes.result.record import absent_kinds
 from tmodes.result.summary import summarise_result
@@ -94,7 +95,7 @@ class Result:
     @property
     def actual(self) -> Robot:
         """The robot as it really ran, its ``real`` factors taken; raises as :attr:`robot`."""
-        return live.run.arm if (live := self._live) else self._sheet("robot_real")
+        return live.run.robot if (live := self._live) else self._sheet("robot_real")
 
     @property
     def frequencies(self) -> dict[str, list[dict[str, Any]]]:
@@ -110,7 +111,7 @@ class Result:
 
     @cached_property
     def _frequencies_again(self) -> dict[str, list[dict[str, Any]]]:
-        return frequencies_of_sheet(self.actual)
+        return sheet_frequencies(self.actual)
 
     @property
     def settling(self) -> dict[str, Any] | None:
@@ -154,9 +155,8 @@ class Result:
     def save(self, path: str | os.PathLike[str], *, overwrite: bool = False) -> Path:
         """Store the result as one sealed NetCDF-4 file; the same result gives the same bytes.
 
-        Whatever happens meanwhile, the path holds the old file or the new one, whole.
-        Raises :class:`tmodes.errors.ResultFileError` when the file exists, cannot be written, or a number is not
-        finite.
+        Whatever happens meanwhile, the path holds the old file or the new one, whole. Raises
+        :class:`tmodes.errors.ResultFileError` when the file exists, cannot be written, or a number is not finite.
         """
         from tmodes.io.resultfile import write_sealed
 
@@ -214,4 +214,4 @@ def load_result(path: str | os.PathLike[str]) -> Result:
 def assemble_result(run: RunData, known: Robot | None = None) -> Result:
     """The result of a run; ``known``: the robot by whose sheet it was planned, None: the one of the run."""
     timing = {"real": run.seconds} | ({"reference": run.reference.seconds} if run.reference else {})
-    return Result(timing=timing, assembly=Assembly(run, known or run.arm))
+    return Result(timing=timing, assembly=Assembly(run, known or run.robot))

@@ -45,10 +45,13 @@ def run(
 _EXAMPLE = "{{joint: {name}, command: {command}, signal: {{type: quintic, start: 0.0, end: 0.5, duration: 1.0}}}}"
 
 
-def result_bytes(arm: Robot) -> int:
-    """Size of an arm's result in memory [bytes]; raises :class:`tmodes.errors.InputError` where it is too large."""
-    samples, each = len(sample_times(arm.integration)), _bytes_per_sample(arm.chain(), arm.integration.line_points)
-    refuse_too_large(arm.integration, samples, each, "a shorter duration, or fewer integration.line_points")
+def result_bytes(robot: Robot) -> int:
+    """Size of a robot's result in memory [bytes]; raises :class:`tmodes.errors.InputError` where it is too large."""
+    samples, each = (
+        len(sample_times(robot.integration)),
+        _bytes_per_sample(robot.chain(), robot.integration.line_points),
+    )
+    refuse_too_large(robot.integration, samples, each, "a shorter duration, or fewer integration.line_points")
     return samples * each
 
 
@@ -58,17 +61,17 @@ def _bytes_per_sample(chain: Chain, stations: int) -> int:
     return 8 * (stations * (6 * len(chain.nodes) + 15 * bending) + 60 * len(chain.nodes) + 21 * len(chain.points) + 60)
 
 
-def ready_to_run(arm: Robot) -> Robot:
-    """The arm, if something moves it; one with an initial state and no drives runs freely, its motors without torque.
+def ready_to_run(robot: Robot) -> Robot:
+    """The robot, if something moves it; one with an initial state and no drives runs freely, its motors without torque.
 
     Raises :class:`tmodes.errors.InputError` that says what to add where joints could move and nothing moves them.
     """
-    if arm.drives:
-        return arm
-    movable = list(movable_joints(arm.chain()))
-    if not movable or arm.base_motion or any(load.signal for load in arm.loads):
-        return arm
-    if not (arm.initial.coordinates or arm.initial.rates):
+    if robot.drives:
+        return robot
+    movable = list(movable_joints(robot.chain()))
+    if not movable or robot.base_motion or any(load.signal for load in robot.loads):
+        return robot
+    if not (robot.initial.coordinates or robot.initial.rates):
         name, has_motor = movable[0]
         command = Command.TORQUE if has_motor else Command.EFFORT
         shown = _EXAMPLE.format(name=name, command=Command.PRESCRIBED)
@@ -79,7 +82,7 @@ def ready_to_run(arm: Robot) -> Robot:
         raise InputError(
             "drives", f"nothing, so that no joint of {_few(movable)} moves", "a list of what moves the joints", hint
         )
-    return arm.with_({"drives": [_free(name, has_motor) for name, has_motor in movable]})
+    return robot.with_({"drives": [_free(name, has_motor) for name, has_motor in movable]})
 
 
 def movable_joints(chain: Chain) -> Iterator[tuple[str, bool]]:

@@ -1,26 +1,47 @@
-"""The series of an arm's run by name, each with its dimensions, unit and meaning: motion, drives, points, energies."""
+"""The series of a run by name, each with its dimensions, unit and meaning: motion, drives, points, energies, lines."""
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.analysis.quasistatic import deflections, elastic_names
+from tmodes.analysis.line.line import LinkLine, LinkLines, elastic_line
+from tmodes.analysis.quasistatic import deflections, elastic_names, split_motion
+from tmodes.analysis.validity import run_warnings
 from tmodes.chain.chain import line_before
+from tmodes.model.model import Model
 from tmodes.simulation.motion_run import RunData
 
-__all__ = ["Variables", "coordinate_units", "coordinates_of", "motion_series"]
+__all__ = [
+    "MIXED", "Series", "Variables", "coordinate_units", "coordinates_of", "line_series", "load_series",
+    "motion_series", "over_time", "run_wrenches", "straight_shape", "without_elasticity",
+]  # fmt: skip
 
 Array = NDArray[np.float64]
 
 Variables = dict[str, tuple[tuple[str, ...], Array, str, str]]
 """Dimensions, values, unit and long name of each variable."""
 
-_MIXED = "rad, m along prismatic joints, 1 of stretch"
+Series = dict[str, tuple[str, Array | None, str, str]]
+"""The same over time: the names of the further dimensions, values (None: there are none), unit and long name."""
+
+MIXED = "rad, m along prismatic joints, 1 of stretch"
+
+_EFFORT = "N m, N along prismatic joints"
 
 AXES = ("x", "y", "z")
+
+
+def over_time(series: Series, count: int) -> Variables:
+    """The variables of the first ``count`` samples; what is empty is left out."""
+    return {
+        name: (("time", *dims.split()), values[:count], unit, text)
+        for name, (dims, values, unit, text) in series.items()
+        if values is not None and values.size
+    }
 
 
 def coordinates_of(run: RunData, count: int, names: dict[str, list[str]], stations: Array) -> dict[str, Any]:
@@ -39,28 +60,19 @@ def coordinates_of(run: RunData, count: int, names: dict[str, list[str]], statio
         "work_kind": list(run.works),
         **names,
     }
+    links = names.get("link", [])
+    further = {
+        "link_parent": ("link", [line_before(run.chain, name, links) or "base" for name in links],
+                        "link on which each link stands"),  # the nearest that is drawn
+        "coordinate_unit": ("coordinate", coordinate_units(run), "unit of each coordinate"),
+        "controller_state_unit": ("controller_state", list(run.planned.plan.control_units),
+                                  "unit of each state of a controller"),
+    } | {name: (name, values, name.replace("_", " ")) for name, values in labels.items()}  # fmt: skip
     return {
         "time": ("time", run.times[:count], {"units": "s", "long_name": "time"}),
         "s": ("s", stations, info),
-        **_parents(run, names.get("link", [])),
-        "coordinate_unit": ("coordinate", coordinate_units(run), {"long_name": "unit of each coordinate"}),
-        **_control_units(run),
-        **{
-            name: (name, values, {"long_name": name.replace("_", " ")}) for name, values in labels.items() if values
-        },
-    }  # fmt: skip
-
-
-def _parents(run: RunData, links: list[str]) -> dict[str, Any]:
-    """The link on which each drawn link stands, the nearest that is drawn; "base" for those on the base."""
-    found = [line_before(run.chain, name, links) or "base" for name in links]
-    return {"link_parent": ("link", found, {"long_name": "link on which each link stands"})} if links else {}
-
-
-def _control_units(run: RunData) -> dict[str, Any]:
-    units = run.planned.plan.control_units
-    info = {"long_name": "unit of each state of a controller"}
-    return {"controller_state_unit": ("controller_state", list(units), info)} if units else {}
+        **{name: (dim, values, {"long_name": text}) for name, (dim, values, text) in further.items() if values},
+    }
 
 
 def coordinate_units(run: RunData) -> list[str]:
@@ -77,98 +89,156 @@ def coordinate_units(run: RunData) -> list[str]:
 
 def motion_series(run: RunData, count: int) -> Variables:
     """Motion, drives, points, contact and energies of the first ``count`` samples, and those of the reference."""
-    return {
-        name: info
-        for part in (_motion(run, count), _drives(run, count), _points(run, count), _contact(run, count),
-                     _energies(run, count), _reference(run, count))
-        for name, info in part.items()
-        if info[1].size
-    }  # fmt: skip
-
-
-def _motion(run: RunData, count: int) -> Variables:
-    dims, part = ("time", "coordinate"), slice(count)
-    return {
-        "q": (dims, run.q[part], _MIXED, "coordinates"),
-        "v": (dims, run.v[part], f"({_MIXED}) s-1", "rates of the coordinates"),
-        "a": (dims, run.a[part], f"({_MIXED}) s-2", "accelerations of the coordinates"),
-        "deformation": (("time", "deformation_kind"), deflections(run.model, run.q[part]), _MIXED,
-                        "elastic coordinates: gear output less input, and those of the links"),
-    }  # fmt: skip
-
-
-def _drives(run: RunData, count: int) -> Variables:
-    dims, part = ("time", "drive"), slice(count)
+    points = run.points
     electric = any(node.joint.motor and node.joint.motor.resistance is not None for node in run.chain.nodes)
-    found: Variables = {
-        "wanted": (dims, run.wanted[part], "rad, m, V, N m or N, by its command", "value of the drive's signal"),
-        "effort": (dims, run.effort[part], "N m, N along prismatic joints", "effort of the motor after the reducer"),
-        "gear_torque": (dims, run.gear_torque[part], "N m, N along prismatic joints", "gear torque on the joint"),
-    }
-    found["controller_states"] = (
-        ("time", "controller_state"), run.controls[part], "by controller_state_unit", "own states of the controllers",
-    )  # fmt: skip
-    if electric:
-        found |= {
-            "voltage": (dims, run.voltage[part], "V", "motor voltage"),
-            "current": (dims, run.current[part], "A", "motor current"),
-        }
-    return found
-
-
-def _points(run: RunData, count: int) -> Variables:
-    dims, part, points = ("time", "point", "axis"), slice(count), run.points
-    return {
-        "position": (dims, points.position[part], "m", "position of the named points"),
-        "velocity": (dims, points.velocity[part], "m s-1", "velocity of the named points"),
-        "acceleration": (dims, points.acceleration[part], "m s-2", "acceleration of the named points"),
-        "rotation": (("time", "point", "axis", "direction"), points.rotation[part], "1",
+    energy, work = (np.column_stack([*kinds.values()]) for kinds in (run.energies, run.works))
+    series: Series = {
+        "q": ("coordinate", run.q, MIXED, "coordinates"),
+        "v": ("coordinate", run.v, f"({MIXED}) s-1", "rates of the coordinates"),
+        "a": ("coordinate", run.a, f"({MIXED}) s-2", "accelerations of the coordinates"),
+        "deformation": ("deformation_kind", deflections(run.model, run.q[:count]), MIXED,
+                        "elastic coordinates: gear output less input, and those of the links"),
+        "wanted": ("drive", run.wanted, "rad, m, V, N m or N, by its command", "value of the drive's signal"),
+        "effort": ("drive", run.effort, _EFFORT, "effort of the motor after the reducer"),
+        "gear_torque": ("drive", run.gear_torque, _EFFORT, "gear torque on the joint"),
+        "controller_states": ("controller_state", run.controls, "by controller_state_unit",
+                              "own states of the controllers"),
+        "voltage": ("drive", run.voltage if electric else None, "V", "motor voltage"),
+        "current": ("drive", run.current if electric else None, "A", "motor current"),
+        "position": ("point axis", points.position, "m", "position of the named points"),
+        "velocity": ("point axis", points.velocity, "m s-1", "velocity of the named points"),
+        "acceleration": ("point axis", points.acceleration, "m s-2", "acceleration of the named points"),
+        "rotation": ("point axis direction", points.rotation, "1",
                      "axes of the named points (the directions, as columns) in the world"),
-        "tip": (("time", "axis"), points.position[part, 0], "m", "tip position"),
-        "tip_velocity": (("time", "axis"), points.velocity[part, 0], "m s-1", "tip velocity"),
+        "tip": ("axis", points.position[:, 0], "m", "tip position"),
+        "tip_velocity": ("axis", points.velocity[:, 0], "m s-1", "tip velocity"),
+        "contact_force": ("axis", run.contact_force, "N", "force by the point on the surface"),
+        "contact_force_normal": ("", run.contact_normal, "N", "its part into the surface"),
+        "penetration": ("", run.penetration, "m", "how far the point is inside of the surface"),
+        "energy": ("energy_kind", energy, "J", "energy"),
+        "work": ("work_kind", work, "J", "work since the start: of motor, loads and base comes in, the others go out"),
+        "energy_balance": ("", run.energy_balance, "J", "energy less its start less work in plus work out"),
     }  # fmt: skip
+    return over_time(series, count) | (_reference(run, run.reference, count) if run.reference else {})
 
 
-def _contact(run: RunData, count: int) -> Variables:
-    if run.contact_force is None or run.contact_normal is None or run.penetration is None:
-        return {}
-    part = slice(count)
-    return {
-        "contact_force": (("time", "axis"), run.contact_force[part], "N", "force by the point on the surface"),
-        "contact_force_normal": (("time",), run.contact_normal[part], "N", "its part into the surface"),
-        "penetration": (("time",), run.penetration[part], "m", "how far the point is inside of the surface"),
-    }
-
-
-def _energies(run: RunData, count: int) -> Variables:
-    energy, work = (np.column_stack([*kinds.values()])[:count] for kinds in (run.energies, run.works))
-    work_text = "work since the start: of motor, loads and base comes in, the others go out"
-    balance = run.energy_balance[:count]
-    return {
-        "energy": (("time", "energy_kind"), energy, "J", "energy"),
-        "work": (("time", "work_kind"), work, "J", work_text),
-        "energy_balance": (("time",), balance, "J", "energy less its start less work in plus work out"),
-    }
-
-
-def _reference(run: RunData, count: int) -> Variables:
-    planned = run.reference
-    if planned is None:
-        return {}
+def _reference(run: RunData, planned: RunData, count: int) -> Variables:
     order = [planned.coordinates.index(name) for name in run.coordinates]
-    part, dims = slice(count), ("time", "coordinate")
-    tip, wanted = run.points.position[part, 0], planned.points.position[part, 0]
-    found: Variables = {
-        "q_reference": (dims, planned.q[part][:, order], _MIXED, "coordinates of the reference"),
-        "v_reference": (dims, planned.v[part][:, order], f"({_MIXED}) s-1", "rates of the reference"),
-        "deformation_reference": (("time", "deformation_kind"), deflections(planned.model, planned.q[part]), _MIXED,
+    tip, wanted = (one.points.position[:count, 0] for one in (run, planned))
+    series: Series = {
+        "q_reference": ("coordinate", planned.q[:, order], MIXED, "coordinates of the reference"),
+        "v_reference": ("coordinate", planned.v[:, order], f"({MIXED}) s-1", "rates of the reference"),
+        "deformation_reference": ("deformation_kind", deflections(planned.model, planned.q[:count]), MIXED,
                                   "elastic coordinates of the reference"),
-        "gear_torque_reference": (("time", "drive"), planned.gear_torque[part], "N m, N along prismatic joints",
-                                  "gear torque of the reference"),
-        "tip_reference": (("time", "axis"), wanted, "m", "tip position of the reference"),
-        "deviation": (("time",), np.linalg.norm(tip - wanted, axis=1), "m", "tip deviation from the reference"),
+        "gear_torque_reference": ("drive", planned.gear_torque, _EFFORT, "gear torque of the reference"),
+        "tip_reference": ("axis", wanted, "m", "tip position of the reference"),
+        "deviation": ("", np.linalg.norm(tip - wanted, axis=1), "m", "tip deviation from the reference"),
+        "contact_force_normal_reference": ("", planned.contact_normal, "N", "normal contact force of the reference"),
     }  # fmt: skip
-    if planned.contact_normal is not None:
-        text = "normal contact force of the reference"
-        found["contact_force_normal_reference"] = (("time",), planned.contact_normal[part], "N", text)
-    return found
+    return over_time(series, count)
+
+
+def line_series(run: RunData, stations: Array, count: int) -> tuple[Variables, dict[str, list[str]], list[str]]:
+    """Lines of the first ``count`` samples, the names of links along their dimensions, and sentences of warning."""
+    part = slice(count)
+    motion = (run.model, run.q[part], run.v[part], run.a[part])
+    wrenches, base = run_wrenches(run)[part], run.base[part]
+    lines = elastic_line(*motion, stations=[*map(float, stations)], wrenches=wrenches, base=base)
+    straight = elastic_line(run.model, straight_shape(run)[part], stations=[*map(float, stations)], base=base)
+    shown = [line for line in lines.links.values() if not line.is_point]
+    bending = lines.bending()
+    stressed = [line for line in bending if line.stress is not None]
+    names = {"link": shown, "bending_link": bending, "stressed_link": stressed}
+    split = split_motion(*motion, wrenches=wrenches, base=base)
+    found = _shapes(shown, straight) | _loads(bending) | _split(split.stationary, split.oscillatory)
+    notices = run_warnings(run.robot, run.model, run.times[part], run.q[part], lines)
+    loose = np.flatnonzero(~split.held)
+    if len(loose):
+        notices.append(
+            f"T_st is that of the linear arm at {len(loose)} of {count} samples, first at t = "
+            f"{run.times[loose[0]]:.4g} s: the arm could not hold its loads there without moving"
+        )
+    plain = {dim: [line.name for line in group] for dim, group in names.items()}
+    return over_time(found, count), plain, notices
+
+
+def load_series(run: RunData, stations: Array, count: int) -> Variables:
+    """Deflections, moments and stresses alone, of the first ``count`` samples."""
+    part = slice(count)
+    motion = (run.model, run.q[part], run.v[part], run.a[part])
+    loads = {"wrenches": run_wrenches(run)[part], "base": run.base[part]}
+    return over_time(_loads(elastic_line(*motion, stations=[*map(float, stations)], **loads).bending()), count)
+
+
+def run_wrenches(run: RunData) -> Array:
+    """Force and moment by the surroundings on each named point at each sample, world axes, (n, points, 6)."""
+    plan = run.planned
+    wrenches = np.zeros((len(run.times), len(run.model.parts.points), 6))
+    for load in plan.plan.loads:
+        factor = np.ones(len(run.times)) if load.signal < 0 else plan.signals.at(run.times)[:, load.signal]
+        wrench = np.broadcast_to(np.reshape(load.wrench, (2, 3)), (len(run.times), 2, 3))
+        if load.follower:
+            wrench = np.einsum("nij,nkj->nki", run.points.rotation[:, load.point], wrench)
+        wrenches[:, load.point] += factor[:, None] * wrench.reshape(-1, 6)
+    if plan.plan.touch and run.contact_force is not None:
+        wrenches[:, plan.plan.touch.point, :3] -= run.contact_force
+    return wrenches
+
+
+def straight_shape(run: RunData) -> Array:
+    """Coordinates (n, nq) of a run's robot without any elasticity, its motors where they are."""
+    return without_elasticity(run.model, run.q)
+
+
+def without_elasticity(model: Model, q: Array) -> Array:
+    """Coordinates (n, nq) of the robot at ``q`` without any elasticity, its motors where they are."""
+    straight, names = q.copy(), model.coordinates
+    bent = deflections(model, q)
+    for k, name in enumerate(elastic_names(model)):
+        if name.endswith(".gear") and name not in names:
+            straight[:, names.index(name.removesuffix(".gear"))] -= bent[:, k]
+    straight[:, model.deformations] = 0.0
+    return straight
+
+
+def _shapes(shown: list[LinkLine], straight: LinkLines) -> Series:
+    rigid = [straight[line.name] for line in shown]
+    return {
+        "line": ("link s axis", _stack(line.position for line in shown), "m", "position of the elastic line"),
+        "line_rigid": ("link s axis", _stack(line.position for line in rigid), "m",
+                       "position of the line without any elasticity, the motors where they are"),
+    }  # fmt: skip
+
+
+def _loads(bending: list[LinkLine]) -> Series:
+    """What links carry and how they bend, and the stress of those whose section and material are known."""
+    plane, kinds, text = "bending_link s plane", "bending_link s moment_kind", "of all loads outboard, in section axes"
+    shapes = [line.shape for line in bending if line.shape]
+    stresses = [line.stress for line in bending if line.stress]
+    return {
+        "deflection": (plane, _stack(shape.deflection for shape in shapes), "m",
+                       "deflection of the elastic line from the root's tangent, along y and z of the root"),
+        "slope": (plane, _stack(shape.slope for shape in shapes), "rad", "slope against the root's tangent"),
+        "moment": (kinds, _stack(line.moment for line in bending), "N m", f"moment {text}"),
+        "elastic_moment": (kinds, _stack(shape.elastic_moment for shape in shapes), "N m",
+                           "moment with which the material answers its curvature and its rate"),
+        "shear_force": (plane, _stack(line.shear for line in bending), "N", f"shear force {text}"),
+        "axial_force": ("bending_link s", _stack(line.axial for line in bending), "N",
+                        f"axial force {text}, tension positive"),
+        "stress": ("stressed_link s", _stack(one.mises_stress for one in stresses), "Pa", "largest von Mises stress"),
+        "strain": ("stressed_link s", _stack(one.strain for one in stresses), "1", "largest strain of the outer fibre"),
+    }  # fmt: skip
+
+
+def _split(stationary: Array, oscillatory: Array) -> Series:
+    text = "stationary part T_st of the elastic coordinates"
+    return {
+        "deformation_stationary": ("deformation_kind", stationary, MIXED, text),
+        "deformation_oscillatory": ("deformation_kind", oscillatory, MIXED, "oscillatory part T_to"),
+    }
+
+
+def _stack(parts: Iterable[Array]) -> Array:
+    """(n, links, ...) of one array for each link."""
+    info = [*parts]
+    return np.stack(info, axis=1) if info else np.zeros(0)

@@ -1,4 +1,4 @@
-"""Settling: how long after the move the tip deviates from its reference; the run is continued until it is known."""
+"""When the move ends, and how long after it the tip deviates from its reference; the run is continued until then."""
 
 from __future__ import annotations
 
@@ -8,16 +8,17 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from tmodes.errors import InputError
 from tmodes.integrate.registry import integrator
-from tmodes.kinds.signals.registry import merge
-from tmodes.kinds.signals.schedule import Schedule
+from tmodes.kinds.signals.schedule import MergedSchedule, Schedule, merge
 from tmodes.result.summary import info_settling
 from tmodes.simulation.motion_run import RunData, tip_positions
 from tmodes.simulation.parts import Trajectory
+from tmodes.simulation.plan import Planned
 from tmodes.simulation.start import RunSetup
 from tmodes.simulation.trajectory import integrate
 
-__all__ = ["BAND", "settling"]
+__all__ = ["BAND", "move_end", "settling"]
 
 Array = NDArray[np.float64]
 
@@ -36,6 +37,13 @@ _LAST = 0.05
 """Share of the continuation at its end in which a deviation out of the band means that the tip has not settled."""
 
 
+_STILL = 1e-9
+"""Change of a signal within a piece, over its largest value, that is rounding."""
+
+_BEYOND = 2.0
+"""How far signals are looked at, as a multiple of the run's duration."""
+
+
 def settling(run: RunData, move_end: float | None, band: float = BAND) -> dict[str, Any] | None:
     """Time from the end of the move [s] after which the deviation stays below ``band`` of its largest value.
 
@@ -52,11 +60,11 @@ def settling(run: RunData, move_end: float | None, band: float = BAND) -> dict[s
     tips = [one.points.position[:count, 0] for one in (reference, run)]
     time, deviation = run.times[:count], np.linalg.norm(tips[1] - tips[0], axis=1)
     inside = info_settling(deviation, time, move_end, band)
-    setups = [one.setup for one in (reference, run) if one.setup]
+    setups = [one.setup for one in (reference, run)]
     finished = reference.status == run.status == "finished"
     known = [setup for setup in setups if not setup.planned.plan.is_sampled]  # of a sampled one: with a held command
     rates = [decay for setup in known if (decay := setup.spectrum.slowest_decay) is not None]
-    fixed = len(setups) == 2 and not any(setup.callback for setup in setups)
+    fixed = not any(setup.callback for setup in setups)
     if (
         move_end is None
         or move_end > time[-1] * (1 + 1e-9)
@@ -85,7 +93,7 @@ def settling(run: RunData, move_end: float | None, band: float = BAND) -> dict[s
 def _continued(setup: RunSetup, run: RunData, duration: float) -> tuple[Trajectory, Array]:
     """The run from where it ended, all signals at rest, and its tip at each sample (n, 3) [m]."""
     setup, state = at_rest_from(setup, float(run.times[-1]), run.states[-1], duration)
-    settings = setup.arm.integration.model_copy(update={"duration": duration, "output_step": duration / _SAMPLES})
+    settings = setup.robot.integration.model_copy(update={"duration": duration, "output_step": duration / _SAMPLES})
     if not integrator(settings.method).adaptive:
         settings = settings.chosen("dormand_prince")
     later = setup.otherwise and setup.otherwise.model_copy(update={"duration": duration})
@@ -114,3 +122,36 @@ def at_rest_from(setup: RunSetup, time: float, state: Array, duration: float) ->
     rows = signals.coefficients.reshape(len(signals.coefficients), -1)
     planned = replace(plan, schedule=Schedule(signals.knots, rows), signals=signals)
     return replace(setup, planned=planned, start=kept), kept
+
+
+def move_end(planned: Planned) -> float | None:
+    """When the last signal of a drive, a load or the base stops changing [s]; None where one never does.
+
+    Signals are looked at beyond the end of the run, so that a move that ends there is known to end; noise on what a
+    controller receives is no move.
+    """
+    own = [k for k in range(len(planned.each)) if k not in planned.plan.aside]
+    if not own:
+        return 0.0
+    until = float(planned.signals.knots[-1])
+    try:
+        longer = merge([planned.each[k].schedule(_BEYOND * until) for k in own])
+    except InputError:  # a signal without a value there
+        longer = MergedSchedule(planned.signals.knots, planned.signals.coefficients[:, own])
+    return _last_change(longer)
+
+
+def _last_change(signals: MergedSchedule) -> float | None:
+    """When signals stop changing [s]; None where that is not before their end."""
+    knots, powers = signals.knots, np.array(signals.coefficients)
+    size = np.abs(powers[:, :, :1]).max(axis=0, keepdims=True, initial=0.0)
+    lengths = np.diff(knots)[:, None, None] ** np.arange(powers.shape[2])
+    changes = np.abs(powers * lengths)[:, :, 1:].max(axis=2, initial=0.0) > _STILL * np.maximum(size[..., 0], 1e-12)
+    jumps = np.zeros_like(changes)
+    jumps[1:] = np.abs(np.diff(signals.at(knots[:-1]), axis=0)) > _STILL * np.maximum(size[0, :, 0], 1e-12)
+    moving = np.flatnonzero((changes | jumps).any(axis=1))
+    if not len(moving):
+        return 0.0
+    last = int(moving[-1])
+    end = float(knots[last + 1] if changes[last].any() else knots[last])
+    return end if end < knots[-1] * (1 - 1e-9) else None

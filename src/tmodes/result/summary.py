@@ -1,4 +1,4 @@
-"""The numbers a reader asks first of an arm's run, from the dataset of its result."""
+"""The numbers a reader asks first of a robot's run, from the dataset of its result."""
 
 from __future__ import annotations
 

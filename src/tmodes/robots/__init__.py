@@ -2,36 +2,35 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
-from importlib import resources
+from collections.abc import Sequence
+from importlib import metadata, resources
+from importlib.resources.abc import Traversable
 from pathlib import Path
 
 from tmodes.errors import InputError
 
-__all__ = ["kept_lines", "names", "text", "unknown"]
+__all__ = ["MODELS", "installed_models", "names", "published", "text", "unknown"]
+
+MODELS = "example-robot-data"
+"""The package of models that published elasticity files stand on (the extra ``robots``)."""
+
+
+def published() -> dict[str, Traversable]:
+    """The files of the published robots, by name."""
+    files = sorted(resources.files(__name__).iterdir(), key=lambda file: file.name)
+    return {file.name.removesuffix(".yaml"): file for file in files if file.name.endswith(".yaml")}
 
 
 def names() -> list[str]:
     """Names of the published robots, sorted."""
-    files = (entry.name for entry in resources.files(__name__).iterdir())
-    return sorted(name.removesuffix(".yaml") for name in files if name.endswith(".yaml"))
+    return sorted(published())
 
 
 def text(name: str) -> str:
     """The data sheet of a published robot, as it stands in its file; an InputError for an unknown name."""
-    if name not in names():
+    if name not in (files := published()):
         raise unknown(name, names())
-    return (resources.files(__name__) / f"{name}.yaml").read_text(encoding="utf-8")
-
-
-def kept_lines(positions: Mapping[str, int], changes: Collection[str]) -> dict[str, int]:
-    """The lines of what stands in the file; what was changed, given by its dotted paths, has none."""
-    lines = {
-        path: line
-        for path, line in positions.items()
-        if not any(path == changed or path.startswith(f"{changed}.") for changed in changes)
-    }
-    return lines | dict.fromkeys(changes, 0)
+    return files[name].read_text(encoding="utf-8")
 
 
 def unknown(name: str, known: Sequence[str]) -> InputError:
@@ -40,3 +39,12 @@ def unknown(name: str, known: Sequence[str]) -> InputError:
 
     hint = meant(Path(name).stem, known, "check the path and its spelling")
     return InputError("robot", shown(name), f"one of {', '.join(known)}, or the path of a file that exists", hint)
+
+
+def installed_models() -> tuple[Path, ...]:
+    """The folder of the models of :data:`MODELS`, or nothing where it is not installed."""
+    try:
+        place = Path(str(metadata.distribution(MODELS).locate_file(f"cmeel.prefix/share/{MODELS}")))
+    except metadata.PackageNotFoundError:
+        return ()
+    return (place,) if place.is_dir() else ()

@@ -1,10 +1,9 @@
 """Sensitivities of a run to its data sheet, and gradients of what is measured on it.
 
 The steps of the run are recorded and differentiated as they are, whatever their lengths would be for other numbers: the
-results are exact for these steps, and as exact as the tolerances for the motion itself. Where a contact starts or
-ends, a step ends on the change; that its time moves with the numbers is not seen, which leaves nothing out where the
-force is continuous there. On a unilateral surface with a damper it jumps with the speed of impact: such runs are
-refused.
+results are exact for these steps, and as exact as the tolerances for the motion itself. Where a contact starts or ends,
+a step ends on the change; that its time moves with the numbers is not seen, which leaves nothing out where the force is
+continuous there. On a unilateral surface with a damper it jumps with the speed of impact: such runs are refused.
 """
 
 from __future__ import annotations
@@ -18,9 +17,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from tmodes.errors import InputError
 from tmodes.sensitivity.changes import Change, Changes
-from tmodes.sensitivity.functional import Functional
 from tmodes.sensitivity.lowering import Lowered, lowered
-from tmodes.sensitivity.quantities import Quantities
+from tmodes.sensitivity.quantities import Functional, Quantities
 from tmodes.sheet import Robot
 from tmodes.simulation.recording import MOST_BYTES, Recording
 from tmodes.simulation.replay import Replay
@@ -131,7 +129,7 @@ def adjoint_gradient(
 ) -> Gradient:
     """Derivatives of one number measured on the samples of a run, by any number of quantities of the sheet.
 
-    ``functional``: as :func:`tmodes.sensitivity.functional.tracking_error` gives it, or of one's own. One sweep in
+    ``functional``: as :func:`tmodes.sensitivity.quantities.tracking_error` gives it, or of one's own. One sweep in
     reverse over the recorded steps gives them all, whose cost does not grow with the number of ``paths``. Memory and
     errors as of :func:`forward_sensitivities`. Adjoints of the discrete steps with checkpoints: A. Griewank, A.
     Walther, Evaluating Derivatives (2008), chapters 3 and 12.

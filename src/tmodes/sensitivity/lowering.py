@@ -8,7 +8,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.analysis.spectrum import chosen_settings
 from tmodes.equations.loop.closed_loop import ClosedLoop
 from tmodes.errors import InputError, SimulationError
 from tmodes.integrate.method import EULER
@@ -18,12 +17,11 @@ from tmodes.kinds.contacts.registry import Contact
 from tmodes.kinds.signals.schedule import Schedule
 from tmodes.sheet import Robot
 from tmodes.simulation.loop import LoopModel
-from tmodes.simulation.plan import Planned, planned
 from tmodes.simulation.recording import MOST_BYTES, record
 from tmodes.simulation.replay import Replay
 from tmodes.simulation.start import RunSetup, run_setup
 
-__all__ = ["Lowered", "lowered", "replanned", "rows_of", "structure"]
+__all__ = ["Lowered", "lowered", "rows_of", "structure"]
 
 Array = NDArray[np.float64]
 
@@ -32,7 +30,7 @@ Array = NDArray[np.float64]
 class Lowered:
     """A run in numbers: its model, the parameters, the signals, the state at the start, and how it is integrated.
 
-    ``rates``: the schedule of the rates; ``regime``: the run's setup. The method ``auto`` is chosen as for
+    ``rates``: the schedule of the rates; ``setup``: the run's setup. The method ``auto`` is chosen as for
     any run; one that turns out stiff underway continues with it here.
     """
 
@@ -42,7 +40,7 @@ class Lowered:
     schedule: Schedule
     start: Array
     settings: Integration
-    regime: RunSetup
+    setup: RunSetup
     contact: Contact | None = None
 
     def recorded(self, most_bytes: float = MOST_BYTES) -> Replay:
@@ -58,7 +56,7 @@ class Lowered:
         done = record(self.model, self.parameters, self.schedule, self.start, self.settings, most_bytes)
         if done.contact_changes and self.contact and self.contact.jumps:
             raise SimulationError(
-                "derivatives of a run: contact set in or ended on a unilateral surface with a damper or a preload, "
+                "derivatives of a run: contact started or ended on a unilateral surface with a damper or a preload, "
                 "whose force jumps there; expected a force without jumps. End the run before, or set "
                 "contact.damping and contact.preload to 0"
             )
@@ -71,23 +69,16 @@ def lowered(sheet: Robot) -> Lowered:
     Raises :class:`tmodes.errors.InputError` and :class:`tmodes.errors.SimulationError` for what cannot run.
     """
     real = sheet.pair().real
-    regime = run_setup(real)
-    settings = chosen_settings(sheet.integration, lambda: regime.spectrum)
-    model = regime.model
+    setup = run_setup(real).chosen()
+    model, settings = setup.model, setup.robot.integration
     rates = model.loop.euler_rate if integrator(settings.method).asks == EULER else model.loop.rate
-    return Lowered(model, rates, model.numbers, regime.planned.schedule, regime.start, settings, regime, real.contact)
-
-
-def replanned(sheet: Robot) -> tuple[Planned, LoopModel]:
-    """An arm's plan and its numbers, without a state at the start."""
-    plan = planned(sheet)
-    return plan, LoopModel(plan.plan)
+    return Lowered(model, rates, model.numbers, setup.planned.schedule, setup.start, settings, setup, real.contact)
 
 
 def rows_of(schedule: Schedule, duration: float) -> Array:
     """Start and coefficients of each piece of the signals, (segments, row)."""
     pieces = schedule.until(duration)
-    return np.column_stack([pieces.knots[:-1], pieces.coefficients])
+    return pieces.rows_at(pieces.knots[:-1])
 
 
 def structure(of: ClosedLoop) -> object:

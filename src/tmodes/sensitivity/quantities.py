@@ -1,8 +1,9 @@
-"""What is observed of a run at instants, with its derivatives."""
+"""What is observed of a run at instants, and numbers that are measured on it, each with its derivatives."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple
 
@@ -12,11 +13,11 @@ from numpy.typing import ArrayLike, NDArray
 from tmodes.errors import InputError
 from tmodes.kinds.kernel.schedule import Slot
 from tmodes.model.derivatives import Blocks, differentiated
-from tmodes.model.passes import ArmPasses
+from tmodes.model.passes import ChainPasses
 from tmodes.sensitivity.lowering import Lowered
 from tmodes.simulation.recording import Recording
 
-__all__ = ["Quantities", "RunOutputs", "Weights"]
+__all__ = ["Functional", "Quantities", "Weights", "tracking_error"]
 
 Array = NDArray[np.float64]
 
@@ -30,21 +31,40 @@ _POINT, _PARTS = 24, {"": slice(9, 12), "_velocity": slice(15, 18)}
 _FROM = ("state", "row", "parameters")
 
 
-class RunOutputs:
-    """What is observed of an arm, and from that the motion of its points."""
+class Weights(NamedTuple):
+    """Derivatives of a number: by the states at the samples, (n, size), the parameters, the rows (segments, row)."""
 
-    def __init__(self, here: Lowered, instants: Blocks, names: tuple[str, ...]) -> None:
+    states: Array
+    parameters: Array
+    rows: Array
+
+
+class Quantities:
+    """Quantities at the samples of a run, by their names.
+
+    ``state`` (n, size); what :meth:`tmodes.simulation.loop.LoopModel.observe` gives; and ``tip``, ``tip_velocity``,
+    ``points.NAME`` and ``points.NAME_velocity`` (n, 3) [m, m/s] of the named points, in the world. Raises
+    :class:`tmodes.errors.InputError` for other names.
+    """
+
+    def __init__(self, here: Lowered, done: Recording, names: Sequence[str]) -> None:
+        self.done, self.names, self.parameters = done, tuple(dict.fromkeys(names)), here.parameters
+        self._pieces = np.clip(np.searchsorted(done.rows[:, 0], done.times, side="right") - 1, 0, len(done.rows) - 1)
+        time = done.times[:, None]
+        self._instants = {
+            "time": time, "state": done.samples, "row": done.rows[self._pieces], "step": np.zeros_like(time)
+        }  # fmt: skip
         loop = here.model.loop
         points = ["tip", *(f"points.{point.name}" for point in loop.parts.points)]  # the first point is the tip
         places = {f"{name}{kind}": (max(k - 1, 0), kind) for k, name in enumerate(points) for kind in _PARTS}
-        _refuse_unknown(names, (*_OBSERVED, *places))
-        self.parameters, self._instants = here.parameters, instants
-        self._places = {name: places[name] for name in names if name in places}
-        self._plain = tuple(name for name in names if name not in places)
+        own = [name for name in self.names if name != "state"]
+        _refuse_unknown(own, (*_OBSERVED, *places))
+        self._places = {name: places[name] for name in own if name in places}
+        self._plain = tuple(name for name in own if name not in places)
         shown = tuple(dict.fromkeys((*self._plain, *(_MOVED if self._places else ()))))
         self._of = differentiated(loop.observe, shown) if shown else None
         self._points = (
-            differentiated(ArmPasses(loop.mechanics).schedule("inertia"), ["points"]) if self._places else None
+            differentiated(ChainPasses(loop.mechanics).schedule("inertia"), ["points"]) if self._places else None
         )
 
     @cached_property
@@ -56,30 +76,40 @@ class RunOutputs:
         return {name: self._seen[name] for name in _MOVED} | {"a": np.zeros_like(self._seen["q"])}
 
     def info(self) -> Blocks:
-        """Values (n, numbers) by names."""
-        plain = {name: self._seen[name] for name in self._plain}
-        return plain | (self._parted(self._points.values(self.parameters, self._moved)) if self._points else {})
+        """Their values at the samples."""
+        points = self._parted(self._points.values(self.parameters, self._moved)) if self._points else {}
+        return self._named(self.done.samples, self._seen, points)
 
-    def back(self, weights: Blocks) -> Blocks:
-        """Derivatives of the sum of weights times values by state (n, size), row (n, row) and parameters."""
-        assert self._of is not None  # noqa: S101
-        mine = {name: weight for name, weight in weights.items() if name not in self._places}
-        own: Array = np.zeros_like(self.parameters)
+    def back(self, weights: Mapping[str, ArrayLike]) -> Weights:
+        """Derivatives of the sum of ``weights`` times the quantities, each in its shape."""
+        done = self.done
+        given = {name: np.asarray(value, dtype=float) for name, value in weights.items()}
+        states, rows, own = np.zeros_like(done.samples), np.zeros_like(done.rows), np.zeros(len(self.parameters))
+        states += given.pop("state", 0.0)
+        if not given or self._of is None:
+            return Weights(states, own, rows)
+        mine = {name: weight for name, weight in given.items() if name not in self._places}
         if self._points:
-            found = self._points.back(self.parameters, self._moved, self._joined(weights), (*_MOVED, "parameters"))
+            found = self._points.back(self.parameters, self._moved, self._joined(given), (*_MOVED, "parameters"))
             own = found.pop("parameters")
             mine |= {name: value + mine.get(name, 0.0) for name, value in found.items()}
         info = self._of.back(self.parameters, self._instants, mine, _FROM)
-        return info | {"parameters": info["parameters"] + own}
+        np.add.at(rows, self._pieces, info["row"])
+        return Weights(states + info["state"], info["parameters"] + own, rows)
 
-    def along(self, slopes: Blocks, change: Array) -> Blocks:
-        """Slopes of the values along those of state and row, and a change of the parameters."""
-        moved = self._of.along(self.parameters, self._instants, slopes, change=change) if self._of else {}
-        plain = {name: moved[name] for name in self._plain}
-        if not self._points:
-            return plain
-        ways = {name: moved[name] for name in _MOVED}
-        return plain | self._parted(self._points.along(self.parameters, self._moved, ways, change=change))
+    def along(self, states: Array, parameters: Array, rows: Array) -> Blocks:
+        """Their slopes, by names, where the states have slopes (n, size), and parameters and rows change."""
+        slopes = {"state": states, "row": rows[self._pieces]}
+        moved = self._of.along(self.parameters, self._instants, slopes, change=parameters) if self._of else {}
+        points: Blocks = {}
+        if self._points:
+            ways = {name: moved[name] for name in _MOVED}
+            points = self._parted(self._points.along(self.parameters, self._moved, ways, change=parameters))
+        return self._named(states, moved, points)
+
+    def _named(self, states: Array, plain: Blocks, points: Blocks) -> Blocks:
+        known = {"state": states, **{name: plain[name] for name in self._plain}, **points}
+        return {name: known[name] for name in self.names}
 
     def _parted(self, info: Blocks) -> Blocks:
         """Positions and velocities from what is reported of all points."""
@@ -106,51 +136,44 @@ def _refuse_unknown(names: Sequence[str], known: Sequence[str]) -> None:
             raise InputError("quantities", repr(name), f"names among state, {', '.join(known)}", "correct the name")
 
 
-Array = NDArray[np.float64]
+@dataclass(frozen=True)
+class Functional:
+    """One number of a run: ``measure(times (n,), quantities)`` -> its value and its derivatives.
 
-
-class Weights(NamedTuple):
-    """Derivatives of a number: by the states at the samples, (n, size), the parameters, the rows (segments, row)."""
-
-    states: Array
-    parameters: Array
-    rows: Array
-
-
-class Quantities:
-    """Quantities at the samples of a run, by their names.
-
-    ``state`` (n, size); what :meth:`tmodes.simulation.loop.LoopModel.observe` gives; and ``tip``, ``tip_velocity``,
-    ``points.NAME`` and ``points.NAME_velocity`` (n, 3) [m, m/s] of the named points, in the world. Raises
-    :class:`tmodes.errors.InputError` for other names.
+    ``quantities``: names of what is looked at, as :class:`tmodes.sensitivity.quantities.Quantities` knows them;
+    ``quantities`` holds each as an array (n, numbers), derivatives by the same names in the same shapes; a name that
+    is left out has none.
     """
 
-    def __init__(self, here: Lowered, done: Recording, names: Sequence[str]) -> None:
-        self.done, self.names = done, tuple(dict.fromkeys(names))
-        self._pieces = np.clip(np.searchsorted(done.rows[:, 0], done.times, side="right") - 1, 0, len(done.rows) - 1)
-        time = done.times[:, None]
-        instants = {"time": time, "state": done.samples, "row": done.rows[self._pieces], "step": np.zeros_like(time)}
-        self._seen = RunOutputs(here, instants, tuple(name for name in self.names if name != "state"))
+    quantities: tuple[str, ...]
+    measure: Callable[[Array, Mapping[str, Array]], tuple[float, Mapping[str, ArrayLike]]]
 
-    def info(self) -> Blocks:
-        """Their values at the samples."""
-        info = self._seen.info()
-        return {name: self.done.samples if name == "state" else info[name] for name in self.names}
 
-    def back(self, weights: Mapping[str, ArrayLike]) -> Weights:
-        """Derivatives of the sum of ``weights`` times the quantities, each in its shape."""
-        done = self.done
-        given = {name: np.asarray(value, dtype=float) for name, value in weights.items()}
-        states, rows = np.zeros_like(done.samples), np.zeros_like(done.rows)
-        states += given.pop("state", 0.0)
-        if not given:
-            return Weights(states, np.zeros(len(self._seen.parameters)), rows)
-        found = self._seen.back(given)
-        np.add.at(rows, self._pieces, found["row"])
-        return Weights(states + found["state"], found["parameters"], rows)
+def tracking_error(quantity: str, reference: ArrayLike | Callable[[Array], ArrayLike]) -> Functional:
+    """The integral over the run of the squared distance of a quantity from its reference, by the trapezoidal rule.
 
-    def along(self, states: Array, parameters: Array, rows: Array) -> Blocks:
-        """Their slopes, by names, where the states have slopes (n, size), and parameters and rows change."""
-        slopes = {"state": states, "row": rows[self._pieces]}
-        found = self._seen.along(slopes, parameters)
-        return {name: states if name == "state" else found[name] for name in self.names}
+    ``tracking_error("tip", path)`` [m^2 s] with ``path`` (n, 3) [m] at the samples, one position (3,) for all, or a
+    function of the times (n,) [s]. The rule's error is that of the samples' distance squared; its derivative is exact.
+    """
+
+    def measure(times: Array, info: Mapping[str, Array]) -> tuple[float, Mapping[str, ArrayLike]]:
+        is_ = info[quantity]
+        wanted = np.asarray(reference(times) if callable(reference) else reference, dtype=float)
+        if wanted.shape not in (is_.shape, is_.shape[1:]):
+            expected = f"{is_.shape}, one at each sample, or {is_.shape[1:]}, one for all"
+            raise InputError(
+                "reference", f"an array of shape {wanted.shape}", expected, "reshape it, or sample it again"
+            )
+        if not np.isfinite(wanted).all():
+            raise InputError("reference", "not-a-number or an infinite value", "finite numbers", "look for gaps in it")
+        apart = is_ - wanted
+        shares = _trapezoids(times)[:, None]
+        return float((shares * apart**2).sum()), {quantity: 2 * shares * apart}
+
+    return Functional((quantity,), measure)
+
+
+def _trapezoids(times: Array) -> Array:
+    """Weights of samples in an integral over time."""
+    steps = np.diff(times)
+    return (np.append(steps, 0.0) + np.append(0.0, steps)) / 2

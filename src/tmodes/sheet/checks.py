@@ -52,12 +52,8 @@ def _points(robot: Any) -> Iterator[Issue]:
     for index, point in enumerate(robot.points):
         yield from _point(robot, f"points.{index}", point)
         if point.name in names:
-            yield Issue(
-                f"points.{index}.name",
-                f"the name `{point.name}` again",
-                "a name that no other point has",
-                "rename the point",
-            )
+            got, expected = f"the name `{point.name}` again", "a name that no other point has"
+            yield Issue(f"points.{index}.name", got, expected, "rename the point")
         names.append(point.name)
     for index, load in enumerate(robot.loads):
         yield from _unknown(f"loads.{index}.point", load.point, names, "add it under `points`")

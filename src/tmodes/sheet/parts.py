@@ -1,4 +1,4 @@
-"""Parts of a robot's data sheet besides its joints: links, points, loads, drives, base motion, initial state."""
+"""Parts of a robot's data sheet other than its joints: links, points, loads, drives, base motion, initial state."""
 
 from __future__ import annotations
 
@@ -32,14 +32,28 @@ __all__ = [
     "LinkSheet",
     "LoadFrame",
     "LoadSheet",
+    "Number",
     "PointSheet",
     "TipSheet",
+    "by_name",
+    "several",
 ]
 
 MOST_BODIES = 200
 
 _Name = Annotated[str, Field(min_length=1, max_length=100)]
-_Number = Annotated[float, Field(ge=-LARGEST, le=LARGEST)]
+Number = Annotated[float, Field(ge=-LARGEST, le=LARGEST)]
+
+
+def by_name(unit: str, symbol: str, meaning: str) -> Any:
+    """A group of numbers by name, empty where it is left out."""
+    extra: Any = {"unit": unit, "symbol": symbol, "smallest": 0.0, "plausible": None}
+    return Field(default_factory=dict, description=meaning, json_schema_extra=extra)
+
+
+def several(most: int, meaning: str) -> Any:
+    """A list of groups, at most so many, empty where it is left out."""
+    return Field(default=(), strict=False, max_length=most, description=meaning)
 
 
 class _AnyBeam:
@@ -60,9 +74,7 @@ class LinkSheet(DataSheet):
     """A link: rigid bodies, and a beam where it bends."""
 
     name: str = Field(min_length=1, max_length=100, description="name of the link")
-    bodies: tuple[BodySheet, ...] = Field(
-        default=(), strict=False, max_length=MOST_BODIES, description="rigid bodies that it carries"
-    )
+    bodies: tuple[BodySheet, ...] = several(MOST_BODIES, "rigid bodies that it carries")
     beam: SerializeAsAny[BendingSheet] | None = Field(default=None, description="the beam; none: the link is rigid")
 
     @field_validator("beam", mode="plain", json_schema_input_type=_AnyBeam)
@@ -186,13 +198,5 @@ class Initial(DataSheet):
     """The state at time 0."""
 
     state: InitialState = Field(default=InitialState.REST, strict=False, description="rest or zero")
-    coordinates: dict[str, _Number] = Field(
-        default_factory=dict,
-        description="coordinate -> value [coordinate]",
-        json_schema_extra={"unit": "coordinate", "symbol": "q", "smallest": 0.0, "plausible": None},
-    )
-    rates: dict[str, _Number] = Field(
-        default_factory=dict,
-        description="coordinate -> rate [coordinate/s]",
-        json_schema_extra={"unit": "coordinate/s", "symbol": "v", "smallest": 0.0, "plausible": None},
-    )
+    coordinates: dict[str, Number] = by_name("coordinate", "q", "coordinate -> value [coordinate]")
+    rates: dict[str, Number] = by_name("coordinate/s", "v", "coordinate -> rate [coordinate/s]")

@@ -17,8 +17,19 @@ from tmodes.integrate.settings import RobotIntegration
 from tmodes.kinds.contacts.registry import Contact
 from tmodes.kinds.joints.joint import JointSheet
 from tmodes.kinds.schema.frames import Origin, Vector, list_of_numbers
-from tmodes.kinds.schema.quantity import LARGEST, DataSheet, Issue, not_negative, plain_texts, refuse
-from tmodes.sheet.parts import BaseMotion, DriveSheet, Initial, LinkSheet, LoadSheet, PointSheet, TipSheet
+from tmodes.kinds.schema.quantity import DataSheet, Issue, not_negative, plain_texts, refuse
+from tmodes.sheet.parts import (
+    BaseMotion,
+    DriveSheet,
+    Initial,
+    LinkSheet,
+    LoadSheet,
+    Number,
+    PointSheet,
+    TipSheet,
+    by_name,
+    several,
+)
 
 __all__ = ["MOST_JOINTS", "RECURSION", "SHEET_FORMAT", "Robot", "RobotPair"]
 
@@ -33,8 +44,6 @@ MOST_POINTS = 200
 MOST_LOADS = 100
 
 _FACTOR = not_negative("-", "-", "factor of the real arm on the known value", at_most=1e6)
-_Parameter = Annotated[float, Field(ge=-LARGEST, le=LARGEST)]
-_Coupling = Annotated[float, Field(ge=-LARGEST, le=LARGEST)]
 
 
 class Robot(DataSheet):
@@ -57,39 +66,23 @@ class Robot(DataSheet):
     equations: str = Field(
         default=RECURSION, min_length=1, max_length=100, description="recursion, or the name of a Lagrangian system"
     )
-    parameters: dict[str, _Parameter] = Field(
-        default_factory=dict,
-        description="numbers of the Lagrangian system that differ from its own [SI]",
-        json_schema_extra={"unit": "SI", "symbol": "p", "smallest": 0.0, "plausible": None},
-    )
-    links: tuple[LinkSheet, ...] = Field(
-        default=(), strict=False, max_length=MOST_JOINTS, description="links; one that is not listed has no mass"
-    )
+    parameters: dict[str, Number] = by_name("SI", "p", "numbers of the Lagrangian system that differ from its own [SI]")
+    links: tuple[LinkSheet, ...] = several(MOST_JOINTS, "links; one that is not listed has no mass")
     tip: TipSheet | None = Field(default=None, description="the point called tip; none: the end of the last link")
-    points: tuple[PointSheet, ...] = Field(
-        default=(), strict=False, max_length=MOST_POINTS, description="named points for loads, contact and output"
+    points: tuple[PointSheet, ...] = several(MOST_POINTS, "named points for loads, contact and output")
+    couplings: dict[str, dict[str, Number]] = by_name(
+        "-", "S", "gear input of a joint = sum of factor * motor angle of joints [-]"
     )
-    couplings: dict[str, dict[str, _Coupling]] = Field(
-        default_factory=dict,
-        description="gear input of a joint = sum of factor * motor angle of joints [-]",
-        json_schema_extra={"unit": "-", "symbol": "S", "smallest": 0.0, "plausible": None},
-    )
-    loads: tuple[LoadSheet, ...] = Field(
-        default=(), strict=False, max_length=MOST_LOADS, description="forces and moments on points"
-    )
-    drives: tuple[DriveSheet, ...] = Field(
-        default=(), strict=False, max_length=MOST_JOINTS, description="what moves the joints in a run"
-    )
+    loads: tuple[LoadSheet, ...] = several(MOST_LOADS, "forces and moments on points")
+    drives: tuple[DriveSheet, ...] = several(MOST_JOINTS, "what moves the joints in a run")
     base_motion: BaseMotion | None = Field(default=None, description="prescribed motion of the base; none: it stands")
     contact: Contact | None = Field(default=None, description="what a point touches; none: free space")
     contact_off: Contact | None = Field(
         default=None, description="a contact that is switched off: `contact: true` switches it on"
     )
     initial: Initial = Field(default_factory=Initial, description="state at time 0")
-    real: dict[str, Annotated[float, _FACTOR]] = Field(
-        default_factory=dict,
-        description="the real arm where it differs: path of a number -> factor on it [-]",
-        json_schema_extra={"unit": "-", "symbol": "-", "smallest": 0.0, "plausible": None},
+    real: dict[str, Annotated[float, _FACTOR]] = by_name(
+        "-", "-", "the real arm where it differs: path of a number -> factor on it [-]"
     )
     integration: RobotIntegration = Field(default_factory=RobotIntegration)
 

@@ -62,10 +62,8 @@ def tree_issues(joints: Sequence[JointSheet], links: Sequence[str]) -> Iterator[
 def _twice(group: str, names: Sequence[str]) -> Iterator[Issue]:
     for index, name in enumerate(names):
         if name in names[:index]:
-            got = f"the name `{name}` a second time"
-            yield Issue(
-                f"{group}.{index}.name", got, f"a name that none of the other {group} has", "rename one of them"
-            )
+            got, expected = f"the name `{name}` a second time", f"a name that none of the other {group} has"
+            yield Issue(f"{group}.{index}.name", got, expected, "rename one of them")
 
 
 def _two_parents(joints: Sequence[JointSheet]) -> Iterator[Issue]:
@@ -102,10 +100,8 @@ def _cycles(joints: Sequence[JointSheet]) -> Iterator[Issue]:
         info.update(path)
         if index in path:
             links = [joints[k].child for k in reversed(path[path.index(index) :])]
-            got = f"a cycle of the links {_list([*links, links[0]], ' -> ')}"
-            yield Issue(
-                f"joints.{index}.parent", got, "joints that lead back to `base`", "hang one of them on another link"
-            )
+            got, hint = f"a cycle of the links {_list([*links, links[0]], ' -> ')}", "hang one of them on another link"
+            yield Issue(f"joints.{index}.parent", got, "joints that lead back to `base`", hint)
 
 
 def _loose_links(joints: Sequence[JointSheet], links: Sequence[str]) -> Iterator[Issue]:

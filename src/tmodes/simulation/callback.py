@@ -19,7 +19,7 @@ from tmodes.errors import SimulationError
 from tmodes.integrate.settings import Integration
 from tmodes.simulation.loop import LoopModel
 from tmodes.simulation.native_run import BOUND
-from tmodes.simulation.parts import Trajectory, sample_times, used_up
+from tmodes.simulation.parts import Trajectory, completed, sample_times, used_up
 from tmodes.simulation.start import RunSetup
 from tmodes.simulation.stops import STOPPED, Instants, SetIn, Stops
 
@@ -31,9 +31,9 @@ Controller = Callable[[float, Array, Array], ArrayLike]
 """(time [s], q (nq,), v (nq,)) -> effort (m,) [N*m, N] of each drive that follows no signal, in their order."""
 
 
-def driven_by(regime: RunSetup) -> RunSetup:
-    """The regime with the efforts of its servos taken from the rows."""
-    plan = regime.planned.plan
+def driven_by(setup: RunSetup) -> RunSetup:
+    """The setup with the efforts of its servos taken from the rows."""
+    plan = setup.planned.plan
     drives = tuple(
         replace(
             drive, servo=Servo(None, driven=False, winding=drive.winding), numbers=drive.numbers[:WINDING], noise=-1
@@ -45,8 +45,8 @@ def driven_by(regime: RunSetup) -> RunSetup:
     own = replace(plan, drives=drives)
     model = LoopModel(own)
     start = np.zeros(model.layout.size)
-    start[: 2 * len(model.coordinates)] = regime.start[: 2 * len(model.coordinates)]
-    return replace(regime, planned=replace(regime.planned, plan=own), model=model, start=start, callback=True)
+    start[: 2 * len(model.coordinates)] = setup.start[: 2 * len(model.coordinates)]
+    return replace(setup, planned=replace(setup.planned, plan=own), model=model, start=start, callback=True)
 
 
 @dataclass
@@ -86,7 +86,7 @@ class _Guarded:
 class _Run:
     """A run in Python: what is done so far."""
 
-    regime: RunSetup
+    setup: RunSetup
     guarded: _Guarded
     settings: Integration
     places: list[int]
@@ -100,17 +100,17 @@ class _Run:
 
     def row(self, time: float, state: Array, piece: float) -> Array:
         """The row of the signals at a time, of the piece that starts at ``piece``, with the controller's efforts."""
-        row = self.regime.planned.schedule.rows_at(np.array([piece]))[0]
-        n = len(self.regime.model.coordinates)
+        row = self.setup.planned.schedule.rows_at(np.array([piece]))[0]
+        n = len(self.setup.model.coordinates)
         effort = self.guarded(time, state[:n], state[n : 2 * n])
         for place, value in zip(self.places, effort, strict=True):
-            row[place], row[place + 1 : place + self.regime.planned.plan.degree + 1] = value, 0.0
+            row[place], row[place + 1 : place + self.setup.planned.plan.degree + 1] = value, 0.0
         return row
 
     def rate(self, time: float, state: Array, piece: float) -> Array:
         """Right-hand side."""
         self.evaluations += 1
-        return self.regime.model.rate([time], state, self.row(time, state, piece))[0]
+        return self.setup.model.rate([time], state, self.row(time, state, piece))[0]
 
     def keep(self, time: float, state: Array) -> None:
         """A sample."""
@@ -135,23 +135,23 @@ class _Run:
 
 
 def run_with_controller(
-    regime: RunSetup,
+    setup: RunSetup,
     controller: Controller,
     progress: Callable[[float], None] = lambda share: None,
     stops: Stops | None = None,
 ) -> tuple[Trajectory, Array]:
     """Integrate with a Python controller; the trajectory, and the rows (n, row) with the efforts at its samples.
 
-    ``regime`` is one of :func:`driven_by`. Raises :class:`tmodes.errors.SimulationError` for a controller that raises,
+    ``setup`` is one of :func:`driven_by`. Raises :class:`tmodes.errors.SimulationError` for a controller that raises,
     or whose answer is of the wrong shape or not finite, at its first call; later the run stops and keeps what it has.
     """
-    plan, settings = regime.planned.plan, regime.arm.integration
+    plan, settings = setup.planned.plan, setup.robot.integration
     places = [1 + drive.signal * (plan.degree + 1) for drive in plan.drives if drive.servo]
     names = tuple(drive.joint for drive in plan.drives if drive.servo)
-    guarded = _Guarded(controller, names, len(regime.model.coordinates))
-    run = _Run(regime, guarded, settings, places, stops or Stops())
+    guarded = _Guarded(controller, names, len(setup.model.coordinates))
+    run = _Run(setup, guarded, settings, places, stops or Stops())
     times = sample_times(settings)
-    run.keep(0.0, regime.start)
+    run.keep(0.0, setup.start)
     run.stops.refuse_at_start(Instants(times[:1], np.array(run.states), np.array(run.rows)))
     status, message = _advance(run, times, progress)
     done = len(run.states)
@@ -164,7 +164,7 @@ def run_with_controller(
 def _advance(run: _Run, times: Array, progress: Callable[[float], None]) -> tuple[str, str]:
     state, length, end = run.states[0], 0.0, float(times[-1])
     try:
-        for before, after, is_sample in _intervals(run.regime.planned.schedule.knots, times):
+        for before, after, is_sample in _intervals(run.setup.planned.schedule.knots, times):
             begun = state, length
             state, length = _across(run, before, after, *begun)
             lost = _lost(run, after, state)
@@ -180,7 +180,7 @@ def _advance(run: _Run, times: Array, progress: Callable[[float], None]) -> tupl
         return "interrupted", f"interrupted after t = {times[len(run.states) - 1]:.6g} s; what was done is kept"
     except SimulationError as error:
         return "stopped", str(error)
-    return "finished", f"reached the end, t = {end:g} s"
+    return "finished", completed(end)
 
 
 def _intervals(knots: Array, times: Array) -> Iterator[tuple[float, float, bool]]:
@@ -242,7 +242,7 @@ def _rk4(run: _Run, before: float, after: float, state: Array) -> Array:
 
 def _lost(run: _Run, time: float, state: Array) -> str:
     """Where the motion was lost; empty while it is one."""
-    names = run.regime.model.coordinates
+    names = run.setup.model.coordinates
     bad = np.flatnonzero(~(np.abs(state[: 2 * len(names)]) < BOUND))
     if not len(bad):
         return ""

@@ -1,4 +1,4 @@
-"""LoopModel: an arm in a run as functions of numbers, native underneath; what a trajectory is integrated with."""
+"""LoopModel: a robot in a run as functions of numbers, native underneath; what a trajectory is integrated with."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from tmodes.equations.loop.closed_loop import ClosedLoop
 from tmodes.equations.loop.plan import LoopPlan, StateLayout
 from tmodes.integrate.method import EULER, EXPLICIT, JACOBIAN
 from tmodes.integrate.registry import integrator
-from tmodes.model.evaluator import derivatives, evaluate
+from tmodes.model.passes import derivatives, evaluate
 
 __all__ = ["LoopModel", "Loops"]
 
@@ -24,7 +24,7 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Loops:
-    """The native time loops of an arm by the name of their method, each compiled when it is first asked for."""
+    """The native time loops of a robot by the name of their method, each compiled when it is first asked for."""
 
     loop: ClosedLoop
 
@@ -76,7 +76,7 @@ class LoopModel:
         return Loops(self.loop)
 
     def lane_loop(self, method: str) -> Library:
-        """The native loop over arms side by side of a method with a tableau."""
+        """The native loop over robots side by side of a method with a tableau."""
         return lane_loop(self.loop.rate, 2 * len(self.coordinates), method)
 
     @property

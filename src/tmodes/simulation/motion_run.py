@@ -1,9 +1,9 @@
-"""ArmRun: an arm's motion as arrays of numbers, frozen; and how it is gathered from a trajectory."""
+"""RunData: a motion as arrays of numbers, frozen; and how it is gathered from a trajectory."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any
+from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,15 +11,13 @@ from numpy.typing import NDArray
 from tmodes.analysis.energy import largest_flow
 from tmodes.chain.chain import Chain
 from tmodes.equations.loop.plan import BROUGHT_IN, WORKS
-from tmodes.model.evaluator import Rows
 from tmodes.model.model import Model, PointMotion
+from tmodes.model.passes import Rows
+from tmodes.sheet import Robot
 from tmodes.simulation.loop import LoopModel
-from tmodes.simulation.parts import ErrorEstimate, Trajectory
+from tmodes.simulation.parts import Trajectory
 from tmodes.simulation.plan import Planned
 from tmodes.simulation.start import RunSetup
-
-if TYPE_CHECKING:
-    from tmodes.sheet import Robot
 
 __all__ = ["RunData", "bytes_per_sample", "energies_of", "gathered", "tip_positions"]
 
@@ -28,31 +26,23 @@ Array = NDArray[np.float64]
 _CHUNK = 20_000
 
 
-@dataclass(frozen=True, eq=False)
-class RunData:
-    """A motion of an arm at n samples, SI units.
+@dataclass(frozen=True, eq=False, kw_only=True)
+class RunData(Trajectory):
+    """A trajectory of ``setup`` at n samples and all that follows from it, SI units.
 
-    ``planned``: what moves it, and its signals. ``times`` (n,); ``q``, ``v``, ``a`` (n, nq) in the order of
-    ``coordinates``. Of the drives, in the order of ``drives`` (their joints): ``effort`` (n, drives), of the motor
-    after the reducer, or of the joint without a motor; ``voltage`` and ``current``, 0 where there is no electric side;
-    ``wanted``, the value of the drive's signal; ``gear_torque``, 0 where no gear is elastic. ``controls`` (n, states):
-    own states of the controllers, after the samples at each time. ``points``: motion of the named points.
-    ``contact_force`` (n, 3), by the point on the surface; ``contact_normal`` (n,) its part into the
-    surface; ``penetration`` (n,) [m]; ``contact_fold`` (n,), see :func:`tmodes.simulation.warnings.jam_warnings`; None
-    without contact. ``base`` (n, 24): acceleration less gravity (6) and rate
-    (3) in base axes, pose and velocity in the world (15). ``energies`` and ``works`` (n,) [J] by kind: works of
-    ``motor``, ``loads`` and ``base`` are brought in, the others taken out; ``energy_balance`` (n,): what is there less
-    what came in, plus what went out. ``reference``: the same of the nominal arm whose motors are where they should be;
-    None where no such motion is possible. ``states`` (n, size) as they were integrated, by ``setup``, and their
-    ``error``; None where that is not known. ``seconds`` of computing for each simulated second.
+    ``q``, ``v``, ``a`` (n, nq) in the order of ``coordinates``. Of the drives, in the order of ``drives`` (their
+    joints): ``effort`` (n, drives), of the motor after the reducer, or of the joint without a motor; ``voltage`` and
+    ``current``, 0 where there is no electric side; ``wanted``, the value of the drive's signal; ``gear_torque``, 0
+    where no gear is elastic. ``controls`` (n, states): own states of the controllers, after the samples at each time.
+    ``points``: motion of the named points. ``contact_force`` (n, 3), by the point on the surface; ``contact_normal``
+    (n,) its part into the surface; ``penetration`` (n,) [m]; ``contact_fold`` (n,), see
+    :func:`tmodes.simulation.warnings.jam_warnings`; None without contact. ``base`` (n, 24): acceleration less gravity
+    (6) and rate (3) in base axes, pose and velocity in the world (15). ``energies`` and ``works`` (n,) [J] by kind:
+    works of ``motor``, ``loads`` and ``base`` are brought in, the others taken out. ``reference``: the same of the
+    nominal robot whose motors are where they should be; None where no such motion is possible.
     """
 
-    arm: Robot
-    planned: Planned
-    chain: Chain
-    model: Model
-    drives: tuple[str, ...]
-    times: Array
+    setup: RunSetup
     q: Array
     v: Array
     a: Array
@@ -63,22 +53,40 @@ class RunData:
     gear_torque: Array
     controls: Array
     points: PointMotion
-    contact_force: Array | None
-    contact_normal: Array | None
-    penetration: Array | None
-    contact_fold: Array | None
+    contact_force: Array | None = None
+    contact_normal: Array | None = None
+    penetration: Array | None = None
+    contact_fold: Array | None = None
     base: Array
     energies: dict[str, Array]
     works: dict[str, Array]
-    status: str
-    message: str
     warnings: tuple[str, ...] = ()
-    statistics: dict[str, Any] = field(default_factory=dict)
     reference: RunData | None = None
-    states: Array = field(default_factory=lambda: np.zeros((0, 0)))
-    setup: RunSetup | None = None
-    error: ErrorEstimate | None = None
-    seconds: float = 0.0
+
+    @property
+    def robot(self) -> Robot:
+        """The robot that ran."""
+        return self.setup.robot
+
+    @property
+    def planned(self) -> Planned:
+        """What moves it, and its signals."""
+        return self.setup.planned
+
+    @property
+    def chain(self) -> Chain:
+        """Its chain, driven as planned."""
+        return self.setup.planned.chain
+
+    @property
+    def model(self) -> Model:
+        """The model of its chain."""
+        return self.setup.mechanics
+
+    @property
+    def drives(self) -> tuple[str, ...]:
+        """The joints of its drives."""
+        return tuple(drive.joint for drive in self.planned.plan.drives)
 
     @property
     def coordinates(self) -> tuple[str, ...]:
@@ -107,32 +115,22 @@ def bytes_per_sample(model: LoopModel) -> int:
 
 def gathered(setup: RunSetup, trajectory: Trajectory, rows: Array | None = None) -> RunData:
     """All that a run shows, of the samples of its trajectory; ``rows`` (n, row) where they are not the schedule's."""
-    plan, loop = setup.planned, setup.model
+    plan, loop, model = setup.planned, setup.model, setup.mechanics
     times, states = trajectory.times, trajectory.states
-    rows = plan.schedule.rows_at(times) if rows is None else rows
-    seen = _observed(loop, times, states, rows)
-    model = setup.mechanics
-    q, v, a = seen["q"], seen["v"], seen["a"]
-    drives = seen["drives"]
-    gravity = np.asarray(plan.chain.gravity, dtype=float)
-    base = seen["base"]
+    seen = _observed(loop, times, states, plan.schedule.rows_at(times) if rows is None else rows)
+    q, v, a, base = (seen[name] for name in ("q", "v", "a", "base"))
     moving = base.copy()
-    moving[:, 3:6] += base[:, 9:18].reshape(-1, 3, 3).transpose(0, 2, 1) @ gravity
-    contact = seen["contact"] if plan.plan.touch else None
-    works = states[:, loop.layout.works]
+    moving[:, 3:6] += base[:, 9:18].reshape(-1, 3, 3).transpose(0, 2, 1) @ np.asarray(plan.chain.gravity, dtype=float)
+    effort, voltage, current, wanted = (seen["drives"][:, :, k] for k in range(4))
+    contact: dict[str, Any] = {} if not plan.plan.touch else {
+        "contact_force": seen["contact"][:, :3], "contact_normal": seen["contact"][:, 3],
+        "penetration": seen["contact"][:, 4], "contact_fold": seen["contact_fold"][:, 0],
+    }  # fmt: skip
     return RunData(
-        arm=setup.arm, planned=plan, chain=plan.chain, model=model,
-        drives=tuple(drive.joint for drive in plan.plan.drives), times=times, q=q, v=v, a=a,
-        effort=drives[:, :, 0], voltage=drives[:, :, 1], current=drives[:, :, 2], wanted=drives[:, :, 3],
-        gear_torque=seen["gear"], controls=seen["controls"], points=model.points(q, v, a, base=moving),
-        contact_force=None if contact is None else contact[:, :3],
-        contact_normal=None if contact is None else contact[:, 3],
-        penetration=None if contact is None else contact[:, 4],
-        contact_fold=None if contact is None else seen["contact_fold"][:, 0],
+        **vars(trajectory), setup=setup, q=q, v=v, a=a, effort=effort, voltage=voltage, current=current, wanted=wanted,
+        gear_torque=seen["gear"], controls=seen["controls"], points=model.points(q, v, a, base=moving), **contact,
         base=base, energies=energies_of(setup, model, q, v, base),
-        works={name: works[:, k] for k, name in enumerate(WORKS)},
-        status=trajectory.status, message=trajectory.message, statistics=dict(trajectory.statistics),
-        states=states, setup=setup, error=trajectory.error, seconds=trajectory.seconds,
+        works=dict(zip(WORKS, states[:, loop.layout.works].T, strict=True)),
     )  # fmt: skip
 
 

@@ -1,4 +1,4 @@
-"""The arrays that a native time loop works on, and what they tell: how a run continues, how it ended, what it took."""
+"""The arrays that a native time loop works on, and what follows from them: how a run ended, and what it took."""
 
 from __future__ import annotations
 
@@ -8,12 +8,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.compile.loops.time_loop import ARGUMENTS, CELLS, OPTIONS, Status
+from tmodes.integrate.choice import COUNTED, MethodChange
 from tmodes.integrate.registry import integrator
 from tmodes.integrate.settings import Integration
 from tmodes.kinds.signals.schedule import Schedule
 from tmodes.simulation.loop import LoopModel
-from tmodes.simulation.method_change import COUNTED, MethodChange
-from tmodes.simulation.parts import ErrorEstimate, Lost, Trajectory, chattered, sample_times, used_up
+from tmodes.simulation.parts import ErrorEstimate, Lost, Trajectory, chattered, completed, sample_times, used_up
 
 __all__ = ["BOUND", "EVENT_TIME", "MOST_EVENTS", "NativeRun"]
 
@@ -39,7 +39,7 @@ class NativeRun:
         samples: Array | None = None,
         otherwise: Integration | None = None,
     ) -> None:
-        """``otherwise``: the settings to go on with where the motion turns out stiff.
+        """``otherwise``: the settings to continue with where the motion turns out stiff.
 
         ``samples``: where the samples are written, (samples, size), C-ordered; by default an array of its own.
         """
@@ -118,7 +118,7 @@ class NativeRun:
         return {name: given[name] for name in ARGUMENTS}
 
     def exhausted(self, seconds: float) -> str:
-        """Why the run may not go on, or nothing."""
+        """Why the run must stop, or nothing."""
         s, t = self.first, self.cell("t")
         if self.cell("steps") + self.cell("rejected") >= s.max_steps:
             return used_up(t, s.duration, "max_steps", f"{s.max_steps}")
@@ -127,14 +127,14 @@ class NativeRun:
         return ""
 
     def record(self) -> dict[str, Array]:
-        """All that the run needs to go on."""
+        """All that the run needs to continue."""
         return {
             "memory": self.memory, "state": self.state, "slope": self.slope, "parts": self.parts,
             "errors": self.errors, "samples": self.samples[: self.done], "errors_out": self.errors_out[: self.done],
         }  # fmt: skip
 
     def resume(self, record: dict[str, Array]) -> None:
-        """Go on where a record ends."""
+        """Continue where a record ends."""
         self.memory[:], self.state[:], self.slope[:] = record["memory"], record["state"], record["slope"]
         self.parts[:], self.errors[:] = record["parts"], record["errors"]
         self.samples[: self.done], self.errors_out[: self.done] = record["samples"], record["errors_out"]
@@ -166,10 +166,7 @@ class NativeRun:
 
     def _ending(self) -> tuple[str, str]:
         if self.status is Status.FINISHED:
-            return (
-                "finished",
-                f"reached the end, t = {self.first.duration:g} s{self.change.words(self.cell('stiff_time'))}",
-            )
+            return "finished", completed(self.first.duration) + self.change.words(self.cell("stiff_time"))
         if self.status is Status.CHATTERING:
             return chattered(self.cell("t"), MOST_EVENTS, EVENT_TIME)
         names = self.model.coordinates

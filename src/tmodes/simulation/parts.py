@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from tmodes.compile.loops.time_loop import Status
 from tmodes.integrate.settings import Integration
 
-__all__ = ["ErrorEstimate", "Journal", "Lost", "Trajectory", "chattered", "sample_times", "used_up"]
+__all__ = ["ErrorEstimate", "Journal", "Lost", "Trajectory", "chattered", "completed", "sample_times", "used_up"]
 
 
 class Journal(Protocol):
@@ -40,7 +40,7 @@ class ErrorEstimate:
     signed: bool
 
 
-@dataclass
+@dataclass(frozen=True, eq=False)
 class Trajectory:
     """Samples of a run: ``times`` (n,) [s], ``states`` (n, size).
 
@@ -70,7 +70,7 @@ def sample_times(settings: Integration) -> NDArray[np.float64]:
 
 
 class Lost(NamedTuple):
-    """Where a run could not go on: time and next step [s], accelerations (nq,), and their ``names``."""
+    """Where a run could not continue: time and next step [s], accelerations (nq,), and their ``names``."""
 
     time: float
     step: float
@@ -102,10 +102,15 @@ class Lost(NamedTuple):
         return "diverged", f"; its next step leaves {self.bound:g} rad or rad/s", ""
 
 
+def completed(duration: float) -> str:
+    """Sentence of a run that reached its end [s]; :func:`tmodes.integrate.choice.explained` adds to it."""
+    return f"completed at t = {duration:g} s"
+
+
 def chattered(time: float, most: int, within: float) -> tuple[str, str]:
     """Of a contact that changes ``most`` times ``within`` a time [s]: a bounce whose period shrinks to nothing."""
     return "chattering", (
-        f"stopped at t = {time:.6g} s: the contact set in or ended more than {most} times within {within:g} s, as a "
+        f"stopped at t = {time:.6g} s: the contact started or ended more than {most} times within {within:g} s, as a "
         "bounce does whose period shrinks to nothing; give the surface damping, or a lower stiffness"
     )
 

@@ -1,4 +1,4 @@
-"""From the data sheet of an arm to what happens in a run: the plan of the closed loop, and its signals over time."""
+"""From the data sheet of a robot to what happens in a run: the plan of the closed loop, and its signals over time."""
 
 from __future__ import annotations
 
@@ -66,14 +66,14 @@ class _Signals:
         return len(self.schedules) - 1
 
 
-def planned(arm: Robot, follow: Follow = Follow.SHEET, like: Chain | None = None) -> Planned:
-    """The plan of an arm's run over ``integration.duration``; ``like``: the chain of another plan of the same arm.
+def planned(robot: Robot, follow: Follow = Follow.SHEET, like: Chain | None = None) -> Planned:
+    """The plan of a robot's run over ``integration.duration``; ``like``: the chain of another plan of the same arm.
 
     Raises :class:`tmodes.errors.InputError` for a signal without a value, and for a contact that cannot be.
     """
-    signals = _Signals(arm.integration.duration, [])
-    sheets = {drive.joint: (index, drive) for index, drive in enumerate(arm.drives)}
-    chain = like or arm.model_copy(update={"drives": ()}).chain()  # every joint with its motor, none prescribed
+    signals = _Signals(robot.integration.duration, [])
+    sheets = {drive.joint: (index, drive) for index, drive in enumerate(robot.drives)}
+    chain = like or robot.model_copy(update={"drives": ()}).chain()  # every joint with its motor, none prescribed
     drives, joints, undriven = [], {}, []
     for node in chain.nodes:
         kinds = []
@@ -82,15 +82,15 @@ def planned(arm: Robot, follow: Follow = Follow.SHEET, like: Chain | None = None
             if axis.drive.is_driven:
                 index, sheet = sheets.get(axis.name, (-1, None))
                 undriven += [axis.name] if sheet is None else []
-                drives.append(_drive(arm, axis, index, sheet, signals, follow))
+                drives.append(_drive(robot, axis, index, sheet, signals, follow))
                 kinds[-1] = _kind(axis, drives[-1])
         joints[node.joint.name] = node.joint.driven_by(*kinds)
     nodes = tuple(replace(node, joint=joints.get(node.joint.name, node.joint)) for node in chain.nodes)
     chain = replace(chain, nodes=nodes)
     names = [point.name for point in chain.points]
-    loads = tuple(_loads(arm, names, signals))
-    base = () if follow is Follow.HELD else tuple(_base(arm, signals))
-    touch = _touch(arm, chain, names)
+    loads = tuple(_loads(robot, names, signals))
+    base = () if follow is Follow.HELD else tuple(_base(robot, signals))
+    touch = _touch(robot, chain, names)
     merged = merge(signals.schedules) if signals.schedules else _nothing(signals.until)
     rows = merged.coefficients.reshape(len(merged.coefficients), -1)
     plan = LoopPlan(chain, tuple(drives), len(signals.schedules), merged.degree, loads, touch, base)
@@ -101,24 +101,24 @@ def _nothing(until: float) -> MergedSchedule:
     return MergedSchedule(np.array([0.0, until]), np.zeros((1, 0, 1)))
 
 
-def initial_value(arm: Robot, joint: str) -> float:
+def initial_value(robot: Robot, joint: str) -> float:
     """Where a joint's motor is at time 0: as `initial` says, else its first wanted position, else 0."""
-    info = arm.initial.coordinates
+    info = robot.initial.coordinates
     for name in (f"{joint}.motor", joint):
         if name in info:
             return info[name]
-    sheet = next((drive for drive in arm.drives if drive.joint == joint), None)
+    sheet = next((drive for drive in robot.drives if drive.joint == joint), None)
     if sheet and sheet.command.is_motion:
-        return float(sheet.signal.schedule(arm.integration.duration).at(0.0))
+        return float(sheet.signal.schedule(robot.integration.duration).at(0.0))
     return 0.0
 
 
 def _drive(
-    arm: Robot, axis: Axis, index: int, sheet: DriveSheet | None, signals: _Signals, follow: Follow
+    robot: Robot, axis: Axis, index: int, sheet: DriveSheet | None, signals: _Signals, follow: Follow
 ) -> DrivePlan:
     winding, numbers = winding_of(axis.joint.motor)
     if sheet is None or follow is Follow.HELD:
-        held = constant_signal(initial_value(arm, axis.name))
+        held = constant_signal(initial_value(robot, axis.name))
         return DrivePlan(axis.name, signals.add(held, "initial"), None, winding, numbers)
     command = sheet.command
     exact = command is Command.PRESCRIBED or (follow is Follow.WANTED and command.is_motion)
@@ -130,7 +130,7 @@ def _drive(
     servo = Servo(sheet.controller, driven=driven, winding=winding, noisy=noise >= 0)
     clock = -1
     if sheet.controller and sheet.controller.period is not None:
-        own = Clock(sheet.controller.period, arm.integration.output_step)
+        own = Clock(sheet.controller.period, robot.integration.output_step)
         clock = signals.add(own, f"drives.{index}.controller")
     return DrivePlan(axis.name, signal, servo, winding, servo.numbers(numbers), noise, clock)
 
@@ -140,23 +140,23 @@ def _kind(axis: Axis, plan: DrivePlan) -> DriveKind:
     return drive_kind("prescribed") if plan.servo is None and not axis.drive.has_motor else axis.drive
 
 
-def _loads(arm: Robot, names: list[str], signals: _Signals) -> Iterator[LoadPlan]:
-    for index, load in enumerate(arm.loads):
+def _loads(robot: Robot, names: list[str], signals: _Signals) -> Iterator[LoadPlan]:
+    for index, load in enumerate(robot.loads):
         signal = signals.add(load.signal, f"loads.{index}.signal") if load.signal else -1
         wrench = (*map(float, load.force), *map(float, load.moment))
         yield LoadPlan(names.index(load.point), load.frame is LoadFrame.SECTION, wrench, signal)
 
 
-def _base(arm: Robot, signals: _Signals) -> Iterator[int]:
-    if arm.base_motion is None:
+def _base(robot: Robot, signals: _Signals) -> Iterator[int]:
+    if robot.base_motion is None:
         return
     still = constant_signal(0.0)
     for name in ("x", "y", "z", "roll", "pitch", "yaw"):
-        yield signals.add(getattr(arm.base_motion, name) or still, f"base_motion.{name}")
+        yield signals.add(getattr(robot.base_motion, name) or still, f"base_motion.{name}")
 
 
-def _touch(arm: Robot, chain: Chain, names: list[str]) -> TouchPlan | None:
-    sheet = arm.contact
+def _touch(robot: Robot, chain: Chain, names: list[str]) -> TouchPlan | None:
+    sheet = robot.contact
     if sheet is None:
         return None
     point = names.index(sheet.point)
@@ -171,6 +171,6 @@ def _touch(arm: Robot, chain: Chain, names: list[str]) -> TouchPlan | None:
     return TouchPlan(point, touch, touch.numbers(chain.gravity))
 
 
-def starts_at_rest(arm: Robot) -> bool:
+def starts_at_rest(robot: Robot) -> bool:
     """Whether a run begins in static equilibrium."""
-    return arm.initial.state is InitialState.REST
+    return robot.initial.state is InitialState.REST

@@ -1,9 +1,9 @@
-"""What stop conditions may name of an arm in a run, by name and with units; and its limits as conditions."""
+"""What stop conditions may name of a robot in a run, by name and with units; and its limits as conditions."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
-from functools import partial
+from collections.abc import Iterator
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,115 +16,96 @@ from tmodes.simulation.plan import planned
 from tmodes.simulation.start import RunSetup
 from tmodes.simulation.stops import Instants, Quantity, Stop, Stops, resolved
 
-__all__ = ["arm_quantities", "arm_stops", "refuse_wrong_stops"]
+__all__ = ["refuse_wrong_stops", "run_quantities", "run_stops"]
 
 Array = NDArray[np.float64]
 
 _AXES = ("x", "y", "z")
 _DRIVEN = ("effort", "voltage", "current")
 _ENERGIES = ("kinetic", "gravity", "elastic_gear", "elastic_link")
+_CONTACT = (("force", "N", "contact", 3), ("fold", "-", "contact_fold", 0), ("penetration", "m", "contact", 4))
 
 
-def arm_stops(regime: RunSetup, more: tuple[str, ...] = ()) -> Stops:
-    """The stop conditions of an arm's sheet, ``more`` of them, and its limits where they end a run.
+def run_stops(setup: RunSetup, more: tuple[str, ...] = ()) -> Stops:
+    """The stop conditions of a robot's sheet, ``more`` of them, and its limits where they end a run.
 
     Raises :class:`tmodes.errors.InputError` as :func:`tmodes.simulation.stops.resolved`.
     """
-    settings = regime.arm.integration
+    settings = setup.robot.integration
     if not (settings.stop or more or settings.stop_at_limits):
         return Stops()
-    known = arm_quantities(regime)
-    limits = tuple(_limits(regime, known)) if settings.stop_at_limits else ()
+    known = run_quantities(setup)
+    limits = tuple(_limits(setup, known)) if settings.stop_at_limits else ()
     return Stops((*resolved(settings.stop, known), *resolved(more, known, "stop"), *limits))
 
 
-def refuse_wrong_stops(arm: Robot) -> None:
-    """Refuse what :func:`arm_stops` refuses, without a state to start from; nothing is compiled for it.
+def refuse_wrong_stops(robot: Robot) -> None:
+    """Refuse what :func:`run_stops` refuses, without a state to start from; nothing is compiled for it.
 
     Raises :class:`tmodes.errors.InputError`.
     """
-    if arm.integration.stop:
-        plan = planned(arm)
-        arm_stops(RunSetup(arm, plan, LoopModel(plan.plan), np.zeros(0), Model(plan.chain)))
+    if robot.integration.stop:
+        plan = planned(robot)
+        run_stops(RunSetup(robot, plan, LoopModel(plan.plan), np.zeros(0), Model(plan.chain)))
 
 
-def arm_quantities(regime: RunSetup) -> dict[str, Quantity]:
+def run_quantities(setup: RunSetup) -> dict[str, Quantity]:
     """The quantities by name: coordinates, drives, states of controllers, named points, contact and energies."""
-    seen = _Seen(regime)
-    return {**_coordinates(regime), **_drives(regime, seen), **_points(seen), **_others(regime, seen)}
+    seen = _Seen(setup)
+    return {**_coordinates(setup), **_drives(setup, seen), **_points(seen), **_others(setup, seen)}
 
 
 class _Seen:
-    """What an arm shows at instants; kept for those asked for last, because several conditions look at the same."""
+    """What a robot shows at instants; the last of each kind is kept, because several conditions look at the same."""
 
-    def __init__(self, regime: RunSetup) -> None:
-        self.regime, self.loop = regime, regime.model
-        self.model = regime.mechanics
-        self._last: dict[str, tuple[Instants, object]] = {}
+    def __init__(self, setup: RunSetup) -> None:
+        self.setup, self.layout = setup, setup.model.layout
+        self.observed, self.points = lru_cache(1)(self._observed), lru_cache(1)(self._points)
+        self.energies = lru_cache(1)(self._energies)
 
-    def _once(self, name: str, at: Instants, make: Callable[[Instants], object]) -> object:
-        if name not in self._last or self._last[name][0] is not at:
-            self._last[name] = (at, make(at))
-        return self._last[name][1]
-
-    def observed(self, at: Instants) -> dict[str, Array]:
+    def _observed(self, at: Instants) -> dict[str, Array]:
         """As :meth:`tmodes.simulation.loop.LoopModel.observe`."""
-        found = self._once("observed", at, lambda at: self.loop.observe(at.times, at.states, at.rows))
-        assert isinstance(found, dict)  # noqa: S101
-        return found
+        return self.setup.model.observe(at.times, at.states, at.rows)
 
-    def points(self, at: Instants) -> PointMotion:
+    def _points(self, at: Instants) -> PointMotion:
         """Motion of the named points; their accelerations are left out."""
-        layout = self.loop.layout
-        base = self.observed(at)["base"]
-        q, v = at.states[:, layout.q], at.states[:, layout.v]
-        found = self._once("points", at, lambda at: self.model.points(q, v, 0.0, base=base))
-        assert isinstance(found, PointMotion)  # noqa: S101
-        return found
+        q, v = at.states[:, self.layout.q], at.states[:, self.layout.v]
+        return self.setup.mechanics.points(q, v, 0.0, base=self.observed(at)["base"])
 
-    def energies(self, at: Instants) -> dict[str, Array]:
+    def _energies(self, at: Instants) -> dict[str, Array]:
         """Energies by kind [J]."""
-        layout = self.loop.layout
-        q, v = at.states[:, layout.q], at.states[:, layout.v]
-        base = self.observed(at)["base"]
-        found = self._once("energies", at, lambda at: energies_of(self.regime, self.model, q, v, base))
-        assert isinstance(found, dict)  # noqa: S101
-        return found
+        q, v = at.states[:, self.layout.q], at.states[:, self.layout.v]
+        return energies_of(self.setup, self.setup.mechanics, q, v, self.observed(at)["base"])
 
 
-def _coordinates(regime: RunSetup) -> dict[str, Quantity]:
-    layout, units = regime.model.layout, _units(regime)
-    found = {}
-    for k, (name, unit) in enumerate(zip(regime.model.coordinates, units, strict=True)):
+def _coordinates(setup: RunSetup) -> dict[str, Quantity]:
+    layout, found = setup.model.layout, {}
+    for k, (name, unit) in enumerate(zip(setup.model.coordinates, _units(setup), strict=True)):
         rate = "1/s" if unit == "-" else f"{unit}/s"
-        found[f"{name}.position"] = Quantity(unit, partial(_column, column=layout.q.start + k))
-        found[f"{name}.velocity"] = Quantity(rate, partial(_column, column=layout.v.start + k))
+        for kind, of, block in (("position", unit, layout.q), ("velocity", rate, layout.v)):
+            found[f"{name}.{kind}"] = Quantity(of, lambda at, column=block.start + k: at.states[:, column])
     return found
 
 
-def _column(at: Instants, column: int) -> Array:
-    return at.states[:, column]
-
-
-def _units(regime: RunSetup) -> list[str]:
+def _units(setup: RunSetup) -> list[str]:
     """Unit of each coordinate: of a sliding joint m, of a link's stretch none, of all others rad."""
-    units = dict.fromkeys(regime.model.coordinates, "rad")
+    units = dict.fromkeys(setup.model.coordinates, "rad")
     units |= {name: "-" for name in units if name.rpartition(".")[2].startswith("stretch")}
-    units |= dict.fromkeys(regime.planned.chain.sliding, "m")
-    return [units[name] for name in regime.model.coordinates]
+    units |= dict.fromkeys(setup.planned.chain.sliding, "m")
+    return [units[name] for name in setup.model.coordinates]
 
 
-def _drives(regime: RunSetup, seen: _Seen) -> dict[str, Quantity]:
+def _drives(setup: RunSetup, seen: _Seen) -> dict[str, Quantity]:
     found = {}
-    sliding = regime.planned.chain.sliding
-    for k, drive in enumerate(regime.planned.plan.drives):
+    sliding = setup.planned.chain.sliding
+    for k, drive in enumerate(setup.planned.plan.drives):
         effort = "N" if drive.joint in sliding else "N*m"
         for column, (name, unit) in enumerate(zip(_DRIVEN, (effort, "V", "A"), strict=True)):
             found[f"{drive.joint}.{name}"] = Quantity(
                 unit, lambda at, k=k, column=column: seen.observed(at)["drives"][:, k, column]
             )
         found[f"{drive.joint}.gear_torque"] = Quantity(effort, lambda at, k=k: seen.observed(at)["gear"][:, k])
-    plan = regime.planned.plan
+    plan = setup.planned.plan
     for k, (name, unit) in enumerate(zip(plan.control_names, plan.control_units, strict=True)):
         found[name] = Quantity(unit, lambda at, k=k: seen.observed(at)["controls"][:, k])
     return found
@@ -132,34 +113,32 @@ def _drives(regime: RunSetup, seen: _Seen) -> dict[str, Quantity]:
 
 def _points(seen: _Seen) -> dict[str, Quantity]:
     found = {}
-    for k, point in enumerate(seen.model.parts.points):
+    for k, point in enumerate(seen.setup.mechanics.parts.points):
         for axis, letter in enumerate(_AXES):
-            found[f"{point.name}.{letter}"] = Quantity(
-                "m", lambda at, k=k, axis=axis: seen.points(at).position[:, k, axis]
-            )
-            found[f"{point.name}.velocity.{letter}"] = Quantity(
-                "m/s", lambda at, k=k, axis=axis: seen.points(at).velocity[:, k, axis]
-            )
+            for name, unit, part in ((letter, "m", "position"), (f"velocity.{letter}", "m/s", "velocity")):
+                found[f"{point.name}.{name}"] = Quantity(
+                    unit, lambda at, k=k, axis=axis, part=part: getattr(seen.points(at), part)[:, k, axis]
+                )
         found[f"{point.name}.speed"] = Quantity(
             "m/s", lambda at, k=k: np.linalg.norm(seen.points(at).velocity[:, k], axis=1)
         )
     return found
 
 
-def _others(regime: RunSetup, seen: _Seen) -> dict[str, Quantity]:
+def _others(setup: RunSetup, seen: _Seen) -> dict[str, Quantity]:
     found = {f"energy.{name}": Quantity("J", lambda at, name=name: seen.energies(at)[name]) for name in _ENERGIES}
     found["energy.total"] = Quantity("J", lambda at: np.sum([*seen.energies(at).values()], axis=0))
-    if regime.planned.plan.touch:
-        found["contact.force"] = Quantity("N", lambda at: seen.observed(at)["contact"][:, 3])
-        found["contact.fold"] = Quantity("-", lambda at: seen.observed(at)["contact_fold"][:, 0])
-        found["contact.penetration"] = Quantity("m", lambda at: seen.observed(at)["contact"][:, 4])
+    for name, unit, part, column in _CONTACT if setup.planned.plan.touch else ():
+        found[f"contact.{name}"] = Quantity(
+            unit, lambda at, part=part, column=column: seen.observed(at)[part][:, column]
+        )
     return found
 
 
-def _limits(regime: RunSetup, known: dict[str, Quantity]) -> Iterator[Stop]:
+def _limits(setup: RunSetup, known: dict[str, Quantity]) -> Iterator[Stop]:
     """The limits of joints. One is passed where it is by more than the tolerance: a joint may rest at its limit."""
-    settings = regime.arm.integration
-    for joint, own in ((each, name) for each in regime.arm.joints for name in each.coordinates):
+    settings = setup.robot.integration
+    for joint, own in ((each, name) for each in setup.robot.joints for name in each.coordinates):
         limits = joint.limits
         if limits is None:
             continue

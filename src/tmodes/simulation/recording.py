@@ -35,7 +35,7 @@ class Recording:
 
     ``times`` (n,) and ``samples`` (n, size): what the run gave; ``first_sample`` (steps + 1): which of them lie in a
     step, the start aside; ``weights`` (n, stages) of its stages in each; ``used``: how many stages, or rows, it needs;
-    ``contact_changes``: how often a contact set in or ended.
+    ``contact_changes``: how often a contact started or ended.
     """
 
     method: str
@@ -79,10 +79,8 @@ def record(
         reason = run.exhausted(0.0) if run.status is Status.RUNNING else run.end().message
         raise SimulationError(f"derivatives of a run: it did not reach its end: {reason}; shorten it")
     t, h = steps.t, np.diff(steps.t, append=run.times[-1])
-    pieces = schedule.until(settings.duration)
-    rows = np.ascontiguousarray(np.column_stack([pieces.knots[:-1], pieces.coefficients]))
     sampled = _sampled(method, steps, h, run.times)
-    kept, info = (steps.segments, every, steps.states, rows), (run.times, run.samples, *sampled)
+    kept, info = (steps.segments, every, steps.states, run.rows), (run.times, run.samples, *sampled)
     return Recording(method, t, h, *kept, *info, int(run.cell("events")))
 
 

@@ -21,7 +21,7 @@ from tmodes.simulation.callback import Controller, driven_by, run_with_controlle
 from tmodes.simulation.motion_run import RunData, bytes_per_sample, gathered
 from tmodes.simulation.parts import Journal, Trajectory
 from tmodes.simulation.plan import Follow
-from tmodes.simulation.quantities import arm_stops
+from tmodes.simulation.quantities import run_stops
 from tmodes.simulation.start import RunSetup, run_setup, run_trajectory
 from tmodes.simulation.stops import STOPPED, Instants, Stops
 from tmodes.simulation.warnings import jumps, run_warnings, start_warnings
@@ -47,38 +47,32 @@ class _Setups(NamedTuple):
 
     def by_method(self) -> tuple[_Setups, StepVerdict, str]:
         """The same with the integrator chosen for both, the verdict on its step, and why it was chosen."""
-        given, spectra = self.real.arm.integration, [one.spectrum for one in (self.nominal, self.real) if one]
+        given, spectra = self.real.robot.integration, [one.spectrum for one in (self.nominal, self.real) if one]
         method, why = chosen_method(given, max(spectrum.highest for spectrum in spectra))
         later = otherwise(given, method)
         real, nominal = (one and one.by(method, later) for one in (self.real, self.nominal))
         assert real is not None  # noqa: S101
-        verdicts = [step_size_verdict(real.arm.integration, spectrum) for spectrum in spectra]
+        verdicts = [step_size_verdict(real.robot.integration, spectrum) for spectrum in spectra]
         verdict = max(verdicts, key=lambda verdict: (not verdict.stable, verdict.highest))
         return _Setups(real, nominal, self.warnings), verdict, why
 
 
 def simulate_motion(
-    arm: Robot | RobotPair,
+    robot: Robot | RobotPair,
     *,
     progress: Progress = lambda stage, share: None,
     journals: Journals = lambda stage: None,
     controller: Controller | None = None,
     stop: Sequence[str] = (),
 ) -> RunData:
-    """Plan with the nominal robot, run the actual one, and return the trajectories of both.
+    """The trajectories of the nominal and the actual robot; arguments and errors as of :func:`tmodes.run`.
 
-    Give a :class:`Robot` (its ``real`` factors make the actual one) or a pair of your own. ``journals`` gives where the
-    stages ``reference`` and ``real`` keep their progress. ``controller``: a Python function that returns the efforts of
-    the actual robot (:data:`tmodes.simulation.callback.Controller`); slow, with an explicit method, and kept in no
-    journal. ``stop``: conditions in addition to those of ``integration.stop``; the run ends where the first triggers.
-
-    A run that cannot continue keeps what it had: look at ``status`` (one of :data:`tmodes.result.record.STATUSES`) and
-    ``message``. Raises :class:`tmodes.errors.InputError` for what cannot be run or is too large, and
-    :class:`tmodes.errors.SimulationError` where it cannot start.
+    A ``controller`` (:data:`tmodes.simulation.callback.Controller`) is slow, integrated by an explicit method, and kept
+    in no journal.
     """
-    pair = arm if isinstance(arm, RobotPair) else arm.pair()
+    pair = robot if isinstance(robot, RobotPair) else robot.pair()
     real = run_setup(pair.real)
-    stops = arm_stops(real, tuple(stop))
+    stops = run_stops(real, tuple(stop))
     _refuse(real)
     if controller is None:
         stops.refuse_at_start(Instants(np.zeros(1), real.start[None, :], real.first_row[None, :]))
@@ -90,20 +84,21 @@ def simulate_motion(
         reference = replace(reference, message=f"{reference.message}; likely cause: {_cause(verdict, warnings)}")
     trajectory, used, rows = _run(setups.real, until, stops, progress, journals, controller, tuple(stop))
     if reference and trajectory.status == STOPPED:
-        reference = _until(reference, float(trajectory.times[-1]))
+        cut = run_trajectory(reference.setup, until=float(trajectory.times[-1]))  # so that it has a sample there
+        reference = _warned(gathered(reference.setup, cut))
     if trajectory.status == "diverged":
-        trajectory.message += f"; likely cause: {_cause(verdict, warnings)}"
+        trajectory = replace(trajectory, message=f"{trajectory.message}; likely cause: {_cause(verdict, warnings)}")
     elif trajectory.status in ("finished", STOPPED):
-        trajectory.message = explained(trajectory.message, why)
-    run = gathered(used, trajectory, rows)
+        trajectory = replace(trajectory, message=explained(trajectory.message, why))
+    run = _warned(gathered(used, trajectory, rows), *warnings)
     dt_omega = step_times_eigenvalue(verdict, run.statistics)
     statistics = run.statistics | {"highest_eigenvalue": verdict.highest, "dt_omega": dt_omega}
-    return replace(run, warnings=(*warnings, *run_warnings(run)), reference=reference, statistics=statistics)
+    return replace(run, reference=reference, statistics=statistics)
 
 
 def _refuse(real: RunSetup) -> None:
     """Refuse a run that is too large for memory, and a robot in which nothing moves."""
-    settings = real.arm.integration
+    settings = real.robot.integration
     samples = settings.duration / settings.output_step
     refuse_too_large(settings, samples, 2 * bytes_per_sample(real.model), "or a shorter duration")
     if not real.model.coordinates:
@@ -143,7 +138,7 @@ def _run(
         done = run_trajectory(real, lambda share: progress("real robot", share), journals("real"), until, stops)
         return done, real, None
     real = driven_by(real)
-    own = arm_stops(real, stop)  # states of a run without the sheet's control are shorter
+    own = run_stops(real, stop)  # states of a run without the sheet's control are shorter
     done, rows = run_with_controller(real, controller, lambda share: progress("real robot", share), own)
     return done, real, rows
 
@@ -155,19 +150,16 @@ def _reference(
     if nominal is None:
         return None, None
     done = run_trajectory(nominal, lambda share: progress("reference", share), journals("reference"))
-    run = gathered(nominal, done)
-    run = replace(run, warnings=tuple(run_warnings(run)))
+    run = _warned(gathered(nominal, done))
     if done.status == "finished":
         return run, None
     warnings.append(f"the reference run ended early: {done.message}")
     return run, 0.0 if done.status == "interrupted" else float(done.times[-1])
 
 
-def _until(reference: RunData, end: float) -> RunData:
-    """The reference run to an earlier end [s], so that it has a sample there."""
-    assert reference.setup is not None  # noqa: S101
-    run = gathered(reference.setup, run_trajectory(reference.setup, until=end))
-    return replace(run, warnings=tuple(run_warnings(run)))
+def _warned(run: RunData, *before: str) -> RunData:
+    """The run with its warnings, after those that came before it."""
+    return replace(run, warnings=(*before, *run_warnings(run)))
 
 
 def _cause(verdict: StepVerdict, warnings: list[str]) -> str:

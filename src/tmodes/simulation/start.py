@@ -10,9 +10,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.analysis.spectrum import Spectrum, spectrum_of
-from tmodes.analysis.statics.equilibrium import Equilibrium
-from tmodes.analysis.statics.rest import arm_rest
+from tmodes.analysis.statics.equilibrium import Equilibrium, robot_rest
 from tmodes.errors import InputError, SimulationError
+from tmodes.integrate.choice import chosen_method
+from tmodes.integrate.registry import AUTO
 from tmodes.integrate.settings import Integration
 from tmodes.model.model import Model
 from tmodes.sheet import Robot
@@ -37,7 +38,7 @@ class RunSetup:
     robot to the end. ``callback``: a Python function takes the place of the sheet's controllers.
     """
 
-    arm: Robot
+    robot: Robot
     planned: Planned
     model: LoopModel
     start: Array
@@ -60,27 +61,32 @@ class RunSetup:
 
     def by(self, method: str, otherwise: Integration | None) -> RunSetup:
         """The same with an integrator chosen, and the settings with which to continue where the motion is stiff."""
-        arm = self.arm.model_copy(update={"integration": self.arm.integration.chosen(method)})
-        made = replace(self, arm=arm, otherwise=otherwise)
+        robot = self.robot.model_copy(update={"integration": self.robot.integration.chosen(method)})
+        made = replace(self, robot=robot, otherwise=otherwise)
         if "spectrum" in self.__dict__:
             made.__dict__["spectrum"] = self.spectrum
         return made
 
+    def chosen(self) -> RunSetup:
+        """The same with the integrator of the robot, chosen by the spectrum where none is named, to the end."""
+        given = self.robot.integration
+        return self.by(chosen_method(given, self.spectrum.highest)[0] if given.method == AUTO else given.method, None)
 
-def run_setup(arm: Robot, follow: Follow = Follow.SHEET, like: RunSetup | None = None) -> RunSetup:
+
+def run_setup(robot: Robot, follow: Follow = Follow.SHEET, like: RunSetup | None = None) -> RunSetup:
     """A robot ready to run; ``like``: a setup whose chain and rest are taken where its robot is the same.
 
     Raises :class:`tmodes.errors.InputError` for what cannot be run, and :class:`tmodes.errors.SimulationError` where
     there is no static equilibrium to start from, or the mass matrix is singular.
     """
-    like = like if like and _same(arm, like.arm) else None
-    plan = planned(arm, follow, like.planned.chain if like else None)
+    like = like if like and _same(robot, like.robot) else None
+    plan = planned(robot, follow, like.planned.chain if like else None)
     model, mechanics = LoopModel(plan.plan), Model(plan.chain)
-    held = _held(arm, model)
+    held = _held(robot, model)
     rest = None
-    if starts_at_rest(arm):
-        rest = _same_rest(like, mechanics, held) or arm_rest(arm, model=mechanics, held=held)
-    start = _first_state(arm, plan, model, held, rest)
+    if starts_at_rest(robot):
+        rest = _same_rest(like, mechanics, held) or robot_rest(robot, model=mechanics, held=held)
+    start = first_state(robot, plan, model, rest)
     _check_inertia(mechanics, start[model.layout.q])
     accelerations = model.observe([0.0], start, plan.schedule.rows_at(np.zeros(1)))["a"][0]
     bad = np.flatnonzero(~np.isfinite(accelerations))
@@ -89,7 +95,7 @@ def run_setup(arm: Robot, follow: Follow = Follow.SHEET, like: RunSetup | None =
             f"the acceleration at the start is {accelerations[bad[0]]} in coordinate "
             f"{model.coordinates[bad[0]]}; give what it moves a mass and an inertia"
         )
-    return RunSetup(arm, plan, model, start, mechanics, rest)
+    return RunSetup(robot, plan, model, start, mechanics, rest)
 
 
 def _check_inertia(mechanics: Model, q: Array) -> None:
@@ -115,44 +121,33 @@ def _same(one: Robot, other: Robot) -> bool:
     return one is other or _plant(one) == _plant(other)
 
 
-def _plant(arm: Robot) -> Robot:
-    return arm.model_copy(update={"real": {}, "integration": None})
+def _plant(robot: Robot) -> Robot:
+    return robot.model_copy(update={"real": {}, "integration": None})
 
 
 def _same_rest(like: RunSetup | None, mechanics: Model, held: Mapping[str, float]) -> Equilibrium | None:
     """The rest of another setup where it is the same in the same coordinates."""
     if like is None or like.rest is None or like.mechanics.coordinates != mechanics.coordinates:
         return None
-    return like.rest if _held(like.arm, like.model) == held else None
+    return like.rest if _held(like.robot, like.model) == held else None
 
 
-def _held(arm: Robot, model: LoopModel) -> dict[str, float]:
+def _held(robot: Robot, model: LoopModel) -> dict[str, float]:
     """The coordinates that drives hold at the start, and where [rad, m]."""
     drivers = model.loop.drivers
-    return {model.coordinates[driver.coordinate]: initial_value(arm, driver.plan.joint) for driver in drivers}
+    return {model.coordinates[driver.coordinate]: initial_value(robot, driver.plan.joint) for driver in drivers}
 
 
-def first_state(arm: Robot, plan: Planned, model: LoopModel) -> Array:
-    """The state (size,) at time 0: at rest under the first commands, or undeformed; given coordinates and rates on top.
-
-    Raises :class:`tmodes.errors.SimulationError` where there is no rest.
-    """
-    held = _held(arm, model)
-    rest = arm_rest(arm, model=Model(plan.chain), held=held) if starts_at_rest(arm) else None
-    return _first_state(arm, plan, model, held, rest)
-
-
-def _first_state(
-    arm: Robot, plan: Planned, model: LoopModel, held: Mapping[str, float], rest: Equilibrium | None
-) -> Array:
+def first_state(robot: Robot, plan: Planned, model: LoopModel, rest: Equilibrium | None = None) -> Array:
+    """The state (size,) at time 0: at ``rest`` or undeformed, with given coordinates and rates on top."""
     names, layout = model.coordinates, model.layout
     state = np.zeros(layout.size)
     state[layout.controls] = model.plan.controls
     _refuse_unknown_feedback(model)
-    state[layout.q] = rest.q if rest else _undeformed(names, held)
+    state[layout.q] = rest.q if rest else _undeformed(names, _held(robot, model))
     motors = {name.removesuffix(".motor"): name for name in names if name.endswith(".motor")}
     for group, block in (("coordinates", layout.q), ("rates", layout.v)):
-        info: Mapping[str, float] = getattr(arm.initial, group)
+        info: Mapping[str, float] = getattr(robot.initial, group)
         for name, value in info.items():
             if name not in names:
                 known = ", ".join(names[:8]) + ("..." if len(names) > 8 else "")
@@ -193,7 +188,7 @@ def run_trajectory(
 
     ``until`` [s] ends the run before its duration (it is then kept in no journal); 0 gives the first sample alone.
     """
-    settings, otherwise = setup.arm.integration, setup.otherwise
+    settings, otherwise = setup.robot.integration, setup.otherwise
     motion = (setup.model, setup.model.numbers, setup.planned.schedule, setup.start)
     if until is not None and until <= 0:
         return Trajectory(np.zeros(1), setup.start[None, :], "stopped", "not begun")

@@ -25,7 +25,7 @@ _SHOWN = 12
 """Names that a message lists."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Instants:
     """Instants of a motion: ``times`` (n,) [s], ``states`` (n, size), and the rows (n, row) of the input there."""
 
@@ -73,7 +73,7 @@ class Stop:
         """Sentence of a run that it ended at a time [s]: its value just before and there, where they differ."""
         info, was = self.shown(value), self.shown(before)
         side = f"reaches {info}" if info == was else f"jumps from {was} to {info}"
-        return f"ended at t = {time:.9g} s: stop condition `{self.text}`, {self.name} {side}"
+        return f"stopped at t = {time:.9g} s: stop condition `{self.text}`, {self.name} {side}"
 
 
 @dataclass(frozen=True)
@@ -86,7 +86,7 @@ class Stops:
         return bool(self.stops)
 
     def beyond(self, instants: Instants) -> Array:
-        """How far each condition is from setting in, (n, conditions): above 0 where it holds."""
+        """How far each condition is from triggering, (n, conditions): above 0 where it holds."""
         return np.stack([stop.beyond(stop.values(instants)) for stop in self.stops], axis=1)
 
     def refuse_at_start(self, start: Instants) -> None:

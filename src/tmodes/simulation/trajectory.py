@@ -40,7 +40,7 @@ def integrate(
 
     Where no method is named, dormand_prince begins.
 
-    ``otherwise``: the settings to go on with where the motion turns out stiff for the explicit method of ``settings``.
+    ``otherwise``: the settings to continue with where the motion turns out stiff for an explicit method.
     ``progress`` is given the share of the time that is done. Ctrl-C ends the run with what it has (``interrupted``).
     Stopping, continuing from a journal, and the pieces in which the loop is called change no bit of the samples.
     Raises :class:`tmodes.errors.SimulationError` where a stop condition holds at the start already.
@@ -64,7 +64,7 @@ def _advanced(
     journal: Journal | None,
     began: float,
 ) -> Trajectory:
-    """Let a run go on to its end; ``going``: the same, watched for conditions where there are some."""
+    """Advance a run to its end; ``going``: the same, watched for conditions where there are some."""
     piece = _FIRST_PIECE
     try:
         while run.running:

@@ -1,4 +1,4 @@
-"""What a run of an arm must tell: joints that nothing drives, jumps, contact at the start, lost energy, limits."""
+"""What a run warns of: joints that nothing drives, jumps, contact at the start, lost energy, limits."""
 
 from __future__ import annotations
 
@@ -24,29 +24,29 @@ _SLOW = 1e-3
 a formula is fitted to 1e-12 of its value by at least 16 pieces of degree 7, its rate so to about 1e-9."""
 
 
-def start_warnings(regime: RunSetup) -> list[str]:
+def start_warnings(setup: RunSetup) -> list[str]:
     """What is odd before anything moves."""
-    info = [f"joint {name} has no drive: it is held where it starts" for name in regime.planned.undriven]
-    jumping = jumps(regime)
+    info = [f"joint {name} has no drive: it is held where it starts" for name in setup.planned.undriven]
+    jumping = jumps(setup)
     if jumping:
         info.append(f"{jumping}: its impulse on the arm is left out")
-    if regime.arm.contact:
-        info += _touching(regime, regime.arm.contact)
+    if setup.robot.contact:
+        info += _touching(setup, setup.robot.contact)
     return info
 
 
-def _touching(regime: RunSetup, sheet: Contact) -> Iterator[str]:
-    seen = regime.model.observe(np.zeros(1), regime.start, regime.first_row)["contact"][0]
+def _touching(setup: RunSetup, sheet: Contact) -> Iterator[str]:
+    seen = setup.model.observe(np.zeros(1), setup.start, setup.first_row)["contact"][0]
     yield from sheet.start_notices(float(seen[3]), float(seen[4]))
 
 
-def jumps(regime: RunSetup) -> str:
+def jumps(setup: RunSetup) -> str:
     """The first jump of a position or its rate that a rigid drive or the base would have to make; empty without any.
 
     What counts is measured by the largest position, or rate, within the pieces: at its ends a move may be at rest.
     """
-    plan, signals = regime.planned.plan, regime.planned.signals
-    rigid = [d for d in regime.model.loop.drivers if d.plan.servo is None and d.part.motor < 0]
+    plan, signals = setup.planned.plan, setup.planned.signals
+    rigid = [d for d in setup.model.loop.drivers if d.plan.servo is None and d.part.motor < 0]
     exact = {driver.plan.signal: f"the motion of joint {driver.plan.joint}" for driver in rigid}
     exact |= {k: f"the base's {name}" for k, name in zip(plan.base, _WAYS, strict=False)}
     lengths, sizes = np.diff(signals.knots), np.zeros(len(exact))
@@ -80,7 +80,7 @@ _WAYS = ("x", "y", "z", "roll", "pitch", "yaw")
 
 def run_warnings(run: RunData) -> list[str]:
     """Limits passed, a contact that jams, energy that does not add up; with the first time and the worst value."""
-    tolerance, hint = run.arm.integration.energy_tolerance, "lower integration.relative_tolerance or integration.step"
+    tolerance, hint = run.robot.integration.energy_tolerance, "lower integration.relative_tolerance or integration.step"
     energy = energy_sentence(run.times, run.energy_balance, run.energy_moved, tolerance, hint)
     jammed = [] if run.contact_fold is None else jam_warnings(run.times, run.contact_fold)
     return [*([energy] if energy else []), *jammed, *_limits(run)]
@@ -99,7 +99,7 @@ def jam_warnings(time: Array, fold: Array) -> list[str]:
 
 
 def _limits(run: RunData) -> Iterator[str]:
-    for joint, own in ((each, name) for each in run.arm.joints for name in each.coordinates):
+    for joint, own in ((each, name) for each in run.robot.joints for name in each.coordinates):
         limits = joint.limits
         if limits is None or own not in run.coordinates:
             continue

@@ -53,12 +53,9 @@ class WatchedRun:
             stops.refuse_at_start(self._instants(self._here()))
 
     def advance(self, steps: int) -> None:
-        """Go on by at most so many steps, or to where a condition triggers."""
-        run, steps, looks = self.run, min(steps, _PIECE), integrator(self.run.settings.method).looks
-        before, first = _kept(run), self._here()
-        run.looks, run.seen = float(looks), np.zeros(1 + steps * looks * (len(SEEN) + len(run.state)))
-        run.advance(steps)
-        run.looks = 0.0
+        """Advance by at most so many steps, or to where a condition triggers."""
+        before, first = _kept(self.run), self._here()
+        self._looked(min(steps, _PIECE))
         bracket = self._first_change(self._seen(first), before)
         if bracket is not None:
             self._end(*bracket, before)
@@ -73,9 +70,8 @@ class WatchedRun:
         """What the loop wrote, after the point where it began. At a jump of the input both sides have a point."""
         count, width = int(self.run.seen[0]), len(SEEN) + len(self.run.state)
         info = self.run.seen[1 : 1 + count * width].reshape(count, width)
-        times = np.concatenate([first.times, info[:, 0]])
-        segments = np.concatenate([first.segments, info[:, 1].astype(np.int64)])
-        states = np.concatenate([first.states, info[:, len(SEEN) :]])
+        written = _Points(info[:, 0], info[:, 1].astype(np.int64), info[:, len(SEEN) :])
+        times, segments, states = _joined(first, written)
         jumps = np.flatnonzero(np.diff(segments))
         order = np.sort(np.concatenate([np.arange(len(times)), jumps]))
         later = np.insert(segments, jumps + 1, segments[jumps + 1])
@@ -118,12 +114,7 @@ class WatchedRun:
         """Two points of the step from ``start``, and those between that part their time."""
         times = np.unique(np.linspace(a.times[0], b.times[0], _PARTS + 1)[1:-1])
         finer = self._dense(start, times[(times > a.times[0]) & (times < b.times[0])], a.segments[0])
-        parts = (a, finer, b)
-        return _Points(
-            np.concatenate([part.times for part in parts]),
-            np.concatenate([part.segments for part in parts]),
-            np.concatenate([part.states for part in parts]),
-        )
+        return _joined(a, finer, b)
 
     def _narrowed(self, a: _Points, b: _Points, start: dict[str, Array]) -> tuple[_Points, _Points]:
         """Neighbours among points between two of the step from ``start``, of which only the second is beyond."""
@@ -138,16 +129,15 @@ class WatchedRun:
         kept = before
         while run.running and run.cell("t") < end:
             kept = _kept(run)
-            self._advance_one()
+            self._looked(1)
         _put(run, after)
         return kept
 
-    def _advance_one(self) -> None:
-        """One attempt of a step, the same as before: that there are points to be looked at is seen by the step."""
-        run = self.run
-        looks = integrator(run.settings.method).looks
-        run.looks, run.seen = float(looks), np.zeros(1 + looks * (len(SEEN) + len(run.state)))
-        run.advance(1)
+    def _looked(self, steps: int) -> None:
+        """Advance, with points that are looked at: a step that is taken again is the same only with them."""
+        run, looks = self.run, integrator(self.run.settings.method).looks
+        run.looks, run.seen = float(looks), np.zeros(1 + steps * looks * (len(SEEN) + len(run.state)))
+        run.advance(steps)
         run.looks = 0.0
 
     def _dense(self, start: dict[str, Array], times: Array, segment: np.int64) -> _Points:
@@ -173,7 +163,7 @@ class WatchedRun:
         time = float(b.times[0])
         _put(run, before)
         while run.running and run.cell("t") < time:
-            self._advance_one()
+            self._looked(1)
         which = int((self._beyond(b)[0] > 0).argmax())
         stop = self.stops.stops[which]
         self.ended[:] = which, *(stop.values(self._instants(point))[0] for point in (a, b))
@@ -189,11 +179,11 @@ class WatchedRun:
         return run.trajectory(STOPPED, info)
 
     def record(self) -> dict[str, Array]:
-        """All that the run needs to go on."""
+        """All that the run needs to continue."""
         return self.run.record() | {"ended": self.ended}
 
     def resume(self, record: dict[str, Array]) -> None:
-        """Go on where a record ends."""
+        """Continue where a record ends."""
         self.run.resume(record)
         self.ended[:] = record["ended"]
 
@@ -201,6 +191,10 @@ class WatchedRun:
 def _one(points: _Points, k: int) -> _Points:
     here = slice(k, k + 1)
     return _Points(points.times[here], points.segments[here], points.states[here])
+
+
+def _joined(*parts: _Points) -> _Points:
+    return _Points(*(np.concatenate(values) for values in zip(*parts, strict=True)))
 
 
 def _kept(run: NativeRun) -> dict[str, Array]:

@@ -14,8 +14,7 @@ from pathlib import Path
 
 from tmodes.compile.cache import folder
 from tmodes.errors import InputError, ResultFileError
-from tmodes.io.atomic import atomic_write
-from tmodes.io.processes import place, state
+from tmodes.io.atomic import atomic_write, process_state, this_place
 from tmodes.io.words import shown, shown_path
 
 __all__ = ["NameTaken", "WorkingFolder", "door", "make_within", "own_folder", "plain_name", "remove"]
@@ -143,7 +142,7 @@ def remove(room: Path) -> None:
 
 
 def _prefix() -> str:
-    return f"tmodes-studio-{place()}-"
+    return f"tmodes-studio-{this_place()}-"
 
 
 def _sweep(parent: Path) -> None:
@@ -151,7 +150,7 @@ def _sweep(parent: Path) -> None:
     for path in parent.glob(f"{_prefix()}*"):
         with suppress(OSError, ValueError):
             number = int(path.name.removeprefix(_prefix()).partition("-")[0])
-            if _is_mine(path) and not state(number)[0]:
+            if _is_mine(path) and not process_state(number)[0]:
                 remove(path)
 
 

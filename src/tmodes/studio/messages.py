@@ -7,7 +7,7 @@ from collections.abc import Iterable, Sequence
 from typing import Any
 
 from tmodes.errors import InputError, InputErrors, TmodesError
-from tmodes.io.mesh_paths import ALLOW
+from tmodes.io.files import ALLOW
 from tmodes.io.urdf_shapes import Unseen
 from tmodes.studio.folders import NameTaken
 

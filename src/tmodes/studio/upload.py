@@ -12,7 +12,7 @@ from pathlib import Path, PurePosixPath
 from typing import Any, NamedTuple
 
 from tmodes.errors import InputError, InputErrors
-from tmodes.io.mesh_paths import Folders
+from tmodes.io.files import Folders
 from tmodes.io.urdf import UrdfRobot
 from tmodes.io.words import shown
 from tmodes.robots.load import load, urdf_of

@@ -11,7 +11,7 @@ from scipy.optimize import brentq
 
 from arm.statics.beams import clamped
 from arm.statics.test_elements import ROD, geared, on_joint
-from tmodes.analysis.modes.modes import MotorState, Servo, arm_modes
+from tmodes.analysis.modes.modes import MotorState, Servo, modes_about
 from tmodes.analysis.modes.shapes import undamped_shapes
 from tmodes.analysis.statics.equilibrium import Load, equilibrium
 from tmodes.chain.chain import Chain, Friction, Joint, Motor, Node
@@ -30,7 +30,7 @@ NONE = np.zeros(3)
 def test_clamped_beam():
     """beta L = 1.87510407, 4.69409113; Kelvin-Voigt damping: ratio eta w/2 of each mode."""
     eta = 1e-3
-    modes = arm_modes(equilibrium(clamped((1.0, 2.0, 5.0), bend_y=6, damping_time=eta)))
+    modes = modes_about(equilibrium(clamped((1.0, 2.0, 5.0), bend_y=6, damping_time=eta)))
     exact = np.array([1.8751040687119611, 4.694091132974175]) ** 2 * np.sqrt(2.0)
     assert [2 * np.pi * mode.frequency_Hz for mode in modes[:2]] == pytest.approx(exact, rel=2e-5)
     assert [mode.damping_ratio for mode in modes[:2]] == pytest.approx(eta * exact / 2, rel=2e-5)
@@ -53,16 +53,16 @@ def test_compression_lowers_the_frequency_to_nothing():
         return bent[0] * sine - bent[1] * cosine
 
     exact = brentq(determinant, 1.0, 3.5, xtol=1e-14)
-    pressed = arm_modes(equilibrium(clamped(bend_z=6), [Load("tip", (-load, 0, 0))]))[0]
+    pressed = modes_about(equilibrium(clamped(bend_z=6), [Load("tip", (-load, 0, 0))]))[0]
     assert 2 * np.pi * pressed.frequency_Hz == pytest.approx(exact, rel=1e-7)
 
 
 def test_motor_locked_and_free():
     """sqrt(k/I); sqrt(k (1/I + 1/J)) and a free turn of the whole arm."""
     rest = equilibrium(on_joint(geared(), ROD, gravity=NONE))
-    (locked,) = arm_modes(rest)
+    (locked,) = modes_about(rest)
     assert 2 * np.pi * locked.frequency_Hz == pytest.approx(np.sqrt(STIFFNESS / INERTIA), rel=1e-10)
-    turn, ringing = arm_modes(rest, MotorState.FREE)
+    turn, ringing = modes_about(rest, MotorState.FREE)
     assert (turn.frequency_Hz, turn.element, turn.stable) == (0.0, "whole arm, free", True)
     assert 2 * np.pi * ringing.frequency_Hz == pytest.approx(np.sqrt(STIFFNESS * (1 / INERTIA + 1 / ROTOR)), rel=1e-10)
     assert ringing.shape == pytest.approx([1.0, -ROTOR / INERTIA], rel=1e-9)
@@ -78,16 +78,16 @@ def test_a_free_motor_without_inertia_is_reported(follows):
     rest = equilibrium(model, [Load("tip", (-5.0, 0.0, 1.0), follows=follows)])
     stiffness = rest.matrices[2]
     assert (np.abs(stiffness - stiffness.T).max() > 1e-6 * np.abs(stiffness).max()) == follows
-    assert len(arm_modes(rest)) == 3
+    assert len(modes_about(rest)) == 3
     with pytest.raises(SimulationError, match="not positive definite"):
-        arm_modes(rest, MotorState.FREE)
+        modes_about(rest, MotorState.FREE)
 
 
 def test_motor_under_control():
     """Roots of the fourth-degree polynomial of two inertias, the motor on a spring and a damper."""
     rest = equilibrium(on_joint(geared(), ROD, gravity=NONE))
     stiffness, damping = 200.0, 3.0
-    modes = arm_modes(rest, MotorState.CONTROLLED, {"hinge.motor": Servo(stiffness, damping)})
+    modes = modes_about(rest, MotorState.CONTROLLED, {"hinge.motor": Servo(stiffness, damping)})
     motor = np.polynomial.Polynomial([stiffness + STIFFNESS, damping, ROTOR])
     joint = np.polynomial.Polynomial([STIFFNESS, 0, INERTIA])
     roots = (motor * joint - STIFFNESS**2).roots()
@@ -98,7 +98,7 @@ def test_motor_under_control():
 
 
 def test_over_damped_mode_does_not_ring():
-    (mode,) = arm_modes(equilibrium(on_joint(geared(damping=1000.0), ROD, gravity=NONE)))
+    (mode,) = modes_about(equilibrium(on_joint(geared(damping=1000.0), ROD, gravity=NONE)))
     assert mode.damped_frequency_Hz is None
     assert mode.damping_ratio == 1.0
     assert 2 * np.pi * mode.frequency_Hz == pytest.approx(np.sqrt(STIFFNESS / INERTIA), rel=1e-10)
@@ -111,14 +111,14 @@ def test_dry_friction_has_no_part():
     ratios = []
     for friction in (viscous, dry):
         own = replace(joint, friction=friction, motor=Motor(ROTOR, friction))
-        ratios.append(arm_modes(equilibrium(on_joint(own, ROD, gravity=NONE)))[0].damping_ratio)
+        ratios.append(modes_about(equilibrium(on_joint(own, ROD, gravity=NONE)))[0].damping_ratio)
     assert ratios[0] == pytest.approx(0.6 / (2 * np.sqrt(STIFFNESS * INERTIA)), rel=1e-9)
     assert ratios[1] == ratios[0]
 
 
 def test_a_buckled_arm_is_unstable():
     rest = equilibrium(on_joint(geared(), ROD, gravity=NONE, tip=(1.0, 0.0, 0.0)), [Load("tip", (-400.0, 0, 0))])
-    (mode,) = arm_modes(rest)
+    (mode,) = modes_about(rest)
     assert not mode.stable
     assert mode.frequency_Hz == 0.0
 
@@ -130,7 +130,7 @@ def test_a_surface_brings_its_mass_and_damper(ratio):
     floor = {"type": "plane", "position": [0.0, 0.0, 0.0], "normal": [0.0, 0.0, 1.0]}
     law = {"law": "bilateral", "stiffness": stiffness, "damping": damping, "mass": ratio or 0.0}
     surface = Contact.of({"shape": floor, **law})
-    modes = arm_modes(equilibrium(clamped(bend_y=8), contact=surface))
+    modes = modes_about(equilibrium(clamped(bend_y=8), contact=surface))
 
     def determinant(b: float) -> float:
         own = stiffness - ratio * b**4
@@ -160,7 +160,7 @@ def test_a_surface_brings_its_mass_and_damper(ratio):
 def test_natural_frequency_under_control():
     """Of ringing modes |lambda|/2 pi: with the damped frequency and the ratio it makes a right triangle."""
     rest = equilibrium(on_joint(geared(), ROD, gravity=NONE))
-    for mode in arm_modes(rest, MotorState.CONTROLLED, {"hinge.motor": Servo(200.0, 30.0)}):
+    for mode in modes_about(rest, MotorState.CONTROLLED, {"hinge.motor": Servo(200.0, 30.0)}):
         if mode.damped_frequency_Hz:
             natural = mode.damped_frequency_Hz / np.sqrt(1 - mode.damping_ratio**2)
             assert mode.frequency_Hz == pytest.approx(natural, rel=1e-9)
@@ -169,7 +169,7 @@ def test_natural_frequency_under_control():
 def test_growth_time():
     """Pressed by F > k/L: I a = (F L - k) angle grows by e in sqrt(I/(F L - k))."""
     rest = equilibrium(on_joint(geared(), ROD, gravity=NONE, tip=(1.0, 0.0, 0.0)), [Load("tip", (-400.0, 0, 0))])
-    (mode,) = arm_modes(rest)
+    (mode,) = modes_about(rest)
     assert mode.growth_time_s == pytest.approx(np.sqrt(INERTIA / (400.0 - STIFFNESS)), rel=1e-6)
 
 
@@ -179,7 +179,7 @@ def test_of_a_large_arm_the_lowest_modes_are_reported():
     joints = [Joint(f"j{k}", joint_kind("fixed")) for k in range(70)]
     nodes = tuple(Node(f"n{k}", k - 1, joint, segment) for k, joint in enumerate(joints))
     rest = equilibrium(Model(Chain("pile", nodes, NONE)))
-    modes = arm_modes(rest)
+    modes = modes_about(rest)
     mass, damping, stiffness = rest.matrices
     squares = eigh(stiffness, mass, eigvals_only=True)
     assert len(modes) == 60

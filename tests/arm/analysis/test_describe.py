@@ -9,9 +9,9 @@ import pytest
 
 from arm.analysis.sheets import clamped_sheet, locked_sheet
 from tmodes.analysis.describe.describe import describe, statics_info
-from tmodes.analysis.modes.of_sheet import servos_of, sheet_modes, vibrations
+from tmodes.analysis.modes.of_sheet import servos_of, vibrations
+from tmodes.analysis.statics.equilibrium import first_commands, robot_rest
 from tmodes.analysis.statics.loads import Load
-from tmodes.analysis.statics.rest import arm_rest, first_commands
 from tmodes.kinds.links.beam_functions import bare_beam
 from tmodes.kinds.links.strain import Beam, BeamPiece
 from tmodes.model.model import Model
@@ -69,7 +69,7 @@ def test_single_elastic_joint():
     assert info["gears"][0]["stiffness"] == [100.0]
     assert info["joints"][0]["kind"] == "AE"
     assert servos_of(arm, model)["joint.motor"] == (80.0, 12.0)  # pyright: ignore
-    modes = sheet_modes(arm)  # pyright: ignore
+    modes = vibrations(arm).states  # pyright: ignore
     assert set(modes) == {"locked", "free", "controlled"}
     assert 2 * np.pi * modes["locked"][0]["frequency_Hz"] == pytest.approx(np.sqrt(109.8), rel=1e-9)
 
@@ -80,7 +80,7 @@ def test_notices():
                                    "joints.joint.gear.stiffness": 5.0, "drives.0.signal.start": 0.5})  # fmt: skip
     warnings = describe(arm)["warnings"]  # pyright: ignore
     assert any("joint joint stands at" in info for info in warnings)
-    rest = arm_rest(arm)  # pyright: ignore
+    rest = robot_rest(arm)  # pyright: ignore
     gamma = rest.named["joint"]
     assert 5.0 * (0.5 - gamma) == pytest.approx(9.8 * np.sin(gamma), abs=1e-9)
 
@@ -88,7 +88,7 @@ def test_notices():
 @pytest.mark.parametrize("data", [locked_sheet(), clamped_sheet(functions={"bend_y": 0, "bend_z": 0})])
 def test_an_arm_in_which_nothing_moves(data):
     arm = Robot.from_data(data)
-    info, still = describe(arm), statics_info(arm, arm_rest(arm))
+    info, still = describe(arm), statics_info(arm, robot_rest(arm))
     assert info["coordinates"] == []
     assert info["total_mass_kg"] == pytest.approx(1.0)
     assert any("nothing in it moves or bends" in warning for warning in info["warnings"])
@@ -104,7 +104,7 @@ def test_an_arm_in_which_nothing_moves(data):
 
 def test_ways_that_are_not_modelled_have_no_stiffness():
     """A sagging beam without stretch and twist: 3 EI/L^3 across, nothing honest along and about its line."""
-    info = statics_info(arm := Robot.from_data(clamped_sheet()), arm_rest(arm))
+    info = statics_info(arm := Robot.from_data(clamped_sheet()), robot_rest(arm))
     x, _, z, about_x, about_y, _ = info["stiffness"]["directions"]
     for one, kind in ((x, "stretch"), (about_x, "twist")):
         assert (one["stiffness"], one["compliance"], one["shares"]) == (None, None, {})
@@ -116,7 +116,7 @@ def test_ways_that_are_not_modelled_have_no_stiffness():
 def test_ways_that_are_modelled_keep_their_stiffness():
     """GJ/L with a function of twist; an upper arm across lets the tip give along a forearm that does not stretch."""
     twisting = Robot.from_data(clamped_sheet(functions={"twist": 1, "bend_y": 3}, basis="legendre"))
-    info = statics_info(twisting, arm_rest(twisting))["stiffness"]["directions"]
+    info = statics_info(twisting, robot_rest(twisting))["stiffness"]["directions"]
     assert info[3]["stiffness"] == pytest.approx(60.0, rel=1e-2)
     assert info[1]["why"] == "not modelled (no bend_z functions)"
     elbow = load("deluca_siciliano1991", {"drives.1.signal.start": np.pi / 2})
@@ -136,7 +136,7 @@ def test_a_load_far_beyond_the_functions_is_bad():
     """F L^2/EI = 536: three functions cannot have the shape, whatever the angle says."""
     arm = Robot.from_data(clamped_sheet(section={"shape": "round", "diameter": 0.02}, material="steel"))
     stiffness = describe(arm)["links"][0]["bending_stiffness_y_Nm2"][0]
-    info = statics_info(arm, arm_rest(arm, [Load("tip", (0.0, 0.0, -536.0 * stiffness))]))
+    info = statics_info(arm, robot_rest(arm, [Load("tip", (0.0, 0.0, -536.0 * stiffness))]))
     assert info["links"][0]["verdict"] == "bad"
     assert any("yield strength" in warning for warning in info["warnings"])
     assert any("take more functions.bend_y" in warning for warning in info["warnings"])

@@ -17,7 +17,7 @@ from arm.analysis.sheets import clamped_sheet
 from tmodes.analysis.hierarchy.hierarchy import Ladder, ladder
 from tmodes.analysis.hierarchy.move import chosen_move, followed
 from tmodes.analysis.hierarchy.variants import driven, input_mix, moved_chain, rungs, whole_chain
-from tmodes.analysis.modes.of_sheet import sheet_modes
+from tmodes.analysis.modes.of_sheet import sheet_frequencies
 from tmodes.errors import InputError
 from tmodes.model.model import Model
 from tmodes.sheet import Robot
@@ -184,7 +184,9 @@ def test_modes_are_rungs_of_a_straight_beam_that_bends_alike_in_both_planes() ->
     given["links"][0]["beam"]["functions"] = {"bend_y": 1, "bend_z": 1}
     found = dict(rungs(Robot.from_data(given), 1))
     assert [name for name in found if name.startswith("modes")] == ["modes(1)", "modes(2)", "modes(3)"]
-    first = {name: sheet_modes(arm)["locked"][0]["frequency_Hz"] for name, arm in found.items() if name != "rigid"}
+    first = {
+        name: sheet_frequencies(arm)["locked"][0]["frequency_Hz"] for name, arm in found.items() if name != "rigid"
+    }
     assert first["modes(1)"] == pytest.approx(first["segments(1)"], rel=1e-9)
     assert found["modes(3)"].links[0].beam is not None
     assert found["modes(3)"].links[0].beam.coordinate_count == 6

@@ -8,9 +8,8 @@ import pytest
 from arm.analysis.sheets import clamped_sheet
 from arm.statics.beams import clamped
 from tmodes.analysis.line.line import elastic_line
-from tmodes.analysis.range import link_angles, link_ranges
 from tmodes.analysis.statics.equilibrium import Load, equilibrium
-from tmodes.analysis.validity import run_warnings
+from tmodes.analysis.validity import link_angles, link_ranges, run_warnings
 from tmodes.chain.chain import Chain, Joint, Node
 from tmodes.kinds.joints.registry import joint_kind
 from tmodes.kinds.links.segment import Segment

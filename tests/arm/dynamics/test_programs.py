@@ -20,7 +20,7 @@ from tmodes.compile.ir.program import READ, Instruction, block_program
 from tmodes.compile.ir.tracing import traced
 from tmodes.compile.ir.unroll import Unrolled, c_text
 from tmodes.kinds.drives.registry import drive_kind
-from tmodes.kinds.kernel.kernel import Kernel
+from tmodes.kinds.kernel.schedule import Kernel
 from tmodes.model.model import Model
 
 OPERATIONS: dict[str, Any] = {

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from tmodes.errors import InputError
-from tmodes.io.mesh_paths import folders_of
+from tmodes.io.files import folders_of
 from tmodes.io.urdf import read_urdf
 
 LINK = '<link name="{0}"><visual><geometry><mesh filename="{1}"/></geometry></visual></link>'

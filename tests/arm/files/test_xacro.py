@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from tmodes.errors import InputError, TmodesError
-from tmodes.io.mesh_paths import folders_of
+from tmodes.io.files import folders_of
 from tmodes.io.sheet_files import read_sheet
 from tmodes.io.xacro import expand_xacro, read_xacro
 from tmodes.io.xacro_expression import FormulaError, evaluate

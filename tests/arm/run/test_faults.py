@@ -28,19 +28,19 @@ def swing(**integration: Any) -> Robot:
                     initial={"state": "zero"}, integration=settings)  # fmt: skip
 
 
-def run_with(regime: RunSetup, value: float) -> Trajectory:
+def run_with(setup: RunSetup, value: float) -> Trajectory:
     """The run of an arm whose torque is a value from ``BREAK`` on."""
-    first = regime.planned.schedule.coefficients[0]
+    first = setup.planned.schedule.coefficients[0]
     pieces = Schedule(np.array([0.0, BREAK, 0.1]), np.stack([first, np.full_like(first, value)]))
-    return integrate(regime.model, regime.model.numbers, pieces, regime.start, regime.arm.integration)
+    return integrate(setup.model, setup.model.numbers, pieces, setup.start, setup.robot.integration)
 
 
 @pytest.mark.parametrize("method", METHODS)
 @pytest.mark.parametrize("value", [np.nan, np.inf])
 def test_a_force_that_is_no_number_ends_the_run_where_it_comes(method: str, value: float) -> None:
     """No step further: all before is as it was without, all is finite; the coordinate and the time are reported."""
-    regime = run_setup(swing(method=method))
-    bad, good = run_with(regime, value), run_with(regime, 1.0)
+    setup = run_setup(swing(method=method))
+    bad, good = run_with(setup, value), run_with(setup, 1.0)
     assert bad.status == "diverged"
     assert f"at t = {BREAK:.6g} s in coordinate joint" in bad.message
     assert "no number among the signals" in bad.message or "its next step leaves" in bad.message
@@ -59,7 +59,7 @@ def test_the_2010_robot_keeps_what_was_before_a_reference_that_is_no_number(meth
     knot = schedule.knots[1]
     coefficients = schedule.coefficients.copy()
     coefficients[1:] = np.nan
-    settings = setup.arm.integration.model_copy(update={"duration": 2 * knot})
+    settings = setup.robot.integration.model_copy(update={"duration": 2 * knot})
     run = integrate(setup.model, setup.model.numbers, Schedule(schedule.knots, coefficients), setup.start, settings)
     assert run.status == "diverged"
     assert f"at t = {knot:.6g} s in coordinate " in run.message

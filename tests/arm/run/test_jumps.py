@@ -20,7 +20,7 @@ CONTROL = {"type": "pd", "position_gain": 80.0, "velocity_gain": 12.0}
 
 
 @pytest.fixture(scope="module")
-def regime() -> RunSetup:
+def setup() -> RunSetup:
     return run_setup(prescribed({"type": "constant", "value": 0.0}, 1.0))
 
 
@@ -32,11 +32,11 @@ def prescribed(signal: dict[str, Any], duration: float) -> Any:
     })  # fmt: skip
 
 
-def info(regime: RunSetup, signal: dict[str, Any], duration: float) -> str:
-    return jumps(replace(regime, planned=planned(prescribed(signal, duration))))
+def info(setup: RunSetup, signal: dict[str, Any], duration: float) -> str:
+    return jumps(replace(setup, planned=planned(prescribed(signal, duration))))
 
 
-def test_a_move_from_rest_to_rest_never_jumps(regime: RunSetup) -> None:
+def test_a_move_from_rest_to_rest_never_jumps(setup: RunSetup) -> None:
     """Its rate is 0 at both knots but for rounding: of many durations, delays, amplitudes, and places to start from."""
     generator = np.random.default_rng(5)
     for duration, amplitude, share, start in zip(
@@ -48,25 +48,25 @@ def test_a_move_from_rest_to_rest_never_jumps(regime: RunSetup) -> None:
     ):
         move = {"type": "quintic", "start": start, "end": start + amplitude, "duration": duration}
         delay = share * duration
-        assert info(regime, {**move, "delay": delay}, delay + 1.5 * duration) == "", (duration, amplitude, delay, start)
+        assert info(setup, {**move, "delay": delay}, delay + 1.5 * duration) == "", (duration, amplitude, delay, start)
 
 
 @pytest.mark.parametrize("formula", ["0.1", "0.1 + 1e-9*sin(t)", "3*sin(2*pi*t)", "1000 + sin(50*t)"])
-def test_rounding_of_a_fitted_formula_is_no_jump(regime: RunSetup, formula: str) -> None:
-    assert info(regime, {"type": "expression", "formula": formula}, 1.0) == ""
+def test_rounding_of_a_fitted_formula_is_no_jump(setup: RunSetup, formula: str) -> None:
+    assert info(setup, {"type": "expression", "formula": formula}, 1.0) == ""
 
 
 @pytest.mark.parametrize("duration", [1e-3, 0.1, 100.0])
 @pytest.mark.parametrize("rise", [1e-9, 0.5, 1e3])
-def test_a_ramp_jumps_in_rate(regime: RunSetup, duration: float, rise: float) -> None:
+def test_a_ramp_jumps_in_rate(setup: RunSetup, duration: float, rise: float) -> None:
     times = [0.0, 0.4 * duration, duration]
     ramp = {"type": "table", "interpolation": "linear", "times": times, "values": [0.0, 0.0, rise]}
-    assert info(regime, ramp, 2 * duration) == f"the motion of joint joint jumps in rate at t = {times[1]:.6g} s"
+    assert info(setup, ramp, 2 * duration) == f"the motion of joint joint jumps in rate at t = {times[1]:.6g} s"
 
 
-def test_a_small_kink_of_a_formula_is_a_jump_in_rate(regime: RunSetup) -> None:
+def test_a_small_kink_of_a_formula_is_a_jump_in_rate(setup: RunSetup) -> None:
     """A millionth of the position, which is not small against what moves."""
-    found = info(regime, {"type": "expression", "formula": "1 + 1e-6*abs(t - 0.3)"}, 1.0)
+    found = info(setup, {"type": "expression", "formula": "1 + 1e-6*abs(t - 0.3)"}, 1.0)
     assert "jumps in rate" in found
     assert float(found.split()[-2]) == pytest.approx(0.3, abs=1e-4)  # the fit nears the kink by halves
 

@@ -89,9 +89,9 @@ def test_jumps_cost_no_accuracy(exact: np.ndarray, method: str) -> None:
 @pytest.mark.parametrize("method", METHODS)
 def test_steps_end_exactly_on_jumps(method: str) -> None:
     """One attempt after the other: the segment of the input changes where the time is that of the jump, to the bit."""
-    regime = run_setup(double_pendulum(method=method, step=7e-3))
-    model, schedule, settings = regime.model, regime.planned.schedule, regime.arm.integration
-    run = NativeRun(model, model.numbers, schedule.until(settings.duration), regime.start, settings)
+    setup = run_setup(double_pendulum(method=method, step=7e-3))
+    model, schedule, settings = setup.model, setup.planned.schedule, setup.robot.integration
+    run = NativeRun(model, model.numbers, schedule.until(settings.duration), setup.start, settings)
     changes = []
     while run.running:
         segment = run.cell("segment")

@@ -12,7 +12,7 @@ from arm.run.sheets import arm
 from tmodes.errors import InputError, SimulationError
 from tmodes.sheet import Robot
 from tmodes.simulation import trajectory
-from tmodes.simulation.quantities import arm_quantities, arm_stops
+from tmodes.simulation.quantities import run_quantities, run_stops
 from tmodes.simulation.simulate import simulate_motion
 from tmodes.simulation.start import run_setup, run_trajectory
 from tmodes.simulation.stops import Instants
@@ -87,8 +87,8 @@ def test_time_is_found_with_the_order_of_the_method() -> None:
     """rk4 between its steps: the error of the time falls with the fourth power of the step."""
     steps, off = [4e-2, 2e-2, 1e-2], []
     for step in steps:
-        run = run_trajectory(regime := run_setup(pendulum(method="rk4", step=step)),
-                             stops=arm_stops(regime, ("hinge.position < 0.4 rad",)))  # fmt: skip
+        run = run_trajectory(setup := run_setup(pendulum(method="rk4", step=step)),
+                             stops=run_stops(setup, ("hinge.position < 0.4 rad",)))  # fmt: skip
         off.append(abs(run.times[-1] - passes(0.4)))
     assert np.polyfit(np.log(steps), np.log(off), 1)[0] == pytest.approx(4.0, abs=0.4)
 
@@ -139,9 +139,9 @@ def test_what_can_be_named(stop: str, time: float) -> None:
 
 def test_every_name_gives_a_number() -> None:
     """All quantities that a message may offer have values at a state, one for each instant."""
-    regime = run_setup(mass())
-    at = Instants(np.zeros(3), np.tile(regime.start, (3, 1)), np.tile(regime.first_row, (3, 1)))
-    for name, quantity in arm_quantities(regime).items():
+    setup = run_setup(mass())
+    at = Instants(np.zeros(3), np.tile(setup.start, (3, 1)), np.tile(setup.first_row, (3, 1)))
+    for name, quantity in run_quantities(setup).items():
         values = quantity.of(at)
         assert values.shape == (3,), name
         assert np.isfinite(values).all(), name
@@ -220,17 +220,17 @@ class _Memory:
 
 def test_same_bytes_however_it_is_interrupted(monkeypatch: pytest.MonkeyPatch) -> None:
     """Cut into pieces of any length, and continued from any record, the last one included."""
-    regime = run_setup(pendulum(method="rk4", step=1e-3))
-    stops = arm_stops(regime, ("abs(hinge.velocity) > 2.9 rad/s",))
-    whole = run_trajectory(regime, stops=stops)
+    setup = run_setup(pendulum(method="rk4", step=1e-3))
+    stops = run_stops(setup, ("abs(hinge.velocity) > 2.9 rad/s",))
+    whole = run_trajectory(setup, stops=stops)
     assert whole.status == "stopped_by_condition"
     monkeypatch.setattr(trajectory, "_FIRST_PIECE", 37)
     monkeypatch.setattr(trajectory, "_PIECE_SECONDS", 1e-9)
     journal = _Memory()
-    pieces = run_trajectory(regime, journal=journal, stops=stops)
+    pieces = run_trajectory(setup, journal=journal, stops=stops)
     assert (pieces.states.tobytes(), pieces.message) == (whole.states.tobytes(), whole.message)
     for record in (journal.records[3], journal.records[-1]):
-        again = run_trajectory(regime, journal=_Memory(record), stops=stops)
+        again = run_trajectory(setup, journal=_Memory(record), stops=stops)
         assert again.states.tobytes() == whole.states.tobytes()
         assert again.times.tobytes() == whole.times.tobytes()
         assert again.message == whole.message

@@ -10,9 +10,9 @@ import pytest
 from arm.see.runs import FORCE, LENGTH, OUTER, SHEETS, THICK, YOUNG, pendulum, result_of, run_of, sheet, tube
 from tmodes.errors import InputError, ResultFileError
 from tmodes.result import Result, assemble_result, load_result
-from tmodes.result.lines import run_wrenches, straight_shape
-from tmodes.result.provenance import move_end
 from tmodes.result.run import ready_to_run, result_bytes
+from tmodes.result.series import run_wrenches, straight_shape
+from tmodes.result.settling import move_end
 from tmodes.sheet import Robot
 from tmodes.simulation.plan import planned
 from tmodes.simulation.simulate import simulate_motion

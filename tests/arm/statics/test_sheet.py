@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 
 from tmodes.analysis.hierarchy.move import chosen_move
-from tmodes.analysis.statics.rest import arm_rest, first_value, sheet_loads
+from tmodes.analysis.statics.equilibrium import first_value, robot_rest, sheet_loads
 from tmodes.sheet import Robot
 from tmodes.simulation.simulate import simulate_motion
 
@@ -36,7 +36,7 @@ def sheet(signal: dict[str, Any], duration: float) -> Robot:
 def test_a_signal_that_holds_for_the_run_alone_rests_and_runs(signal, duration, first):
     arm = sheet(signal, duration)
     assert first_value(arm, arm.drives[0].signal) == pytest.approx(first, abs=1e-12)
-    assert arm_rest(arm).named == {"hinge": pytest.approx(first, abs=1e-12)}
+    assert robot_rest(arm).named == {"hinge": pytest.approx(first, abs=1e-12)}
     assert sheet_loads(arm)[0].force == pytest.approx([0.0, 0.0, 2 * first], abs=1e-12)
     run = simulate_motion(arm)
     assert run.status == "finished"
@@ -53,5 +53,5 @@ def test_the_ladders_own_move_starts_where_such_a_signal_starts():
 @pytest.mark.parametrize("duration", [0.5, 20.0])
 def test_a_jump_within_the_run_is_not_at_its_start(duration):
     arm = sheet({"type": "step", "start": 0.2, "end": 0.9, "time": 0.3}, duration)
-    assert arm_rest(arm).named == {"hinge": 0.2}
+    assert robot_rest(arm).named == {"hinge": 0.2}
     assert chosen_move(arm, 3.0).at(0.0) == pytest.approx([0.2])

@@ -1,4 +1,4 @@
-// How a run of a compiled time loop ended, in words, as tmodes/run_endings.py reports it.
+// How a run of a compiled time loop ended, in words, as tmodes/simulation/parts.py states it.
 
 import { digits } from "../format";
 import type { Layout } from "./engine";
@@ -20,7 +20,7 @@ export function ending(run: Ended): [string, string] {
   const { settings, status } = run;
   const { statuses, limits } = run.layout;
   const t = `t = ${digits(run.time, 6)} s`;
-  if (status === statuses.finished) return ["finished", `reached the end, t = ${digits(settings.duration, 6)} s`];
+  if (status === statuses.finished) return ["finished", `completed at t = ${digits(settings.duration, 6)} s`];
   if (status === statuses.running) {
     return [
       "stopped",
@@ -32,7 +32,7 @@ export function ending(run: Ended): [string, string] {
     const often = `more than ${limits.most_events} times within ${limits.event_time} s`;
     return [
       "chattering",
-      `stopped at ${t}: the contact set in or ended ${often}; give the surface damping, or a lower stiffness`,
+      `stopped at ${t}: the contact started or ended ${often}; give the surface damping, or a lower stiffness`,
     ];
   }
   return lost(run, t);

@@ -1,4 +1,4 @@
-"""What an arm is, in numbers: masses, lengths, stiffnesses, frequencies, sag, and what gives way at the tip."""
+"""What a robot is, in numbers: masses, lengths, stiffnesses, frequencies, sag, and what gives way at the tip."""
 
 from __future__ import annotations
 
@@ -10,12 +10,10 @@ import numpy as np
 
 from tmodes.analysis.describe.links import gear_rows, joint_rows, link_rows, notices, rest_notices
 from tmodes.analysis.line.line import LinkLines, elastic_line
-from tmodes.analysis.range import link_ranges
 from tmodes.analysis.statics.compliance import DIRECTIONS, PointCompliance, missing_functions, point_compliance
-from tmodes.analysis.statics.equilibrium import Equilibrium
+from tmodes.analysis.statics.equilibrium import Equilibrium, robot_rest
 from tmodes.analysis.statics.path import Progress
-from tmodes.analysis.statics.rest import arm_rest
-from tmodes.analysis.validity import missing_share, rest_warnings
+from tmodes.analysis.validity import link_ranges, missing_share, rest_warnings
 from tmodes.errors import SimulationError
 from tmodes.model.model import Model
 from tmodes.sheet import Robot
@@ -29,34 +27,34 @@ BAD_SHARE = 0.05
 
 
 def describe(
-    arm: Robot, held: Mapping[str, float] | None = None, progress: Progress = lambda stage, share: None
+    robot: Robot, held: Mapping[str, float] | None = None, progress: Progress = lambda stage, share: None
 ) -> dict[str, Any]:
     """All that ``tmodes describe`` prints of a robot, as plain data with units in the names.
 
-    The sag and the stiffness are those under the arm's weight alone, the driven coordinates at ``held``, else at their
-    first command. An arm that finds no rest is described too: then ``sag`` and ``stiffness`` are None and ``warnings``
-    say why. Raises :class:`tmodes.errors.InputError` for an unknown name in ``held``.
+    The sag and the stiffness are those under the robot's weight alone, the driven coordinates at ``held``, else at
+    their first command. A robot that finds no rest is described too: then ``sag`` and ``stiffness`` are None and
+    ``warnings`` say why. Raises :class:`tmodes.errors.InputError` for an unknown name in ``held``.
     """
-    chain = arm.chain()
+    chain = robot.chain()
     model = Model(chain)
-    links = link_rows(arm, chain)
+    links = link_rows(robot, chain)
     progress("statics", 0.0)
-    rest, trouble = _rest(arm, model, held, progress)
+    rest, trouble = _rest(robot, model, held, progress)
     info = {
-        "name": arm.name,
-        "title": arm.title,
-        "assumed": arm.assumed,
-        "gravity_m_per_s2": list(arm.gravity),
+        "name": robot.name,
+        "title": robot.title,
+        "assumed": robot.assumed,
+        "gravity_m_per_s2": list(robot.gravity),
         "coordinates": list(model.coordinates),
         "total_mass_kg": float(sum(link["mass_kg"] for link in links)),
-        "joints": joint_rows(arm),
+        "joints": joint_rows(robot),
         "links": links,
-        "gears": gear_rows(arm, links),
+        "gears": gear_rows(robot, links),
         "sag": sag(rest) if rest else None,
         "stiffness": compliance_table(rest) if rest else None,
     }
-    found = [*trouble, *notices(arm, chain, info, rest)]
-    return info | {"warnings": [*found, *(rest_warnings(arm, model, _lines(rest)) if rest else ()), *_still(model)]}
+    found = [*trouble, *notices(robot, chain, info, rest)]
+    return info | {"warnings": [*found, *(rest_warnings(robot, model, _lines(rest)) if rest else ()), *_still(model)]}
 
 
 def _still(model: Model) -> list[str]:
@@ -87,15 +85,15 @@ def link_states(rest: Equilibrium, lines: LinkLines | None = None) -> list[dict[
 
 
 def _rest(
-    arm: Robot, model: Model, held: Mapping[str, float] | None, progress: Progress
+    robot: Robot, model: Model, held: Mapping[str, float] | None, progress: Progress
 ) -> tuple[Equilibrium | None, list[str]]:
     try:
-        return arm_rest(arm, model=model, held=held, sheet=False, contact=False, progress=progress), []
+        return robot_rest(robot, model=model, held=held, sheet=False, contact=False, progress=progress), []
     except SimulationError as error:
         return None, [f"no rest under its own weight: {error}"]
 
 
-def statics_info(arm: Robot, rest: Equilibrium, point: int = 0) -> dict[str, Any]:
+def statics_info(robot: Robot, rest: Equilibrium, point: int = 0) -> dict[str, Any]:
     """All that ``tmodes static`` prints of a robot at rest, as plain data; ``point``: whose stiffness."""
     free, lines = rest.lowest_frequency_Hz, _lines(rest)
     return {
@@ -110,7 +108,7 @@ def statics_info(arm: Robot, rest: Equilibrium, point: int = 0) -> dict[str, Any
         "points": [sag(rest, k) for k in range(len(rest.model.parts.points))],
         "links": link_states(rest, lines),
         "stiffness": compliance_table(rest, point),
-        "warnings": [*rest_notices(arm, rest), *rest_warnings(arm, rest.model, lines), *_still(rest.model)],
+        "warnings": [*rest_notices(robot, rest), *rest_warnings(robot, rest.model, lines), *_still(rest.model)],
     }
 
 
@@ -131,7 +129,7 @@ def sag(rest: Equilibrium, point: int = 0) -> dict[str, Any]:
 def compliance_table(rest: Equilibrium, point: int = 0) -> dict[str, Any] | None:
     """Stiffness of a point by direction and the share of each element in its compliance; None where it has none.
 
-    A direction in which the sheet leaves out how the arm gives has no numbers, and ``why`` says so; one without a
+    A direction in which the sheet leaves out how the robot gives has no numbers, and ``why`` says so; one without a
     stiffness and a reason is rigid.
     """
     try:

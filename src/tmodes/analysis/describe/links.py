@@ -7,8 +7,8 @@ from typing import Any
 
 import numpy as np
 
-from tmodes.analysis.range import link_ranges
 from tmodes.analysis.statics.equilibrium import Equilibrium
+from tmodes.analysis.validity import link_ranges
 from tmodes.chain.chain import Chain, Node
 from tmodes.kinds.joints.joint import JointSheet
 from tmodes.sheet import Robot
@@ -17,9 +17,9 @@ from tmodes.sheet.parts import LinkSheet
 __all__ = ["gear_rows", "joint_rows", "link_rows", "notices", "rest_notices"]
 
 
-def joint_rows(arm: Robot) -> list[dict[str, Any]]:
+def joint_rows(robot: Robot) -> list[dict[str, Any]]:
     """Each joint: its type in the group's letters (active or locked, elastic or rigid gear), drive and limits."""
-    commands = {drive.joint: str(drive.command) for drive in arm.drives}
+    commands = {drive.joint: str(drive.command) for drive in robot.drives}
     return [
         {
             "name": joint.name,
@@ -32,7 +32,7 @@ def joint_rows(arm: Robot) -> list[dict[str, Any]]:
             "upper": joint.limits.upper if joint.limits else None,
             "unit": joint.unit,
         }
-        for joint in arm.joints
+        for joint in robot.joints
     ]
 
 
@@ -50,12 +50,12 @@ def link_nodes(chain: Chain, name: str) -> Iterator[Node]:
             yield node
 
 
-def link_rows(arm: Robot, chain: Chain) -> list[dict[str, Any]]:
+def link_rows(robot: Robot, chain: Chain) -> list[dict[str, Any]]:
     """Each link: model, length, masses, stiffness at its root and tip, and first frequencies by itself, clamped."""
-    return [_link_row(arm, chain, joint.child) for joint in arm.joints]
+    return [_link_row(robot, chain, joint.child) for joint in robot.joints]
 
 
-def _link_row(arm: Robot, chain: Chain, name: str) -> dict[str, Any]:
+def _link_row(robot: Robot, chain: Chain, name: str) -> dict[str, Any]:
     nodes = [*link_nodes(chain, name)]
     bodies = float(sum(body.mass for node in nodes for body in node.link.all_bodies))
     bending = [node.link for node in nodes if node.link.bends]
@@ -64,7 +64,7 @@ def _link_row(arm: Robot, chain: Chain, name: str) -> dict[str, Any]:
         return row
     info = bending[0].described(bending)
     if "mass_kg" not in info:
-        return row | info | _lumped_masses(arm.link(name), bodies)
+        return row | info | _lumped_masses(robot.link(name), bodies)
     return row | info | {"mass_kg": bodies + info["beam_mass_kg"]}
 
 
@@ -79,13 +79,13 @@ def _lumped_masses(link: LinkSheet, equivalent: float) -> dict[str, float]:
     return {"mass_kg": own + beam_mass, "beam_mass_kg": beam_mass, "equivalent_mass_kg": equivalent}
 
 
-def gear_rows(arm: Robot, links: Sequence[Mapping[str, Any]]) -> list[dict[str, Any]]:
+def gear_rows(robot: Robot, links: Sequence[Mapping[str, Any]]) -> list[dict[str, Any]]:
     """Each elastic gear: stiffness, and that over EI/L of the softer bending of the link it carries.
 
     ``links``: the rows of :func:`link_rows`, one for each joint.
     """
     rows = []
-    for joint, link in zip(arm.joints, links, strict=True):
+    for joint, link in zip(robot.joints, links, strict=True):
         if joint.gear is None or not joint.is_elastic:
             continue
         stiffness = list(joint.gear.stiffness)
@@ -107,22 +107,19 @@ def gear_rows(arm: Robot, links: Sequence[Mapping[str, Any]]) -> list[dict[str, 
 
 
 FIRST_FREQUENCY = (0.05, 5e3)
-
 """Usual range of the first frequency of a bare link [Hz]."""
 
 GEAR_OVER_LINK = (1e-2, 1e4)
-
 """Usual range of a gear's stiffness over EI/L of its link."""
 
 THICK = 10.0
-
 """Length over the distance of the outer fibre below which shear, which is left out, would count."""
 
 
-def notices(arm: Robot, chain: Chain, info: dict[str, Any], rest: Equilibrium | None) -> list[str]:
-    """Sentences on what is reported of an arm, and on its rest where it has one."""
+def notices(robot: Robot, chain: Chain, info: dict[str, Any], rest: Equilibrium | None) -> list[str]:
+    """Sentences on what is reported of a robot, and on its rest where it has one."""
     found = [*_frequencies(info["links"]), *_gears(info["gears"]), *_thick(chain)]
-    return [*found, *(rest_notices(arm, rest) if rest else ())]
+    return [*found, *(rest_notices(robot, rest) if rest else ())]
 
 
 def _frequencies(links: list[dict[str, Any]]) -> Iterator[str]:
@@ -158,9 +155,9 @@ def _thick(chain: Chain) -> Iterator[str]:
             )
 
 
-def rest_notices(arm: Robot, rest: Equilibrium) -> list[str]:
+def rest_notices(robot: Robot, rest: Equilibrium) -> list[str]:
     """What is uncertain about a robot at rest: unstable, bent beyond its models, past a joint's limits."""
-    return [*_stability(rest), *_ranges(rest), *_limits(arm, rest)]
+    return [*_stability(rest), *_ranges(rest), *_limits(robot, rest)]
 
 
 def _stability(rest: Equilibrium) -> Iterator[str]:
@@ -180,9 +177,9 @@ def _ranges(rest: Equilibrium) -> Iterator[str]:
             )
 
 
-def _limits(arm: Robot, rest: Equilibrium) -> Iterator[str]:
+def _limits(robot: Robot, rest: Equilibrium) -> Iterator[str]:
     pose = rest.named
-    for joint, name in ((each, own) for each in arm.joints for own in each.coordinates):
+    for joint, name in ((each, own) for each in robot.joints for own in each.coordinates):
         if joint.limits is None or name not in pose:
             continue
         value = pose[name]

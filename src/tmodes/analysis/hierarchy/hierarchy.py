@@ -1,4 +1,4 @@
-"""The ladder of link models, climbed: one arm with every model of its links, what each costs and how far it is off.
+"""The ladder of link models, climbed: one robot with every model of its links, what each costs and how far it is off.
 
 A rung is compared with the finest one: by its first frequency, and by its tip along a short move that the motors follow
 exactly, over the largest deflection of the tip in it. The cheapest rung within the tolerance is recommended: that with
@@ -46,8 +46,8 @@ _SHARE = 1e-2
 class Rung:
     """One model of the links.
 
-    ``coordinates``: how many the arm has; ``frequencies_Hz``: the first three with the motors locked, about its rest;
-    ``sag_m``: tip at rest, off the undeformed arm's; ``cost_us``: one forward dynamics, native, median;
+    ``coordinates``: how many the robot has; ``frequencies_Hz``: the first three with the motors locked, about its rest;
+    ``sag_m``: tip at rest, off the undeformed robot's; ``cost_us``: one forward dynamics, native, median;
     ``highest_eigenvalue`` [1/s]: what bounds explicit steps. Against the finest rung: ``tip_difference_m``, largest
     along the move; ``tip_error`` and ``frequency_error`` [-], None where there is nothing to compare. ``why``: why
     there is no move, else empty.
@@ -78,7 +78,7 @@ class Ladder:
     ``converged``: the rung before the finest is within the tolerance too.
     """
 
-    arm: str
+    robot: str
     tolerance: float
     move: str
     deflection_m: float
@@ -105,7 +105,7 @@ class _Start:
 
 
 def ladder(
-    arm: Robot,
+    robot: Robot,
     tolerance: float = 1e-3,
     *,
     finest: int = FINEST,
@@ -113,23 +113,23 @@ def ladder(
 ) -> Ladder:
     """Climb the ladder of an arm.
 
-    Raises :class:`tmodes.errors.InputError` for an arm without beams, or a tolerance that is none;
+    Raises :class:`tmodes.errors.InputError` for a robot without beams, or a tolerance that is none;
     :class:`tmodes.errors.SimulationError` where the finest rung has no rest.
     """
     if not 0 < tolerance < 1:
         raise InputError("tolerance", repr(tolerance), "a share between 0 and 1", "take 1e-3 for a thousandth")
-    info = list(rungs(arm, finest))
-    first = chosen_move(arm, np.inf)
+    info = list(rungs(robot, finest))
+    first = chosen_move(robot, np.inf)
     starts: list[_Start] = []
     for k, (name, sheet) in enumerate(info):
         progress("models", k / len(info))
         starts.append(_at_rest(name, sheet, first))
-    move = chosen_move(arm, min(starts[-1].frequencies, default=np.inf))
+    move = chosen_move(robot, min(starts[-1].frequencies, default=np.inf))
     paths: list[Array | str] = []
     for k, start in enumerate(starts):
         progress("test moves", k / len(info))
         paths.append(_path(start, move, tolerance))
-    return _compared(arm, tolerance, move, starts, paths)
+    return _compared(robot, tolerance, move, starts, paths)
 
 
 def _at_rest(name: str, sheet: Robot, move: Move) -> _Start:
@@ -191,7 +191,7 @@ def _path(start: _Start, move: Move, tolerance: float) -> Array | str:
     return model.points(q).position[:, 0]
 
 
-def _compared(arm: Robot, tolerance: float, move: Move, starts: list[_Start], paths: list[Array | str]) -> Ladder:
+def _compared(robot: Robot, tolerance: float, move: Move, starts: list[_Start], paths: list[Array | str]) -> Ladder:
     best, last = paths[-1], starts[-1]
     if isinstance(best, str):
         raise SimulationError(best)
@@ -201,7 +201,7 @@ def _compared(arm: Robot, tolerance: float, move: Move, starts: list[_Start], pa
     good = [rung for rung in info if rung.within(tolerance)]
     cheapest = min(good or info[-1:], key=lambda rung: (rung.coordinates, rung.cost_us))
     converged = len(info) > 1 and info[-2].within(tolerance)
-    return Ladder(arm.name, tolerance, move.words, deflection, info, cheapest.model, converged)
+    return Ladder(robot.name, tolerance, move.words, deflection, info, cheapest.model, converged)
 
 
 def _rung(start: _Start, path: Array | str, best: Array, deflection: float, last: _Start) -> Rung:

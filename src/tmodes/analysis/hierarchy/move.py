@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from tmodes.analysis.hierarchy.variants import driven, input_mix, whole_chain
-from tmodes.analysis.statics.rest import first_value
+from tmodes.analysis.statics.equilibrium import first_value
 from tmodes.errors import SimulationError
 from tmodes.kinds.signals.registry import MergedSchedule, constant_signal, merge, quintic_move
 from tmodes.model.model import Model
@@ -24,7 +24,7 @@ __all__ = ["Move", "chosen_move", "followed"]
 Array = NDArray[np.float64]
 
 AMPLITUDE = 0.2
-"""Travel [rad, m] of each joint where the arm has no drives of its own."""
+"""Travel [rad, m] of each joint where the robot has no drives of its own."""
 
 _SHORTEST, _LONGEST = 0.5, 5.0
 """Duration of that move [s]: at least, at most."""
@@ -55,26 +55,26 @@ class Move:
         return self.signals.at(time, derivative) @ self.mix.T
 
 
-def chosen_move(arm: Robot, lowest_frequency: float) -> Move:
-    """The arm's own drives where they are smooth; else 0.2 rad in each joint over max(0.5 s, three periods)."""
-    chain = whole_chain(arm)
+def chosen_move(robot: Robot, lowest_frequency: float) -> Move:
+    """The robot's own drives where they are smooth; else 0.2 rad in each joint over max(0.5 s, three periods)."""
+    chain = whole_chain(robot)
     joints, mix = [joint.name for joint in driven(chain)], input_mix(chain)
-    own = {drive.joint: drive for drive in arm.drives if drive.command.is_motion}
+    own = {drive.joint: drive for drive in robot.drives if drive.command.is_motion}
     if own:
-        until = min(arm.integration.duration, _LONGEST)
-        signals = [own[name].signal if name in own else constant_signal(_held(arm, name)) for name in joints]
+        until = min(robot.integration.duration, _LONGEST)
+        signals = [own[name].signal if name in own else constant_signal(_held(robot, name)) for name in joints]
         merged = merge([signal.schedule(until) for signal in signals])
         if _is_smooth(merged):
             return Move(merged, _times(merged), f"the arm's own drives, {until:.3g} s", mix)
     until = float(np.clip(3 / max(lowest_frequency, 1e-9), _SHORTEST, _LONGEST))
-    starts = [first_value(arm, own[name].signal) if name in own else _held(arm, name) for name in joints]
+    starts = [first_value(robot, own[name].signal) if name in own else _held(robot, name) for name in joints]
     moves = [quintic_move(x, x + AMPLITUDE, until) for x in starts]
     merged = merge([move.schedule(1.3 * until) for move in moves])
     return Move(merged, _times(merged), f"{AMPLITUDE:g} rad (m) in each joint in {until:.3g} s, quintic", mix)
 
 
-def _held(arm: Robot, joint: str) -> float:
-    given = arm.initial.coordinates
+def _held(robot: Robot, joint: str) -> float:
+    given = robot.initial.coordinates
     return given.get(f"{joint}.motor", given.get(joint, 0.0))
 
 

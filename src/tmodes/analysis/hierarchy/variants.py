@@ -1,4 +1,4 @@
-"""The rungs of the ladder: one arm with each model of its links; and the same arm with its motors' motion given."""
+"""The rungs of the ladder: one robot with each model of its links; and the same robot with its motors' motion given."""
 
 from __future__ import annotations
 
@@ -23,27 +23,27 @@ SEGMENTS = (1, 2, 3)
 """Numbers of segments, and of modes, that are tried."""
 
 
-def rungs(arm: Robot, finest: int) -> Iterator[tuple[str, Robot]]:
-    """Name and arm of every rung, from rigid to ``strain(finest)``; directions that do not bend stay so.
+def rungs(robot: Robot, finest: int) -> Iterator[tuple[str, Robot]]:
+    """Name and robot of every rung, from rigid to ``strain(finest)``; directions that do not bend stay so.
 
     ``modes`` are there where every beam is straight and bends alike in both planes.
 
-    Raises :class:`tmodes.errors.InputError` for an arm without a beam, or with one that has no other model.
+    Raises :class:`tmodes.errors.InputError` for a robot without a beam, or with one that has no other model.
     """
-    if not any(link.beam for link in arm.links):
+    if not any(link.beam for link in robot.links):
         hint = "give a link a `beam`; without one there is only one model"
         raise InputError("links", "no link with a beam", "at least one link that can bend", hint)
-    yield "rigid", _with_beams(arm, "rigid", None)
+    yield "rigid", _with_beams(robot, "rigid", None)
     for count in SEGMENTS:
-        yield f"segments({count})", _with_beams(arm, "segments", count)
+        yield f"segments({count})", _with_beams(robot, "segments", count)
     for count in SEGMENTS:
-        if all(link.beam is None or link.beam.variant("modes", count) for link in arm.links):
-            yield f"modes({count})", _with_beams(arm, "modes", count)
+        if all(link.beam is None or link.beam.variant("modes", count) for link in robot.links):
+            yield f"modes({count})", _with_beams(robot, "modes", count)
     for count in range(1, finest + 1):
-        yield f"strain({count})", _with_beams(arm, "strain", count)
+        yield f"strain({count})", _with_beams(robot, "strain", count)
 
 
-def _with_beams(arm: Robot, model: str, count: int | None) -> Robot:
+def _with_beams(robot: Robot, model: str, count: int | None) -> Robot:
     """The robot with another model of every beam, by the recursion: a system's energies are those of its own links."""
 
     def changed(link: LinkSheet) -> LinkSheet:
@@ -55,16 +55,16 @@ def _with_beams(arm: Robot, model: str, count: int | None) -> Robot:
             raise InputError(f"links.{link.name}.beam", link.beam.description, expected, hint)
         return link.model_copy(update={"beam": beam})
 
-    return arm.model_copy(update={"links": tuple(map(changed, arm.links)), "equations": RECURSION})
+    return robot.model_copy(update={"links": tuple(map(changed, robot.links)), "equations": RECURSION})
 
 
-def whole_chain(arm: Robot) -> Chain:
-    """The chain of an arm with all its motors, whatever its drives prescribe."""
-    return arm.model_copy(update={"drives": ()}).chain()
+def whole_chain(robot: Robot) -> Chain:
+    """The chain of a robot with all its motors, whatever its drives prescribe."""
+    return robot.model_copy(update={"drives": ()}).chain()
 
 
 def moved_chain(chain: Chain) -> Chain:
-    """The same arm, its gear inputs given motions: an elastic drive is a given joint, then a spring on the same axis.
+    """The same robot, its gear inputs given motions: an elastic drive is a given joint, then a spring on the same axis.
 
     The given joints come in the order of the chain's moving joints that have a drive of their own.
     """

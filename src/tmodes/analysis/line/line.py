@@ -19,8 +19,8 @@ from tmodes.chain.chain import Node
 from tmodes.equations.line.schedule import RIGID, ROOTS, Lines
 from tmodes.errors import InputError, SimulationError
 from tmodes.kinds.links.line import LineOfLink, layout
-from tmodes.model.evaluator import Rows
 from tmodes.model.model import Model
+from tmodes.model.passes import Rows
 
 __all__ = ["Largest", "LinkLine", "LinkLines", "Shape", "Stress", "elastic_line"]
 

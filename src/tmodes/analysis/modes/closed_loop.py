@@ -23,7 +23,7 @@ from tmodes.equations.loop.signals_kernels import SIGNAL
 from tmodes.errors import SimulationError
 from tmodes.kinds.controllers.registry import Controller
 from tmodes.kinds.kernel.schedule import Schedule, Slot
-from tmodes.model.evaluator import derivatives
+from tmodes.model.passes import derivatives
 from tmodes.sheet import Robot
 
 __all__ = ["Feedback", "closed_loop_motions", "feedback_of"]
@@ -146,13 +146,13 @@ def _after(samples: tuple[_Sample, ...], due: tuple[int, ...], size: int, first:
     return matrix
 
 
-def feedback_of(arm: Robot, rest: Equilibrium) -> Feedback | None:
+def feedback_of(robot: Robot, rest: Equilibrium) -> Feedback | None:
     """The controllers of a data sheet about its rest, their wanted values where the robot is.
 
     None where each acts as a spring and a damper of its own drive, which
     :func:`tmodes.analysis.modes.of_sheet.servos_of` gives.
     """
-    found = list(_drives(arm, rest))
+    found = list(_drives(robot, rest))
     simple = all(one.law.is_local and not one.servo.has_current for one in found)
     return None if simple or not found else _Linear(rest, found).feedback()
 
@@ -168,10 +168,10 @@ class _Drive:
     own: int
 
 
-def _drives(arm: Robot, rest: Equilibrium) -> Iterator[_Drive]:
+def _drives(robot: Robot, rest: Equilibrium) -> Iterator[_Drive]:
     motors: dict[str, Motor | None] = {axis.name: axis.joint.motor for axis in rest.model.chain.axes}
     names = rest.model.coordinates
-    for drive in arm.drives:
+    for drive in robot.drives:
         own = next((name for name in (f"{drive.joint}.motor", drive.joint) if name in names), None)
         if drive.controller and own:
             winding, numbers = winding_of(motors.get(drive.joint))

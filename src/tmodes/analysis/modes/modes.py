@@ -1,4 +1,4 @@
-"""Small vibrations of an arm about its rest: frequencies, damping, shapes, and the element in which each mode lives."""
+"""Small vibrations of a robot about its rest: frequencies, damping, shapes, dominant elements."""
 
 from __future__ import annotations
 
@@ -18,14 +18,8 @@ from tmodes.chain.chain import Chain, Friction
 from tmodes.model.model import Model
 
 __all__ = [
-    "ArmMode",
-    "MotorState",
-    "Servo",
-    "arm_modes",
-    "closed_loop_poles",
-    "moving_coordinates",
-    "without_dry_friction",
-]
+    "Mode", "MotorState", "Servo", "closed_loop_poles", "modes_about", "moving_coordinates", "without_dry_friction",
+]  # fmt: skip
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -42,7 +36,7 @@ class Servo(NamedTuple):
 
 
 @dataclass(frozen=True, eq=False)
-class ArmMode:
+class Mode:
     """One mode of vibration.
 
     ``frequency_Hz``: natural, from mass and stiffness alone, 0 for a free motion and for one that buckles; of a mode
@@ -50,7 +44,7 @@ class ArmMode:
     ``damped_frequency_Hz``: as it rings, None when it does not; ``damping_ratio``: -Re/|lambda|, 1 when over-damped;
     ``element``: where most of its elastic energy is, and the ``share`` of it; ``shares`` of all elements; ``stable`` is
     False where it grows, by the factor e in ``growth_time_s``, else None. ``shape`` (nq,): of the undamped mode, its
-    largest entry 1. ``motion`` (nq,): complex, as the damped arm moves.
+    largest entry 1. ``motion`` (nq,): complex, as the damped robot moves.
     """
 
     frequency_Hz: float
@@ -65,20 +59,19 @@ class ArmMode:
     motion: Complex | None = None
 
 
-def arm_modes(
+def modes_about(
     rest: Equilibrium,
     motors: MotorState = MotorState.LOCKED,
     servos: Mapping[str, Servo] | None = None,
     feedback: Feedback | None = None,
-) -> list[ArmMode]:
-    """Modes by rising frequency about an arm at rest.
+) -> list[Mode]:
+    """Modes by rising frequency about a robot at rest.
 
-    ``motors`` locked: the driven coordinates stand still; free: they turn without current; controlled: they are on
-    the springs and dampers ``servos`` of their controllers, or under the ``feedback`` of
-    :func:`tmodes.analysis.modes.closed_loop.feedback_of`; those without one stand still. Prescribed joints always
-    stand still. Dry friction, which has no slope at rest, is left out. Of an arm of more than 120 coordinates the
-    lowest 60 modes. Raises :class:`SimulationError` for a mass
-    matrix that is not positive definite.
+    ``motors`` locked: the driven coordinates stand still; free: they turn without current; controlled: they are on the
+    springs and dampers ``servos`` of their controllers, or under the ``feedback`` of
+    :func:`tmodes.analysis.modes.closed_loop.feedback_of`; those without one stand still. Prescribed joints always stand
+    still. Dry friction, which has no slope at rest, is left out. Of a robot of more than 120 coordinates the lowest 60
+    modes. Raises :class:`SimulationError` for a mass matrix that is not positive definite.
     """
     chosen = servos or {} if motors is MotorState.CONTROLLED else {}
     moving = moving_coordinates(rest, motors, chosen)
@@ -98,12 +91,14 @@ def arm_modes(
     whole[moving], moved[moving] = shapes, motions
     zero = NOTHING * len(mass) * float(np.abs(squares).max())
     stored = {name: spring.energy(whole) for name, spring in springs.items()}
-    modes = [
-        _mode(float(square), eigenvalues[k], whole[:, k], {name: float(part[k]) for name, part in stored.items()}, zero)
-        for k, square in enumerate(squares)
-    ]
-    modes = [replace(mode, motion=moved[:, k]) for k, mode in enumerate(modes)]
-    return [_controlled(mode, eigenvalues[k]) for k, mode in enumerate(modes)] if chosen else modes
+    modes = []
+    for k, square in enumerate(squares):
+        energies = {name: float(part[k]) for name, part in stored.items()}
+        mode = _mode(float(square), eigenvalues[k], whole[:, k], energies, zero)
+        rings = chosen and mode.damped_frequency_Hz
+        frequency = float(abs(eigenvalues[k])) / (2 * np.pi) if rings else mode.frequency_Hz
+        modes.append(replace(mode, frequency_Hz=frequency, motion=moved[:, k]))
+    return modes
 
 
 def closed_loop_poles(rest: Equilibrium, servos: Mapping[str, Servo], feedback: Feedback | None = None) -> Complex:
@@ -152,12 +147,8 @@ def _eigenvalues(
     return values[chosen], motions if spanned is shapes else spanned @ motions
 
 
-def _controlled(mode: ArmMode, value: complex) -> ArmMode:
-    return replace(mode, frequency_Hz=float(abs(value)) / (2 * np.pi)) if mode.damped_frequency_Hz else mode
-
-
 def moving_coordinates(rest: Equilibrium, motors: MotorState, servos: Mapping[str, Servo]) -> NDArray[np.intp]:
-    """Indices of the coordinates that move in one of the cases of :func:`arm_modes`."""
+    """Indices of the coordinates that move in one of the cases of :func:`modes_about`."""
     model = rest.model
     prescribed = set(model.parts.held)
     added: Sequence[int] = driven(model) if motors is MotorState.FREE else [model.coordinates.index(n) for n in servos]
@@ -189,16 +180,16 @@ def without_dry_friction(chain: Chain) -> Chain | None:
     return replace(chain, nodes=tuple(nodes)) if any(dry) else None
 
 
-def _mode(square: float, value: complex, shape: Array, stored: Mapping[str, float], zero: float) -> ArmMode:
+def _mode(square: float, value: complex, shape: Array, stored: Mapping[str, float], zero: float) -> Mode:
     """A mode with unit modal mass and twice the energies ``stored`` in the springs; squares up to ``zero`` are none."""
     shown = shape / shape[np.abs(shape).argmax()]
     total = sum(stored.values())
     if abs(square) <= zero and total <= zero:
-        return ArmMode(0.0, None, 0.0, "whole arm, free", 1.0, {}, True, None, shown)
+        return Mode(0.0, None, 0.0, "whole arm, free", 1.0, {}, True, None, shown)
     shares = {name: energy / total for name, energy in stored.items()} if total > zero else {}
     home = max(shares, key=lambda name: shares[name]) if shares else "whole arm, in its weight and loads"
     size, stable = abs(value), bool(value.real <= GROWING * abs(value))
-    return ArmMode(
+    return Mode(
         frequency_Hz=float(np.sqrt(max(square, 0.0))) / (2 * np.pi),
         damped_frequency_Hz=float(value.imag) / (2 * np.pi) if value.imag > RINGS * size else None,
         damping_ratio=float(-value.real / size) if abs(value.real) > ROUNDING * size else 0.0,

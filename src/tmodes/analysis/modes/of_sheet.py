@@ -1,4 +1,4 @@
-"""The modes of an arm as its data sheet states it: about its rest, for each thing that its motors may do."""
+"""The modes of a robot as its data sheet states it: about its rest, for each thing that its motors may do."""
 
 from __future__ import annotations
 
@@ -11,16 +11,15 @@ from numpy.typing import NDArray
 
 from tmodes.analysis.describe.describe import NOTHING_MOVES, link_states
 from tmodes.analysis.modes.closed_loop import feedback_of
-from tmodes.analysis.modes.modes import ArmMode, MotorState, Servo, arm_modes, closed_loop_poles
-from tmodes.analysis.statics.equilibrium import Equilibrium
+from tmodes.analysis.modes.modes import Mode, MotorState, Servo, closed_loop_poles, modes_about
+from tmodes.analysis.statics.equilibrium import Equilibrium, robot_rest
 from tmodes.analysis.statics.path import Progress
-from tmodes.analysis.statics.rest import arm_rest
 from tmodes.chain.chain import Motor
 from tmodes.model.model import Model
 from tmodes.sheet import Robot
 from tmodes.sheet.parts import LinkSheet
 
-__all__ = ["frequencies_about", "local_servos", "servos_of", "sheet_frequencies", "sheet_modes", "vibrations"]
+__all__ = ["frequencies_about", "local_servos", "servos_of", "sheet_frequencies", "vibrations"]
 
 _FREQUENCY = ("frequency_Hz", "damped_frequency_Hz", "damping_ratio", "element", "share", "stable")
 """What is kept of a mode where its shape does not matter."""
@@ -38,79 +37,70 @@ class Vibrations(NamedTuple):
     poles: list[tuple[float, float]]
 
 
-def sheet_modes(
-    arm: Robot, *, contact: bool = False, progress: Progress = lambda stage, share: None
-) -> dict[str, list[dict[str, Any]]]:
-    """Modes for each state of the motors about the arm's rest under its loads, as plain data.
-
-    ``controlled`` is there only where a drive has a controller. Errors as of
-    :func:`tmodes.analysis.statics.rest.arm_rest`.
-    """
-    rest = arm_rest(arm, contact=contact, progress=progress)
-    return {state: [_plain(mode, rest) for mode in modes] for state, modes in _states(arm, rest, progress).items()}
-
-
-def frequencies_about(arm: Robot, rest: Equilibrium) -> dict[str, list[dict[str, Any]]]:
+def frequencies_about(robot: Robot, rest: Equilibrium) -> dict[str, list[dict[str, Any]]]:
     """Natural frequencies and damping about a known rest, for each state of the motors; shapes are left out."""
-    states = _states(arm, rest, lambda stage, share: None)
+    states = _states(robot, rest, lambda stage, share: None)
     return {
         state: [{key: getattr(mode, key) for key in _FREQUENCY} for mode in modes] for state, modes in states.items()
     }
 
 
-def sheet_frequencies(arm: Robot, *, contact: bool) -> dict[str, list[dict[str, Any]]]:
-    """The same about the rest of a data sheet, which is solved for.
+def sheet_frequencies(robot: Robot, *, contact: bool = True) -> dict[str, list[dict[str, Any]]]:
+    """The same about the rest of a data sheet, which is solved for; ``contact``: in contact where it has one.
 
-    Errors as of :func:`tmodes.analysis.statics.rest.arm_rest`.
+    Errors as of :func:`tmodes.analysis.statics.equilibrium.robot_rest`.
     """
-    return frequencies_about(arm, arm_rest(arm, contact=contact))
+    return frequencies_about(robot, robot_rest(robot, contact=contact))
 
 
-def vibrations(arm: Robot, *, contact: bool = False, progress: Progress = lambda stage, share: None) -> Vibrations:
-    """The modes of :func:`sheet_modes`, how far each is converged, and whether the links' models hold at rest.
+def vibrations(robot: Robot, *, contact: bool = False, progress: Progress = lambda stage, share: None) -> Vibrations:
+    """Modes for each state of the motors about the rest under its loads, and whether the links' models hold there.
+
+    ``controlled`` is there only where a drive has a controller. Errors as of
+    :func:`tmodes.analysis.statics.equilibrium.robot_rest`.
 
     ``frequency_error`` of a mode: by which share it is higher than with two more functions a direction, None where that
-    is not known (arms of more than 60 coordinates, segments, modes without a partner); ``converged``: within 1 %.
+    is not known (robots of more than 60 coordinates, segments, modes without a partner); ``converged``: within 1 %.
     """
-    rest = arm_rest(arm, contact=contact, progress=progress)
-    states = _states(arm, rest, progress)
+    rest = robot_rest(robot, contact=contact, progress=progress)
+    states = _states(robot, rest, progress)
     info = {state: [_plain(mode, rest) for mode in modes] for state, modes in states.items()}
-    fine_arm = finer(arm) if rest.model.nq <= MOST_CHECKED else None
-    fine = arm_rest(fine_arm, contact=contact, progress=progress) if fine_arm else None
-    others = _states(_without_full_feedback(arm), fine, progress) if fine else {}
+    fine_robot = finer(robot) if rest.model.nq <= MOST_CHECKED else None
+    fine = robot_rest(fine_robot, contact=contact, progress=progress) if fine_robot else None
+    others = _states(_without_full_feedback(robot), fine, progress) if fine else {}
     for state, modes in states.items():
         errors = frequency_errors(rest, modes, fine, others[state]) if fine and state in others else [None] * len(modes)
         for row, error in zip(info[state], errors, strict=True):
             row |= {"frequency_error": error, "converged": None if error is None else abs(error) <= CONVERGED}
-    return Vibrations(info, link_states(rest), _notices(arm, rest, info), _poles(arm, rest))
+    return Vibrations(info, link_states(rest), _notices(robot, rest, info), _poles(robot, rest))
 
 
-def _without_full_feedback(arm: Robot) -> Robot:
+def _without_full_feedback(robot: Robot) -> Robot:
     """Without controllers that see the whole state: one may be made for just the coordinates that the robot has."""
-    if any(drive.controller and drive.controller.sees_all for drive in arm.drives):
-        return arm.model_copy(update={"drives": ()})
-    return arm
+    if any(drive.controller and drive.controller.sees_all for drive in robot.drives):
+        return robot.model_copy(update={"drives": ()})
+    return robot
 
 
-def _poles(arm: Robot, rest: Equilibrium) -> list[tuple[float, float]]:
-    servos = servos_of(arm, rest.model)
-    found = closed_loop_poles(rest, servos, feedback_of(arm, rest)) if servos else ()
+def _poles(robot: Robot, rest: Equilibrium) -> list[tuple[float, float]]:
+    servos = servos_of(robot, rest.model)
+    found = closed_loop_poles(rest, servos, feedback_of(robot, rest)) if servos else ()
     return [(float(value.real), float(value.imag)) for value in found]
 
 
-def _states(arm: Robot, rest: Equilibrium, progress: Progress) -> dict[str, list[ArmMode]]:
-    servos, feedback = servos_of(arm, rest.model), feedback_of(arm, rest)
+def _states(robot: Robot, rest: Equilibrium, progress: Progress) -> dict[str, list[Mode]]:
+    servos, feedback = servos_of(robot, rest.model), feedback_of(robot, rest)
     states = [MotorState.LOCKED, MotorState.FREE, *([MotorState.CONTROLLED] if servos else [])]
     found = {}
     for k, state in enumerate(states):
         progress("modes", k / len(states))
-        found[str(state)] = arm_modes(rest, state, servos, feedback)
+        found[str(state)] = modes_about(rest, state, servos, feedback)
     return found
 
 
-def _notices(arm: Robot, rest: Equilibrium, info: dict[str, list[dict[str, Any]]]) -> list[str]:
+def _notices(robot: Robot, rest: Equilibrium, info: dict[str, list[dict[str, Any]]]) -> list[str]:
     found = [] if rest.model.nq else [f"no modes: {NOTHING_MOVES}"]
-    if rest.model.nq > MOST_CHECKED and finer(arm):
+    if rest.model.nq > MOST_CHECKED and finer(robot):
         found.append(f"whether the modes are converged was not checked: more than {MOST_CHECKED} coordinates")
     if any(row["converged"] is False for modes in info.values() for row in modes):
         found.append(
@@ -120,14 +110,14 @@ def _notices(arm: Robot, rest: Equilibrium, info: dict[str, list[dict[str, Any]]
     return found
 
 
-def servos_of(arm: Robot, model: Model) -> dict[str, Servo]:
+def servos_of(robot: Robot, model: Model) -> dict[str, Servo]:
     """The controllers of a data sheet as springs and dampers of the coordinates that they keep.
 
     Volts become torque by CM/R, and the back electromotive force damps: Eq. (41) of Filipovic & Djuric 2010.
     """
     motors = {axis.name: axis.joint.motor for axis in model.chain.axes}
     found = {}
-    for drive in arm.drives:
+    for drive in robot.drives:
         names = [name for name in (f"{drive.joint}.motor", drive.joint) if name in model.coordinates]
         if drive.controller and names:
             gains = drive.controller.local_gains()
@@ -135,11 +125,11 @@ def servos_of(arm: Robot, model: Model) -> dict[str, Servo]:
     return found
 
 
-def local_servos(arm: Robot, model: Model) -> dict[str, Servo]:
+def local_servos(robot: Robot, model: Model) -> dict[str, Servo]:
     """The same where controllers are no more than that; empty where any is."""
     motors = [axis.joint.motor for axis in model.chain.axes]
-    local = all(drive.controller.is_local for drive in arm.drives if drive.controller)
-    return servos_of(arm, model) if local and not any(motor.inductance for motor in motors if motor) else {}
+    local = all(drive.controller.is_local for drive in robot.drives if drive.controller)
+    return servos_of(robot, model) if local and not any(motor.inductance for motor in motors if motor) else {}
 
 
 def _servo(motor: Motor | None, position_gain: float, velocity_gain: float) -> Servo:
@@ -149,7 +139,7 @@ def _servo(motor: Motor | None, position_gain: float, velocity_gain: float) -> S
     return Servo(per_volt * position_gain, per_volt * (velocity_gain + motor.back_emf))
 
 
-def _plain(mode: ArmMode, rest: Equilibrium) -> dict[str, Any]:
+def _plain(mode: Mode, rest: Equilibrium) -> dict[str, Any]:
     info = asdict(mode)
     del info["motion"]
     info["shape"] = dict(zip(rest.model.coordinates, mode.shape.tolist(), strict=True))
@@ -159,32 +149,29 @@ def _plain(mode: ArmMode, rest: Equilibrium) -> dict[str, Any]:
 Array = NDArray[np.float64]
 
 CONVERGED = 0.01
-
 """Share by which a frequency may change with more functions."""
 
 MOST_CHECKED = 60
-
-"""Coordinates up to which an arm is compared with a finer one."""
+"""Coordinates up to which a robot is compared with a finer one."""
 
 ALIKE = 0.3
-
 """Likeness (modal assurance) from which two modes are the same motion."""
 
 
-def finer(arm: Robot) -> Robot | None:
-    """The arm with more functions; None where no link has any to which more could be added."""
+def finer(robot: Robot) -> Robot | None:
+    """The robot with more functions; None where no link has any to which more could be added."""
 
     def refined(link: LinkSheet) -> LinkSheet:
         return link.model_copy(update={"beam": link.beam.finer()}) if link.beam else link
 
-    links = tuple(refined(link) for link in arm.links)
-    return None if links == arm.links else arm.model_copy(update={"links": links})
+    links = tuple(refined(link) for link in robot.links)
+    return None if links == robot.links else robot.model_copy(update={"links": links})
 
 
 def frequency_errors(
-    rest: Equilibrium, modes: Sequence[ArmMode], fine: Equilibrium, fine_modes: Sequence[ArmMode]
+    rest: Equilibrium, modes: Sequence[Mode], fine: Equilibrium, fine_modes: Sequence[Mode]
 ) -> list[float | None]:
-    """By which share each frequency is higher than that of the finer arm's mode most like it; None where none is."""
+    """By which share each frequency is higher than that of the finer robot's mode most like it; None where none is."""
     from scipy.optimize import linear_sum_assignment
 
     if not modes:

@@ -16,14 +16,14 @@ Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
 NOTHING = 1e-13
-"""Share of the largest squared frequency, per coordinate, below which a motion is the whole arm's, free to drift."""
+"""Share of the largest squared frequency, per coordinate, below which a motion is the whole robot's, free to drift."""
 
 
 MOST_WHOLE = 120
 """Coordinates up to which all modes are reported."""
 
 LOWEST = 60
-"""Modes that are reported of an arm with more: the lowest, their damping by their own motions."""
+"""Modes that are reported of a robot with more: the lowest, their damping by their own motions."""
 
 
 def undamped_shapes(mass: Array, stiffness: Array) -> tuple[Array, Array]:

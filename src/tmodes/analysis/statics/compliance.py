@@ -1,4 +1,4 @@
-"""How an arm gives way at a point: its compliance and stiffness, and which gear or link gives how much of it."""
+"""How a robot gives way at a point: its compliance and stiffness, and which gear or link gives how much of it."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ DIRECTIONS = ("x", "y", "z", "about x", "about y", "about z")
 """Of forces [N] and moments [N*m] in world axes."""
 
 LOADS = "weight and loads"
-"""The share of the loads themselves, which turn with the arm or pull at it as it turns: geometric stiffness."""
+"""The share of the loads themselves, which turn with the robot or pull at it as it turns: geometric stiffness."""
 
 NOTHING = 1e-14
 """Compliance over the largest of its kind below which a direction does not give."""
@@ -71,7 +71,7 @@ class PointCompliance:
 
 
 class Spring(NamedTuple):
-    """One spring of an arm: its stiffness matrix (nq, nq) is left^T right, both (rows, nq) of few rows."""
+    """One spring of a robot: its stiffness matrix (nq, nq) is left^T right, both (rows, nq) of few rows."""
 
     left: Array
     right: Array
@@ -87,7 +87,7 @@ class Spring(NamedTuple):
 
 
 def springs_of(model: Model, q: Array) -> dict[str, Spring]:
-    """Each spring of an arm about a pose: ``joint.gear``, ``link.bend_y``, ``link.twist``, ...
+    """Each spring of a robot about a pose: ``joint.gear``, ``link.bend_y``, ``link.twist``, ...
 
     Together they are the slope of the elastic forces; the weight has no part in it.
     """
@@ -116,7 +116,7 @@ def spring_rows(model: Model) -> tuple[dict[str, int], dict[str, list[int]]]:
 
 
 def point_compliance(rest: Equilibrium, point: int = 0) -> PointCompliance:
-    """Compliance of a point (its index) of an arm at rest, by its tangent, and each element's part of it.
+    """Compliance of a point (its index) of a robot at rest, by its tangent, and each element's part of it.
 
     With u = K^-1 J^T, C = J u = u^T K u, and K is the sum of the elements' stiffness and that of the loads: the parts
     u^T K_e u are, without loads, J_e K_e^-1 J_e^T of springs in a row. Raises :class:`SimulationError` where a free
@@ -139,25 +139,22 @@ def point_compliance(rest: Equilibrium, point: int = 0) -> PointCompliance:
 
 
 FIRST_ORDER = 1e-10
-
-"""Compliance of the unloaded arm, over the largest of its kind, below which nothing gives to first order."""
+"""Compliance of the unloaded robot, over the largest of its kind, below which nothing gives to first order."""
 
 BENT = (1e-2, 0.5)
-
-"""Share of the largest compliance of travels, and of turns, from which a bent arm's own is reported all the same.
+"""Share of the largest compliance of travels, and of turns, from which a bent robot's own is reported all the same.
 
 The stretch that is left out is some 1e-4 of bending or less; the twist that is left out is as large as bending.
 """
 
 ACROSS = 1e-6
-
 """Travel per turn or stretch, over the largest, that is rounding."""
 
 
 def missing_functions(rest: Equilibrium, found: PointCompliance, point: int = 0) -> list[str]:
     """For each of the six directions the kinds of functions (``stretch, twist``) that its stiffness would need.
 
-    Empty where the arm gives to first order, where it is bent so far that what it gives counts, and where no link has
+    Empty where the robot gives to first order, where it is bent so far that what it gives counts, and where no link has
     left anything out.
     """
     first, now = _unloaded(rest, point), np.abs(np.diagonal(found.compliance))
@@ -171,11 +168,17 @@ def missing_functions(rest: Equilibrium, found: PointCompliance, point: int = 0)
     return info
 
 
-def _unloaded(rest: Equilibrium, point: int) -> Array:
-    """The six compliances of the arm as it is without weight and loads, its gears and links unbent."""
-    model, free = rest.model, rest.free
+def _unbent(rest: Equilibrium) -> Array:
+    """The pose (nq,) without weight and loads, no link bent."""
     q = rest.unloaded.copy()
-    q[model.deformations] = 0.0
+    q[rest.model.deformations] = 0.0
+    return q
+
+
+def _unloaded(rest: Equilibrium, point: int) -> Array:
+    """The six compliances of the robot as it is without weight and loads, its gears and links unbent."""
+    model, free = rest.model, rest.free
+    q = _unbent(rest)
     if not len(free):
         return np.zeros(6)
     stiffness = model.stiffness(q, base=model.at_rest(gravity=0.0))[np.ix_(free, free)]
@@ -187,8 +190,7 @@ def _unloaded(rest: Equilibrium, point: int) -> Array:
 def _kinds(rest: Equilibrium, point: int) -> list[list[str]]:
     """For each direction the kinds of functions that some link lacks and that would let the point give that way."""
     model = rest.model
-    q = rest.unloaded.copy()
-    q[model.deformations] = 0.0
+    q = _unbent(rest)
     place = model.pose(q)[0][point]
     found: list[set[str]] = [set() for _ in range(6)]
     outboard = _between(rest, point)

@@ -1,9 +1,11 @@
-"""Static equilibrium of an arm: its pose under weight and loads, whether it is stable, and where it buckled."""
+"""Static equilibrium of a model, and of a robot as its sheet states it: the pose, and whether it is stable."""
 
 from __future__ import annotations
 
+from collections import OrderedDict
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,8 +17,13 @@ from tmodes.analysis.statics.system import StaticSystem
 from tmodes.errors import InputError
 from tmodes.kinds.contacts.registry import Contact
 from tmodes.model.model import Model
+from tmodes.sheet import Robot
+from tmodes.sheet.parts import LoadFrame
 
-__all__ = ["Equilibrium", "Load", "driven", "equilibrium", "free_coordinates"]
+__all__ = [
+    "Equilibrium", "Load", "driven", "equilibrium", "first_commands", "first_value", "free_coordinates", "robot_rest",
+    "sheet_loads",
+]  # fmt: skip
 
 Array = NDArray[np.float64]
 
@@ -32,12 +39,12 @@ class UnstableMode:
 
 @dataclass(frozen=True, eq=False)
 class Equilibrium:
-    """An arm at rest.
+    """A robot at rest.
 
     ``q`` (nq,): the pose. ``residual``: force left over against the largest in play. ``lowest_frequency_Hz``: of the
-    undamped arm with its held coordinates fixed; 0 where it is not ``stable``, infinite where nothing is free.
+    undamped robot with its held coordinates fixed; 0 where it is not ``stable``, infinite where nothing is free.
     ``load_path`` (stations, 1 + nq): load factor and pose on the way; ``lost_stability_at``: load factor at which the
-    arm first lost its stability (buckled), None where it did not. ``free``: indices of the coordinates that were
+    robot first lost its stability (buckled), None where it did not. ``free``: indices of the coordinates that were
     found. ``matrices``: M, D, K (nq, nq) about the pose, with the stiffness of loads and surfaces. ``wrenches``
     (points, 6): what acts on the points, world axes, None for nothing. ``positions`` (points, 3) [m] and ``rotations``
     (points, 3, 3) of the points, and the same without loads.
@@ -63,7 +70,7 @@ class Equilibrium:
         return dict(zip(self.model.coordinates, self.q.tolist(), strict=True))
 
     def displacement(self, point: int = 0) -> tuple[Array, Array]:
-        """Travel (3,) [m] and rotation vector (3,) [rad] of a point from the unloaded arm, world axes."""
+        """Travel (3,) [m] and rotation vector (3,) [rad] of a point from the unloaded robot, world axes."""
         from scipy.spatial.transform import Rotation
 
         (before, after), turns = self.model.pose(np.stack([self.unloaded, self.q]))
@@ -81,12 +88,12 @@ def equilibrium(
     contact: Contact | None = None,
     progress: Progress = lambda stage, share: None,
 ) -> Equilibrium:
-    """The pose in which an arm rests under its weight and ``loads``, reached from the unloaded arm.
+    """The pose in which a robot rests under its weight and ``loads``, reached from the unloaded arm.
 
     Motors and joints that are driven directly or prescribed are held: at ``held`` [rad, m], else at ``start``, else
     at 0; all other coordinates, and those named in ``free``, are found, from ``start`` on. The load, weight included,
     rises from nothing in steps that keep to their branch (Crisfield, Non-linear Finite Element Analysis of Solids and
-    Structures 1, 1991, ch. 9); an arm with loose joints first sinks to where a thousandth of the load puts it.
+    Structures 1, 1991, ch. 9); a robot with loose joints first sinks to where a thousandth of the load puts it.
 
     Raises :class:`tmodes.errors.InputError` for an unknown name or a number that is not finite, and
     :class:`tmodes.errors.SimulationError` with the last load factor reached where the whole load finds no rest.
@@ -105,23 +112,15 @@ def _info(system: StaticSystem, path: LoadPath, pose: Array) -> Equilibrium:
         for one in end.stability.growing
     )
     return Equilibrium(
-        model=model,
-        q=end.q,
-        residual=end.residual,
-        stable=end.stability.stable,
-        lowest_frequency_Hz=end.stability.lowest_frequency_Hz,
-        unstable_modes=tuple(growing),
+        model=model, q=end.q, residual=end.residual, stable=end.stability.stable,
+        lowest_frequency_Hz=end.stability.lowest_frequency_Hz, unstable_modes=tuple(growing),
         load_path=np.array([[station.factor, *station.q] for station in path.stations]),
-        lost_stability_at=path.lost_at,
-        free=system.free,
-        matrices=system.matrices(end.q, 1.0),
-        wrenches=system.wrenches(end.q),
-        unloaded=path.stations[0].q if path.stations[0].factor == 0.0 else pose,
-    )
+        lost_stability_at=path.lost_at, free=system.free, matrices=system.matrices(end.q, 1.0),
+        wrenches=system.wrenches(end.q), unloaded=path.stations[0].q if path.stations[0].factor == 0.0 else pose,
+    )  # fmt: skip
 
 
 LARGEST = 1e6
-
 """Largest value of a coordinate that is held [rad, m]."""
 
 
@@ -135,12 +134,8 @@ def free_coordinates(model: Model, held: Mapping[str, float], free: Sequence[str
     _check_names(model, (*held, *free))
     both = sorted({*held} & {*free})
     if both:
-        raise InputError(
-            f"free: {both[0]}",
-            "a coordinate that is also held",
-            "held or free, not both",
-            "take it out of one of the two",
-        )
+        got, hint = "a coordinate that is also held", "take it out of one of the two"
+        raise InputError(f"free: {both[0]}", got, "held or free, not both", hint)
     still = {model.coordinates[k] for k in driven(model)} | {*held}
     names = enumerate(model.coordinates)
     return np.array([k for k, name in names if name in free or name not in still], dtype=np.intp)
@@ -174,3 +169,74 @@ def _check_numbers(values: Mapping[str, float]) -> None:
     for name, value in values.items():
         if not abs(value) <= LARGEST:
             raise InputError(name, repr(value), f"a finite value within {LARGEST:g}", "give it in radians or meters")
+
+
+def robot_rest(
+    robot: Robot,
+    loads: Sequence[Load] = (),
+    *,
+    model: Model | None = None,
+    held: Mapping[str, float] | None = None,
+    sheet: bool = True,
+    contact: bool = True,
+    progress: Progress = lambda stage, share: None,
+) -> Equilibrium:
+    """Static equilibrium of a robot under its weight, the loads of its data sheet at time 0 (``sheet``) and ``loads``.
+
+    Driven coordinates are held at ``held``, else at their first command, else at the sheet's initial coordinates, else
+    at 0; ``contact`` False leaves the sheet's contact out. One that was solved lately is taken again: a run, its modes
+    and its page ask for the same. Errors as of :func:`equilibrium`.
+    """
+    model = model or Model(robot.chain())
+    known = {name: value for name, value in robot.initial.coordinates.items() if name in model.coordinates}
+    commands = first_commands(robot, model) | dict(held or {})
+    acting = [*(sheet_loads(robot) if sheet else ()), *loads]
+    touched = robot.contact if contact else None
+    key = _key(model, acting, commands, known, touched)
+    if key not in _solved:
+        _solved[key] = equilibrium(model, acting, held=commands, start=known, contact=touched, progress=progress)
+        while len(_solved) > _KEPT:
+            _solved.popitem(last=False)
+    return replace(_solved[key], model=model)  # whose points and rigid links may have other names
+
+
+_solved: OrderedDict[Any, Equilibrium] = OrderedDict()
+_KEPT = 8
+
+
+def _key(
+    model: Model, loads: Sequence[Load], held: Mapping[str, float], start: Mapping[str, float], contact: Any
+) -> tuple[Any, ...]:
+    """All that an equilibrium follows from: structure and numbers of the equations, and what acts."""
+    structure = tuple(model.passes.schedule(name).key for name in ("inertia", "elastic"))
+    numbers = model.parameters.tobytes(), model.at_rest().tobytes()
+    acting = tuple((load.point, *load.wrench().tolist(), load.follows) for load in loads)
+    touched = contact and (contact.fingerprint(), contact.model_dump_json())
+    return structure, model.coordinates, numbers, acting, tuple(held.items()), tuple(start.items()), touched
+
+
+def first_commands(robot: Robot, model: Model) -> dict[str, float]:
+    """Coordinates whose position a drive commands, at time 0 [rad, m]; a motor's where its gear is elastic."""
+    commands = {}
+    for drive in robot.drives:
+        if drive.command.is_motion:
+            motor = f"{drive.joint}.motor"
+            name = motor if motor in model.coordinates else drive.joint
+            if name in model.coordinates:
+                commands[name] = first_value(robot, drive.signal)
+    return commands
+
+
+def sheet_loads(robot: Robot) -> list[Load]:
+    """The loads of a data sheet at time 0."""
+    loads = []
+    for load in robot.loads:
+        factor = 1.0 if load.signal is None else first_value(robot, load.signal)
+        force, moment = ([factor * x for x in part] for part in (load.force, load.moment))
+        loads.append(Load(load.point, force, moment, follows=load.frame is LoadFrame.SECTION))
+    return loads
+
+
+def first_value(robot: Robot, signal: Any) -> float:
+    """The value of a signal at time 0; beyond the robot's run it may have none."""
+    return float(signal.schedule(min(1.0, robot.integration.duration)).coefficients[0, 0])

@@ -1,11 +1,12 @@
-"""What acts on an arm at rest: loads on its points, and the surface that its tip touches."""
+"""What acts on a robot at rest: loads on its points, and the surface that its tip touches."""
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import NamedTuple, Protocol
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -52,59 +53,45 @@ class Pose:
     jacobian: Array
 
 
-class Act(Protocol):
-    """Something that acts on one point."""
+@dataclass(frozen=True, eq=False)
+class Act(ABC):
+    """Something that acts on one point, by the point's index."""
 
-    @property
-    def point(self) -> int:
-        """The point's index."""
-        ...
+    point: int
 
+    @abstractmethod
     def wrench(self, pose: Pose) -> Array:
         """Force and moment on the point, world axes, shape (6,)."""
-        ...
 
     def stiffness(self, pose: Pose) -> Array | None:
         """What it adds to the stiffness (nq, nq) beyond a wrench that keeps its direction; None: nothing."""
-        ...
+        del pose
+        return None
 
     def carried(self, pose: Pose) -> tuple[Array, Array] | None:
-        """What it adds to the masses and to the damping (nq, nq) of the arm; None: nothing."""
-        ...
+        """What it adds to the masses and to the damping (nq, nq) of the robot; None: nothing."""
+        del pose
+        return None
 
 
 @dataclass(frozen=True, eq=False)
-class _Dead:
-    point: int
-    info: Array
+class _Dead(Act):
+    given: Array
 
     def wrench(self, pose: Pose) -> Array:
         del pose
-        return self.info
-
-    def stiffness(self, pose: Pose) -> None:
-        del pose
-
-    def carried(self, pose: Pose) -> None:
-        del pose
+        return self.given
 
 
-@dataclass(frozen=True, eq=False)
-class _Follower:
-    point: int
-    info: Array
-
+class _Follower(_Dead):
     def wrench(self, pose: Pose) -> Array:
-        return np.concatenate([pose.rotation @ self.info[:3], pose.rotation @ self.info[3:]])
+        return np.concatenate([pose.rotation @ self.given[:3], pose.rotation @ self.given[3:]])
 
     def stiffness(self, pose: Pose) -> Array:
         """A turn d of the section turns a vector F by d x F, which is a force less -[F]x d."""
         wrench, turn = self.wrench(pose), pose.jacobian[3:]
         force, moment = cross_matrix(wrench[:3]) @ turn, cross_matrix(wrench[3:]) @ turn
         return pose.jacobian[:3].T @ force + turn.T @ moment
-
-    def carried(self, pose: Pose) -> None:
-        del pose
 
 
 def acts_of(model: Model, loads: Sequence[Load]) -> list[Act]:
@@ -151,32 +138,33 @@ def touch(shape: Surface, position: Array) -> Touch:
 
 
 @dataclass(frozen=True, eq=False)
-class _Surface:
+class _Surface(Act):
     """Normal force of the law at rest; friction holds nothing there.
 
     Where it acts, the surface moves with the point along the normal: its mass and its damper are then the robot's too.
     """
 
-    point: int
     sheet: Contact
 
     @cached_property
     def _law(self) -> Callable[[float, float], LawAt]:
         return contact_law(self.sheet)
 
-    def wrench(self, pose: Pose) -> Array:
+    def _at(self, pose: Pose) -> tuple[Touch, LawAt]:
         found = touch(self.sheet.shape, pose.position)
-        return np.concatenate([self._law(-found.gap, 0.0).force * found.normal, np.zeros(3)])
+        return found, self._law(-found.gap, 0.0)
+
+    def wrench(self, pose: Pose) -> Array:
+        found, law = self._at(pose)
+        return np.concatenate([law.force * found.normal, np.zeros(3)])
 
     def stiffness(self, pose: Pose) -> Array:
-        found = touch(self.sheet.shape, pose.position)
-        law = self._law(-found.gap, 0.0)
+        found, law = self._at(pose)
         block = law.stiffness * np.outer(found.normal, found.normal) - law.force * found.curvature
         return pose.jacobian[:3].T @ block @ pose.jacobian[:3]
 
     def carried(self, pose: Pose) -> tuple[Array, Array] | None:
-        found = touch(self.sheet.shape, pose.position)
-        law = self._law(-found.gap, 0.0)
+        found, law = self._at(pose)
         if self.sheet.unilateral and not law.force:
             return None
         along = found.normal @ pose.jacobian[:3]

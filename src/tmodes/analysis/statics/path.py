@@ -1,4 +1,4 @@
-"""From the unloaded arm to the loaded one in steps of the load factor, each short enough to stay on its branch."""
+"""From the unloaded robot to the loaded one in steps of the load factor, each short enough to stay on its branch."""
 
 from __future__ import annotations
 
@@ -8,9 +8,8 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.analysis.statics.newton import Root, descend, newton
 from tmodes.analysis.statics.stability import Stability, stability_of
-from tmodes.analysis.statics.system import StaticSystem
+from tmodes.analysis.statics.system import Root, StaticSystem, descend, newton
 from tmodes.errors import SimulationError
 
 __all__ = ["LoadPath", "Progress", "Station", "follow"]
@@ -36,13 +35,13 @@ SMALLEST = 1e-9
 """Smallest step of the load factor."""
 
 LITTLE = 1e-3
-"""Load factor with which the path begins where springs hold the unloaded arm nowhere."""
+"""Load factor with which the path begins where springs hold the unloaded robot nowhere."""
 
 SOFT = 1e-9
 """Stiffness over the largest one below which a coordinate counts as one without a spring."""
 
 LOOSE = 1e7
-"""Change [rad, m] per load factor of an arm that its springs hold nowhere."""
+"""Change [rad, m] per load factor of a robot that its springs hold nowhere."""
 
 MOST_STEPS = 1000
 
@@ -68,16 +67,16 @@ class LoadPath:
 
     @property
     def end(self) -> Station:
-        """The arm under its full load."""
+        """The robot under its full load."""
         return self.stations[-1]
 
 
 def follow(system: StaticSystem, q: Array, progress: Progress = lambda stage, share: None) -> LoadPath:
-    """The equilibria from the unloaded arm, near pose q (nq,), to the full load.
+    """The equilibria from the unloaded robot, near pose q (nq,), to the full load.
 
-    An arm that hardly anything holds when it is unloaded sinks from q to where a little of its load puts it. Tangent
+    A robot that hardly anything holds when it is unloaded sinks from q to where a little of its load puts it. Tangent
     predictor, Newton corrector, steps that adapt. Raises :class:`SimulationError` with the last factor that
-    was reached where the branch turns back (the arm snaps) or cannot be followed.
+    was reached where the branch turns back (the robot snaps) or cannot be followed.
     """
     path = LoadPath([_first(system, q)])
     step = 1.0
@@ -123,7 +122,7 @@ def _next(system: StaticSystem, here: Station, step: float) -> Station | None:
 
 
 def _first(system: StaticSystem, q: Array) -> Station:
-    """The unloaded arm, or one with a little load where its springs hold it (almost) nowhere: loose joints, play."""
+    """The unloaded robot, or one with a little load where its springs hold it (almost) nowhere: loose joints, play."""
     held = stability_of(*system.reduced(q, 0.0)).margin != 0.0
     root = newton(system, q, 0.0) if held else None
     start = _at(system, root, 0.0) if root else None

@@ -1,4 +1,4 @@
-"""Whether an equilibrium is stable: the squares of the natural frequencies of the arm about it."""
+"""Whether an equilibrium is stable: the squares of the natural frequencies of the robot about it."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ class Stability(NamedTuple):
 
     @property
     def lowest_frequency_Hz(self) -> float:
-        """Lowest natural frequency [Hz]; 0 where the arm is not stable, infinite where nothing is free."""
+        """Lowest natural frequency [Hz]; 0 where the robot is not stable, infinite where nothing is free."""
         return float(np.sqrt(max(self.margin, 0.0)) / (2 * np.pi))
 
 

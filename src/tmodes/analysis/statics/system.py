@@ -1,8 +1,9 @@
-"""The equations of rest of an arm: forces that must vanish along its free coordinates, and their exact slope.
+"""The equations of rest: forces that must vanish along the free coordinates, their exact slope, and their solution.
 
     r(q, f) = elastic(q) + f (gravity(q) - J(q)^T wrenches(q))
 
-The factor f scales everything that loads the arm, its weight included, so that f = 0 is the unloaded arm.
+The factor f scales everything that loads the robot, its weight included, so that f = 0 is the unloaded robot. They are
+solved by Newton's method, and by a slow but sure descent for robots that nothing holds when unloaded.
 """
 
 from __future__ import annotations
@@ -17,7 +18,7 @@ from numpy.typing import NDArray
 from tmodes.analysis.statics.loads import Act, Pose
 from tmodes.model.model import Model
 
-__all__ = ["Forces", "StaticSystem"]
+__all__ = ["Forces", "Root", "StaticSystem", "descend", "newton", "relative_residual"]
 
 Array = NDArray[np.float64]
 
@@ -32,7 +33,7 @@ class Forces(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class StaticSystem:
-    """The equations of one arm, its acts, and the indices of the coordinates that are free to move."""
+    """The equations of one robot, its acts, and the indices of the coordinates that are free to move."""
 
     model: Model
     acts: Sequence[Act]
@@ -98,3 +99,133 @@ class StaticSystem:
         none = np.zeros((len(positions), 6, 0))
         jacobians = self.model.jacobian(q) if turning else none
         return [(act, Pose(positions[act.point], rotations[act.point], jacobians[act.point])) for act in self.acts]
+
+
+SINGULAR = 1e15
+"""Condition number beyond which a direction is held by nothing."""
+
+MOST_STEPS = 25
+MOST_HALVINGS = 8
+MOST_DESCENT = 2000
+
+SETTLED = 1e-12
+"""Newton step over 1 + |q| below which it has settled."""
+
+ROUNDING = 1e-7
+"""Newton step below which one that no longer shrinks is rounding."""
+
+GOOD = 1e-9
+"""Residual over the level of the loads of what is reported as an equilibrium."""
+
+SMALL_TURN = 1e-6
+"""Deflection [rad, m] whose force is the level of a robot that carries next to nothing."""
+
+NEARLY = 1e-6
+"""Step of the descent [rad, m] from which Newton's method takes over."""
+
+LONGEST = 0.5
+"""Longest step of the descent [rad, m]."""
+
+
+class Root(NamedTuple):
+    """An equilibrium at one load factor: pose (nq,), residual over the level of the forces, stiffness (free, free)."""
+
+    q: Array
+    residual: float
+    stiffness: Array
+
+
+def newton(system: StaticSystem, q: Array, factor: float) -> Root | None:
+    """The equilibrium near a pose, with the exact slope and a line search; None where it does not settle."""
+    before = np.inf
+    for _ in range(MOST_STEPS):
+        stiffness = system.stiffness(q, factor)[system.block]
+        forces = system.forces(q, factor)
+        step = _solved(stiffness, forces.rest)
+        if step is None:
+            return None
+        size = float(np.abs(step).max(initial=0.0))
+        settled, residual = size <= SETTLED * (1 + np.abs(q).max(initial=0.0)), relative_residual(forces, stiffness)
+        stands = before <= size <= ROUNDING
+        if (settled and (stands or _left(forces, stiffness)[0] <= SETTLED)) or (stands and residual <= GOOD):
+            return Root(q, residual, stiffness)
+        q, before = _searched(system, q, step, factor, stiffness), size
+    return None
+
+
+def relative_residual(forces: Forces, stiffness: Array) -> float:
+    """What is left over against the largest force in play, or that of a tiny deflection where hardly any is in play."""
+    share, left = _left(forces, stiffness)
+    largest = float(np.sqrt(np.abs(np.diagonal(stiffness)).max(initial=0.0)))
+    return min(share, left / (SMALL_TURN * largest)) if largest else share
+
+
+def _left(forces: Forces, stiffness: Array) -> tuple[float, float]:
+    """What is left over, against the largest force in play, and itself; travels and turns made alike by stiffness."""
+    scale = np.sqrt(np.abs(np.diagonal(stiffness)))
+    scale[scale == 0] = 1.0
+    level = max(float(np.abs(part / scale).max(initial=0.0)) for part in (forces.by_factor, forces.elastic))
+    left = float(np.abs(forces.rest / scale).max(initial=0.0))
+    return left / level if level else 0.0, left
+
+
+def _solved(matrix: Array, right: Array) -> Array | None:
+    """The solution, the shortest one along what nothing holds; None for numbers that are not finite."""
+    if not (np.isfinite(matrix).all() and np.isfinite(right).all()):
+        return None
+    if not len(matrix):
+        return np.zeros(0)
+    scale = np.sqrt(np.abs(np.diagonal(matrix)))
+    scale[scale == 0] = 1.0
+    alike = matrix / np.outer(scale, scale)
+    if np.linalg.cond(alike) < SINGULAR:
+        return np.asarray(np.linalg.solve(alike, right / scale), dtype=float) / scale
+    return np.linalg.lstsq(alike, right / scale, rcond=1 / SINGULAR)[0] / scale
+
+
+def _searched(system: StaticSystem, q: Array, step: Array, factor: float, stiffness: Array) -> Array:
+    """The pose after a Newton step, halved until the next step by the same slope is shorter (Deuflhard's test)."""
+    share = 1.0
+    moved = q
+    for _ in range(MOST_HALVINGS):
+        moved = q.copy()
+        moved[system.free] -= share * step
+        following = _solved(stiffness, system.forces(moved, factor).rest)
+        if following is not None and np.abs(following).max(initial=0.0) <= (1 - share / 4) * np.abs(step).max():
+            return moved
+        if np.abs(step).max() <= ROUNDING:
+            return moved
+        share /= 2
+    return moved
+
+
+def descend(system: StaticSystem, q: Array, factor: float) -> Root | None:
+    """The pose to which a robot sinks when it moves slowly in a thick fluid, downhill all the way.
+
+    Linearly implicit Euler steps of M q' = -r(q), each longer as the force falls (Kelley & Keyes, "Convergence analysis
+    of pseudo-transient continuation", SIAM J. Numer. Anal. 35, 1998). None where it comes to no rest.
+    """
+    forces = system.forces(q, factor)
+    pace = 1.0
+    for _ in range(MOST_DESCENT):
+        mass, stiffness = system.reduced(q, factor)
+        if not forces.rest.any():
+            return Root(q, 0.0, stiffness)
+        step = _solved(stiffness + _damper(mass, stiffness, forces.rest) / pace, forces.rest)
+        if step is None:
+            return None
+        size = float(np.abs(step).max())
+        if size <= NEARLY and pace > 1:
+            return newton(system, q, factor)
+        q = q.copy()
+        q[system.free] -= step * min(1.0, LONGEST / size)
+        found = system.forces(q, factor)
+        pace *= float(np.clip(np.linalg.norm(forces.rest) / max(np.linalg.norm(found.rest), 1e-300), 0.5, 2.0))
+        forces = found
+    return None
+
+
+def _damper(mass: Array, stiffness: Array, force: Array) -> Array:
+    """A fluid in which the robot turns by about its springs' pace, or, without springs, by about a radian in a step."""
+    own = np.diagonal(mass)
+    return mass * max(float((np.abs(np.diagonal(stiffness)) / own).max()), float((np.abs(force) / own).max()))

@@ -15,7 +15,7 @@ import casadi as ca
 
 from tmodes.compile.ir.program import READ, BlockProgram, Instruction, block_program, needed
 from tmodes.compile.ir.tracing import traced
-from tmodes.kinds.kernel.kernel import Kernel
+from tmodes.kinds.kernel.schedule import Kernel
 
 __all__ = ["in_good_order", "kernel_function", "kernel_program"]
 

@@ -19,6 +19,7 @@ from tmodes.compile.ir.emit import POINTER, VOID, declare, scratch
 from tmodes.compile.ir.kernels import arithmetic_of, schedule_module
 from tmodes.compile.ir.ordering import kernel_program
 from tmodes.compile.ir.program import READ, BlockProgram, Instruction
+from tmodes.compile.ir.unroll import pays
 from tmodes.compile.ir.values import write_values
 from tmodes.compile.loops.loops import loop_arithmetic, schedule_loop_module
 from tmodes.compile.wasm.wasm import Part
@@ -57,16 +58,11 @@ def each_once(parts: Iterable[Part]) -> list[Part]:
 
 
 def _called(schedule: Any, arithmetic: str, piece: int = PIECE) -> list[Part]:
-    from tmodes.compile.ir.unroll import pays
-
     unrolled = not schedule or (arithmetic_of(arithmetic).unrolls and pays(schedule))
     return [] if unrolled else _kernels(schedule, arithmetic, piece)
 
 
 def _kernels(schedule: Any, arithmetic: str, piece: int = PIECE) -> list[Part]:
-    from tmodes.compile.ir.block import kernel_symbol
-    from tmodes.compile.wasm.wasm_parts import kernel_in_pieces
-
     kernels = {kernel_symbol(kernel, arithmetic): kernel for kernel, _, _ in schedule.calls}
     return [
         Part(

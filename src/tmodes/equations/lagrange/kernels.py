@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from tmodes.equations.lagrange.system import ORIGIN, System
 from tmodes.equations.recursion.hinge import POSE
-from tmodes.kinds.kernel.kernel import Kernel
+from tmodes.kinds.kernel.schedule import Kernel
 
 __all__ = ["LEVER", "SystemKernels", "entries", "packed", "unpacked"]
 

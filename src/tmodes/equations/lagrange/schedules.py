@@ -6,14 +6,12 @@ from typing import Any
 
 import casadi as ca
 
-from tmodes.equations.lagrange.chained import ChainedSystem
 from tmodes.equations.lagrange.kernels import SystemKernels, entries, unpacked
-from tmodes.equations.lagrange.motion import LagrangeDynamics, LagrangeWay
+from tmodes.equations.lagrange.motion import ChainedSystem, LagrangeDynamics, LagrangeWay
 from tmodes.equations.recursion.driven import Drives
 from tmodes.equations.recursion.forces import elastic_of_drives
 from tmodes.equations.recursion.forward import ahead_kernel
-from tmodes.kinds.kernel.kernel import Kernel
-from tmodes.kinds.kernel.schedule import Schedule, Slot
+from tmodes.kinds.kernel.schedule import Kernel, Schedule, Slot
 
 __all__ = ["elastic_schedule", "forward_schedule", "inertia_schedule"]
 
@@ -22,8 +20,7 @@ def forward_schedule(chained: ChainedSystem, *, loaded: bool = False) -> Schedul
     """(q, v, base, wrenches, effort, given, step) -> accelerations of all coordinates."""
     parts = chained.parts
     way = LagrangeWay(chained, chained.blocks())
-    if loaded:
-        way.take_wrenches()
+    way.take_wrenches(loaded=loaded)
     schedule = way.schedule
     schedule.often = True
     effort, given = schedule.input("effort", len(parts.efforts)), schedule.input("given", len(parts.given))
@@ -40,8 +37,7 @@ def inertia_schedule(chained: ChainedSystem, *, loaded: bool = False) -> Schedul
     """
     parts, kernels = chained.parts, chained.kernels
     way = LagrangeWay(chained, chained.blocks())
-    if loaded:
-        way.take_wrenches()
+    way.take_wrenches(loaded=loaded)
     schedule = way.schedule
     a = schedule.input("a", parts.size)
     moved = chained.bodies(a)

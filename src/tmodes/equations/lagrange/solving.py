@@ -12,7 +12,7 @@ import casadi as ca
 import numpy as np
 
 from tmodes.equations.lagrange.kernels import LEVER, SystemKernels, entries, unpacked
-from tmodes.kinds.kernel.kernel import Kernel
+from tmodes.kinds.kernel.schedule import Kernel, kernel
 from tmodes.kinds.kernel.spatial import FORCE
 
 __all__ = ["Solver", "push_rows_kernel"]
@@ -46,7 +46,7 @@ class Solver:
     held: tuple[int, ...]
     touched: bool
 
-    def kernel(self) -> Kernel:
+    def solution(self) -> Kernel:
         """(mass, bias, spring forces, h D + h^2 K, pushes, efforts, own inertias[, contact]) -> z''[, contact, pushes].
 
         The effort of a held joint is its acceleration. Contact: lever of its force, lever of its motion, drift, and the
@@ -81,16 +81,15 @@ class Solver:
         outputs = (k.bodies, 3, k.own) if self.touched else (k.bodies,)
         return Kernel(f"lagrange solve {self._key}", sizes, outputs, build)
 
-    def residual(self) -> Kernel:
+    @kernel(
+        "lagrange residual {0._key}",
+        ("kernels.triangle", "kernels.own", "kernels.own", "kernels.triangle", "kernels.own", "kernels.bodies"),
+        ("kernels.bodies",),
+    )
+    def residual(self, mass: Any, bias: Any, force: Any, added: Any, push: Any, a: Any) -> list[list[Any]]:
         """(mass, bias, spring forces, h D + h^2 K, pushes, z'') -> force needed along z."""
-        k = self.kernels
-
-        def build(mass: Any, bias: Any, force: Any, added: Any, push: Any, a: Any) -> list[list[Any]]:
-            matrix, right = self._balance(mass, bias, force, added, push)
-            return [entries(self._columns.T @ (matrix @ (self._columns @ ca.SX(a)) - right))]
-
-        sizes = (k.triangle, k.own, k.own, k.triangle, k.own, k.bodies)
-        return Kernel(f"lagrange residual {self._key}", sizes, (k.bodies,), build)
+        matrix, right = self._balance(mass, bias, force, added, push)
+        return [entries(self._columns.T @ (matrix @ (self._columns @ ca.SX(a)) - right))]
 
     @property
     def _key(self) -> str:

@@ -19,8 +19,7 @@ from tmodes.equations.recursion.parts import NodePart, Parts
 from tmodes.equations.recursion.passes import Blocks, Passes
 from tmodes.frame import Placement
 from tmodes.kinds.kernel import vectors as v
-from tmodes.kinds.kernel.kernel import Kernel, kernel
-from tmodes.kinds.kernel.schedule import Numbers, Schedule, Slot
+from tmodes.kinds.kernel.schedule import Numbers, Schedule, Slot, kernel
 from tmodes.kinds.kernel.spatial import FORCE, Force
 from tmodes.kinds.links.line import POSE, LineOfLink, Moved
 
@@ -60,7 +59,7 @@ def line_schedule(parts: Parts, s: Array, drawn: Drawn, *, loaded: bool = False)
     ``drawn`` adds further lines, see :meth:`tmodes.equations.mechanics.RecursiveMechanics.drawn`.
     """
     way = Passes(parts, posed=True, loaded=loaded)
-    way.take_wrenches()
+    way.take_wrenches(loaded=loaded)
     found = balance(way, way.schedule.input("a", parts.size))
     numbers = Numbers(parts.numbers.size)
     links: list[tuple[LineOfLink, ...]] = []
@@ -141,14 +140,15 @@ def _root(way: Passes, found: Balance, numbers: Numbers, index: int) -> Slot:
     """The load of a node's root."""
     pose, origin = way.ways[index].root_pose, way.parts.framing.offset(index, Placement()).position
     assert pose is not None  # noqa: S101
+    return way.schedule.call(_root_kernel(), pose, numbers.block(origin), found.forces[index])[0]
 
-    def build(pose: Any, origin: Any, force: Any) -> list[list[Any]]:
-        world, needed = v.tri(pose), Force.of(force)
-        about = v.sub(needed.angular, v.cross(v.vec(origin), needed.linear))
-        return [v.scale(-1.0, v.matvec(world, needed.linear)) + v.scale(-1.0, v.matvec(world, about))]
 
-    kernel = Kernel("line root", (POSE, 3, FORCE), (FORCE,), build)
-    return way.schedule.call(kernel, pose, numbers.block(origin), found.forces[index])[0]
+@kernel("line root", (POSE, 3, FORCE), (FORCE,))
+def _root_kernel(pose: Any, origin: Any, force: Any) -> list[list[Any]]:
+    """(pose, place of the node's root in it, force that it needs) -> the load there, in the world."""
+    world, needed = v.tri(pose), Force.of(force)
+    about = v.sub(needed.angular, v.cross(v.vec(origin), needed.linear))
+    return [v.scale(-1.0, v.matvec(world, needed.linear)) + v.scale(-1.0, v.matvec(world, about))]
 
 
 def _rigid(way: Passes, numbers: Numbers, index: int, end: Array) -> Sequence[Slot]:
@@ -157,15 +157,16 @@ def _rigid(way: Passes, numbers: Numbers, index: int, end: Array) -> Sequence[Sl
     assert pose is not None  # noqa: S101
     start = framing.offset(index, Placement())
     far = framing.offset(index, Placement(position=end)).position
-
-    def build(pose: Any, start: Any, far: Any) -> list[list[Any]]:
-        world, place = v.tri(pose), v.vec(pose, 9)
-        ends = [v.add(place, v.matvec(world, arm)) for arm in (v.vec(start, 9), v.vec(far))]
-        return [v.flat(v.matmul(world, v.tri(start)), ends)]
-
-    kernel = Kernel("line rigid", (POSE, 12, 3), (15,), build)
     block = numbers.block([*start.rotation.ravel(), *start.position])
-    return way.schedule.call(kernel, pose, block, numbers.block(far))
+    return way.schedule.call(_rigid_kernel(), pose, block, numbers.block(far))
+
+
+@kernel("line rigid", (POSE, 12, 3), (15,))
+def _rigid_kernel(pose: Any, start: Any, far: Any) -> list[list[Any]]:
+    """(pose, placement of the link's frame in it, its far end) -> axes of the link, and both of its ends."""
+    world, place = v.tri(pose), v.vec(pose, 9)
+    ends = [v.add(place, v.matvec(world, arm)) for arm in (v.vec(start, 9), v.vec(far))]
+    return [v.flat(v.matmul(world, v.tri(start)), ends)]
 
 
 def _far_end(parts: Parts, index: int) -> Array:

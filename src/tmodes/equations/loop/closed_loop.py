@@ -1,4 +1,4 @@
-"""A whole arm in a run as schedules: signals, controllers, motors, chain, loads, contact, works.
+"""A whole robot in a run as schedules: signals, controllers, motors, chain, loads, contact, works.
 
 Inputs ``time`` (1), ``state``, ``row``, and ``step`` h (1). The output ``rate`` is the derivative of the state; with
 h > 0 its accelerations are those of a linearly implicit Euler step of h.
@@ -19,8 +19,7 @@ from tmodes.equations.loop.signals_kernels import power_kernel
 from tmodes.equations.recursion.body_kernels import times_kernel
 from tmodes.equations.recursion.hinge import POSE
 from tmodes.kinds.kernel import vectors as v
-from tmodes.kinds.kernel.kernel import Kernel
-from tmodes.kinds.kernel.schedule import Schedule, Slot
+from tmodes.kinds.kernel.schedule import Kernel, Schedule, Slot, kernel
 from tmodes.kinds.kernel.spatial import FORCE
 
 __all__ = ["ClosedLoop", "Driver", "Powers"]
@@ -144,15 +143,15 @@ class Powers:
             return
         inertia, bias = self.solution.at_base()
         (force,) = self._call(times_kernel(), inertia, self.way.base.part(0, FORCE), bias)
+        moved = self.way.base.part(FORCE, 3), self.way.base.part(FORCE + 3, POSE)
+        self.powers["base"] += self._call(_power_of_base(), force, *moved)
 
-        def build(push: Any, rate: Any, pose: Any) -> list[list[Any]]:
-            velocity = v.matvec(v.transpose(v.tri(pose)), v.vec(pose, 12))
-            return [[v.dot(v.vec(push), v.vec(rate)) + v.dot(v.vec(push, 3), velocity)]]
 
-        kernel = Kernel("power of base", (FORCE, 3, POSE), (1,), build)
-        self.powers["base"] += self._call(
-            kernel, force, self.way.base.part(FORCE, 3), self.way.base.part(FORCE + 3, 15)
-        )
+@kernel("power of base", (FORCE, 3, POSE), (1,))
+def _power_of_base(push: Any, rate: Any, pose: Any) -> list[list[Any]]:
+    """(force on the base in its axes, its rate, its pose) -> power [W]."""
+    velocity = v.matvec(v.transpose(v.tri(pose)), v.vec(pose, 12))
+    return [[v.dot(v.vec(push), v.vec(rate)) + v.dot(v.vec(push, 3), velocity)]]
 
 
 class ClosedLoop(LoopParts):

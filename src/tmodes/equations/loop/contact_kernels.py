@@ -16,7 +16,7 @@ from tmodes.equations.recursion.hinge import PLACEMENT, POSE
 from tmodes.kinds.contacts.contract import SURFACE
 from tmodes.kinds.contacts.registry import Contact, Meeting
 from tmodes.kinds.kernel import vectors as v
-from tmodes.kinds.kernel.kernel import kernel
+from tmodes.kinds.kernel.schedule import kernel
 from tmodes.kinds.kernel.spatial import FORCE, INERTIA, Force, Inertia
 
 __all__ = ["CONTACT_OUTPUTS", "LawAt", "Touch", "contact_law"]

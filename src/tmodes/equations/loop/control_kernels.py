@@ -15,7 +15,7 @@ import casadi as ca
 from tmodes.equations.loop.signals_kernels import SIGNAL
 from tmodes.kinds.controllers.registry import Controller, Measured, OwnState
 from tmodes.kinds.kernel.functions import if_else
-from tmodes.kinds.kernel.kernel import Kernel
+from tmodes.kinds.kernel.schedule import Kernel
 
 __all__ = ["OUTPUTS", "WINDING", "Servo", "View", "Winding", "needed_kernel"]
 
@@ -210,7 +210,7 @@ def _measured(wanted: Any, own: tuple[Any, Any], current: Any, seen: tuple[View 
 
 
 def needed_kernel(winding: Winding) -> Kernel:
-    """(winding, rotor inertia, signal, load of arm, gear and friction) -> (effort, info (4)).
+    """(winding, rotor inertia, signal, load of robot, gear and friction) -> (effort, info (4)).
 
     Of a motor whose motion is given: what it must do. The voltage leaves out the inductance.
     """

@@ -14,8 +14,7 @@ from typing import Any
 from tmodes.equations.loop.serving import Serving
 from tmodes.equations.mechanics import Dynamics
 from tmodes.equations.recursion.parts import AxisPart
-from tmodes.kinds.kernel.kernel import Kernel
-from tmodes.kinds.kernel.schedule import Slot
+from tmodes.kinds.kernel.schedule import Kernel, Slot
 
 __all__ = ["Solution", "contact_fold", "solved"]
 

@@ -1,4 +1,4 @@
-"""One instant of an arm in a run: signals, controllers, loads and contact, and the recursion that they drive.
+"""One instant of a robot in a run: signals, controllers, loads and contact, and the recursion that they drive.
 
 The calls of a schedule, in the order in which one thing follows from another.
 """
@@ -79,7 +79,7 @@ class Instant(Serving):
             blocks = (*self.way.frame_of(touch.point), self.way.offset(touch.point), self.loop.touch)
             wrench, gate = self.call(touch.touch.wrench(), *blocks, wrenches.get(touch.point, self.none[FORCE]))
             self.schedule.gate = gate if touch.touch.sheet.unilateral else None
-            moves = touch.has_mass or (self.euler and self.way.takes_mass(touch.point))
+            moves = touch.touch.has_mass or (self.euler and self.way.takes_mass(touch.point))
             self.mass_step = self.step if self.euler and moves else self.none[1]
             self.way.touched(touch.point, touch.touch, self.loop.touch, wrench, self.mass_step if moves else None)
 

@@ -75,11 +75,6 @@ class TouchPlan:
     touch: Touch
     numbers: tuple[float, ...]
 
-    @property
-    def has_mass(self) -> bool:
-        """Whether a mass moves with the point."""
-        return self.touch.has_mass
-
 
 @dataclass(frozen=True, eq=False)
 class LoopPlan:

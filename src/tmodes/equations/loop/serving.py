@@ -7,8 +7,7 @@ from tmodes.equations.loop.plan import Driver, LoopParts
 from tmodes.equations.loop.signals_kernels import replacing_kernel, signal_kernel
 from tmodes.equations.mechanics import Way
 from tmodes.equations.recursion.driven import packing_kernel
-from tmodes.kinds.kernel.kernel import Kernel
-from tmodes.kinds.kernel.schedule import Divisible, Schedule, Slot
+from tmodes.kinds.kernel.schedule import Divisible, Kernel, Schedule, Slot
 
 __all__ = ["Serving", "sampled_state"]
 

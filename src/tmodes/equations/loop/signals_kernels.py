@@ -8,7 +8,7 @@ import casadi as ca
 
 from tmodes.equations.recursion.hinge import PLACEMENT, POSE
 from tmodes.kinds.kernel import vectors as v
-from tmodes.kinds.kernel.kernel import Kernel, kernel
+from tmodes.kinds.kernel.schedule import Kernel, kernel
 from tmodes.kinds.kernel.spatial import FORCE
 
 __all__ = ["BASE_NUMBERS", "SIGNAL", "base_kernel", "load_kernel", "power_kernel", "replacing_kernel", "signal_kernel"]
@@ -48,30 +48,27 @@ def replacing_kernel(size: int, places: tuple[int, ...]) -> Kernel:
     return Kernel(f"replacing {size} {places}", (size, size, *(SIGNAL,) * len(places)), (size, size), build)
 
 
-def base_kernel() -> Kernel:
+@kernel("moving base", (BASE_NUMBERS, *(SIGNAL,) * 6), (FORCE + 3 + POSE,))
+def base_kernel(numbers: Any, *signals: Any) -> list[list[Any]]:
     """(numbers, six signals) -> the base's row: acceleration less gravity (6), rate (3), pose (15).
 
     The signals are the travels x, y, z [m] and the angles roll, pitch, yaw [rad] about fixed axes (R = Rz Ry Rx), all
     in the axes of the base's placement.
     """
-
-    def build(numbers: Any, *signals: Any) -> list[list[Any]]:
-        placed, place, gravity = v.tri(numbers), v.vec(numbers, 9), v.vec(numbers, 12)
-        travel = [[signal[k] for signal in signals[:3]] for k in range(SIGNAL)]
-        angle, rates, more = ([signal[k] for signal in signals[3:]] for k in range(SIGNAL))
-        turned, rate = _turned(angle), _rate(angle, rates)
-        angles, speeds = ca.SX.sym("angles", 3), ca.SX.sym("speeds", 3)
-        info = ca.vertcat(*_rate([angles[i] for i in range(3)], [speeds[i] for i in range(3)]))
-        change = ca.jtimes(info, ca.vertcat(angles, speeds), ca.vertcat(speeds, ca.SX(ca.vertcat(*more))))
-        change = ca.substitute(change, ca.vertcat(angles, speeds), ca.vertcat(*angle, *rates))
-        world = v.matmul(placed, turned)
-        linear = v.sub(v.matvec(placed, travel[2]), gravity)
-        return [v.flat(
-            v.vec(change), v.matvec(v.transpose(world), linear), rate,
-            world, v.add(place, v.matvec(placed, travel[0])), v.matvec(placed, travel[1]),
-        )]  # fmt: skip
-
-    return Kernel("moving base", (BASE_NUMBERS, *(SIGNAL,) * 6), (FORCE + 3 + POSE,), build)
+    placed, place, gravity = v.tri(numbers), v.vec(numbers, 9), v.vec(numbers, 12)
+    travel = [[signal[k] for signal in signals[:3]] for k in range(SIGNAL)]
+    angle, rates, more = ([signal[k] for signal in signals[3:]] for k in range(SIGNAL))
+    turned, rate = _turned(angle), _rate(angle, rates)
+    angles, speeds = ca.SX.sym("angles", 3), ca.SX.sym("speeds", 3)
+    info = ca.vertcat(*_rate([angles[i] for i in range(3)], [speeds[i] for i in range(3)]))
+    change = ca.jtimes(info, ca.vertcat(angles, speeds), ca.vertcat(speeds, ca.SX(ca.vertcat(*more))))
+    change = ca.substitute(change, ca.vertcat(angles, speeds), ca.vertcat(*angle, *rates))
+    world = v.matmul(placed, turned)
+    linear = v.sub(v.matvec(placed, travel[2]), gravity)
+    return [v.flat(
+        v.vec(change), v.matvec(v.transpose(world), linear), rate,
+        world, v.add(place, v.matvec(placed, travel[0])), v.matvec(placed, travel[1]),
+    )]  # fmt: skip
 
 
 def _turned(angle: v.Vector) -> v.Matrix:

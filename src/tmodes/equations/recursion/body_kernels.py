@@ -6,7 +6,7 @@ from typing import Any
 
 from tmodes.equations.recursion.hinge import PLACEMENT, POSE
 from tmodes.kinds.kernel import vectors as v
-from tmodes.kinds.kernel.kernel import Kernel, kernel
+from tmodes.kinds.kernel.schedule import Kernel, kernel
 from tmodes.kinds.kernel.spatial import FORCE, INERTIA, Force, Inertia, body_bias, body_inertia
 
 __all__ = [

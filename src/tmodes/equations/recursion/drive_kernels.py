@@ -12,7 +12,7 @@ from typing import Any
 from tmodes.chain.chain import Friction, Gear, Joint, Motor
 from tmodes.kinds.drives.contract import FRICTION, Angles, DriveKind, DriveLaw
 from tmodes.kinds.kernel import vectors as v
-from tmodes.kinds.kernel.kernel import Kernel, kernel
+from tmodes.kinds.kernel.schedule import Kernel, kernel
 
 __all__ = ["DriveKernels", "drive_kernels", "drive_numbers", "mixing_kernel"]
 

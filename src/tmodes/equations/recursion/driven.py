@@ -11,18 +11,28 @@ from typing import Any, NamedTuple
 
 from tmodes.equations.recursion.drive_kernels import mixing_kernel
 from tmodes.equations.recursion.parts import AxisPart, LinkPart, Parts
-from tmodes.kinds.kernel.kernel import Kernel
-from tmodes.kinds.kernel.schedule import Divisible, Schedule, Slot
+from tmodes.kinds.kernel.schedule import Divisible, Kernel, Schedule, Slot
+from tmodes.kinds.kernel.spatial import FORCE
 
 __all__ = ["Coordinates", "Driven", "Drives", "packing_kernel"]
 
 
 class Coordinates:
-    """Blocks of all coordinates ``q`` and rates ``v``, and parts of them."""
+    """Blocks of all coordinates ``q`` and rates ``v``, parts of them, and what acts on the chain.
+
+    ``wrenches``: number of a point -> force and moment on it, in world axes.
+    """
 
     def __init__(self, parts: Parts, schedule: Schedule, q: Slot, v: Slot) -> None:
         self.parts, self.schedule, self.q, self.v = parts, schedule, q, v
         self.none = parts.none
+        self.wrenches: dict[int, Slot] = {}
+
+    def take_wrenches(self, *, loaded: bool) -> None:
+        """The input of forces on the points (6 each, in world axes), where there is one."""
+        if loaded:
+            block = self.schedule.input("wrenches", FORCE * len(self.parts.points))
+            self.wrenches = {k: block.part(FORCE * k, FORCE) for k in range(len(self.parts.points))}
 
     def angle(self, axis: AxisPart) -> tuple[Slot, Slot]:
         """A coordinate of a joint and its rate."""

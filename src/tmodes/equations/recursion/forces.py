@@ -22,7 +22,7 @@ def inertia_forces(parts: Parts, *, loaded: bool = False) -> Schedule:
     ``moment`` (3: sum of mass times position). Rotors are left out: they are a diagonal of numbers.
     """
     way = Passes(parts, posed=True, loaded=loaded)
-    way.take_wrenches()
+    way.take_wrenches(loaded=loaded)
     found = balance(way, way.schedule.input("a", parts.size))
     schedule = way.schedule
     motions = (
@@ -137,12 +137,7 @@ def elastic_forces(parts: Parts) -> Schedule:
     """
     way = Passes(parts, posed=False, loaded=False)
     schedule = way.schedule
-    bent = {}
-    for index, part in enumerate(parts.nodes):
-        if part.link:
-            link = part.link
-            blocks = (link.stiffness, link.damping, way.bend(link, way.q), way.bend(link, way.v))
-            bent[index] = schedule.call(link.kernels.elastic(), *blocks)
+    bent = {index: way.elastic(part.link) for index, part in enumerate(parts.nodes) if part.link}
     motors, joints, energies, losses = elastic_of_drives(way, {index: found[1:] for index, found in bent.items()})
     links = {link.first: bent[index][0] for index, part in enumerate(parts.nodes) if (link := part.link)}
     schedule.output("forces", *way.by_coordinate(motors, joints, links))

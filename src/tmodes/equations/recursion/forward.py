@@ -12,8 +12,7 @@ from tmodes.equations.recursion.hinge import Hinge
 from tmodes.equations.recursion.parts import AxisPart, Parts
 from tmodes.equations.recursion.passes import Passes
 from tmodes.equations.recursion.screw import Screw
-from tmodes.kinds.kernel.kernel import Kernel
-from tmodes.kinds.kernel.schedule import Schedule, Slot
+from tmodes.kinds.kernel.schedule import Kernel, Schedule, Slot
 from tmodes.kinds.kernel.spatial import FORCE
 
 __all__ = ["Ahead", "Recursion", "ahead_kernel", "forward_dynamics"]
@@ -25,7 +24,7 @@ def forward_dynamics(parts: Parts, *, loaded: bool = False) -> Schedule:
     ``given`` are the accelerations of prescribed joints; ``step`` h > 0 gives those of a linearly implicit Euler step.
     """
     way = Passes(parts, posed=False, loaded=loaded, short=True)
-    way.take_wrenches()
+    way.take_wrenches(loaded=loaded)
     schedule = way.schedule
     schedule.often = True
     effort, given = schedule.input("effort", len(parts.efforts)), schedule.input("given", len(parts.given))
@@ -145,7 +144,7 @@ class Recursion(Driven):
 
 
 _GROUP = 8
-"""Motors or joints that go in one call; so the code is no longer for a longer arm."""
+"""Motors or joints that go in one call; so the code does not grow with the robot."""
 
 
 class Ahead:

@@ -10,20 +10,17 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import Any
 
-from tmodes.equations.recursion.hinge import HINGE, PLACEMENT, POSE
+from tmodes.equations.recursion.hinge import HINGE, PLACEMENT, JointKernels, Passed, combined
 from tmodes.kinds.joints.contract import JointKind
 from tmodes.kinds.kernel import vectors as v
-from tmodes.kinds.kernel.kernel import kernel
-from tmodes.kinds.kernel.spatial import FORCE, INERTIA, Force, Inertia, factor, forward_substitution
+from tmodes.kinds.kernel.schedule import kernel
+from tmodes.kinds.kernel.spatial import FORCE, Force, Inertia, factor, forward_substitution
 
 __all__ = ["GeneralJoint", "held_numbers"]
 
-_PASSED = (INERTIA, FORCE, HINGE, "span", "size", "size")
-"""Inputs of what the joint passes on: I, p, hinge, columns, efforts, own inertias."""
-
 
 @dataclass(frozen=True)
-class GeneralJoint:
+class GeneralJoint(JointKernels):
     """The kernels of one kind of joint.
 
     ``numbers``: of its axis and parameters; ``driven``: whether the motion of each coordinate is given; ``aside`` and
@@ -35,16 +32,6 @@ class GeneralJoint:
     driven: tuple[bool, ...]
     aside: bool = True
     on_section: bool = False
-
-    @property
-    def moves(self) -> bool:
-        """Whether the joint has a coordinate."""
-        return self.kind.moves
-
-    @property
-    def size(self) -> int:
-        """Number of coordinates."""
-        return self.kind.size
 
     @property
     def span(self) -> int:
@@ -83,7 +70,7 @@ class GeneralJoint:
         columns = self.kind.subspace(angles, values)
         turned = v.transpose(v.matmul(frame, rotation))
         arm, carried = v.add(place, v.matvec(frame, position)), v.matvec(turned, w)
-        own = _combined(columns, speeds)
+        own = combined(columns, speeds)
         drift = self.kind.bias(angles, speeds, values) + Force(
             v.cross(carried, own.angular),
             v.add(v.matvec(turned, v.cross(w, v.cross(w, arm))), v.scale(2, v.cross(carried, own.linear))),
@@ -91,34 +78,11 @@ class GeneralJoint:
         packed = [entry for column in columns for entry in column.packed()]
         return [v.flat(turned, arm, drift.packed()), v.add(carried, own.angular), packed]
 
-    @kernel("outward {0.key}", (*_PASSED, INERTIA, FORCE), (INERTIA, FORCE, "held"))
-    def outward(
-        self, inertia: Any, bias: Any, hinge: Any, columns: Any, effort: Any, own: Any, inertia_sum: Any, bias_sum: Any
-    ) -> list[list[Any]]:
-        """Articulated inertia and bias force of the link's root, added to those of the parent's tip.
+    def _screws(self, axis: Any) -> list[Force]:
+        return [Force.of(axis, FORCE * k) for k in range(self.size)]
 
-        (I, p, hinge, columns, efforts, own inertias, sum of I, sum of p) -> (I, p, held). The effort of a given
-        coordinate is its acceleration.
-        """
-        passed, push, kept = self._passed(inertia, bias, hinge, self._columns(columns), effort, own)
-        back, arm = v.transpose(v.tri(hinge)), v.vec(hinge, 9)
-        moved = passed.turned(back).at(arm) + Inertia.of(inertia_sum)
-        pushed = push.turned(back).force_at(arm) + Force.of(bias_sum)
-        return [moved.packed(), pushed.packed(), kept]
-
-    @kernel("hold {0.key}", _PASSED, ("held",))
-    def hold(self, inertia: Any, bias: Any, hinge: Any, columns: Any, effort: Any, own: Any) -> list[list[Any]]:
-        """(I, p, hinge, columns, efforts, own inertias) -> held: where nobody asks for what is passed to the base."""
-        return [self._passed(inertia, bias, hinge, self._columns(columns), effort, own)[2]]
-
-    def _columns(self, packed: Any) -> list[Force]:
-        return [Force.of(packed, FORCE * k) for k in range(self.size)]
-
-    def _passed(
-        self, inertia: Any, bias: Any, hinge: Any, columns: list[Force], effort: Any, own: Any
-    ) -> tuple[Inertia, Force, list[Any]]:
-        """Articulated inertia and bias force that the joint passes on, in link axes, and what is held."""
-        whole, free = Inertia.of(inertia), self.free
+    def _passed(self, inertia: Any, bias: Any, hinge: Any, axis: Any, effort: Any, own: Any) -> Passed:
+        whole, free, columns = Inertia.of(inertia), self.free, self._screws(axis)
         given = [(columns[k], effort[k]) for k, is_given in enumerate(self.driven) if is_given]
         drift = Force.of(hinge, 12)
         for column, acceleration in given:
@@ -147,7 +111,7 @@ class GeneralJoint:
         found = [given[k] for k in range(self.size)]
         for k, value in zip(self.free, self._solved(held, carried), strict=True):
             found[k] = value
-        root = carried + Force.of(hinge, 12) + _combined(self._columns(columns), found)
+        root = carried + Force.of(hinge, 12) + combined(self._screws(columns), found)
         return [root.packed(), found]
 
     def _solved(self, held: Any, carried: Force) -> list[Any]:
@@ -160,31 +124,7 @@ class GeneralJoint:
                 found[i] = found[i] - held[below + j * (j - 1) // 2 + i] * found[j]
         return found
 
-    @kernel("load {0.key}", (FORCE, HINGE, "span", FORCE), (FORCE, "size"))
-    def load(self, force: Any, hinge: Any, columns: Any, sum_: Any) -> list[list[Any]]:
-        """(force at the link's root, hinge, columns, sum at the parent's tip) -> (sum, efforts along the joint)."""
-        push, turned = Force.of(force), v.tri(hinge)
-        info = push.turned(v.transpose(turned)).force_at(v.vec(hinge, 9)) + Force.of(sum_)
-        return [info.packed(), [column.dot(push) for column in self._columns(columns)]]
-
-    @kernel("pose {0.key}", (POSE, 3, HINGE, "span", "size"), (POSE,))
-    def pose(self, pose: Any, rate: Any, hinge: Any, columns: Any, rates: Any) -> list[list[Any]]:
-        """(pose and rate of the parent's tip, in the parent's axes, hinge, columns, q') -> pose of the link's root."""
-        world, back, arm = v.tri(pose), v.transpose(v.tri(hinge)), v.vec(hinge, 9)
-        own = _combined(self._columns(columns), [rates[k] for k in range(self.size)])
-        moved = v.add(v.cross(v.vec(rate), arm), v.matvec(back, own.linear))
-        place = v.add(v.vec(pose, 9), v.matvec(world, arm))
-        velocity = v.add(v.vec(pose, 12), v.matvec(world, moved))
-        return [v.flat(v.matmul(world, back), place, velocity)]
-
 
 def held_numbers(free: int) -> int:
     """Numbers that the way out keeps of so many free coordinates; at least one."""
     return max(1, FORCE * free + free * (free - 1) // 2 + free)
-
-
-def _combined(columns: list[Force], factors: list[Any]) -> Force:
-    total = Force.zero()
-    for column, each in zip(columns, factors, strict=True):
-        total = total + column.scaled(each)
-    return total

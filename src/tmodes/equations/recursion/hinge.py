@@ -8,16 +8,17 @@ Featherstone, Rigid Body Dynamics Algorithms (2008), chapter 7, with classical a
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from dataclasses import dataclass, replace
 from typing import Any
 
 from tmodes.kinds.joints.contract import JointKind
 from tmodes.kinds.kernel import vectors as v
 from tmodes.kinds.kernel.functions import cos, sin
-from tmodes.kinds.kernel.kernel import kernel
+from tmodes.kinds.kernel.schedule import kernel
 from tmodes.kinds.kernel.spatial import FORCE, INERTIA, Force, Inertia
 
-__all__ = ["HELD", "HINGE", "PLACEMENT", "POSE", "Hinge"]
+__all__ = ["HELD", "HINGE", "PLACEMENT", "POSE", "Hinge", "JointKernels", "combined"]
 
 PLACEMENT = 12
 """Numbers of a placement: rotation (9) row by row, position (3)."""
@@ -32,8 +33,98 @@ POSE = 15
 """Numbers of a pose in the world: rotation (9), position (3), velocity of the origin (3)."""
 
 
+Passed = tuple[Inertia, Force, list[Any]]
+"""Articulated inertia and bias force that a joint passes on, in link axes, and what is held."""
+
+
+class JointKernels(ABC):
+    """What the kernels of all joints have in common.
+
+    ``axis`` are the numbers of a joint's axis, or the columns of its motion; a given coordinate's effort is its
+    acceleration.
+    """
+
+    kind: JointKind
+
+    @property
+    def moves(self) -> bool:
+        """Whether the joint has a coordinate."""
+        return self.kind.moves
+
+    @property
+    def size(self) -> int:
+        """Number of coordinates; 1 of a joint that does not move."""
+        return max(1, self.kind.size)
+
+    @property
+    @abstractmethod
+    def span(self) -> int:
+        """Numbers of ``axis``."""
+
+    @property
+    @abstractmethod
+    def held(self) -> int:
+        """Numbers that the way out keeps for the way on."""
+
+    def _arm(self, packed: Any, start: int) -> v.Vector:
+        """From the parent's tip to the joint."""
+        return v.vec(packed, start)
+
+    @abstractmethod
+    def _screws(self, axis: Any) -> list[Force]:
+        """S: the motions that the joint allows, as [angular; linear] in link axes."""
+
+    @abstractmethod
+    def _passed(self, inertia: Any, bias: Any, hinge: Any, axis: Any, effort: Any, own: Any) -> Passed: ...
+
+    @kernel(
+        "outward {0.key}", (INERTIA, FORCE, HINGE, "span", "size", "size", INERTIA, FORCE), (INERTIA, FORCE, "held")
+    )
+    def outward(
+        self, inertia: Any, bias: Any, hinge: Any, axis: Any, effort: Any, own: Any, inertia_sum: Any, bias_sum: Any
+    ) -> list[list[Any]]:
+        """Articulated inertia and bias force of the link's root, added to those of the parent's tip.
+
+        (I, p, hinge, axis, efforts, own inertias, sum of I, sum of p) -> (I, p, held).
+        """
+        passed, push, kept = self._passed(inertia, bias, hinge, axis, effort, own)
+        back, arm = v.transpose(v.tri(hinge)), self._arm(hinge, 9)
+        moved = passed.turned(back).at(arm) + Inertia.of(inertia_sum)
+        return [moved.packed(), (push.turned(back).force_at(arm) + Force.of(bias_sum)).packed(), kept]
+
+    @kernel("hold {0.key}", (INERTIA, FORCE, HINGE, "span", "size", "size"), ("held",))
+    def hold(self, *blocks: Any) -> list[list[Any]]:
+        """(I, p, hinge, axis, efforts, own inertias) -> held: where nobody asks for what is passed to the base."""
+        return [self._passed(*blocks)[2]]
+
+    @kernel("load {0.key}", (FORCE, HINGE, "span", FORCE), (FORCE, "size"))
+    def load(self, force: Any, hinge: Any, axis: Any, sum_: Any) -> list[list[Any]]:
+        """(force at the link's root, hinge, axis, sum at the parent's tip) -> (sum, efforts along the joint)."""
+        push, turned = Force.of(force), v.tri(hinge)
+        info = push.turned(v.transpose(turned)).force_at(self._arm(hinge, 9)) + Force.of(sum_)
+        return [info.packed(), [screw.dot(push) for screw in self._screws(axis)] or [0.0]]
+
+    @kernel("pose {0.key}", (POSE, 3, HINGE, "span", "size"), (POSE,))
+    def pose(self, pose: Any, rate: Any, hinge: Any, axis: Any, rates: Any) -> list[list[Any]]:
+        """(pose and rate of the parent's tip, in the parent's axes, hinge, axis, q') -> pose of the link's root."""
+        world, back, arm = v.tri(pose), v.transpose(v.tri(hinge)), self._arm(hinge, 9)
+        slip = combined(self._screws(axis), rates).linear
+        moved = v.add(v.cross(v.vec(rate), arm), v.matvec(back, slip))
+        place = v.add(v.vec(pose, 9), v.matvec(world, arm))
+        velocity = v.add(v.vec(pose, 12), v.matvec(world, moved))
+        return [v.flat(v.matmul(world, back), place, velocity)]
+
+
+def combined(columns: list[Force], factors: Any) -> Force:
+    """Sum of columns, each times a factor."""
+    total = Force.zero()
+    for k, column in enumerate(columns):
+        total = total + column.scaled(factors[k])
+    return total
+
+
 @dataclass(frozen=True)
-class Hinge:
+class Hinge(JointKernels):
     """The kernels of a joint that turns about its axis, slides along it, or does not move.
 
     ``axis`` is 0, 1 or 2 where the joint moves along or about an axis of its frame, else None: the axis is data.
@@ -47,13 +138,13 @@ class Hinge:
     on_section: bool = False
 
     @property
-    def moves(self) -> bool:
-        """Whether the joint has a coordinate."""
-        return self.kind.moves
+    def span(self) -> int:
+        """A direction."""
+        return 3
 
     @property
     def held(self) -> int:
-        """Numbers that the way out keeps for the way on."""
+        """As :data:`HELD` says."""
         return HELD
 
     @property
@@ -71,13 +162,12 @@ class Hinge:
         return v.vec(axis) if self.axis is None else v.unit(self.axis)
 
     def _arm(self, packed: Any, start: int) -> v.Vector:
-        """From the parent's tip to the joint; nothing where the joint stands on it."""
+        """Nothing where the joint stands on the tip."""
         return v.vec(packed, start) if self.aside or self.kind.slides else v.zero()
 
-    def _screw(self, axis: Any) -> Force:
-        """S: the motion that the joint allows, as [angular; linear]."""
+    def _screws(self, axis: Any) -> list[Force]:
         e = self._direction(axis)
-        return Force(e, v.zero()) if self.kind.turns else Force(v.zero(), e)
+        return [Force(e, v.zero()) if self.kind.turns else Force(v.zero(), e)] if self.moves else []
 
     @kernel("inward {0.key}", (PLACEMENT, 9, 3, 3, 1, 1), (HINGE, 3))
     def inward(self, placement: Any, tip: Any, axis: Any, parent_rate: Any, angle: Any, speed: Any) -> list[list[Any]]:
@@ -102,37 +192,18 @@ class Hinge:
             rate, angular = v.add(carried, own), v.cross(carried, own)
         return [v.flat(turned, arm, angular, linear), rate]
 
-    @kernel("outward {0.key}", (INERTIA, FORCE, HINGE, 3, 1, 1, INERTIA, FORCE), (INERTIA, FORCE, HELD))
-    def outward(
-        self, inertia: Any, bias: Any, hinge: Any, axis: Any, effort: Any, own: Any, inertia_sum: Any, bias_sum: Any
-    ) -> list[list[Any]]:
-        """Articulated inertia and bias force of the link's root, added to those of the parent's tip.
-
-        (I, p, hinge, axis, effort, own inertia, sum of I, sum of p) -> (I, p, held). The effort of a driven joint is
-        its acceleration.
-        """
-        articulated, force, kept = Inertia.of(inertia), Force.of(bias), [0.0] * HELD
-        turned, arm, drift = v.tri(hinge), self._arm(hinge, 9), Force.of(hinge, 12)
-        after, pushed = articulated, force + articulated.times(drift)
+    def _passed(self, inertia: Any, bias: Any, hinge: Any, axis: Any, effort: Any, own: Any) -> Passed:
+        whole = Inertia.of(inertia)
+        push = Force.of(bias) + whole.times(Force.of(hinge, 12))
+        if not self.moves:
+            return whole, push, [0.0] * HELD
+        (s,) = self._screws(axis)
         if self.driven:
-            pushed = pushed + articulated.times(self._screw(axis).scaled(effort[0]))
-        elif self.moves:
-            s = self._screw(axis)
-            u = articulated.times(s)
-            share = 1 / (s.dot(u) + own[0])
-            free = effort[0] - s.dot(pushed)
-            after = articulated.less([u], [u.scaled(share)])
-            pushed = pushed + u.scaled(share * free)
-            kept = [*u.packed(), share, free]
-        back = v.transpose(turned)
-        moved = after.turned(back).at(arm) + Inertia.of(inertia_sum)
-        push = pushed.turned(back).force_at(arm) + Force.of(bias_sum)
-        return [moved.packed(), push.packed(), kept]
-
-    @kernel("hold {0.key}", (INERTIA, FORCE, HINGE, 3, 1, 1), (HELD,))
-    def hold(self, *blocks: Any) -> list[list[Any]]:
-        """(I, p, hinge, axis, effort, own inertia) -> held: where nobody asks for what is passed to the base."""
-        return [self.outward().build(*blocks, [0.0] * INERTIA, [0.0] * FORCE)[2]]
+            return whole, push + whole.times(s.scaled(effort[0])), [0.0] * HELD
+        u = whole.times(s)
+        share = 1 / (s.dot(u) + own[0])
+        free = effort[0] - s.dot(push)
+        return whole.less([u], [u.scaled(share)]), push + u.scaled(share * free), [*u.packed(), share, free]
 
     @kernel("onward {0.key}", (FORCE, HINGE, 3, HELD, 1), (FORCE, 1))
     def onward(self, parent: Any, hinge: Any, axis: Any, held: Any, given: Any) -> list[list[Any]]:
@@ -143,28 +214,9 @@ class Hinge:
         if self.moves and not self.driven:
             acceleration = held[6] * (held[7] - Force.of(held).dot(carried))
         root = carried + drift
-        if self.moves:
-            root = root + self._screw(axis).scaled(acceleration)
+        for screw in self._screws(axis):
+            root = root + screw.scaled(acceleration)
         return [root.packed(), [acceleration]]
-
-    @kernel("load {0.key}", (FORCE, HINGE, 3, FORCE), (FORCE, 1))
-    def load(self, force: Any, hinge: Any, axis: Any, sum_: Any) -> list[list[Any]]:
-        """(force at the link's root, hinge, axis, sum at the parent's tip) -> (sum, effort along the joint)."""
-        push, turned = Force.of(force), v.tri(hinge)
-        info = push.turned(v.transpose(turned)).force_at(self._arm(hinge, 9)) + Force.of(sum_)
-        return [info.packed(), [self._screw(axis).dot(push) if self.moves else 0.0]]
-
-    @kernel("pose {0.key}", (POSE, 3, HINGE, 3, 1), (POSE,))
-    def pose(self, pose: Any, rate: Any, hinge: Any, axis: Any, speed: Any) -> list[list[Any]]:
-        """(pose and rate of the parent's tip, in the parent's axes, hinge, axis, speed) -> pose of the link's root."""
-        world, arm = v.tri(pose), self._arm(hinge, 9)
-        back = v.transpose(v.tri(hinge))
-        moved = v.cross(v.vec(rate), arm)
-        if self.kind.slides:
-            moved = v.add(moved, v.scale(speed[0], v.matvec(back, self._direction(axis))))
-        place = v.add(v.vec(pose, 9), v.matvec(world, arm))
-        velocity = v.add(v.vec(pose, 12), v.matvec(world, moved))
-        return [v.flat(v.matmul(world, back), place, velocity)]
 
 
 def _about(axis: int | None, e: v.Vector, angle: Any) -> v.Matrix:

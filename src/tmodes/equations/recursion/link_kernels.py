@@ -12,7 +12,7 @@ from typing import Any
 from tmodes.equations.recursion.body_kernels import BODY
 from tmodes.equations.recursion.hinge import POSE
 from tmodes.kinds.kernel import vectors as v
-from tmodes.kinds.kernel.kernel import Kernel, kernel
+from tmodes.kinds.kernel.schedule import Kernel, kernel
 from tmodes.kinds.kernel.spatial import (
     FORCE,
     INERTIA,
@@ -41,11 +41,6 @@ class BendingLink:
         return self.kind.size
 
     @property
-    def long(self) -> bool:
-        """Whether its line takes thousands of operations."""
-        return self.kind.long
-
-    @property
     def frame(self) -> int:
         """Numbers of a section."""
         return frame_size(self.n)
@@ -64,7 +59,7 @@ class BendingLink:
 
         outputs = (self.kind.terms_size, *(self.frame,) * (1 + len(self.kind.stations)))
         inputs = (self.kind.table_size, 3, self.n, self.n)
-        return Kernel(f"inward {self.kind.fingerprint}", inputs, outputs, build, self.long)
+        return Kernel(f"inward {self.kind.fingerprint}", inputs, outputs, build, self.kind.long)
 
     @kernel("station load {0.kind.fingerprint}", ("kind.terms_size", "frame", BODY, FORCE), ("kind.terms_size",))
     def station_load(self, terms: Any, section: Any, body: Any, force: Any) -> list[list[Any]]:
@@ -73,17 +68,13 @@ class BendingLink:
         moment = v.matvec(place.rotation, v.vec(body, 1))
         inertia = v.turn(place.rotation, v.symmetric(body, 4), is_symmetric=True)
         load = Force.of(force) + body_bias(moment, inertia, place.rate)
-        mass, coupling, base, bias_q, bias = link.with_load(place, body_inertia(body[0], moment, inertia), load)
-        lever = base.coupling
-        packed = LinkTerms(mass, coupling, base.angular, [lever[2][1], lever[0][2], lever[1][0]],
-                           base.linear[0][0], bias_q, bias)  # fmt: skip
-        return [packed.packed()]
+        return [link.with_body(place, body_inertia(body[0], moment, inertia), load).packed()]
 
     @kernel(
         "outward {0.kind.fingerprint}",
         ("kind.terms_size", "frame", INERTIA, FORCE, "kind.stiffness_size", "kind.damping_size", "n", "n", 1),
         (INERTIA, FORCE, "solved_size"),
-        long="long",
+        long="kind.long",
     )
     def outward(self, *packed: Any) -> list[list[Any]]:
         """Eliminate the link's coordinates; ``step`` h adds h D + h^2 K to its inertia, as an implicit step wants it.

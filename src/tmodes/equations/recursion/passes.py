@@ -77,8 +77,8 @@ class Blocks:
 class Passes(Coordinates):
     """Blocks of one schedule by what they mean; each pass adds its calls.
 
-    ``wrenches``: number of a point -> force and moment on it, in world axes. ``attached``: index of a node -> inertia
-    and bias force of what moves with its tip next to its own body, as those of the tip.
+    ``attached``: index of a node -> inertia and bias force of what moves with its tip next to its own body, as those of
+    the tip.
     """
 
     def __init__(
@@ -89,20 +89,13 @@ class Passes(Coordinates):
         ``short``: joints take the short way where they have one, else all take the general one.
         """
         self.short = short
-        self.posed, self.loaded = posed or loaded, loaded
+        self.posed = posed or loaded
         blocks = blocks or Blocks.as_inputs(parts)
         super().__init__(parts, blocks.schedule, blocks.q, blocks.v)
         self.base = blocks.base
         self.ways: list[Way] = []
         self.turns: dict[int, Slot] = {}
-        self.wrenches: dict[int, Slot] = {}
         self.attached: dict[int, tuple[Slot, Slot]] = {}
-
-    def take_wrenches(self) -> None:
-        """The input of forces on the points (6 each, in world axes)."""
-        if self.loaded:
-            block = self.schedule.input("wrenches", 6 * len(self.parts.points))
-            self.wrenches = {k: block.part(6 * k, 6) for k in range(len(self.parts.points))}
 
     def parent(self, part: NodePart) -> Way | None:
         """What was found of the parent, None for the base."""
@@ -229,10 +222,9 @@ class Passes(Coordinates):
 
     def link_losses(self) -> list[Slot]:
         """Power lost in the dampers of each link [W]."""
-        found = []
-        for part in self.parts.nodes:
-            if part.link:
-                link = part.link
-                blocks = (link.stiffness, link.damping, self.bend(link, self.q), self.bend(link, self.v))
-                found.append(self.schedule.call(link.kernels.elastic(), *blocks)[2])
-        return found
+        return [self.elastic(part.link)[2] for part in self.parts.nodes if part.link]
+
+    def elastic(self, link: LinkPart) -> tuple[Slot, ...]:
+        """Forces of a link's springs and dampers on its coordinates, their energy, and the power lost."""
+        blocks = (link.stiffness, link.damping, self.bend(link, self.q), self.bend(link, self.v))
+        return self.schedule.call(link.kernels.elastic(), *blocks)

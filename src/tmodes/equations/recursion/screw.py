@@ -16,7 +16,7 @@ from tmodes.equations.recursion.hinge import POSE
 from tmodes.equations.recursion.spin import Spin
 from tmodes.kinds.kernel import vectors as v
 from tmodes.kinds.kernel.functions import cos, sin
-from tmodes.kinds.kernel.kernel import Kernel, kernel
+from tmodes.kinds.kernel.schedule import Kernel, kernel
 from tmodes.kinds.kernel.spatial import FORCE, INERTIA, Force, Inertia, body_inertia
 
 __all__ = ["HINGE", "SCREW", "TURN", "Screw", "screw_numbers", "turn_kernel"]

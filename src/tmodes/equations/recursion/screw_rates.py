@@ -12,7 +12,7 @@ from tmodes.equations.recursion.body_kernels import BODY
 from tmodes.equations.recursion.screw import HINGE, SCREW, TURN, Screw
 from tmodes.equations.recursion.spin import Spin
 from tmodes.kinds.kernel import vectors as v
-from tmodes.kinds.kernel.kernel import Kernel
+from tmodes.kinds.kernel.schedule import Kernel
 from tmodes.kinds.kernel.spatial import FORCE, body_bias
 
 __all__ = ["rates_kernel"]

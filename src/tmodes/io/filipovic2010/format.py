@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from enum import StrEnum
+from functools import partial
 from typing import Annotated, Literal
 
 from pydantic import Field, model_validator
@@ -10,6 +11,7 @@ from pydantic import Field, model_validator
 from tmodes.integrate.settings import RobotIntegration
 from tmodes.kinds.links.registry import Mode
 from tmodes.kinds.schema.quantity import DataSheet, any_sign, dissipation, not_negative, plain_texts, positive, refuse
+from tmodes.sheet.parts import by_name
 
 __all__ = ["FORMAT", "PLANT", "Format2010", "FrictionLaw", "Reading"]
 
@@ -22,6 +24,7 @@ PLANT = ("gravity", "motor", "gear", "link", "payload", "environment", "controll
 TURN = 6.3
 """A full turn [rad], a little rounded up."""
 
+_angle = partial(any_sign, "rad", at_least=-1e3, at_most=1e3, plausible=(-TURN, TURN))
 _FACTOR = not_negative("-", "-", "factor of the real robot on the known value", at_most=1e6)
 
 
@@ -106,12 +109,8 @@ class Noise(DataSheet):
 class Reference(DataSheet):
     """The motor's reference angle: rest to rest with constant acceleration, speed and deceleration."""
 
-    start: float = any_sign(
-        "rad", "theta_o(0)", "motor angle at the start", at_least=-1e3, at_most=1e3, plausible=(-TURN, TURN)
-    )
-    end: float = any_sign(
-        "rad", "theta_o(T)", "motor angle at the end", at_least=-1e3, at_most=1e3, plausible=(-TURN, TURN)
-    )
+    start: float = _angle(symbol="theta_o(0)", meaning="motor angle at the start")
+    end: float = _angle(symbol="theta_o(T)", meaning="motor angle at the end")
     duration: float = positive("s", "T", "duration of the move", at_most=1e5, smallest=1e-6)
     ramp_fraction: float = positive(
         "-", "ramp", "share of the duration that each ramp takes", at_most=0.5, smallest=1e-6
@@ -138,10 +137,8 @@ class Format2010(DataSheet):
     environment: Environment
     controller: Controller
     reference: Reference
-    real: dict[str, Annotated[float, _FACTOR]] = Field(
-        default_factory=dict,
-        description="the real robot where it differs from the known one: path of a number -> factor on it [-]",
-        json_schema_extra={"unit": "-", "symbol": "-", "smallest": 0.0, "plausible": None},
+    real: dict[str, Annotated[float, _FACTOR]] = by_name(
+        "-", "-", "the real robot where it differs from the known one: path of a number -> factor on it [-]"
     )
     integration: RobotIntegration = Field(default_factory=RobotIntegration)
 

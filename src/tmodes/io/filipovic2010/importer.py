@@ -1,4 +1,4 @@
-"""From a sheet of the 2010 robot to a robot of joints and links, and which of its paths means which number there.
+"""From a sheet of the 2010 robot to a robot of joints and links: which of its paths and coordinates means which there.
 
 One revolute joint about z with motor and elastic gear, one link of the kind ``modes`` with the payload at its tip, the
 environment as a contact with a bowl about the base point, whose radius is the length of the undeformed link.
@@ -9,7 +9,10 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-__all__ = ["NAME", "own_path", "placed_path", "robot_data", "robot_path", "with_reach"]
+import numpy as np
+from numpy.typing import NDArray
+
+__all__ = ["COORDINATES", "NAME", "own_path", "placed_path", "robot_data", "robot_path", "to_robot", "with_reach"]
 
 NAME = "filipovic2010"
 """What a robot that was read of such a sheet keeps in its field ``imported``."""
@@ -108,3 +111,26 @@ def with_reach(before: Mapping[str, Any], after: dict[str, Any]) -> dict[str, An
     if shape and old != new and shape.get("radius") == old:
         shape["radius"] = new
     return after
+
+
+COORDINATES = ("q", "delta", "gamma", "vt", "e", "theta")
+"""Names of the paper's coordinates, in its order."""
+
+_ROWS = {
+    "q": {"joint": 1.0, "link.azimuth1": 1.0},
+    "delta": {"link.azimuth1": 0.5, "link.azimuth2": 1.0},
+    "gamma": {"joint": 1.0},
+    "vt": {"link.elevation1": 1.0},
+    "e": {"link.elevation1": 0.5, "link.elevation2": 1.0},
+    "theta": {"joint.motor": 1.0},
+}
+"""Each of the paper's coordinates as a sum of the robot's."""
+
+
+def to_robot(names: Sequence[str]) -> NDArray[np.float64]:
+    """Matrix from the paper's coordinates to the robot's ``names``, shape (n, 6).
+
+    Where an element is rigid, its coordinates are not among the ``names``: the others are those of the nearest state.
+    """
+    there = np.array([[_ROWS[own].get(name, 0.0) for name in names] for own in COORDINATES])
+    return np.linalg.pinv(there)

@@ -17,12 +17,12 @@ __all__ = ["Ball"]
 
 @SURFACES.register
 class Ball(Surface):
-    """A sphere; the arm is outside of it, or inside."""
+    """A sphere; the robot is outside of it, or inside."""
 
     type: Literal["ball"] = Field(description="kind of surface")
     center: Vector = list_of_numbers("m", "C", "its center, in the world")
     radius: float = positive("m", "r", "its radius", plausible=(1e-4, 50.0))
-    inside: bool = Field(default=False, description="true: the arm is inside and presses outwards")
+    inside: bool = Field(default=False, description="true: the robot is inside and presses outwards")
 
     @property
     def shape(self) -> str:

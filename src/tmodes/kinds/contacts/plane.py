@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import math
-from typing import Any, Literal, Self
+from collections.abc import Iterator
+from typing import Any, Literal
 
-from pydantic import Field, model_validator
+from pydantic import Field
 
 from tmodes.kinds.contacts.contract import SURFACES, Meeting, Surface
 from tmodes.kinds.kernel import vectors as v
 from tmodes.kinds.schema.frames import Vector, list_of_numbers
-from tmodes.kinds.schema.quantity import Issue, any_sign, positive, refuse
+from tmodes.kinds.schema.quantity import Issue, any_sign, positive
 
 __all__ = ["Plane", "Wall"]
 
@@ -35,13 +36,11 @@ class Plane(_Flat):
 
     type: Literal["plane"] = Field(description="kind of surface")
     position: Vector = list_of_numbers("m", "p", "a point of the plane, in the world")
-    normal: Vector = list_of_numbers("-", "n", "its normal, towards the side where the arm is")
+    normal: Vector = list_of_numbers("-", "n", "its normal, towards the side where the robot is")
 
-    @model_validator(mode="after")
-    def _has_a_normal(self) -> Self:
+    def _issues(self) -> Iterator[Issue]:
         if not any(self.normal):
-            refuse([Issue("normal", "a normal of zeros", "a direction", "write [0, 0, 1] for a floor")])
-        return self
+            yield Issue("normal", "a normal of zeros", "a direction", "write [0, 0, 1] for a floor")
 
     def numbers(self) -> tuple[float, float, float, float]:
         """Direction into the plane, and its distance from the origin."""

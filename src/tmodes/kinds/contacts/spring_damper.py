@@ -7,14 +7,14 @@ the magnitude of the force of spring, damper and preload, smooth where the point
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any, ClassVar, Literal, Self
+from typing import Any, ClassVar, Literal
 
-from pydantic import Field, model_validator
+from pydantic import Field
 
 from tmodes.kinds.contacts.contract import CONTACTS, Contact
 from tmodes.kinds.kernel import functions as f
 from tmodes.kinds.kernel import vectors as v
-from tmodes.kinds.schema.quantity import Issue, any_sign, dissipation, not_negative, positive, refuse
+from tmodes.kinds.schema.quantity import Issue, any_sign, dissipation, not_negative, positive
 
 __all__ = ["Bilateral", "SpringDamper", "Unilateral"]
 
@@ -31,12 +31,10 @@ class SpringDamper(Contact):
         "m/s", "veps", "speed below which friction is smoothed", default=None, plausible=(1e-6, 0.1)
     )
 
-    @model_validator(mode="after")
-    def _fits_together(self) -> Self:
+    def _issues(self) -> Iterator[Issue]:
         if self.friction and self.friction_velocity is None:
             hint = "add `friction_velocity: 0.001`"
-            refuse([Issue("friction_velocity", "nothing", "a speed, because there is friction", hint)])
-        return self
+            yield Issue("friction_velocity", "nothing", "a speed, because there is friction", hint)
 
     def numbers(self) -> tuple[float, ...]:
         """ka, be, F0, mu, veps."""

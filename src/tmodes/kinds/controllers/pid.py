@@ -40,21 +40,21 @@ class PID(Controller):
         """The integral."""
         return (OwnState("integral", "rad*s|m*s"),)
 
-    def _wish(self, p: Any, m: Measured, x: list[Any]) -> Any:
+    def _unlimited(self, p: Any, m: Measured, x: list[Any]) -> Any:
         return p[0] * (m.wanted - m.position) + p[1] * x[0] + p[2] * (m.wanted_rate - m.velocity)
 
     def command(self, p: Any, m: Measured, x: list[Any]) -> Any:
-        """The wish, cut at the limit."""
-        wish = self._wish(p, m, x)
-        return wish if self.limit is None else f.fmax(f.fmin(wish, p[3]), -p[3])
+        """The command of all three terms, cut at the limit."""
+        command = self._unlimited(p, m, x)
+        return command if self.limit is None else f.fmax(f.fmin(command, p[3]), -p[3])
 
     def rates(self, p: Any, m: Measured, x: list[Any]) -> list[Any]:
         """The error; zero while it would drive a cut command further."""
         error = m.wanted - m.position
         if self.limit is None:
             return [error]
-        wish = self._wish(p, m, x)
-        return [f.if_else(f.fabs(wish) > p[3], f.if_else(wish * error > 0, 0.0, error), error)]
+        command = self._unlimited(p, m, x)
+        return [f.if_else(f.fabs(command) > p[3], f.if_else(command * error > 0, 0.0, error), error)]
 
     def local_gains(self) -> tuple[float, float]:
         """Kp, Kv."""

@@ -6,9 +6,9 @@ import math
 from collections.abc import Iterator
 from enum import StrEnum
 from itertools import pairwise
-from typing import Annotated, Any, NamedTuple, Self
+from typing import Annotated, Any, NamedTuple
 
-from pydantic import Field, field_validator, model_validator
+from pydantic import Field, field_validator
 
 from tmodes.kinds.schema.frames import list_of_numbers
 from tmodes.kinds.schema.quantity import (
@@ -20,7 +20,6 @@ from tmodes.kinds.schema.quantity import (
     dissipation,
     not_negative,
     positive,
-    refuse,
 )
 
 __all__ = ["FrictionSheet", "GearSheet", "MotorNumbers", "MotorSheet", "Side"]
@@ -43,12 +42,10 @@ class FrictionSheet(DataSheet):
     )
     smoothing: float = positive("rad/s|m/s", "veps", "rate below which dry friction is smoothed", default=1e-3)
 
-    @model_validator(mode="after")
-    def _whole(self) -> Self:
+    def _issues(self) -> Iterator[Issue]:
         if self.static_extra > 0 and self.stribeck_rate is None:
             hint = "add `stribeck_rate`, or remove `static_extra`"
-            refuse([Issue("stribeck_rate", "nothing", "a rate, because `static_extra` is given", hint)])
-        return self
+            yield Issue("stribeck_rate", "nothing", "a rate, because `static_extra` is given", hint)
 
 
 class Side(StrEnum):
@@ -90,19 +87,12 @@ class MotorSheet(DataSheet):
     torque_constant: float | None = positive("N*m/A|N/A", "CM", "torque constant", default=None)
     inductance: float = not_negative("H", "La", "armature inductance", default=0.0, plausible=(0.0, 10.0))
 
-    @model_validator(mode="after")
-    def _fits_together(self) -> Self:
-        refuse([*self._ratio_issues(), *self._electric_issues()])
-        return self
-
-    def _ratio_issues(self) -> Iterator[Issue]:
+    def _issues(self) -> Iterator[Issue]:
         if self.ratio is None and self.side is Side.MOTOR:
             hint = "add the line `ratio: ...`, or give all quantities joint side"
             yield Issue("ratio", "nothing", "the reducer's ratio, because `side` is motor", hint)
         if self.ratio is not None and abs(self.ratio) < SMALLEST:
             yield Issue("ratio", repr(self.ratio), "a ratio that is not zero", "write motor speed over joint speed")
-
-    def _electric_issues(self) -> Iterator[Issue]:
         names = ("resistance", "back_emf_constant", "torque_constant")
         missing = [name for name in names if getattr(self, name) is None]
         if len(missing) in {1, 2}:
@@ -152,12 +142,7 @@ class GearSheet(DataSheet):
     def _one_number_is_a_list(cls, value: Any) -> Any:
         return (value,) if isinstance(value, (int, float)) and not isinstance(value, bool) else value
 
-    @model_validator(mode="after")
-    def _fits_together(self) -> Self:
-        refuse([*self._range_issues(), *self._limit_issues()])
-        return self
-
-    def _range_issues(self) -> Iterator[Issue]:
+    def _issues(self) -> Iterator[Issue]:
         count = len(self.stiffness)
         if not 1 <= count <= MOST_RANGES:
             most = f"1 to {MOST_RANGES} stiffnesses"
@@ -167,9 +152,7 @@ class GearSheet(DataSheet):
                 bounds = f"a magnitude from {SMALLEST:g} to {LARGEST:g}"
                 hint = "correct the exponent or the unit" + ("; one .inf alone makes it rigid" if count > 1 else "")
                 yield Issue("stiffness", f"{value:g}", bounds, hint)
-
-    def _limit_issues(self) -> Iterator[Issue]:
-        wanted, limits = len(self.stiffness) - 1, self.torque_limits
+        wanted, limits = count - 1, self.torque_limits
         if len(limits) != wanted:
             expected = f"a list of {wanted}, one less than there are stiffnesses"
             hint = "write the torque between each stiffness and the next"
@@ -179,5 +162,5 @@ class GearSheet(DataSheet):
 
     @property
     def is_rigid(self) -> bool:
-        """True when it does not give: rigid, by wish."""
+        """True when it does not give: rigid on purpose."""
         return math.isinf(self.stiffness[0])

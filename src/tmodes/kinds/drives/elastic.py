@@ -1,7 +1,7 @@
 """The elastic drive: a motor with its own coordinate behind an elastic gear.
 
 Motor row, the sign of the gear torque turned against the paper's: I th'' = u - friction - tg, tg = C(xi) + B xi',
-xi = th - ga; the rotor's gyroscopic coupling with the arm is dropped (Spong, "Modeling and control
+xi = th - ga; the rotor's gyroscopic coupling with the links is dropped (Spong, "Modeling and control
 of elastic joint robots", ASME J. Dyn. Sys. 109, 1987, assumption A2).
 """
 

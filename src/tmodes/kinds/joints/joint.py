@@ -5,10 +5,11 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from enum import StrEnum
-from typing import Annotated, Any, Self
+from itertools import chain
+from typing import Annotated, Any
 
 import numpy as np
-from pydantic import ConfigDict, Field, SerializeAsAny, ValidationInfo, field_validator, model_validator
+from pydantic import ConfigDict, Field, SerializeAsAny, ValidationInfo, field_validator
 from pydantic_core import PydanticKnownError
 
 from tmodes.kinds.drives.drive import FrictionSheet, GearSheet, MotorSheet
@@ -16,7 +17,7 @@ from tmodes.kinds.drives.registry import DRIVES
 from tmodes.kinds.joints.registry import JOINTS, JointKind
 from tmodes.kinds.schema.frames import DenavitHartenberg, Origin, Vector, list_of_numbers
 from tmodes.kinds.schema.kind import NameOf, NumbersOf
-from tmodes.kinds.schema.quantity import DataSheet, Issue, any_sign, positive, refuse
+from tmodes.kinds.schema.quantity import DataSheet, Issue, any_sign, positive
 
 __all__ = ["JointSheet", "JointState", "JointType", "Limits", "MeasuredFrom"]
 
@@ -58,12 +59,10 @@ class Limits(DataSheet):
     speed: float | None = positive("rad/s|m/s", "v_max", "highest speed", default=None, plausible=(1e-3, 1e3))
     effort: float | None = positive("N*m|N", "tau_max", "highest effort", default=None, plausible=(1e-4, 1e6))
 
-    @model_validator(mode="after")
-    def _in_order(self) -> Self:
+    def _issues(self) -> Iterator[Issue]:
         if self.lower is not None and self.upper is not None and self.lower > self.upper:
             expected = f"at most `upper`, {self.upper!r}"
-            refuse([Issue("lower", repr(self.lower), expected, "exchange the two, or correct one")])
-        return self
+            yield Issue("lower", repr(self.lower), expected, "exchange the two, or correct one")
 
 
 class JointSheet(DataSheet):
@@ -116,10 +115,8 @@ class JointSheet(DataSheet):
         named = info.data["drive"]
         return _checked(DRIVES[named].schema if named else None, given)
 
-    @model_validator(mode="after")
-    def _fits_together(self) -> Self:
-        refuse([*self._axis_issues(), *self._place_issues(), *self._drive_issues()])
-        return self
+    def _issues(self) -> Iterator[Issue]:
+        return chain(self._axis_issues(), self._place_issues(), self._drive_issues())
 
     def _axis_issues(self) -> Iterator[Issue]:
         if not self.kind.has_axis or self.dh is not None:

@@ -30,11 +30,6 @@ class Prismatic(JointKind):
         del q
         return [Force(v.zero(), v.vec(numbers))]
 
-    def bias(self, q: Any, rates: Any, numbers: Any) -> Force:
-        """None: the axis stays."""
-        del q, rates, numbers
-        return Force.zero()
-
     def commutes(self, axis: Array, rotation: Array, position: Array) -> bool:
         """Always: a translation is the same seen from everywhere."""
         del axis, rotation, position

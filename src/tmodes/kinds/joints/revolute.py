@@ -32,11 +32,6 @@ class Revolute(JointKind):
         del q
         return [Force(v.vec(numbers), v.zero())]
 
-    def bias(self, q: Any, rates: Any, numbers: Any) -> Force:
-        """None: the axis stays."""
-        del q, rates, numbers
-        return Force.zero()
-
     def commutes(self, axis: Array, rotation: Array, position: Array) -> bool:
         """Where the axis meets the offset frame."""
         del rotation

@@ -1,18 +1,59 @@
-"""A schedule: which kernels are called in which order, on which blocks of one workspace. Structure, and no backend."""
+"""Kernels, and a schedule of them: small functions of blocks of numbers, called in order on blocks of one workspace.
+
+A kernel is written as expressions once and compiled once per structure. All is structure, and no backend.
+"""
 
 from __future__ import annotations
 
 import hashlib
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
-from functools import cached_property
-from typing import Protocol
+from functools import cached_property, partial, wraps
+from operator import attrgetter
+from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tmodes.kinds.kernel.kernel import Kernel
+__all__ = ["Divisible", "Kernel", "Numbers", "Schedule", "Slot", "kernel"]
 
-__all__ = ["Divisible", "Numbers", "Schedule", "Slot"]
+
+@dataclass(frozen=True)
+class Kernel:
+    """``build`` takes a vector of symbols for each input size and returns a list of entries for each output size.
+
+    ``key`` names the structure: two kernels of the same key are the same function. ``long``: thousands of operations,
+    too many to be written out at each call. ``plain``: made of sums, products and quotients alone.
+    """
+
+    key: str
+    inputs: tuple[int, ...]
+    outputs: tuple[int, ...]
+    build: Callable[..., Sequence[list[Any]]]
+    long: bool = False
+    plain: bool = False
+
+
+def kernel(
+    key: str, inputs: Sequence[int | str], outputs: Sequence[int | str], *, long: str = "", plain: bool = False
+) -> Callable[[Callable[..., Sequence[list[Any]]]], Callable[..., Kernel]]:
+    """Turn a function of symbols into one that gives its :class:`Kernel`; a method into that of its structure.
+
+    ``long`` and sizes that depend on the structure are names of its attributes; ``{0}`` in ``key`` is the structure.
+    """
+
+    def decorate(build: Callable[..., Sequence[list[Any]]]) -> Callable[..., Kernel]:
+        @wraps(build)
+        def made(*structure: Any) -> Kernel:
+            def of(part: Any) -> Any:
+                return attrgetter(part)(*structure) if isinstance(part, str) else part
+
+            sizes = tuple(map(of, inputs)), tuple(map(of, outputs))
+            return Kernel(key.format(*structure), *sizes, partial(build, *structure), bool(long and of(long)), plain)
+
+        return made
+
+    return decorate
 
 
 @dataclass(frozen=True)

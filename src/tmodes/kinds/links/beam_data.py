@@ -4,15 +4,15 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from typing import Annotated, Any, ClassVar, Self
+from itertools import chain
+from typing import Annotated, Any, ClassVar
 
-from pydantic import Discriminator, Field, Tag, field_validator, model_validator
+from pydantic import Discriminator, Field, Tag, field_validator
 
 from tmodes.errors import InputError
-from tmodes.kinds.links.beam_choices import Basis, BeamModel, RotaryInertia
-from tmodes.kinds.links.beam_pieces import Piece, tapered_pieces, uniform_piece
+from tmodes.kinds.links.beam_pieces import Basis, BeamModel, Piece, RotaryInertia, tapered_pieces, uniform_piece
 from tmodes.kinds.links.material import Material, find_material
-from tmodes.kinds.links.section import GivenSection, Section
+from tmodes.kinds.links.section import GivenSection, Section, between
 from tmodes.kinds.links.sheet import BendingSheet
 from tmodes.kinds.schema.frames import Origin, Vector, list_of_numbers
 from tmodes.kinds.schema.quantity import DataSheet, Issue, dissipation, positive, quantity, refuse
@@ -108,12 +108,12 @@ class BeamData(BendingSheet):
             refuse([Issue("", f"{value:g}", "a whole number, that of both bending directions, or a group", hint)])
         return value
 
-    @model_validator(mode="after")
-    def _fits_together(self) -> Self:
-        refuse(list(self._model_issues()))
-        refuse(list(self._section_issues()))
-        refuse([*self._order_issues(), *self._stiffness_issues()])
-        return self
+    def _issues(self) -> Iterator[Issue]:
+        yield from (
+            [*self._model_issues()]
+            or [*self._section_issues()]
+            or chain(self._order_issues(), self._stiffness_issues())
+        )
 
     def _model_issues(self) -> Iterator[Issue]:
         needs = {BeamModel.STRAIN: "functions", BeamModel.SEGMENTS: "segments"}
@@ -144,7 +144,10 @@ class BeamData(BendingSheet):
         for index, piece in enumerate(self.pieces):
             yield from self._material_issues(f"pieces.{index}.section", piece.section, piece.material)
         if self.taper is not None and self.section is not None:
-            yield from self._taper_issues(self.section, self.taper.section)
+            try:
+                between(self.section, self.taper.section, 0.5)
+            except InputError as error:
+                yield Issue("taper", error.got, error.expected, error.hint)
 
     def _material_issues(self, path: str, section: Section | None, own: str | Material | None) -> Iterator[Issue]:
         material = own if own is not None else self.material
@@ -160,22 +163,6 @@ class BeamData(BendingSheet):
         elif section is not None and not isinstance(section, GivenSection) and material is None:
             hint = "add `material: steel`, or its young, shear and density"
             yield Issue("material", "nothing", f"the material of `{path}`", hint)
-
-    def _taper_issues(self, root: Section, tip: Section) -> Iterator[Issue]:
-        if isinstance(root, GivenSection) and isinstance(tip, GivenSection):
-            pairs = ("torsional_stiffness", "axial_stiffness")
-            ends = [(*zip(root.bending_stiffness, tip.bending_stiffness, strict=True),)]
-            values = [*ends[0], *((getattr(root, name), getattr(tip, name)) for name in pairs)]
-            if any(math.isinf(first) != math.isinf(last) for first, last in values):
-                got = "a stiffness that is infinite at one end"
-                yield Issue("taper", got, "finite or infinite at both ends", "write pieces instead")
-            return
-        if (
-            type(root) is not type(tip)
-            or root.model_dump(exclude_none=True).keys() != tip.model_dump(exclude_none=True).keys()
-        ):
-            hint = "draw both ends in the same shape, or write the beam as pieces"
-            yield Issue("taper", "another shape at the tip", f"the shape of the root, {root.shape}", hint)
 
     def _order_issues(self) -> Iterator[Issue]:
         ends = [piece.end for piece in self.pieces]

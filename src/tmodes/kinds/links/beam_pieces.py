@@ -1,10 +1,11 @@
-"""The numbers of a ``strain`` link: its section from root to tip, and how finely it is described."""
+"""What a beam is described by: what may be chosen of it, and the numbers of its section from root to tip."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from enum import StrEnum
 from functools import lru_cache
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,7 +14,37 @@ from tmodes.kinds.links.contract import Body
 from tmodes.kinds.links.material import Material
 from tmodes.kinds.links.section import Section, SectionNumbers, between
 
-__all__ = ["BeamNumbers", "BeamPiece", "Piece", "tapered_pieces", "uniform_piece"]
+__all__ = [
+    "Basis", "BeamModel", "BeamNumbers", "BeamPiece", "Piece", "RotaryInertia", "tapered_pieces", "uniform_piece",
+]  # fmt: skip
+
+
+class BeamModel(StrEnum):
+    """The ladder of models of one link."""
+
+    STRAIN = "strain"
+    SEGMENTS = "segments"
+    RIGID = "rigid"
+
+
+class Basis(StrEnum):
+    """The bending functions of a strain link; ``auto`` is ``legendre``.
+
+    ``tip_weighted``: for a free end on which forces act, but no moment.
+    """
+
+    AUTO = "auto"
+    LEGENDRE = "legendre"
+    TIP_WEIGHTED = "tip_weighted"
+
+
+class RotaryInertia(StrEnum):
+    """Which rotary inertia of the sections counts: none, about the line (``twist``), or about all axes (Rayleigh)."""
+
+    NONE = "none"
+    TWIST = "twist"
+    FULL = "full"
+
 
 Array = NDArray[np.float64]
 
@@ -78,6 +109,11 @@ class Piece(NamedTuple):
     end: float
     start: SectionNumbers
     stop: SectionNumbers
+
+    def at(self, name: str, share: Any) -> Any:
+        """A number of its sections at ``share`` (0..1) of the piece."""
+        first, last = getattr(self.start, name), getattr(self.stop, name)
+        return first if first == last else first + share * (last - first)
 
 
 def uniform_piece(end: float, numbers: SectionNumbers) -> Piece:

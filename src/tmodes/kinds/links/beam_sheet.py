@@ -7,9 +7,8 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from tmodes.frame import Placement
-from tmodes.kinds.links.beam_choices import Basis, BeamModel, RotaryInertia
 from tmodes.kinds.links.beam_data import MOST_FUNCTIONS, BeamData, Functions, PieceSheet
-from tmodes.kinds.links.beam_pieces import BeamPiece, Piece
+from tmodes.kinds.links.beam_pieces import Basis, BeamModel, BeamPiece, Piece, RotaryInertia
 from tmodes.kinds.links.body import BodySheet
 from tmodes.kinds.links.contract import Body
 from tmodes.kinds.links.material import Material, find_material
@@ -140,7 +139,7 @@ def _rigid(beam: BeamData, bodies: Sequence[BodySheet]) -> LoweredLink:
 
 def _strain(beam: BeamData, bodies: Sequence[BodySheet]) -> LoweredLink:
     """One strain beam. ``auto`` is ``legendre``: only these functions can carry a moment at the tip, and whoever asks
-    for the stiffness of an arm puts one on every tip.
+    for the stiffness of a robot puts one on every tip.
     """  # noqa: D205
     functions, pieces = _finite_functions(beam), beam.section_pieces()
     shape = Beam(
@@ -243,7 +242,6 @@ def _between(pieces: list[Piece], name: str, s: float) -> float:
     start = 0.0
     for piece in pieces:
         if s <= piece.end or piece is pieces[-1]:
-            first, last = getattr(piece.start, name), getattr(piece.stop, name)
-            return first if first == last else first + (last - first) * (s - start) / (piece.end - start)
+            return piece.at(name, (s - start) / (piece.end - start))
         start = piece.end
     return 0.0

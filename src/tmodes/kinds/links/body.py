@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any, Literal, Self
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from pydantic import Field, field_validator, model_validator
+from pydantic import Field, field_validator
 
 from tmodes.kinds.schema.axes import rpy_matrix
 from tmodes.kinds.schema.frames import TURN, Vector, list_of_numbers
-from tmodes.kinds.schema.quantity import DataSheet, Issue, any_sign, not_negative, quantity, refuse
+from tmodes.kinds.schema.quantity import DataSheet, Issue, any_sign, not_negative, quantity
 
 __all__ = ["BodySheet", "Inertia", "entries", "principal_moments"]
 
@@ -52,11 +52,6 @@ class Inertia(DataSheet):
     xy: float = _product("Jxy")
     xz: float = _product("Jxz")
     yz: float = _product("Jyz")
-
-    @model_validator(mode="after")
-    def _some_mass_has_it(self) -> Self:
-        refuse(list(self._issues()))
-        return self
 
     def _issues(self) -> Iterator[Issue]:
         moments, broken = principal_moments(self.matrix())

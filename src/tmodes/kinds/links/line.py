@@ -17,8 +17,7 @@ from numpy.typing import NDArray
 
 from tmodes.kinds.kernel import vectors as v
 from tmodes.kinds.kernel.functions import atan2, fabs, fmin, if_else, sqrt
-from tmodes.kinds.kernel.kernel import Kernel, kernel
-from tmodes.kinds.kernel.schedule import Numbers, Slot
+from tmodes.kinds.kernel.schedule import Kernel, Numbers, Slot, kernel
 from tmodes.kinds.kernel.spatial import FORCE, Force
 
 __all__ = [

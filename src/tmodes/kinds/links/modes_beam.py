@@ -10,8 +10,7 @@ import numpy as np
 from pydantic import Field
 
 from tmodes.frame import Placement
-from tmodes.kinds.links.beam_choices import BeamModel
-from tmodes.kinds.links.beam_pieces import Piece, uniform_piece
+from tmodes.kinds.links.beam_pieces import BeamModel, Piece, uniform_piece
 from tmodes.kinds.links.beam_sheet import BeamSheet, Functions, PieceSheet
 from tmodes.kinds.links.body import BodySheet
 from tmodes.kinds.links.contract import Body
@@ -154,10 +153,8 @@ def _means(pieces: Sequence[Piece], start: float, end: float) -> tuple[float, fl
         if b > a:
             share = ((a + b) / 2 + (b - a) / 2 * nodes - begin) / (piece.end - begin)
             share_of = (b - a) / 2 * weights / (end - start)
-            compliance += float(
-                share_of @ (1 / (piece.start.bend_z + share * (piece.stop.bend_z - piece.start.bend_z)))
-            )
-            mass += float(share_of @ (piece.start.mass + share * (piece.stop.mass - piece.start.mass)))
+            compliance += float(np.sum(share_of / piece.at("bend_z", share)))
+            mass += float(np.sum(share_of * piece.at("mass", share)))
         begin = piece.end
     return 1 / compliance, mass
 

@@ -14,8 +14,7 @@ from numpy.typing import NDArray
 
 from tmodes.kinds.kernel import vectors as v
 from tmodes.kinds.kernel.functions import cos, sin, sqrt
-from tmodes.kinds.kernel.kernel import Kernel
-from tmodes.kinds.kernel.schedule import Slot
+from tmodes.kinds.kernel.schedule import Kernel, Slot
 from tmodes.kinds.kernel.spatial import FORCE, Force
 from tmodes.kinds.links.line import PLACE, POSE, LineOfLink, Moved, Shape, packed_place
 from tmodes.kinds.links.modes_line import TANGENT, Angles, ModesLine

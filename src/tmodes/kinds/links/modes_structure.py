@@ -7,9 +7,10 @@ from typing import Any
 
 from tmodes.kinds.kernel import vectors as v
 from tmodes.kinds.kernel.functions import cos, sin
+from tmodes.kinds.kernel.spatial import Force, body_inertia
 from tmodes.kinds.links.contract import ElasticForces, LinkStructure, Row
 from tmodes.kinds.links.modes_line import TANGENT, Angles, ModesLine
-from tmodes.kinds.links.terms import LinkTerms, Section
+from tmodes.kinds.links.terms import LinkTerms
 
 __all__ = ["ModesStructure"]
 
@@ -75,7 +76,9 @@ class ModesStructure(LinkStructure):
         line = ModesLine([tables[k] for k in range(m)], *azimuth_elevation, self.free, v.vec(rate))
         terms = LinkTerms.nothing(self.size)
         for k in range(m - 1):
-            _add_mass(terms, line.section(k, 1.0, 1.0, TANGENT), tables[m + k], tables[2 * m + k])
+            turning = [v.scale(tables[2 * m + k], v.unit(i)) for i in range(3)]
+            inertia = body_inertia(tables[m + k], v.zero(), turning)
+            terms = terms.with_body(line.section(k, 1.0, 1.0, TANGENT), inertia, Force.zero())
         found = [line.section(m - 1, 1.0, 1.0, TANGENT)]
         for number, mode in enumerate(self.places):
             found.append(line.section(mode, *(tables[3 * m + 3 * number + i] for i in range(3))))
@@ -147,25 +150,3 @@ class _Rows:
     def packed(self) -> list[Any]:
         """The sums in the order of the coordinates."""
         return [self.values[key] for key in self.keys]
-
-
-def _add_mass(terms: LinkTerms, section: Section, mass: Any, inertia: Any) -> None:
-    """Add a point mass with isotropic rotary inertia, fixed to a section, to the link's inertia terms."""
-    columns, bias, place = section.columns, section.bias, section.position
-    for i, column in enumerate(columns):
-        push, turn = v.scale(mass, column.linear), v.scale(inertia, column.angular)
-        for j in range(i + 1):
-            terms.mass[i][j] = terms.mass[i][j] + v.dot(push, columns[j].linear) + v.dot(turn, columns[j].angular)
-        terms.bias_q[i] = terms.bias_q[i] + v.dot(push, bias.linear) + v.dot(turn, bias.angular)
-        own = terms.coupling[i]
-        terms.coupling[i] = type(own)(v.add(own.angular, v.add(v.cross(place, push), turn)), v.add(own.linear, push))
-    square = v.dot(place, place)
-    for i in range(3):
-        for j in range(3):
-            more = -(mass * place[i] * place[j])
-            terms.angular[i][j] = terms.angular[i][j] + (mass * square + inertia + more if i == j else more)
-    terms.moment = v.add(terms.moment, v.scale(mass, place))
-    terms.total = terms.total + mass
-    push = v.scale(mass, bias.linear)
-    turned = v.add(v.cross(place, push), v.scale(inertia, bias.angular))
-    terms.bias = type(terms.bias)(v.add(terms.bias.angular, turned), v.add(terms.bias.linear, push))

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from tmodes.kinds.links.beam_choices import RotaryInertia
 from tmodes.kinds.links.beam_data import BeamData
+from tmodes.kinds.links.beam_pieces import RotaryInertia
 from tmodes.kinds.links.contract import Body
 from tmodes.kinds.schema.axes import bent_line
 
@@ -25,14 +25,10 @@ def rigid_body(beam: BeamData) -> Body:
             share = (part + (1 + nodes) / 2) / 4
             for x, weight in zip(share, weights * (piece.end - start) * beam.length / 8, strict=True):
                 rotation, position = bent_line(beam.rest_curvature, (start + x * (piece.end - start)) * beam.length)
-                own = np.diag(
-                    [
-                        _at(piece, f"inertia_{axis}", x) if axis in counted[beam.rotary_inertia] else 0.0
-                        for axis in "xyz"
-                    ]
-                )
+                known = counted[beam.rotary_inertia]
+                own = np.diag([piece.at(f"inertia_{axis}", x) if axis in known else 0.0 for axis in "xyz"])
                 inertia += weight * rotation @ own @ rotation.T
-                masses.append(weight * _at(piece, "mass", x))
+                masses.append(weight * piece.at("mass", x))
                 positions.append(position)
         start = piece.end
     mass, places = np.array(masses), np.array(positions)
@@ -40,8 +36,3 @@ def rigid_body(beam: BeamData) -> Body:
     off = places - center
     spread = np.einsum("i,ij,ik->jk", mass, off, off)
     return Body(float(mass.sum()), center, inertia + np.trace(spread) * np.eye(3) - spread)
-
-
-def _at(piece: object, name: str, share: float) -> float:
-    first, last = getattr(piece.start, name), getattr(piece.stop, name)  # pyright: ignore[reportAttributeAccessIssue]
-    return first + share * (last - first)

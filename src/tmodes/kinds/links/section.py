@@ -8,14 +8,14 @@ from __future__ import annotations
 import math
 from abc import ABC, abstractmethod
 from collections.abc import Iterator
-from typing import Annotated, Any, Literal, Self
+from typing import Annotated, Any, Literal
 
-from pydantic import Discriminator, Field, Tag, model_validator
+from pydantic import Discriminator, Field, Tag
 
 from tmodes.errors import InputError
 from tmodes.kinds.links.material import Material
 from tmodes.kinds.links.section_given import Geometry, GivenSection, SectionNumbers
-from tmodes.kinds.schema.quantity import DataSheet, Issue, positive, refuse
+from tmodes.kinds.schema.quantity import DataSheet, Issue, positive
 
 __all__ = [
     "SHAPES", "Box", "DrawnSection", "GivenSection", "IBeam", "Round", "Section", "SectionNumbers", "Tube",
@@ -37,15 +37,6 @@ class DrawnSection(DataSheet, ABC):
     def properties(self, material: Material) -> SectionNumbers:
         """Stiffness, mass and inertia per length in this material."""
         return self.geometry().made_of(material)
-
-    def _issues(self) -> Iterator[Issue]:
-        """Dimensions that do not fit together."""
-        yield from ()
-
-    @model_validator(mode="after")
-    def _fits_together(self) -> Self:
-        refuse(list(self._issues()))
-        return self
 
 
 class Round(DrawnSection):
@@ -221,6 +212,6 @@ def _mixed(first: Any, last: Any, share: float) -> Any:
     if isinstance(first, tuple):
         return tuple(_mixed(*both, share) for both in zip(first, last, strict=True))
     if math.isinf(first) or math.isinf(last):
-        got, hint = f"a stiffness from {first:g} to {last:g}", "make both ends elastic or both .inf, or write pieces"
-        raise InputError("taper", got, "both ends elastic, or both rigid", hint)
+        got, hint = "a stiffness that is infinite at one end", "make both ends elastic or both .inf, or write pieces"
+        raise InputError("taper", got, "finite or infinite at both ends", hint)
     return first + share * (last - first)

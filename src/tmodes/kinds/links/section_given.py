@@ -3,34 +3,28 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from typing import Annotated, Any, Literal, NamedTuple
 
-from pydantic import Field, field_validator, model_validator
+from pydantic import Field, field_validator
 
 from tmodes.kinds.links.material import Material
-from tmodes.kinds.schema.quantity import LARGEST, SMALLEST, DataSheet, Issue, not_negative, positive, refuse
+from tmodes.kinds.schema.frames import list_of_numbers
+from tmodes.kinds.schema.quantity import LARGEST, SMALLEST, DataSheet, Issue, not_negative, positive
 
 __all__ = ["Geometry", "GivenSection", "SectionNumbers"]
 
 _Stiffness = Annotated[float, Field(gt=0.0, allow_inf_nan=True)]
-_BENDING = {
-    "unit": "N*m^2",
-    "symbol": "EI",
-    "rigid_when_infinite": True,
-    "plausible": [1e-6, 1e10],
-    "smallest": SMALLEST,
-}
 
 
 class GivenSection(DataSheet):
     """Stiffnesses instead of a drawing; one that is left out is infinite: the link does not twist, does not stretch."""
 
     shape: Literal["given"] = Field(default="given", description="which shape")
-    bending_stiffness: tuple[_Stiffness, _Stiffness] = Field(
-        strict=False,
-        description="bending stiffness about y and about z; one number: both [N*m^2]",
-        json_schema_extra=_BENDING,
-    )
+    bending_stiffness: tuple[_Stiffness, _Stiffness] = list_of_numbers(
+        "N*m^2", "EI", "bending stiffness about y and about z; one number: both",
+        rigid_when_infinite=True, plausible=[1e-6, 1e10], smallest=SMALLEST,
+    )  # fmt: skip
     torsional_stiffness: float = positive(
         "N*m^2", "GJ", "torsional stiffness", default=math.inf, rigid=True, plausible=(1e-6, 1e10)
     )
@@ -45,24 +39,14 @@ class GivenSection(DataSheet):
     def _one_number_is_both(cls, value: Any) -> Any:
         return (value, value) if isinstance(value, (int, float)) else value
 
-    @model_validator(mode="after")
-    def _in_range_of_stiffness(self) -> GivenSection:
-        refuse(
-            [
-                Issue(
-                    "bending_stiffness",
-                    f"{value:g}",
-                    f"a magnitude from {SMALLEST:g} to {LARGEST:g} [N*m^2], or .inf for rigid",
-                    "correct the exponent or the unit",
-                )
-                for value in self.bending_stiffness
-                if not (SMALLEST <= value <= LARGEST or math.isinf(value))
-            ]
-        )
-        return self
+    def _issues(self) -> Iterator[Issue]:
+        expected = f"a magnitude from {SMALLEST:g} to {LARGEST:g} [N*m^2], or .inf for rigid"
+        for value in self.bending_stiffness:
+            if not (SMALLEST <= value <= LARGEST or math.isinf(value)):
+                yield Issue("bending_stiffness", f"{value:g}", expected, "correct the exponent or the unit")
 
     def properties(self, material: Material | None = None) -> SectionNumbers:
-        """The numbers as given; a material has no say, its moduli are only handed on where it is known.
+        """The numbers as given; of a material only the moduli are kept, for stresses.
 
         The rotary inertias about y and z part the polar one as the stiffnesses: exact for one material.
         """

@@ -11,8 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from tmodes.kinds.kernel import vectors as v
 from tmodes.kinds.kernel.functions import cos, sin
-from tmodes.kinds.kernel.kernel import Kernel
-from tmodes.kinds.kernel.schedule import Slot
+from tmodes.kinds.kernel.schedule import Kernel, Slot
 from tmodes.kinds.kernel.spatial import FORCE, Force
 from tmodes.kinds.links.contract import Body, Link, LinkNumbers, QuadraticStructure
 from tmodes.kinds.links.facts import ends

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import astuple, dataclass
 from typing import Any, ClassVar
 
 import numpy as np
@@ -25,10 +25,8 @@ Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
-class StrainStructure(QuadraticStructure):
-    """A beam of the shape given."""
-
-    shape: StrainShape
+class StrainStructure(StrainShape, QuadraticStructure):  # pyright: ignore[reportIncompatibleVariableOverride]
+    """A beam of a shape, whose fields are the structure's properties."""
 
     long: ClassVar[bool] = True
 
@@ -37,39 +35,9 @@ class StrainStructure(QuadraticStructure):
         """Its mass is spread along its line."""
         return True
 
-    @property
-    def key(self) -> str:
-        """The structure in words."""
-        return self.shape.key
-
-    @property
-    def size(self) -> int:
-        """Number of coordinates."""
-        return self.shape.size
-
-    @property
-    def table_size(self) -> int:
-        """Numbers in all tables."""
-        return self.shape.table_size
-
-    @property
-    def stations(self) -> tuple[int, ...]:
-        """For each station, the number of Gauss points before it."""
-        return self.shape.stations
-
-    @property
-    def full(self) -> bool:
-        """Whether stiffness matrices are not diagonal."""
-        return self.shape.full
-
-    @property
-    def stiffness_sizes(self) -> tuple[int, ...]:
-        """Functions of each direction."""
-        return self.shape.stiffness_sizes
-
     def sections(self, tables: Any, rate: Any, q: Any, qd: Any) -> tuple[list[Any], list[list[Any]]]:
         """Inertia terms, and the sections at the tip and the stations."""
-        return strain_link(self.shape, tables, rate, q, qd)
+        return strain_link(self, tables, rate, q, qd)
 
 
 @dataclass(frozen=True, eq=False)
@@ -170,7 +138,7 @@ class Beam(BeamNumbers, Link):
     def numbers(self, stations: tuple[float, ...]) -> LinkNumbers:
         """Quadrature, integrals of the functions, stiffness."""
         tables = beam_tables(self, stations)
-        return LinkNumbers(StrainStructure(tables.shape), tables.packed, tables.stiffness, tables.damping)
+        return LinkNumbers(StrainStructure(*astuple(tables.shape)), tables.packed, tables.stiffness, tables.damping)
 
 
 def _over(compliance: float) -> float | None:

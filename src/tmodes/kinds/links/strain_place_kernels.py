@@ -8,7 +8,7 @@ from typing import Any
 
 from tmodes.kinds.kernel import vectors as v
 from tmodes.kinds.kernel.functions import atan2, cos, sin
-from tmodes.kinds.kernel.kernel import Kernel
+from tmodes.kinds.kernel.schedule import Kernel
 from tmodes.kinds.kernel.spatial import FORCE, Force
 from tmodes.kinds.links.line import PLACE, POSE, STRESS, STRESS_NUMBERS, Shape, Stressed, in_section, packed_place
 from tmodes.kinds.links.strain_line import curvature_sums, magnus_turn

@@ -91,6 +91,12 @@ class LinkTerms:
         """M_bb."""
         return body_inertia(self.total, self.moment, self.angular)
 
+    def with_body(self, section: Section, inertia: Inertia, force: Force) -> LinkTerms:
+        """The terms with a rigid body on a section: its inertia and bias force about it, in link axes."""
+        mass, coupling, base, bias_q, bias = self.with_load(section, inertia, force)
+        moment = [base.coupling[2][1], base.coupling[0][2], base.coupling[1][0]]
+        return LinkTerms(mass, coupling, base.angular, moment, base.linear[0][0], bias_q, bias)
+
     def with_load(
         self, section: Section, inertia: Inertia, force: Force
     ) -> tuple[list[list[Any]], list[Force], Inertia, list[Any], Force]:

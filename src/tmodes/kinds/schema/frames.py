@@ -5,14 +5,14 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from enum import StrEnum
-from typing import Annotated, Any, Self
+from typing import Annotated, Any
 
 import numpy as np
 from numpy.typing import NDArray
-from pydantic import Field, model_validator
+from pydantic import Field
 
 from tmodes.kinds.schema.axes import quaternion_matrix, rotation_about, rpy_matrix
-from tmodes.kinds.schema.quantity import LARGEST, DataSheet, Issue, any_sign, refuse
+from tmodes.kinds.schema.quantity import LARGEST, DataSheet, Issue, any_sign
 
 __all__ = ["TURN", "Convention", "DenavitHartenberg", "Origin", "Quaternion", "Vector", "list_of_numbers"]
 
@@ -46,11 +46,6 @@ class Origin(DataSheet):
         "rad", "rpy", "roll, pitch, yaw about axes that stay, as in URDF", default=None, plausible=[-TURN, TURN]
     )
     quaternion: Quaternion | None = list_of_numbers("-", "x y z w", "rotation as a unit quaternion", default=None)
-
-    @model_validator(mode="after")
-    def _one_rotation(self) -> Self:
-        refuse(list(self._issues()))
-        return self
 
     def _issues(self) -> Iterator[Issue]:
         if self.quaternion is None:
@@ -104,13 +99,11 @@ class DenavitHartenberg(DataSheet):
     d: float = any_sign("m", "d", "distance along z", plausible=(-50.0, 50.0))
     theta: float = any_sign("rad", "theta", "angle about z, to which the joint's own is added", plausible=(-TURN, TURN))
 
-    @model_validator(mode="after")
-    def _fits_convention(self) -> Self:
-        if self.convention is Convention.PAPER:
-            hint = "write 0, or take the convention `standard` or `modified`"
-            rows = (("alpha", self.alpha), ("d", self.d))
-            refuse([Issue(key, repr(value), "0 in the convention `paper`", hint) for key, value in rows if value])
-        return self
+    def _issues(self) -> Iterator[Issue]:
+        for key in ("alpha", "d") if self.convention is Convention.PAPER else ():
+            if value := getattr(self, key):
+                hint = "write 0, or take the convention `standard` or `modified`"
+                yield Issue(key, repr(value), "0 in the convention `paper`", hint)
 
     def before(self) -> tuple[Array, Array]:
         """Rotation (3, 3) and position (3,) [m] of the joint's frame in its parent's tip frame."""

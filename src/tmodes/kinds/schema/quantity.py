@@ -9,10 +9,10 @@ from __future__ import annotations
 
 import math
 import unicodedata
-from collections.abc import Mapping, Sequence
-from typing import Any, NamedTuple
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any, NamedTuple, Self
 
-from pydantic import BaseModel, ConfigDict, Field, ValidationInfo, field_validator
+from pydantic import BaseModel, ConfigDict, Field, ValidationInfo, field_validator, model_validator
 from pydantic_core import PydanticCustomError
 
 __all__ = [
@@ -60,6 +60,15 @@ class DataSheet(BaseModel):
 
     model_config = ConfigDict(frozen=True, extra="forbid", strict=True, allow_inf_nan=False, ser_json_inf_nan="strings")
 
+    @model_validator(mode="after")
+    def _fits_together(self) -> Self:
+        refuse(list(self._issues()))
+        return self
+
+    def _issues(self) -> Iterator[Issue]:
+        """Values that do not fit together."""
+        yield from ()
+
     @classmethod
     def members(cls) -> tuple[type[DataSheet], ...]:
         """The sheets that may stand where this one is named: itself, or those of all registered kinds of a family."""
@@ -99,9 +108,9 @@ def quantity(
     """A numeric field.
 
     ``above``/``at_least``/``at_most`` bound it by physics; its magnitude must also lie between ``smallest`` and
-    :data:`LARGEST`, by arithmetic; ``rigid`` lets it be infinite, which then means "rigid, by wish"; ``plausible`` is
-    the range outside of which a wrong unit is likely (a warning, never an error); ``span``: messages tell the least and
-    the largest value, whatever bounds them.
+    :data:`LARGEST`, by arithmetic; ``rigid`` lets it be infinite, which means rigid on purpose; ``plausible`` is
+    the range outside of which a wrong unit is likely (a warning, never an error); ``span``: messages state the least
+    and the largest value, whatever bounds them.
     """
     return Field(
         default,
@@ -142,6 +151,6 @@ def any_sign(unit: str, symbol: str, meaning: str, **more: Any) -> Any:
 
 
 def span_info(extra: Mapping[str, Any], largest: float | None, *, whole: bool) -> str:
-    """The least and the largest value of a quantity whose messages tell both, such as `` from 1e-13 to 0.01``."""
+    """The least and the largest value of a quantity whose messages state both, such as `` from 1e-13 to 0.01``."""
     least = max(1.0, extra["smallest"]) if whole else extra["smallest"]
     return f" from {least:g} to {LARGEST if largest is None else largest:g}"

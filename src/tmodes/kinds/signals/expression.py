@@ -10,15 +10,15 @@ import ast
 import math
 import re
 import warnings
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
-from typing import Any, Literal, Self
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
-from pydantic import Field, model_validator
+from pydantic import Field
 
-from tmodes.kinds.schema.quantity import Issue, refuse
+from tmodes.kinds.schema.quantity import Issue
 from tmodes.kinds.signals.contract import SIGNALS, Signal
 from tmodes.kinds.signals.fit import fitted
 from tmodes.kinds.signals.schedule import Schedule
@@ -165,13 +165,11 @@ class Expression(Signal):
     type: Literal["expression"] = Field(description="kind of signal")
     formula: str = Field(min_length=1, max_length=500, description="formula of t")
 
-    @model_validator(mode="after")
-    def _readable(self) -> Self:
+    def _issues(self) -> Iterator[Issue]:
         try:
             parse_formula(self.formula)
         except FormulaError as error:
-            refuse([Issue("formula", error.got, error.expected, error.hint)])
-        return self
+            yield Issue("formula", error.got, error.expected, error.hint)
 
     def schedule(self, until: float) -> Schedule:
         """Pieces of degree 7, exact to 1e-12 of the largest value, up to ``until`` [s].

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from enum import StrEnum
-from typing import Annotated, Any, Literal, Self
+from typing import Annotated, Any, Literal
 
 import numpy as np
-from pydantic import Field, model_validator
+from pydantic import Field
 
-from tmodes.kinds.schema.quantity import LARGEST, Issue, refuse
+from tmodes.kinds.schema.quantity import LARGEST, Issue
 from tmodes.kinds.signals.contract import SIGNALS, Signal, delayed
 from tmodes.kinds.signals.schedule import Schedule
 
@@ -48,11 +48,6 @@ class Table(Signal):
         json_schema_extra={"unit": "signal", "symbol": "u", "smallest": 0.0, "plausible": None},
     )
     interpolation: Interpolation = Field(strict=False, description="linear or cubic")
-
-    @model_validator(mode="after")
-    def _rows(self) -> Self:
-        refuse(list(self._issues()))
-        return self
 
     def _issues(self) -> Iterator[Issue]:
         if len(self.times) != len(self.values):

@@ -1,4 +1,4 @@
-/* tmodes, built from 7f60664c8b081d8a; BSD-3-Clause */
+/* tmodes, built from fc972432ed0eba59; BSD-3-Clause */
 
 // src/live/engine_error.ts
 var EngineError = class extends Error {
@@ -174,7 +174,7 @@ function ending(run) {
   const { settings, status } = run;
   const { statuses, limits } = run.layout;
   const t = `t = ${digits(run.time, 6)} s`;
-  if (status === statuses.finished) return ["finished", `reached the end, t = ${digits(settings.duration, 6)} s`];
+  if (status === statuses.finished) return ["finished", `completed at t = ${digits(settings.duration, 6)} s`];
   if (status === statuses.running) {
     return [
       "stopped",
@@ -185,7 +185,7 @@ function ending(run) {
     const often = `more than ${limits.most_events} times within ${limits.event_time} s`;
     return [
       "chattering",
-      `stopped at ${t}: the contact set in or ended ${often}; give the surface damping, or a lower stiffness`
+      `stopped at ${t}: the contact started or ended ${often}; give the surface damping, or a lower stiffness`
     ];
   }
   return lost(run, t);

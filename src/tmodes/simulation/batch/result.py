@@ -20,11 +20,18 @@ from tmodes.simulation.parts import Trajectory
 
 __all__ = [
     "BATCH_FORMAT", "COUNTS", "BatchRun", "check_room", "gathered", "load_batch", "not_begun", "room_for",
-    "write_batch",
+    "stored",
 ]  # fmt: skip
+
+Array = NDArray[np.float64]
+
+BATCH_FORMAT = 1
+"""Version of the files of a batch."""
 
 COUNTS = ("steps", "rejected", "evaluations")
 """Statistics of each lane."""
+
+_STATES, _TIMES, _TIPS, _SUMMARY = "states.npy", "times.npy", "tips.npy", "batch.json"
 
 
 @dataclass(frozen=True, eq=False)
@@ -34,21 +41,20 @@ class BatchRun:
     ``times`` (n,) [s]; ``states`` (k, n, nx): coordinates, their rates, and what else is integrated, not-a-number where
     a lane has no sample; a motor whose gear is rigid in a lane moves as its joint. ``counts`` (k,): samples of each
     lane. ``status``: finished, diverged, stopped (a limit of the settings), interrupted, or failed (it could not
-    start), and ``message`` what happened, for each lane.
-    ``statistics``: steps, rejected, evaluations (k,). ``values``: numbers that differ between the lanes, (k,) each, by
-    path of the data sheet. ``tips`` (k, n, 3): position of the tip in the world [m], or None. ``folder``: where the
-    batch lies on disk, or None.
+    start), and ``message`` what happened, for each lane. ``statistics``: steps, rejected, evaluations (k,). ``values``:
+    numbers that differ between the lanes, (k,) each, by path of the data sheet. ``tips`` (k, n, 3): position of the tip
+    in the world [m], or None. ``folder``: where the batch lies on disk, or None.
     """
 
     coordinates: tuple[str, ...]
-    times: NDArray[np.float64]
-    states: NDArray[np.float64]
+    times: Array
+    states: Array
     counts: NDArray[np.int64]
     status: tuple[str, ...]
     message: tuple[str, ...]
     statistics: dict[str, NDArray[np.int64]]
-    values: dict[str, NDArray[np.float64]] = field(default_factory=dict)
-    tips: NDArray[np.float64] | None = None
+    values: dict[str, Array] = field(default_factory=dict)
+    tips: Array | None = None
     folder: Path | None = None
 
     @property
@@ -69,33 +75,18 @@ class BatchRun:
         return Trajectory(self.times[:count], states, self.status[index], self.message[index], info)
 
 
-def not_begun(states: NDArray[np.float64], message: str) -> Trajectory:
+def not_begun(states: Array, message: str) -> Trajectory:
     """A run that could not start; ``states`` (n, nx), its room, is left without a number."""
     states[:] = np.nan
     return Trajectory(np.zeros(0), states[:0], "failed", message, dict.fromkeys(COUNTS, 0.0))
 
 
-def gathered(
-    coordinates: tuple[str, ...], times: NDArray[np.float64], states: NDArray[np.float64], runs: Sequence[Trajectory]
-) -> BatchRun:
+def gathered(coordinates: tuple[str, ...], times: Array, states: Array, runs: Sequence[Trajectory]) -> BatchRun:
     """The batch of these runs, whose samples are in ``states`` already."""
-    return BatchRun(
-        coordinates,
-        times,
-        states,
-        np.array([len(run.times) for run in runs], dtype=np.int64),
-        tuple(run.status for run in runs),
-        tuple(run.message for run in runs),
-        {name: np.array([int(run.statistics[name]) for run in runs], dtype=np.int64) for name in COUNTS},
-    )
-
-
-Array = NDArray[np.float64]
-
-BATCH_FORMAT = 1
-"""Version of the files of a batch."""
-
-_STATES, _TIMES, _TIPS, _SUMMARY = "states.npy", "times.npy", "tips.npy", "batch.json"
+    samples = np.array([len(run.times) for run in runs], dtype=np.int64)
+    status, message = (tuple(getattr(run, name) for run in runs) for name in ("status", "message"))
+    counts = {name: np.array([int(run.statistics[name]) for run in runs], dtype=np.int64) for name in COUNTS}
+    return BatchRun(coordinates, times, states, samples, status, message, counts)
 
 
 @contextmanager
@@ -151,7 +142,7 @@ def _refuse_batch(folder: Path) -> None:
         raise file_error(there, "a batch that is there", "a new folder", "choose another folder")
 
 
-def write_batch(batch: BatchRun, folder: Path) -> None:
+def _write(batch: BatchRun, folder: Path) -> None:
     """Write all but the samples, which are there; the description comes last, and only with it is a batch whole."""
     for name, values in ((_TIMES, batch.times), (_TIPS, batch.tips)):
         if values is not None:
@@ -172,6 +163,14 @@ def write_batch(batch: BatchRun, folder: Path) -> None:
     }
     with atomic_write(folder / _SUMMARY) as path:
         path.write_text(json.dumps(info, allow_nan=False), encoding="utf-8")
+
+
+def stored(batch: BatchRun, folder: Path | None) -> BatchRun:
+    """The batch as it is in its folder, written there first; without one as it is."""
+    if folder is None:
+        return batch
+    _write(batch, folder)
+    return load_batch(folder)
 
 
 def load_batch(folder: str | os.PathLike[str]) -> BatchRun:

@@ -108,7 +108,7 @@ class SideBySide:
 
     @property
     def going(self) -> bool:
-        """Whether any lane may go on."""
+        """Whether any lane may continue."""
         room, most = self.room, self.work.settings.max_steps
         running = room.cell("status") == float(Status.RUNNING)
         return bool((running & (room.cell("steps") + room.cell("rejected") < most)).any())
@@ -186,7 +186,7 @@ class Alone:
 
     @property
     def going(self) -> bool:
-        """Whether it may go on."""
+        """Whether it may continue."""
         tried = self.run.cell("steps") + self.run.cell("rejected")
         return self.run.running and tried < self.run.settings.max_steps
 

@@ -1,4 +1,4 @@
-"""From a data sheet with some numbers changed to a lane of a batch: its structure, numbers, motion and start."""
+"""From a data sheet with some numbers changed to a lane of a batch, and where its state stands among all."""
 
 from __future__ import annotations
 
@@ -9,34 +9,23 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.analysis.spectrum import chosen_settings
 from tmodes.errors import InputError, InputErrors
-from tmodes.integrate.settings import Integration
 from tmodes.sheet import Robot
-from tmodes.simulation.start import RunSetup, run_setup
+from tmodes.simulation.start import RunSetup
 
-__all__ = ["Columns", "Lane", "changed_sheet", "lane_of"]
+__all__ = ["Columns", "changed_sheet", "structure_of"]
 
 Array = NDArray[np.float64]
 
 
-@dataclass(frozen=True, eq=False)
-class Lane:
-    """One robot that is ready to run. Lanes of the same ``key`` run on the same code, that of any one's model."""
+def structure_of(lane: RunSetup) -> Hashable:
+    """The structure of a lane's rates, its coordinates and its method: those of one structure run on the same code."""
+    return lane.model.loop.rate.key, lane.model.coordinates, lane.robot.integration.method
 
-    setup: RunSetup
-    settings: Integration
 
-    @property
-    def key(self) -> Hashable:
-        """The structure of its rates, its coordinates and its method."""
-        model = self.setup.model
-        return model.loop.rate.key, model.coordinates, self.settings.method
-
-    @property
-    def further(self) -> int:
-        """Numbers of a state that are neither coordinates nor rates."""
-        return len(self.setup.start) - 2 * len(self.setup.model.coordinates)
+def _further(lane: RunSetup) -> int:
+    """Numbers of a state that are neither coordinates nor rates."""
+    return len(lane.start) - 2 * len(lane.model.coordinates)
 
 
 @dataclass(frozen=True)
@@ -47,7 +36,7 @@ class Columns:
     further: int
 
     @classmethod
-    def of_all(cls, lanes: Sequence[Lane], index: int) -> Columns:
+    def of_all(cls, lanes: Sequence[RunSetup], index: int) -> Columns:
         """Those of these lanes, of which the last one is lane ``index`` of the batch.
 
         Raises :class:`tmodes.errors.InputError` where something else than coordinates differs.
@@ -55,11 +44,11 @@ class Columns:
         names: list[str] = []
         for lane in lanes:
             place = 0
-            for name in lane.setup.model.coordinates:
+            for name in lane.model.coordinates:
                 if name not in names:
                     names.insert(place, name)
                 place = names.index(name) + 1
-        first, last = lanes[0].further, lanes[-1].further
+        first, last = _further(lanes[0]), _further(lanes[-1])
         if first != last:
             got = f"{last} numbers in the state of case {index} next to its coordinates, {first} in others"
             hint = "vary what keeps them: no inductance of zero next to others"
@@ -71,9 +60,9 @@ class Columns:
         """Numbers of a state."""
         return 2 * len(self.coordinates) + self.further
 
-    def have(self, lane: Lane) -> bool:
+    def have(self, lane: RunSetup) -> bool:
         """Whether a lane has no other coordinate."""
-        return set(lane.setup.model.coordinates) <= set(self.coordinates) and lane.further == self.further
+        return set(lane.model.coordinates) <= set(self.coordinates) and _further(lane) == self.further
 
     def of(self, names: Sequence[str]) -> list[int]:
         """Where the state of a lane with these coordinates is."""
@@ -104,13 +93,3 @@ def changed_sheet(sheet: Robot, changes: Mapping[str, Any], lane: int) -> Robot:
 
 def _placed(error: InputError, lane: int) -> InputError:
     return InputError(error.which, error.got, error.expected, error.hint, f"case {lane} {error.where}".rstrip())
-
-
-def lane_of(real: Robot) -> Lane:
-    """A robot as its sheet says, ready to run.
-
-    Raises :class:`tmodes.errors.SimulationError` where it cannot start, and :class:`tmodes.errors.InputError` for what
-    cannot be run.
-    """
-    setup = run_setup(real)
-    return Lane(setup, chosen_settings(real.integration, lambda: setup.spectrum))

@@ -13,19 +13,18 @@ from numpy.typing import ArrayLike, NDArray
 from tmodes.errors import InputError, SimulationError
 from tmodes.integrate.settings import refuse_stops
 from tmodes.sheet import Robot
-from tmodes.simulation.batch.result import BatchRun, check_room, gathered, load_batch, not_begun, room_for, write_batch
-from tmodes.simulation.batch.simulate import prepare_loops
+from tmodes.simulation.batch.result import BatchRun, check_room, gathered, not_begun, room_for, stored
+from tmodes.simulation.batch.simulate import prepare_loops, run_all, thread_count
 from tmodes.simulation.batch.work import Work, inputs
-from tmodes.simulation.batch.workers import run_all, thread_count
 from tmodes.simulation.motion_run import tip_positions
 from tmodes.simulation.parts import sample_times
-from tmodes.simulation.vary.lanes import Columns, Lane, changed_sheet, lane_of
+from tmodes.simulation.start import RunSetup, run_setup
+from tmodes.simulation.vary.lanes import Columns, changed_sheet, structure_of
 
-__all__ = ["Prepared", "prepared", "prepared_alone", "run_prepared", "simulate_batch"]
+__all__ = ["Prepared", "prepared", "run_prepared", "simulate_batch"]
 
 Array = NDArray[np.float64]
 Progress = Callable[[str, float], None]
-Changes = Mapping[str, float | int]
 
 
 def simulate_batch(
@@ -37,21 +36,19 @@ def simulate_batch(
     out: str | os.PathLike[str] | None = None,
     progress: Progress = lambda stage, share: None,
 ) -> BatchRun:
-    """Run k robots or arms of one sheet at once: ``vary`` holds k numbers for each path that differs.
+    """Run k robots of one sheet at once: ``vary`` holds k numbers for each path that differs.
 
     Paths are those of ``with_`` and of ``--set`` (``gear.stiffness``, ``real.gear.stiffness``), but for
-    ``integration``, which all share. Each lane is checked like a sheet, becomes the real robot, and runs as
-    :func:`tmodes.simulation.simulate.simulate_motion` runs it, without a
-    reference run.
-    ``tips``: also where the tip was. ``threads``: None for one on each core. ``out``: a folder for the samples, where
-    they are too many for memory. ``progress`` is given the stage and its share.
+    ``integration``, which all share. Each lane is checked like a sheet, and runs as the actual robot of
+    :func:`tmodes.run`, without a reference. ``tips``: also where the tip was. ``threads``: None for one on each core.
+    ``out``: a folder for the samples, where they are too many for memory. ``progress`` is given the stage and its
+    share.
 
     Lanes may differ in their coordinates, as with a rigid gear next to elastic ones: the batch has those of all lanes,
-    a motor without one of its own moves as its joint, and of a link they are zero.
-
-    A lane that cannot start (``failed``) or cannot go on keeps what it had and disturbs no other: look at ``status``
-    and ``message``. Raises :class:`tmodes.errors.InputError` or :class:`tmodes.errors.InputErrors` for wrong numbers,
-    reporting their lane; :class:`tmodes.errors.SimulationError` where none can start.
+    a motor without one of its own moves as its joint, and of a link they are zero. A lane that cannot start
+    (``failed``) or cannot continue keeps what it had and disturbs no other: look at ``status`` and ``message``. Raises
+    :class:`tmodes.errors.InputError` or :class:`tmodes.errors.InputErrors` for wrong numbers, reporting their lane;
+    :class:`tmodes.errors.SimulationError` where none can start.
     """
     return run_prepared(
         prepared(sheet, vary, out=out, progress=progress), tips=tips, threads=threads, progress=progress
@@ -65,7 +62,7 @@ class Prepared:
     ``times`` (n,) [s]: of the samples; ``folder``: where they go, or None.
     """
 
-    lanes: Sequence[Lane | str]
+    lanes: Sequence[RunSetup | str]
     columns: Columns
     values: dict[str, Array]
     times: Array
@@ -74,21 +71,34 @@ class Prepared:
 
 def prepared(
     sheet: Robot,
-    vary: Mapping[str, ArrayLike],
+    vary: Mapping[str, ArrayLike] | None,
     *,
     out: str | os.PathLike[str] | None = None,
     progress: Progress = lambda stage, share: None,
 ) -> Prepared:
-    """All that can be wrong with a batch is reported here, before anything runs; see :func:`simulate_batch`."""
-    values = _checked(vary)
-    size = len(next(iter(values.values())))
-    changes = [{path: _plain(numbers[lane]) for path, numbers in values.items()} for lane in range(size)]
-    return _prepared(sheet, changes, values, None if out is None else Path(out), progress)
+    """All that can be wrong with a batch is reported here, before anything runs; see :func:`simulate_batch`.
 
-
-def prepared_alone(sheet: Robot, progress: Progress = lambda stage, share: None) -> Prepared:
-    """The sheet as it stands, as a batch of one lane."""
-    return _prepared(sheet, [{}], {}, None, progress)
+    ``vary`` None: the sheet as it stands, as a batch of one lane. The room is asked for as soon as the size of a state
+    is known.
+    """
+    values, folder = {} if vary is None else _checked(vary), None if out is None else Path(out)
+    size = len(next(iter(values.values()))) if values else 1
+    refuse_stops(sheet.integration, "all lanes of a batch run")
+    if sheet.integration.energy_stop:
+        hint = "leave it out, or run the lane by itself (tmodes run)"
+        raise InputError("integration.energy_stop", "true", "false: a batch watches no energy", hint)
+    lanes: list[RunSetup | str] = []
+    times, columns = sample_times(sheet.integration), None
+    for index in range(size):
+        changes = {path: _plain(numbers[index]) for path, numbers in values.items()}
+        lanes.append(lane := _lane(sheet, changes, index))
+        if isinstance(lane, RunSetup) and (columns is None or not columns.have(lane)):
+            columns = Columns.of_all([one for one in lanes if isinstance(one, RunSetup)], index)
+            check_room((size, len(times), columns.width), folder)
+        progress("preparing", (index + 1) / size)
+    if columns is None:
+        raise SimulationError(f"no case can start; case 0: {lanes[0]}")
+    return Prepared(lanes, columns, values, times, folder)
 
 
 def run_prepared(
@@ -100,31 +110,7 @@ def run_prepared(
         done = replace(_run(batch, room, count, progress), values=batch.values)
         if tips:
             done = replace(done, tips=_tips(done, batch, progress))
-    if batch.folder is None:
-        return done
-    write_batch(done, batch.folder)
-    return load_batch(batch.folder)
-
-
-def _prepared(
-    sheet: Robot, changes: Sequence[Changes], values: dict[str, Array], folder: Path | None, progress: Progress
-) -> Prepared:
-    """All lanes; the room is asked for as soon as the size of a state is known."""
-    refuse_stops(sheet.integration, "all lanes of a batch run")
-    if sheet.integration.energy_stop:
-        hint = "leave it out, or run the lane by itself (tmodes run)"
-        raise InputError("integration.energy_stop", "true", "false: a batch watches no energy", hint)
-    lanes: list[Lane | str] = []
-    times, columns = sample_times(sheet.integration), None
-    for index, info in enumerate(changes):
-        lanes.append(lane := _lane(sheet, info, index))
-        if isinstance(lane, Lane) and (columns is None or not columns.have(lane)):
-            columns = Columns.of_all([one for one in lanes if isinstance(one, Lane)], index)
-            check_room((len(changes), len(times), columns.width), folder)
-        progress("preparing", (index + 1) / len(changes))
-    if columns is None:
-        raise SimulationError(f"no case can start; case 0: {lanes[0]}")
-    return Prepared(lanes, columns, values, times, folder)
+    return stored(done, batch.folder)
 
 
 def _checked(vary: Mapping[str, ArrayLike]) -> dict[str, Array]:
@@ -153,11 +139,11 @@ def _plain(value: np.float64) -> float | int:
     return int(number) if number.is_integer() and abs(number) < 2**53 else number
 
 
-def _lane(sheet: Robot, changes: Changes, index: int) -> Lane | str:
+def _lane(sheet: Robot, changes: Mapping[str, float | int], index: int) -> RunSetup | str:
     """A lane, or why it cannot start."""
     real = changed_sheet(sheet, changes, index)
     try:
-        return lane_of(real)
+        return run_setup(real).chosen()
     except SimulationError as error:
         return str(error)
 
@@ -167,8 +153,8 @@ def _run(batch: Prepared, room: Array, threads: int, progress: Progress) -> Batc
     groups: dict[object, list[int]] = {}
     done = {}
     for index, lane in enumerate(batch.lanes):
-        if isinstance(lane, Lane):
-            groups.setdefault(lane.key, []).append(index)
+        if isinstance(lane, RunSetup):
+            groups.setdefault(structure_of(lane), []).append(index)
         else:
             done[index] = not_begun(room[index], lane)
     works = [_work(batch, members, room) for members in groups.values()]
@@ -181,9 +167,8 @@ def _run(batch: Prepared, room: Array, threads: int, progress: Progress) -> Batc
 
 def _work(batch: Prepared, members: list[int], room: Array) -> Work:
     """Lanes of one structure; those with other coordinates than the batch have a room of their own at first."""
-    group = [lane for lane in (batch.lanes[index] for index in members) if isinstance(lane, Lane)]
-    setups, settings = [lane.setup for lane in group], group[0].settings
-    model = setups[0].model
+    setups = [lane for lane in (batch.lanes[index] for index in members) if isinstance(lane, RunSetup)]
+    model, settings = setups[0].model, setups[0].robot.integration
     prepare_loops(model, settings.method)
     info = inputs(
         np.stack([setup.model.numbers for setup in setups]),
@@ -201,8 +186,8 @@ def _tips(done: BatchRun, batch: Prepared, progress: Progress) -> Array:
     tips = np.full((done.size, len(done.times), 3), np.nan)
     for index, lane in enumerate(batch.lanes):
         run = done.lane(index)
-        if isinstance(lane, Lane) and len(run.times):
-            states = run.states[:, batch.columns.of(lane.setup.model.coordinates)]
-            tips[index, : len(run.times)] = tip_positions(lane.setup, run.times, states)
+        if isinstance(lane, RunSetup) and len(run.times):
+            states = run.states[:, batch.columns.of(lane.model.coordinates)]
+            tips[index, : len(run.times)] = tip_positions(lane, run.times, states)
         progress("tips", (index + 1) / done.size)
     return tips

@@ -1,0 +1,234 @@
+"""A URDF's links and joints as rigid bodies and joints of the sheet: what each element may say, and what it means."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from tmodes.io.units import finite_float
+from tmodes.io.words import meant, shown
+from tmodes.io.xml_file import Element
+from tmodes.kinds.links.body import principal_moments
+
+__all__ = ["MOVING", "Follows", "UrdfJoint", "body_of", "follows", "joint_ends", "joint_of", "says_massless"]
+
+LINK_CHILDREN = {"inertial", "visual", "collision"}
+COMPONENTS = ("xx", "yy", "zz", "xy", "xz", "yz")
+RULES = {
+    "sign": "none is negative",
+    "triangle": "the largest is at most the sum of the others (triangle inequality)",
+}
+"""The rules of :func:`tmodes.kinds.links.body.principal_moments` in words."""
+
+NOTHING = 1e-12
+"""Moments below this [kg*m^2] are the dust of a conversion and count as zero: the body is a point mass."""
+
+
+def body_of(link: Element, name: str) -> dict[str, Any] | None:
+    """The body of a link in its own frame; None where it has no mass.
+
+    Mass [kg], center (3,) [m], inertia [kg*m^2] about the center in axes turned by ``rpy``. Raises
+    :class:`tmodes.errors.InputError` for what no body can have.
+    """
+    which = f"link {name}"
+    link.check_attributes({"name", "type"}, which)
+    link.check_children(LINK_CHILDREN, which)
+    for stray in (one for one in link.children if one.tag in {"mass", "inertia"}):  # it would be lost without a word
+        got, hint = f"<{stray.tag}> outside of <inertial>", f"put <{stray.tag}> inside <inertial>"
+        raise stray.fault(which, got, "mass and inertia inside <inertial>", hint)
+    inertial = link.only("inertial", which)
+    if inertial is None:
+        return None
+    inertial.check_children({"origin", "mass", "inertia"}, f"{which}: inertial", closed=True)
+    mass = _mass(inertial, which)
+    origin = inertial.origin(f"{which}: inertial")
+    inertia = _inertia(inertial, mass, which)
+    if mass == 0.0:
+        return None
+    body: dict[str, Any] = {"name": name, "mass": mass, "center": origin["position"]}
+    if inertia:
+        body["inertia"] = inertia
+    if inertia and any(origin["rpy"]):
+        body["rpy"] = origin["rpy"]
+    return body
+
+
+def says_massless(link: Element) -> Element | None:
+    """The ``<mass value="0">`` that a link states; None where it states another, or none at all."""
+    inertial = link.first("inertial")
+    mass = inertial.first("mass") if inertial else None
+    return mass if mass is not None and mass.number("value", "mass", 1.0) == 0.0 else None
+
+
+def _mass(inertial: Element, which: str) -> float:
+    element = inertial.only("mass", which, {"value"})
+    if element is None:
+        hint = 'add <mass value="..."/> in kg'
+        raise inertial.fault(f"{which}: mass", "<inertial> without <mass>", "a mass [kg]", hint)
+    mass = element.number("value", f"{which}: mass")
+    if mass < 0.0:
+        hint = "correct the sign, or remove <inertial> from a link that is only a frame"
+        raise element.fault(f"{which}: mass", f"{mass:g}", "a mass greater than 0 [kg]", hint)
+    return mass
+
+
+def _inertia(inertial: Element, mass: float, which: str) -> dict[str, float]:
+    """The six components; empty for a point mass, all of whose moments are nothing."""
+    element = inertial.only("inertia", which, {f"i{pair}" for pair in COMPONENTS})
+    if element is None:
+        hint = "add the six moments, all zero for a point mass"
+        raise inertial.fault(f"{which}: inertia", "<inertial> without <inertia>", "<inertia ixx=... izz=...>", hint)
+    values = {pair: element.number(f"i{pair}", f"{which}: inertia i{pair}") for pair in COMPONENTS}
+    if max(map(abs, values.values())) < NOTHING:
+        return {}
+    if mass == 0.0:
+        hint = "give the mass, or remove <inertial> from a link that is only a frame"
+        stated = inertial.first("mass") or inertial
+        raise stated.fault(f"{which}: mass", "0 with moments of inertia", "a mass greater than 0 [kg]", hint)
+    xx, yy, zz, xy, xz, yz = values.values()
+    (low, middle, high), broken = principal_moments([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
+    if broken:
+        got = f"principal moments {low:.6g}, {middle:.6g} and {high:.6g}"
+        hint = "check the unit, the signs and that it is about the center of mass; a plate's own is Ixx + Iyy = Izz"
+        raise element.fault(f"{which}: inertia", got, f"moments of a rigid body: {RULES[broken]}", hint)
+    return values
+
+
+KINDS = {"revolute": "revolute", "continuous": "revolute", "prismatic": "prismatic", "fixed": "fixed"}
+"""What each type of a URDF's joint is in the sheet."""
+
+OTHER_KINDS = {
+    "floating": (
+        "a floating joint (a free-flying base)",
+        "fix the base to the world: make the joint fixed, or remove it with its parent",
+    ),
+    "planar": ("a planar joint", "write it as two prismatic joints and a revolute one"),
+}
+"""Types of a URDF's joint that are not modelled: what they are, and what to write."""
+
+MOVING = frozenset(KINDS) - {"fixed"}
+CHILDREN = {"origin", "parent", "child", "axis", "limit", "dynamics", "mimic", "calibration", "safety_controller"}
+BOUNDLESS = 1e9
+"""A limit beyond this [rad or m] says that there is none."""
+
+
+@dataclass(frozen=True, eq=False)
+class UrdfJoint:
+    """A joint's name, kind, and the links that it connects, with its element."""
+
+    name: str
+    type: str
+    parent: str
+    child: str
+    element: Element
+
+
+@dataclass(frozen=True)
+class Follows:
+    """What ``<mimic>`` says: position = ``factor`` * position of ``leader`` + ``offset``."""
+
+    leader: str
+    factor: float
+    offset: float
+
+
+def joint_ends(element: Element) -> UrdfJoint:
+    """A joint's name, kind and links; raises :class:`tmodes.errors.InputError` for a kind that is not modelled."""
+    name = element.text("name", "a joint's name")
+    which = f"joint {name}"
+    element.check_attributes({"name", "type"}, which)
+    element.check_children(CHILDREN, which)
+    kind = element.text("type", f"{which}: type")
+    if kind not in KINDS:
+        got, hint = OTHER_KINDS.get(kind) or (shown(kind), meant(kind, KINDS, "choose one of them"))
+        raise element.fault(f"{which}: type", got, f"one of {', '.join(KINDS)}", hint)
+    return UrdfJoint(name, kind, _end(element, "parent", which), _end(element, "child", which), element)
+
+
+def joint_of(joint: UrdfJoint) -> dict[str, Any]:
+    """The joint of the sheet; its origin is in the parent link's frame, as a URDF means it."""
+    which = f"joint {joint.name}"
+    data: dict[str, Any] = {"name": joint.name, "type": KINDS[joint.type], "parent": joint.parent, "child": joint.child}
+    data |= {"origin": joint.element.origin(which), "from": "frame"}
+    if joint.type == "fixed":
+        return data
+    data["axis"] = _axis(joint.element, which)
+    groups = {"limits": _limits(joint, which), "friction": _friction(joint.element, which)}
+    return data | {key: group for key, group in groups.items() if group}
+
+
+def follows(joint: UrdfJoint) -> Follows | None:
+    """The joint that this one mimics, None where it moves by itself."""
+    which = f"joint {joint.name}: mimic"
+    element = joint.element.only("mimic", which)
+    if element is None or joint.type == "fixed":
+        return None
+    element.check_attributes({"joint", "multiplier", "offset"}, which)
+    factor = element.number("multiplier", f"{which} multiplier", 1.0)
+    return Follows(element.text("joint", which), factor, element.number("offset", f"{which} offset", 0.0))
+
+
+def _end(element: Element, tag: str, which: str) -> str:
+    end = element.only(tag, which)
+    if end is None:
+        raise element.fault(which, f"no <{tag}>", "a joint with a parent and a child link", f'add <{tag} link="..."/>')
+    return end.text("link", f"{which}: {tag}")
+
+
+def _axis(element: Element, which: str) -> list[float]:
+    """The axis as written; along x where the file says nothing, which is the format's own rule."""
+    axis = element.only("axis", which, {"xyz"})
+    if axis is None:
+        return [1.0, 0.0, 0.0]
+    axis.text("xyz", f"{which}: axis")
+    numbers = axis.triple("xyz", f"{which}: axis")
+    if max(map(abs, numbers)) < 1e-9:
+        raise axis.fault(f"{which}: axis", "a zero axis", "a direction", 'write its direction, such as "0 0 1"')
+    return numbers
+
+
+def _limits(joint: UrdfJoint, which: str) -> dict[str, float]:
+    """Those limits that the file states; zero speed or effort is how many files say "not known"."""
+    element = joint.element.only("limit", which, {"lower", "upper", "effort", "velocity"})
+    if element is None:
+        return {}
+    limits: dict[str, float] = {} if joint.type == "continuous" else _range(element, which)
+    for key, name in (("speed", "velocity"), ("effort", "effort")):
+        value = _limit(element, name, which)
+        if value < 0.0:
+            raise element.fault(f"{which}: {name}", f"{value:g}", "a limit not less than 0", "correct the sign")
+        if 0.0 < value <= BOUNDLESS:
+            limits[key] = value
+    return limits
+
+
+def _range(element: Element, which: str) -> dict[str, float]:
+    """Lower and upper limit; one that is missing next to the other is zero, which is the format's own rule."""
+    if not element.attributes.keys() & {"lower", "upper"}:
+        return {}
+    lower, upper = (_limit(element, name, which) for name in ("lower", "upper"))
+    if lower > upper:
+        got, hint = f"lower {lower:g} above upper {upper:g}", "exchange them, or correct a sign"
+        raise element.fault(f"{which}: limit", got, "a range from lower to upper", hint)
+    return {name: value for name, value in (("lower", lower), ("upper", upper)) if abs(value) <= BOUNDLESS}
+
+
+def _limit(element: Element, name: str, which: str) -> float:
+    """A limit's number. Infinite and huge ones are written in many ways, and all mean that there is none."""
+    text = element.attributes.get(name, "0").strip()
+    value = finite_float(text)
+    if value is None and text.lower().lstrip("+-") in {"inf", "infinity"}:
+        value = float(text)
+    return element.number(name, f"{which}: {name}") if value is None else value
+
+
+def _friction(element: Element, which: str) -> dict[str, float]:
+    dynamics = element.only("dynamics", which, {"damping", "friction"})
+    if dynamics is None:
+        return {}
+    friction = {"viscous": "damping", "coulomb": "friction"}
+    values = {key: dynamics.number(name, f"{which}: {name}", 0.0) for key, name in friction.items()}
+    if values["coulomb"] < 0.0:
+        hint = "correct the sign: a negative one would drive the joint"
+        raise dynamics.fault(f"{which}: friction", f"{values['coulomb']:g}", "a number not less than 0", hint)
+    return values if any(values.values()) else {}
