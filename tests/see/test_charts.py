@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from see.scenes import arm_result
-from tmodes.plot.frequency_marks import amplitude_spectrum
+from tmodes.plot.figures.spectrum import amplitude_spectrum
 from tmodes.report.charts import charts_of, drafts_of
 from tmodes.report.data import facts_of, page_data
 from tmodes.report.facts import run_facts

@@ -8,9 +8,19 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from tmodes.report.arrays import MOST_POINTS, colour, displaced, kept, quaternions, scene_frames, stations_shown
 from tmodes.report.drafts import Draft, Line, in_readable_units
-from tmodes.report.pack import Coarse, embedded, pack
+from tmodes.report.pack import (
+    MOST_POINTS,
+    Coarse,
+    colour,
+    displaced,
+    embedded,
+    kept,
+    pack,
+    quaternions,
+    scene_frames,
+    stations_shown,
+)
 
 SAMPLES, COORDINATES, LINKS, STATIONS = 60_000, 60, 6, 21
 LARGEST = 15e6

@@ -15,9 +15,8 @@ from tmodes.analysis.modes.modes import modes_about
 from tmodes.analysis.modes.of_sheet import servos_of
 from tmodes.analysis.spectrum import MotorState
 from tmodes.analysis.statics.equilibrium import robot_rest
-from tmodes.report.arrays import displaced, kept, stations_shown, steady
 from tmodes.report.data import modes_of
-from tmodes.report.pack import Coarse, TwoParts, pack
+from tmodes.report.pack import Coarse, TwoParts, displaced, kept, pack, stations_shown, steady
 from tmodes.report.scene import line_of, scene_of
 from tmodes.report.scene_parts import actual, section_of, solid_bar
 from tmodes.sheet import Robot

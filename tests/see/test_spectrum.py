@@ -15,7 +15,7 @@ from matplotlib.text import Text
 from arm.see.runs import result_of
 from tmodes.plot import spectrum
 from tmodes.plot.facts import spectral_part
-from tmodes.plot.frequency_marks import amplitude_spectrum, keep_apart
+from tmodes.plot.figures.spectrum import amplitude_spectrum, keep_apart
 from tmodes.result import Result
 
 TIME = np.arange(1201) * 1e-3

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tmodes.report.arrays import MOST_FRAMES, MOST_POINTS, scene_frames, thinned
+from tmodes.report.pack import MOST_FRAMES, MOST_POINTS, scene_frames, thinned
 
 
 @given(count=st.integers(1, 3000), width=st.integers(1, 8), seed=st.integers(0, 10**6), most=st.integers(20, 900))

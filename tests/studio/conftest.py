@@ -16,7 +16,7 @@ import pytest
 import uvicorn
 
 from tmodes import load
-from tmodes.studio.folder import WorkingFolder
+from tmodes.studio.folders import WorkingFolder
 from tmodes.studio.server import application
 from tmodes.studio.sheets import plain_sheet
 

@@ -16,7 +16,7 @@ import pytest
 from studio.test_looks import ELASTICITY, stl
 from studio.test_looks import URDF as MESHED
 from tmodes.report import pack
-from tmodes.studio.own_folder import door
+from tmodes.studio.folders import door
 
 BUILT = Path(pack.__file__).parent / "web" / "studio.js"
 LAUNCH = ("--no-sandbox", "--enable-unsafe-swiftshader", "--use-gl=angle", "--use-angle=swiftshader")

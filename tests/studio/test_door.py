@@ -15,7 +15,7 @@ from urllib.parse import unquote, urlsplit
 
 import pytest
 
-from tmodes.studio.own_folder import door
+from tmodes.studio.folders import door
 
 ADDRESS = "http://127.0.0.1:4242/?token=a-b_c&x=1"
 

@@ -24,8 +24,8 @@ from studio.test_looks import ELASTICITY, URDF, sent, stl
 from tmodes.errors import InputError
 from tmodes.kinds.registry import USED
 from tmodes.kinds.signals.registry import SIGNALS
+from tmodes.studio.folders import make_within, own_folder
 from tmodes.studio.looks import MOST_KEPT, Shelf
-from tmodes.studio.own_folder import make_within, own_folder
 from tmodes.studio.pool import Pool
 
 pytestmark = pytest.mark.skipif(os.name == "nt", reason="sends the signals of POSIX")

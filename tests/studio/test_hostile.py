@@ -14,7 +14,7 @@ import pytest
 
 from studio.conftest import TOKEN
 from tmodes.errors import InputError
-from tmodes.studio.folder import WorkingFolder
+from tmodes.studio.folders import WorkingFolder
 from tmodes.studio.guard import MOST_BODY
 from tmodes.studio.page import LONGEST_WORD, document
 

@@ -17,7 +17,7 @@ from tmodes.errors import InputError
 from tmodes.io.mesh_file import box
 from tmodes.report.meshes import Kept, kept_meshes
 from tmodes.result import Result
-from tmodes.studio.folder import WorkingFolder
+from tmodes.studio.folders import WorkingFolder
 from tmodes.studio.looks import MOST_KEPT, Shelf, source_of
 from tmodes.studio.upload import main_file
 

@@ -19,11 +19,7 @@ def largest_flow(energy: ArrayLike, work: ArrayLike) -> float:
 
 def energy_lost(residual: NDArray[np.float64], moved: float, tolerance: float) -> int | None:
     """First sample whose residual [J] is more than ``tolerance`` of the energy moved [J]; None where none is."""
-    return _first_beyond(np.abs(residual), moved, tolerance)
-
-
-def _first_beyond(off: NDArray[np.float64], moved: float, tolerance: float) -> int | None:
-    beyond = np.flatnonzero(off > max(tolerance * moved, _ROUNDING))
+    beyond = np.flatnonzero(np.abs(residual) > max(tolerance * moved, _ROUNDING))
     return int(beyond[0]) if len(beyond) else None
 
 
@@ -31,11 +27,10 @@ def energy_sentence(
     times: NDArray[np.float64], residual: NDArray[np.float64], moved: float, tolerance: float, hint: str
 ) -> str:
     """A residual [J] beyond ``tolerance`` of the energy moved [J], in words, with its fix; empty within it."""
-    off = np.abs(residual)
-    first = _first_beyond(off, moved, tolerance)
+    first = energy_lost(residual, moved, tolerance)
     if first is None:
         return ""
-    worst = float(off.max())
+    worst = float(np.abs(residual).max())
     return (
         f"the energy balance is off first at t = {float(times[first]):.4g} s, by {worst:.2g} J at worst, "
         f"{worst / moved if moved else np.inf:.1e} of the energy moved ({moved:.3g} J): the integration is too "

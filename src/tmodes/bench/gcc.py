@@ -68,7 +68,7 @@ def build(text: str, flags: Sequence[str], patience: float = PATIENCE) -> tuple[
 
 
 def compiled(command: Sequence[str], patience: float) -> tuple[int, str]:
-    """Exit status of a compiler and what it complains of; given up, the programs that it started end with it.
+    """Exit status of a compiler and what it reports; given up, the programs that it started end with it.
 
     Raises :class:`PeerMissing` where it takes longer than ``patience`` [s].
     """

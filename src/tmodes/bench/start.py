@@ -59,17 +59,13 @@ def _here(joints: int) -> dict[str, float]:
         once_a_process()
     before, marks = _peak(), [now()]
     ours = Ours(RigidChain(joints))
-    _mark(marks)
+    marks.append(now())
     ours.library("double")
-    _mark(marks)
+    marks.append(now())
     ours.model.forward_dynamics(np.zeros(joints), np.zeros(joints))
-    _mark(marks)
+    marks.append(now())
     names = ("equations", "compile", "first_call")
     return dict(zip(names, np.diff(marks).tolist(), strict=True)) | {"memory": _peak(), "memory_before": before}
-
-
-def _mark(marks: list[float]) -> None:
-    marks.append(now())
 
 
 def _peak() -> float:

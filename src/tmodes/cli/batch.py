@@ -53,8 +53,8 @@ def batch(
     """Many runs at once with numbers varied: a sweep (--vary) or a Monte Carlo study (--draw).
 
     Each is the real robot under control, as of `tmodes run`, compared with the run of the sheet as it stands: the
-    distance of their tips. Everything is checked before anything runs. A run that cannot go on is named, and disturbs
-    no other. The folder of --out holds states.npy, tips.npy, times.npy and batch.json;
+    distance of their tips. Everything is checked before anything runs. A run that cannot continue is named, and
+    disturbs no other. The folder of --out holds states.npy, tips.npy, times.npy and batch.json;
     tmodes.simulation.batch.result.load_batch("FOLDER") reads them.
 
     Example, a gear whose stiffness is known to 20 %: tmodes batch filipovic2010
@@ -67,10 +67,12 @@ def batch(
     --set reference.noise.deviation=1e-4 --vary reference.noise.seed=0:99:100
     """
     values = _values(vary or [], draw or [], runs, seed)
-    changes = options.integration_changes(integrator, rtol, atol, duration, check_error=False)
+    changes = options.integration_changes(
+        method=integrator, relative_tolerance=rtol, absolute_tolerance=atol, duration=duration
+    )
     sheet = options.chosen_sheet(robot, settings, roots=root, trust_paths=trust_paths, changes=changes)
     found, parted = _run(sheet, values, threads, out)
-    _tell(sheet.name, found, parted, as_json)
+    _report(sheet.name, found, parted, as_json)
     if not found.finished.all():
         raise typer.Exit(130 if "interrupted" in found.status else 3)
 
@@ -80,11 +82,8 @@ def _values(vary: list[str], draw: list[str], runs: int, seed: int) -> dict[str,
     from tmodes.simulation.vary.study import drawn, grid
 
     if bool(vary) == bool(draw):
-        got, hint = (
-            "both" if vary else "neither",
-            "write --vary payload.mass=0.4:0.6:11, or --draw payload.mass=0.4:0.6",
-        )
-        raise InputError("--vary, --draw", got, "one of them", hint)
+        hint = "write --vary payload.mass=0.4:0.6:11, or --draw payload.mass=0.4:0.6"
+        raise InputError("--vary, --draw", "both" if vary else "neither", "one of them", hint)
     if draw:
         return drawn({path: (low, high) for path, low, high in _ranges("--draw", draw)}, runs, seed)
     ranges = {path: (low, high, _count(path, count)) for path, low, high, count in _ranges("--vary", vary)}
@@ -138,7 +137,7 @@ def _run(sheet: Any, values: dict[str, Any], threads: int | None, out: Path | No
     return found, spread(found, own)
 
 
-def _tell(name: str, found: BatchRun, parted: Spread, as_json: bool) -> None:
+def _report(name: str, found: BatchRun, parted: Spread, as_json: bool) -> None:
     info = parted.info(found)
     if as_json:
         print_json(info | {"each": _each(found, parted)})

@@ -5,12 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Annotated, Any
 
-import numpy as np
 import typer
 
 from tmodes.cli.options import AsJson, ReadingOption, Roots, Settings, SheetArgument, TrustPaths, chosen_sheet
 from tmodes.cli.terminal import print_json, print_json_list, print_table
-from tmodes.errors import InputError, SimulationError
+from tmodes.errors import InputError
 
 if TYPE_CHECKING:
     from tmodes.io.states import ChainStates
@@ -56,10 +55,8 @@ def evaluate(
         print_json_list(iter(answers)) if as_json else _print(answers)
         return
     if contact:
-        expected, hint = (
-            "left out: its terms are those in free space",
-            "evaluate a sheet of the 2010 robot, or leave it out",
-        )
+        expected = "left out: its terms are those in free space"
+        hint = "evaluate a sheet of the 2010 robot, or leave it out"
         raise InputError("--contact", f"the robot {sheet.name}", expected, hint)
     pair = sheet.pair()
     evaluate_states(pair.nominal if nominal else pair.real, states, as_json=as_json)
@@ -119,6 +116,8 @@ def terms_at(model: Model, states: ChainStates) -> Iterator[dict[str, Any]]:
     Raises :class:`tmodes.errors.InputError` for more than memory should hold, and
     :class:`tmodes.errors.SimulationError` naming the state where a term is not finite.
     """
+    from tmodes.cli.evaluate_phi import check_finite
+
     points = [point.name for point in model.parts.points]
     numbers = len(states.q) * model.nq * (model.nq + 6 * len(points) + 8)
     if numbers > _MOST_NUMBERS:
@@ -132,8 +131,7 @@ def terms_at(model: Model, states: ChainStates) -> Iterator[dict[str, Any]]:
         "g": model.gravity_forces(q),
         "f_el": model.elastic_forces(q, v),
     }
-    for name, values in terms.items():
-        _check_finite(name, values)
+    check_finite(terms, "keep q and v within what a robot can do, and give what moves a mass")
     motion, jacobian = model.points(q, v), model.jacobian(q)
     energies, losses = model.energies(q, v), model.losses(q, v)
     for k in range(len(q)):
@@ -148,15 +146,6 @@ def terms_at(model: Model, states: ChainStates) -> Iterator[dict[str, Any]]:
             "energies": {name: float(values[k]) for name, values in energies.items()},
             "losses": {name: float(values[k]) for name, values in losses.items()},
         }  # fmt: skip
-
-
-def _check_finite(name: str, values: Any) -> None:
-    finite = np.isfinite(values).reshape(len(values), -1).all(axis=1)
-    if not finite.all():
-        raise SimulationError(
-            f"states[{int(np.argmin(finite))}]: {name} is not finite there; expected a state at which the equations "
-            "hold. Keep q and v within what a robot can do, and give what moves a mass"
-        )
 
 
 def _print_terms(model: Model, answers: list[dict[str, Any]]) -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -17,7 +17,7 @@ from tmodes.simulation.plan import planned
 if TYPE_CHECKING:
     from tmodes.sheet import Robot
 
-__all__ = ["COORDINATES", "evaluate_phi"]
+__all__ = ["COORDINATES", "check_finite", "evaluate_phi"]
 
 NEAREST = 1e-9
 """Distance of the tip from the base point [m] below which its direction is rounding."""
@@ -46,8 +46,7 @@ def evaluate_phi(robot: Robot, records: Sequence[dict[str, Any]]) -> list[dict[s
     terms = _terms(robot, model, back, states)
     if robot.contact:
         _check_distance(terms["tip"])
-    for name, values in terms.items():
-        _check_finite(name, values)
+    check_finite(terms, "keep phi and phid within what a robot can do")
     return [
         {
             **{key: record[key] for key in ("phi", "phid", "u")},
@@ -109,9 +108,10 @@ def _check_distance(tip: Array) -> None:
         )
 
 
-def _check_finite(name: str, values: Any) -> None:
-    finite = np.isfinite(values).reshape(len(values), -1).all(axis=1)
-    if not finite.all():
-        raise SimulationError(
-            f"states[{int(np.argmin(finite))}]: {name} is not finite; keep phi and phid within what a robot can do"
-        )
+def check_finite(terms: Mapping[str, Any], hint: str) -> None:
+    """Raise :class:`tmodes.errors.SimulationError` naming the first state where one of the ``terms`` is not finite."""
+    for name, values in terms.items():
+        finite = np.isfinite(values).reshape(len(values), -1).all(axis=1)
+        if not finite.all():
+            at = f"states[{int(np.argmin(finite))}]"
+            raise SimulationError(f"{at}: {name} is not finite there; the equations must hold at the state: {hint}")

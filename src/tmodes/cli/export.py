@@ -44,13 +44,13 @@ def export(
 
     if not wasm:
         raise InputError("export", "none", "called with a kind of files", f"write: tmodes export {robot} --wasm")
-    changes = options.integration_changes(integrator, None, None, None, False)
+    changes = options.integration_changes(method=integrator)
     sheet = chosen_sheet(robot, settings, reading, contact, roots=root, trust_paths=trust_paths, changes=changes)
     name = folder_name(sheet.name)
     made = exported(sheet, name)
     paths = {end: out / f"{name}.{end}" for end in made.files}
     _write({paths[end]: content for end, content in made.files.items()}, overwrite)
-    _tell({end: str(path) for end, path in paths.items()}, made.description["method"], made.files, as_json)
+    _report({end: str(path) for end, path in paths.items()}, made.description["method"], made.files, as_json)
 
 
 def _write(files: dict[Path, bytes], overwrite: bool) -> None:
@@ -64,7 +64,7 @@ def _write(files: dict[Path, bytes], overwrite: bool) -> None:
             temporary.write_bytes(content)
 
 
-def _tell(paths: dict[str, str], method: str, files: Mapping[str, bytes], as_json: bool) -> None:
+def _report(paths: dict[str, str], method: str, files: Mapping[str, bytes], as_json: bool) -> None:
     sizes = {end: len(content) for end, content in files.items()}
     if as_json:
         print_json({"files": paths, "bytes": sizes, "method": method})

@@ -137,49 +137,34 @@ def chosen_sheet(
 
     info = dict(parse_assignment(text) for text in settings or []) | (changes or {})
     sheet = load(robot, info, roots=roots or (), trust_paths=trust_paths)
-    own: dict[str, Any] = {}
-    if reading is not None:
-        _refuse_without_reading(sheet, reading)
-        own["reading"] = reading.value
-    if contact is not None:
-        _refuse_without_contact(sheet, contact)
-        own["contact"] = contact
-    if "integration.stop_at_limits" in info and not any(joint.limits for joint in sheet.joints):
-        got, hint = f"the robot {robot}, which has none", "leave it out; --stop ends a run at a value of your choice"
-        raise InputError("--stop-at-limits", got, "given for a robot whose joints have limits", hint)
+    limited = any(joint.limits for joint in sheet.joints)
+    refusals: tuple[tuple[Any, ...], ...] = (
+        (
+            reading is not None and not sheet.imported, "--reading", reading.value if reading else "",
+            "left out: only sheets of the 2010 robot have a reading",
+            "remove it; `equations` chooses those of another robot",
+        ),
+        (
+            contact and not (sheet.contact or sheet.contact_off), "--contact", "a robot that touches nothing",
+            "given for a robot with a contact", "add it to the sheet",
+        ),
+        (
+            "integration.stop_at_limits" in info and not limited, "--stop-at-limits",
+            f"the robot {robot}, which has none", "given for a robot whose joints have limits",
+            "leave it out; --stop ends a run at a value of your choice",
+        ),
+    )  # fmt: skip
+    for wrong, *words in refusals:
+        if wrong:
+            raise InputError(*words)
+    own: dict[str, Any] = {"reading": reading and reading.value, "contact": contact}
+    own = {name: value for name, value in own.items() if value is not None}
     return sheet.with_(own) if own else sheet
 
 
-def _refuse_without_reading(sheet: Robot, reading: Reading) -> None:
-    if not sheet.imported:
-        expected, hint = (
-            "left out: only sheets of the 2010 robot have a reading",
-            "remove it; `equations` chooses those of another robot",
-        )
-        raise InputError("--reading", reading.value, expected, hint)
-
-
-def _refuse_without_contact(sheet: Robot, contact: bool) -> None:
-    if contact and not (sheet.contact or sheet.contact_off):
-        raise InputError(
-            "--contact", "a robot that touches nothing", "given for a robot with a contact", "add it to the sheet"
-        )
-
-
-def integration_changes(
-    integrator: str | None,
-    rtol: float | None,
-    atol: float | None,
-    duration: float | None,
-    check_error: bool,
-    *,
-    stop: list[str] | None = None,
-    stop_at_limits: bool = False,
-) -> dict[str, Any]:
-    """The options of the command line as changes by path."""
-    info = {"method": integrator, "relative_tolerance": rtol, "absolute_tolerance": atol, "duration": duration}
-    info |= {"check_error": check_error or None, "stop": stop or None, "stop_at_limits": stop_at_limits or None}
-    return {f"integration.{name}": value for name, value in info.items() if value is not None}
+def integration_changes(**options: Any) -> dict[str, Any]:
+    """Options by their names under ``integration`` as changes by path, without those that are not given."""
+    return {f"integration.{name}": value for name, value in options.items() if not (value is None or value is False)}
 
 
 def result_file(path: Path) -> Path:

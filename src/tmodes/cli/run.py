@@ -9,7 +9,7 @@ import typer
 
 from tmodes.cli import options
 from tmodes.cli.options import chosen_sheet
-from tmodes.cli.summary_text import print_run
+from tmodes.cli.summary_text import print_run, result_record
 from tmodes.cli.terminal import notice, print_json, warn, working
 from tmodes.errors import SimulationError
 
@@ -54,14 +54,16 @@ def run(
     Example, a high-accuracy run with an error estimate: tmodes run spong1987 --integrator dop853 --rtol 1e-11
     --atol 1e-14 --check-error
     """
-    ending = {"stop": stop, "stop_at_limits": stop_at_limits}
-    changes = options.integration_changes(integrator, rtol, atol, duration, check_error, **ending)
+    changes = options.integration_changes(
+        method=integrator, relative_tolerance=rtol, absolute_tolerance=atol, duration=duration,
+        check_error=check_error, stop=stop or None, stop_at_limits=stop_at_limits,
+    )  # fmt: skip
     sheet = chosen_sheet(robot, settings, reading, contact, roots=root, trust_paths=trust_paths, changes=changes)
     folder = _folder(
         out or Path("results") / folder_name(sheet.name), sheet, overwrite, _Looks(robot, root, trust_paths), live=live
     )
     result = _computed(folder, sheet, figures)
-    _tell(result, folder, as_json)
+    _report(result, folder, as_json)
     if not result.success:
         raise typer.Exit(130 if result.status == "interrupted" else 3)
 
@@ -100,8 +102,12 @@ def _computed(folder: RunFolder, sheet: Robot, figures: bool) -> Any:
     return result
 
 
-def _tell(result: Any, folder: RunFolder, as_json: bool) -> None:
-    print_json(folder.summary(result)) if as_json else print_run(result, folder)
+def _report(result: Any, folder: RunFolder, as_json: bool) -> None:
+    if as_json:
+        timing = {"files": folder.written(), "seconds_per_simulated_second": result.timing}
+        print_json(result_record(result) | timing)
+    else:
+        print_run(result, folder)
     warn(result.warnings)
     if result.status != "finished":
         notice(f"tmodes: {result.message}")

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from tmodes.cli.options import AsJson, plain, result_file, stored_result
-from tmodes.cli.summary_text import integration_lines, print_summary
+from tmodes.cli.summary_text import integration_lines, print_summary, result_record
 from tmodes.cli.terminal import print_json, print_table, warn
 from tmodes.errors import InputError
 from tmodes.io.atomic import atomic_write, file_error
@@ -50,24 +50,10 @@ def show(
     data = stored.data
     chosen = list(series_of_result(data)) if everything or as_json else first_series(data)
     if as_json:
-        print_json(_for_machines(stored, result_file(result), chosen))
+        series = [{"variable": one.variable, "of": one.of, "unit": one.unit} | _extremes(one) for one in chosen]
+        print_json({"file": str(result_file(result)), **result_record(stored), "series": series})
         return
     _show(stored, result_file(result), chosen, sum(1 for _ in series_of_result(data)))
-
-
-def _for_machines(stored: Result, file: Path, chosen: list[Series]) -> dict[str, Any]:
-    return {
-        "file": str(file),
-        "status": stored.status,
-        "message": stored.message,
-        "warnings": list(stored.warnings),
-        "summary": stored.summary(),
-        "frequencies": stored.frequencies,
-        "statistics": stored.statistics,
-        "series": [
-            {"variable": one.variable, "of": one.of, "unit": one.unit} | _extremes(one) for one in chosen
-        ],
-    }  # fmt: skip
 
 
 def _extremes(one: Series) -> dict[str, float]:
@@ -106,8 +92,8 @@ def _modes(frequencies: dict[str, list[dict[str, Any]]]) -> Iterator[list[str]]:
             frequency = mode["damped_frequency_Hz"]
             if frequency or mode["frequency_Hz"]:
                 ringing = f"{frequency:.4g}" if frequency else f"{mode['frequency_Hz']:.4g}, over-damped"
-                home = plain(str(mode["element"])) + ("" if mode.get("stable", True) else " (UNSTABLE)")
-                yield [case, home, ringing, f"{mode['damping_ratio'] + 0.0:.4f}"]
+                element = plain(str(mode["element"])) + ("" if mode.get("stable", True) else " (UNSTABLE)")
+                yield [case, element, ringing, f"{mode['damping_ratio'] + 0.0:.4f}"]
 
 
 MOST = 6

@@ -16,7 +16,7 @@ from tmodes.io.words import shown_path
 from tmodes.robots.load import load, sheet_names
 
 if TYPE_CHECKING:
-    from tmodes.studio.folder import WorkingFolder
+    from tmodes.studio.folders import WorkingFolder
 
 __all__ = ["studio"]
 
@@ -41,7 +41,7 @@ def studio(
         if find_spec(package) is None:
             got, hint = f"no package {package}", "install it: pip install 'tmodes[studio]'"
             raise InputError("tmodes studio", got, "run with the extra `studio`", hint)
-    from tmodes.studio.folder import WorkingFolder
+    from tmodes.studio.folders import WorkingFolder
     from tmodes.studio.serve import serve
 
     working = WorkingFolder(folder)
@@ -84,7 +84,7 @@ def _ready(address: str, folder: Path, until_stopped: ExitStack | None) -> None:
         return
     import webbrowser
 
-    from tmodes.studio.own_folder import door
+    from tmodes.studio.folders import door
 
     if page := until_stopped.enter_context(door(address)):
         # A browser in the terminal ends only when it is closed, and the page needs the server meanwhile.

@@ -11,7 +11,15 @@ if TYPE_CHECKING:
     from tmodes.report.folder import RunFolder
     from tmodes.result import Result
 
-__all__ = ["error_of", "integration_lines", "print_run", "print_summary", "summary_rows"]
+__all__ = ["error_of", "integration_lines", "print_run", "print_summary", "result_record", "summary_rows"]
+
+
+def result_record(result: Result) -> dict[str, Any]:
+    """What a result says, for machines."""
+    return {
+        "status": result.status, "message": result.message, "warnings": list(result.warnings),
+        "summary": result.summary(), "frequencies": result.frequencies, "statistics": result.statistics,
+    }  # fmt: skip
 
 
 def error_of(summary: dict[str, Any], path: str, factor: float, unit: str) -> str:

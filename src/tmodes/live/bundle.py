@@ -11,8 +11,7 @@ from numpy.typing import NDArray
 
 from tmodes.analysis.line.line import elastic_line
 from tmodes.analysis.quasistatic import deflections, elastic_names
-from tmodes.integrate.settings import Integration
-from tmodes.live.functions import ModelFunctions, live_module
+from tmodes.live.functions import ModelFunctions, engine_settings, live_module
 from tmodes.live.map import LiveMap, live_map
 from tmodes.live.numbers import follow_of
 from tmodes.live.places import evenly, joint_limits, lines_info, load_places, vibrations_info, yield_strengths
@@ -76,7 +75,7 @@ def _common(result: Result, pair: RobotPair, live: LiveMap, method: str) -> dict
         "sliders": [slider.info() for slider in live.sliders],
         "leftOut": [{"path": path, "reason": reason} for path, reason in live.left_out.items()],
         "map": live.info(),
-        "settings": _settings(settings, method) | {"note": _note(result, method)},
+        "settings": engine_settings(settings.chosen(method)) | {"method": method, "note": _note(result, method)},
         "times": times,
         "frames": _frames(times, settings.output_step),
         "sheet": sheet_template(pair.nominal, live),
@@ -88,14 +87,6 @@ def _frames(times: NDArray[np.float64], step: float) -> NDArray[np.int32]:
     rate = max(FRAMES_PER_SECOND, _FEW_FRAMES / max(float(times[-1]), 1e-9))
     every = max(1, round(1 / (rate * step)), -(-len(times) // _MOST_FRAMES))
     return np.unique(np.append(np.arange(0, len(times), every), len(times) - 1)).astype(np.int32)
-
-
-def _settings(given: Integration, method: str) -> dict[str, Any]:
-    chosen = given.chosen(method)
-    return {
-        "method": method, "duration": chosen.duration, "step": chosen.step, "maxSteps": chosen.max_steps,
-        "relativeTolerance": chosen.relative_tolerance, "absoluteTolerance": chosen.absolute_tolerance,
-    }  # fmt: skip
 
 
 def _note(result: Result, method: str) -> str:

@@ -19,7 +19,9 @@ from tmodes.equations.loop.closed_loop import ClosedLoop
 from tmodes.equations.mechanics import mechanics
 from tmodes.integrate.method import EULER, JACOBIAN
 from tmodes.integrate.registry import integrator
+from tmodes.integrate.settings import Integration
 from tmodes.kinds.kernel.schedule import Schedule, Slot
+from tmodes.live.numbers import follow_of, has_reference
 from tmodes.live.places import line_names
 from tmodes.model.model import Model
 from tmodes.model.passes import ChainPasses
@@ -28,7 +30,7 @@ from tmodes.sheet.robot import RECURSION
 from tmodes.simulation.native_run import BOUND, EVENT_TIME, MOST_EVENTS
 from tmodes.simulation.plan import Follow, Planned, planned
 
-__all__ = ["Functions", "LiveModule", "ModelFunctions", "live_module", "needed_for", "stationed"]
+__all__ = ["Functions", "LiveModule", "ModelFunctions", "engine_settings", "live_module", "needed_for", "stationed"]
 
 Array = NDArray[np.float64]
 
@@ -49,8 +51,7 @@ class ModelFunctions:
     def plans(self) -> dict[str, Planned]:
         """What happens: ``reference`` where there is one, ``real``, and ``rest``, in which every drive stands."""
         nominal, real = self.pair.nominal, self.pair.real
-        commanded = any(drive.command.is_controlled for drive in nominal.drives)
-        reference = Follow.WANTED if commanded else Follow.SHEET if nominal.real else None
+        reference = follow_of(nominal, "reference") if has_reference(nominal) else None
         follows = {"reference": (nominal, reference), "real": (real, Follow.SHEET), "rest": (real, Follow.HELD)}
         return {name: planned(robot, follow) for name, (robot, follow) in follows.items() if follow}
 
@@ -167,6 +168,14 @@ def stationed(chain: Chain, stations: Sequence[float]) -> Chain:
         places = stations if node.link.has_stations else (1.0,)
         points += [Point(f"{index}.{s}", index, s) for s in places]
     return replace(chain, points=tuple(points))
+
+
+def engine_settings(chosen: Integration) -> dict[str, Any]:
+    """Settings of a method as the engine reads them."""
+    return {
+        "duration": chosen.duration, "step": chosen.step, "maxSteps": chosen.max_steps,
+        "relativeTolerance": chosen.relative_tolerance, "absoluteTolerance": chosen.absolute_tolerance,
+    }  # fmt: skip
 
 
 def needed_for(schedule: Schedule, outputs: Sequence[str]) -> Schedule:

@@ -211,17 +211,8 @@ def sliders_of(sheet: Any, knobs: Sequence[Knob], most: int = MOST, *, factors: 
         found.append(Slider(index, False, *own))
         if factors and rule.real and knob.factor and knob.reals:
             low, high = min(knob.factor, 0.2) / 2, 2 * max(knob.factor, 1.0)
-            real = (
-                f"real:{path}",
-                f"{label}: actual / nominal",
-                number.symbol,
-                "-",
-                rule.group,
-                knob.factor,
-                low,
-                high,
-            )
-            found.append(Slider(index, True, *real, True))
+            real = (f"real:{path}", f"{label}: actual / nominal", number.symbol, "-", rule.group)
+            found.append(Slider(index, True, *real, knob.factor, low, high, log=True))
     return found[:most]
 
 

@@ -18,7 +18,7 @@ from tmodes.integrate.choice import chosen_method
 from tmodes.integrate.settings import Integration
 from tmodes.io.atomic import file_error
 from tmodes.kinds.signals.schedule import Schedule
-from tmodes.live.functions import LiveModule, ModelFunctions, live_module
+from tmodes.live.functions import LiveModule, ModelFunctions, engine_settings, live_module
 from tmodes.live.map import live_map
 from tmodes.sheet import Robot, RobotPair
 from tmodes.simulation.plan import Follow
@@ -81,12 +81,7 @@ def _described(robot: Robot) -> tuple[LiveModule, dict[str, Any]]:
 def _settings(given: Integration, highest: float) -> dict[str, Any]:
     method, _ = chosen_method(given, highest)
     chosen = given.chosen(method)
-    return {
-        "method": method, "outputStep": chosen.output_step, "settings": {
-            "duration": chosen.duration, "relativeTolerance": chosen.relative_tolerance,
-            "absoluteTolerance": chosen.absolute_tolerance, "step": chosen.step, "maxSteps": chosen.max_steps,
-        },
-    }  # fmt: skip
+    return {"method": method, "outputStep": chosen.output_step, "settings": engine_settings(chosen)}
 
 
 def _named(pair: RobotPair, runs: Sequence[str]) -> dict[str, Any]:

@@ -1,6 +1,6 @@
 """The house style of the figures: readable in print at 16 cm width, colour-blind-safe, headless, reproducible bytes.
 
-Figures are built without pyplot, so no window system and no global state is needed, and every setting lives inside
+Figures are built without pyplot, so no window system and no global state is needed, and every setting is made inside
 :func:`house_style`: the user's own matplotlib settings are neither used nor changed.
 """
 
@@ -50,53 +50,22 @@ INSTANTS: tuple[dict[str, Any], ...] = tuple(
 """Curves in the order of time, early to late."""
 
 SETTINGS: dict[str, Any] = {
-    "figure.dpi": 100,
-    "savefig.dpi": 200,
-    "figure.facecolor": PAPER,
-    "savefig.facecolor": "auto",
-    "font.family": "DejaVu Sans",
-    "font.size": 8,
-    "mathtext.fontset": "dejavusans",
-    "axes.titlesize": 8.5,
-    "axes.titleweight": "bold",
-    "axes.titlelocation": "left",
-    "axes.titlepad": 5,
-    "axes.labelsize": 8,
-    "xtick.labelsize": 7.5,
-    "ytick.labelsize": 7.5,
-    "legend.fontsize": 7.5,
-    "legend.frameon": False,
-    "legend.handlelength": 2.6,
-    "legend.borderaxespad": 0.2,
-    "text.color": INK,
-    "axes.labelcolor": INK,
-    "axes.edgecolor": QUIET,
-    "xtick.color": QUIET,
-    "ytick.color": QUIET,
-    "xtick.labelcolor": INK,
-    "ytick.labelcolor": INK,
-    "axes.facecolor": "none",
-    "axes.spines.top": False,
-    "axes.spines.right": False,
-    "axes.linewidth": 0.6,
-    "xtick.major.width": 0.6,
-    "ytick.major.width": 0.6,
-    "axes.grid": True,
-    "axes.axisbelow": True,
-    "grid.color": GRID,
-    "grid.linewidth": 0.5,
-    "axes.xmargin": 0.0,
-    "axes.ymargin": 0.07,
-    "axes.formatter.useoffset": False,
-    "axes.formatter.limits": (-4, 5),
-    "lines.linewidth": 1.1,
-    "lines.solid_capstyle": "round",
-    "path.simplify": True,
-    "path.simplify_threshold": 0.15,
-    "svg.fonttype": "path",
-    "svg.hashsalt": "tmodes",
-    "pdf.fonttype": 42,
-}
+    **dict.fromkeys(("text.color", "axes.labelcolor", "xtick.labelcolor", "ytick.labelcolor"), INK),
+    **dict.fromkeys(("axes.edgecolor", "xtick.color", "ytick.color"), QUIET),
+    **dict.fromkeys(("font.size", "axes.labelsize"), 8),
+    **dict.fromkeys(("xtick.labelsize", "ytick.labelsize", "legend.fontsize"), 7.5),
+    **dict.fromkeys(("axes.linewidth", "xtick.major.width", "ytick.major.width"), 0.6),
+    **dict.fromkeys(("axes.grid", "axes.axisbelow", "path.simplify"), True),
+    **dict.fromkeys(("axes.spines.top", "axes.spines.right", "axes.formatter.useoffset", "legend.frameon"), False),
+    "figure.dpi": 100, "savefig.dpi": 200, "figure.facecolor": PAPER, "savefig.facecolor": "auto",
+    "font.family": "DejaVu Sans", "mathtext.fontset": "dejavusans",
+    "axes.titlesize": 8.5, "axes.titleweight": "bold", "axes.titlelocation": "left", "axes.titlepad": 5,
+    "axes.facecolor": "none", "axes.xmargin": 0.0, "axes.ymargin": 0.07, "axes.formatter.limits": (-4, 5),
+    "legend.handlelength": 2.6, "legend.borderaxespad": 0.2,
+    "grid.color": GRID, "grid.linewidth": 0.5,
+    "lines.linewidth": 1.1, "lines.solid_capstyle": "round", "path.simplify_threshold": 0.15,
+    "svg.fonttype": "path", "svg.hashsalt": "tmodes", "pdf.fonttype": 42,
+}  # fmt: skip
 
 
 @contextmanager

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from tmodes.plot.facts import command_of, deformation_unit, drive_unit, effort_unit
+from tmodes.plot.facts import command_of, deformation_unit, drive_unit, effort_unit, names_of
 from tmodes.report.drafts import Draft, Line, in_readable_units, line_of, run_spectra
 from tmodes.result import Result
 
@@ -57,7 +57,7 @@ def _deformations(data: Any) -> Iterator[Draft]:
     """One chart for each gear and each link; a link with many coordinates, or coordinates of two units, has several."""
     if "deformation_kind" not in data.dims:
         return
-    names = [str(name) for name in data["deformation_kind"].values]
+    names = names_of(data, "deformation_kind")
     groups: dict[tuple[str, str], list[int]] = {}
     for k, name in enumerate(names):
         groups.setdefault((_owner(data, name), deformation_unit(data, name)), []).append(k)
@@ -94,7 +94,7 @@ def _shown(role: str, together: Sequence[int]) -> bool:
 def _joints(data: Any) -> Iterator[Draft]:
     if "drive" not in data.dims:
         return
-    drives = [str(name) for name in data["drive"].values]
+    drives = names_of(data, "drive")
     yield from _by_unit(data, "effort", "Effort", drives, _effort, effort_unit)
     yield from _by_unit(data, "joint_error", "Tracking error of the joints", drives, _error, drive_unit)
     yield from _by_unit(data, "joint", "Joint positions", drives, _position, drive_unit)
@@ -135,7 +135,7 @@ def _controllers(data: Any) -> Iterator[Draft]:
 
 
 def _place(data: Any, drive: str) -> tuple[str, int]:
-    return "q", [str(name) for name in data["coordinate"].values].index(drive)
+    return "q", names_of(data, "coordinate").index(drive)
 
 
 def _wanted(data: Any, drive: str) -> bool:

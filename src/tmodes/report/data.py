@@ -14,9 +14,9 @@ from tmodes.analysis.modes.modes import Mode
 from tmodes.analysis.spectrum import MotorState
 from tmodes.errors import InputError, InputErrors, SimulationError, TmodesError
 from tmodes.live.bundle import live_bundle, why_not_live
-from tmodes.report.arrays import scene_frames
 from tmodes.report.charts import charts_of
 from tmodes.report.facts import Fact, run_facts
+from tmodes.report.pack import scene_frames
 from tmodes.report.scene import line_of, lines_at, scene_of
 from tmodes.report.scene_parts import actual
 from tmodes.result import Result

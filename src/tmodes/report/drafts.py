@@ -10,10 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.plot.facts import deformation_unit, spectral_part
-from tmodes.plot.frequency_marks import NO_PEAK, amplitude_spectrum
+from tmodes.plot.figures.spectrum import NO_PEAK, amplitude_spectrum
 from tmodes.plot.panels import Unit, readable
-from tmodes.report.arrays import MOST_POINTS, thinned
-from tmodes.report.pack import Coarse
+from tmodes.report.pack import MOST_POINTS, Coarse, thinned
 from tmodes.result import Result
 
 __all__ = [
@@ -90,18 +89,13 @@ def chart_data(draft: Draft, unit: Unit) -> dict[str, Any]:
     """A chart as the page holds it, in ``unit``; too many samples are thinned so that every extreme stays."""
     kept = thinned(np.stack([line.values for line in draft.lines], axis=1), MOST_POINTS)
     coarse = len(kept) < len(draft.at) and draft.log == "no"
-    return {
-        "id": draft.id,
-        "title": draft.title,
-        "group": draft.group,
+    as_drafted = {name: getattr(draft, name) for name in ("id", "title", "group", "abscissa", "span", "log")}
+    return as_drafted | {
         "unit": unit.name,
-        "abscissa": draft.abscissa,
         "at": draft.at[kept] if len(kept) < len(draft.at) else draft.at,
         "samples": len(draft.at),
-        "span": draft.span,
         "marks": [{"at": place, "label": name} for place, name in draft.marks],
         "curves": [_curve(line, unit, kept, coarse=coarse) for line in draft.lines],
-        "log": draft.log,
     }
 
 

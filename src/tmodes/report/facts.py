@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from tmodes.analysis.validity import yield_strength
-from tmodes.plot.facts import drive_unit, effort_unit
+from tmodes.plot.facts import drive_unit, effort_unit, names_of
 from tmodes.report.markup import Markup, tag, written
 from tmodes.result import Result
 from tmodes.result.summary import mean_over_time
@@ -156,7 +156,7 @@ def _drives(data: Any) -> Iterator[Fact]:
     """The largest gear torque, of the joints that turn where some do, and the largest motor voltage."""
     if "drive" not in data.dims:
         return
-    drives = [str(name) for name in data["drive"].values]
+    drives = names_of(data, "drive")
     turning = [name for name in drives if effort_unit(data, name) == "N m"] or drives
     unit = effort_unit(data, turning[0])
     yield from _largest(data, "gear_torque", turning, Fact("gear_torque.max", "Largest gear torque", None, unit))

@@ -71,7 +71,7 @@ class RunFolder:
                 raise ResultFileError(f"{place} must be {expected} or not exist, got {got}; {hint}")
 
     def _look_at_what_is_there(self) -> None:
-        """Begin afresh, go on with an earlier begin of this very run, or refuse: a result is never replaced unasked."""
+        """Start, resume an earlier start of this very run, or refuse: a result is replaced only where that is asked."""
         if self.overwrite:
             for left in self.path.glob(".checkpoint-*"):
                 left.unlink()
@@ -91,7 +91,7 @@ class RunFolder:
     def _earlier(self) -> Any:
         """The result that is there, when it is whole and of the same data sheet."""
         try:
-            earlier = self._load()
+            earlier = Result.load(self.result_file)
         except ResultFileError:
             return None
         same_sheet = earlier.data.attrs.get("robot") == self._sheet()
@@ -109,7 +109,7 @@ class RunFolder:
         """Run, store the result, and drop the checkpoints that it replaces."""
         if self._done:
             return self._done
-        result = self._computed(progress)
+        result = with_shapes(run(self.robot, progress=progress, journals=self._journal), self._shapes)
         result.save(self.result_file, overwrite=self.overwrite)
         if result.status != "interrupted":
             for journal in self._journals.values():
@@ -129,25 +129,10 @@ class RunFolder:
         """The data sheet as JSON: what makes two runs the same."""
         return json.dumps(sheet_data(self.robot))
 
-    def _load(self) -> Result:
-        return Result.load(self.result_file)
-
-    def _computed(self, progress: Progress) -> Result:
-        return with_shapes(run(self.robot, progress=progress, journals=self._journal), self._shapes)
-
-    def summary(self, result: Any) -> dict[str, Any]:
-        """What the run gave, for machines."""
+    def written(self) -> dict[str, str]:
+        """The files that are there, by what they are."""
         files = {"result": self.result_file, "report": self.report_file, "figures": self.figures}
-        return {
-            "status": result.status,
-            "message": result.message,
-            "warnings": list(result.warnings),
-            "files": {name: str(path) for name, path in files.items() if path.exists()},
-            "summary": result.summary(),
-            "frequencies": result.frequencies,
-            "statistics": result.statistics,
-            "seconds_per_simulated_second": result.timing,
-        }
+        return {name: str(path) for name, path in files.items() if path.exists()}
 
     def _journal(self, stage: str) -> RunJournal:
         identity = run_identity(self._sheet(), stage, source_digest((".",)), host())

@@ -10,7 +10,8 @@ from numpy.typing import NDArray
 from tmodes.analysis.line.line import elastic_line
 from tmodes.chain.chain import node_of_line
 from tmodes.model.model import Model
-from tmodes.report.arrays import colour, displaced, kept, quaternions, scene_frames, stations_shown
+from tmodes.plot.facts import names_of
+from tmodes.report.pack import colour, displaced, kept, quaternions, scene_frames, stations_shown
 from tmodes.report.scene_parts import actual, meshes_in, nearest_drawn, section_of
 from tmodes.result import Result
 from tmodes.result.series import without_elasticity
@@ -34,7 +35,7 @@ _QUANTITIES = (
 
 
 def scene_of(result: Result, frames: Frames | None = None) -> dict[str, Any]:
-    """The robot at the samples ``frames``; None chooses them by :func:`tmodes.report.arrays.scene_frames`.
+    """The robot at the samples ``frames``; None chooses them by :func:`tmodes.report.pack.scene_frames`.
 
     Lengths in m, times in s; arrays are NumPy's or those of :mod:`tmodes.report.pack`. Of a robot that cannot be
     rebuilt only the lines that the result holds.
@@ -86,7 +87,7 @@ def _stored(data: Any, drawn: list[str]) -> dict[str, Any]:
     empty = np.zeros((data.sizes["time"], 0, data.sizes["s"], 3))
     line, rigid = (data[name].transpose(*_DRAWN).values if drawn else empty for name in ("line", "line_rigid"))
     parents = [str(name) for name in data["link_parent"].values] if drawn else []
-    bending = _names(data, "bending_link")
+    bending = names_of(data, "bending_link")
     return _common(data, drawn, line, rigid) | {
         "links": [
             {"name": name, "bends": name in bending, "length": 0.0, "section": None,
@@ -104,7 +105,7 @@ def line_of(result: Result, frames: Frames | None = None) -> dict[str, Any] | No
     frames = _frames(result) if frames is None else frames
     if "bending_link" not in result.data.dims or actual(result).missing:
         return None
-    links = _names(result.data, "bending_link")
+    links = names_of(result.data, "bending_link")
     data = result.data.isel(time=frames, s=stations_shown(result.data.sizes["s"], len(frames), 3 * len(links)))
     model = actual(result).model
     lines = elastic_line(model, np.zeros(model.nq), stations=[0.0, 1.0])
@@ -130,10 +131,6 @@ def lines_at(
     position, rotation = ([getattr(lines[name], part) for name in names] for part in ("position", "rotation"))
     empty = np.zeros((len(q), 0, len(stations), 3))
     return (np.stack(position, axis=1), np.stack(rotation, axis=1)) if names else (empty, empty[..., None])
-
-
-def _names(data: Any, dimension: str) -> list[str]:
-    return [str(name) for name in data[dimension].values] if dimension in data.dims else []
 
 
 def _with_carriers(data: Any, name: str, there: Array, drawn: list[str]) -> Array:
@@ -192,7 +189,7 @@ def _joints(model: Model, names: list[str]) -> Any:
 
 
 def _colours(data: Any, names: list[str], line: Array, rigid: Array) -> list[dict[str, Any]]:
-    bending, stressed = _names(data, "bending_link"), _names(data, "stressed_link")
+    bending, stressed = names_of(data, "bending_link"), names_of(data, "stressed_link")
 
     def over(values: Array, links: list[str]) -> Array:
         whole = np.zeros(line.shape[:3])

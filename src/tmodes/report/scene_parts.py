@@ -14,6 +14,7 @@ from tmodes.errors import TmodesError
 from tmodes.kinds.links.section_given import SectionNumbers
 from tmodes.kinds.links.sheet import BendingSheet
 from tmodes.model.model import Model
+from tmodes.plot.facts import names_of
 from tmodes.report.meshes import Kept, kept_meshes
 from tmodes.result import Result
 from tmodes.sheet import Robot
@@ -31,7 +32,7 @@ class Actual:
 
     def __init__(self, result: Result) -> None:
         self.missing, data = "", result.data
-        self.drawn = [str(name) for name in data["link"].values] if "link" in data.dims else []
+        self.drawn = names_of(data, "link")
         try:
             self.robot: Robot = result.actual
             self.model = Model(self.robot.chain())

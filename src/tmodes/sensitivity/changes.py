@@ -115,8 +115,6 @@ class Changes:
         return found
 
 
-Array = NDArray[np.float64]
-
 _NEAR, _FAR = 3e-5, 1e-3
 """Relative steps of the differences: of smooth arithmetic, whose error is of second order in the step and below 1e-8;
 and of equilibria, found to a tolerance, by differences of fourth order."""

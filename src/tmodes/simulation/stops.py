@@ -133,9 +133,6 @@ def _unknown(name: str, known: Mapping[str, Quantity], which: str) -> InputError
     return InputError(which, f"the unknown name {name!r}", f"one of {', '.join(names[:_SHOWN])}{more}", hint)
 
 
-Array = NDArray[np.float64]
-
-
 @dataclass(frozen=True)
 class SetIn:
     """Finds where a condition triggers; ``row`` gives that of the input at a time and state, ``duration`` [s]."""

@@ -12,9 +12,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from tmodes.errors import InputError, TmodesError
 from tmodes.robots.load import sheet_names
-from tmodes.studio.folder import WorkingFolder
+from tmodes.studio.folders import WorkingFolder, remove
 from tmodes.studio.messages import error_record, unseen_records
-from tmodes.studio.own_folder import remove
 
 if TYPE_CHECKING:
     from tmodes.io.urdf_shapes import LinkShape

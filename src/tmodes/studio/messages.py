@@ -9,7 +9,7 @@ from typing import Any
 from tmodes.errors import InputError, InputErrors, TmodesError
 from tmodes.io.files import ALLOW
 from tmodes.io.urdf_shapes import Unseen
-from tmodes.studio.folder import NameTaken
+from tmodes.studio.folders import NameTaken
 
 __all__ = ["as_sent", "error_record", "error_records", "unseen_records"]
 

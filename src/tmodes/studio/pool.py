@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any
 
 from tmodes.kinds.registry import USED
-from tmodes.studio.own_folder import remove
+from tmodes.studio.folders import remove
 
 __all__ = ["Pool", "WorkerLost"]
 

@@ -16,8 +16,7 @@ from types import FrameType
 import uvicorn
 
 from tmodes.errors import InputError
-from tmodes.studio.folder import WorkingFolder
-from tmodes.studio.own_folder import own_folder
+from tmodes.studio.folders import WorkingFolder, own_folder
 from tmodes.studio.server import application
 
 __all__ = ["serve"]

@@ -21,7 +21,7 @@ from tmodes.io.words import shown
 from tmodes.robots.load import load
 from tmodes.sheet import Robot
 from tmodes.studio import sheets
-from tmodes.studio.folder import WorkingFolder
+from tmodes.studio.folders import WorkingFolder
 from tmodes.studio.guard import Guard
 from tmodes.studio.jobs import JobBook
 from tmodes.studio.looks import Shelf, source_of

@@ -17,10 +17,9 @@ from tmodes.io.urdf import UrdfRobot
 from tmodes.io.words import shown
 from tmodes.robots.load import load, urdf_of
 from tmodes.sheet import Robot
-from tmodes.studio.folder import LONGEST_NAME, NAME, SIGNS
+from tmodes.studio.folders import LONGEST_NAME, NAME, SIGNS, make_within, remove
 from tmodes.studio.looks import Shelf
 from tmodes.studio.messages import as_sent
-from tmodes.studio.own_folder import make_within, remove
 
 __all__ = ["MOST_UPLOADED", "Uploaded", "lay_out", "main_file", "uploaded"]
 
@@ -109,10 +108,8 @@ def _checked_name(file: Any) -> str:
         got = f"the name {shown(name)}, {len(parts) - 1} folders deep"
         raise InputError("files", got, f"at most {MOST_DEPTH - 1}", hint)
     if not parts or not all(NAME.fullmatch(part) and part != ".." for part in parts):
-        got, expected = (
-            f"the name {shown(name)}{_why(parts)}",
-            "a relative path of letters, digits and . _ + - ( ) ' alone",
-        )
+        got = f"the name {shown(name)}{_why(parts)}"
+        expected = "a relative path of letters, digits and . _ + - ( ) ' alone"
         raise InputError("files", got, expected, "rename it, also where another file names it")
     return str(PurePosixPath(*parts))
 

@@ -120,7 +120,7 @@ const JUMP = 1e-6; // change between two pieces, likewise
 
 /**
  * When the last of some signals stops changing [s]; null where one changes up to the end of what is known of it. Each
- * is given uncut: a move that ends with the run, or after it, is then known to end. As tmodes/result/provenance.py.
+ * is given uncut: a move that ends with the run, or after it, is then known to end. As tmodes/result/settling.py.
  */
 export function moveEnd(each: Schedule[]): number | null {
   const ends = each.map(lastChange);

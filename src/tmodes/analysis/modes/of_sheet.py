@@ -21,6 +21,17 @@ from tmodes.sheet.parts import LinkSheet
 
 __all__ = ["frequencies_about", "local_servos", "servos_of", "sheet_frequencies", "vibrations"]
 
+Array = NDArray[np.float64]
+
+CONVERGED = 0.01
+"""Share by which a frequency may change with more functions."""
+
+MOST_CHECKED = 60
+"""Coordinates up to which a robot is compared with a finer one."""
+
+ALIKE = 0.3
+"""Likeness (modal assurance) from which two modes are the same motion."""
+
 _FREQUENCY = ("frequency_Hz", "damped_frequency_Hz", "damping_ratio", "element", "share", "stable")
 """What is kept of a mode where its shape does not matter."""
 
@@ -144,18 +155,6 @@ def _plain(mode: Mode, rest: Equilibrium) -> dict[str, Any]:
     del info["motion"]
     info["shape"] = dict(zip(rest.model.coordinates, mode.shape.tolist(), strict=True))
     return info
-
-
-Array = NDArray[np.float64]
-
-CONVERGED = 0.01
-"""Share by which a frequency may change with more functions."""
-
-MOST_CHECKED = 60
-"""Coordinates up to which a robot is compared with a finer one."""
-
-ALIKE = 0.3
-"""Likeness (modal assurance) from which two modes are the same motion."""
 
 
 def finer(robot: Robot) -> Robot | None:

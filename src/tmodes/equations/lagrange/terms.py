@@ -62,16 +62,6 @@ class EquationTerms:
     stiffness: Any
     swing: Any
 
-    @property
-    def bias(self) -> Any:
-        """Inertia without accelerations, and weight, shape (n,)."""
-        return self.inertial + self.gravity
-
-    @property
-    def internal(self) -> Any:
-        """All rows but the inertia of accelerations, shape (n,)."""
-        return self.bias + self.elastic + self.damping
-
 
 def equation_terms(energy: Energies, q: Any, v: Any) -> EquationTerms:
     """d/dt (dT/dq') - dT/dq + dV/dq + dPhi/dq', sorted by what causes it.

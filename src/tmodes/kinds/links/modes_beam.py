@@ -80,7 +80,7 @@ class ModesSheet(BendingSheet):
         at_root = tuple(sheet_body(one, Placement()) for one in bodies if one.station == 0)
         link = ModesLink(self.modes, carried)
         tip = placed(self.tip_mount)
-        return LoweredLink((link,), tip, rest, self._spot, placed(self.root_mount), at_root)
+        return LoweredLink((link,), tip, rest, lambda s: Spot(0, s, self._mount(s)), placed(self.root_mount), at_root)
 
     def _rigid(self, bodies: Sequence[BodySheet], rest: Placement) -> LoweredLink:
         masses = [
@@ -113,9 +113,6 @@ class ModesSheet(BendingSheet):
             for ei, mass in means
         )
         return cls(model="modes", modes=modes, **other.mounts)
-
-    def _spot(self, s: float) -> Spot:
-        return Spot(0, s, self._mount(s))
 
     def _mount(self, s: float) -> Placement:
         return placed(self.tip_mount) if s == 1 else Placement()

@@ -1,4 +1,4 @@
-/* tmodes, built from fc972432ed0eba59; BSD-3-Clause */
+/* tmodes, built from e1af569335fc8669; BSD-3-Clause */
 /* three
 The MIT License
 

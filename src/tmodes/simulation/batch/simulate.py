@@ -29,6 +29,14 @@ from tmodes.simulation.parts import Trajectory, sample_times
 
 __all__ = ["prepare_loops", "run_all", "run_lanes", "simulate_lanes", "spans", "thread_count"]
 
+Array = NDArray[np.float64]
+
+_PIECE_SECONDS = 0.05
+_FIRST_PIECE = 500
+
+_SPANS, _LONGEST = 8, 64
+"""Spans that each thread gets, so that none waits long for the last; groups of lanes in the longest."""
+
 _MOST_THREADS = 1024
 
 _PATIENCE = 0.1
@@ -79,15 +87,6 @@ def _watch(futures: list[Future[list[Trajectory]]], tell: Callable[[], None]) ->
                 info = clock.monotonic()
         future.result()
     tell()
-
-
-Array = NDArray[np.float64]
-
-_PIECE_SECONDS = 0.05
-_FIRST_PIECE = 500
-
-_SPANS, _LONGEST = 8, 64
-"""Spans that each thread gets, so that none waits long for the last; groups of lanes in the longest."""
 
 
 def spans(work: Work, threads: int) -> list[range]:
