@@ -1,10 +1,10 @@
 """The elastic line of a Beam, discrete: Gauss points, fourth-order Magnus steps, tangents integrated spectrally.
 
-Curvature (twist, y, z) = rest + (1/L) sum_j b_j(s) q_j, stretch or shear = sum_j b_j(s) q_j, s in 0..1; each b_j is a polynomial
-over the relative stiffness of the section. The beam is divided where a stiffness jumps by more than 5 %; in each span
-the Gauss points are those of the beam's own mass per length, and the tangents' polynomial is one of its own. A section
-at a body or a named point ends a Magnus step too. Written from that definition: every number comes from NumPy's
-polynomials, none from the package.
+Curvature (twist, y, z) = rest + (1/L) sum_j b_j(s) q_j, stretch or shear = sum_j b_j(s) q_j, s in 0..1; each b_j is a
+polynomial over the relative stiffness of the section. The beam is divided where a stiffness jumps by more than 5 %; in
+each span the Gauss points are those of the beam's own mass per length, and the tangents' polynomial is one of its own.
+A section at a body or a named point ends a Magnus step too. Written from that definition: every number comes from
+NumPy's polynomials, none from the package.
 """
 
 from __future__ import annotations

@@ -121,7 +121,7 @@ def _twist_and_bend() -> Chain:
 
 
 def _curved_and_stretched() -> Chain:
-    """A tapered, curved, extensible beam of two pieces that shears, with full rotary inertia after a rigid link and a slide."""
+    """A tapered, curved beam of two pieces that stretches and shears, after a rigid link and a slide."""
     beam = Beam(
         0.7,
         (
