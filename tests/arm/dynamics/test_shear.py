@@ -29,9 +29,9 @@ def beam(
     """A clamped round beam of EI = GJ = mass per length = 1 but for ``stiffness``; ``shear`` kGA along y and z."""
     scale = more.pop("stiffness", 1.0)
     axial = more.pop("axial", np.inf)
-    numbers = [(x, x) for x in (scale, scale, scale, axial, 1.0)]
-    turning = tuple((x, x) for x in (2 * inertia, inertia, inertia))
-    piece = BeamPiece(1.0, *numbers, turning, *((x, x) for x in shear))
+    own, polar, across, along_y, along_z = ((x, x) for x in (scale, 2 * inertia, inertia, *shear))
+    turning = (polar, across, across)
+    piece = BeamPiece(1.0, own, own, own, (axial, axial), (1.0, 1.0), turning, along_y, along_z)
     bodies = ((1.0, Body(tip, np.zeros(3), np.zeros((3, 3)))),) if tip else ()
     link = Beam(length, (piece,), bodies=bodies, **more)
     return Model(Chain("beam", (Node("beam", -1, Joint("clamp", joint_kind("fixed")), link),), np.zeros(3)))
@@ -52,7 +52,7 @@ def timoshenko(number: int, s2: float, r2: float, tip: float = 0.0) -> list[floa
     grid = np.arange(0.05, 200.0, 0.25)
     values = [left_over(omega) for omega in grid]
     cells = [k for k in range(len(grid) - 1) if values[k] * values[k + 1] < 0][:number]
-    return [float(brentq(left_over, grid[k], grid[k + 1], xtol=1e-13, rtol=1e-14)) for k in cells]
+    return [brentq(left_over, grid[k], grid[k + 1], xtol=1e-13) for k in cells]  # pyright: ignore[reportReturnType]
 
 
 @pytest.mark.parametrize("plane", ["y", "z"])
