@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 from scipy.linalg import expm
 
 import tmodes
@@ -106,9 +106,10 @@ def test_derivatives_are_refused() -> None:
         forward_sensitivities(motor(), ["joints.j.motor.inertia"])
 
 
-def ordered(values: NDArray[np.complex128]) -> NDArray[np.complex128]:
+def ordered(values: ArrayLike) -> NDArray[np.complex128]:
     """By real part, whose rounding does not tear a pair apart, then by imaginary part."""
-    return values[np.lexsort((values.imag, values.real.round(6)))]
+    found = np.asarray(values, dtype=np.complex128)
+    return found[np.lexsort((found.imag, found.real.round(6)))]
 
 
 def poles(sheet: Any) -> np.ndarray:
