@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from typing import Any
 
 from tmodes.chain.chain import Chain
 from tmodes.errors import InputError
