@@ -79,7 +79,7 @@ def settling(times: Array, tip: Array, end: float | None, finished: float, band:
     than a share of the band. ``limit_m`` is ``band`` times ``move_m``, its farthest distance from rest in the run.
     ``time_s`` is None, with a ``reason``, where the tip is not seen to come to rest, and stay there.
     """
-    last = tip[times >= times[-1] - _LAST * (times[-1] - (end or 0.0))]
+    last = tip[times >= times[-1] - _LAST * max(times[-1] - (end or 0.0), 0.0)]
     rest = last.mean(axis=0)
     far, spread = (np.linalg.norm(part - rest, axis=1) for part in (tip[times <= finished * (1 + 1e-9)], last))
     limit = max(band * float(far.max()), _NO_MOVE)
