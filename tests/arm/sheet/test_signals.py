@@ -222,8 +222,10 @@ def test_trapezoid_by_speed_and_acceleration(speed: float, acceleration: float, 
         assert found.knots[-2] == pytest.approx(0.1 + way / top + top / acceleration)
 
 
-@pytest.mark.parametrize("given", [{}, {"speed": 1.0}, {"duration": 1.0, "speed": 1.0},
-                                   {"duration": 1.0, "ramp_fraction": 0.2, "speed": 1.0, "acceleration": 1.0}])  # fmt: skip
+@pytest.mark.parametrize(
+    "given",
+    [{}, {"speed": 1.0}, {"duration": 1.0, "speed": 1.0}, {"duration": 1.0, "ramp_fraction": 0.2, "acceleration": 1.0}],
+)
 def test_a_trapezoid_by_half_of_each_is_refused(given: dict) -> None:
     with pytest.raises(ValidationError):
         READ.validate_python({"type": "trapezoid", "start": 0.0, "end": 1.0, **given})

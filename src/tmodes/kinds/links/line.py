@@ -27,6 +27,9 @@ __all__ = [
 
 Array = NDArray[np.float64]
 
+_SAME = 1e-9
+"""Difference of two places along a link [-] that is rounding."""
+
 POSE = 15
 """Numbers of a pose in the world: rotation (9), position (3), velocity of the origin (3)."""
 
@@ -93,9 +96,20 @@ class LineOfLink(ABC):
         """Whether section and material are known."""
         return False
 
+    @property
+    def along_link(self) -> Array:
+        """The places over the length of the whole link."""
+        return self.s
+
     def borne(self) -> NDArray[np.intp]:
-        """For each place, which of ``Moved.outer`` it bears: a place bears what is fixed to it."""
-        return np.searchsorted(self.stations, self.s, side="left")
+        """For each place, which of ``Moved.outer`` it bears.
+
+        Inner forces are those in the beam: at the root just beyond a body that is fixed there, at the tip just before
+        one. A place bears what is fixed to it; where it is given twice, the second is just beyond.
+        """
+        first, beyond = (np.searchsorted(self.stations, self.along_link + side) for side in (-_SAME, _SAME))
+        again = np.diff(self.s, prepend=-1.0) < _SAME
+        return np.where(again | (self.s <= _SAME), beyond, first)
 
     @abstractmethod
     def places(self, moved: Moved) -> list[Slot]:

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 from abc import ABC, abstractmethod
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import Annotated, Any, Literal
 
 from pydantic import Discriminator, Field, Tag
@@ -15,6 +15,7 @@ from pydantic import Discriminator, Field, Tag
 from tmodes.errors import InputError
 from tmodes.kinds.links.material import Material
 from tmodes.kinds.links.section_given import Geometry, GivenSection, SectionNumbers
+from tmodes.kinds.links.section_shear import box_shear, i_beam_shear, rectangle_shear, round_shear, tube_shear
 from tmodes.kinds.schema.quantity import DataSheet, Issue, positive
 
 __all__ = [
@@ -48,7 +49,7 @@ class Round(DrawnSection):
     def geometry(self) -> Geometry:
         """Exact: J = 2 I = pi d^4/32."""
         moment, radius = math.pi * self.diameter**4 / 64, self.diameter / 2
-        return Geometry(math.pi * radius**2, moment, moment, 2 * moment, radius, radius)
+        return Geometry(math.pi * radius**2, moment, moment, 2 * moment, radius, radius, _both(round_shear))
 
 
 class Tube(DrawnSection):
@@ -63,7 +64,8 @@ class Tube(DrawnSection):
         radius, middle = self.outer_diameter / 2, (self.outer_diameter - self.thickness) / 2
         area = 2 * math.pi * middle * self.thickness
         moment = area * (middle**2 + self.thickness**2 / 4) / 2
-        return Geometry(area, moment, moment, 2 * moment, radius, radius)
+        inner = 1 - self.thickness / radius
+        return Geometry(area, moment, moment, 2 * moment, radius, radius, _both(lambda nu: tube_shear(nu, inner)))
 
     def _issues(self) -> Iterator[Issue]:
         if self.thickness >= self.outer_diameter / 2:
@@ -82,7 +84,15 @@ class Box(DrawnSection):
     def geometry(self) -> Geometry:
         """Exact but for the torsion of the hollow box: Bredt, for thin walls."""
         width, height, wall = self.width, self.height, self.thickness
-        outer = Geometry(width * height, width * height**3 / 12, height * width**3 / 12, 0.0, width / 2, height / 2)
+        outer = Geometry(
+            width * height,
+            width * height**3 / 12,
+            height * width**3 / 12,
+            0.0,
+            width / 2,
+            height / 2,
+            _both(rectangle_shear),
+        )
         if wall is None:
             return outer._replace(torsion=rectangle_torsion(width, height))
         across, up = width - 2 * wall, height - 2 * wall
@@ -91,6 +101,10 @@ class Box(DrawnSection):
             about_y=outer.about_y - across * up**3 / 12,
             about_z=outer.about_z - up * across**3 / 12,
             torsion=thin_box_torsion(width, height, wall),
+            shear_coefficients=lambda nu: (
+                box_shear(nu, height - wall, width - wall),
+                box_shear(nu, width - wall, height - wall),
+            ),
         )
 
     def _issues(self) -> Iterator[Issue]:
@@ -119,6 +133,9 @@ class IBeam(DrawnSection):
             torsion=i_beam_torsion(self.width, self.height, self.flange_thickness, self.web_thickness),
             outer_y=self.width / 2,
             outer_z=self.height / 2,
+            shear_coefficients=lambda nu: i_beam_shear(
+                nu, self.width, self.height - self.flange_thickness, self.flange_thickness, self.web_thickness
+            ),
         )
 
     def _issues(self) -> Iterator[Issue]:
@@ -128,6 +145,11 @@ class IBeam(DrawnSection):
         if self.web_thickness >= self.width:
             most = f"less than the width, {self.width:g} [m]"
             yield Issue("web_thickness", f"{self.web_thickness:g}", most, "for a rectangle write shape: box")
+
+
+def _both(coefficient: Callable[[float], float]) -> Callable[[float], tuple[float, float]]:
+    """The same shear coefficient along both axes."""
+    return lambda nu: (coefficient(nu), coefficient(nu))
 
 
 _ODD_FIFTHS = 31 / 32 * 1.0369277551433699

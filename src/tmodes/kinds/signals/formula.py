@@ -145,13 +145,8 @@ def _check(node: ast.AST, depth: int) -> None:
                 _check_exponent(right)
             _check(left, depth + 1)
             _check(right, depth + 1)
-        case ast.Call(func=ast.Name(id=name), args=args, keywords=[]) if _fits(name, len(args)):
-            conditions = args[:-1:2] if name in CHOICES else []
-            for inner in args:
-                (_check_condition if inner in conditions else _check)(inner, depth + 1)
         case ast.Call():
-            allowed = f"one of {', '.join(FUNCTIONS)} of one number, min or max of several, {_CHOICE}"
-            raise FormulaError(f"the call {ast.unparse(node)[:40]!r}", allowed, "write it with these")
+            _check_call(node, depth)
         case ast.Compare() | ast.BoolOp():
             got = f"the condition {ast.unparse(node)[:40]!r} as a number"
             raise FormulaError(got, "a condition in where or piecewise", f"write {_CHOICE}")
@@ -161,6 +156,17 @@ def _check(node: ast.AST, depth: int) -> None:
 
 
 _CHOICE = "where(t < 1, value, otherwise)"
+
+
+def _check_call(node: ast.Call, depth: int) -> None:
+    """A known function, with as many arguments as it takes."""
+    name = node.func.id if isinstance(node.func, ast.Name) else ""
+    if node.keywords or not _fits(name, len(node.args)):
+        allowed = f"one of {', '.join(FUNCTIONS)} of one number, min or max of several, {_CHOICE}"
+        raise FormulaError(f"the call {ast.unparse(node)[:40]!r}", allowed, "write it with these")
+    conditions = node.args[:-1:2] if name in CHOICES else []
+    for inner in node.args:
+        (_check_condition if inner in conditions else _check)(inner, depth + 1)
 
 
 def _fits(name: str, count: int) -> bool:
