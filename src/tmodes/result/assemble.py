@@ -16,6 +16,7 @@ from tmodes.analysis.energy import energy_lost
 from tmodes.analysis.line.line import line_places
 from tmodes.analysis.modes.of_sheet import frequencies_about, sheet_frequencies
 from tmodes.analysis.quasistatic import elastic_names
+from tmodes.analysis.statics.steady import steady_rates
 from tmodes.errors import SimulationError
 from tmodes.io.sheet_plausible import implausible_numbers, reading_notices
 from tmodes.result.errors import summary_errors
@@ -93,7 +94,7 @@ class Assembly:
     def _frequencies(self) -> tuple[dict[str, list[dict[str, Any]]], list[str]]:
         setup = self.run.setup
         try:
-            if setup.rest is None:
+            if setup.rest is None or steady_rates(self.run.robot, setup.mechanics):
                 return sheet_frequencies(self.run.robot), []
             return frequencies_about(self.run.robot, setup.rest), []
         except SimulationError as error:
@@ -101,7 +102,7 @@ class Assembly:
 
     @property
     def frequencies(self) -> dict[str, list[dict[str, Any]]]:
-        """Natural frequencies about the rest, by the state of the motors."""
+        """Natural frequencies about the rest or the steady motion, by the state of the motors."""
         return self._frequencies[0]
 
     @cached_property
