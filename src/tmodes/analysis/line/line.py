@@ -65,7 +65,8 @@ class Stress:
     """Largest stresses of each section, (n, S), n samples, S places.
 
     ``strain`` [-] and ``normal_stress`` [Pa] of the outer fibre where axial force and bending add up; ``shear_stress``
-    [Pa] of torsion (shear of the transverse force is small in slender beams and left out); ``mises_stress`` [Pa].
+    [Pa] of torsion and of the transverse force together; ``mises_stress`` [Pa]: the larger of that of the outer fibre
+    and that of the middle of the section, where the transverse force shears most.
     Exact for round sections and the corners of boxes; for others not less than the true values.
     """
 
