@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from tmodes.frame import Placement
-from tmodes.kinds.links.beam_data import MOST_FUNCTIONS, BeamData, Functions, PieceSheet
+from tmodes.kinds.links.beam_data import BeamData, Functions, PieceSheet
 from tmodes.kinds.links.beam_functions import MODULI
 from tmodes.kinds.links.beam_pieces import Basis, BeamModel, BeamPiece, Piece
 from tmodes.kinds.links.body import BodySheet
@@ -95,11 +95,11 @@ class BeamSheet(BeamData):
                     yield f".material has {info}; right for a laminate only: are both moduli in Pa?"
 
     def finer(self) -> BendingSheet:
-        """A strain link with more functions."""
+        """A strain link with more functions, also than a sheet may ask for: to judge what it asks for."""
         if self.model is not BeamModel.STRAIN or self.functions is None:
             return self
         given = self.functions.model_dump()
-        counts = {name: min(count + MORE, MOST_FUNCTIONS) for name, count in given.items() if count}
+        counts = {name: count + MORE for name, count in given.items() if count}
         return self.model_copy(update={"functions": self.functions.model_copy(update=counts), "points": 0})
 
     def variant(self, model: str, count: int | None) -> BendingSheet | None:
