@@ -68,28 +68,33 @@ def _joint(rng: Generator, name: str, rigid: bool) -> Joint:
     return Joint(name, joint_kind(str(kind)), placement, axis, drive=drive, motor=motor, gear=gear)
 
 
-def _piece(rng: Generator, end: float, axial: bool) -> BeamPiece:
+def _piece(rng: Generator, end: float, axial: bool, sheared: bool) -> BeamPiece:
     def pair(low: float, high: float) -> tuple[float, float]:
         value = float(rng.uniform(low, high))
         return value, value * float(rng.uniform(0.7, 1.0))
 
     polar, across = pair(5e-4, 2e-3), pair(2e-4, 1e-3)
     stretch = pair(1e3, 1e4) if axial else (0.0, 0.0)
-    return BeamPiece(end, pair(5, 50), pair(5, 50), pair(5, 30), stretch, pair(0.2, 1.0), (polar, across, across))
+    bending, twisting, mass = (pair(5, 50), pair(5, 50)), pair(5, 30), pair(0.2, 1.0)
+    shears = (pair(5e2, 5e3), pair(5e2, 5e3)) if sheared else ((0.0, 0.0), (0.0, 0.0))
+    return BeamPiece(end, *bending, twisting, stretch, mass, (polar, across, across), *shears)
 
 
 def _beam(rng: Generator) -> Beam:
     counts = rng.integers(0, 4, 2)
     bend_y, bend_z = (int(n) for n in (counts if counts.any() else (1, 2)))
     stretch = int(rng.random() < 0.2)
+    shears = [int(n) for n in rng.integers(0, 3, 2)] if rng.random() < 0.3 else [0, 0]
     ends = (0.45, 1.0) if rng.random() < 0.3 else (1.0,)
     return Beam(
         float(rng.uniform(0.3, 0.9)),
-        tuple(_piece(rng, end, stretch > 0) for end in ends),
+        tuple(_piece(rng, end, stretch > 0, max(shears) > 0) for end in ends),
         twist=int(rng.integers(0, 3)),
         bend_y=bend_y,
         bend_z=bend_z,
         stretch=stretch,
+        shear_y=shears[0],
+        shear_z=shears[1],
         basis="tip_weighted" if rng.random() < 0.2 else "legendre",
         points=max(bend_y, bend_z) + 2,
         damping_time=float(rng.uniform(0, 1e-3)),
@@ -130,5 +135,5 @@ def random_state(seed: int, coordinates: tuple[str, ...], bend: float = 0.3) -> 
     rng, size = default_rng(seed), len(coordinates)
     flexible = np.array(["." in name and not name.endswith(".motor") for name in coordinates])
     q = np.where(flexible, bend * rng.uniform(-1, 1, size), rng.uniform(-2, 2, size))
-    stretched = np.array([".stretch" in name for name in coordinates])
+    stretched = np.array([".stretch" in name or ".shear" in name for name in coordinates])
     return np.where(stretched, 0.05 * q, q), rng.normal(size=size), rng.normal(size=size)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import pytest
@@ -45,6 +46,18 @@ def test_lines() -> None:
     python, scripts = HOUSE.lines
     assert python <= MOST_LINES
     assert scripts <= MOST_SCRIPT_LINES
+
+
+def test_scripts_name_modules_that_exist() -> None:
+    """A script of the page that does as a module of Python does says which: where it was moved, the script follows."""
+    root = architecture.ROOT
+    named = {
+        (file.name, found)
+        for file in (root / "web" / "src").rglob("*.ts")
+        for found in re.findall(r"\btmodes/[\w/]+\.py", file.read_text(encoding="utf-8"))
+    }
+    assert len(named) > 15
+    assert [one for one in sorted(named) if not (root / "src" / one[1]).is_file()] == []
 
 
 def test_few_methods_reach_an_upper_package() -> None:

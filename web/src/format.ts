@@ -1,4 +1,4 @@
-// Numbers with units as a person reads them; tmodes/report/quantity.py writes the same.
+// Numbers with units as a person reads them; tmodes/report/markup.py writes the same.
 
 const PREFIXES: [number, number, string][] = [
   [1e10, 1e-9, "G"],

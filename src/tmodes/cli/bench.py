@@ -1,22 +1,20 @@
-"""``tmodes bench`` and ``tmodes cache``: how fast this engine is here, and the compiled code that it keeps."""
+"""``tmodes bench``: how fast this engine is here, next to others."""
 
 from __future__ import annotations
 
-from enum import StrEnum
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from tmodes.cli.options import AsJson
 from tmodes.cli.terminal import notice, print_json, print_table, working
-from tmodes.errors import InputError, ResultFileError
+from tmodes.errors import InputError
 from tmodes.io.atomic import atomic_write
 
 if TYPE_CHECKING:
     from tmodes.bench.measure import Plan
 
-__all__ = ["Action", "bench", "cache", "print_tables"]
+__all__ = ["bench", "print_tables"]
 
 
 def bench(
@@ -108,44 +106,3 @@ def print_tables(info: dict[str, Any]) -> None:
         notice(f"the machine was not idle ({machine['load'][0]:.1f} programs ran): times on several cores say little")
     for line in left_out(info):
         notice(f"left out: {line}")
-
-
-class Action(StrEnum):
-    """What can be done to the cache."""
-
-    CLEAR = "clear"
-
-
-def cache(
-    action: Annotated[Action | None, typer.Argument(help="clear: remove all entries.")] = None, as_json: AsJson = False
-) -> None:
-    """Show where compiled code is kept, or remove it: tmodes cache clear.
-
-    Each robot's equations become native code once; the code is kept so that the next run starts at once. Nothing is
-    lost by clearing it but that time. The environment variable TMODES_CACHE names another folder; empty: nothing is
-    kept. A damaged entry is made again, and a folder that others can write is not used.
-    """
-    from tmodes.compile.cache import MAX_BYTES, clear, entries, judged
-
-    place, refusal = judged()
-    if action is Action.CLEAR:
-        if place is None or refusal:
-            hint = "name a folder of your own: TMODES_CACHE=FOLDER"
-            raise ResultFileError(f"no cache is used ({place or 'no folder'}): {refusal}; {hint}")
-        count, size = clear(place)
-        words = f"removed {count} entries, {size / 1e6:.1f} MB, from {place}"
-        print_json({"folder": str(place), "removed": count, "bytes": size}) if as_json else print(words)
-        return
-    found = [] if place is None or refusal else list(entries(place))
-    size = sum(entry.size for entry in found)
-    if as_json:
-        info = {"folder": place and str(place), "used": not refusal, "entries": len(found), "bytes": size}
-        print_json(info | {"limit": MAX_BYTES, "why_not": refusal})
-        return
-    print(f"compiled code  {place or 'no folder'}")
-    if refusal:
-        print(f"not used       {refusal}")
-    print(f"entries        {len(found)}, {size / 1e6:.1f} MB of at most {MAX_BYTES / 1e6:.0f} MB")
-    print("what for       a robot's equations are compiled once and cached; a second run of it compiles nothing")
-    print("elsewhere      TMODES_CACHE=FOLDER names another folder, by its absolute path; empty: nothing is kept")
-    print("remove         tmodes cache clear")

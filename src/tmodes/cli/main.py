@@ -12,7 +12,8 @@ from typing import Annotated, Any
 import typer
 
 from tmodes.cli.batch import batch
-from tmodes.cli.bench import bench, cache
+from tmodes.cli.bench import bench
+from tmodes.cli.cache import cache
 from tmodes.cli.describe import describe, ladder
 from tmodes.cli.evaluate import evaluate
 from tmodes.cli.export import export

@@ -9,10 +9,10 @@ import sys
 import time as clock
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
-from types import FrameType, TracebackType
-from typing import Any, Self
+from types import FrameType
+from typing import Any
 
-__all__ = ["Stages", "Wish", "heard", "notice", "print_json", "print_json_list", "print_table", "warn", "working"]
+__all__ = ["Stages", "notice", "print_json", "print_json_list", "print_table", "warn", "working"]
 
 
 PIPE = 200
@@ -126,40 +126,6 @@ def notice(text: str) -> None:
     print(text, file=sys.stderr)
 
 
-class Wish:
-    """Whether Ctrl-C was pressed. Python raises its KeyboardInterrupt anywhere, even where it is lost."""
-
-    def __init__(self) -> None:
-        self.made = False
-
-    def obey(self) -> None:
-        """Raise KeyboardInterrupt where the wish was made."""
-        if self.made:
-            self.made = False
-            raise KeyboardInterrupt
-
-    def _note(self, number: int, frame: FrameType | None) -> None:
-        del number, frame
-        if self.made:  # pressed again: at once
-            raise KeyboardInterrupt
-        self.made = True
-
-
-@contextmanager
-def heard() -> Iterator[Wish]:
-    """Within the block the first Ctrl-C is a wish; the second one interrupts at once. Ignored signals stay so."""
-    wish = Wish()
-    before = signal.getsignal(signal.SIGINT)
-    if before is not signal.default_int_handler:
-        yield wish
-        return
-    signal.signal(signal.SIGINT, wish._note)
-    try:
-        yield wish
-    finally:
-        signal.signal(signal.SIGINT, before)
-
-
 PATIENCE = 1.5
 """Seconds of silence before progress is shown."""
 
@@ -168,27 +134,31 @@ LINE_EVERY = 10.0
 
 
 class Stages:
-    """``with Stages(wish) as tell: tell("reference", 0.3)``; nothing is shown for short work."""
+    """Progress of stages, ``tell("reference", 0.3)``, not shown for short work.
 
-    def __init__(self, wish: Wish) -> None:
-        self._wish = wish
+    A first Ctrl-C interrupts where progress is reported, so that all results are whole: Python raises its
+    KeyboardInterrupt anywhere, even where it is lost. A second one interrupts at once.
+    """
+
+    def __init__(self) -> None:
+        self._interrupted = False
         self._started = clock.monotonic()
         self._last_line = self._started - LINE_EVERY
         self._bar: Any = None
         self._tasks: dict[str, Any] = {}
 
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(
-        self, kind: type[BaseException] | None, value: BaseException | None, trace: TracebackType | None
-    ) -> None:
-        if self._bar:
-            self._bar.stop()
+    def interrupt(self, number: int, frame: FrameType | None) -> None:
+        """What Ctrl-C calls."""
+        del number, frame
+        if self._interrupted:
+            raise KeyboardInterrupt
+        self._interrupted = True
 
     def __call__(self, stage: str, share: float) -> None:
-        """Tell that a share of a stage is done; here Ctrl-C is obeyed."""
-        self._wish.obey()
+        """Report that a share of a stage is done; raises KeyboardInterrupt where Ctrl-C was pressed."""
+        if self._interrupted:
+            self._interrupted = False
+            raise KeyboardInterrupt
         now = clock.monotonic()
         if now - self._started < PATIENCE:
             return
@@ -209,9 +179,22 @@ class Stages:
             self._tasks[stage] = self._bar.add_task(stage, total=1.0)
         self._bar.update(self._tasks[stage], completed=share)
 
+    def stop(self) -> None:
+        """Remove what is drawn."""
+        if self._bar:
+            self._bar.stop()
+
 
 @contextmanager
 def working() -> Iterator[Stages]:
-    """Within the block Ctrl-C is a wish, and what is called with a stage and its share shows the progress."""
-    with heard() as wish, Stages(wish) as tell:
-        yield tell
+    """Within the block what is called with a stage and its share shows the progress, and interrupts at Ctrl-C."""
+    stages, before = Stages(), signal.getsignal(signal.SIGINT)
+    listens = before is signal.default_int_handler  # a signal that is ignored stays so
+    if listens:
+        signal.signal(signal.SIGINT, stages.interrupt)
+    try:
+        yield stages
+    finally:
+        stages.stop()
+        if listens:
+            signal.signal(signal.SIGINT, before)

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.analysis.energy import energy_lost
+from tmodes.analysis.line.line import line_places
 from tmodes.analysis.modes.of_sheet import frequencies_about, sheet_frequencies
 from tmodes.analysis.quasistatic import elastic_names
 from tmodes.errors import SimulationError
@@ -68,7 +69,7 @@ class Assembly:
     @cached_property
     def stations(self) -> NDArray[np.float64]:
         """Places along each link at which its line is kept [-]."""
-        return np.linspace(0.0, 1.0, self.run.robot.integration.line_points)
+        return line_places(self.run.chain, self.run.robot.integration.line_points)
 
     @cached_property
     def _motion(self) -> Variables:

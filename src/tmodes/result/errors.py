@@ -73,7 +73,7 @@ class Figure(NamedTuple):
 
         Where each sample takes many rows, sizes were summed up, which do not oscillate.
         """
-        if len(self.samples) > 1 or rows > 2:
+        if len(self.samples) != 1 or rows > 2:
             return self
         near = range(-_WINDOW_SAMPLES, _WINDOW_SAMPLES + 1)
         apart = {self.samples[0] + round(k * _WINDOW * count / _WINDOW_SAMPLES) for k in near}

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from typing import Any
 
 from tmodes.chain.chain import Chain
 from tmodes.errors import InputError
@@ -14,6 +13,7 @@ from tmodes.sheet.parts import Command
 from tmodes.sheet.robot import refuse_other
 from tmodes.simulation.callback import Controller
 from tmodes.simulation.parts import Journal, sample_times
+from tmodes.simulation.plan import free_drive
 from tmodes.simulation.simulate import simulate_motion
 
 __all__ = ["movable_joints", "ready_to_run", "result_bytes", "run"]
@@ -84,7 +84,8 @@ def ready_to_run(robot: Robot) -> Robot:
         raise InputError(
             "drives", f"nothing, so that no joint of {_few(movable)} moves", "a list of what moves the joints", hint
         )
-    return robot.with_({"drives": [_free(name, has_motor) for name, has_motor in movable]})
+    drives = tuple(free_drive(name, has_motor=has_motor) for name, has_motor in movable)
+    return robot.model_copy(update={"drives": drives})
 
 
 def movable_joints(chain: Chain) -> Iterator[tuple[str, bool]]:
@@ -93,11 +94,6 @@ def movable_joints(chain: Chain) -> Iterator[tuple[str, bool]]:
         for axis in node.joint.axes:
             if axis.drive.is_driven:
                 yield axis.name, node.joint.motor is not None
-
-
-def _free(name: str, has_motor: bool) -> dict[str, Any]:
-    command = Command.TORQUE if has_motor else Command.EFFORT
-    return {"joint": name, "command": str(command), "signal": {"type": "constant", "value": 0.0}}
 
 
 def _few(movable: list[tuple[str, bool]]) -> str:

@@ -82,7 +82,7 @@ def coordinate_units(run: RunData) -> list[str]:
     return [
         ("m" if name in sliding else "rad")
         if k < joints
-        else ("1" if name.rpartition(".")[2].startswith("stretch") else "rad")
+        else ("1" if name.rpartition(".")[2].startswith(("stretch", "shear")) else "rad")
         for k, name in enumerate(run.coordinates)
     ]
 

@@ -23,7 +23,7 @@ from tmodes.sheet.parts import Command, DriveSheet, InitialState, LoadFrame
 if TYPE_CHECKING:
     from tmodes.sheet import Robot
 
-__all__ = ["Follow", "Planned", "initial_value", "planned"]
+__all__ = ["Follow", "Planned", "free_drive", "initial_value", "planned"]
 
 
 class Follow(StrEnum):
@@ -36,7 +36,10 @@ class Follow(StrEnum):
 
 @dataclass(frozen=True, eq=False)
 class Planned:
-    """A chain in a run, its plan, and its signals; ``undriven`` joints are held at their first value.
+    """A chain in a run, its plan, and its signals.
+
+    Joints without a drive: ``undriven`` ones are held at their first value; those of ``loose`` have an initial rate and
+    move freely with it, their motors without torque.
 
     ``signals``: all on common knots; ``each``: what the sheet says of them, one by one.
     """
@@ -47,6 +50,7 @@ class Planned:
     signals: MergedSchedule
     undriven: tuple[str, ...]
     each: tuple[Any, ...] = ()
+    loose: tuple[str, ...] = ()
 
 
 @dataclass(eq=False)
@@ -74,14 +78,15 @@ def planned(robot: Robot, follow: Follow = Follow.SHEET, like: Chain | None = No
     signals = _Signals(robot.integration.duration, [])
     sheets = {drive.joint: (index, drive) for index, drive in enumerate(robot.drives)}
     chain = like or robot.model_copy(update={"drives": ()}).chain()  # every joint with its motor, none prescribed
-    drives, joints, undriven = [], {}, []
+    drives, joints, undriven, loose = [], {}, [], []
     for node in chain.nodes:
         kinds = []
         for axis in node.joint.axes:
             kinds.append(axis.drive)
             if axis.drive.is_driven:
-                index, sheet = sheets.get(axis.name, (-1, None))
-                undriven += [axis.name] if sheet is None else []
+                index, sheet = sheets.get(axis.name, (-1, _free_drive(robot, axis)))
+                if axis.name not in sheets:
+                    (undriven if sheet is None else loose).append(axis.name)
                 drives.append(_drive(robot, axis, index, sheet, signals, follow))
                 kinds[-1] = _kind(axis, drives[-1])
         joints[node.joint.name] = node.joint.driven_by(*kinds)
@@ -94,7 +99,21 @@ def planned(robot: Robot, follow: Follow = Follow.SHEET, like: Chain | None = No
     merged = merge(signals.schedules) if signals.schedules else _nothing(signals.until)
     rows = merged.coefficients.reshape(len(merged.coefficients), -1)
     plan = LoopPlan(chain, tuple(drives), len(signals.schedules), merged.degree, loads, touch, base)
-    return Planned(chain, plan, Schedule(merged.knots, rows), merged, tuple(undriven), tuple(signals.info))
+    schedule = Schedule(merged.knots, rows)
+    return Planned(chain, plan, schedule, merged, tuple(undriven), tuple(signals.info), tuple(loose))
+
+
+def free_drive(joint: str, *, has_motor: bool) -> DriveSheet:
+    """No torque of the motor, no effort on a joint without one."""
+    command = Command.TORQUE if has_motor else Command.EFFORT
+    return DriveSheet(joint=joint, command=command, signal=constant_signal(0.0))
+
+
+def _free_drive(robot: Robot, axis: Axis) -> DriveSheet | None:
+    """The drive of a joint that has none but an initial rate; None where it stands and is held."""
+    if any(robot.initial.rates.get(name) for name in (axis.name, f"{axis.name}.motor")):
+        return free_drive(axis.name, has_motor=axis.joint.motor is not None)
+    return None
 
 
 def _nothing(until: float) -> MergedSchedule:

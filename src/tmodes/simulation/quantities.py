@@ -88,9 +88,9 @@ def _coordinates(setup: RunSetup) -> dict[str, Quantity]:
 
 
 def _units(setup: RunSetup) -> list[str]:
-    """Unit of each coordinate: of a sliding joint m, of a link's stretch none, of all others rad."""
+    """Unit of each coordinate: of a sliding joint m, of a link's stretch and shear none, of all others rad."""
     units = dict.fromkeys(setup.model.coordinates, "rad")
-    units |= {name: "-" for name in units if name.rpartition(".")[2].startswith("stretch")}
+    units |= {name: "-" for name in units if name.rpartition(".")[2].startswith(("stretch", "shear"))}
     units |= dict.fromkeys(setup.planned.chain.sliding, "m")
     return [units[name] for name in setup.model.coordinates]
 

@@ -27,12 +27,24 @@ a formula is fitted to 1e-12 of its value by at least 16 pieces of degree 7, its
 def start_warnings(setup: RunSetup) -> list[str]:
     """What is odd before anything moves."""
     info = [f"joint {name} has no drive: it is held where it starts" for name in setup.planned.undriven]
+    info += [f"joint {name} has no drive: it moves freely with its initial rate" for name in setup.planned.loose]
+    info += _left_out(setup)
     jumping = jumps(setup)
     if jumping:
         info.append(f"{jumping}: its impulse on the arm is left out")
     if setup.robot.contact:
         info += _touching(setup, setup.robot.contact)
     return info
+
+
+def _left_out(setup: RunSetup) -> Iterator[str]:
+    """Initial values that the run does not have, because a drive gives the motion."""
+    names, initial, layout = setup.model.coordinates, setup.robot.initial, setup.model.layout
+    for group, given, block in (("coordinates", initial.coordinates, layout.q), ("rates", initial.rates, layout.v)):
+        for name, value in given.items():
+            taken = float(setup.start[block][names.index(name)])
+            if abs(taken - value) > _SAME * max(abs(value), abs(taken)):
+                yield f"initial.{group}.{name}: {value:g} is left out: its drive prescribes {taken:g} at t = 0"
 
 
 def _touching(setup: RunSetup, sheet: Contact) -> Iterator[str]:

@@ -1,10 +1,10 @@
 """The elastic line of a Beam, discrete: Gauss points, fourth-order Magnus steps, tangents integrated spectrally.
 
-Curvature (twist, y, z) = rest + (1/L) sum_j b_j(s) q_j, stretch = sum_j b_j(s) q_j, s in 0..1; each b_j is a polynomial
-over the relative stiffness of the section. The beam is divided where a stiffness jumps by more than 5 %; in each span
-the Gauss points are those of the beam's own mass per length, and the tangents' polynomial is one of its own. A section
-at a body or a named point ends a Magnus step too. Written from that definition: every number comes from NumPy's
-polynomials, none from the package.
+Curvature (twist, y, z) = rest + (1/L) sum_j b_j(s) q_j, stretch or shear = sum_j b_j(s) q_j, s in 0..1; each b_j is a
+polynomial over the relative stiffness of the section. The beam is divided where a stiffness jumps by more than 5 %; in
+each span the Gauss points are those of the beam's own mass per length, and the tangents' polynomial is one of its own.
+A section at a body or a named point ends a Magnus step too. Written from that definition: every number comes from
+NumPy's polynomials, none from the package.
 """
 
 from __future__ import annotations
@@ -24,8 +24,8 @@ from tmodes.kinds.links.strain import Beam
 
 __all__ = ["DIRECTIONS", "Line", "Station", "basis", "counts", "gauss"]
 
-DIRECTIONS = ("twist", "bend_y", "bend_z", "stretch")
-MODULI = ("torsion", "bend_y", "bend_z", "axial")
+DIRECTIONS = ("twist", "bend_y", "bend_z", "stretch", "shear_y", "shear_z")
+MODULI = ("torsion", "bend_y", "bend_z", "axial", "shear_y", "shear_z")
 
 Array = NDArray[np.float64]
 
@@ -40,9 +40,9 @@ class Station:
     inertia: tuple[float, float, float]
 
 
-def counts(beam: Beam) -> tuple[int, int, int, int]:
-    """Numbers of functions: twist, bending about y, about z, stretch."""
-    return beam.twist, beam.bend_y, beam.bend_z, beam.stretch
+def counts(beam: Beam) -> tuple[int, ...]:
+    """Numbers of functions of each direction."""
+    return tuple(getattr(beam, direction) for direction in DIRECTIONS)
 
 
 def basis(beam: Beam, direction: str) -> list[Callable[[Array], Array]]:
@@ -126,7 +126,7 @@ def cardinal(nodes: Array, s: Array) -> Array:
 
 
 class Line:
-    """The line of one beam with coordinates ``q`` (twist, bend y, bend z, stretch; each in rising order).
+    """The line of one beam with coordinates ``q`` (by direction, each in rising order).
 
     ``asked``: places s < 1 whose sections are given in addition to those of the beam's bodies.
     """
@@ -138,14 +138,18 @@ class Line:
         self._frames: dict[float, Any] = {0.0: ca.SX.eye(3)}
         for s in sorted({float(s) for s in self.points} | places):
             self._walk(s)
-        self._tangents = [self.strain(float(s)) * self._frames[float(s)][:, 0] for s in self.points]
+        self._tangents = [self._frames[float(s)] @ self.strain(float(s)) for s in self.points]
         self.stations = self._stations()
         self.tip = self.at(1.0)
 
-    def strain(self, s: float) -> float | Any:
-        """1 + stretch at s."""
-        first = sum(counts(self.beam)[:3])
-        return 1 + sum(float(f(np.array(s))) * self.q[first + j] for j, f in enumerate(basis(self.beam, "stretch")))
+    def strain(self, s: float) -> Any:
+        """1 + stretch, shear along y and along z at s (3,)."""
+        total, first = ca.SX([1, 0, 0]), sum(counts(self.beam)[:3])
+        for axis, direction in enumerate(DIRECTIONS[3:]):
+            for function in basis(self.beam, direction):
+                total[axis] += float(function(np.array(s))) * self.q[first]
+                first += 1
+        return total
 
     def _walk(self, s: float) -> None:
         """One Magnus step from the last section to s."""
@@ -192,11 +196,11 @@ class Line:
         return sum(float(r) * t for r, t in zip(weights, self._tangents, strict=True)), self._frames[s]
 
     def stiffness(self) -> list[Array]:
-        """Stiffness matrices of twist, bending about y, about z [N*m] and stretch [N*m], by a fine quadrature."""
+        """Stiffness matrices of all directions [N*m], by a fine quadrature."""
         s, w, _ = fine(self.beam)
         matrices = []
         for direction, name in zip(DIRECTIONS, MODULI, strict=True):
-            scale = self.beam.length if name == "axial" else 1 / self.beam.length
+            scale = 1 / self.beam.length if direction in DIRECTIONS[:3] else self.beam.length
             values = np.array([f(s) for f in basis(self.beam, direction)]).reshape(-1, len(s))
             matrices.append(scale * (values * w * along(self.beam, name)) @ values.T)
         return matrices

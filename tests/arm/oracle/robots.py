@@ -69,6 +69,7 @@ def piece(
     rotary: float = 0.0,
     polar: float | None = None,
     taper: float = 1.0,
+    shear: tuple[float, float] = (np.inf, np.inf),
 ) -> BeamPiece:
     """A round piece: EI, rhoA, rhoI of bending and of twist (twice that); ``taper``: end over start of everything."""
 
@@ -76,7 +77,8 @@ def piece(
         return value, value * taper
 
     inertia = (both(2 * rotary if polar is None else polar), both(rotary), both(rotary))
-    return BeamPiece(end, both(bending), both(1.3 * bending), both(torsion), both(axial), both(mass), inertia)
+    bends, shears = (both(bending), both(1.3 * bending)), (both(shear[0]), both(shear[1]))
+    return BeamPiece(end, *bends, both(torsion), both(axial), both(mass), inertia, *shears)
 
 
 def _elastic(name: str, placement: Placement, axis: list[float], stiffness: float, rotor: float) -> Joint:
@@ -119,17 +121,19 @@ def _twist_and_bend() -> Chain:
 
 
 def _curved_and_stretched() -> Chain:
-    """A tapered, curved, extensible beam of two pieces with full rotary inertia after a rigid link and a slide."""
+    """A tapered, curved beam of two pieces that stretches and shears, after a rigid link and a slide."""
     beam = Beam(
         0.7,
         (
-            piece(20.0, 0.6, end=0.4, torsion=15.0, axial=4e3, rotary=1e-3, taper=0.8),
-            piece(12.0, 0.5, torsion=9.0, axial=3e3, rotary=8e-4, taper=0.7),
+            piece(20.0, 0.6, end=0.4, torsion=15.0, axial=4e3, rotary=1e-3, taper=0.8, shear=(2e3, 1.5e3)),
+            piece(12.0, 0.5, torsion=9.0, axial=3e3, rotary=8e-4, taper=0.7, shear=(1.2e3, 1e3)),
         ),
         twist=2,
         bend_y=2,
         bend_z=2,
         stretch=2,
+        shear_y=2,
+        shear_z=1,
         points=4,
         damping_time=1e-3,
         rest_curvature=np.array([0.2, 0.3, -0.4]),

@@ -58,7 +58,7 @@ def _scaled_link(link: Any, stiffness: float, damping: float) -> Any:
 
 
 def _scaled_piece(piece: BeamPiece, factor: float) -> BeamPiece:
-    names = ("bend_y", "bend_z", "torsion", "axial")
+    names = ("bend_y", "bend_z", "torsion", "axial", "shear_y", "shear_z")
     changed = {name: tuple(factor * value for value in getattr(piece, name)) for name in names}
     return replace(piece, **changed)
 

@@ -1,9 +1,9 @@
 // A robot's compiled equations in JavaScript: instantiates the module, and calls its functions over many samples.
-// tmodes/live/module.py makes module and layout; nothing here touches a page, so it runs in a worker and in Node alike.
+// tmodes/live/functions.py makes module and layout; nothing here touches a page, so it runs in a worker and in Node alike.
 
 import { EngineError, expect, known } from "./engine_error";
 
-/** What tmodes/live/module.py reports of a module. */
+/** What tmodes/live/functions.py reports of a module. */
 export interface Layout {
   format: number;
   cells: string[];

@@ -1,4 +1,4 @@
-// Headline numbers of the loads along the links, and of the joints' limits, as tmodes/report/run_facts.py.
+// Headline numbers of the loads along the links, and of the joints' limits, as tmodes/report/facts.py.
 
 import { info } from "../format";
 import type { Largest, LimitInfo, Loads, LoadsInfo, Quantity } from "./loads";

@@ -29,7 +29,7 @@ export function linePanel(bundle: Bundle, links: LinkLoads[], m: number): LinePa
   };
 }
 
-/** As tmodes/report/scene_arm.py: of all links of the scene, 0 on those that do not bend. */
+/** As tmodes/report/scene_parts.py: of all links of the scene, 0 on those that do not bend. */
 export function loadColours(bundle: Bundle, loads: LinkLoads[], m: number): Scene["colours"] {
   const [L, S] = [bundle.links.length, bundle.stations.data.length];
   const over = (id: string, label: string, unit: string, value: (link: LinkLoads) => Float64Array | null) => {

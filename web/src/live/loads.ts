@@ -9,7 +9,7 @@ import { rowsOf, type SeriesOf } from "./series";
 import type { Schedule } from "./signals";
 import { wrenchesOf } from "./wrench";
 
-/** As tmodes/live/loads.py writes it. */
+/** As tmodes/live/places.py writes it. */
 export interface LoadsInfo {
   places: Numbers;
   /** How many the result keeps: `places` are some of them where these are very many. */

@@ -1,4 +1,4 @@
-// Modes of vibration of a live run as a page shows them: as tmodes/report/mode_shapes.py, spectra.py and facts.py tell
+// Modes of vibration of a live run as a page shows them: as tmodes/report/data.py, drafts.py and facts.py tell
 // them.
 
 import type { Mode } from "../contract";

@@ -1,4 +1,4 @@
-// Headline numbers of a run, but for those of its loads, by the ids and words of tmodes/report/run_facts.py.
+// Headline numbers of a run, but for those of its loads, by the ids and words of tmodes/report/facts.py.
 
 import type { Bundle } from "./bundle";
 import { energyFacts, figures, meanOverTime, trackingFacts, type Facts } from "./facts";

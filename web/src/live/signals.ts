@@ -1,4 +1,4 @@
-// Motions in time as pieces of polynomials, as tmodes/reference/schedule.py and signals_merge.py keep them.
+// Motions in time as pieces of polynomials, as tmodes/kinds/signals/schedule.py keeps them.
 
 /** Pieces of powers of t - knots[k]: `rows` [pieces, signals, degree + 1]. */
 export interface Schedule {

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import math
 import struct
+from functools import partial
 from typing import Any
 
 from llvmlite import ir
@@ -35,7 +36,7 @@ def _write_adaptive(loop: LanesLoop, tableau: Tableau) -> None:
     """A rejected lane tries again while its neighbours go on."""
     b, control = loop.builder, adaptive_control(tableau)
     _begin_gate(loop, "y", "probe")
-    _first_stage(loop)
+    _first_stage(loop, control)
     step = _step_until_knot(loop)
     running = loop.running()
     stages(loop, tableau, step.time, step.h)
@@ -54,7 +55,7 @@ def _write_adaptive(loop: LanesLoop, tableau: Tableau) -> None:
     _accept(loop, control, slopes(tableau)[-1], accepted, step, size)
 
 
-def _first_stage(loop: LanesLoop) -> None:
+def _first_stage(loop: LanesLoop, control: StepControl) -> None:
     """k1 where the last step did not leave it, and the first step's length."""
     b, zero = loop.builder, loop.constant(0.0)
     fresh = b.and_(loop.running(), b.fcmp_ordered("!=", loop.get("fresh"), zero))
@@ -63,8 +64,15 @@ def _first_stage(loop: LanesLoop) -> None:
         loop.copy_where(fresh, "k1", "probe")
         loop.count("evaluations", fresh)
         loop.put("fresh", zero, fresh)
-        guess = first_length(loop)
-        loop.put("h", guess, b.and_(fresh, b.fcmp_ordered("<=", loop.get("h"), zero)))
+        first = b.and_(fresh, b.fcmp_ordered("<=", loop.get("h"), zero))
+        with b.if_then(loop.any(first), likely=False):
+            loop.put("h", first_length(loop, control.order, partial(_power, loop)), first)
+            loop.count("evaluations", first)
+
+
+def _power(loop: LanesLoop, base: Any, exponent: float) -> Any:
+    size = loop.builder.fmul(loop.constant(exponent), logarithm(loop.builder, loop.lanes, base))
+    return exponential(loop.builder, loop.lanes, size)
 
 
 def _step_until_knot(loop: LanesLoop) -> AdaptiveStep:

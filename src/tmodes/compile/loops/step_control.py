@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 from typing import Any, NamedTuple
 
 from llvmlite import ir
@@ -98,14 +99,29 @@ def _adaptive_step(loop: TimeLoop, end: Any) -> AdaptiveStep:
     return AdaptiveStep(time, wanted, *loop.step_until(end))
 
 
-def first_length(loop: Frame) -> Any:
-    """Length of the first step (Hairer's rule of a hundredth), by the state and its slope."""
-    b, least = loop.builder, loop.constant(1e-5)
+def first_length(loop: Frame, order: float, power: Callable[[Any, float], Any]) -> Any:
+    """Length of the first step: Hairer, Norsett, Wanner, Solving ODEs I, II.4, from ``y`` and its slope ``k1``.
+
+    A hundredth of what an Euler step may move (``power``: of a number, by an exponent), then by the change of the slope
+    over such a step. It is not shorter than 1e-6 s: where the state is no more than rounding, as at rest, its size over
+    that of its slope says nothing, and a step that is too long is tried again.
+    """
+    b, least, shortest = loop.builder, loop.constant(1e-5), loop.constant(1e-6)
+    start, end = loop.segment()
+    span, hundredth = b.fsub(end, start), loop.constant(0.01)
     state, slope = (loop.mean_square(lambda i, a=a: loop.load(a, i), "y") for a in ("y", "k1"))
     moving = b.and_(b.fcmp_ordered(">", state, least), b.fcmp_ordered(">", slope, least))
-    guess = b.select(moving, b.fmul(loop.constant(0.01), b.fdiv(state, slope)), loop.constant(1e-6))
-    start, end = loop.segment()
-    return loop.intrinsic("minnum", guess, b.fsub(end, start))
+    guess = loop.intrinsic("maxnum", b.fmul(hundredth, b.fdiv(state, slope)), shortest)
+    guess = loop.intrinsic("minnum", b.select(moving, guess, shortest), span)
+    loop.combine("probe", {"k1": guess})
+    loop.evaluate(b.fadd(loop.get("t"), guess), "probe", "new")
+    change = loop.mean_square(lambda i: b.fsub(loop.load("new", i), loop.load("k1", i)), "y")
+    largest = loop.intrinsic("maxnum", slope, b.fdiv(change, guess))
+    still = b.fcmp_ordered("<=", largest, loop.constant(1e-15))
+    largest = loop.intrinsic("minnum", loop.intrinsic("maxnum", largest, loop.constant(1e-15)), loop.constant(1e290))
+    wish = b.select(still, shortest, power(b.fdiv(hundredth, largest), 1.0 / order))
+    wish = loop.intrinsic("minnum", wish, b.fmul(loop.constant(100.0), guess))
+    return loop.intrinsic("minnum", wish, span)
 
 
 def add_local_errors(loop: TimeLoop, label: str, factor: Any) -> None:
@@ -139,7 +155,7 @@ class ExplicitMethod:
             loop.evaluate(loop.get("t"), "y", "k1")
             loop.put("fresh", number(0.0))
             with b.if_then(b.fcmp_ordered("<=", loop.get("h"), number(0.0)), likely=False):
-                loop.put("h", first_length(loop))
+                loop.put("h", first_length(loop, self.control.order, partial(_power, loop)))
         return gate, _adaptive_step(loop, loop.segment()[1])
 
     def end_with(

@@ -45,6 +45,17 @@ class Functions(DataSheet):
     bend_y: int = _count("n_y", "functions of bending about y")
     bend_z: int = _count("n_z", "functions of bending about z")
     stretch: int = _count("n_a", "functions of stretch")
+    shear_y: int = _count("n_sy", "functions of shear along y, which goes with bending about z")
+    shear_z: int = _count("n_sz", "functions of shear along z, which goes with bending about y")
+
+
+_GIVEN = {
+    "twist": ("torsion", "torsional_stiffness"),
+    "stretch": ("axial", "axial_stiffness"),
+    "shear_y": ("shear_y", "shear_stiffness"),
+    "shear_z": ("shear_z", "shear_stiffness"),
+}
+"""Directions that a section may be rigid in: its number, and the key that gives it."""
 
 
 class PieceSheet(DataSheet):
@@ -84,7 +95,7 @@ class BeamData(BendingSheet):
         default=(), strict=False, max_length=MOST_PIECES, description="pieces of different sections, from root to tip"
     )
     rotary_inertia: RotaryInertia = Field(
-        default=RotaryInertia.TWIST, strict=False, description="which rotary inertia of the sections counts"
+        default=RotaryInertia.AUTO, strict=False, description="which rotary inertia of the sections counts"
     )
     rest_curvature: Vector = list_of_numbers(
         "1/m", "kappa_0", "twist and curvature about y and z of the unloaded line", default=(0.0, 0.0, 0.0)
@@ -104,7 +115,7 @@ class BeamData(BendingSheet):
         if isinstance(value, int) and not isinstance(value, bool):
             return {"bend_y": value, "bend_z": value}
         if isinstance(value, float):
-            hint = "write `functions: 3`, or a group with twist, bend_y, bend_z and stretch"
+            hint = "write `functions: 3`, or a group with twist, bend_y, bend_z, stretch, shear_y and shear_z"
             refuse([Issue("", f"{value:g}", "a whole number, that of both bending directions, or a group", hint)])
         return value
 
@@ -184,19 +195,34 @@ class BeamData(BendingSheet):
             if getattr(self.functions, name) and len(rigid) == 2:
                 hint = "give every piece a finite stiffness, or make the rigid part a link of its own"
                 yield Issue("pieces", f"{name} rigid in some pieces only", "finite, or rigid, in all pieces", hint)
-        for name, stiffness in (("twist", "torsion"), ("stretch", "axial")):
+        for name, (stiffness, info) in _GIVEN.items():
             if getattr(self.functions, name) and any(math.isinf(getattr(numbers, stiffness)) for numbers in ends):
-                info = "torsional_stiffness" if name == "twist" else "axial_stiffness"
                 got, hint = f"{getattr(self.functions, name)} with infinite {info}", f"write 0, or give `{info}`"
                 yield Issue(f"functions.{name}", got, f"0 where {info} is infinite", hint)
-        yield from self._twist_issues(any(numbers.inertia_x <= 0 for numbers in ends))
+        for name, axis, partner in (("twist", "x", "twist"), ("shear_y", "z", "bend_z"), ("shear_z", "y", "bend_y")):
+            counts = axis in self.turning_axes
+            if not (counts and all(getattr(numbers, f"inertia_{axis}") > 0 for numbers in ends)):
+                yield from self._inertia_issues(name, partner, counts=counts)
 
-    def _twist_issues(self, massless: bool) -> Iterator[Issue]:
-        if self.functions and self.functions.twist and (massless or self.rotary_inertia is RotaryInertia.NONE):
-            none = self.rotary_inertia is RotaryInertia.NONE
-            hint = "write `rotary_inertia: twist`" if none else "give `polar_inertia_per_length`"
-            got = f"{self.functions.twist} without rotary inertia"
-            yield Issue("functions.twist", got, "0, or an inertia that resists the twist", hint)
+    @property
+    def turning_axes(self) -> str:
+        """Axes about which the rotary inertia of the sections counts: none, ``x`` or ``xyz``."""
+        sheared = self.functions is not None and (self.functions.shear_y or self.functions.shear_z)
+        chosen = self.rotary_inertia
+        if chosen is RotaryInertia.AUTO:
+            chosen = RotaryInertia.FULL if sheared else RotaryInertia.TWIST
+        return {RotaryInertia.NONE: "", RotaryInertia.TWIST: "x", RotaryInertia.FULL: "xyz"}[chosen]
+
+    def _inertia_issues(self, name: str, partner: str, *, counts: bool) -> Iterator[Issue]:
+        """Functions without an inertia: of twist any, of shear all but the first of a link that bends with it.
+
+        Bending and shear that leave the line where it is move no mass but by the rotary inertia of the sections.
+        """
+        count, most, wanted = getattr(self.functions, name), *((0, "twist") if name == "twist" else (1, "full"))
+        if count > most and getattr(self.functions, partner):
+            hint = "give `polar_inertia_per_length`" if counts else f"write `rotary_inertia: {wanted}`"
+            most = f"{most}, or an inertia that resists the {name.partition('_')[0]}"
+            yield Issue(f"functions.{name}", f"{count} without rotary inertia", most, hint)
 
     def section_pieces(self) -> list[Piece]:
         """Its sections from root to tip, as pieces over the share of its length."""

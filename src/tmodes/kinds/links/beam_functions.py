@@ -17,16 +17,19 @@ from numpy.typing import ArrayLike, NDArray
 from tmodes.kinds.links.beam_pieces import BeamNumbers
 
 __all__ = [
-    "MODULI", "BareBeam", "bare_beam", "fine_rule", "function_values", "interval_integrals", "is_uniform",
+    "MODULI", "SHIFTING", "BareBeam", "bare_beam", "fine_rule", "function_values", "interval_integrals", "is_uniform",
     "pieces_at", "stiffness_matrix",
 ]  # fmt: skip
 
 Array = NDArray[np.float64]
 
-MODULI = {"twist": "torsion", "bend_y": "bend_y", "bend_z": "bend_z", "stretch": "axial"}
+MODULI = {"twist": "torsion", "bend_y": "bend_y", "bend_z": "bend_z", "stretch": "axial",
+          "shear_y": "shear_y", "shear_z": "shear_z"}  # fmt: skip
 """Directions in which a link deforms, in the order of its coordinates, and the stiffness of a piece against each."""
 
 _TURNING = ("twist", "bend_y", "bend_z")
+SHIFTING = ("stretch", "shear_y", "shear_z")
+"""Directions that turn sections, and those that only shift them."""
 
 _X, _W = legendre.leggauss(24)
 """Rule within a piece: exact to rounding for polynomials, to 1e-10 where stiffness falls to a sixteenth in it."""
@@ -116,11 +119,11 @@ def interval_integrals(beam: BeamNumbers, start: Array, end: Array) -> tuple[Arr
 
 
 def stiffness_matrix(beam: BeamNumbers, direction: str) -> Array:
-    """K = 1/L int EI b_i b_j ds [N*m] of a direction that turns sections; of stretch L int EA b_i b_j ds [N*m]."""
+    """K = 1/L int EI b_i b_j ds [N*m] of a direction that turns sections; else L int EA b_i b_j ds or kGA [N*m]."""
     s, w = fine_rule(beam)
     values, stiffness = function_values(beam, direction, s), pieces_at(beam, MODULI[direction], s)
     stiffness = np.where(np.isinf(stiffness) & (values[0] == 0.0), 0.0, stiffness)
-    scale = beam.length if direction == "stretch" else 1 / beam.length
+    scale = beam.length if direction in SHIFTING else 1 / beam.length
     return np.asarray(scale * (values * w * stiffness) @ values.T, dtype=np.float64)
 
 

@@ -39,8 +39,12 @@ class Basis(StrEnum):
 
 
 class RotaryInertia(StrEnum):
-    """Which rotary inertia of the sections counts: none, about the line (``twist``), or about all axes (Rayleigh)."""
+    """Which rotary inertia of the sections counts: none, about the line (``twist``), or about all axes (Rayleigh).
 
+    ``auto``: about all axes of a link with functions of shear (Timoshenko), about the line of any other.
+    """
+
+    AUTO = "auto"
     NONE = "none"
     TWIST = "twist"
     FULL = "full"
@@ -53,8 +57,9 @@ Array = NDArray[np.float64]
 class BeamPiece:
     """A piece of a beam that ends at s = ``end``; each quantity is (at its start, at its end), linear between.
 
-    Bending stiffness about y and z [N*m^2], torsional GJ [N*m^2], axial EA [N], mass per length [kg/m], and inertia
-    per length about x, y and z [kg*m].
+    Bending stiffness about y and z [N*m^2], torsional GJ [N*m^2], axial EA [N], mass per length [kg/m], inertia per
+    length about x, y and z [kg*m], shear stiffness kGA along y and z [N], and the largest
+    shear stress over a shear force along y and z [1/m^2].
     """
 
     end: float
@@ -64,16 +69,21 @@ class BeamPiece:
     axial: tuple[float, float]
     mass: tuple[float, float]
     inertia: tuple[tuple[float, float], tuple[float, float], tuple[float, float]] = ((0.0, 0.0), (0.0, 0.0), (0.0, 0.0))
+    shear_y: tuple[float, float] = (np.inf, np.inf)
+    shear_z: tuple[float, float] = (np.inf, np.inf)
+    across_y: tuple[float, float] = (0.0, 0.0)
+    across_z: tuple[float, float] = (0.0, 0.0)
 
 
 @dataclass(frozen=True, eq=False)
 class BeamNumbers:
-    """A ``strain`` link: its moments are polynomials, curvature, twist and stretch follow, the line is their integral.
+    """A ``strain`` link: its moments and forces are polynomials, its strains follow, the line is their integral.
 
-    ``twist``, ``bend_y``, ``bend_z``, ``stretch``: numbers of functions. ``basis`` of bending: ``legendre`` (P_j) or
-    ``tip_weighted`` ((1 - s) P_j, for a free end on which no moment acts). ``points``: Gauss points between jumps of
-    the section, 0 for the default. ``damping_time`` [s] Kelvin-Voigt. ``rest_curvature`` (3,) [1/m]: twist,
-    y, z of the unloaded line. ``bodies``: (s, body) in section axes at s in 0..1. ``outer`` (2,): distance of the
+    ``twist``, ``bend_y``, ``bend_z``, ``stretch``, ``shear_y``, ``shear_z``: numbers of functions. ``basis`` of
+    bending: ``legendre`` (P_j) or ``tip_weighted`` ((1 - s) P_j, for a free end on which no moment acts).
+    ``points``: Gauss points between jumps of the section, 0 for the default. ``damping_time`` [s] Kelvin-Voigt.
+    ``rest_curvature`` (3,) [1/m]: twist, y, z of the unloaded line. ``bodies``: (s, body) in section axes at s in
+    0..1. ``outer`` (2,): distance of the
     outer fibre along y and z [m], for stress; ``young`` and ``shear`` modulus [Pa], 0 where not known.
     """
 
@@ -83,6 +93,8 @@ class BeamNumbers:
     bend_y: int = 0
     bend_z: int = 0
     stretch: int = 0
+    shear_y: int = 0
+    shear_z: int = 0
     basis: str = "legendre"
     points: int = 0
     damping_time: float = 0.0

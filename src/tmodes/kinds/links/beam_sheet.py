@@ -7,8 +7,9 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from tmodes.frame import Placement
-from tmodes.kinds.links.beam_data import MOST_FUNCTIONS, BeamData, Functions, PieceSheet
-from tmodes.kinds.links.beam_pieces import Basis, BeamModel, BeamPiece, Piece, RotaryInertia
+from tmodes.kinds.links.beam_data import BeamData, Functions, PieceSheet
+from tmodes.kinds.links.beam_functions import MODULI
+from tmodes.kinds.links.beam_pieces import Basis, BeamModel, BeamPiece, Piece
 from tmodes.kinds.links.body import BodySheet
 from tmodes.kinds.links.contract import Body
 from tmodes.kinds.links.material import Material, find_material
@@ -94,11 +95,11 @@ class BeamSheet(BeamData):
                     yield f".material has {info}; right for a laminate only: are both moduli in Pa?"
 
     def finer(self) -> BendingSheet:
-        """A strain link with more functions."""
+        """A strain link with more functions, also than a sheet may ask for: to judge what it asks for."""
         if self.model is not BeamModel.STRAIN or self.functions is None:
             return self
         given = self.functions.model_dump()
-        counts = {name: min(count + MORE, MOST_FUNCTIONS) for name, count in given.items() if count}
+        counts = {name: count + MORE for name, count in given.items() if count}
         return self.model_copy(update={"functions": self.functions.model_copy(update=counts), "points": 0})
 
     def variant(self, model: str, count: int | None) -> BendingSheet | None:
@@ -144,11 +145,8 @@ def _strain(beam: BeamData, bodies: Sequence[BodySheet]) -> LoweredLink:
     functions, pieces = _finite_functions(beam), beam.section_pieces()
     shape = Beam(
         length=beam.length,
-        pieces=tuple(_chain_piece(piece, beam.rotary_inertia) for piece in pieces),
-        twist=functions.twist,
-        bend_y=functions.bend_y,
-        bend_z=functions.bend_z,
-        stretch=functions.stretch,
+        pieces=tuple(_chain_piece(piece, beam.turning_axes) for piece in pieces),
+        **functions.model_dump(),
         basis=str(Basis.LEGENDRE if beam.basis is Basis.AUTO else beam.basis),
         points=beam.points,
         damping_time=beam.damping_time or 0.0,
@@ -204,8 +202,8 @@ def _segment(beam: BeamData, index: int, bodies: tuple[Body, ...]) -> Segment:
 
 def _bends(beam: BeamData) -> bool:
     functions = _finite_functions(beam)
-    counts = (functions.bend_y, functions.bend_z)
-    return any(counts if beam.model is BeamModel.SEGMENTS else (*counts, functions.twist, functions.stretch))
+    names = ("bend_y", "bend_z") if beam.model is BeamModel.SEGMENTS else MODULI
+    return any(getattr(functions, name) for name in names)
 
 
 def _finite_functions(beam: BeamData) -> Functions:
@@ -225,11 +223,10 @@ def _at_rest(beam: BeamData, s: float) -> Placement:
     return placed(beam.root_mount) @ Placement(*bent_line(beam.rest_curvature, s * beam.length)) @ _mount(beam, s)
 
 
-def _chain_piece(piece: Piece, rotary: RotaryInertia) -> BeamPiece:
+def _chain_piece(piece: Piece, counted: str) -> BeamPiece:
     ends = {name: (getattr(piece.start, name), getattr(piece.stop, name)) for name in piece.start._fields}
-    counted = {RotaryInertia.NONE: 0, RotaryInertia.TWIST: 1, RotaryInertia.FULL: 3}[rotary]
-    x, y, z = (ends[f"inertia_{axis}"] if k < counted else (0.0, 0.0) for k, axis in enumerate("xyz"))
-    own = {name: ends[name] for name in ("bend_y", "bend_z", "torsion", "axial", "mass")}
+    x, y, z = (ends[f"inertia_{axis}"] if axis in counted else (0.0, 0.0) for axis in "xyz")
+    own = {name: ends[name] for name in (*MODULI.values(), "mass", "across_y", "across_z")}
     return BeamPiece(end=piece.end, inertia=(x, y, z), **own)
 
 

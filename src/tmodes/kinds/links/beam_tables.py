@@ -16,6 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from tmodes.kinds.links.beam_functions import (
     MODULI,
+    SHIFTING,
     fine_rule,
     function_values,
     interval_integrals,
@@ -97,7 +98,7 @@ def beam_rule(beam: BeamNumbers) -> Rule:
     at rest; in each of several spans, which are short, one point more is as good.
     """
     edges = _edges(beam)
-    largest = max(beam.twist, beam.bend_y, beam.bend_z, beam.stretch)
+    largest = max(getattr(beam, name) for name in MODULI)
     count = beam.points or largest + (2 if len(edges) == 2 else 1)
     spans = [_gauss(beam, float(a), float(b), count) for a, b in pairwise(edges)]
     return Rule(edges, np.concatenate([points for points, _ in spans]), np.concatenate([mass for _, mass in spans]))
@@ -159,7 +160,7 @@ def _shape(beam: BeamNumbers, rule: Rule, stations: tuple[float, ...]) -> Strain
     before = tuple(int(np.searchsorted(rule.points, s, side="right")) for s in stations)
     inertia = [any(max(piece.inertia[axis]) > 0 for piece in beam.pieces) for axis in range(3)]
     return StrainShape(
-        beam.twist, beam.bend_y, beam.bend_z, beam.stretch, len(rule.points), before,
+        beam.twist, beam.bend_y, beam.bend_z, beam.stretch, beam.shear_y, beam.shear_z, len(rule.points), before,
         rotary=3 if inertia[1] or inertia[2] else 1 if inertia[0] else 0,
         curved=bool(np.any(beam.rest_curvature)),
         full=beam.basis != "legendre" or not all(is_uniform(beam, name) for name in MODULI if getattr(beam, name)),
@@ -188,7 +189,7 @@ def beam_tables(beam: BeamNumbers, stations: tuple[float, ...] = ()) -> BeamTabl
         "first_moment": rule.masses @ to_point,
         "mass": np.array([rule.masses.sum()]),
         "to_tip": beam.length * rule.integrals(np.ones(1)),
-        "stretch": function_values(beam, "stretch", rule.points).T,
+        "shifts": np.concatenate([function_values(beam, name, rule.points) for name in SHIFTING]).T,
         "rotary": np.array([rule.rotary(beam, axis) for axis in range(shape.rotary)]).T,
         "to_station": beam.length * rule.integrals(np.array(stations)),
     }

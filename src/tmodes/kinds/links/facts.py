@@ -13,7 +13,7 @@ __all__ = ["DIRECTIONS", "AngleLimit", "LinkFacts"]
 
 Array = NDArray[np.float64]
 
-DIRECTIONS = ("twist", "bend_y", "bend_z", "stretch")
+DIRECTIONS = ("twist", "bend_y", "bend_z", "stretch", "shear_y", "shear_z")
 """Ways in which a link may deform."""
 
 
@@ -65,7 +65,7 @@ class LinkFacts(ABC):
         return np.abs(q).max(axis=1, initial=0.0)
 
     def stiffness_at(self, direction: str, s: ArrayLike) -> Array:  # noqa: ARG002
-        """Stiffness of the section against a direction at s [N*m^2], [N] of stretch; infinite where it is rigid."""
+        """Stiffness of the section against a direction at s [N*m^2], of stretch and shear [N]; infinite: rigid."""
         return np.full(np.shape(s), np.inf)
 
     @abstractmethod

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from tmodes.kinds.links.contract import Body, Link, LinkNumbers
-from tmodes.kinds.links.facts import ends
+from tmodes.kinds.links.facts import DIRECTIONS, ends
 from tmodes.kinds.links.line import LineOfLink
 from tmodes.kinds.links.modes_places import ModePlaces
 from tmodes.kinds.links.modes_sheet import Mode, shape_angle, shape_slope
@@ -76,7 +76,7 @@ class ModesLink(Link):
     @property
     def functions(self) -> Mapping[str, int]:
         """One angle of each mode that bends, in both planes."""
-        return {"twist": 0, "bend_y": sum(self.free), "bend_z": sum(self.free), "stretch": 0}
+        return dict.fromkeys(DIRECTIONS, 0) | {"bend_y": sum(self.free), "bend_z": sum(self.free)}
 
     def limiting_angles(self, q: Array, stations: tuple[float, ...] = ()) -> Array:  # noqa: ARG002
         """Largest angle of a mode's chord."""

@@ -5,7 +5,6 @@ from __future__ import annotations
 import numpy as np
 
 from tmodes.kinds.links.beam_data import BeamData
-from tmodes.kinds.links.beam_pieces import RotaryInertia
 from tmodes.kinds.links.contract import Body
 from tmodes.kinds.schema.axes import bent_line
 
@@ -17,7 +16,6 @@ def rigid_body(beam: BeamData) -> Body:
 
     Quadrature by 16 Gauss points in each of 4 parts of each piece: exact for a straight beam of any taper.
     """
-    counted = {RotaryInertia.NONE: (), RotaryInertia.TWIST: ("x",), RotaryInertia.FULL: ("x", "y", "z")}
     nodes, weights = np.polynomial.legendre.leggauss(16)
     masses, positions, inertia, start = [], [], np.zeros((3, 3)), 0.0
     for piece in beam.section_pieces():
@@ -25,8 +23,8 @@ def rigid_body(beam: BeamData) -> Body:
             share = (part + (1 + nodes) / 2) / 4
             for x, weight in zip(share, weights * (piece.end - start) * beam.length / 8, strict=True):
                 rotation, position = bent_line(beam.rest_curvature, (start + x * (piece.end - start)) * beam.length)
-                known = counted[beam.rotary_inertia]
-                own = np.diag([piece.at(f"inertia_{axis}", x) if axis in known else 0.0 for axis in "xyz"])
+                counted = beam.turning_axes
+                own = np.diag([piece.at(f"inertia_{axis}", x) if axis in counted else 0.0 for axis in "xyz"])
                 inertia += weight * rotation @ own @ rotation.T
                 masses.append(weight * piece.at("mass", x))
                 positions.append(position)

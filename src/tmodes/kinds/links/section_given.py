@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import Annotated, Any, Literal, NamedTuple
 
 from pydantic import Field, field_validator
@@ -29,21 +29,26 @@ class GivenSection(DataSheet):
         "N*m^2", "GJ", "torsional stiffness", default=math.inf, rigid=True, plausible=(1e-6, 1e10)
     )
     axial_stiffness: float = positive("N", "EA", "axial stiffness", default=math.inf, rigid=True, plausible=(1.0, 1e12))
+    shear_stiffness: tuple[_Stiffness, _Stiffness] = list_of_numbers(
+        "N", "kGA", "shear stiffness along y and along z; one number: both", default=(math.inf, math.inf),
+        rigid_when_infinite=True, plausible=[1.0, 1e12], smallest=SMALLEST,
+    )  # fmt: skip
     mass_per_length: float = positive("kg/m", "w", "mass per length", plausible=(1e-5, 1e4))
     polar_inertia_per_length: float = not_negative(
         "kg*m", "rho_Ip", "rotary inertia per length about the link's line", default=0.0, plausible=(0.0, 1e3)
     )
 
-    @field_validator("bending_stiffness", mode="before")
+    @field_validator("bending_stiffness", "shear_stiffness", mode="before")
     @classmethod
     def _one_number_is_both(cls, value: Any) -> Any:
         return (value, value) if isinstance(value, (int, float)) else value
 
     def _issues(self) -> Iterator[Issue]:
-        expected = f"a magnitude from {SMALLEST:g} to {LARGEST:g} [N*m^2], or .inf for rigid"
-        for value in self.bending_stiffness:
-            if not (SMALLEST <= value <= LARGEST or math.isinf(value)):
-                yield Issue("bending_stiffness", f"{value:g}", expected, "correct the exponent or the unit")
+        for name, unit in (("bending_stiffness", "N*m^2"), ("shear_stiffness", "N")):
+            expected = f"a magnitude from {SMALLEST:g} to {LARGEST:g} [{unit}], or .inf for rigid"
+            for value in getattr(self, name):
+                if not (SMALLEST <= value <= LARGEST or math.isinf(value)):
+                    yield Issue(name, f"{value:g}", expected, "correct the exponent or the unit")
 
     def properties(self, material: Material | None = None) -> SectionNumbers:
         """The numbers as given; of a material only the moduli are kept, for stresses.
@@ -65,6 +70,10 @@ class GivenSection(DataSheet):
             outer_z=0.0,
             young=material.young if material else 0.0,
             shear=material.shear if material else 0.0,
+            shear_y=self.shear_stiffness[0],
+            shear_z=self.shear_stiffness[1],
+            across_y=0.0,
+            across_z=0.0,
         )
 
 
@@ -80,8 +89,9 @@ class SectionNumbers(NamedTuple):
 
     ``bend_y`` = integral E z^2 dA and ``bend_z`` = integral E y^2 dA [N*m^2], ``torsion`` GJ [N*m^2], ``axial`` EA [N],
     ``mass`` per length [kg/m], ``inertia_x/y/z`` rotary inertia per length about each axis [kg*m], ``outer_y`` and
-    ``outer_z`` distance of the outer fibre along y and z [m], ``young`` and ``shear`` modulus [Pa]; the last four are
-    0 where only stiffnesses are known.
+    ``outer_z`` distance of the outer fibre along y and z [m], ``young`` and ``shear`` modulus [Pa]; these four are 0
+    where only stiffnesses are known. ``shear_y``, ``shear_z``: shear stiffness kGA along y and z [N];
+    ``across_y``, ``across_z``: largest shear stress over the shear force along y and z [1/m^2], 0 where not known.
     """
 
     bend_y: float
@@ -96,13 +106,19 @@ class SectionNumbers(NamedTuple):
     outer_z: float
     young: float
     shear: float
+    shear_y: float
+    shear_z: float
+    across_y: float
+    across_z: float
 
 
 class Geometry(NamedTuple):
     """A section without its material.
 
     ``area`` [m^2]; ``about_y`` = integral z^2 dA, ``about_z`` = integral y^2 dA and Saint-Venant's torsion constant
-    ``torsion`` J [m^4]; outer fibre distances ``outer_y``, ``outer_z`` [m].
+    ``torsion`` J [m^4]; outer fibre distances ``outer_y``, ``outer_z`` [m]; ``shear_peaks``: largest stress
+    over a shear force along y and z [1/m^2]; ``shear_coefficients``: from the Poisson ratio, along y and z; see
+    :mod:`tmodes.kinds.links.section_shapes`.
     """
 
     area: float
@@ -111,10 +127,13 @@ class Geometry(NamedTuple):
     torsion: float
     outer_y: float
     outer_z: float
+    shear_peaks: tuple[float, float]
+    shear_coefficients: Callable[[float], tuple[float, float]]
 
     def made_of(self, material: Material) -> SectionNumbers:
         """The numbers of this section in one material; rho Ip = rho (Iy + Iz) about x."""
         young, shear, density = material.young, material.shear, material.density
+        along_y, along_z = self.shear_coefficients(min(max(young / (2 * shear) - 1, -1.0), 0.5))
         return SectionNumbers(
             bend_y=young * self.about_y,
             bend_z=young * self.about_z,
@@ -128,4 +147,8 @@ class Geometry(NamedTuple):
             outer_z=self.outer_z,
             young=young,
             shear=shear,
+            shear_y=along_y * shear * self.area,
+            shear_z=along_z * shear * self.area,
+            across_y=self.shear_peaks[0],
+            across_z=self.shear_peaks[1],
         )

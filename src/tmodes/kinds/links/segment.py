@@ -14,7 +14,7 @@ from tmodes.kinds.kernel.functions import cos, sin
 from tmodes.kinds.kernel.schedule import Kernel, Slot
 from tmodes.kinds.kernel.spatial import FORCE, Force
 from tmodes.kinds.links.contract import Body, Link, LinkNumbers, QuadraticStructure
-from tmodes.kinds.links.facts import ends
+from tmodes.kinds.links.facts import DIRECTIONS, ends
 from tmodes.kinds.links.line import PLACE, POSE, LineOfLink, Moved, Shape, in_section, packed_place
 from tmodes.kinds.links.modes_sheet import shape_angle, shape_slope
 from tmodes.kinds.links.terms import Section
@@ -83,7 +83,7 @@ class Segment(Link):
     @property
     def functions(self) -> Mapping[str, int]:
         """One in each direction that is free."""
-        return {"twist": 0, "bend_y": int(self.bend_y), "bend_z": int(self.bend_z), "stretch": 0}
+        return dict.fromkeys(DIRECTIONS, 0) | {"bend_y": int(self.bend_y), "bend_z": int(self.bend_z)}
 
     def limiting_angles(self, q: Array, stations: tuple[float, ...] = ()) -> Array:  # noqa: ARG002
         """The angle of the chord."""

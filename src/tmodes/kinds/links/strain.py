@@ -87,7 +87,7 @@ class Beam(BeamNumbers, Link):
 
     @property
     def projected(self) -> tuple[str, ...]:
-        """Directions that have functions, stretch aside."""
+        """Directions that have functions and turn sections."""
         return tuple(name for name in ("twist", "bend_y", "bend_z") if getattr(self, name))
 
     @property
@@ -123,6 +123,8 @@ class Beam(BeamNumbers, Link):
             "bending_stiffness_z_Nm2": ends(first.bend_z[0], last.bend_z[1]),
             "torsional_stiffness_Nm2": ends(first.torsion[0], last.torsion[1]),
             "axial_stiffness_N": ends(first.axial[0], last.axial[1]),
+            "shear_stiffness_y_N": ends(first.shear_y[0], last.shear_y[1]),
+            "shear_stiffness_z_N": ends(first.shear_z[0], last.shear_z[1]),
             "tip_stiffness_y_N_per_m": _over(bare.compliance[0]),
             "tip_stiffness_z_N_per_m": _over(bare.compliance[1]),
             "bare_bend_y_Hz": bare.bend_y_Hz,

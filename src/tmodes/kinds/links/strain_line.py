@@ -12,7 +12,16 @@ from tmodes.kinds.kernel import vectors as v
 from tmodes.kinds.kernel.functions import cos, sin
 from tmodes.kinds.links.strain_shape import StrainShape, TableReader
 
-__all__ = ["SectionState", "StrainLine", "Turned", "curvature_sums", "magnus_turn", "strain_line"]
+__all__ = [
+    "SectionState",
+    "StrainLine",
+    "Turned",
+    "curvature_sums",
+    "magnus_turn",
+    "shifted",
+    "shifted_line",
+    "strain_line",
+]
 
 _TERMS = 7
 """Terms of the series of the rotation: 1e-15 up to 0.6 radian between two points, 1e-12 up to 1.0, 1e-9 up to 1.6."""
@@ -139,6 +148,34 @@ def curvature_sums(shape: StrainShape, weights: list[Any], q: Any) -> v.Vector:
     for j, direction in enumerate(shape.directions):
         sums[direction] = sums[direction] + weights[j] * q[j]
     return sums
+
+
+def shifted(shape: StrainShape, weights: Any, rotation: v.Matrix, q: Any) -> list[tuple[Any, v.Vector]]:
+    """Stretch and both shears, as far as the link has them: sum of weight times coordinate, and the section's axis.
+
+    ``weights``: values of the functions that shift sections, at one place; ``q``: all coordinates of the link.
+    """
+    axes, found = v.transpose(rotation), []
+    for axis in dict.fromkeys(shape.shifts):
+        terms = [weights[j] * q[shape.turning + j] for j, own in enumerate(shape.shifts) if own == axis]
+        found.append((v.total(terms), axes[axis]))
+    return found
+
+
+def shifted_line(shape: StrainShape, weights: Any, rotation: v.Matrix, q: Any) -> v.Vector:
+    """Derivative of the line's position by x: the normal of the section, longer by the stretch, and both shears.
+
+    r' = (1 + eps) t + gamma_y n_y + gamma_z n_z (E. Reissner, J. Appl. Math. Phys. 23, 1972; J. C. Simo, L. Vu-Quoc,
+    Comput. Methods Appl. Mech. Eng. 58, 1986).
+    """
+    tangent = [row[0] for row in rotation]
+    found = shifted(shape, weights, rotation, q)
+    if not found:
+        return tangent
+    if shape.stretch:
+        (longer, _), *found = found
+        tangent = v.scale(1 + longer, tangent)
+    return v.add(tangent, *(v.scale(shear, axis) for shear, axis in found)) if found else tangent
 
 
 def _mix(base: v.Matrix, *terms: tuple[Any, v.Matrix]) -> v.Matrix:

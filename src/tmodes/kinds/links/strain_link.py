@@ -11,7 +11,7 @@ from typing import Any
 
 from tmodes.kinds.kernel import vectors as v
 from tmodes.kinds.kernel.spatial import Force
-from tmodes.kinds.links.strain_line import SectionState, StrainLine, strain_line
+from tmodes.kinds.links.strain_line import SectionState, StrainLine, shifted, shifted_line, strain_line
 from tmodes.kinds.links.strain_shape import StrainShape, TableReader
 from tmodes.kinds.links.terms import LinkTerms, Section
 
@@ -36,17 +36,17 @@ class _Assembly:
         self.shape, self.table, self.line = shape, table, line
         points = line.points
         g = shape.points
-        stretch = [[table("stretch", m * shape.stretch + j) for j in range(shape.stretch)] for m in range(g)]
-        tangents = [[row[0] for row in state.rotation] for state in points]
+        shifts = [[table("shifts", m * shape.shifting + j) for j in range(shape.shifting)] for m in range(g)]
         self.lines: list[v.Vector] = []
         self.moved: list[list[v.Vector]] = []
         for m, state in enumerate(points):
-            t, line_m, extra = tangents[m], tangents[m], v.zero()
-            if shape.stretch:
-                longer = 1 + v.total([p * q[shape.turning + j] for j, p in enumerate(stretch[m])])
-                longer_rate = v.total([p * qd[shape.turning + j] for j, p in enumerate(stretch[m])])
-                line_m, extra = v.scale(longer, t), v.scale(2 * longer_rate, v.cross(state.rate, t))
-            columns = [v.cross(phi, line_m) for phi in state.columns] + [v.scale(p, t) for p in stretch[m]]
+            line_m, extra = shifted_line(shape, shifts[m], state.rotation, q), v.zero()
+            if shape.shifting:
+                speed = shifted(shape, shifts[m], state.rotation, qd)
+                extra = v.add(*(v.scale(2 * rate, v.cross(state.rate, axis)) for rate, axis in speed))
+            axes = v.transpose(state.rotation)
+            columns = [v.cross(phi, line_m) for phi in state.columns]
+            columns += [v.scale(p, axes[axis]) for p, axis in zip(shifts[m], shape.shifts, strict=True)]
             spin = v.cross(state.rate, v.cross(state.rate, line_m))
             self.lines.append(line_m)
             self.moved.append([*columns, v.add(v.cross(state.bias, line_m), spin, extra)])
@@ -62,7 +62,7 @@ class _Assembly:
         start = place[1] * self.shape.points
         name = "to_tip" if place[0] == "tip" else "to_station"
         weights = [self.table(name, start + m) for m in range(self.shape.points)]
-        turns = [*state.columns, *(v.zero() for _ in range(self.shape.stretch)), state.bias]
+        turns = [*state.columns, *(v.zero() for _ in range(self.shape.shifting)), state.bias]
         moves = [self._weighted(weights, [moved[j] for moved in self.moved]) for j in range(self.n + 1)]
         columns = [Force(turn, move) for turn, move in zip(turns, moves, strict=True)]
         return Section(state.rotation, self._weighted(weights, self.lines), state.rate, columns[:-1], columns[-1])

@@ -11,7 +11,7 @@ from tmodes.kinds.kernel.functions import atan2, cos, sin
 from tmodes.kinds.kernel.schedule import Kernel
 from tmodes.kinds.kernel.spatial import FORCE, Force
 from tmodes.kinds.links.line import PLACE, POSE, STRESS, STRESS_NUMBERS, Shape, Stressed, in_section, packed_place
-from tmodes.kinds.links.strain_line import curvature_sums, magnus_turn
+from tmodes.kinds.links.strain_line import curvature_sums, magnus_turn, shifted, shifted_line
 from tmodes.kinds.links.strain_shape import StrainShape
 
 __all__ = ["STATE", "BeamKernels"]
@@ -105,7 +105,7 @@ class BeamKernels:
     def points(self) -> Kernel:
         """(tables, sections at the Gauss points, coordinates, acceleration of the root) -> what they push."""
         g, n = self.shape.points, self.shape.size
-        inputs = {"to_points": g * g, "stretch": g * self.shape.stretch} | {f"state{k}": STATE for k in range(g)}
+        inputs = {"to_points": g * g, "shifts": g * self.shape.shifting} | {f"state{k}": STATE for k in range(g)}
         inputs |= {"q": n, "v": n, "a": n, "acceleration": FORCE}
         return _kernel(f"{self.key} points", inputs, sum(self.pushes.values()), self._points)
 
@@ -125,15 +125,13 @@ class BeamKernels:
     def _tangent(self, given: Blocks, k: int) -> tuple[v.Vector, v.Vector]:
         """Derivative of the position by x at a point, and its second derivative by time."""
         state, shape = given[f"state{k}"], self.shape
-        tangent, rate, turning = [state[3 * i] for i in range(3)], v.vec(state, 9), v.vec(state, 12)
-        line, extra = tangent, v.zero()
-        if shape.stretch:
-            functions = [given["stretch"][k * shape.stretch + j] for j in range(shape.stretch)]
-            longer, speed, gain = (
-                v.total([f * given[name][shape.turning + j] for j, f in enumerate(functions)]) for name in "qva"
-            )
-            line = v.scale(1 + longer, tangent)
-            extra = v.add(v.scale(2 * speed, v.cross(rate, tangent)), v.scale(gain, tangent))
+        rotation, rate, turning = v.tri(state), v.vec(state, 9), v.vec(state, 12)
+        functions = [given["shifts"][k * shape.shifting + j] for j in range(shape.shifting)]
+        line, extra = shifted_line(shape, functions, rotation, given.get("q")), v.zero()
+        if shape.shifting:
+            speeds, gains = (shifted(shape, functions, rotation, given[name]) for name in "va")
+            extra = v.add(*(v.scale(2 * speed, v.cross(rate, axis)) for speed, axis in speeds),
+                          *(v.scale(gain, axis) for gain, axis in gains))  # fmt: skip
         return line, v.add(v.cross(turning, line), v.cross(rate, v.cross(rate, line)), extra)
 
     def _spin(self, state: Any, axis: int) -> v.Vector:
@@ -157,16 +155,18 @@ class BeamKernels:
         levers = [*row["levers"], *(-x for x in row.get("turning", []))]
         moment = _weighted(levers, _vectors([*pushes["pairs"], *pushes.get("spins", [])]))
         moment = v.sub(moment, v.add(outer.angular, v.cross(position, force)))
-        shape = self._shape(row, given, [line[0] for line in rotation])
+        shape = self._shape(row, given, rotation)
         stressed = Stressed(row["stress"], self.fibre == "ring") if self.fibre else None
         return packed_place(given["pose"], rotation, position, *in_section(rotation, moment, force), shape, stressed)
 
-    def _shape(self, row: Blocks, given: Blocks, tangent: v.Vector) -> Shape:
+    def _shape(self, row: Blocks, given: Blocks, rotation: v.Matrix) -> Shape:
         shape, own, functions = self.shape, given["own"], row["functions"]
         bent, speed = (curvature_sums(shape, functions, given[name]) for name in "qv")
-        longer, growing = (
-            v.total([0.0, *(functions[j] * given[name][j] for j in range(shape.turning, shape.size))]) for name in "qv"
-        )
+        stretch = range(shape.turning, shape.turning + shape.stretch)
+        longer, growing = (v.total([0.0, *(functions[j] * given[name][j] for j in stretch)]) for name in "qv")
+        sheared = shape.shear_y or shape.shear_z
+        own_shifts = [functions[j] for j in range(shape.turning, shape.size)]
+        tangent = shifted_line(shape, own_shifts, rotation, given["q"]) if sheared else [line[0] for line in rotation]
         counts = (shape.twist, shape.bend_y, shape.bend_z, shape.stretch)
         left = iter(row["stiffness"])
         stiffness = [next(left) if count else 0.0 for count in counts]

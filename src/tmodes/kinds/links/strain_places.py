@@ -16,18 +16,15 @@ from numpy.polynomial import legendre
 from numpy.typing import NDArray
 
 from tmodes.kinds.kernel.schedule import Slot
-from tmodes.kinds.links.beam_functions import function_values, interval_integrals, pieces_at
+from tmodes.kinds.links.beam_functions import MODULI, SHIFTING, function_values, interval_integrals, pieces_at
 from tmodes.kinds.links.beam_pieces import BeamNumbers
 from tmodes.kinds.links.beam_tables import BeamTables, beam_tables, section_edges
 from tmodes.kinds.links.line import LineOfLink, Moved
 from tmodes.kinds.links.strain_place_kernels import BeamKernels
 
-__all__ = ["STIFFNESS", "BeamLine", "is_ring", "mass_outboard", "place_tables", "stress_numbers"]
+__all__ = ["BeamLine", "is_ring", "mass_outboard", "place_tables", "stress_numbers"]
 
 Array = NDArray[np.float64]
-
-STIFFNESS = {"torsion": "twist", "bend_y": "bend_y", "bend_z": "bend_z", "axial": "stretch"}
-"""Stiffnesses of a section, and the functions of a beam that work against each."""
 
 _X, _W = legendre.leggauss(24)
 """A rule that is exact for every product of polynomials that is met here."""
@@ -47,11 +44,11 @@ def place_tables(
     rest = (s - edges[before])[:, None] * beam.length * np.asarray(beam.rest_curvature, dtype=float)
     mass, levers, turning = mass_outboard(beam, own, s)
     turns = [function_values(beam, direction, s) / beam.length for direction in ("twist", "bend_y", "bend_z")]
-    stiffness = [pieces_at(beam, name, s) for name, count in STIFFNESS.items() if getattr(beam, count)]
+    stiffness = [pieces_at(beam, name, s) for direction, name in MODULI.items() if getattr(beam, direction)]
     return {
         "alpha": alpha, "beta": beta, "rest": rest, "reach": beam.length * own.rule.integrals(s), "outboard": mass,
         "levers": levers[:, *np.triu_indices(len(own.points))], "turning": turning.reshape(len(s), -1),
-        "functions": np.concatenate([*turns, function_values(beam, "stretch", s)]).T,
+        "functions": np.concatenate([*turns, *(function_values(beam, name, s) for name in SHIFTING)]).T,
         "stiffness": _finite(np.array(stiffness).reshape(-1, len(s)).T), "stress": stress_numbers(beam, s),
     }  # fmt: skip
 
@@ -90,12 +87,13 @@ def is_ring(beam: BeamNumbers) -> bool:
 
 
 def stress_numbers(beam: BeamNumbers, s: Array) -> Array:
-    """(S, 8) of :class:`tmodes.kinds.links.line.Stressed`; (S, 0) where section or material are not known."""
+    """(S, 10) of :class:`tmodes.kinds.links.line.Stressed`; (S, 0) where section or material are not known."""
     if not (beam.young > 0 and min(beam.outer) > 0):
         return np.zeros((len(s), 0))
     same = np.tile([beam.young, beam.shear, *beam.outer], (len(s), 1))
-    stiffness = np.array([pieces_at(beam, name, s) for name in STIFFNESS]).T
-    return np.concatenate([same, _finite(stiffness)], axis=1)
+    stiffness = np.array([pieces_at(beam, name, s) for name in ("torsion", "bend_y", "bend_z", "axial")]).T
+    across = np.array([pieces_at(beam, name, s) for name in ("across_y", "across_z")]).T
+    return np.concatenate([same, _finite(stiffness), across], axis=1)
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -152,6 +150,6 @@ class BeamLine(LineOfLink):
     def _point_blocks(self, moved: Moved, states: list[Slot]) -> list[Slot]:
         own, shape = self._tables, self._tables.shape
         to_points = moved.numbers.block(self.beam.length * own.rule.integrals(own.points))
-        stretch = moved.tables.part(shape.table_starts["stretch"], shape.tables["stretch"])
-        blocks = [to_points, stretch, *states, moved.q, moved.v, moved.a, moved.acceleration]
+        shifts = moved.tables.part(shape.table_starts["shifts"], shape.tables["shifts"])
+        blocks = [to_points, shifts, *states, moved.q, moved.v, moved.a, moved.acceleration]
         return [block for block in blocks if block.size]

@@ -23,6 +23,8 @@ class StrainShape:
     bend_y: int
     bend_z: int
     stretch: int
+    shear_y: int
+    shear_z: int
     points: int
     stations: tuple[int, ...] = ()
     rotary: int = 0
@@ -40,9 +42,19 @@ class StrainShape:
         return len(self.directions)
 
     @property
+    def shifts(self) -> tuple[int, ...]:
+        """Axis of the section (0 stretch, 1 and 2 shear along y and z) of each function that only shifts, in order."""
+        return (0,) * self.stretch + (1,) * self.shear_y + (2,) * self.shear_z
+
+    @property
+    def shifting(self) -> int:
+        """Number of functions that shift sections without turning them."""
+        return len(self.shifts)
+
+    @property
     def size(self) -> int:
         """Number of coordinates."""
-        return self.turning + self.stretch
+        return self.turning + self.shifting
 
     @property
     def planar(self) -> int | None:
@@ -71,7 +83,7 @@ class StrainShape:
             "first_moment": g,
             "mass": 1,
             "to_tip": g,
-            "stretch": g * self.stretch,
+            "shifts": g * self.shifting,
             "rotary": g * self.rotary,
             "to_station": g * len(self.stations),
         }
@@ -89,15 +101,17 @@ class StrainShape:
     @property
     def stiffness_sizes(self) -> tuple[int, ...]:
         """Functions of each direction, for the blocks of the stiffness matrix."""
-        return tuple(count for count in (self.twist, self.bend_y, self.bend_z, self.stretch) if count)
+        counts = (self.twist, self.bend_y, self.bend_z, self.stretch, self.shear_y, self.shear_z)
+        return tuple(count for count in counts if count)
 
     @property
     def key(self) -> str:
         """The structure in words."""
         stations = ".".join(map(str, self.stations)) or "-"
         return (
-            f"strain t{self.twist} y{self.bend_y} z{self.bend_z} x{self.stretch} g{self.points} s{stations} "
-            f"r{self.rotary} {'curved' if self.curved else 'straight'} {'full' if self.full else 'diagonal'}"
+            f"strain t{self.twist} y{self.bend_y} z{self.bend_z} x{self.stretch} v{self.shear_y} w{self.shear_z} "
+            f"g{self.points} s{stations} r{self.rotary} {'curved' if self.curved else 'straight'} "
+            f"{'full' if self.full else 'diagonal'}"
         )
 
 

@@ -1,4 +1,4 @@
-/* tmodes, built from e1af569335fc8669; BSD-3-Clause */
+/* tmodes, built from 95387974e9d40b19; BSD-3-Clause */
 /* three
 The MIT License
 

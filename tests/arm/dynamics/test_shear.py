@@ -1,0 +1,143 @@
+"""Beams that shear against exact solutions that know nothing of the package: Timoshenko's roots, Reissner's rods."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+from scipy.integrate import solve_ivp
+from scipy.linalg import eigh, expm
+from scipy.optimize import brentq, root
+from scipy.spatial.transform import Rotation
+
+from tmodes.analysis.statics.equilibrium import Load, equilibrium
+from tmodes.chain.chain import Chain, Joint, Node
+from tmodes.kinds.joints.registry import joint_kind
+from tmodes.kinds.links.contract import Body
+from tmodes.kinds.links.section_shapes import box_shear, i_beam_shear, rectangle_shear, round_shear, tube_shear
+from tmodes.kinds.links.strain import Beam, BeamPiece
+from tmodes.model.model import Model
+
+Array = NDArray[np.float64]
+
+
+def beam(
+    shear: tuple[float, float], *, inertia: float = 1e-3, tip: float = 0.0, length: float = 1.0, **more: Any
+) -> Model:
+    """A clamped round beam of EI = GJ = mass per length = 1 but for ``stiffness``; ``shear`` kGA along y and z."""
+    scale = more.pop("stiffness", 1.0)
+    axial = more.pop("axial", np.inf)
+    own, polar, across, along_y, along_z = ((x, x) for x in (scale, 2 * inertia, inertia, *shear))
+    turning = (polar, across, across)
+    piece = BeamPiece(1.0, own, own, own, (axial, axial), (1.0, 1.0), turning, along_y, along_z)
+    bodies = ((1.0, Body(tip, np.zeros(3), np.zeros((3, 3)))),) if tip else ()
+    link = Beam(length, (piece,), bodies=bodies, **more)
+    return Model(Chain("beam", (Node("beam", -1, Joint("clamp", joint_kind("fixed")), link),), np.zeros(3)))
+
+
+def timoshenko(number: int, s2: float, r2: float, tip: float = 0.0) -> list[float]:
+    """First frequencies of a clamped beam, L = EI = rhoA = 1, kGA = 1/s2, rhoI = r2, with a mass at its end.
+
+    State (w, psi, M, Q) along x: w' = psi + s2 Q, psi' = M, M' = -Q - r2 omega^2 psi, Q' = -omega^2 w.
+    """
+
+    def left_over(omega: float) -> float:
+        square = omega**2
+        matrix = np.array([[0, 1, 0, s2], [0, 0, 1, 0], [0, -r2 * square, 0, -1], [-square, 0, 0, 0.0]])
+        end = expm(matrix)[:, 2:]  # from a clamped root: moment and force are free there
+        return float(np.linalg.det([end[2], end[3] - tip * square * end[0]]))
+
+    grid = np.arange(0.05, 200.0, 0.25)
+    values = [left_over(omega) for omega in grid]
+    cells = [k for k in range(len(grid) - 1) if values[k] * values[k + 1] < 0][:number]
+    return [brentq(left_over, grid[k], grid[k + 1], xtol=1e-13) for k in cells]  # pyright: ignore[reportReturnType]
+
+
+@pytest.mark.parametrize("plane", ["y", "z"])
+@pytest.mark.parametrize(
+    ("s2", "r2", "tip"), [(0.003, 0.001, 0.0), (0.03, 0.01, 0.7), (0.12, 0.03, 0.0), (0.02, 1e-9, 0.0)]
+)
+def test_frequencies_are_timoshenkos(plane: str, s2: float, r2: float, tip: float) -> None:
+    """In both planes, thick and thin, with a tip mass, and practically without rotary inertia."""
+    bend = {"y": "bend_z", "z": "bend_y"}[plane]
+    model = beam((1 / s2, 1 / s2), inertia=r2, tip=tip, **{bend: 10, f"shear_{plane}": 10})
+    q = np.zeros(model.parts.size)
+    found = eigh(model.mass_matrix(q), model.stiffness(q), eigvals_only=True)[::-1][:4] ** -0.5
+    exact = timoshenko(4, s2, r2, tip)
+    np.testing.assert_allclose(found, exact, rtol=5e-5)
+    np.testing.assert_allclose(found[:2], exact[:2], rtol=1e-9)
+
+
+def reissner(load: Array, shear: tuple[float, float], axial: float, moment: Array, curvature: Array) -> Array:
+    """Pose (12: place, axes row by row) of the tip of a rod under a dead force and moment, L = EI = GJ = 1.
+
+    r' = R (e_x + (N/EA, Q_y/kGA, Q_z/kGA)), R' = R [kappa]x, kappa = R^T m + its curvature at rest, and the moment
+    m = m_root - r x load, whose value at the tip is that applied there: by shooting.
+    """
+    give = np.array([1 / axial, 1 / shear[0], 1 / shear[1]])
+
+    def pose(held: Array) -> Array:
+        def slope(_: float, y: Array) -> Array:
+            axes = y[3:].reshape(3, 3)
+            bend = axes.T @ (held - np.cross(y[:3], load)) + curvature
+            line = axes @ (np.array([1.0, 0, 0]) + give * (axes.T @ load))
+            return np.concatenate([line, (axes @ -np.cross(np.eye(3), bend).T).ravel()])
+
+        start = np.concatenate([np.zeros(3), np.eye(3).ravel()])
+        return np.asarray(solve_ivp(slope, (0, 1), start, method="DOP853", rtol=1e-11, atol=1e-12).y[:, -1])
+
+    guess = moment + np.cross([1.0, 0, 0], load)
+    found = root(lambda m: m - np.cross(pose(m)[:3], load) - moment, guess, tol=1e-11)
+    assert found.success
+    return pose(found.x)
+
+
+@pytest.mark.parametrize("seed", range(2))
+def test_rods_are_reissners(seed: int) -> None:
+    """Large deflection in space under a force and a moment at the tip; shear along both axes and stretch."""
+    rng = np.random.default_rng(seed)
+    shear = tuple(rng.uniform(8, 60, 2))
+    axial, load, moment = float(rng.uniform(20, 90)), rng.normal(size=3), 0.5 * rng.normal(size=3)
+    curvature = 0.5 * rng.normal(size=3) if seed % 2 else np.zeros(3)
+    counts = dict.fromkeys(("twist", "bend_y", "bend_z", "stretch", "shear_y", "shear_z"), 5)
+    model = beam(shear, axial=axial, rest_curvature=curvature, points=8, **counts)
+    rest = equilibrium(model, loads=[Load("tip", load, moment)])
+    places, axes = model.pose(rest.q)
+    exact = reissner(load, shear, axial, moment, curvature)
+    np.testing.assert_allclose(places[0], exact[:3], atol=2e-5)
+    np.testing.assert_allclose(axes[0], exact[3:].reshape(3, 3), atol=5e-5)
+
+
+def test_a_stocky_cantilever_sags_by_its_shear_too() -> None:
+    """F L^3/(3 EI) + F L/(kGA), and a moment at the tip shears nothing."""
+    model = beam((50.0, 80.0), bend_y=2, bend_z=2, shear_y=1, shear_z=1)
+    force, moment = np.array([0, 1e-4, 2e-4]), np.array([0, 3e-4, 0])
+    place = model.pose(equilibrium(model, loads=[Load("tip", force)]).q)[0][0]
+    np.testing.assert_allclose(place[1:], force[1:] * (1 / 3 + 1 / np.array([50.0, 80.0])), rtol=1e-6)
+    turned = equilibrium(model, loads=[Load("tip", moment=moment)])
+    assert np.abs(turned.q[-2:]).max() < 1e-12
+    assert model.pose(turned.q)[0][0][2] == pytest.approx(-1.5e-4, rel=1e-6)
+
+
+NU = 0.3
+
+
+@pytest.mark.parametrize(
+    ("found", "printed"),
+    [
+        (round_shear(NU), 0.886363636363636), (rectangle_shear(NU), 0.849673202614379),
+        (tube_shear(NU, 0.0), round_shear(NU)), (tube_shear(NU, 1.0), 2 * (1 + NU) / (4 + 3 * NU)),
+        (box_shear(NU, 1.0, 1.0), 20 * (1 + NU) / (48 + 39 * NU)),
+        (i_beam_shear(NU, 1e-9, 1.0, 1e-9, 0.1)[1], rectangle_shear(NU)),
+    ],
+)  # fmt: skip
+def test_shear_coefficients_are_cowpers(found: float, printed: float) -> None:
+    """His table for nu = 0.3, a thin tube, a thin square box, and an I that is nothing but its web."""
+    assert found == pytest.approx(printed, rel=1e-6)
+
+
+def test_the_rotation_of_a_section_is_not_the_slope_of_the_line() -> None:
+    rotation = Rotation.from_matrix(beam((5.0, 5.0), bend_z=1, shear_y=1).pose(np.array([0.0, 0.1]))[1][0])
+    assert rotation.magnitude() < 1e-15
