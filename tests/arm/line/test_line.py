@@ -16,6 +16,8 @@ from tmodes.chain.chain import Chain, Point
 from tmodes.errors import InputError, SimulationError
 from tmodes.kinds.joints.registry import joint_kind
 from tmodes.kinds.links.contract import Body, Link
+from tmodes.kinds.links.material import find_material
+from tmodes.kinds.links.section import Box, Round, Tube
 from tmodes.kinds.links.segment import Segment
 from tmodes.model.model import Model
 
@@ -258,6 +260,30 @@ def test_stress_of_a_round_rod() -> None:
     assert stress.strain[0, 0] == pytest.approx(sigma / young, rel=1e-12)
     assert stress.shear_stress[0, 0] == pytest.approx(tau, rel=1e-12)
     assert stress.mises_stress[0, 0] == pytest.approx(np.sqrt(sigma**2 + 3 * tau**2), rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("section", "peak"),
+    [
+        (Round(shape="round", diameter=0.04), 4 / 3), (Tube(shape="tube", outer_diameter=0.04, thickness=1e-5), 2.0),
+        (Box(shape="box", width=0.02, height=0.05), 1.5),
+        (Box(shape="box", width=0.02, height=0.05, thickness=0.0099999), 1.5),
+    ],
+)  # fmt: skip
+def test_shear_stress_of_a_transverse_force(section: Any, peak: float) -> None:
+    """tau = 4/3, 2 and 3/2 of Q/A; at the tip, without a moment, it is all the stress there is."""
+    numbers = section.properties(find_material("steel"))
+    area = numbers.axial / numbers.young
+    ends = {name: (getattr(numbers, name),) * 2 for name in ("torsion", "axial", "across_y", "across_z")}
+    outer = (numbers.outer_y, numbers.outer_z)
+    one = piece(bending=numbers.bend_y, **ends)
+    rod = beam(pieces=(one,), outer=outer, young=numbers.young, shear=numbers.shear)
+    push = np.array([0.0, 0.0, 700.0, 0.0, 0.0, 0.0])[None, None]
+    stress = elastic_line(clamped(rod, gravity=np.zeros(3)), np.zeros(6), wrenches=push)["rod"].stress
+    assert stress is not None
+    assert stress.shear_stress[0, -1] == pytest.approx(peak * 700.0 / area, rel=1e-3)
+    assert stress.mises_stress[0, -1] == pytest.approx(np.sqrt(3) * peak * 700.0 / area, rel=1e-3)
+    assert stress.mises_stress[0, 0] == pytest.approx(stress.normal_stress[0, 0], rel=1e-12)
 
 
 def test_stress_of_a_box_adds_at_its_corner() -> None:

@@ -20,7 +20,7 @@ from tmodes.equations.line.schedule import RIGID, ROOTS, Lines
 from tmodes.errors import InputError, SimulationError
 from tmodes.kinds.links.line import LineOfLink, layout
 from tmodes.model.model import Model
-from tmodes.model.passes import Rows
+from tmodes.model.rows import Rows
 
 __all__ = ["Largest", "LinkLine", "LinkLines", "Shape", "Stress", "elastic_line", "line_places"]
 
@@ -65,7 +65,8 @@ class Stress:
     """Largest stresses of each section, (n, S), n samples, S places.
 
     ``strain`` [-] and ``normal_stress`` [Pa] of the outer fibre where axial force and bending add up; ``shear_stress``
-    [Pa] of torsion (shear of the transverse force is small in slender beams and left out); ``mises_stress`` [Pa].
+    [Pa] of torsion and of the transverse force together; ``mises_stress`` [Pa]: the larger of that of the outer fibre
+    and that of the middle of the section, where the transverse force shears most.
     Exact for round sections and the corners of boxes; for others not less than the true values.
     """
 
@@ -163,7 +164,7 @@ def elastic_line(
     q = np.atleast_2d(np.asarray(q, dtype=float))
     lines = model.passes.lines(tuple(asked), loaded=wrenches is not None)
     _refuse_huge(len(q) * lines.schedule.output_size)
-    found = model.passes.on_lines(lines, Rows(q, v, model.nq), a, base, wrenches)
+    found = model.passes.on_lines(lines, Rows(q, v, model.nq, finite=not model.trials), a, base, wrenches)
     named = [line for index in range(len(model.chain.nodes)) for line in _lines(model, index, asked, lines, found)]
     named += [_between(name, asked, found[name]) for name in lines.drawn]
     return LinkLines({line.name: line for line in named}, found[ROOTS].reshape(len(q), -1, 6))

@@ -226,7 +226,7 @@ def _at_rest(beam: BeamData, s: float) -> Placement:
 def _chain_piece(piece: Piece, counted: str) -> BeamPiece:
     ends = {name: (getattr(piece.start, name), getattr(piece.stop, name)) for name in piece.start._fields}
     x, y, z = (ends[f"inertia_{axis}"] if axis in counted else (0.0, 0.0) for axis in "xyz")
-    own = {name: ends[name] for name in (*MODULI.values(), "mass")}
+    own = {name: ends[name] for name in (*MODULI.values(), "mass", "across_y", "across_z")}
     return BeamPiece(end=piece.end, inertia=(x, y, z), **own)
 
 
