@@ -102,6 +102,11 @@ def _print(sheet: Robot, info: dict[str, Any]) -> None:
              f"{one['rotation_rad']:.4g}"] for one in info["points"]]  # fmt: skip
     print_table("Points", ["point", "x [m]", "y [m]", "z [m]", "dx [mm]", "dy [mm]", "dz [mm]", "turn [rad]"], sags)
     print_links(info["links"])
+    if info["reactions"]:
+        rows = [[one["at"], *_numbers(one["force_N"], 1.0), *_numbers(one["moment_Nm"], 1.0)]
+                for one in info["reactions"]]  # fmt: skip
+        columns = ["at", *(f"F{axis} [N]" for axis in "xyz"), *(f"M{axis} [N*m]" for axis in "xyz")]
+        print_table("Reactions, world axes: what the base and each joint give to all beyond", columns, rows)
     print_stiffness(info["stiffness"])
 
 
@@ -122,7 +127,7 @@ def _share(share: float | None) -> str:
 
 
 def _numbers(values: list[float], factor: float) -> list[str]:
-    return [f"{factor * value:.6g}" for value in values]
+    return [f"{factor * value + 0.0:.6g}" for value in values]
 
 
 def print_stiffness(info: dict[str, Any] | None) -> None:
