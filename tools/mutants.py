@@ -60,6 +60,12 @@ FAULTS = (
         "tests/contracts/test_drives.py",
     ),
     Fault(
+        "kinds/drives/contract.py",
+        "- 2 * extra * fall * fall * ratio",
+        "+ 2 * extra * fall * fall * ratio",
+        "tests/contracts/test_drives.py",
+    ),
+    Fault(
         "kinds/controllers/pid.py",
         "f.if_else(command * error > 0, 0.0, error)",
         "error",
@@ -93,7 +99,7 @@ FAULTS = (
         "equations/loop/contact_kernels.py",
         "slip = v.sub(velocity, v.scale(met.rate, met.direction))",
         "slip = velocity",
-        "tests/paper tests/arm/run/test_contact.py tests/arm/run/test_dynamic_environment.py",
+        "tests/contracts/test_contacts.py",
     ),
     Fault(
         "equations/loop/contact_kernels.py",

@@ -45,8 +45,8 @@ def test_each_lane_meets_its_own_wall(bounce):
         # An onset is met within SHORTEST: the states may differ by what they change in that time, and no more.
         fastest = np.abs(model.rate(single.times, single.states, bounce.planned.schedule.rows_at(single.times))).max()
         assert np.abs(batch.states[lane] - single.states).max() < SHORTEST * fastest
-        # How often a step is halved onto the onset may differ by rounding; it is halved many times in each run.
-        assert batch.statistics["rejected"][lane] == pytest.approx(single.statistics["rejected"], abs=3)
+        # How often a step is halved onto an onset may differ by rounding, by one or two at each of several onsets.
+        assert batch.statistics["rejected"][lane] == pytest.approx(single.statistics["rejected"], rel=0.1, abs=3)
         assert batch.statistics["rejected"][lane] > 20
     part = simulate_lanes(model, model.numbers, bounce.planned.schedule, starts[[3, 1]], chosen)
     assert part.states.tobytes() == batch.states[[3, 1]].tobytes()

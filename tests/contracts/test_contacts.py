@@ -149,6 +149,17 @@ def test_run(name, tmp_path):
     assert np.abs(page_states(setup, tmp_path) - native.states).max() < 1e-8
 
 
+@pytest.mark.parametrize(
+    ("name", "friction"), [("bilateral", "friction"), ("unilateral", "friction"), ("soil", "grip")]
+)
+def test_what_moves_along_the_normal_alone_is_not_rubbed(name, friction):
+    """Friction is of the part of the velocity along the surface: straight down, a rough floor is as a smooth one."""
+    down = dropped(name).with_({"initial.rates": {"x": 0.0}, "drives.0.signal.value": 0.0})
+    rough, smooth = (simulate_motion(down.with_({f"contact.{friction}": value})) for value in (0.9, 0.0))
+    assert np.abs(rough.q[:, 1]).max() > 1e-3
+    assert np.abs(rough.q - smooth.q).max() < 1e-9
+
+
 def test_derivatives_through_a_soil():
     """By the modulus of the soil: against differences of runs."""
     sheet, path = dropped("soil", duration=0.15, method="dop853"), "contact.modulus"

@@ -124,6 +124,29 @@ def test_forward_without_a_step_is_the_effort_less_those_forces(name: str) -> No
 
 
 @pytest.mark.parametrize("name", NAMES)
+def test_what_an_implicit_step_adds_is_the_derivative_of_the_forces(name: str) -> None:
+    """h D + h^2 K of joint and motor by exact derivatives, the motor's row eliminated; ``held`` is along the effort."""
+    ca = pytest.importorskip("casadi")
+    kind, drive, held = drive_kind(name), law(name), 0.37
+    if kind.is_given:
+        return
+    place, rate = ca.SX.sym("place", 2), ca.SX.sym("rate", 2)
+    forces = kind.elastic(drive, Angles(place[0], rate[0], place[1], rate[1]))
+    both = ca.vertcat(forces.on_motor, forces.on_joint)
+    slopes = ca.Function("slopes", [place, rate], [ca.jacobian(both, place), ca.jacobian(both, rate)])
+    for at in states(name):
+        for step in (1e-3, 0.3):
+            stiffness, damping = (np.array(m) for m in slopes([at.motor, at.joint], [at.motor_rate, at.joint_rate]))
+            added = step * damping + step**2 * stiffness
+            wanted = added[1, 1]
+            if kind.has_motor:
+                wanted -= added[1, 0] * added[0, 1] / (drive.inertia + held + added[0, 0])
+            elif kind.carries_rotor:
+                wanted += drive.inertia + held
+            assert kind.forward(drive, at, 1.7, held, step).own == pytest.approx(wanted, rel=1e-10)
+
+
+@pytest.mark.parametrize("name", NAMES)
 def test_flags_are_the_coordinates_and_inputs(name: str) -> None:
     kind = drive_kind(name)
     nodes = (Node("link", -1, joint(name), RigidLink((random_body(np.random.default_rng(1)),))),)

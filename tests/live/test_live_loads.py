@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 import numpy as np
 import pytest
 
+from tmodes import load
 from tmodes.live.bundle import live_bundle
 from tmodes.live.map import live_map
 from tmodes.live.places import evenly, load_places
@@ -173,9 +174,10 @@ def test_of_very_many_samples_some_are_looked_at(case: Case, tmp_path: Path) -> 
 
 def test_places_of_a_finely_kept_line_are_some_of_its_own() -> None:
     """Ends among them, and no more than a page can look at."""
-    fine, places = np.linspace(0.0, 1.0, 1001), load_places(1001)
+    chain = load("spong1987").chain()
+    fine, places = np.linspace(0.0, 1.0, 1001), load_places(chain, 1001)
     assert {*places} < {*fine}
     assert (places[0], places[-1], len(places)) == (0.0, 1.0, 101)
-    assert np.array_equal(load_places(30), np.linspace(0.0, 1.0, 30))
+    assert np.array_equal(load_places(chain, 30), np.linspace(0.0, 1.0, 30))
     assert evenly(30, 21).tolist() == sorted({*evenly(30, 21).tolist()})
     assert (evenly(30, 21)[0], evenly(30, 21)[-1]) == (0, 29)

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.analysis.error_parts import without_elasticity
-from tmodes.analysis.line.line import elastic_line
+from tmodes.analysis.line.line import elastic_line, line_places
 from tmodes.analysis.quasistatic import deflections, elastic_names
 from tmodes.live.functions import ModelFunctions, engine_settings, live_module
 from tmodes.live.map import LiveMap, live_map
@@ -56,7 +56,7 @@ def live_bundle(result: Result) -> dict[str, Any] | None:
         return None
     pair, method = result.robot.pair(), result.statistics["real"]["method"]  # of several, the last one
     settings = pair.real.integration
-    places = load_places(settings.line_points)
+    places = load_places(pair.real.chain(), settings.line_points)
     stations = tuple(places[evenly(len(places), _MOST_STATIONS)].tolist())
     compared, surfaces = "tip_reference" in result.data, _with_surfaces(result)
     own = mechanics(pair, stations, method, compared=compared, surfaces=surfaces)
@@ -113,7 +113,7 @@ def mechanics(
 
     ``compared``: whether there is a reference run; ``surfaces``: links that have one, shown though they be a point.
     """
-    functions = ModelFunctions(pair, stations, tuple(load_places(pair.real.integration.line_points)))
+    functions = ModelFunctions(pair, stations, tuple(load_places(pair.real.chain(), pair.real.integration.line_points)))
     module = live_module(functions, [method], slopes=False)
     runs = {"real": run_setup(pair.real)}
     if compared:
@@ -176,7 +176,7 @@ def _carried(pair: RobotPair, real: RunSetup, functions: ModelFunctions) -> dict
     lines = lines_info(functions.lines, plan.chain)
     return {
         "places": places,
-        "kept": pair.real.integration.line_points,
+        "kept": len(line_places(plan.chain, pair.real.integration.line_points)),
         "shown": np.searchsorted(places, np.array(functions.stations) - 1e-12).astype(np.int32),
         "lines": lines,
         "strengths": yield_strengths(pair.nominal, (line["name"] for line in lines)),

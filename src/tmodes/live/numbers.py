@@ -55,7 +55,7 @@ def run_numbers(robot: Robot, follow: Follow, until: float, stations: tuple[floa
     }
     if stations:
         loaded = bool(plan.plan.loads or plan.plan.touch)
-        lines = model.passes.lines(tuple(load_places(robot.integration.line_points)), loaded=loaded)
+        lines = model.passes.lines(tuple(load_places(chain, robot.integration.line_points)), loaded=loaded)
         found |= {"line": lines.numbers, "lengths": line_lengths(lines)}
         found |= vibration_numbers(robot, plan.plan, model)
         if robot.contact:

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from tmodes.analysis.line.line import line_places
 from tmodes.analysis.modes.modes import MotorState, moving_coordinates
 from tmodes.analysis.modes.of_sheet import local_servos
 from tmodes.analysis.modes.shapes import MOST_WHOLE
@@ -46,9 +47,10 @@ def evenly(count: int, most: int) -> NDArray[np.intp]:
     return np.unique(np.linspace(0, count - 1, min(count, most)).round().astype(np.intp))
 
 
-def load_places(line_points: int) -> Array:
+def load_places(chain: Chain, line_points: int) -> Array:
     """Places along each link (0 root, 1 tip) at which loads are shown: those of the result, or a part of them."""
-    return np.linspace(0.0, 1.0, line_points)[evenly(line_points, _MOST_PLACES)]
+    places = line_places(chain, line_points)
+    return places[evenly(len(places), _MOST_PLACES)]
 
 
 def line_names(lines: Lines) -> list[str]:

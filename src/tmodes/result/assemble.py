@@ -13,8 +13,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.analysis.energy import energy_lost
+from tmodes.analysis.line.line import line_places
 from tmodes.analysis.modes.of_sheet import frequencies_about, sheet_frequencies
 from tmodes.analysis.quasistatic import elastic_names
+from tmodes.analysis.statics.steady import steady_rates
 from tmodes.errors import SimulationError
 from tmodes.io.sheet_plausible import implausible_numbers, reading_notices
 from tmodes.result.errors import summary_errors
@@ -68,7 +70,7 @@ class Assembly:
     @cached_property
     def stations(self) -> NDArray[np.float64]:
         """Places along each link at which its line is kept [-]."""
-        return np.linspace(0.0, 1.0, self.run.robot.integration.line_points)
+        return line_places(self.run.chain, self.run.robot.integration.line_points)
 
     @cached_property
     def _motion(self) -> Variables:
@@ -92,7 +94,7 @@ class Assembly:
     def _frequencies(self) -> tuple[dict[str, list[dict[str, Any]]], list[str]]:
         setup = self.run.setup
         try:
-            if setup.rest is None:
+            if setup.rest is None or steady_rates(self.run.robot, setup.mechanics):
                 return sheet_frequencies(self.run.robot), []
             return frequencies_about(self.run.robot, setup.rest), []
         except SimulationError as error:
@@ -100,7 +102,7 @@ class Assembly:
 
     @property
     def frequencies(self) -> dict[str, list[dict[str, Any]]]:
-        """Natural frequencies about the rest, by the state of the motors."""
+        """Natural frequencies about the rest or the steady motion, by the state of the motors."""
         return self._frequencies[0]
 
     @cached_property

@@ -16,10 +16,12 @@ from typing import TYPE_CHECKING, Any, Self
 
 from tmodes import upward
 from tmodes.analysis.modes.of_sheet import sheet_frequencies
+from tmodes.errors import InputError, InputErrors
 from tmodes.io.atomic import file_error
 from tmodes.kinds.registry import UnknownKindError
 from tmodes.result import record
 from tmodes.result.assemble import Assembly
+from tmodes.result.content import AGAIN, refuse_not_finite
 from tmodes.result.earlier import assembly_2010
 from tmodes.result.record import absent_kinds
 from tmodes.result.settling import BAND
@@ -52,6 +54,10 @@ class Result:
             self.__dict__["data"] = data
         self.timing = timing or {}
         self._assembly = assembly
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """A copy, and what was pickled, holds the whole record; nothing of the compiled code of the run."""
+        return type(self), (self.data.copy(deep=True), self.timing)
 
     @cached_property
     def data(self) -> Dataset:
@@ -170,7 +176,7 @@ class Result:
         path = Path(path)
         if os.path.lexists(path) and not overwrite:
             raise file_error(path, "a file that exists", "a new name", "choose another name, or overwrite=True")
-        record.refuse_not_finite(self.data)
+        refuse_not_finite(self.data)
         write_sealed(self.data, path, overwrite=overwrite)
         return path
 
@@ -187,7 +193,13 @@ class Result:
     def of(cls, data: Dataset, path: object) -> Self:
         """The result that a dataset holds; ``path`` names it in errors, which are those of :meth:`load`."""
         record.refuse_incomplete(data, path)
-        return cls(assembly=assembly_2010(data)) if record.is_earlier(data) else cls(data)
+        if not record.is_earlier(data):
+            return cls(data)
+        try:
+            return cls(assembly=assembly_2010(data))
+        except (InputError, InputErrors, KeyError, TypeError, ValueError) as error:
+            got = f"content that does not fit together ({error})"
+            raise file_error(path, got, "a result of the 2010 robot", AGAIN) from error
 
     def show(self, height: int = 760) -> Any:
         """The viewer of this run for a notebook: the robot in 3D, linked charts, numbers; ``height`` in pixels."""
@@ -210,7 +222,11 @@ class Result:
 
         if absent := absent_kinds(record.from_json(self.data, name)):
             raise absent[0]
-        return sheet_from_data(record.from_json(self.data, name))
+        try:
+            return sheet_from_data(record.from_json(self.data, name))
+        except (InputError, InputErrors) as error:
+            got = f"a data sheet that is wrong ({error})"
+            raise file_error(f"result, attribute {name}", got, "that of the robot that ran", AGAIN) from error
 
 
 def load_result(path: str | os.PathLike[str]) -> Result:

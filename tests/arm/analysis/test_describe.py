@@ -153,3 +153,16 @@ def test_highest_functions_are_not_converged():
     assert [mode["converged"] for mode in found.states["locked"]] == [True, True, False]
     assert found.links[0]["verdict"] == "good"
     assert "not converged" in found.warnings[0]
+
+
+def test_the_error_of_a_frequency_at_the_most_functions():
+    """Each direction is compared with more functions of its own, also than a sheet may ask for."""
+    beam = {"functions": {"bend_y": 12, "bend_z": 3}, "basis": "tip_weighted", "rotary_inertia": "none"}
+    found = vibrations(Robot.from_data({**clamped_sheet(**beam), "gravity": 0.0})).states["locked"]
+    exact = np.array([1.8751040687119611, 4.694091132974175, 7.854757438237613]) ** 2 * 10 / (2 * np.pi)
+    for direction, least in (("bend_y", 1e-7), ("bend_z", 2e-5)):
+        modes = [row for row in found if row["element"].endswith(direction)]
+        for row, right in zip(modes, exact, strict=False):
+            error = row["frequency_Hz"] / right - 1
+            assert row["frequency_error"] == pytest.approx(error, rel=0.05, abs=least)
+    assert [row["converged"] for row in modes] == [True, True, False]

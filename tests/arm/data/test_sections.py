@@ -198,10 +198,12 @@ def test_given_stiffnesses_of_a_drawn_section_are_that_section():
         bending_stiffness=[numbers.bend_y, numbers.bend_z],
         torsional_stiffness=numbers.torsion,
         axial_stiffness=numbers.axial,
+        shear_stiffness=[numbers.shear_y, numbers.shear_z],
         mass_per_length=numbers.mass,
         polar_inertia_per_length=numbers.inertia_x,
     ).properties(material)
-    assert copied._replace(outer_y=0, outer_z=0) == pytest.approx(numbers._replace(outer_y=0, outer_z=0), rel=1e-14)
+    unknown = dict.fromkeys(("outer_y", "outer_z", "across_y", "across_z"), 0)
+    assert copied._replace(**unknown) == pytest.approx(numbers._replace(**unknown), rel=1e-14)
 
 
 @pytest.mark.parametrize(("pair", "shares"), [((math.inf, 1.0), (1, 0)), ((1.0, math.inf), (0, 1))])

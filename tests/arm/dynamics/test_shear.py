@@ -16,7 +16,7 @@ from tmodes.analysis.statics.equilibrium import Load, equilibrium
 from tmodes.chain.chain import Chain, Joint, Node
 from tmodes.kinds.joints.registry import joint_kind
 from tmodes.kinds.links.contract import Body
-from tmodes.kinds.links.section_shear import box_shear, i_beam_shear, rectangle_shear, round_shear, tube_shear
+from tmodes.kinds.links.section_shapes import box_shear, i_beam_shear, rectangle_shear, round_shear, tube_shear
 from tmodes.kinds.links.strain import Beam, BeamPiece
 from tmodes.model.model import Model
 

@@ -10,12 +10,14 @@ import pytest
 from arm.line.beams import EI, LENGTH, MASS, beam, clamped, piece, turning
 from arm.oracle.robots import arms
 from arm.random_chains import random_chain, random_state
-from tmodes.analysis.line.line import elastic_line
+from tmodes.analysis.line.line import elastic_line, line_places
 from tmodes.analysis.quasistatic import held_shape
 from tmodes.chain.chain import Chain, Point
 from tmodes.errors import InputError, SimulationError
 from tmodes.kinds.joints.registry import joint_kind
 from tmodes.kinds.links.contract import Body, Link
+from tmodes.kinds.links.material import find_material
+from tmodes.kinds.links.section import Box, Round, Tube
 from tmodes.kinds.links.segment import Segment
 from tmodes.model.model import Model
 
@@ -113,7 +115,7 @@ def test_stepped_beam_carries_its_steps_and_a_body_between() -> None:
     model = clamped(beam(pieces=steps, bodies=((0.6, Body(1.5)), (1.0, Body(0.4)))))
     line = elastic_line(model, np.zeros(6), stations=S.tolist())["rod"]
     own = 2.0 * np.maximum(0.25 * LENGTH - X, 0) + 0.5 * (LENGTH - np.maximum(X, 0.25 * LENGTH))
-    assert np.abs(line.shear[0, :, 1] + 9.81 * (own + 1.5 * (S <= 0.6) + 0.4)).max() < 1e-12 * 9.81 * 4
+    assert np.abs(line.shear[0, :, 1] + 9.81 * (own + 1.5 * (S < 0.6 + 1e-9) + 0.4)).max() < 1e-12 * 9.81 * 4
 
 
 def test_rotating_beam() -> None:
@@ -135,6 +137,44 @@ def test_accelerated_beam() -> None:
     line = elastic_line(model, np.zeros(7), 0.0, a)["rod"]
     wanted = -MASS * 3.0 * (LENGTH**3 / 3 - LENGTH**2 * X / 2 + X**3 / 6)
     assert np.abs(line.moment[0, :, 2] - wanted).max() < 1e-12 * abs(wanted[0])
+
+
+@pytest.mark.parametrize("gravity", [0.0, 9.81])
+def test_loads_are_those_in_the_beam_next_to_bodies(gravity: float) -> None:
+    """Just beyond a body at the root, on both sides of one inside, just before one at the tip: turned as if rigid.
+
+    N = int m s w^2, Q = -int m (s alpha + g), M = -int m (s - x) (s alpha + g) - J alpha, over all beyond x.
+    """
+    places, rate, gain = (0.0, 0.4, 1.0), 2.3, -1.7
+    masses, inertias = (3.0, 0.5, 0.9), (0.2, 0.03, 0.01)
+    bodies = tuple(
+        (s, Body(mass, inertia=inertia * np.eye(3))) for s, mass, inertia in zip(places, masses, inertias, strict=True)
+    )
+    model = turning(beam(bodies=bodies), gravity=(0.0, -gravity, 0.0))
+    q, v, a = np.zeros((3, model.nq))
+    v[0], a[0] = rate, gain
+    s = np.array([0.0, 0.2, 0.4, 0.4, 0.7, 1.0])
+    line = elastic_line(model, q, v, a, stations=[*s])["rod"]
+    beyond = np.array([[False, True, True]] * 3 + [[False, False, True]] * 3)
+    x, at, rest = s * LENGTH, np.array(places) * LENGTH, LENGTH * (1 - s)
+    each = beyond * np.array(masses)
+    beam_mass, middle = MASS * rest, (LENGTH + x) / 2
+    axial = rate**2 * (beam_mass * middle + each @ at)
+    shear = -gain * (beam_mass * middle + each @ at) - gravity * (beam_mass + each.sum(axis=1))
+    turned = MASS * rest**2 * (2 * LENGTH + x) / 6 + (each * (at - x[:, None])) @ at
+    weighed = MASS * rest**2 / 2 + (each * (at - x[:, None])).sum(axis=1)
+    moment = -gain * (turned + beyond @ np.array(inertias)) - gravity * weighed
+    np.testing.assert_allclose(line.axial[0], axial, rtol=1e-9)
+    np.testing.assert_allclose(line.shear[0, :, 0], shear, rtol=1e-9)
+    np.testing.assert_allclose(line.moment[0, :, 2], moment, rtol=1e-9)
+
+
+def test_places_show_both_sides_of_bodies_inside() -> None:
+    """Not of those at the ends, and not twice what the grid has already."""
+    bodies = tuple((s, Body(0.1)) for s in (0.0, 0.25, 0.3, 1.0))
+    places = line_places(turning(beam(bodies=bodies)).chain, 5)
+    np.testing.assert_allclose(places, [0.0, 0.25, 0.25, 0.3, 0.3, 0.5, 0.75, 1.0], atol=0)
+    np.testing.assert_allclose(line_places(turning().chain, 3), [0.0, 0.5, 1.0], atol=0)
 
 
 def test_twisted_shaft() -> None:
@@ -220,6 +260,30 @@ def test_stress_of_a_round_rod() -> None:
     assert stress.strain[0, 0] == pytest.approx(sigma / young, rel=1e-12)
     assert stress.shear_stress[0, 0] == pytest.approx(tau, rel=1e-12)
     assert stress.mises_stress[0, 0] == pytest.approx(np.sqrt(sigma**2 + 3 * tau**2), rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("section", "peak"),
+    [
+        (Round(shape="round", diameter=0.04), 4 / 3), (Tube(shape="tube", outer_diameter=0.04, thickness=1e-5), 2.0),
+        (Box(shape="box", width=0.02, height=0.05), 1.5),
+        (Box(shape="box", width=0.02, height=0.05, thickness=0.0099999), 1.5),
+    ],
+)  # fmt: skip
+def test_shear_stress_of_a_transverse_force(section: Any, peak: float) -> None:
+    """tau = 4/3, 2 and 3/2 of Q/A; at the tip, without a moment, it is all the stress there is."""
+    numbers = section.properties(find_material("steel"))
+    area = numbers.axial / numbers.young
+    ends = {name: (getattr(numbers, name),) * 2 for name in ("torsion", "axial", "across_y", "across_z")}
+    outer = (numbers.outer_y, numbers.outer_z)
+    one = piece(bending=numbers.bend_y, **ends)
+    rod = beam(pieces=(one,), outer=outer, young=numbers.young, shear=numbers.shear)
+    push = np.array([0.0, 0.0, 700.0, 0.0, 0.0, 0.0])[None, None]
+    stress = elastic_line(clamped(rod, gravity=np.zeros(3)), np.zeros(6), wrenches=push)["rod"].stress
+    assert stress is not None
+    assert stress.shear_stress[0, -1] == pytest.approx(peak * 700.0 / area, rel=1e-3)
+    assert stress.mises_stress[0, -1] == pytest.approx(np.sqrt(3) * peak * 700.0 / area, rel=1e-3)
+    assert stress.mises_stress[0, 0] == pytest.approx(stress.normal_stress[0, 0], rel=1e-12)
 
 
 def test_stress_of_a_box_adds_at_its_corner() -> None:

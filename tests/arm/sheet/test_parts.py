@@ -247,7 +247,7 @@ BEAMS = [
         "pieces.0.end must be the length 0.6 [m], got 0.5",
     ),
     ({"section": None, "pieces": [{"end": 0.6, "section": SECTION}] * 2}, "pieces.1.end"),
-    ({"taper": {"section": {"shape": "round", "diameter": 0.1}}}, "another shape"),
+    ({"taper": {"section": {"shape": "round", "diameter": 0.1}}}, "the same shape at both ends, got round"),
     ({"taper": {"section": {"bending_stiffness": math.inf, "mass_per_length": 1}}}, "infinite at one end"),
     ({"functions": None}, "beam.functions"),
     ({"functions": 13}, "beam.functions.bend_y"),

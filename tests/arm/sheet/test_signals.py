@@ -13,7 +13,7 @@ from pydantic import TypeAdapter, ValidationError
 from scipy.interpolate import CubicSpline
 
 from tmodes.errors import InputError, InputErrors
-from tmodes.kinds.signals.expression import FormulaError, parse_formula
+from tmodes.kinds.signals.formula import FormulaError, parse_formula
 from tmodes.kinds.signals.registry import Signal, merge
 from tmodes.kinds.signals.schedule import Schedule
 from tmodes.robots.load import load
@@ -165,6 +165,70 @@ def test_expressions_to_twelve_digits(text: str, exact) -> None:
     found = formula(text)
     assert found.degree == 7
     check(found, exact or spelt, tolerance=3e-12)
+
+
+PIECES = [
+    ("where(t < 0.7, 1, -2)", lambda t: np.where(t < 0.7, 1.0, -2.0)),
+    ("sign(t - 0.7)*t", lambda t: np.where(t < 0.7, -t, t)),
+    ("min(t, 0.5, 1 - t)", lambda t: np.minimum(np.minimum(t, 0.5), 1 - t)),
+    ("max(sin(10*t), 0, cos(10*t))", lambda t: np.maximum(np.maximum(np.sin(10 * t), 0), np.cos(10 * t))),
+    ("piecewise(t < 0.3, 0, t < 1, (t - 0.3)**2, 0.49)",
+     lambda t: np.where(t < 0.3, 0.0, np.where(t < 1, (t - 0.3) ** 2, 0.49))),
+    ("where(0.2 < t <= 0.21 or not t < 1.9 and t > 1, exp(t), 0)",
+     lambda t: np.where(((t >= 0.2) & (t < 0.21)) | (t >= 1.9), np.exp(t), 0)),
+    ("where(abs(t - 0.50001) < 1e-6, 1, t)", lambda t: np.where(np.abs(t - 0.50001) < 1e-6, 1, t)),
+    ("where(t > 1, log(t - 0.5), 0)", lambda t: np.where(t >= 1, np.log(np.maximum(t, 1) - 0.5), 0)),
+    ("sign(sin(30*t + 1)) + abs(cos(9*t))", lambda t: np.sign(np.sin(30 * t + 1)) + np.abs(np.cos(9 * t))),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("text", "exact"), PIECES)
+def test_pieces_with_a_knot_where_they_switch(text: str, exact) -> None:
+    """On both sides of every switch the value and the rate are those of the pieces, at it those of the later one."""
+    found = formula(text)
+    check(found, exact, tolerance=3e-12)
+    times = np.setdiff1d(np.concatenate([found.knots - 1e-7, found.knots + 1e-7]), [0, 2])
+    times = times[(times > 1e-3) & (times < 2 - 1e-3)]
+    np.testing.assert_allclose(found.at(times), exact(times), rtol=0, atol=3e-12 * np.abs(exact(TIMES)).max())
+    slopes = (exact(times + 1e-8) - exact(times - 1e-8)) / 2e-8
+    np.testing.assert_allclose(found.at(times, 1), slopes, rtol=1e-5, atol=1e-5)
+
+
+@given(
+    edges=st.lists(st.floats(0.01, 1.99), min_size=1, max_size=4, unique=True),
+    values=st.lists(st.integers(-3, 3), min_size=5, max_size=5),
+)
+@settings(max_examples=30, deadline=None)
+def test_random_pieces(edges: list[float], values: list[int]) -> None:
+    edges = sorted(edges)
+    cases = ", ".join(f"t < {edge!r}, {value} + t" for edge, value in zip(edges, values, strict=False))
+    found = formula(f"piecewise({cases}, {values[-1]})")
+    place = np.searchsorted(edges, TIMES, side="right")
+    chosen = np.array([*values[: len(edges)], values[-1]])[place]
+    np.testing.assert_allclose(found.at(TIMES), chosen + TIMES * (place < len(edges)), atol=1e-11)
+
+
+@pytest.mark.parametrize(("speed", "acceleration"), [(0.5, 2.0), (4.0, 2.0), (1.0, 1e6)])
+@pytest.mark.parametrize("end", [1.3, -0.4, 0.2])
+def test_trapezoid_by_speed_and_acceleration(speed: float, acceleration: float, end: float) -> None:
+    """It is at its speed, or where the way is too short for that accelerates to its middle."""
+    found = schedule(4.0, type="trapezoid", start=0.2, end=end, speed=speed, acceleration=acceleration, delay=0.1)
+    way, times = abs(end - 0.2), np.linspace(0, 4, 40001)
+    top = min(speed, np.sqrt(way * acceleration))
+    assert (found.at(0.0), found.at(4.0)) == (pytest.approx(0.2), pytest.approx(end))
+    assert np.abs(found.at(times, 1)).max() == pytest.approx(top, rel=1e-3)
+    assert np.abs(found.at(times, 2)).max() == pytest.approx(acceleration if way else 0.0, rel=1e-9)
+    if way:
+        assert found.knots[-2] == pytest.approx(0.1 + way / top + top / acceleration)
+
+
+@pytest.mark.parametrize(
+    "given",
+    [{}, {"speed": 1.0}, {"duration": 1.0, "speed": 1.0}, {"duration": 1.0, "ramp_fraction": 0.2, "acceleration": 1.0}],
+)
+def test_a_trapezoid_by_half_of_each_is_refused(given: dict) -> None:
+    with pytest.raises(ValidationError):
+        READ.validate_python({"type": "trapezoid", "start": 0.0, "end": 1.0, **given})
 
 
 def test_a_square_root_at_its_branch_point() -> None:

@@ -15,14 +15,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tmodes.chain.chain import Node
+from tmodes.chain.chain import Chain, Node
 from tmodes.equations.line.schedule import RIGID, ROOTS, Lines
 from tmodes.errors import InputError, SimulationError
 from tmodes.kinds.links.line import LineOfLink, layout
 from tmodes.model.model import Model
-from tmodes.model.passes import Rows
+from tmodes.model.rows import Rows
 
-__all__ = ["Largest", "LinkLine", "LinkLines", "Shape", "Stress", "elastic_line"]
+__all__ = ["Largest", "LinkLine", "LinkLines", "Shape", "Stress", "elastic_line", "line_places"]
 
 Array = NDArray[np.float64]
 
@@ -33,6 +33,9 @@ DRAWN, NO_NODE = "drawn", -1
 
 _POINT_LIKE = 1e-9
 """A link shorter than this [m] is not drawn."""
+
+_SAME = 1e-9
+"""Difference of two places along a link [-] that is rounding."""
 
 _MOST_NUMBERS = 500_000_000
 """Numbers of an answer (4 GB) beyond which it is refused."""
@@ -62,7 +65,8 @@ class Stress:
     """Largest stresses of each section, (n, S), n samples, S places.
 
     ``strain`` [-] and ``normal_stress`` [Pa] of the outer fibre where axial force and bending add up; ``shear_stress``
-    [Pa] of torsion (shear of the transverse force is small in slender beams and left out); ``mises_stress`` [Pa].
+    [Pa] of torsion and of the transverse force together; ``mises_stress`` [Pa]: the larger of that of the outer fibre
+    and that of the middle of the section, where the transverse force shears most.
     Exact for round sections and the corners of boxes; for others not less than the true values.
     """
 
@@ -84,6 +88,9 @@ class Largest:
 @dataclass(frozen=True, eq=False)
 class LinkLine:
     """The line of one link at the places ``s`` (S,), 0 its root and 1 its tip; n samples, SI.
+
+    Loads are those in the beam: at its root just beyond a body that is fixed there, at its tip just before one; a place
+    inside that is given twice has both sides of a body there.
 
     ``position`` (n, S, 3) and ``rotation`` (n, S, 3, 3) in the world (columns: tangent, and the section's y and z).
     ``shape``: how it bends. ``moment`` (n, S, 3) [N*m]: torsion, about y, about z; ``shear`` (n, S, 2) [N] along y and
@@ -157,10 +164,18 @@ def elastic_line(
     q = np.atleast_2d(np.asarray(q, dtype=float))
     lines = model.passes.lines(tuple(asked), loaded=wrenches is not None)
     _refuse_huge(len(q) * lines.schedule.output_size)
-    found = model.passes.on_lines(lines, Rows(q, v, model.nq), a, base, wrenches)
+    found = model.passes.on_lines(lines, Rows(q, v, model.nq, finite=not model.trials), a, base, wrenches)
     named = [line for index in range(len(model.chain.nodes)) for line in _lines(model, index, asked, lines, found)]
     named += [_between(name, asked, found[name]) for name in lines.drawn]
     return LinkLines({line.name: line for line in named}, found[ROOTS].reshape(len(q), -1, 6))
+
+
+def line_places(chain: Chain, count: int) -> Array:
+    """``count`` places from root to tip, with those of bodies inside a link twice: just before and just beyond them."""
+    grid = np.linspace(0.0, 1.0, count)
+    inside = {s for node in chain.nodes for s in node.link.body_places if 0.0 < s < 1.0 and node.link.has_stations}
+    others = [place for place in grid if all(abs(place - s) > _SAME for s in inside)]
+    return np.sort(np.concatenate([others, *([s, s] for s in inside)]))
 
 
 def _asked(stations: int | Sequence[float]) -> Array:

@@ -58,7 +58,8 @@ class BeamPiece:
     """A piece of a beam that ends at s = ``end``; each quantity is (at its start, at its end), linear between.
 
     Bending stiffness about y and z [N*m^2], torsional GJ [N*m^2], axial EA [N], mass per length [kg/m], inertia per
-    length about x, y and z [kg*m], and shear stiffness kGA along y and z [N].
+    length about x, y and z [kg*m], shear stiffness kGA along y and z [N], and the largest
+    shear stress over a shear force along y and z [1/m^2].
     """
 
     end: float
@@ -70,6 +71,8 @@ class BeamPiece:
     inertia: tuple[tuple[float, float], tuple[float, float], tuple[float, float]] = ((0.0, 0.0), (0.0, 0.0), (0.0, 0.0))
     shear_y: tuple[float, float] = (np.inf, np.inf)
     shear_z: tuple[float, float] = (np.inf, np.inf)
+    across_y: tuple[float, float] = (0.0, 0.0)
+    across_z: tuple[float, float] = (0.0, 0.0)
 
 
 @dataclass(frozen=True, eq=False)

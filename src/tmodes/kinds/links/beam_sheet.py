@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from tmodes.frame import Placement
-from tmodes.kinds.links.beam_data import MOST_FUNCTIONS, BeamData, Functions, PieceSheet
+from tmodes.kinds.links.beam_data import BeamData, Functions, PieceSheet
 from tmodes.kinds.links.beam_functions import MODULI
 from tmodes.kinds.links.beam_pieces import Basis, BeamModel, BeamPiece, Piece
 from tmodes.kinds.links.body import BodySheet
@@ -95,11 +95,11 @@ class BeamSheet(BeamData):
                     yield f".material has {info}; right for a laminate only: are both moduli in Pa?"
 
     def finer(self) -> BendingSheet:
-        """A strain link with more functions."""
+        """A strain link with more functions, also than a sheet may ask for: to judge what it asks for."""
         if self.model is not BeamModel.STRAIN or self.functions is None:
             return self
         given = self.functions.model_dump()
-        counts = {name: min(count + MORE, MOST_FUNCTIONS) for name, count in given.items() if count}
+        counts = {name: count + MORE for name, count in given.items() if count}
         return self.model_copy(update={"functions": self.functions.model_copy(update=counts), "points": 0})
 
     def variant(self, model: str, count: int | None) -> BendingSheet | None:
@@ -226,7 +226,7 @@ def _at_rest(beam: BeamData, s: float) -> Placement:
 def _chain_piece(piece: Piece, counted: str) -> BeamPiece:
     ends = {name: (getattr(piece.start, name), getattr(piece.stop, name)) for name in piece.start._fields}
     x, y, z = (ends[f"inertia_{axis}"] if axis in counted else (0.0, 0.0) for axis in "xyz")
-    own = {name: ends[name] for name in (*MODULI.values(), "mass")}
+    own = {name: ends[name] for name in (*MODULI.values(), "mass", "across_y", "across_z")}
     return BeamPiece(end=piece.end, inertia=(x, y, z), **own)
 
 

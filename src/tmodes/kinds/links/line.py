@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.kinds.kernel import vectors as v
-from tmodes.kinds.kernel.functions import atan2, fabs, fmin, if_else, sqrt
+from tmodes.kinds.kernel.functions import atan2, fabs, fmax, fmin, if_else, sqrt
 from tmodes.kinds.kernel.schedule import Kernel, Numbers, Slot, kernel
 from tmodes.kinds.kernel.spatial import FORCE, Force
 
@@ -26,6 +26,9 @@ __all__ = [
 ]  # fmt: skip
 
 Array = NDArray[np.float64]
+
+_SAME = 1e-9
+"""Difference of two places along a link [-] that is rounding."""
 
 POSE = 15
 """Numbers of a pose in the world: rotation (9), position (3), velocity of the origin (3)."""
@@ -42,7 +45,7 @@ Position and rotation are in the world, deflection and slope in the axes of the 
 STRESS = {"strain": 1, "mises_stress": 1, "normal_stress": 1, "shear_stress": 1}
 """Quantities of a place where section and material are known, after those of all places."""
 
-STRESS_NUMBERS = 8
+STRESS_NUMBERS = 10
 """Numbers of a section that its stresses depend on."""
 
 
@@ -93,9 +96,20 @@ class LineOfLink(ABC):
         """Whether section and material are known."""
         return False
 
+    @property
+    def along_link(self) -> Array:
+        """The places over the length of the whole link."""
+        return self.s
+
     def borne(self) -> NDArray[np.intp]:
-        """For each place, which of ``Moved.outer`` it bears: a place bears what is fixed to it."""
-        return np.searchsorted(self.stations, self.s, side="left")
+        """For each place, which of ``Moved.outer`` it bears.
+
+        Inner forces are those in the beam: at the root just beyond a body that is fixed there, at the tip just before
+        one. A place bears what is fixed to it; where it is given twice, the second is just beyond.
+        """
+        first, beyond = (np.searchsorted(self.stations, self.along_link + side) for side in (-_SAME, _SAME))
+        again = np.diff(self.s, prepend=-1.0) < _SAME
+        return np.where(again | (self.s <= _SAME), beyond, first)
 
     @abstractmethod
     def places(self, moved: Moved) -> list[Slot]:
@@ -171,27 +185,34 @@ class Shape:
 @dataclass
 class Stressed:
     """Stress of a section by its ``numbers``: Young's and shear modulus, distances of the outer fibre along y and z,
-    stiffnesses GJ, EI_y, EI_z, EA (0 where not given or infinite). ``ring``: the outer fibre is a circle, on which both
-    bending moments add up.
+    stiffnesses GJ, EI_y, EI_z, EA (0 where not given or infinite), largest shear stress over a force along y and z.
+    ``ring``: the outer fibre is a circle, on which both bending moments add up.
 
     sigma = |N| E/EA + |M| E r/EI; tau = G r M_x/GJ of a circle, else with r of a bound: Saint-Venant's shear is at most
-    that of a strip of the section's thickness, and that of its corner's distance.
+    that of a strip of the section's thickness, and that of its corner's distance. A shear force Q adds S Q/(I b) in the
+    middle, where bending has no stress: von Mises' is the larger of that there and at the outer fibre.
     """  # noqa: D205
 
     numbers: Any
     ring: bool
 
-    def packed(self, moment: v.Vector, axial: Any) -> list[Any]:
+    def packed(self, moment: v.Vector, force: v.Vector) -> list[Any]:
         """Strain, von Mises stress, normal and shear stress."""
-        young, shear, outer_y, outer_z, *stiffness = (self.numbers[k] for k in range(STRESS_NUMBERS))
+        young, shear, outer_y, outer_z, *others = (self.numbers[k] for k in range(STRESS_NUMBERS))
+        stiffness, peaks = others[:4], others[4:]
         per_torsion, per_y, per_z, per_force = (if_else(k > 0, 1 / k, 0.0) for k in stiffness)
         about_y, about_z = fabs(moment[1]) * outer_z * per_y, fabs(moment[2]) * outer_y * per_z
         bending = sqrt(about_y * about_y + about_z * about_z) if self.ring else about_y + about_z
-        strain = bending + fabs(axial) * per_force
+        pulled = fabs(force[0]) * per_force
+        strain = bending + pulled
         corner = fmin(2 * fmin(outer_y, outer_z), sqrt(outer_y * outer_y + outer_z * outer_z))
         lever = outer_y if self.ring else corner
-        normal, across = young * strain, shear * lever * fabs(moment[0]) * per_torsion
-        return [strain, sqrt(normal * normal + 3 * across * across), normal, across]
+        normal, turned = young * strain, shear * lever * fabs(moment[0]) * per_torsion
+        along_y, along_z = peaks[0] * force[1], peaks[1] * force[2]
+        across = turned + sqrt(along_y * along_y + along_z * along_z)
+        outer = normal * normal + 3 * turned * turned
+        middle = young * pulled * young * pulled + 3 * across * across
+        return [strain, sqrt(fmax(outer, middle)), normal, across]
 
 
 def in_section(rotation: v.Matrix, moment: v.Vector, force: v.Vector) -> tuple[v.Vector, v.Vector]:
@@ -211,7 +232,7 @@ def packed_place(
     """
     world = v.tri(pose)
     place = v.add(v.vec(pose, 9), v.matvec(world, position))
-    stress = stressed.packed(moment, force[0]) if stressed else []
+    stress = stressed.packed(moment, force) if stressed else []
     return v.flat(
         place, v.matmul(world, rotation), shape.deflection or position[1:], shape.slope, moment, force[1:], force[0],
         shape.curvature, shape.twist, shape.stretch, shape.elastic_moment, shape.elastic_force, stress,

@@ -43,9 +43,10 @@ class ModePlaces(LineOfLink):
     start: float
     share: float
 
-    def borne(self) -> NDArray[np.intp]:
-        """By places over the whole link."""
-        return np.searchsorted(self.stations, self.start + self.share * self.s - 1e-12, side="left")
+    @property
+    def along_link(self) -> NDArray[np.float64]:
+        """The mode is a part of the link."""
+        return self.start + self.share * self.s
 
     def places(self, moved: Moved) -> list[Slot]:
         """The masses at the ends of the modes before the last, and one kernel for all places."""

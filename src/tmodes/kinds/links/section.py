@@ -15,12 +15,24 @@ from pydantic import Discriminator, Field, Tag
 from tmodes.errors import InputError
 from tmodes.kinds.links.material import Material
 from tmodes.kinds.links.section_given import Geometry, GivenSection, SectionNumbers
-from tmodes.kinds.links.section_shear import box_shear, i_beam_shear, rectangle_shear, round_shear, tube_shear
+from tmodes.kinds.links.section_shapes import (
+    box_peak,
+    box_shear,
+    i_beam_peaks,
+    i_beam_shear,
+    i_beam_torsion,
+    rectangle_shear,
+    rectangle_torsion,
+    round_shear,
+    thin_box_torsion,
+    tube_peak,
+    tube_shear,
+)
 from tmodes.kinds.schema.quantity import DataSheet, Issue, positive
 
 __all__ = [
     "SHAPES", "Box", "DrawnSection", "GivenSection", "IBeam", "Round", "Section", "SectionNumbers", "Tube",
-    "between", "i_beam_torsion", "rectangle_torsion", "thin_box_torsion",
+    "between",
 ]  # fmt: skip
 
 
@@ -49,7 +61,16 @@ class Round(DrawnSection):
     def geometry(self) -> Geometry:
         """Exact: J = 2 I = pi d^4/32."""
         moment, radius = math.pi * self.diameter**4 / 64, self.diameter / 2
-        return Geometry(math.pi * radius**2, moment, moment, 2 * moment, radius, radius, _both(round_shear))
+        return Geometry(
+            math.pi * radius**2,
+            moment,
+            moment,
+            2 * moment,
+            radius,
+            radius,
+            (tube_peak(radius, 0.0),) * 2,
+            _both(round_shear),
+        )
 
 
 class Tube(DrawnSection):
@@ -65,7 +86,10 @@ class Tube(DrawnSection):
         area = 2 * math.pi * middle * self.thickness
         moment = area * (middle**2 + self.thickness**2 / 4) / 2
         inner = 1 - self.thickness / radius
-        return Geometry(area, moment, moment, 2 * moment, radius, radius, _both(lambda nu: tube_shear(nu, inner)))
+        peaks = (tube_peak(radius, inner * radius),) * 2
+        return Geometry(
+            area, moment, moment, 2 * moment, radius, radius, peaks, _both(lambda nu: tube_shear(nu, inner))
+        )
 
     def _issues(self) -> Iterator[Issue]:
         if self.thickness >= self.outer_diameter / 2:
@@ -91,6 +115,7 @@ class Box(DrawnSection):
             0.0,
             width / 2,
             height / 2,
+            (box_peak(height, width, wall), box_peak(width, height, wall)),
             _both(rectangle_shear),
         )
         if wall is None:
@@ -133,6 +158,7 @@ class IBeam(DrawnSection):
             torsion=i_beam_torsion(self.width, self.height, self.flange_thickness, self.web_thickness),
             outer_y=self.width / 2,
             outer_z=self.height / 2,
+            shear_peaks=i_beam_peaks(self.width, self.height, self.flange_thickness, self.web_thickness),
             shear_coefficients=lambda nu: i_beam_shear(
                 nu, self.width, self.height - self.flange_thickness, self.flange_thickness, self.web_thickness
             ),
@@ -150,43 +176,6 @@ class IBeam(DrawnSection):
 def _both(coefficient: Callable[[float], float]) -> Callable[[float], tuple[float, float]]:
     """The same shear coefficient along both axes."""
     return lambda nu: (coefficient(nu), coefficient(nu))
-
-
-_ODD_FIFTHS = 31 / 32 * 1.0369277551433699
-"""Sum of n^-5 over odd n: 31/32 zeta(5)."""
-
-
-def rectangle_torsion(width: float, height: float) -> float:
-    """J of a solid rectangle, the series of Saint-Venant.
-
-    J = a b^3/3 (1 - 192 b/(pi^5 a) sum over odd n of tanh(n pi a/(2 b))/n^5), a >= b.
-    S. P. Timoshenko, J. N. Goodier, Theory of Elasticity, 3rd ed. 1970, art. 109. Summed as the limit of long
-    rectangles, tanh = 1, less what the ends take away: six terms of that are exact to rounding.
-    """
-    long, short = max(width, height), min(width, height)
-    ratio = long / short
-    decays = ((n, math.exp(-n * math.pi * ratio)) for n in range(1, 12, 2))
-    series = _ODD_FIFTHS - math.fsum(2 * decay / (1 + decay) / n**5 for n, decay in decays)
-    return long * short**3 / 3 * (1 - 192 / (math.pi**5 * ratio) * series)
-
-
-def thin_box_torsion(width: float, height: float, thickness: float) -> float:
-    """J of a closed box of one wall thickness by Bredt: 4 (enclosed area)^2 t/(perimeter), both of the middle line.
-
-    R. Bredt, Kritische Bemerkungen zur Drehungselastizitaet, Z. VDI 40 (1896). For thin walls: of a square box it is
-    2.4 % too soft where the wall is a twentieth of the side, 5.4 % at a tenth, 13 % at a fifth.
-    """
-    across, up = width - thickness, height - thickness
-    return 2 * thickness * (across * up) ** 2 / (across + up)
-
-
-def i_beam_torsion(width: float, height: float, flange_thickness: float, web_thickness: float) -> float:
-    """J of an I as its three strips: sum of b t^3/3.
-
-    Left out: what the junctions add, and what the strips' ends take away; for rolled shapes a few per cent together.
-    """
-    web = height - 2 * flange_thickness
-    return (2 * width * flange_thickness**3 + web * web_thickness**3) / 3
 
 
 SHAPES: dict[str, type[DrawnSection] | type[GivenSection]] = {

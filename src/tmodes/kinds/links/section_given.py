@@ -72,6 +72,8 @@ class GivenSection(DataSheet):
             shear=material.shear if material else 0.0,
             shear_y=self.shear_stiffness[0],
             shear_z=self.shear_stiffness[1],
+            across_y=0.0,
+            across_z=0.0,
         )
 
 
@@ -88,7 +90,8 @@ class SectionNumbers(NamedTuple):
     ``bend_y`` = integral E z^2 dA and ``bend_z`` = integral E y^2 dA [N*m^2], ``torsion`` GJ [N*m^2], ``axial`` EA [N],
     ``mass`` per length [kg/m], ``inertia_x/y/z`` rotary inertia per length about each axis [kg*m], ``outer_y`` and
     ``outer_z`` distance of the outer fibre along y and z [m], ``young`` and ``shear`` modulus [Pa]; these four are 0
-    where only stiffnesses are known. ``shear_y``, ``shear_z``: shear stiffness kGA along y and z [N].
+    where only stiffnesses are known. ``shear_y``, ``shear_z``: shear stiffness kGA along y and z [N];
+    ``across_y``, ``across_z``: largest shear stress over the shear force along y and z [1/m^2], 0 where not known.
     """
 
     bend_y: float
@@ -105,14 +108,17 @@ class SectionNumbers(NamedTuple):
     shear: float
     shear_y: float
     shear_z: float
+    across_y: float
+    across_z: float
 
 
 class Geometry(NamedTuple):
     """A section without its material.
 
     ``area`` [m^2]; ``about_y`` = integral z^2 dA, ``about_z`` = integral y^2 dA and Saint-Venant's torsion constant
-    ``torsion`` J [m^4]; outer fibre distances ``outer_y``, ``outer_z`` [m]; ``shear_coefficients``: from the Poisson
-    ratio those along y and z, see :mod:`tmodes.kinds.links.section_shear`.
+    ``torsion`` J [m^4]; outer fibre distances ``outer_y``, ``outer_z`` [m]; ``shear_peaks``: largest stress
+    over a shear force along y and z [1/m^2]; ``shear_coefficients``: from the Poisson ratio, along y and z; see
+    :mod:`tmodes.kinds.links.section_shapes`.
     """
 
     area: float
@@ -121,6 +127,7 @@ class Geometry(NamedTuple):
     torsion: float
     outer_y: float
     outer_z: float
+    shear_peaks: tuple[float, float]
     shear_coefficients: Callable[[float], tuple[float, float]]
 
     def made_of(self, material: Material) -> SectionNumbers:
@@ -142,4 +149,6 @@ class Geometry(NamedTuple):
             shear=shear,
             shear_y=along_y * shear * self.area,
             shear_z=along_z * shear * self.area,
+            across_y=self.shear_peaks[0],
+            across_z=self.shear_peaks[1],
         )

@@ -87,12 +87,13 @@ def is_ring(beam: BeamNumbers) -> bool:
 
 
 def stress_numbers(beam: BeamNumbers, s: Array) -> Array:
-    """(S, 8) of :class:`tmodes.kinds.links.line.Stressed`; (S, 0) where section or material are not known."""
+    """(S, 10) of :class:`tmodes.kinds.links.line.Stressed`; (S, 0) where section or material are not known."""
     if not (beam.young > 0 and min(beam.outer) > 0):
         return np.zeros((len(s), 0))
     same = np.tile([beam.young, beam.shear, *beam.outer], (len(s), 1))
     stiffness = np.array([pieces_at(beam, name, s) for name in ("torsion", "bend_y", "bend_z", "axial")]).T
-    return np.concatenate([same, _finite(stiffness)], axis=1)
+    across = np.array([pieces_at(beam, name, s) for name in ("across_y", "across_z")]).T
+    return np.concatenate([same, _finite(stiffness), across], axis=1)
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)

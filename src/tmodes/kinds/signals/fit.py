@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from functools import cache
+from collections.abc import Callable, Sequence
+from functools import cache, partial
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.errors import InputError
 from tmodes.kinds.signals.schedule import Schedule
+from tmodes.kinds.signals.switches import Switch
 
 __all__ = ["DEGREE", "MOST_PIECES", "fitted", "fitted_sine"]
 
@@ -29,17 +31,42 @@ JUMP = 1e-6
 ROUND_OFF = 16 * np.finfo(float).eps
 
 
-def fitted(function: Callable[[Array], Array], until: float, which: str = "expression") -> Schedule:
+def fitted(
+    function: Callable[[Array], Array], until: float, which: str = "expression", switches: Sequence[Switch] = ()
+) -> Schedule:
     """The function from 0 to ``until`` [s]: pieces are halved until each holds 12 digits (of the largest value).
 
-    Raises :class:`tmodes.errors.InputError` where it has no finite value, where it jumps, and where it needs more than
-    :data:`MOST_PIECES` pieces.
+    It has knots on ``switches``, where it may jump. Raises :class:`tmodes.errors.InputError` where it has no finite
+    value, where it jumps elsewhere, and where it needs more than :data:`MOST_PIECES` pieces.
     """
-    starts = np.linspace(0.0, until, 17)[:-1]
-    widths = np.full(16, until / 16)
-    scale = max(float(np.abs(_finite(function, np.linspace(0.0, until, 1001), which)).max()), 1e-300)
+    looked = np.append(np.linspace(0.0, until, 1001), [time for each in switches for time in (each.before, each.after)])
+    scale = max(float(np.abs(_finite(function, looked, which)).max()), 1e-300)
+    inner = [each for each in switches if SMALLEST_SHARE < each.time / until < 1 - SMALLEST_SHARE]
+    edges = [0.0, *(each.time for each in inner), until]
+    first = max([each.after for each in switches if each.time <= SMALLEST_SHARE * until], default=0.0)
+    last = min([each.before for each in switches if each.time >= (1 - SMALLEST_SHARE) * until], default=until)
+    ends = zip([first, *(each.after for each in inner)], [*(each.before for each in inner), last], strict=True)
     done: list[tuple[Array, Array]] = []
-    count = 0
+    for (start, end), (low, high) in zip(pairwise(edges), ends, strict=True):
+        within = partial(_clipped, function, low, high)
+        done += _pieces(within, np.array([start, end]), scale, which, until, sum(len(part) for part, _ in done))
+    knots = np.concatenate([part for part, _ in done])
+    order = np.argsort(knots)
+    return Schedule(np.append(knots[order], until), np.concatenate([part for _, part in done])[order])
+
+
+def _clipped(function: Callable[[Array], Array], low: float, high: float, times: Array) -> Array:
+    """A function between two switches, whose rounding does not count."""
+    return function(np.clip(times, low, high))
+
+
+def _pieces(
+    function: Callable[[Array], Array], ends: Array, scale: float, which: str, until: float, count: int
+) -> list[tuple[Array, Array]]:
+    """Starts and coefficients of the pieces between two switches; there are ``count`` before."""
+    edges = np.linspace(*ends, int(np.ceil(16 * (ends[1] - ends[0]) / until)) + 1)
+    starts, widths = edges[:-1], np.diff(edges)
+    done: list[tuple[Array, Array]] = []
     while len(starts):
         coefficients, errors, allowed = _tried(function, starts, widths, scale, which)
         tiny = widths <= SMALLEST_SHARE * until
@@ -51,9 +78,7 @@ def fitted(function: Callable[[Array], Array], until: float, which: str = "expre
             raise _too_many(which, until)
         half = widths[~good] / 2
         starts, widths = np.concatenate([starts[~good], starts[~good] + half]), np.concatenate([half, half])
-    knots = np.concatenate([part for part, _ in done])
-    order = np.argsort(knots)
-    return Schedule(np.append(knots[order], until), np.concatenate([part for _, part in done])[order])
+    return done
 
 
 def fitted_sine(amplitude: float, frequency: float, phase: float, offset: float, until: float) -> Schedule:
