@@ -68,7 +68,8 @@ def test_an_earlier_record_is_read(new: Result, tmp_path) -> None:
     assert old.robot == new.robot
     assert (old.status, old.message) == ("finished", "reached the end")
     assert old.warnings == ("as it was", NOTICE)
-    assert old.settling and new.settling  # by the rule of today
+    assert old.settling  # by the rule of today
+    assert new.settling
     assert old.settling["move_m"] == pytest.approx(new.settling["move_m"], rel=1e-9)
     assert old.settling["reason"] == new.settling["reason"] != ""
     assert old.statistics["real"]["steps"] == 7
