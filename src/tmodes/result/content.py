@@ -107,8 +107,8 @@ _SOMETIMES = {
 }
 """Series that a record may have, by their dimensions."""
 
-_LABELLED = ("axis", "bending_link", "coordinate", "deformation_kind", "drive", "energy_kind", "error_part", "link", "moment_kind",
-             "plane", "point", "s", "stressed_link", "work_kind")  # fmt: skip
+_LABELLED = ("axis", "bending_link", "coordinate", "deformation_kind", "drive", "energy_kind", "error_part", "link",
+             "moment_kind", "plane", "point", "s", "stressed_link", "work_kind")  # fmt: skip
 
 
 def refuse_wrong_content(data: Dataset, path: object, *, whole: bool) -> None:
