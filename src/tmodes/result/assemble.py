@@ -22,7 +22,7 @@ from tmodes.io.sheet_plausible import implausible_numbers, reading_notices
 from tmodes.result.errors import summary_errors
 from tmodes.result.record import RESULT_FORMAT, STATUSES
 from tmodes.result.series import Variables, coordinates_of, line_series, motion_series
-from tmodes.result.settling import move_end, settling
+from tmodes.result.settling import AfterMove, after_move, move_end, plain_vibration
 from tmodes.sheet import Robot
 from tmodes.simulation.motion_run import RunData
 
@@ -106,9 +106,20 @@ class Assembly:
         return self._frequencies[0]
 
     @cached_property
-    def settling(self) -> dict[str, Any] | None:
-        """When the tip has settled, by continuing the run."""
-        return settling(self.run, self.move_end)
+    def _after(self) -> dict[str, AfterMove]:
+        """The actual and the nominal run after the move, continued until their tips are at rest."""
+        runs = {"actual": self.run, "nominal": self.run.reference}
+        return {name: after_move(run, self.move_end) for name, run in runs.items() if run}
+
+    @cached_property
+    def settling(self) -> dict[str, Any]:
+        """When the actual tip has settled to its own rest, by continuing the run."""
+        return self._after["actual"].settling()
+
+    @cached_property
+    def vibration(self) -> dict[str, Any]:
+        """The vibration of the ``actual`` and the ``nominal`` tip after the move, by mode."""
+        return {name: plain_vibration(after.vibration()) for name, after in self._after.items()}
 
     @cached_property
     def errors(self) -> dict[str, Any]:
@@ -129,6 +140,7 @@ class Assembly:
         kept: Mapping[str, Any] = {
             "frequencies": self.frequencies,
             "settling": self.settling,
+            "vibration": self.vibration,
             "warnings": self.warnings,
             "errors": self.errors,
             "move_end": self.move_end,
