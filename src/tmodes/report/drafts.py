@@ -149,7 +149,7 @@ def _spectra(result: Result, part: Any, units: Sequence[str]) -> Iterator[Draft]
     if part.sizes["time"] < LEAST_SAMPLES:
         return
     marks = own_frequencies(result)
-    named = "minus reference" if "tip_reference" in part else "place"
+    named = "actual minus nominal" if "tip_reference" in part else "place"
     yield from spectrum_draft("spectrum_tip", f"Spectrum of the tip, {named}", "m", part, _tip(part), marks)
     turning = [k for k, unit in enumerate(units) if unit == "rad"]
     names = [str(part["deformation_kind"].values[k]) for k in turning]

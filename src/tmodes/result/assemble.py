@@ -106,6 +106,20 @@ class Assembly:
         return self._frequencies[0]
 
     @cached_property
+    def nominal_frequencies(self) -> dict[str, list[dict[str, Any]]]:
+        """The same of the nominal robot; none without a reference run, and where it cannot be at rest."""
+        reference = self.run.reference
+        if reference is None:
+            return {}
+        rest = reference.setup.rest
+        if rest and rest is self.run.setup.rest:
+            return self.frequencies
+        try:
+            return sheet_frequencies(self.known) if rest is None else frequencies_about(self.known, rest)
+        except SimulationError:
+            return {}
+
+    @cached_property
     def _after(self) -> dict[str, AfterMove]:
         """The actual and the nominal run after the move, continued until their tips are at rest."""
         runs = {"actual": self.run, "nominal": self.run.reference}
@@ -139,6 +153,7 @@ class Assembly:
         status, message = self.ending
         kept: Mapping[str, Any] = {
             "frequencies": self.frequencies,
+            "nominal_frequencies": self.nominal_frequencies,
             "settling": self.settling,
             "vibration": self.vibration,
             "warnings": self.warnings,

@@ -60,6 +60,7 @@ _JSON: dict[str, Any] = {
     "statistics": _Group,
     "versions": dict[str, str],
     "frequencies": dict[str, list[_Mode]],
+    "nominal_frequencies": dict[str, list[_Mode]],
     "warnings": list[str],
     "settling": _Settling | None,
     "vibration": dict[str, _Residual],

@@ -36,10 +36,7 @@ __all__ = ["Result", "assemble_result", "load_result"]
 
 _NOTICE = "{}; until then the series are shown without what needs the robot's model"
 
-_OLDER = (
-    "this result was written by an earlier version: the error of its tip by cause is not in it, and settling and "
-    "residual vibration are found in its samples alone; run the robot again to see them"
-)
+_OLDER = "written by an earlier version: without the tip's error by cause; settling and vibration are of its samples"
 
 
 class Result:
@@ -120,6 +117,13 @@ class Result:
         if "frequencies" in self.data.attrs:
             return record.from_json(self.data, "frequencies")
         return self._frequencies_again
+
+    @property
+    def nominal_frequencies(self) -> dict[str, list[dict[str, Any]]]:
+        """The same of the nominal robot, whose motors are ``locked`` in its run; empty where they are not known."""
+        if live := self._live:
+            return live.nominal_frequencies
+        return record.from_json(self.data, name) if (name := "nominal_frequencies") in self.data.attrs else {}
 
     @cached_property
     def _frequencies_again(self) -> dict[str, list[dict[str, Any]]]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import textwrap
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -33,23 +33,26 @@ Curves = dict[str, tuple[Array, Array]]
 
 
 class Spectrum(Figure):
-    """Amplitudes of the tip [m] (minus its reference, where there is one) and of elastic coordinates [rad], log scale.
+    """Amplitudes of the actual and the nominal tip [m] less the commanded one, and of elastic coordinates [rad].
 
     Of the time after the move where the run continues long enough; else of the part with constant setpoint rates; else
-    of the whole run. The robot's own frequencies (under control, else with locked motors) are marked. ``ax``: two axes
-    (one for a rigid robot), or None.
+    of the whole run. Each is marked with its own frequencies: the actual robot's under control (else with locked
+    motors), the nominal one's with locked motors, as they follow their setpoints. ``ax``: an axes for each, or None.
     """
 
     name = "spectrum"
     title = "Vibration spectrum"
-    caption = "Peaks appear at the natural frequencies (dotted), those under control where the robot is controlled."
+    caption = (
+        "Dotted: natural frequencies about the pose at the start, the actual robot's under control and the nominal "
+        "robot's with its motors at their setpoints; after a long move the peaks are elsewhere."
+    )
 
     def missing(self, data: Any) -> str:
         """Too few samples, or no oscillation."""
         part = spectral_part(data, LEAST_SAMPLES)
         if len(part["time"]) < LEAST_SAMPLES:
             return f"a spectrum needs {LEAST_SAMPLES} samples, evenly spaced; this run has {len(data['time'])}"
-        if not any(np.ptp(values, axis=0).max() > _ROUNDING for values in _signals(part)[0].values()):
+        if not _tip(part, "tip"):
             return "nothing oscillates"
         return ""
 
@@ -57,46 +60,56 @@ class Spectrum(Figure):
         """The tip, and the elastic coordinates."""
         data = result.data
         part = spectral_part(data, LEAST_SAMPLES)
-        tip, inner = _signals(part)
         time = part["time"].values
         step = float(time[1] - time[0])
-        groups = [tip, *([inner] if inner else [])]
-        spectra = [{name: amplitude_spectrum(values, step) for name, values in group.items()} for group in groups]
+        groups = list(_groups(result, part))
         axes = panels(ax, [[str(k)] for k in range(len(groups))], 1.0 + 2.1 * len(groups))
-        units = ["m", deformation_unit(data, next(iter(inner)))] if inner else ["m"]
-        marked, pads = _marked(result), []
-        for panel, curves, unit in zip(axes, spectra, units, strict=True):
+        pads = []
+        for panel, (_, signals, unit, marks) in zip(axes, groups, strict=True):
+            curves = {name: amplitude_spectrum(values, step) for name, values in signals.items()}
             highest = _highest(curves, 0.5 / step)
             _draw(panel, curves, unit, highest)
             panel.set_xlabel("frequency [Hz]")
-            pads.append(mark_frequencies(panel, marked, highest))
+            pads.append(mark_frequencies(panel, marks, highest))
         span = f"{time[0]:.3g} to {time[-1]:.3g} s"
-        what = "Tip − reference" if "tip_reference" in data else "Tip"
-        letter(axes, (f"{what}, {span}", f"Elastic coordinates, {span}")[: len(axes)], pad=max(pads))
+        letter(axes, [f"{title}, {span}" for title, *_ in groups], pad=max(pads))
         return axes
 
 
-def _signals(part: Any) -> tuple[dict[str, Array], dict[str, Array]]:
-    """The tip's coordinates, and the elastic coordinates that oscillate most."""
-    tip = part["tip"] - part["tip_reference"] if "tip_reference" in part else part["tip"]
-    letters = "Δ" if "tip_reference" in part else ""
-    first = {f"{letters}{axis}": tip.sel(axis=axis).values for axis in "xyz"}
-    most = max(float(np.ptp(values)) for values in first.values())
-    first = {name: values for name, values in first.items() if np.ptp(values) >= _NOTHING * most}
+def _groups(result: Any, part: Any) -> Iterator[tuple[str, dict[str, Array], str, list[dict[str, Any]]]]:
+    """Title, signals, their unit and the modes to mark: actual tip, nominal tip, elastic coordinates."""
+    modes = result.frequencies
+    own = _marked(modes.get("controlled") or modes.get("locked") or [])
+    yield "Actual tip", _tip(part, "tip"), "m", own
+    if "tip_reference" in part and (nominal := _tip(part, "tip_reference")):
+        yield "Nominal tip", nominal, "m", _marked(result.nominal_frequencies.get("locked", []))
+    if inner := _coordinates(part):
+        yield "Elastic coordinates", inner, deformation_unit(result.data, next(iter(inner))), own
+
+
+def _tip(part: Any, path: str) -> dict[str, Array]:
+    """The coordinates of a tip that oscillate, less the commanded ones, which do not ring; none where nothing does."""
+    compared = "tip_commanded" in part
+    tip = part[path] - part["tip_commanded"] if compared else part[path]
+    found = {f"{'Δ' if compared else ''}{axis}": tip.sel(axis=axis).values for axis in "xyz"}
+    most = max(float(np.ptp(values)) for values in found.values())
+    return {name: values for name, values in found.items() if np.ptp(values) >= max(_NOTHING * most, _ROUNDING)}
+
+
+def _coordinates(part: Any) -> dict[str, Array]:
+    """The elastic coordinates of the actual robot that oscillate most."""
     if "deformation_oscillatory" not in part:
-        return first, {}
+        return {}
     names = [str(name) for name in part["deformation_kind"].values]
     turning = [name for name in names if deformation_unit(part, name) == "rad"] or names
     swings = part["deformation"].sel(deformation_kind=turning).transpose("time", "deformation_kind").values
     chosen = largest(turning, np.std(swings, axis=0), _MOST_COORDINATES)
-    return first, {name: part["deformation"].sel(deformation_kind=name).values for name in chosen}
+    return {name: part["deformation"].sel(deformation_kind=name).values for name in chosen}
 
 
-def _marked(result: Any) -> list[dict[str, Any]]:
+def _marked(modes: list[dict[str, Any]]) -> list[dict[str, Any]]:
     """The natural frequencies to mark, with names that may be wrapped at their dots."""
-    modes = result.frequencies
-    marked = modes.get("controlled") or modes.get("locked") or []
-    return [mode | {"element": plain(mode["element"]).replace(".", ". ")} for mode in marked]
+    return [mode | {"element": plain(mode["element"]).replace(".", ". ")} for mode in modes]
 
 
 def _highest(curves: Curves, nyquist: float) -> float:
