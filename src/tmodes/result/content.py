@@ -41,6 +41,12 @@ class _Settling(TypedDict):
     reason: str
 
 
+class _Residual(TypedDict):
+    amplitude_m: FiniteFloat | None
+    modes: list[dict[str, FiniteFloat]]
+    reason: str
+
+
 class _Errors(TypedDict):
     how: str
     figures: dict[str, FiniteFloat]
@@ -60,6 +66,7 @@ class _Attributes(TypedDict, total=False):
     frequencies: dict[str, list[_Mode]]
     warnings: list[str]
     settling: _Settling | None
+    vibration: dict[str, _Residual]
     errors: _Errors | _Empty | None
     move_end: FiniteFloat | None
     meshes: list[_Group]
@@ -97,15 +104,16 @@ _REFERENCE = {
 
 _SOMETIMES = {
     "time": "contact_force_normal contact_force_normal_reference penetration",
-    "time axis": "contact_force",
+    "time axis": "contact_force tip_commanded",
+    "time error_part axis": "tip_error tip_error_nominal",
     "time drive": "voltage current",
     "time stressed_link s": "stress",
     "time controller_state": "controller_states",
 }
 """Series that a record may have, by their dimensions."""
 
-_LABELLED = ("axis", "bending_link", "coordinate", "deformation_kind", "drive", "energy_kind", "link", "moment_kind",
-             "plane", "point", "s", "stressed_link", "work_kind")  # fmt: skip
+_LABELLED = ("axis", "bending_link", "coordinate", "deformation_kind", "drive", "energy_kind", "error_part", "link",
+             "moment_kind", "plane", "point", "s", "stressed_link", "work_kind")  # fmt: skip
 
 
 def refuse_wrong_content(data: Dataset, path: object, *, whole: bool) -> None:

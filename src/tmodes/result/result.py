@@ -24,7 +24,8 @@ from tmodes.result.assemble import Assembly
 from tmodes.result.content import AGAIN, refuse_not_finite
 from tmodes.result.earlier import assembly_2010
 from tmodes.result.record import absent_kinds
-from tmodes.result.summary import summarise_result
+from tmodes.result.settling import BAND
+from tmodes.result.summary import summarise_result, vibrations
 from tmodes.sheet import Robot
 from tmodes.simulation.motion_run import RunData
 
@@ -34,6 +35,11 @@ if TYPE_CHECKING:
 __all__ = ["Result", "assemble_result", "load_result"]
 
 _NOTICE = "{}; until then the series are shown without what needs the robot's model"
+
+_OLDER = (
+    "this result was written by an earlier version: the error of its tip by cause is not in it, and settling and "
+    "residual vibration are found in its samples alone; run the robot again to see them"
+)
 
 
 class Result:
@@ -121,20 +127,27 @@ class Result:
 
     @property
     def settling(self) -> dict[str, Any] | None:
-        """When the tip stays within 5 % of its largest deviation, by continuing the run; None without a reference.
+        """When the actual tip stays near its own rest, see :func:`tmodes.result.settling.settling`.
 
-        Of a file of an earlier version None too: then the summary looks at its samples alone.
+        Of a file of an earlier version None: then the summary looks at its samples alone.
         """
         if live := self._live:
             return live.settling
-        return record.from_json(self.data, "settling") if "settling" in self.data.attrs else None
+        known = record.from_json(self.data, "settling") if "settling" in self.data.attrs else None
+        return known if known and "move_m" in known else None
+
+    @property
+    def vibration(self) -> dict[str, Any]:
+        """Residual vibration of the ``actual`` and the ``nominal`` tip at the end of the move, by mode [Hz, m]."""
+        return live.vibration if (live := self._live) else vibrations(self.data)
 
     @property
     def warnings(self) -> tuple[str, ...]:
         """What the run has to say about itself, as sentences; of a file also which of its kinds are absent here."""
         if live := self._live:
             return tuple(live.warnings)
-        return (*record.from_json(self.data, "warnings"), *(_NOTICE.format(one) for one in self._absent))
+        older = [] if "vibration" in self.data.attrs else [_OLDER]
+        return (*record.from_json(self.data, "warnings"), *(_NOTICE.format(one) for one in self._absent), *older)
 
     @cached_property
     def _absent(self) -> list[UnknownKindError]:
@@ -151,7 +164,7 @@ class Result:
         """When the last signal stops changing [s]; None where one never does."""
         return live.move_end if (live := self._live) else record.from_json(self.data, "move_end")
 
-    def summary(self, band: float = 0.05) -> dict[str, Any]:
+    def summary(self, band: float = BAND) -> dict[str, Any]:
         """The numbers a reader asks first; see :func:`tmodes.result.summary.summarise_result`.
 
         Raises :class:`tmodes.errors.InputError` for a ``band`` that is not between 0 and 1.
