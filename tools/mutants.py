@@ -123,9 +123,9 @@ FAULTS = (
     Fault("compile/cache_folder.py", "if status.st_uid != os.getuid():", "if False:", "tests/core/test_cache.py"),
     Fault("compile/cache_folder.py", "if status.st_mode & _OTHERS:", "if False:", "tests/core/test_cache.py"),
     Fault(
-        "result/settling.py",
-        "float(outside[-1] - move_end)",
-        "float(outside[-1])",
+        "analysis/vibration.py",
+        "(times[last + 1] - times[last]) - since)",
+        "(times[last + 1] - times[last]))",
         "tests/result/test_settling.py",
     ),
     Fault(

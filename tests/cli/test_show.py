@@ -38,7 +38,7 @@ def info(*arguments: object, **more):
 def test_folder_and_file_tell_the_same(robot_run):
     shown = info(robot_run).stdout
     assert shown.replace("\\", "/") == info(robot_run / "result.nc").stdout.replace("\\", "/")
-    for word in ("finished", "largest tip deviation", "mm", "locked", "damping ratio", "voltage joint [V]", "█"):
+    for word in ("finished", "tip error to nominal", "mm", "locked", "damping ratio", "voltage joint [V]", "█"):
         assert word in shown
     assert "\x1b" not in shown
 

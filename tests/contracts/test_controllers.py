@@ -9,14 +9,15 @@ import pytest
 from pydantic import Field
 from scipy.linalg import solve_continuous_are
 
-from arm.run.sheets import ZERO, arm, beam
+from arm.run.sheets import ZERO, arm, beam, pendulum
+from tmodes import simulate_batch
 from tmodes.kinds.controllers.registry import CONTROLLERS, Controller, Measured
 from tmodes.kinds.kernel import vectors
 from tmodes.model.model import Model
 from tmodes.sensitivity.gradient import forward_sensitivities
 from tmodes.simulation.batch.simulate import simulate_lanes
 from tmodes.simulation.simulate import simulate_motion
-from tmodes.simulation.start import run_setup
+from tmodes.simulation.start import run_setup, run_trajectory
 from tmodes.simulation.trajectory import integrate
 
 
@@ -170,6 +171,30 @@ def test_unknown_coordinate_is_named():
 def test_no_controller_without_a_wanted_position():
     with pytest.raises(Exception, match="controller"):
         robot(PD, drive={"command": "torque", "signal": ZERO})
+
+
+@pytest.mark.parametrize("method", ["dormand_prince", "extrapolation"])
+@pytest.mark.parametrize("electric", [{}, {"resistance": 0.5, "back_emf_constant": 0.3, "torque_constant": 0.4}])
+def test_an_offset_of_a_pd_is_one_of_its_setpoint(method: str, electric: dict) -> None:
+    """Kp (w - th) + u0 = Kp (w + u0/Kp - th): the same motion, alone and in a batch; its slopes stay the gains."""
+    gains, offset = {"type": "pd", "position_gain": 90.0, "velocity_gain": 7.0}, 12.5
+    motor = {"inertia": 0.3, **electric}
+    start = {"state": "zero", "coordinates": {"joint": 0.2, "joint.motor": 0.2}}
+
+    def moved(controller: dict, value: float) -> Any:
+        drive = {"command": "position", "controller": controller, "signal": {"type": "constant", "value": value}}
+        return pendulum(motor, {"stiffness": 200.0, "damping": 1.0}, drive, initial=start,
+                        integration={"duration": 0.5, "output_step": 0.1, "method": method})  # fmt: skip
+
+    one, other = moved({**gains, "offset": offset}, 0.2), moved(gains, 0.2 + offset / 90.0)
+    first, second = (run_trajectory(run_setup(robot)) for robot in (one, other))
+    started = first.states[:, :4] - second.states[:, :4]
+    assert np.abs(started).max() < 1e-7 * np.abs(first.states[:, :4]).max()
+    if method == "dormand_prince":
+        batch = simulate_batch(one, {"drives.0.controller.offset": [offset, 0.0]})
+        np.testing.assert_allclose(batch.states[0], first.states, rtol=0, atol=1e-9)
+        assert np.abs(batch.states[1] - first.states).max() > 1e-2
+    assert one.drives[0].controller.local_gains() == pytest.approx((90.0, 7.0))
 
 
 @pytest.mark.parametrize(

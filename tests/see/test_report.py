@@ -156,11 +156,11 @@ def test_a_finished_run_says_so(texts: dict[str, str]) -> None:
 
 def test_the_numbers_are_those_of_the_summary(texts: dict[str, str], good: Result) -> None:
     info, text = good.summary(), Page(texts["good"]).text
-    assert f"Largest deviation of the tip {info['deviation']['max_m'] * 1e3:.4g} mm" in text
+    assert f"Largest error of the tip, to nominal {info['deviation']['max_m'] * 1e3:.4g} mm" in text
     assert f"at {info['deviation']['time_of_max_s']:.3g} s" in text
     settling = info["settling"]
     assert f"Settling after the move {1e3 * settling['time_s']:.4g} ms until the tip stays within" in text
-    assert f"{1e3 * settling['limit_m']:.4g} mm, 5 % of its largest deviation" in text
+    assert f"{1e3 * settling['limit_m']:.4g} mm of its rest, 0.1 % of the move" in text
     assert "First frequency, controlled 4.932 Hz 4.989 Hz with the motors locked" in text
     for name, one in info["deformations"].items():
         assert f"{name} {1e3 * one['max']:.4g} mrad {one['time_of_max_s']:.3g} s" in text
@@ -225,8 +225,8 @@ def test_statistics_of_several_runs(good: Result, tmp_path: Path) -> None:
 
 
 def test_its_size(text: str) -> None:
-    """With all figures, the program and the data; the live model adds less than 0.1 MB, and all is below 2.9 MB."""
-    assert len(text.encode()) < 2_900_000
+    """With all figures, the program and the data; the live model adds less than 0.1 MB, and all is below 3 MB."""
+    assert len(text.encode()) < 3_000_000
 
 
 def test_a_noisy_run_is_embedded_as_pixels_and_stays_small(good: Result, tmp_path: Path) -> None:

@@ -53,7 +53,7 @@ def _nothing_moved(chain: Chain, index: int, moved: Array) -> str:
     """What is missing in the inertia (6, 6), about the joint's frame, that a joint moves; empty when nothing is."""
     joint = chain.nodes[index].joint
     columns = _columns(joint, index)
-    if len(columns) and moved[3, 3] <= 0:
+    if len(columns) and moved[3, 3] <= 0 and not (moved[:3, :3].any() and columns[:, :3].any()):
         return f"has no mass and is moved by `{joint.name}`"
     turning, along = float(np.trace(moved[:3, :3])), float(moved[3, 3])
     for column in columns:
@@ -111,7 +111,8 @@ def _upward(chain: Chain, index: int) -> Array:
 
 def _has_inertia(axis: Axis) -> bool:
     """Whether a coordinate needs no mass: its motion is given, or a rotor turns with it."""
-    return axis.drive.is_given or (axis.drive.carries_rotor and axis.joint.motor is not None)
+    motor = axis.joint.motor
+    return axis.drive.is_given or (axis.drive.carries_rotor and motor is not None and motor.inertia > 0)
 
 
 def _carried(chain: Chain) -> list[Array]:

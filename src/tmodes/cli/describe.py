@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from tmodes.cli.options import AsJson, Roots, Settings, SheetArgument, TrustPaths, chosen_sheet
-from tmodes.cli.static import print_stiffness
+from tmodes.cli.static import PoseOption, pose_of, print_stiffness
 from tmodes.cli.terminal import notice, print_json, print_table, warn, working
 
 if TYPE_CHECKING:
@@ -18,6 +18,7 @@ __all__ = ["describe", "ladder"]
 
 def describe(
     robot: SheetArgument,
+    at: PoseOption = None,
     settings: Settings = None,
     root: Roots = None,
     trust_paths: TrustPaths = False,
@@ -28,7 +29,7 @@ def describe(
 
     sheet = chosen_sheet(robot, settings, roots=root, trust_paths=trust_paths)
     with working() as tell:
-        info = described(sheet, progress=tell)
+        info = described(sheet, pose_of(at, sheet), progress=tell)
     if as_json:
         print_json(info)
         return

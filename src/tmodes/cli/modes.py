@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
 from tmodes.cli.options import AsJson, ReadingOption, Roots, Settings, SheetArgument, TrustPaths, chosen_sheet
-from tmodes.cli.static import print_links
+from tmodes.cli.static import PoseOption, pose_of, print_links
 from tmodes.cli.terminal import print_json, print_table, warn, working
 from tmodes.errors import InputError
 
 if TYPE_CHECKING:
+    from tmodes.analysis.modes.of_sheet import Vibrations
     from tmodes.sheet import Robot
 
 __all__ = ["modes"]
@@ -45,24 +47,33 @@ def modes(
     angle: Annotated[
         float | None, typer.Option(help="Angle of the first drive's motor in rad; else the start of its move.")
     ] = None,
+    at: PoseOption = None,
+    max_frequency: Annotated[
+        float, typer.Option("--max-frequency", help="Highest natural frequency that is shown [Hz].")
+    ] = math.inf,
     root: Roots = None,
     trust_paths: TrustPaths = False,
     as_json: AsJson = False,
 ) -> None:
     """Frequencies and damping about the sagged rest, for the actual robot and for the nominal one.
 
-    Under its loads, its motors at their first command. `natural` is the undamped frequency (of ringing modes under
+    Under its loads, its motors at their first command or `--at` a pose. Where drives turn at constant speed, about that
+    motion, with its centrifugal and gyroscopic forces. `natural` is the undamped frequency (of ringing modes under
     control: |eigenvalue|/2 pi), `damped` the one at which it rings (- where it is over-damped). Modes marked ! change
     with more functions.
     """
     from tmodes.analysis.modes.of_sheet import vibrations
 
     sheet = _asked(chosen_sheet(robot, settings, reading, roots=root, trust_paths=trust_paths), contact, angle)
-    pair = sheet.pair()
+    if not max_frequency > 0:
+        raise InputError("--max-frequency", repr(max_frequency), "a frequency > 0 Hz", "give it in Hz, or leave it out")
+    pair, held = sheet.pair(), pose_of(at, sheet)
+    robots = {"real": pair.real} | ({"nominal": pair.nominal} if sheet.real else {})
     with working() as tell:
-        found = {"real": vibrations(pair.real, contact=contact, progress=tell)}
-        if sheet.real:
-            found["nominal"] = vibrations(pair.nominal, contact=contact, progress=tell)
+        found = {
+            kind: _up_to(vibrations(one, contact=contact, held=held, progress=tell), max_frequency)
+            for kind, one in robots.items()
+        }
     if as_json:
         states = {kind: one.states for kind, one in found.items()}
         links, warnings = ({kind: one[k] for kind, one in found.items()} for k in (1, 2))
@@ -77,6 +88,12 @@ def modes(
                 _print(f"{sheet.name}{whose}, {_MOTOR[state]}{', in contact' if contact else ''}", lines)
         print_links(one.links)
     warn(dict.fromkeys(warning for one in found.values() for warning in one.warnings))
+
+
+def _up_to(found: Vibrations, highest: float) -> Vibrations:
+    """Without modes of a higher frequency [Hz]."""
+    states = {state: [row for row in rows if row["frequency_Hz"] <= highest] for state, rows in found.states.items()}
+    return found._replace(states=states)
 
 
 def _asked(sheet: Robot, contact: bool, angle: float | None) -> Robot:

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from tmodes.analysis.statics.loads import Load
     from tmodes.sheet import Robot
 
-__all__ = ["held_of", "load_of", "print_links", "print_stiffness", "static", "three_of"]
+__all__ = ["PoseOption", "held_of", "load_of", "pose_of", "print_links", "print_stiffness", "static", "three_of"]
 
 UNITS = {
     "coordinates": "rad, m along prismatic joints and stretch",
@@ -28,6 +28,15 @@ UNITS = {
     "angle_rad": "rad",
     "missing_share": "1, of the energy of bending, in shapes that the link's functions do not have",
 }
+
+
+PoseOption = Annotated[
+    str | None,
+    typer.Option(
+        "--at", metavar="JOINT=VALUE,...",
+        help="The pose: joints held there, such as shoulder=0.4,elbow=-60deg; others at their first command.",
+    ),
+]  # fmt: skip
 
 
 def static(
@@ -47,6 +56,7 @@ def static(
         list[str] | None,
         typer.Option(metavar="COORDINATE=VALUE", help="Hold a motor or joint there [rad, m, or 45deg]."),
     ] = None,
+    at: PoseOption = None,
     settings: Settings = None,
     root: Roots = None,
     trust_paths: TrustPaths = False,
@@ -68,7 +78,7 @@ def static(
         loads.append(Load(point, *info))
     model = Model(sheet.chain())
     index = point_index(model, point)
-    held = dict(held_of(text, sheet) for text in hold or [])
+    held = pose_of(at, sheet) | dict(held_of(text, sheet) for text in hold or [])
     with working() as tell:
         rest = robot_rest(sheet, loads, model=model, held=held, progress=tell)
     info = statics_info(sheet, rest, index)
@@ -92,6 +102,11 @@ def _print(sheet: Robot, info: dict[str, Any]) -> None:
              f"{one['rotation_rad']:.4g}"] for one in info["points"]]  # fmt: skip
     print_table("Points", ["point", "x [m]", "y [m]", "z [m]", "dx [mm]", "dy [mm]", "dz [mm]", "turn [rad]"], sags)
     print_links(info["links"])
+    if info["reactions"]:
+        rows = [[one["at"], *_numbers(one["force_N"], 1.0), *_numbers(one["moment_Nm"], 1.0)]
+                for one in info["reactions"]]  # fmt: skip
+        columns = ["at", *(f"F{axis} [N]" for axis in "xyz"), *(f"M{axis} [N*m]" for axis in "xyz")]
+        print_table("Reactions, world axes: what the base and each joint give to all beyond", columns, rows)
     print_stiffness(info["stiffness"])
 
 
@@ -112,7 +127,7 @@ def _share(share: float | None) -> str:
 
 
 def _numbers(values: list[float], factor: float) -> list[str]:
-    return [f"{factor * value:.6g}" for value in values]
+    return [f"{factor * value + 0.0:.6g}" for value in values]
 
 
 def print_stiffness(info: dict[str, Any] | None) -> None:
@@ -182,13 +197,29 @@ def three_of(which: str, text: str, unit: str) -> list[float]:
     return [_number(which, word, unit, "three finite numbers") for word in words]
 
 
-def held_of(text: str, sheet: Robot) -> tuple[str, float]:
+def pose_of(text: str | None, sheet: Robot) -> dict[str, float]:
+    """Coordinates and values of ``shoulder=0.4,elbow=-1``: of a joint behind an elastic gear, its motor's."""
+    held = {}
+    for part in text.split(",") if text else ():
+        name, value = held_of(part, sheet, "--at")
+        known = {coordinate: joint for joint in sheet.joints for coordinate in joint.coordinates}
+        joint = known.get(name.removesuffix(".motor"))
+        if joint is None or joint.is_locked:
+            raise InputError(
+                "--at", shown(name), f"joints that move: {', '.join(k for k, j in known.items() if not j.is_locked)}",
+                meant(name, [*known], "correct the name"),
+            )  # fmt: skip
+        held[f"{name}.motor" if joint.is_active and joint.is_elastic and name in known else name] = value
+    return held
+
+
+def held_of(text: str, sheet: Robot, which: str = "--hold") -> tuple[str, float]:
     """Coordinate and value [rad; m of a prismatic joint] of ``shoulder=45deg``."""
     name, equals, value = (part.strip() for part in text.partition("="))
     if not (name and equals and value):
-        raise InputError("--hold", repr(text), "COORDINATE=VALUE", "write it like shoulder=0.5 or shoulder=45deg")
+        raise InputError(which, repr(text), "COORDINATE=VALUE", "write it like shoulder=0.5 or shoulder=45deg")
     slides = any(joint.name == name.removesuffix(".motor") and joint.type == "prismatic" for joint in sheet.joints)
-    return name, _number(f"--hold {name}", value, "m" if slides else "rad", "a number")
+    return name, _number(f"{which} {name}", value, "m" if slides else "rad", "a number")
 
 
 def _number(which: str, text: str, unit: str, expected: str) -> float:

@@ -109,15 +109,51 @@ def summary_rows(summary: dict[str, Any]) -> Iterator[Row]:
 
 
 def _tip(summary: dict[str, Any]) -> Iterator[Row]:
-    deviation, settling = summary["deviation"], summary["settling"]
-    if deviation is None:
-        return
-    when = f"t = {deviation['time_of_max_s']:.3f} s"
-    yield _row(summary, "deviation.max_m", "largest tip deviation", deviation["max_m"], "mm", when, 1e3)
-    yield _row(summary, "deviation.end_m", "tip deviation at the end", deviation["end_m"], "mm", factor=1e3)
+    errors, settling = summary["tip_error"], summary["settling"]
+    for which, path in _ERRORS.items():
+        if which in errors:
+            yield _tip_error(summary, which, path)
+    if errors:
+        ends = [f"{one['end_m'] * 1e3:.4g} mm to {which}" for which, one in errors.items()]
+        yield (
+            "tip error at the end",
+            ends[0].partition(" to ")[0],
+            "",
+            "to commanded" + "".join(f"; {e}" for e in ends[1:]),
+        )
+    elif deviation := summary["deviation"]:
+        when = f"t = {deviation['time_of_max_s']:.3f} s"
+        yield _row(summary, "deviation.max_m", "tip error to nominal", deviation["max_m"], "mm", when, 1e3)
+        yield _row(summary, "deviation.end_m", "tip error at the end", deviation["end_m"], "mm", "to nominal", 1e3)
     if settling["time_s"] is not None:
-        limit = f"within {settling['limit_m'] * 1e3:.3g} mm"
+        limit = f"within {settling['limit_m'] * 1e3:.3g} mm of its rest ({100 * settling['band']:g} % of the move)"
         yield "settling after the move", f"{settling['time_s']:.3f} s", "", limit
+    for which, one in summary["vibration"].items():
+        if one["amplitude_m"] is not None:
+            yield f"residual vibration, {which}", f"{one['amplitude_m'] * 1e3:.4g} mm", "", vibration_words(one)
+
+
+def vibration_words(one: dict[str, Any]) -> str:
+    """The strongest modes of a residual vibration."""
+    modes = [mode for mode in one["modes"] if mode["amplitude_m"] > _WEAK * one["amplitude_m"]][:_MOST_MODES]
+    return ", ".join(f"{mode['amplitude_m'] * 1e3:.3g} mm at {mode['frequency_Hz']:.3g} Hz" for mode in modes)
+
+
+_MOST_MODES, _WEAK = 3, 0.01
+"""Modes of a vibration that are named, and share of it below which a mode is not."""
+
+_ERRORS = {"commanded": "tip_error.commanded.max_m", "nominal": "deviation.max_m"}
+"""Paths from which the tip's error is measured, and where the uncertainty of the largest one is."""
+
+
+def _tip_error(summary: dict[str, Any], which: str, path: str) -> Row:
+    """The largest error, with its parts along it."""
+    one = summary["tip_error"][which]
+    parts = ", ".join(f"{value * 1e3:.3g} {name}" for name, value in one["parts_m"].items() if value)
+    where = f"t = {one['time_of_max_s']:.3f} s"
+    if parts:
+        where = f"{parts}; {where}"
+    return _row(summary, path, f"tip error to {which}", one["max_m"], "mm", where, 1e3)
 
 
 def _largest(info: dict[str, Any], key: str, most: int) -> list[tuple[str, dict[str, Any]]]:

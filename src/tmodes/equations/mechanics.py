@@ -16,7 +16,7 @@ from tmodes.equations.lagrange.registry import SYSTEMS
 from tmodes.equations.lagrange.schedules import elastic_schedule, forward_schedule, inertia_schedule
 from tmodes.equations.lagrange.system import System
 from tmodes.equations.recursion.driven import Drives
-from tmodes.equations.recursion.forces import elastic_forces, inertia_forces
+from tmodes.equations.recursion.forces import elastic_forces, inertia_forces, joint_reactions
 from tmodes.equations.recursion.forward import Recursion, forward_dynamics
 from tmodes.equations.recursion.parts import Parts
 from tmodes.equations.recursion.passes import Blocks, Passes
@@ -41,10 +41,11 @@ class RecursiveMechanics:
         return tuple(self.parts.none.values())
 
     def schedule(self, name: str, *, loaded: bool = False) -> Schedule:
-        """``forward``, ``inertia`` or ``elastic``; ``loaded``: forces act on the points."""
+        """``forward``, ``inertia``, ``reactions`` or ``elastic``; ``loaded``: forces act on the points."""
         if name == "elastic":
             return elastic_forces(self.parts)
-        return {"forward": forward_dynamics, "inertia": inertia_forces}[name](self.parts, loaded=loaded)
+        made = {"forward": forward_dynamics, "inertia": inertia_forces, "reactions": joint_reactions}
+        return made[name](self.parts, loaded=loaded)
 
     def drawn(self, blocks: Blocks) -> dict[str, Slot]:
         """Nothing but the links themselves."""

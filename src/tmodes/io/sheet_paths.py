@@ -30,6 +30,9 @@ def changed_places(data: Mapping[str, Any], changes: Mapping[str, Any]) -> tuple
     elsewhere. InputError with the nearest name for a path that does not exist. A path is looked up in what the changes
     before it have left: one may give a signal its type, the next a number that only this type has.
     """
+    if not isinstance(changes, Mapping):
+        got, hint = shown(changes), 'write {"payload.mass": 0.8}'
+        raise InputError("changes", got, "a group of paths and their values", hint)
     changed = copy.deepcopy(dict(data))
     places = []
     for path, value in changes.items():
@@ -40,9 +43,15 @@ def changed_places(data: Mapping[str, Any], changes: Mapping[str, Any]) -> tuple
         inner = entered(changed, groups, path)
         if not isinstance(inner, (dict, list)):
             raise InputError(path, f"{shown(inner)} around it", "a group", "correct the group first")
-        inner[key] = copy.deepcopy(value)  # pyright: ignore[reportCallIssue, reportArgumentType]
+        inner[key] = _plain_value(value)  # pyright: ignore[reportCallIssue, reportArgumentType]
         places.append(".".join(map(str, steps)))
     return with_reach(data, changed), places
+
+
+def _plain_value(value: Any) -> Any:
+    """A copy of a value; arrays and numbers of NumPy become lists and numbers."""
+    listed = getattr(value, "tolist", None)
+    return listed() if listed and not isinstance(value, type) else copy.deepcopy(value)
 
 
 def later_changes(data: Mapping[str, Any], changes: Mapping[str, Any]) -> dict[str, Any]:

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from tmodes.analysis.error_parts import without_elasticity
 from tmodes.analysis.line.line import elastic_line, line_places
 from tmodes.analysis.quasistatic import deflections, elastic_names
 from tmodes.live.functions import ModelFunctions, engine_settings, live_module
@@ -18,7 +19,6 @@ from tmodes.live.places import evenly, joint_limits, lines_info, load_places, vi
 from tmodes.live.template import sheet_template
 from tmodes.model.model import Model
 from tmodes.result import Result
-from tmodes.result.series import without_elasticity
 from tmodes.sheet import Robot, RobotPair
 from tmodes.simulation.loop import LoopModel
 from tmodes.simulation.plan import Follow, planned, starts_at_rest

@@ -20,7 +20,8 @@ from tmodes.equations.mechanics import mechanics
 from tmodes.errors import InputError, SimulationError
 from tmodes.model.acceleration_table import AccelerationDerivatives, AccelerationTable
 from tmodes.model.derivatives import Columns, Differentiated, differentiated
-from tmodes.model.passes import Blocks, ChainPasses, Rows, derivatives
+from tmodes.model.passes import Blocks, ChainPasses, derivatives
+from tmodes.model.rows import Rows, in_a_row, one_row
 
 __all__ = ["DifferentiatedModel"]
 
@@ -37,7 +38,13 @@ class DifferentiatedModel:
     """A robot's schedules with their derivatives. Arrays as :class:`tmodes.model.model.Model` has them."""
 
     chain: Chain
+    trials: bool = field(default=False, kw_only=True, repr=False)
+    """Whether its states are those that a computation tries: then what is not finite gives what is not finite."""
+
     _made: dict[Any, Any] = field(default_factory=dict, init=False, repr=False)
+
+    def _rows(self, q: ArrayLike, v: ArrayLike) -> Rows:
+        return Rows(q, v, self.passes.parts.size, finite=not self.trials)
 
     @cached_property
     def passes(self) -> ChainPasses:
@@ -60,12 +67,13 @@ class DifferentiatedModel:
         ``directions``: changes by the names of inputs ``q``, ``v``, ``effort``, ``given``, ``wrenches``, ``base``, each
         in the shape of that input; ``parameters`` (numbers,) changes those of the chain, in all states.
         """
-        rows, loaded = Rows(q, v, self.passes.parts.size), wrenches is not None
+        rows, loaded = self._rows(q, v), wrenches is not None
         known = self._known(directions, loaded=loaded)
         blocks = self.passes.dynamic(rows, effort, given, base, wrenches)
         change = directions.get("parameters")
-        along = {name: rows.of(_flat(name, directions[name]), blocks[name].shape[1]) for name in known - {"parameters"}}
-        change = None if change is None else np.asarray(change, dtype=float)
+        named = known - {"parameters"}
+        along = {name: rows.of(directions[name], blocks[name].shape[1], name) for name in named}
+        change = None if change is None else one_row("parameters", change, len(self.passes.parameters))
         return rows.shaped(
             self._forward(loaded=loaded).along(self.passes.parameters, blocks, along, change=change)["a"]
         )
@@ -87,10 +95,10 @@ class DifferentiatedModel:
         ``weights``: shape of q. The inputs are those of :meth:`forward_dynamics_jvp`; ``parameters`` (numbers,) sums
         over all states. One sweep in reverse gives them all.
         """
-        rows, loaded = Rows(q, v, self.passes.parts.size), wrenches is not None
+        rows, loaded = self._rows(q, v), wrenches is not None
         names = self._known(by, loaded=loaded)
         blocks = self.passes.dynamic(rows, effort, given, base, wrenches)
-        seeds = {"a": rows.of(weights, self.passes.parts.size)}
+        seeds = {"a": rows.of(weights, self.passes.parts.size, "weights")}
         found = self._forward(loaded=loaded).back(self.passes.parameters, blocks, seeds, sorted(names))
         return {name: value if name == "parameters" else rows.shaped(value) for name, value in found.items()}
 
@@ -110,8 +118,12 @@ class DifferentiatedModel:
         """
         passes, parts, loaded = self.passes, self.passes.parts, wrenches is not None
         state = self._state(q, v, base, wrenches)
-        drives = {"effort": _wide(effort, len(parts.efforts)), "given": _wide(given, len(parts.given)), "step": _STILL}
-        inputs = _row(state | drives, passes.schedule("forward", loaded=loaded))
+        drives = {
+            "effort": one_row("effort", effort, len(parts.efforts)),
+            "given": one_row("given", given, len(parts.given)),
+            "step": _STILL,
+        }
+        inputs = in_a_row(state | drives, passes.schedule("forward", loaded=loaded).inputs)
         forward, columns = self._columns("forward", (), loaded=loaded), self._columns("inertia", _ALL, loaded=loaded)
         if parts.held:
             a = forward.values(passes.parameters, inputs)
@@ -140,10 +152,10 @@ class DifferentiatedModel:
     def _state(self, q: ArrayLike, v: ArrayLike, base: ArrayLike | None, wrenches: ArrayLike | None) -> Blocks:
         """One state by the names of the inputs."""
         size = self.passes.parts.size
-        state = {"q": np.reshape(np.asarray(q, dtype=float), size), "v": _wide(v, size)}
-        state["base"] = self._still if base is None else np.reshape(np.asarray(base, dtype=float), -1)
+        state = {"q": one_row("q", q, size, scalar=False), "v": one_row("v", v, size)}
+        state["base"] = self._still if base is None else one_row("base", base, len(self._still), scalar=False)
         if wrenches is not None:
-            state["wrenches"] = _wide(np.reshape(wrenches, -1), 6 * len(self.passes.parts.points))
+            state["wrenches"] = one_row("wrenches", wrenches, 6 * len(self.passes.parts.points), scalar=False)
         return state
 
     @cached_property
@@ -200,12 +212,12 @@ class DifferentiatedModel:
     def _fill(self, found: Array, state: Blocks, *, loaded: bool) -> None:
         """The same by all, into an array, with columns of zeros between those of one input and the next."""
         passes = self.passes
-        inputs = _row(state, passes.schedule("inertia", loaded=loaded))
+        inputs = in_a_row(state, passes.schedule("inertia", loaded=loaded).inputs)
         self._columns("inertia", _ALL, loaded=loaded).at(passes.parameters, inputs, found)
         elastic = self._columns("elastic", ("q", "v"))
         if elastic.calls:
             there = np.empty((len(found), elastic.width))
-            elastic.at(passes.parameters, _row(state, passes.schedule("elastic")), there)
+            elastic.at(passes.parameters, in_a_row(state, passes.schedule("elastic").inputs), there)
             found[:, padded(len(found)) :] += there
         rows = np.arange(len(found))
         found[rows, rows] += passes.rotor_inertias
@@ -233,17 +245,3 @@ class DifferentiatedModel:
         places = (columns.place[name] for name in ("q", "v"))
         q, v = (slice(at.start - first, at.stop - first) if isinstance(at, slice) else at - first for at in places)
         return AccelerationDerivatives(right[:, q], right[:, v], right[:, 2 * first : 2 * first + len(parts.driven)])
-
-
-def _wide(values: ArrayLike, size: int) -> Array:
-    array = np.asarray(values, dtype=float)
-    return np.full(size, array) if array.ndim == 0 else array.reshape(size)
-
-
-def _row(blocks: Blocks, schedule: Any) -> Array:
-    return np.concatenate([blocks[name] for name in schedule.inputs])
-
-
-def _flat(name: str, value: ArrayLike) -> Array:
-    array = np.asarray(value, dtype=float)
-    return array.reshape(*array.shape[:-2], -1) if name == "wrenches" else array

@@ -4,16 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import partial
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from tmodes import upward
+from tmodes.chain.chain import Chain
 from tmodes.equations.recursion.parts import Parts
 from tmodes.errors import InputError
 from tmodes.model.differentiated import DifferentiatedModel
-from tmodes.model.passes import PointMotion, Rows
+from tmodes.model.passes import PointMotion
+from tmodes.model.rows import one_row
 
 __all__ = ["Model", "PointMotion"]
 
@@ -27,6 +30,15 @@ class Model(DifferentiatedModel):
     Arrays: q and v (n, nq) or (nq,), in the order of ``coordinates``: motors, joints, links. SI units, radians.
     ``wrenches`` (n, points, 6): force then moment by the surroundings on each named point, world axes.
     """
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.chain, Chain):
+            hint = "write tmodes.Model(robot.chain())"
+            raise InputError("chain", f"a {type(self.chain).__name__}", "the chain of a robot", hint)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """A copy, and what was pickled, is made of the chain again; compiled code is not copied."""
+        return partial(type(self), trials=self.trials), (self.chain,)
 
     @property
     def parts(self) -> Parts:
@@ -96,11 +108,11 @@ class Model(DifferentiatedModel):
         ``effort`` (n, efforts): joint effort, or motor torque after the reducer; ``given`` (n, prescribed joints):
         their accelerations; ``step`` h: those of a linearly implicit Euler step of h [s].
         """
-        rows, parts = Rows(q, v, self.nq), self.parts
+        rows, parts = self._rows(q, v), self.parts
         inputs = {
-            "effort": rows.of(effort, len(parts.efforts)),
-            "given": rows.of(given, len(parts.given)),
-            "step": rows.of(step, 1),
+            "effort": rows.of(effort, len(parts.efforts), "effort"),
+            "given": rows.of(given, len(parts.given), "given"),
+            "step": rows.of(step, 1, "step"),
         }
         return rows.shaped(self.passes.forward(rows, inputs, base, wrenches))
 
@@ -114,14 +126,14 @@ class Model(DifferentiatedModel):
         base: ArrayLike | None = None,
     ) -> Array:
         """Generalized forces that must be applied along all coordinates, shape of q [N*m, N]."""
-        rows = Rows(q, v, self.nq)
+        rows = self._rows(q, v)
         return rows.shaped(self.passes.inertia(rows, a, base, wrenches)["forces"] + self.passes.elastic(rows)["forces"])
 
     def mass_matrix(self, q: ArrayLike) -> Array:
         """M(q), shape (n, nq, nq) or (nq, nq) [SI]."""
-        rows = Rows(q, np.zeros_like(np.asarray(q, dtype=float)), self.nq)
+        rows = self._rows(q, 0.0)
         n = self.nq
-        many = Rows(np.repeat(rows.q, n, axis=0), np.zeros((rows.count * n, n)), n)
+        many = self._rows(np.repeat(rows.q, n, axis=0), 0.0)
         units = np.tile(np.eye(n), (rows.count, 1))
         columns = self.passes.inertia(many, units, self.passes.at_rest(gravity=0.0), None)["forces"]
         matrix = columns.reshape(rows.count, n, n)
@@ -130,22 +142,22 @@ class Model(DifferentiatedModel):
 
     def bias(self, q: ArrayLike, v: ArrayLike, *, base: ArrayLike | None = None) -> Array:
         """Coriolis, centrifugal and gravity forces h(q, v), shape of q."""
-        rows = Rows(q, v, self.nq)
+        rows = self._rows(q, v)
         return rows.shaped(self.passes.inertia(rows, 0.0, base, None)["forces"])
 
     def gravity_forces(self, q: ArrayLike) -> Array:
         """g(q), shape of q."""
-        return self.bias(q, np.zeros_like(np.asarray(q, dtype=float)))
+        return self.bias(q, 0.0)
 
     def elastic_forces(self, q: ArrayLike, v: ArrayLike) -> Array:
         """Forces of springs, dampers and friction, as they stand on the left side, shape of q."""
-        rows = Rows(q, v, self.nq)
+        rows = self._rows(q, v)
         return rows.shaped(self.passes.elastic(rows)["forces"])
 
     def energies(self, q: ArrayLike, v: ArrayLike) -> dict[str, Array]:
         """Energies [J] of shape (n,): kinetic, gravity (zero at the world's origin), elastic_gear, elastic_link."""
-        rows = Rows(q, v, self.nq)
-        still = Rows(rows.q, np.zeros_like(rows.v), self.nq)
+        rows = self._rows(q, v)
+        still = self._rows(rows.q, 0.0)
         momentum = self.passes.inertia(still, rows.v, self.passes.at_rest(gravity=0.0), None)
         elastic = self.passes.elastic(rows)["energies"].reshape(rows.count, -1, 2)
         found = {
@@ -158,7 +170,7 @@ class Model(DifferentiatedModel):
 
     def losses(self, q: ArrayLike, v: ArrayLike) -> dict[str, Array]:
         """Power lost [W], shape (n,): gear_damping, friction, link_damping."""
-        rows = Rows(q, v, self.nq)
+        rows = self._rows(q, v)
         lost = self.passes.elastic(rows)["losses"].reshape(rows.count, -1, 3).sum(axis=1)
         names = ("gear_damping", "friction", "link_damping")
         return {name: lost[0, k] if rows.single else lost[:, k] for k, name in enumerate(names)}
@@ -169,8 +181,8 @@ class Model(DifferentiatedModel):
 
     def momentum(self, q: ArrayLike, v: ArrayLike) -> tuple[Array, Array]:
         """Linear momentum [kg*m/s] and angular momentum about the world's origin [kg*m^2/s], world axes, (n, 3)."""
-        rows = Rows(q, v, self.nq)
-        still = Rows(rows.q, np.zeros_like(rows.v), self.nq)
+        rows = self._rows(q, v)
+        still = self._rows(rows.q, 0.0)
         found = self.passes.inertia(still, rows.v, self.passes.at_rest(gravity=0.0), None)
         if "base_force" not in found:
             got, hint = f"the equations `{self.chain.equations}`", "take `equations: recursion`"
@@ -185,7 +197,7 @@ class Model(DifferentiatedModel):
         self, q: ArrayLike, v: ArrayLike = 0.0, a: ArrayLike = 0.0, *, base: ArrayLike | None = None
     ) -> PointMotion:
         """Motion of the named points; the acceleration is that of the coordinates ``a`` without gravity."""
-        rows = Rows(q, v, self.nq)
+        rows = self._rows(q, v)
         base = self.passes.at_rest(gravity=0.0) if base is None else base
         info = self.passes.inertia(rows, a, base, None)["points"]
         motion = PointMotion.of(info)
@@ -198,7 +210,7 @@ class Model(DifferentiatedModel):
 
     def jacobian(self, q: ArrayLike) -> Array:
         """(n, points, 6, nq): linear then angular velocity of the named points per rate, world axes."""
-        rows = Rows(q, 0.0, self.nq)
+        rows = self._rows(q, 0.0)
         n, points = self.nq, len(self.parts.points)
         both = np.zeros((0, points, 6))
         if n:
@@ -221,7 +233,7 @@ class Model(DifferentiatedModel):
         K and D hold what the rates ``v``, the accelerations ``a`` and dead wrenches contribute.
         """
         state = self._state(q, 0.0 if v is None else v, base, wrenches)
-        state["a"] = state["v"] * 0.0 if a is None else np.reshape(np.asarray(a, dtype=float), self.nq)
+        state["a"] = one_row("a", 0.0 if a is None else a, self.nq)
         mass, stiffness, damping = self._inverse(state, ("a", "q", "v"), loaded=wrenches is not None)
         return (mass + mass.T) / 2, damping, stiffness
 

@@ -16,8 +16,9 @@ from tmodes.equations.mechanics import Mechanics
 from tmodes.equations.recursion.parts import Parts
 from tmodes.equations.recursion.passes import BASE, resting_base
 from tmodes.kinds.kernel.schedule import Schedule, Slot
+from tmodes.model.rows import Rows
 
-__all__ = ["ChainPasses", "PointMotion", "Rows", "derivatives", "evaluate", "packed", "split"]
+__all__ = ["ChainPasses", "PointMotion", "derivatives", "evaluate", "packed", "split"]
 
 Array = NDArray[np.float64]
 Blocks = dict[str, Array]
@@ -46,26 +47,6 @@ def derivatives(parameters: Array, schedule: Any, blocks: Blocks, directions: Bl
     out, workspace = np.empty((count, 2, schedule.output_size)), np.zeros(2 * schedule.workspace)
     library["run"](count, 0, *(array.ctypes.data for array in (parameters, workspace, inputs, out)))
     return split(np.ascontiguousarray(out[:, 1]), schedule.outputs)
-
-
-class Rows:
-    """States as rows, one or many."""
-
-    def __init__(self, q: ArrayLike, v: ArrayLike, size: int) -> None:
-        given = np.asarray(q, dtype=float)
-        self.single = given.ndim == 1
-        rows = np.atleast_2d(given)
-        self.count = rows.size // size if size else len(rows)  # an arm in which nothing moves has states too
-        self.q = rows.reshape(self.count, size)
-        self.v = self.of(v, size)
-
-    def of(self, values: ArrayLike, width: int) -> Array:
-        """Values as rows of ``width`` numbers, one for each state."""
-        return np.broadcast_to(np.asarray(values, dtype=float), (self.count, width))
-
-    def shaped(self, values: Array) -> Array:
-        """Rows as the states were given."""
-        return values[0] if self.single else values
 
 
 def split(out: Array, outputs: Mapping[str, Sequence[Slot]]) -> Blocks:
@@ -120,14 +101,15 @@ class ChainPasses:
 
     def inertial(self, rows: Rows, a: ArrayLike, base: ArrayLike | None, wrenches: ArrayLike | None) -> Blocks:
         """The inputs of the forces of inertia."""
-        return {"a": rows.of(a, self.parts.size), **self._common(rows, base, wrenches)}
+        return {"a": rows.of(a, self.parts.size, "a"), **self._common(rows, base, wrenches)}
 
     def dynamic(
         self, rows: Rows, effort: ArrayLike, given: ArrayLike, base: ArrayLike | None, wrenches: ArrayLike | None
     ) -> Blocks:
         """The inputs of the forward dynamics, without an implicit step."""
-        drives = {"effort": rows.of(effort, len(self.parts.efforts)), "given": rows.of(given, len(self.parts.given))}
-        return {**drives, "step": rows.of(0.0, 1), **self._common(rows, base, wrenches)}
+        efforts, held = len(self.parts.efforts), len(self.parts.given)
+        drives = {"effort": rows.of(effort, efforts, "effort"), "given": rows.of(given, held, "given")}
+        return {**drives, "step": rows.of(0.0, 1, "step"), **self._common(rows, base, wrenches)}
 
     def elastic(self, rows: Rows) -> Blocks:
         """Outputs of :func:`tmodes.equations.recursion.forces.elastic_forces`."""
@@ -164,10 +146,9 @@ class ChainPasses:
         return resting_base(self.parts.chain, gravity)
 
     def _common(self, rows: Rows, base: ArrayLike | None, wrenches: ArrayLike | None) -> Blocks:
-        blocks = {"q": rows.q, "v": rows.v, "base": rows.of(self.at_rest() if base is None else base, BASE)}
+        blocks = {"q": rows.q, "v": rows.v, "base": rows.of(self.at_rest() if base is None else base, BASE, "base")}
         if wrenches is not None:
-            size = 6 * len(self.parts.points)
-            blocks["wrenches"] = rows.of(np.asarray(wrenches, dtype=float).reshape(-1, size), size)
+            blocks["wrenches"] = rows.of(wrenches, 6 * len(self.parts.points), "wrenches")
         return blocks
 
 

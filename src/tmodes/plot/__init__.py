@@ -17,6 +17,7 @@ from tmodes.plot.figures.link_deflection import LinkDeflection
 from tmodes.plot.figures.link_loads import LinkLoads
 from tmodes.plot.figures.link_tips import LinkTips
 from tmodes.plot.figures.spectrum import Spectrum
+from tmodes.plot.figures.tip_errors import TipErrors
 from tmodes.plot.figures.tip_path import TipPath
 from tmodes.plot.figures.tip_tracking import TipTracking
 from tmodes.plot.style import house_style
@@ -25,11 +26,12 @@ __all__ = [
     "FIGURES", "Figure", "all_figures", "contact_force", "controller_states", "deformations", "drawings",
     "elastic_line", "energies", "gear_deflections", "house_style", "joint_efforts", "joint_tracking", "left_out",
     "link_coordinates", "link_deflection", "link_loads", "link_tips", "register", "save_figures", "spectrum",
-    "tip_path", "tip_tracking",
+    "tip_errors", "tip_path", "tip_tracking",
 ]  # fmt: skip
 
 # In the order of the report.
 tip_tracking = register(TipTracking())
+tip_errors = register(TipErrors())
 tip_path = register(TipPath())
 elastic_line = register(ElasticLine())
 joint_tracking = register(JointTracking())

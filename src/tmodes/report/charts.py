@@ -167,14 +167,14 @@ def _gear_torque(data: Any, k: int, drive: str) -> tuple[Line, ...]:
 
 
 def tip_charts(data: Any) -> Iterator[Draft]:
-    """How far the tip is from its reference (where there is one), and where both are."""
+    """How far the tip is from the nominal one (where there is a reference run), and where both are."""
     time, planned = data["time"].values, "tip_reference" in data
     if planned:
         parts = [
             line_of(data, ("tip", k), f"Δ{axis}", "real", less=("tip_reference", k)) for k, axis in enumerate("xyz")
         ]
         lines = (line_of(data, ("deviation", 0), "distance", "real"), *parts)
-        yield Draft("tip_deviation", "Tip, actual − reference", "tip", "m", time, lines, "offered")
+        yield Draft("tip_deviation", "Tip, actual − nominal", "tip", "m", time, lines, "offered")
     for k, axis in enumerate("xyz"):
         lines = (line_of(data, ("tip", k), axis, "real"),)
         if planned:

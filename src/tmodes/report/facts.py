@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from typing import Any
@@ -17,10 +16,6 @@ from tmodes.result.summary import mean_over_time
 from tmodes.sheet import Robot
 
 __all__ = ["Fact", "energy_facts", "fact_list", "frequency_facts", "run_facts", "tracking_facts", "vibration_fact"]
-
-
-_FEWEST = 8
-"""Samples after the move without which no residual vibration is given."""
 
 
 @dataclass(frozen=True)
@@ -47,39 +42,36 @@ def _value(fact: Fact) -> str:
     return "–" if fact.value is None else written(fact.value, fact.unit)
 
 
-def tracking_facts(summary: dict[str, Any], data: Any, move_end: float | None) -> Iterator[Fact]:
-    """How far the tip is from its reference, how long it takes to settle, and how it still swings after the move."""
+def tracking_facts(summary: dict[str, Any], data: Any) -> Iterator[Fact]:
+    """How far the tip is from its commanded and nominal paths, and why; how it settles and rings."""
+    for which, one in summary["tip_error"].items():
+        parts = ", ".join(f"{written(value, 'm')} {name}" for name, value in one["parts_m"].items() if value)
+        note = f"{parts}; at {one['time_of_max_s']:.3g} s; {written(one['end_m'], 'm')} at the end of the run"
+        yield Fact(f"tip_error.{which}", f"Error of the tip to {which}, by cause", one["max_m"], "m", note)
     if deviation := summary["deviation"]:
         note = f"at {deviation['time_of_max_s']:.3g} s; {written(deviation['end_m'], 'm')} at the end of the run"
-        yield Fact("deviation.max", "Largest deviation of the tip", deviation["max_m"], "m", note)
+        yield Fact("deviation.max", "Largest error of the tip, to nominal", deviation["max_m"], "m", note)
         square = mean_over_time(data["time"].values, data["deviation"].values ** 2)
-        yield Fact("deviation.rms", "Deviation of the tip, rms", float(np.sqrt(square)), "m", "over the run")
-        yield _settling(summary["settling"])
-    yield vibration_fact(data, move_end)
+        yield Fact("deviation.rms", "Error of the tip to nominal, rms", float(np.sqrt(square)), "m", "over the run")
+    yield _settling(summary["settling"])
+    for which, one in summary["vibration"].items():
+        yield vibration_fact(which, one)
 
 
 def _settling(known: dict[str, Any]) -> Fact:
     name = "Settling after the move"
     if known["time_s"] is None:
         return Fact("settling", name, None, "s", f"not seen: {known['reason']}")
-    within = f"until the tip stays within {written(known['limit_m'], 'm')}, {100 * known['band']:g} % of its largest"
-    return Fact("settling", name, known["time_s"], "s", f"{within} deviation")
+    within = f"until the tip stays within {written(known['limit_m'], 'm')} of its rest"
+    return Fact("settling", name, known["time_s"], "s", f"{within}, {100 * known['band']:g} % of the move")
 
 
-def vibration_fact(data: Any, move_end: float | None) -> Fact:
-    """Largest distance of the tip, after the move, from its mean place (less the reference's) [m]."""
-    own, name = "vibration.residual", "Residual vibration of the tip"
-    if move_end is None:
-        return Fact(own, name, None, "m", "what moves the robot changes up to the end of the run")
-    time = data["time"].values
-    after = np.flatnonzero(time > move_end * (1 + 1e-9))
-    if len(after) < _FEWEST:
-        return Fact(own, name, None, "m", "the run ends with the move")
-    tip = data["tip"].transpose("time", "axis").values[after]
-    if "tip_reference" in data:
-        tip = tip - data["tip_reference"].transpose("time", "axis").values[after]
-    largest = float(np.linalg.norm(tip - tip.mean(axis=0), axis=1).max())
-    return Fact(own, name, largest, "m", f"about its mean place, from {time[after[0]]:.3g} s on")
+def vibration_fact(which: str, known: dict[str, Any]) -> Fact:
+    """Amplitude of the ``actual`` or ``nominal`` tip at the end of the move, about its slowly moving mean [m]."""
+    own = "vibration.residual" if which == "actual" else f"vibration.{which}"
+    modes = [f"{written(mode['amplitude_m'], 'm')} at {mode['frequency_Hz']:.3g} Hz" for mode in known["modes"][:3]]
+    note = known["reason"] or ", ".join(modes) or "no mode rings"
+    return Fact(own, f"Residual vibration of the tip, {which}", known["amplitude_m"], "m", note)
 
 
 def frequency_facts(known: dict[str, float | None]) -> Iterator[Fact]:
@@ -104,7 +96,7 @@ _ROUNDING = 1e-15
 def run_facts(result: Result, summary: dict[str, Any]) -> Iterator[Fact]:
     """From a result and its summary; what there is not is left out."""
     data, robot = result.data, result.robot
-    yield from tracking_facts(summary, data, json.loads(data.attrs["move_end"]))
+    yield from tracking_facts(summary, data)
     yield from _worst(summary["links"], "deflection", "max_m", "m", "Largest deflection of a link")
     yield from _worst(summary["links"], "bending_moment", "max_Nm", "N m", "Largest bending moment", "moment.max")
     yield from _stress(robot, summary["links"])

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from tmodes.analysis.error_parts import without_elasticity
 from tmodes.analysis.line.line import elastic_line
 from tmodes.chain.chain import node_of_line
 from tmodes.model.model import Model
@@ -14,7 +15,6 @@ from tmodes.plot.facts import names_of
 from tmodes.report.pack import colour, displaced, kept, quaternions, scene_frames, stations_shown
 from tmodes.report.scene_parts import actual, meshes_in, nearest_drawn, section_of
 from tmodes.result import Result
-from tmodes.result.series import without_elasticity
 from tmodes.sheet import Robot
 
 __all__ = ["line_of", "lines_at", "scene_of"]

@@ -16,12 +16,13 @@ from tmodes.analysis.energy import energy_lost
 from tmodes.analysis.line.line import line_places
 from tmodes.analysis.modes.of_sheet import frequencies_about, sheet_frequencies
 from tmodes.analysis.quasistatic import elastic_names
+from tmodes.analysis.statics.steady import steady_rates
 from tmodes.errors import SimulationError
 from tmodes.io.sheet_plausible import implausible_numbers, reading_notices
 from tmodes.result.errors import summary_errors
 from tmodes.result.record import RESULT_FORMAT, STATUSES
 from tmodes.result.series import Variables, coordinates_of, line_series, motion_series
-from tmodes.result.settling import move_end, settling
+from tmodes.result.settling import AfterMove, after_move, move_end, plain_vibration
 from tmodes.sheet import Robot
 from tmodes.simulation.motion_run import RunData
 
@@ -93,7 +94,7 @@ class Assembly:
     def _frequencies(self) -> tuple[dict[str, list[dict[str, Any]]], list[str]]:
         setup = self.run.setup
         try:
-            if setup.rest is None:
+            if setup.rest is None or steady_rates(self.run.robot, setup.mechanics):
                 return sheet_frequencies(self.run.robot), []
             return frequencies_about(self.run.robot, setup.rest), []
         except SimulationError as error:
@@ -101,13 +102,24 @@ class Assembly:
 
     @property
     def frequencies(self) -> dict[str, list[dict[str, Any]]]:
-        """Natural frequencies about the rest, by the state of the motors."""
+        """Natural frequencies about the rest or the steady motion, by the state of the motors."""
         return self._frequencies[0]
 
     @cached_property
-    def settling(self) -> dict[str, Any] | None:
-        """When the tip has settled, by continuing the run."""
-        return settling(self.run, self.move_end)
+    def _after(self) -> dict[str, AfterMove]:
+        """The actual and the nominal run after the move, continued until their tips are at rest."""
+        runs = {"actual": self.run, "nominal": self.run.reference}
+        return {name: after_move(run, self.move_end) for name, run in runs.items() if run}
+
+    @cached_property
+    def settling(self) -> dict[str, Any]:
+        """When the actual tip has settled to its own rest, by continuing the run."""
+        return self._after["actual"].settling()
+
+    @cached_property
+    def vibration(self) -> dict[str, Any]:
+        """The vibration of the ``actual`` and the ``nominal`` tip after the move, by mode."""
+        return {name: plain_vibration(after.vibration()) for name, after in self._after.items()}
 
     @cached_property
     def errors(self) -> dict[str, Any]:
@@ -128,6 +140,7 @@ class Assembly:
         kept: Mapping[str, Any] = {
             "frequencies": self.frequencies,
             "settling": self.settling,
+            "vibration": self.vibration,
             "warnings": self.warnings,
             "errors": self.errors,
             "move_end": self.move_end,

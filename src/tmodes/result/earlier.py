@@ -1,7 +1,7 @@
 """Results of the 2010 robot that were written before it was a robot as all others: the same motion, shown as today.
 
 The file holds the states of the run and of its reference. From them today's model gives every series; how the run
-ended, its statistics, frequencies, settling and errors stay as they were written.
+ended, its statistics, frequencies and errors stay as they were written.
 """
 
 from __future__ import annotations
@@ -44,7 +44,7 @@ def assembly_2010(data: Dataset) -> Assembly:
     real, nominal = run_setup(actual), run_setup(known, Follow.WANTED)
     run = replace(_run(real, data, "", "real"), reference=_run(nominal, data, "_reference", "reference"))
     made = Assembly(run, known)
-    kept: dict[str, Any] = {name: json.loads(data.attrs.get(name, "null")) for name in ("settling", "errors")}
+    kept: dict[str, Any] = {name: json.loads(data.attrs.get(name, "null")) for name in ("errors",)}
     made.__dict__ |= kept | {
         "ending": (data.attrs["status"], data.attrs["message"]),
         "_frequencies": (json.loads(data.attrs["frequencies"]), []),

@@ -87,6 +87,9 @@ def _figures(variables: Variables, names: dict[str, Any], rows: int) -> list[Fig
     if "deviation" in values:
         figures.append(at_worst("deviation.max_m", "deviation", values["deviation"]))
         figures.append(Figure("deviation.end_m", (count - 1,), "deviation"))
+    if "tip_error" in values:  # the commanded tip is exact
+        worst = int(np.linalg.norm(values["tip_error"].sum(axis=1), axis=1).argmax())
+        figures.append(Figure("tip_error.commanded.max_m", (worst,), "tip"))
     if "deformation" in values:
         size = np.abs(values["deformation"]).max(axis=0)
         for k in map(int, np.argsort(-size, kind="stable")[:_MOST]):

@@ -18,6 +18,7 @@ from tmodes.kinds.joints.registry import JOINTS
 from tmodes.kinds.links.registry import LINKS
 from tmodes.kinds.registry import Registry, UnknownKindError
 from tmodes.kinds.signals.registry import SIGNALS
+from tmodes.result.content import refuse_wrong_content
 from tmodes.sheet.robot import RECURSION
 
 if TYPE_CHECKING:
@@ -37,7 +38,7 @@ STATUSES = (
 _ATTRIBUTES = ("robot", "status", "message", "frequencies", "statistics", "warnings", "versions")
 _SERIES = ("time", "q", "v", "tip", "energy", "work", "energy_balance")
 _NEEDED = {
-    "arm": (_ATTRIBUTES, (*_SERIES, "a", "position")),
+    "arm": ((*_ATTRIBUTES, "robot_real", "move_end", "errors"), (*_SERIES, "a", "position")),
     "robot": ((*_ATTRIBUTES, "reading"), (*_SERIES, "deviation", "deformation", "bending_moment", "line")),
 }
 """Attributes and series of a record by its kind; ``robot`` is one of the 2010 robot that an earlier version wrote."""
@@ -68,7 +69,7 @@ def _kind(data: Dataset) -> str:
 
 
 def refuse_incomplete(data: Dataset, path: object) -> None:
-    """Refuse what is no whole record of a run; ``path`` names it.
+    """Refuse what is no whole record of a run, or what no run wrote; ``path`` names it.
 
     Raises :class:`tmodes.errors.ResultFileError`.
     """
@@ -82,16 +83,7 @@ def refuse_incomplete(data: Dataset, path: object) -> None:
     if data.attrs["status"] not in STATUSES:
         got, expected = repr(data.attrs["status"]), f"one of {STATUSES}"
         raise file_error(f"{path}, status", got, expected, "run the robot again")
-
-
-def refuse_not_finite(data: Dataset) -> None:
-    """Refuse numbers that are not finite; raises :class:`tmodes.errors.ResultFileError`."""
-    import numpy as np
-
-    for name, variable in data.variables.items():
-        if np.issubdtype(variable.dtype, np.floating) and not np.isfinite(variable.values).all():
-            hint = "keep only what is before it: result.data.isel(time=slice(None, n))"
-            raise file_error(f"variable {name}", "a number that is not finite", "finite numbers", hint)
+    refuse_wrong_content(data, path, whole=kind == "arm")
 
 
 def text_of(data: Dataset, name: str) -> str:

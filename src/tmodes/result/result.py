@@ -16,13 +16,16 @@ from typing import TYPE_CHECKING, Any, Self
 
 from tmodes import upward
 from tmodes.analysis.modes.of_sheet import sheet_frequencies
+from tmodes.errors import InputError, InputErrors
 from tmodes.io.atomic import file_error
 from tmodes.kinds.registry import UnknownKindError
 from tmodes.result import record
 from tmodes.result.assemble import Assembly
+from tmodes.result.content import AGAIN, refuse_not_finite
 from tmodes.result.earlier import assembly_2010
 from tmodes.result.record import absent_kinds
-from tmodes.result.summary import summarise_result
+from tmodes.result.settling import BAND
+from tmodes.result.summary import summarise_result, vibrations
 from tmodes.sheet import Robot
 from tmodes.simulation.motion_run import RunData
 
@@ -51,6 +54,10 @@ class Result:
             self.__dict__["data"] = data
         self.timing = timing or {}
         self._assembly = assembly
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """A copy, and what was pickled, holds the whole record; nothing of the compiled code of the run."""
+        return type(self), (self.data.copy(deep=True), self.timing)
 
     @cached_property
     def data(self) -> Dataset:
@@ -115,13 +122,19 @@ class Result:
 
     @property
     def settling(self) -> dict[str, Any] | None:
-        """When the tip stays within 5 % of its largest deviation, by continuing the run; None without a reference.
+        """When the actual tip stays near its own rest, see :func:`tmodes.result.settling.settling`.
 
-        Of a file of an earlier version None too: then the summary looks at its samples alone.
+        Of a file of an earlier version None: then the summary looks at its samples alone.
         """
         if live := self._live:
             return live.settling
-        return record.from_json(self.data, "settling") if "settling" in self.data.attrs else None
+        known = record.from_json(self.data, "settling") if "settling" in self.data.attrs else None
+        return known if known and "move_m" in known else None
+
+    @property
+    def vibration(self) -> dict[str, Any]:
+        """Residual vibration of the ``actual`` and the ``nominal`` tip at the end of the move, by mode [Hz, m]."""
+        return live.vibration if (live := self._live) else vibrations(self.data)
 
     @property
     def warnings(self) -> tuple[str, ...]:
@@ -145,7 +158,7 @@ class Result:
         """When the last signal stops changing [s]; None where one never does."""
         return live.move_end if (live := self._live) else record.from_json(self.data, "move_end")
 
-    def summary(self, band: float = 0.05) -> dict[str, Any]:
+    def summary(self, band: float = BAND) -> dict[str, Any]:
         """The numbers a reader asks first; see :func:`tmodes.result.summary.summarise_result`.
 
         Raises :class:`tmodes.errors.InputError` for a ``band`` that is not between 0 and 1.
@@ -163,7 +176,7 @@ class Result:
         path = Path(path)
         if os.path.lexists(path) and not overwrite:
             raise file_error(path, "a file that exists", "a new name", "choose another name, or overwrite=True")
-        record.refuse_not_finite(self.data)
+        refuse_not_finite(self.data)
         write_sealed(self.data, path, overwrite=overwrite)
         return path
 
@@ -180,7 +193,13 @@ class Result:
     def of(cls, data: Dataset, path: object) -> Self:
         """The result that a dataset holds; ``path`` names it in errors, which are those of :meth:`load`."""
         record.refuse_incomplete(data, path)
-        return cls(assembly=assembly_2010(data)) if record.is_earlier(data) else cls(data)
+        if not record.is_earlier(data):
+            return cls(data)
+        try:
+            return cls(assembly=assembly_2010(data))
+        except (InputError, InputErrors, KeyError, TypeError, ValueError) as error:
+            got = f"content that does not fit together ({error})"
+            raise file_error(path, got, "a result of the 2010 robot", AGAIN) from error
 
     def show(self, height: int = 760) -> Any:
         """The viewer of this run for a notebook: the robot in 3D, linked charts, numbers; ``height`` in pixels."""
@@ -203,7 +222,11 @@ class Result:
 
         if absent := absent_kinds(record.from_json(self.data, name)):
             raise absent[0]
-        return sheet_from_data(record.from_json(self.data, name))
+        try:
+            return sheet_from_data(record.from_json(self.data, name))
+        except (InputError, InputErrors) as error:
+            got = f"a data sheet that is wrong ({error})"
+            raise file_error(f"result, attribute {name}", got, "that of the robot that ran", AGAIN) from error
 
 
 def load_result(path: str | os.PathLike[str]) -> Result:

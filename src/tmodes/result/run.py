@@ -10,6 +10,7 @@ from tmodes.integrate.settings import refuse_too_large
 from tmodes.result.result import Result, assemble_result
 from tmodes.sheet import Robot, RobotPair
 from tmodes.sheet.parts import Command
+from tmodes.sheet.robot import refuse_other
 from tmodes.simulation.callback import Controller
 from tmodes.simulation.parts import Journal, sample_times
 from tmodes.simulation.plan import free_drive
@@ -37,6 +38,7 @@ def run(
     :class:`tmodes.errors.InputError` for what cannot be run, and :class:`tmodes.errors.SimulationError` where it cannot
     start.
     """
+    refuse_other(robot, RobotPair)
     pair = robot if isinstance(robot, RobotPair) else ready_to_run(robot).pair()
     done = simulate_motion(pair, progress=progress, journals=journals, controller=controller, stop=stop)
     return assemble_result(done, pair.nominal)

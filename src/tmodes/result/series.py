@@ -8,16 +8,17 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from tmodes.analysis.error_parts import without_elasticity
 from tmodes.analysis.line.line import LinkLine, LinkLines, elastic_line
 from tmodes.analysis.quasistatic import deflections, elastic_names, split_motion
 from tmodes.analysis.validity import run_warnings
 from tmodes.chain.chain import line_before
-from tmodes.model.model import Model
+from tmodes.result.paths import error_parts, part_names
 from tmodes.simulation.motion_run import RunData
 
 __all__ = [
     "MIXED", "Series", "Variables", "coordinate_units", "coordinates_of", "line_series", "load_series",
-    "motion_series", "over_time", "run_wrenches", "straight_shape", "without_elasticity",
+    "motion_series", "over_time", "run_wrenches", "straight_shape",
 ]  # fmt: skip
 
 Array = NDArray[np.float64]
@@ -54,6 +55,7 @@ def coordinates_of(run: RunData, count: int, names: dict[str, list[str]], statio
         "controller_state": list(run.planned.plan.control_names),
         "point": [point.name for point in run.model.parts.points],
         "axis": list(AXES),
+        "error_part": part_names(run),
         "plane": ["y", "z"],
         "moment_kind": ["torsion", "y", "z"],
         "energy_kind": list(run.energies),
@@ -119,7 +121,21 @@ def motion_series(run: RunData, count: int) -> Variables:
         "work": ("work_kind", work, "J", "work since the start: of motor, loads and base comes in, the others go out"),
         "energy_balance": ("", run.energy_balance, "J", "energy less its start less work in plus work out"),
     }  # fmt: skip
-    return over_time(series, count) | (_reference(run, run.reference, count) if run.reference else {})
+    found = over_time(series, count) | (_reference(run, run.reference, count) if run.reference else {})
+    return found | _errors(run, count)
+
+
+def _errors(run: RunData, count: int) -> Variables:
+    parts = error_parts(run, count)
+    if parts is None:
+        return {}
+    text = "parts of the error of the tip, which add up to it: actual less"
+    series: Series = {
+        "tip_commanded": ("axis", parts.commanded, "m", "tip of the undeformed nominal robot at the setpoints"),
+        "tip_error": ("error_part axis", parts.to_commanded, "m", f"{text} commanded"),
+        "tip_error_nominal": ("error_part axis", parts.to_nominal, "m", f"{text} nominal"),
+    }
+    return over_time(series, count)
 
 
 def _reference(run: RunData, planned: RunData, count: int) -> Variables:
@@ -188,17 +204,6 @@ def run_wrenches(run: RunData) -> Array:
 def straight_shape(run: RunData) -> Array:
     """Coordinates (n, nq) of a run's robot without any elasticity, its motors where they are."""
     return without_elasticity(run.model, run.q)
-
-
-def without_elasticity(model: Model, q: Array) -> Array:
-    """Coordinates (n, nq) of the robot at ``q`` without any elasticity, its motors where they are."""
-    straight, names = q.copy(), model.coordinates
-    bent = deflections(model, q)
-    for k, name in enumerate(elastic_names(model)):
-        if name.endswith(".gear") and name not in names:
-            straight[:, names.index(name.removesuffix(".gear"))] -= bent[:, k]
-    straight[:, model.deformations] = 0.0
-    return straight
 
 
 def _shapes(shown: list[LinkLine], straight: LinkLines) -> Series:

@@ -1,41 +1,46 @@
-"""When the move ends, and how long after it the tip deviates from its reference; the run is continued until then."""
+"""When the move ends, how long the tip then takes to come to its own rest, and how it vibrates until then."""
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from tmodes.analysis.vibration import FEWEST, Residual, residual_vibration, settled_after
 from tmodes.errors import InputError
 from tmodes.integrate.registry import integrator
 from tmodes.kinds.signals.schedule import MergedSchedule, Schedule, merge
-from tmodes.result.summary import info_settling
 from tmodes.simulation.motion_run import RunData, tip_positions
 from tmodes.simulation.parts import Trajectory
 from tmodes.simulation.plan import Planned
 from tmodes.simulation.start import RunSetup
 from tmodes.simulation.trajectory import integrate
 
-__all__ = ["BAND", "move_end", "settling"]
+__all__ = ["BAND", "AfterMove", "after_move", "move_end", "plain_vibration", "settling", "vibration"]
 
 Array = NDArray[np.float64]
 
-BAND = 0.05
-"""Share of the largest deviation within which the tip counts as settled."""
+BAND = 0.001
+"""Share of the move within which the tip counts as settled: 1 mm of 1 m."""
+
+_NO_MOVE = 1e-9
+"""Least band [m]: a tip that does not move is at rest."""
 
 _HORIZON, _SHORTEST = 30.0, 1e-3
 """Longest and shortest continuation [s]."""
 
-_DECAYS = 4.0
-"""Decay times of the slowest vibration over which a run is continued."""
+_DECAYS = 6.0
+"""Decay times of the slowest motion over which a run is continued."""
 
-_SAMPLES = 6000
+_SAMPLES = 20_000
 
-_LAST = 0.05
-"""Share of the continuation at its end in which a deviation out of the band means that the tip has not settled."""
+_LAST, _STEADY = 0.2, 0.5
+"""Share of the time after the move, at its end, in which the tip must stay within this share of the band."""
 
+_AT_REST = 1e-4
+"""Share of the largest distance from its end, after the move, within which the tip no longer shows its vibration."""
 
 _STILL = 1e-9
 """Change of a signal within a piece, over its largest value, that is rounding."""
@@ -44,56 +49,115 @@ _BEYOND = 2.0
 """How far signals are looked at, as a multiple of the run's duration."""
 
 
-def settling(run: RunData, move_end: float | None, band: float = BAND) -> dict[str, Any] | None:
-    """Time from the end of the move [s] after which the deviation stays below ``band`` of its largest value.
+@dataclass(frozen=True, eq=False)
+class AfterMove:
+    """The tip of a run (n, 3) [m] at its samples, and at those of its continuation with all signals at rest.
 
-    All signals keep their last value, noise ends, and the run and its reference are continued beyond their end, for
-    some decay times of their slowest vibration, and longer where the tip has not settled by then, up to 30 s.
-    ``time_s`` is None, with a ``reason``, where that is not enough. Only the samples are looked at where a run did not
-    reach its end, where its signals change up to its end, where a Python function controls it, and where a vibration
-    does not decay. None without a reference.
+    ``end``: of the move [s], None where it has none; ``finished`` [s]: where the run itself ends; ``reason``: why it
+    was not continued, or what ended the continuation.
     """
-    reference = run.reference
-    if reference is None:
-        return None
-    count = min(len(run.times), len(reference.times))
-    tips = [one.points.position[:count, 0] for one in (reference, run)]
-    time, deviation = run.times[:count], np.linalg.norm(tips[1] - tips[0], axis=1)
-    inside = info_settling(deviation, time, move_end, band)
-    setups = [one.setup for one in (reference, run)]
-    finished = reference.status == run.status == "finished"
-    known = [setup for setup in setups if not setup.planned.plan.is_sampled]  # of a sampled one: with a held command
-    rates = [decay for setup in known if (decay := setup.spectrum.slowest_decay) is not None]
-    fixed = not any(setup.callback for setup in setups)
-    if (
-        move_end is None
-        or move_end > time[-1] * (1 + 1e-9)
-        or not finished
-        or not fixed
-        or min(rates, default=1.0) <= 0
-    ):
-        return inside
-    horizon = max(min(_HORIZON, _DECAYS / min(rates, default=1.0)), _SHORTEST)
-    info: dict[str, Any] = {"time_s": None, "band": band, "limit_m": inside["limit_m"], "reason": ""}
+
+    times: Array
+    tip: Array
+    end: float | None
+    finished: float
+    reason: str = ""
+
+    def settling(self, band: float = BAND) -> dict[str, Any]:
+        """When the tip stays near its own rest, see :func:`settling`."""
+        return settling(self.times, self.tip, self.end, self.finished, band)
+
+    def vibration(self) -> Residual:
+        """The vibration at the end of the move, about the slowly moving mean."""
+        return vibration(self.times, self.tip, self.end)
+
+
+def settling(times: Array, tip: Array, end: float | None, finished: float, band: float = BAND) -> dict[str, Any]:
+    """Time from the end of the move after which the actual tip stays within ``limit_m`` of its own rest.
+
+    Its rest is where it is in the end: the mean of the last fifth of the samples, in which it must not move by more
+    than a share of the band. ``limit_m`` is ``band`` times ``move_m``, its farthest distance from rest in the run.
+    ``time_s`` is None, with a ``reason``, where the tip is not seen to come to rest, and stay there.
+    """
+    last = tip[times >= times[-1] - _LAST * max(times[-1] - (end or 0.0), 0.0)]
+    rest = last.mean(axis=0)
+    far, spread = (np.linalg.norm(part - rest, axis=1) for part in (tip[times <= finished * (1 + 1e-9)], last))
+    limit = max(band * float(far.max()), _NO_MOVE)
+    info: dict[str, Any] = {"time_s": None, "band": band, "limit_m": limit, "move_m": float(far.max()), "reason": ""}
+    if end is None:
+        return info | {"reason": "what moves the robot changes up to the end of the run"}
+    if times[-1] <= end * (1 + 1e-9):
+        when = f"the run ends at {times[-1]:g} s, the move at {end:g} s"
+        return info | {"reason": f"{when}: simulate longer to see it settle"}
+    if spread.max() > _STEADY * limit:
+        seen = f"the tip still moves by {2 * spread.max():.3g} m before t = {times[-1]:.4g} s"
+        return info | {"reason": f"{seen}: a vibration that does not decay, or a run that is too short"}
+    return info | {"time_s": settled_after(times, tip, rest, limit, end), "rest_m": rest.tolist()}
+
+
+def vibration(times: Array, tip: Array, end: float | None) -> Residual:
+    """The vibration of evenly spaced samples after the move, as far as the tip moves at all."""
+    if end is None:
+        return Residual(None, (), "what moves the robot changes up to the end of the run")
+    later = times >= end * (1 - 1e-12)
+    times, tip = times[later], tip[later]
+    if len(times) < FEWEST:
+        return Residual(None, (), "the run ends with the move")
+    uneven = np.flatnonzero(np.abs(np.diff(times) / (times[1] - times[0]) - 1) > 1e-6)
+    count = int(uneven[0]) + 1 if len(uneven) else len(times)
+    far = np.linalg.norm(tip[:count] - tip[count - 1], axis=1)
+    moving = np.flatnonzero(far > _AT_REST * far.max())
+    kept = max(int(moving[-1]) + 1 if len(moving) else 0, 4 * FEWEST)
+    return residual_vibration(times[:count][:kept], tip[:count][:kept], end)
+
+
+def plain_vibration(found: Residual) -> dict[str, Any]:
+    """The same as plain data, SI units."""
+    modes = [
+        {"frequency_Hz": mode.frequency_Hz, "damping_ratio": mode.damping_ratio, "amplitude_m": mode.amplitude}
+        for mode in found.modes
+    ]
+    return {"amplitude_m": found.amplitude, "modes": modes, "reason": found.reason}
+
+
+def after_move(run: RunData, end: float | None) -> AfterMove:
+    """A run and its continuation until its tip is at rest: some decay times of its slowest motion, up to 30 s.
+
+    All signals keep their last value, noise ends. Only the samples are looked at where a run did not reach its end,
+    where its signals change up to its end, where a Python function controls it, and where a vibration does not decay.
+    """
+    times, tip = run.times, run.points.position[:, 0]
+    alone = AfterMove(times, tip, end, float(times[-1]))
+    setup, decays = run.setup, _decays(run)
+    stops = end is not None and end <= times[-1] * (1 + 1e-9)
+    if not stops or run.status != "finished" or setup.callback or min(decays, default=1.0) <= 0:
+        return alone
+    horizon = max(min(_HORIZON, _DECAYS / min(decays, default=1.0)), _SHORTEST)
     while True:
-        carried = [_continued(setup, one, horizon) for setup, one in zip(setups, (reference, run), strict=True)]
-        if lost := next((done for done, _ in carried if done.status != "finished"), None):
-            return info | {"reason": f"continued beyond its end, the run was lost: {lost.message}"}
-        later, afterwards = carried[1][0].times, np.linalg.norm(carried[1][1] - carried[0][1], axis=1)
-        times, far = np.append(time, time[-1] + later[1:]), np.append(deviation, afterwards[1:])
-        info["limit_m"] = limit = band * float(far.max())
-        outside = times[(far > limit) & (times > move_end)]
-        if not outside.size or outside[-1] <= times[-1] - _LAST * horizon:
-            return info | {"time_s": float(outside[-1] - move_end) if outside.size else 0.0}
-        if horizon >= _HORIZON:
-            return info | {"reason": f"the deviation is still {far[-1]:.3g} m {horizon:.3g} s after the end of the run"}
+        done, later = _continued(setup, run, horizon)
+        if done.status != "finished":
+            return replace(alone, reason=f"continued beyond its end, the run was lost: {done.message}")
+        found = replace(alone, times=np.append(times, times[-1] + done.times[1:]), tip=np.concatenate([tip, later[1:]]))
+        if horizon >= _HORIZON or found.settling()["time_s"] is not None:
+            return found
         horizon = min(2 * horizon, _HORIZON)
+
+
+def _decays(run: RunData) -> list[float]:
+    """Decay rates of the motions about the start that ring, or creep within the longest continuation [1/s]."""
+    spectrum = run.setup.spectrum
+    if run.planned.plan.is_sampled or spectrum.slowest_decay is None:  # of a sampled one: with a held command
+        return []
+    creeping = -spectrum.eigenvalues.real[spectrum.eigenvalues.real < -_DECAYS / _HORIZON]
+    return [spectrum.slowest_decay, *map(float, creeping)]
 
 
 def _continued(setup: RunSetup, run: RunData, duration: float) -> tuple[Trajectory, Array]:
     """The run from where it ended, all signals at rest, and its tip at each sample (n, 3) [m]."""
     setup, state = at_rest_from(setup, float(run.times[-1]), run.states[-1], duration)
-    settings = setup.robot.integration.model_copy(update={"duration": duration, "output_step": duration / _SAMPLES})
+    step = max(1, np.ceil(duration / _SAMPLES / setup.robot.integration.output_step))
+    given = setup.robot.integration
+    settings = given.model_copy(update={"duration": duration, "output_step": float(step * given.output_step)})
     if not integrator(settings.method).adaptive:
         settings = settings.chosen("dormand_prince")
     later = setup.otherwise and setup.otherwise.model_copy(update={"duration": duration})

@@ -10,11 +10,13 @@ from numpy.typing import NDArray
 
 from tmodes.analysis.energy import largest_flow
 from tmodes.errors import InputError
+from tmodes.result.paths import tip_errors
+from tmodes.result.settling import BAND, plain_vibration, settling, vibration
 
 if TYPE_CHECKING:
     from xarray import Dataset
 
-__all__ = ["info_settling", "mean_over_time", "summarise_result"]
+__all__ = ["mean_over_time", "summarise_result", "vibrations"]
 
 Array = NDArray[np.float64]
 
@@ -22,21 +24,23 @@ MOST_ENTRIES = 40
 """Deformations that are reported, the largest ones."""
 
 
-def summarise_result(data: Dataset, band: float = 0.05) -> dict[str, Any]:
+def summarise_result(data: Dataset, band: float = BAND) -> dict[str, Any]:
     """A plain dictionary of floats and words, ready for JSON; units are in the keys. What is missing is None.
 
-    ``band`` [-] is the share of the largest deviation within which the tip counts as settled, between 0 and 1; for the
-    usual one the run itself was continued (:mod:`tmodes.result.settling`), for any other its samples are looked at.
+    ``band`` [-] is the share of the move within which the tip counts as settled, between 0 and 1; for the usual one the
+    run itself was continued (:mod:`tmodes.result.settling`), for any other its samples are looked at.
     Raises :class:`tmodes.errors.InputError` for a band out of range.
     """
     if not 0 < band < 1:
-        raise InputError("band", str(band), "a number between 0 and 1", "0.05 is the usual one")
+        raise InputError("band", str(band), "a number between 0 and 1", f"{BAND} is the usual one")
     time = np.asarray(data["time"].values, dtype=float)
     return {
         "status": data.attrs["status"],
         "first_frequency_Hz": _first_frequencies(data),
         "deviation": _deviation(data, time) if "deviation" in data else None,
+        "tip_error": tip_errors(data),
         "settling": _settling(data, time, band),
+        "vibration": vibrations(data),
         "joints": _joints(data, time),
         "deformations": _deformations(data, time),
         "links": _links(data, time),
@@ -46,13 +50,26 @@ def summarise_result(data: Dataset, band: float = 0.05) -> dict[str, Any]:
     }
 
 
-def _settling(data: Dataset, time: Array, band: float) -> dict[str, Any] | None:
-    if "deviation" not in data:
-        return None
+def _settling(data: Dataset, time: Array, band: float) -> dict[str, Any]:
     known = json.loads(data.attrs.get("settling", "null"))
-    if known and known["band"] == band:
+    if known and known["band"] == band and "move_m" in known:  # an earlier version had another rule
         return known
-    return info_settling(data["deviation"].values, time, json.loads(data.attrs["move_end"]), band)
+    return settling(time, _path(data, "tip"), json.loads(data.attrs["move_end"]), float(time[-1]), band)
+
+
+def _path(data: Dataset, name: str) -> Array:
+    return data[name].transpose("time", "axis").values
+
+
+def vibrations(data: Dataset) -> dict[str, Any]:
+    """Residual vibration of the ``actual`` and ``nominal`` tip; of a file of an earlier version, from its samples."""
+    if "vibration" in data.attrs:
+        return json.loads(data.attrs["vibration"])
+    end, time = json.loads(data.attrs["move_end"]), np.asarray(data["time"].values, dtype=float)
+    paths = {"actual": "tip", "nominal": "tip_reference"}
+    return {
+        which: plain_vibration(vibration(time, _path(data, name), end)) for which, name in paths.items() if name in data
+    }
 
 
 def _joints(data: Dataset, time: Array) -> dict[str, dict[str, Any]]:
@@ -157,25 +174,6 @@ def _deviation(data: Dataset, time: Array) -> dict[str, float]:
     deviation = data["deviation"].values
     worst = int(np.argmax(deviation))
     return {"max_m": float(deviation[worst]), "time_of_max_s": float(time[worst]), "end_m": float(deviation[-1])}
-
-
-def info_settling(deviation: Array, time: Array, move_end: float | None, band: float) -> dict[str, Any]:
-    """Time from the end of the move to the last sample at which the deviation is out of the band [s].
-
-    ``move_end`` [s] is None where what moves the tip changes up to the end of the run.
-    """
-    limit = band * float(deviation.max())
-    info: dict[str, Any] = {"time_s": None, "band": band, "limit_m": limit, "reason": ""}
-    if move_end is None:
-        return info | {"reason": "what moves the arm changes up to the end of the run"}
-    outside = time[(deviation > limit) & (time > move_end)]
-    if time[-1] <= move_end * (1 + 1e-9):
-        info["reason"] = f"the run ends at {time[-1]:g} s, the move at {move_end:g} s: simulate longer to see it settle"
-    elif outside.size and outside[-1] == time[-1]:
-        info["reason"] = f"the deviation is still {deviation[-1]:.3g} m when the run ends at {time[-1]:g} s"
-    else:
-        info["time_s"] = float(outside[-1] - move_end) if outside.size else 0.0
-    return info
 
 
 def _energy(data: Dataset) -> dict[str, float | None]:

@@ -38,8 +38,11 @@ def load(
     :class:`tmodes.errors.InputErrors` with all wrong values and their lines.
     """
     from tmodes.io.sheet_files import read_file
-    from tmodes.io.words import shown_path
+    from tmodes.io.words import shown, shown_path
 
+    if not isinstance(name_or_path, (str, os.PathLike)):
+        hint = 'write tmodes.load("spong1987"), or the path of a file'
+        raise InputError("robot", shown(name_or_path), "the name of a published robot, or the path of a file", hint)
     source = shown_path(name_or_path)
     if file := published().get(str(name_or_path)):
         with resources.as_file(file) as path:

@@ -20,6 +20,7 @@ from tmodes.sensitivity.changes import Change, Changes
 from tmodes.sensitivity.lowering import Lowered, lowered
 from tmodes.sensitivity.quantities import Functional, Quantities
 from tmodes.sheet import Robot
+from tmodes.sheet.robot import refuse_other
 from tmodes.simulation.recording import MOST_BYTES, Recording
 from tmodes.simulation.replay import Replay
 
@@ -163,6 +164,7 @@ def _direction(name: str, way: ArrayLike, size: int) -> Array:
 
 def _begun(sheet: Robot, most_bytes: float) -> tuple[_Watch, Lowered, Replay]:
     """The run, with its steps."""
+    refuse_other(sheet)
     watch = _Watch()
     here = lowered(sheet)
     watch.lap("plan")

@@ -31,7 +31,7 @@ from tmodes.sheet.parts import (
     several,
 )
 
-__all__ = ["MOST_JOINTS", "RECURSION", "SHEET_FORMAT", "Robot", "RobotPair"]
+__all__ = ["MOST_JOINTS", "RECURSION", "SHEET_FORMAT", "Robot", "RobotPair", "refuse_other"]
 
 SHEET_FORMAT = 1
 """Version of the data sheet's format."""
@@ -135,6 +135,10 @@ class Robot(DataSheet):
         """
         return upward("Robot.show")(self, height=height)
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        """What was pickled is read again as a data sheet, and checked."""
+        return Robot.from_data, (self.model_dump(mode="json", by_alias=True, exclude_none=True),)
+
     def link(self, name: str) -> LinkSheet:
         """The link with this name; one that the sheet does not describe is rigid and has no mass."""
         return next((link for link in self.links if link.name == name), LinkSheet(name=name))
@@ -150,6 +154,13 @@ class Robot(DataSheet):
         makes a number no robot can have.
         """
         return RobotPair(nominal=self, real=upward("Robot.pair")(self))
+
+
+def refuse_other(robot: object, *others: type) -> None:
+    """Refuse what is neither a robot nor one of the ``others``; raises :class:`tmodes.errors.InputError`."""
+    if not isinstance(robot, (Robot, *others)):
+        got, hint = f"a {type(robot).__name__}", "load it first: tmodes.load(NAME or FILE)"
+        raise InputError("robot", got, "a tmodes.Robot", hint)
 
 
 @dataclass(frozen=True)

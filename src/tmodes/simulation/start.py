@@ -81,7 +81,7 @@ def run_setup(robot: Robot, follow: Follow = Follow.SHEET, like: RunSetup | None
     """
     like = like if like and _same(robot, like.robot) else None
     plan = planned(robot, follow, like.planned.chain if like else None)
-    model, mechanics = LoopModel(plan.plan), Model(plan.chain)
+    model, mechanics = LoopModel(plan.plan), Model(plan.chain, trials=True)
     held = _held(robot, model)
     rest = None
     if starts_at_rest(robot):

@@ -13,6 +13,8 @@ from scipy.optimize import brentq
 
 from arm.analysis.sheets import clamped_sheet, locked_sheet
 from command import tmodes
+from tmodes import load
+from tmodes.analysis.modes.of_sheet import vibrations
 
 
 def test_json():
@@ -81,3 +83,37 @@ def test_growth_is_reported_in_seconds(tmp_path):
     out = tmodes("modes", file).stdout
     assert "UNSTABLE" in out
     assert "grows, x e in" in out
+
+
+@pytest.mark.parametrize("pose", ["joint1=0.3,joint2=-20deg,joint3=1.1", "joint3.motor=-0.5"])
+def test_at_a_pose_and_up_to_a_frequency(pose: str) -> None:
+    """The same as with drives that begin there."""
+    values = {name.removesuffix(".motor"): value for name, value in (part.split("=") for part in pose.split(","))}
+    starts = {f"drives.{int(name[-1]) - 1}.signal": {"type": "constant", "value": value}
+              for name, value in values.items()}  # fmt: skip
+    given = vibrations(load("manutec_r3").with_(starts).pair().real).states
+    asked = json.loads(tmodes("modes", "manutec_r3", "--at", pose, "--json").stdout)["real"]
+    for state, rows in given.items():
+        found = [row["frequency_Hz"] for row in asked[state]]
+        assert found == pytest.approx([row["frequency_Hz"] for row in rows], rel=1e-9, abs=1e-9)
+    few = json.loads(tmodes("modes", "manutec_r3", "--at", pose, "--max-frequency", 26, "--json").stdout)["real"]
+    for rows in few.values():
+        assert [row["frequency_Hz"] for row in rows] == [x for x in (r["frequency_Hz"] for r in rows) if x <= 26]
+    assert 0 < len(few["locked"]) < 3
+
+
+@pytest.mark.parametrize(("arguments", "words"), [
+    (("--at", "joint9=1"), "--at must be joints that move: joint1"),
+    (("--at", "joint1"), "--at must be COORDINATE=VALUE"),
+    (("--at", "joint1=2m"), "--at joint1"),
+    (("--max-frequency", "0"), "a frequency > 0 Hz"),
+])  # fmt: skip
+def test_poses_that_are_none(arguments: tuple[str, ...], words: str) -> None:
+    assert words in tmodes("modes", "manutec_r3", *arguments, code=2).stderr
+
+
+def test_at_a_pose_of_static_and_describe() -> None:
+    rest = json.loads(tmodes("static", "spong1987", "--at", "joint=0.5", "--json").stdout)
+    assert rest["coordinates"]["joint.motor"] == 0.5
+    sag = json.loads(tmodes("describe", "spong1987", "--at", "joint=0.5", "--json").stdout)["sag"]
+    assert sag["displacement_size_m"] == pytest.approx(rest["points"][0]["displacement_size_m"], rel=1e-9)

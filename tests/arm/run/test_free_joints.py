@@ -69,3 +69,18 @@ def test_what_a_prescribed_motion_leaves_out_is_reported(group: str, value: floa
                      integration={"duration": 0.1, "output_step": 0.05})  # fmt: skip
     expected = f"initial.{group}.joint.motor: {value:g} is left out: its drive prescribes 0 at t = 0"
     assert expected in tmodes.run(robot).warnings
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_bodies_without_mass_and_rotors_without_inertia(seed: int) -> None:
+    """J q'' = torque: the inertia of a body without mass counts, wherever its center is, and that of no rotor."""
+    rng = np.random.default_rng(seed)
+    inertia, effort = rng.uniform(0.1, 2, 2)
+    body = {"name": "b", "mass": 0.0, "center": rng.normal(size=3).tolist(),
+            "inertia": {"xx": inertia, "yy": inertia, "zz": inertia}}  # fmt: skip
+    joint = {"name": "j", "type": "revolute", "parent": "base", "child": "l", "axis": rng.normal(size=3).tolist(),
+             "motor": {"inertia": 0.0, "side": "joint"}}  # fmt: skip
+    robot = arm(gravity=9.81, joints=[joint], links=[{"name": "l", "bodies": [body]}],
+                drives=[{"joint": "j", "command": "effort", "signal": {"type": "constant", "value": effort}}],
+                integration={"duration": 1.0, "output_step": 0.5})  # fmt: skip
+    assert tmodes.run(robot).data["q"].values[-1, 0] == pytest.approx(effort / inertia / 2, rel=1e-8)

@@ -134,6 +134,22 @@ def test_a_rotor_behind_a_rigid_gear_is_inertia_enough() -> None:
     assert "no inertia" in problem(one_link(link, motor=motor, gear={"stiffness": 9, "damping": 0}))
 
 
+def test_a_rotor_without_inertia_where_it_does_not_turn_by_itself() -> None:
+    """Locked or behind a rigid gear; there the link has the inertia."""
+    motor, gear = {"inertia": 0, "side": "joint"}, {"stiffness": 9, "damping": 0}
+    link = {"bodies": [{"mass": 1, "center": [0, 1, 0]}]}
+    assert problem(one_link(link, motor=motor)) == ""
+    assert problem(one_link(link, motor=motor, gear=gear, state="locked")) == ""
+    assert "motor.inertia must be an inertia > 0" in problem(one_link(link, motor=motor, gear=gear))
+    assert "no inertia" in problem(one_link({"bodies": [{"mass": 1, "center": [0, 0, 1]}]}, motor=motor))
+
+
+def test_inertia_without_mass_is_enough_to_turn_and_not_to_slide() -> None:
+    link = {"bodies": [{"mass": 0, "center": [0, 1, 0], "inertia": {"xx": 0.1, "yy": 0.1, "zz": 0.1}}]}
+    assert problem(one_link(link)) == ""
+    assert "has no mass" in problem(one_link(link, type="prismatic"))
+
+
 def test_a_sliding_mass_needs_no_inertia() -> None:
     assert problem(one_link({"bodies": [{"mass": 1}]}, type="prismatic")) == ""
 

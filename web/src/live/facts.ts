@@ -2,12 +2,11 @@
 
 import type { LiveRun } from "../contract_parts";
 import { digits, info } from "../format";
-import { sizes, worst, type SeriesOf } from "./series";
+import { worst, type SeriesOf } from "./series";
 
 export type Facts = LiveRun["facts"];
 
-const FEWEST = 8;
-const NEEDS_THE_END = ["settling", "vibration.residual"];
+const NEEDS_THE_END = ["settling", "vibration.residual", "vibration.nominal"];
 
 /** A number in so many figures. */
 export function figures(value: number, count = 3): string {
@@ -22,7 +21,7 @@ export function meanOverTime(times: Float64Array, values: Float64Array): number 
   return total / (times[times.length - 1] - times[0]);
 }
 
-/** How far the tip is from its reference, how long it takes to settle, how it swings after the move. */
+/** How far the tip is from the nominal one; why it is not seen to settle. */
 export function trackingFacts(times: Float64Array, series: SeriesOf, moveEnd: number | null): Facts {
   const facts: Facts = {};
   const deviation = series.deviation?.data;
@@ -42,47 +41,34 @@ export function trackingFacts(times: Float64Array, series: SeriesOf, moveEnd: nu
       ),
       note: "over the run",
     };
-    const unseen = unsettled(times, moveEnd);
-    if (unseen) facts.settling = unseen;
   }
-  facts["vibration.residual"] = vibration(times, series, moveEnd);
-  return facts;
+  return { ...facts, ...unseen(times, moveEnd, deviation !== undefined) };
 }
 
 /**
- * Why settling is not seen; null where the native run carries on beyond its end to see it. The page does not carry on:
- * it then gives no number of its own, and the original run's stays, marked as such.
+ * Why settling and residual vibration are not seen; nothing where the native run carries on beyond its end to see them.
+ * The page does not carry on: it then gives no number of its own, and the original run's stays, marked as such.
  */
-function unsettled(times: Float64Array, moveEnd: number | null): Facts[string] | null {
+function unseen(times: Float64Array, moveEnd: number | null, compared: boolean): Facts {
   const end = times[times.length - 1];
-  if (moveEnd === null) return { value: null, note: "not seen: what moves the arm changes up to the end of the run" };
-  if (moveEnd <= end * (1 + 1e-9)) return null;
-  const when = `the run ends at ${figures(end, 6)} s, the move at ${figures(moveEnd, 6)} s`;
-  return { value: null, note: `not seen: ${when}: simulate longer to see it settle` };
+  if (moveEnd !== null && moveEnd <= end * (1 + 1e-9)) return {};
+  const moves = "what moves the robot changes up to the end of the run";
+  const when = `the run ends at ${figures(end, 6)} s, the move at ${figures(moveEnd ?? 0, 6)} s`;
+  const settling = moveEnd === null ? moves : `${when}: simulate longer to see it settle`;
+  const vibration: Facts[string] = { value: null, note: moveEnd === null ? moves : "the run ends with the move" };
+  const facts: Facts = { settling: { value: null, note: `not seen: ${settling}` }, "vibration.residual": vibration };
+  return compared ? { ...facts, "vibration.nominal": vibration } : facts;
 }
 
 /** Of a run that broke off: it has not settled, and what was largest was so until then. */
 export function brokenOff(facts: Facts): Facts {
   const info: Facts = {};
-  const needing = NEEDS_THE_END.filter((id) => id !== "settling" || "deviation.max" in facts);
+  const needing = NEEDS_THE_END.filter((id) => id !== "vibration.nominal" || "deviation.max" in facts);
   for (const id of needing) info[id] = { value: null, note: "the run broke off" };
   for (const [id, { value, note }] of Object.entries(facts)) {
     if (!needing.includes(id)) info[id] = { value, note: `until it broke off: ${note}` };
   }
   return info;
-}
-
-function vibration(times: Float64Array, series: SeriesOf, moveEnd: number | null): Facts[string] {
-  if (moveEnd === null) return { value: null, note: "what moves the robot changes up to the end of the run" };
-  const first = times.findIndex((time) => time > moveEnd * (1 + 1e-9));
-  if (first < 0 || times.length - first < FEWEST) return { value: null, note: "the run ends with the move" };
-  const planned = series.tip_reference?.data;
-  const tip = series.tip.data.map((value, k) => value - (planned ? planned[k] : 0)).subarray(3 * first);
-  const mean = [0, 1, 2].map(
-    (axis) => tip.reduce((sum, value, k) => (k % 3 === axis ? sum + value : sum), 0) / (tip.length / 3),
-  );
-  const away = sizes(tip.map((value, k) => value - mean[k % 3]), 3);
-  return { value: away[worst(away)], note: `about its mean place, from ${figures(times[first])} s on` };
 }
 
 /** How well the energies add up: the worst residual of their balance over what was moved. */

@@ -13,6 +13,7 @@ from tmodes.analysis.line.line import LinkLines, elastic_line
 from tmodes.analysis.statics.compliance import DIRECTIONS, PointCompliance, missing_functions, point_compliance
 from tmodes.analysis.statics.equilibrium import Equilibrium, robot_rest
 from tmodes.analysis.statics.path import Progress
+from tmodes.analysis.statics.reactions import reactions
 from tmodes.analysis.validity import link_ranges, missing_share, rest_warnings
 from tmodes.errors import SimulationError
 from tmodes.model.model import Model
@@ -108,6 +109,7 @@ def statics_info(robot: Robot, rest: Equilibrium, point: int = 0) -> dict[str, A
         "points": [sag(rest, k) for k in range(len(rest.model.parts.points))],
         "links": link_states(rest, lines),
         "stiffness": compliance_table(rest, point),
+        "reactions": reactions(robot, rest),
         "warnings": [*rest_notices(robot, rest), *rest_warnings(robot, rest.model, lines), *_still(rest.model)],
     }
 

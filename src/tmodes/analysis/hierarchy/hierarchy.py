@@ -134,7 +134,7 @@ def ladder(
 
 def _at_rest(name: str, sheet: Robot, move: Move) -> _Start:
     chain = whole_chain(sheet)
-    model = Model(moved_chain(chain))
+    model = Model(moved_chain(chain), trials=True)
     undeformed = _posed(model, move.at(0.0)[None])
     q, held = held_shape(model, undeformed)
     if not held[0]:

@@ -20,7 +20,7 @@ from tmodes.equations.line.schedule import RIGID, ROOTS, Lines
 from tmodes.errors import InputError, SimulationError
 from tmodes.kinds.links.line import LineOfLink, layout
 from tmodes.model.model import Model
-from tmodes.model.passes import Rows
+from tmodes.model.rows import Rows
 
 __all__ = ["Largest", "LinkLine", "LinkLines", "Shape", "Stress", "elastic_line", "line_places"]
 
@@ -164,7 +164,7 @@ def elastic_line(
     q = np.atleast_2d(np.asarray(q, dtype=float))
     lines = model.passes.lines(tuple(asked), loaded=wrenches is not None)
     _refuse_huge(len(q) * lines.schedule.output_size)
-    found = model.passes.on_lines(lines, Rows(q, v, model.nq), a, base, wrenches)
+    found = model.passes.on_lines(lines, Rows(q, v, model.nq, finite=not model.trials), a, base, wrenches)
     named = [line for index in range(len(model.chain.nodes)) for line in _lines(model, index, asked, lines, found)]
     named += [_between(name, asked, found[name]) for name in lines.drawn]
     return LinkLines({line.name: line for line in named}, found[ROOTS].reshape(len(q), -1, 6))

@@ -40,7 +40,8 @@ class Mode:
     """One mode of vibration.
 
     ``frequency_Hz``: natural, from mass and stiffness alone, 0 for a free motion and for one that buckles; of a mode
-    that rings under control |lambda|/2 pi, because strong controllers make other motions than masses and springs do;
+    that rings under control, or about steady motion, |lambda|/2 pi, because strong controllers and gyroscopic forces
+    make other motions than masses and springs do;
     ``damped_frequency_Hz``: as it rings, None when it does not; ``damping_ratio``: -Re/|lambda|, 1 when over-damped;
     ``element``: where most of its elastic energy is, and the ``share`` of it; ``shares`` of all elements; ``stable`` is
     False where it grows, by the factor e in ``growth_time_s``, else None. ``shape`` (nq,): of the undamped mode, its
@@ -95,7 +96,7 @@ def modes_about(
     for k, square in enumerate(squares):
         energies = {name: float(part[k]) for name, part in stored.items()}
         mode = _mode(float(square), eigenvalues[k], whole[:, k], energies, zero)
-        rings = chosen and mode.damped_frequency_Hz
+        rings = (chosen or rest.rates is not None) and mode.damped_frequency_Hz
         frequency = float(abs(eigenvalues[k])) / (2 * np.pi) if rings else mode.frequency_Hz
         modes.append(replace(mode, frequency_Hz=frequency, motion=moved[:, k]))
     return modes
@@ -160,7 +161,7 @@ def _matrices(rest: Equilibrium) -> tuple[Array, Array, Array]:
     mass, damping, stiffness = rest.matrices
     smooth = without_dry_friction(rest.model.chain)
     if smooth is not None:
-        damping = Model(smooth).linearised(rest.q)[1]
+        damping = Model(smooth).linearised(rest.q, rest.rates)[1]
     return mass, damping, stiffness
 
 

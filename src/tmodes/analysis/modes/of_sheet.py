@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict
 from typing import Any, NamedTuple
 
@@ -14,6 +14,7 @@ from tmodes.analysis.modes.closed_loop import feedback_of
 from tmodes.analysis.modes.modes import Mode, MotorState, Servo, closed_loop_poles, modes_about
 from tmodes.analysis.statics.equilibrium import Equilibrium, robot_rest
 from tmodes.analysis.statics.path import Progress
+from tmodes.analysis.statics.steady import unsteadiness
 from tmodes.chain.chain import Motor
 from tmodes.model.model import Model
 from tmodes.sheet import Robot
@@ -28,6 +29,9 @@ CONVERGED = 0.01
 
 MOST_CHECKED = 60
 """Coordinates up to which a robot is compared with a finer one."""
+
+STEADY = 1e-6
+"""Change of forces in steady motion, over their parts, that is rounding."""
 
 ALIKE = 0.3
 """Likeness (modal assurance) from which two modes are the same motion."""
@@ -57,15 +61,24 @@ def frequencies_about(robot: Robot, rest: Equilibrium) -> dict[str, list[dict[st
 
 
 def sheet_frequencies(robot: Robot, *, contact: bool = True) -> dict[str, list[dict[str, Any]]]:
-    """The same about the rest of a data sheet, which is solved for; ``contact``: in contact where it has one.
+    """The same about the rest or the steady motion of a data sheet; ``contact``: in contact where it has one.
 
     Errors as of :func:`tmodes.analysis.statics.equilibrium.robot_rest`.
     """
-    return frequencies_about(robot, robot_rest(robot, contact=contact))
+    return frequencies_about(robot, robot_rest(robot, contact=contact, moving=True))
 
 
-def vibrations(robot: Robot, *, contact: bool = False, progress: Progress = lambda stage, share: None) -> Vibrations:
+def vibrations(
+    robot: Robot,
+    *,
+    contact: bool = False,
+    held: Mapping[str, float] | None = None,
+    progress: Progress = lambda stage, share: None,
+) -> Vibrations:
     """Modes for each state of the motors about the rest under its loads, and whether the links' models hold there.
+
+    About the steady motion of drives at constant speed, else about rest; driven coordinates at ``held`` [rad, m], else
+    at their first command.
 
     ``controlled`` is there only where a drive has a controller. Errors as of
     :func:`tmodes.analysis.statics.equilibrium.robot_rest`.
@@ -73,11 +86,12 @@ def vibrations(robot: Robot, *, contact: bool = False, progress: Progress = lamb
     ``frequency_error`` of a mode: by which share it is higher than with two more functions a direction, None where that
     is not known (robots of more than 60 coordinates, segments, modes without a partner); ``converged``: within 1 %.
     """
-    rest = robot_rest(robot, contact=contact, progress=progress)
+    how = {"contact": contact, "held": held, "moving": True, "progress": progress}
+    rest = robot_rest(robot, **how)
     states = _states(robot, rest, progress)
     info = {state: [_plain(mode, rest) for mode in modes] for state, modes in states.items()}
     fine_robot = finer(robot) if rest.model.nq <= MOST_CHECKED else None
-    fine = robot_rest(fine_robot, contact=contact, progress=progress) if fine_robot else None
+    fine = robot_rest(fine_robot, **how) if fine_robot else None
     others = _states(_without_full_feedback(robot), fine, progress) if fine else {}
     for state, modes in states.items():
         errors = frequency_errors(rest, modes, fine, others[state]) if fine and state in others else [None] * len(modes)
@@ -111,6 +125,11 @@ def _states(robot: Robot, rest: Equilibrium, progress: Progress) -> dict[str, li
 
 def _notices(robot: Robot, rest: Equilibrium, info: dict[str, list[dict[str, Any]]]) -> list[str]:
     found = [] if rest.model.nq else [f"no modes: {NOTHING_MOVES}"]
+    if rest.rates is not None and unsteadiness(rest.matrices[2], rest.rates, rest.free) > STEADY:
+        found.append(
+            "the motion at constant speed is not steady: weight, loads or other joints turn as seen by what moves; the "
+            "modes are those of the pose that is held, with its joints moving"
+        )
     if rest.model.nq > MOST_CHECKED and finer(robot):
         found.append(f"whether the modes are converged was not checked: more than {MOST_CHECKED} coordinates")
     if any(row["converged"] is False for modes in info.values() for row in modes):

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from tmodes.analysis.quasistatic import gear_inputs, sprung
 from tmodes.analysis.statics.loads import Load, acts_of, surface_act
 from tmodes.analysis.statics.path import LoadPath, Progress, follow
+from tmodes.analysis.statics.steady import steady_rates, whole_rates
 from tmodes.analysis.statics.system import StaticSystem
 from tmodes.errors import InputError
 from tmodes.kinds.contacts.registry import Contact
@@ -39,15 +40,15 @@ class UnstableMode:
 
 @dataclass(frozen=True, eq=False)
 class Equilibrium:
-    """A robot at rest.
+    """A robot at rest in the pose ``q`` (nq,).
 
-    ``q`` (nq,): the pose. ``residual``: force left over against the largest in play. ``lowest_frequency_Hz``: of the
-    undamped robot with its held coordinates fixed; 0 where it is not ``stable``, infinite where nothing is free.
-    ``load_path`` (stations, 1 + nq): load factor and pose on the way; ``lost_stability_at``: load factor at which the
-    robot first lost its stability (buckled), None where it did not. ``free``: indices of the coordinates that were
-    found. ``matrices``: M, D, K (nq, nq) about the pose, with the stiffness of loads and surfaces. ``wrenches``
-    (points, 6): what acts on the points, world axes, None for nothing. ``positions`` (points, 3) [m] and ``rotations``
-    (points, 3, 3) of the points, and the same without loads.
+    ``residual``: force left over against the largest in play. ``lowest_frequency_Hz``: of the undamped robot with its
+    held coordinates fixed; 0 where it is not ``stable``, infinite where nothing is free. ``load_path`` (stations,
+    1 + nq): load factor and pose on the way; ``lost_stability_at``: load factor at which the robot first lost its
+    stability (buckled), None where it did not. ``free``: indices of the coordinates that were found. ``matrices``: M,
+    D, K (nq, nq) about the pose, with the stiffness of loads and surfaces. ``wrenches`` (points, 6): what acts on the
+    points, world axes, None for nothing. ``rates`` (nq,): of the steady motion in which it is at rest relative to what
+    turns, None where it stands.
     """
 
     model: Model
@@ -63,6 +64,7 @@ class Equilibrium:
     wrenches: Array | None
     unloaded: Array
     """Pose without weight and loads (nq,)."""
+    rates: Array | None = None
 
     @property
     def named(self) -> dict[str, float]:
@@ -86,21 +88,23 @@ def equilibrium(
     free: Sequence[str] = (),
     start: Mapping[str, float] | None = None,
     contact: Contact | None = None,
+    rates: Mapping[str, float] | None = None,
     progress: Progress = lambda stage, share: None,
 ) -> Equilibrium:
     """The pose in which a robot rests under its weight and ``loads``, reached from the unloaded arm.
 
     Motors and joints that are driven directly or prescribed are held: at ``held`` [rad, m], else at ``start``, else
     at 0; all other coordinates, and those named in ``free``, are found, from ``start`` on. The load, weight included,
-    rises from nothing in steps that keep to their branch (Crisfield, Non-linear Finite Element Analysis of Solids and
-    Structures 1, 1991, ch. 9); a robot with loose joints first sinks to where a thousandth of the load puts it.
+    and with it the centrifugal forces of steady ``rates`` of held coordinates [rad/s, m/s], rises from nothing in steps
+    that keep to their branch (Crisfield, Non-linear Finite Element Analysis of Solids and Structures 1, 1991, ch. 9); a
+    robot with loose joints first sinks to where a thousandth of the load puts it.
 
     Raises :class:`tmodes.errors.InputError` for an unknown name or a number that is not finite, and
     :class:`tmodes.errors.SimulationError` with the last load factor reached where the whole load finds no rest.
     """
     acts = acts_of(model, loads)
     acts += [surface_act(model, contact)] if contact else []
-    system = StaticSystem(model, acts, free_coordinates(model, held or {}, free))
+    system = StaticSystem(model, acts, free_coordinates(model, held or {}, free), whole_rates(model, rates))
     pose = starting_pose(model, held or {}, start or {})
     return _info(system, follow(system, pose, progress), pose)
 
@@ -117,6 +121,7 @@ def _info(system: StaticSystem, path: LoadPath, pose: Array) -> Equilibrium:
         load_path=np.array([[station.factor, *station.q] for station in path.stations]),
         lost_stability_at=path.lost_at, free=system.free, matrices=system.matrices(end.q, 1.0),
         wrenches=system.wrenches(end.q), unloaded=path.stations[0].q if path.stations[0].factor == 0.0 else pose,
+        rates=system.rates,
     )  # fmt: skip
 
 
@@ -179,22 +184,25 @@ def robot_rest(
     held: Mapping[str, float] | None = None,
     sheet: bool = True,
     contact: bool = True,
+    moving: bool = False,
     progress: Progress = lambda stage, share: None,
 ) -> Equilibrium:
     """Static equilibrium of a robot under its weight, the loads of its data sheet at time 0 (``sheet``) and ``loads``.
 
     Driven coordinates are held at ``held``, else at their first command, else at the sheet's initial coordinates, else
-    at 0; ``contact`` False leaves the sheet's contact out. One that was solved lately is taken again: a run, its modes
-    and its page ask for the same. Errors as of :func:`equilibrium`.
+    at 0; ``contact`` False leaves the sheet's contact out; ``moving``: about the motion of drives at constant speed.
+    One that was solved before is taken again: a run and its modes ask for the same. Errors as of :func:`equilibrium`.
     """
     model = model or Model(robot.chain())
     known = {name: value for name, value in robot.initial.coordinates.items() if name in model.coordinates}
     commands = first_commands(robot, model) | dict(held or {})
     acting = [*(sheet_loads(robot) if sheet else ()), *loads]
     touched = robot.contact if contact else None
-    key = _key(model, acting, commands, known, touched)
+    rates = steady_rates(robot, model) if moving else {}
+    key = _key(model, acting, commands, known, touched), *rates.items()
     if key not in _solved:
-        _solved[key] = equilibrium(model, acting, held=commands, start=known, contact=touched, progress=progress)
+        how = {"start": known, "contact": touched, "rates": rates, "progress": progress}
+        _solved[key] = equilibrium(model, acting, held=commands, **how)
         while len(_solved) > _KEPT:
             _solved.popitem(last=False)
     return replace(_solved[key], model=model)  # whose points and rigid links may have other names

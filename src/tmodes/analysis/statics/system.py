@@ -33,11 +33,16 @@ class Forces(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class StaticSystem:
-    """The equations of one robot, its acts, and the indices of the coordinates that are free to move."""
+    """The equations of one robot, its acts, and the indices of the coordinates that are free to move.
+
+    ``rates`` (nq,): of steady motion, about which it is at rest relative to what turns; None: it stands. Like the loads
+    centrifugal forces are taken times the factor.
+    """
 
     model: Model
     acts: Sequence[Act]
     free: NDArray[np.intp]
+    rates: Array | None = None
 
     def wrenches(self, q: Array, factor: float = 1.0) -> Array | None:
         """Wrenches on all points, shape (points, 6), None where nothing acts."""
@@ -51,7 +56,8 @@ class StaticSystem:
     def forces(self, q: Array, factor: float) -> Forces:
         """Forces along the free coordinates at a pose (nq,)."""
         still = np.zeros_like(q)
-        loaded = self.model.inverse_dynamics(q, still, still, wrenches=self.wrenches(q), base=self.model.at_rest())
+        moving = still if self.rates is None else self.rates
+        loaded = self.model.inverse_dynamics(q, moving, still, wrenches=self.wrenches(q), base=self.model.at_rest())
         elastic = self.model.elastic_forces(q, still)
         by_factor = loaded - elastic
         return Forces(*(part[self.free] for part in (elastic + factor * by_factor, by_factor, elastic)))
@@ -67,7 +73,11 @@ class StaticSystem:
     def stiffness(self, q: Array, factor: float) -> Array:
         """K (nq, nq) about a pose, with what following loads and surfaces add."""
         base = self.model.at_rest(gravity=factor)
-        stiffness = self.model.stiffness(q, wrenches=self.wrenches(q, factor), base=base)
+        acting = {"wrenches": self.wrenches(q, factor), "base": base}
+        if self.rates is None:
+            stiffness = self.model.stiffness(q, **acting)
+        else:
+            stiffness = self.model.linearised(q, np.sqrt(factor) * self.rates, **acting)[2]
         for act, pose in self._posed(q, turning=True):
             added = act.stiffness(pose)
             stiffness = stiffness if added is None else stiffness + factor * added
@@ -76,7 +86,8 @@ class StaticSystem:
     def matrices(self, q: Array, factor: float) -> tuple[Array, Array, Array]:
         """M, D, K (nq, nq) about a pose, with what loads and surfaces add to them; Newton's method needs only K."""
         base = self.model.at_rest(gravity=factor)
-        _, damping, _ = self.model.linearised(q, wrenches=self.wrenches(q, factor), base=base)
+        rates = None if self.rates is None else np.sqrt(factor) * self.rates
+        _, damping, _ = self.model.linearised(q, rates, wrenches=self.wrenches(q, factor), base=base)
         for act, pose in self._posed(q, turning=True):
             carried = act.carried(pose)
             damping = damping + carried[1] if carried else damping

@@ -12,7 +12,15 @@ from tmodes.equations.recursion.passes import Passes
 from tmodes.kinds.kernel.schedule import Schedule, Slot
 from tmodes.kinds.kernel.spatial import FORCE
 
-__all__ = ["Balance", "balance", "elastic_forces", "elastic_of_drives", "inertia_forces", "point_motion"]
+__all__ = [
+    "Balance",
+    "balance",
+    "elastic_forces",
+    "elastic_of_drives",
+    "inertia_forces",
+    "joint_reactions",
+    "point_motion",
+]
 
 
 def inertia_forces(parts: Parts, *, loaded: bool = False) -> Schedule:
@@ -34,6 +42,22 @@ def inertia_forces(parts: Parts, *, loaded: bool = False) -> Schedule:
     schedule.output("forces", *way.by_coordinate({}, found.joints, found.links))
     schedule.output("base_force", found.at_base)
     return schedule
+
+
+def joint_reactions(parts: Parts, *, loaded: bool = False) -> Schedule:
+    """(q, v, base, wrenches, a) -> what each joint carries: ``reactions`` (6: moment, force) on each node's root.
+
+    By what holds it, in the axes of the root and about it, whose ``poses`` (15) in the world come with them;
+    ``base_force`` is that on the base of all branches together.
+    """
+    way = Passes(parts, posed=True, loaded=loaded)
+    way.take_wrenches(loaded=loaded)
+    found = balance(way, way.schedule.input("a", parts.size))
+    nodes = range(len(parts.nodes))
+    way.schedule.output("reactions", *(found.forces[index] for index in nodes))
+    way.schedule.output("poses", *(pose for here in way.ways if (pose := here.root_pose)))
+    way.schedule.output("base_force", found.at_base)
+    return way.schedule
 
 
 @dataclass

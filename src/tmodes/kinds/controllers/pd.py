@@ -7,7 +7,7 @@ from typing import Any, Literal
 from pydantic import Field
 
 from tmodes.kinds.controllers.contract import CONTROLLERS, Controller, Measured
-from tmodes.kinds.schema.quantity import not_negative
+from tmodes.kinds.schema.quantity import any_sign, not_negative
 
 __all__ = ["PD"]
 
@@ -16,7 +16,8 @@ __all__ = ["PD"]
 class PD(Controller):
     """Proportional-derivative control; gains in V/rad where the motor has a resistance, else in N*m/rad.
 
-    u = Kp (wanted - th) + Kv (wanted' - th'). Numbers: Kp, Kv.
+    u = Kp (wanted - th) + Kv (wanted' - th'), and a constant ``offset`` where one is given, such as the load that is
+    known. Numbers: Kp, Kv, and the offset.
 
     Eq. (41) [stated]: u = Klp (theta_o - theta) + Klv (theta_o' - theta'). {test_local_pd}
     """
@@ -24,15 +25,18 @@ class PD(Controller):
     type: Literal["pd"] = Field(description="kind of controller")
     position_gain: float = not_negative("gain", "Kp", "position gain")
     velocity_gain: float = not_negative("gain*s", "Kv", "velocity gain")
+    offset: float | None = any_sign("command", "u_0", "constant command that is added; none: nothing", default=None)
 
     def numbers(self) -> tuple[float, ...]:
-        """Kp, Kv."""
-        return self.position_gain, self.velocity_gain
+        """Kp, Kv, and the offset where there is one."""
+        gains = self.position_gain, self.velocity_gain
+        return gains if self.offset is None else (*gains, self.offset)
 
     def command(self, p: Any, m: Measured, x: list[Any]) -> Any:
         """As above."""
         del x
-        return p[0] * (m.wanted - m.position) + p[1] * (m.wanted_rate - m.velocity)
+        command = p[0] * (m.wanted - m.position) + p[1] * (m.wanted_rate - m.velocity)
+        return command if self.offset is None else command + p[2]
 
     def local_gains(self) -> tuple[float, float]:
         """Kp, Kv."""

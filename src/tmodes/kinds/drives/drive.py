@@ -73,7 +73,7 @@ class MotorNumbers(NamedTuple):
 class MotorSheet(DataSheet):
     """A motor with its reducer. ``side: joint``: quantities as felt at the joint; ``motor``: as on its shaft."""
 
-    inertia: float = positive("kg*m^2|kg", "I", "rotor inertia", plausible=(1e-9, 1e4))
+    inertia: float = not_negative("kg*m^2|kg", "I", "rotor inertia", plausible=(0.0, 1e4))
     side: Side = Field(
         strict=False,
         description="of which side of the reducer the quantities are: joint (after it) or motor (before it)",

@@ -30,7 +30,7 @@ def views(points: Any) -> list[tuple[str, str]]:
 
 
 class TipPath(Figure):
-    """The path of the tip [m] and of its reference, to scale, from one or two sides. ``ax``: so many axes, or None."""
+    """Paths of the tip [m], actual and nominal, to scale, from one or two sides. ``ax``: so many axes, or None."""
 
     name = "tip_path"
     title = "Path of the tip"
@@ -47,7 +47,7 @@ class TipPath(Figure):
             columns = ["xyz".index(name) for name in pair]
             panel.plot(*tip[:, columns].T, label="actual", **REAL)
             if planned is not None:
-                panel.plot(*planned[:, columns].T, label="reference", **REFERENCE)
+                panel.plot(*planned[:, columns].T, label="nominal", **REFERENCE)
             panel.plot(*tip[0, columns], "o", color=INK, markersize=4, label="start")
             panel.plot(*tip[-1, columns], "s", color=INK, markersize=4, label="end")
             panel.set(xlabel=f"${pair[0]}$ [m]", ylabel=f"${pair[1]}$ [m]")

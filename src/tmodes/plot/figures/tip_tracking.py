@@ -1,4 +1,4 @@
-"""Tip position and its deviation from the reference."""
+"""Tip position and its deviation from the nominal run."""
 
 from __future__ import annotations
 
@@ -6,20 +6,26 @@ from typing import Any
 
 from tmodes.plot.figure import Figure
 from tmodes.plot.panels import Axes, AxesLike, curves, letter, panels, shared_legend, time_axis
-from tmodes.plot.style import COMPONENTS, INK, REAL, REFERENCE
+from tmodes.plot.style import COMPONENTS, INK, QUIET, REAL, REFERENCE
 
 __all__ = ["TipTracking"]
 
 
-class TipTracking(Figure):
-    """Tip x, y, z [m]; where there is a reference, that too, and the deviation from it [m]: distance and components.
+_COMMANDED = {"color": QUIET, "linestyle": ":", "linewidth": 0.9}
 
-    ``ax``: four axes, without a reference three, or None.
+
+class TipTracking(Figure):
+    """Tip x, y, z [m]; commanded and nominal too, and the deviation from the nominal one [m]: distance, components.
+
+    ``ax``: four axes, without a nominal run three, or None.
     """
 
     name = "tip_tracking"
     title = "Tip position"
-    caption = "Position of the tip; with a reference, (d) shows by how much and in which direction the tip leaves it."
+    caption = (
+        "Position of the tip: actual, nominal (the elasticity as known), and commanded (no elasticity, the setpoints); "
+        "with a nominal run, (d) shows by how much and in which direction the actual tip leaves it."
+    )
 
     def draw(self, result: Any, ax: AxesLike = None) -> list[Axes]:
         """One panel for each axis, and one of the deviation."""
@@ -33,15 +39,20 @@ class TipTracking(Figure):
             _coordinate(panel, data, axis)
         if planned:
             _deviation(axes[3], data)
-            shared_legend(axes[0])
             shared_legend(axes[3], place="lower left")
-        titles = "Tip x", "Tip y", "Tip z", "Deviation, actual − reference"
+        if planned or "tip_commanded" in data:
+            shared_legend(axes[0])
+        titles = "Tip x", "Tip y", "Tip z", "Deviation, actual − nominal"
         letter(axes, titles[: len(axes)])
         return axes
 
 
 def _coordinate(panel: Axes, data: Any, axis: str) -> None:
-    known = {"actual": ("tip", REAL), "reference": ("tip_reference", REFERENCE)}
+    known = {
+        "actual": ("tip", REAL),
+        "nominal": ("tip_reference", REFERENCE),
+        "commanded": ("tip_commanded", _COMMANDED),
+    }
     shown = {label: (data[name].sel(axis=axis).values, look) for label, (name, look) in known.items() if name in data}
     curves(panel, data["time"].values, shown, "m", axis)
     time_axis(panel, data["time"].values)

@@ -1,4 +1,4 @@
-/* tmodes, built from 95387974e9d40b19; BSD-3-Clause */
+/* tmodes, built from e391d50872d893e7; BSD-3-Clause */
 
 // src/live/engine_error.ts
 var EngineError = class extends Error {

@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from tmodes.errors import InputError, SimulationError
 from tmodes.integrate.settings import refuse_stops
 from tmodes.sheet import Robot
+from tmodes.sheet.robot import refuse_other
 from tmodes.simulation.batch.result import BatchRun, check_room, gathered, not_begun, room_for, stored
 from tmodes.simulation.batch.simulate import prepare_loops, run_all, thread_count
 from tmodes.simulation.batch.work import Work, inputs
@@ -81,6 +82,7 @@ def prepared(
     ``vary`` None: the sheet as it stands, as a batch of one lane. The room is asked for as soon as the size of a state
     is known.
     """
+    refuse_other(sheet)
     values, folder = {} if vary is None else _checked(vary), None if out is None else Path(out)
     size = len(next(iter(values.values()))) if values else 1
     refuse_stops(sheet.integration, "all lanes of a batch run")

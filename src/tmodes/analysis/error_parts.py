@@ -1,0 +1,71 @@
+"""What the error of a tip is made of: controller, gears and links, by exact substitution of coordinates.
+
+Four shapes of one robot: where its drives should be and straight; where its motors are and straight; joints where they
+are behind their gears, links straight; as it is. Each part of the error is the step of the tip from one shape to the
+next, so that the parts add up to the whole, however large they are.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from tmodes.analysis.quasistatic import deflections, elastic_names, gear_inputs, sprung
+from tmodes.model.model import Model
+
+__all__ = ["PARTS", "along", "straight", "substitutions", "tips", "without_elasticity"]
+
+Array = NDArray[np.float64]
+
+PARTS = ("controller", "gears", "links")
+"""The parts: drives off their setpoints; deflection of the gears (and joints without a drive); bending of the links."""
+
+
+def without_elasticity(model: Model, q: Array) -> Array:
+    """Coordinates (n, nq) of the robot at ``q`` without any elasticity, its motors where they are."""
+    straight, names = q.copy(), model.coordinates
+    bent = deflections(model, q)
+    for k, name in enumerate(elastic_names(model)):
+        if name.endswith(".gear") and name not in names:
+            straight[:, names.index(name.removesuffix(".gear"))] -= bent[:, k]
+    straight[:, model.deformations] = 0.0
+    return straight
+
+
+def straight(model: Model, q: ArrayLike) -> Array:
+    """Coordinates (n, nq) with joints where their gears' inputs are, and links that are not bent."""
+    shape = np.array(np.atleast_2d(np.asarray(q, dtype=float)))
+    shape[:, sprung(model)] = gear_inputs(model, shape, rest=True)
+    shape[:, model.deformations] = 0.0
+    return shape
+
+
+def substitutions(model: Model, q: ArrayLike, commanded: ArrayLike, driven: Sequence[int]) -> list[Array]:
+    """The four shapes (n, nq), from the commanded one to ``q``.
+
+    ``commanded`` (n, nq): its coordinates ``driven`` are setpoints; those of joints without a drive are where they
+    should be; those of gears and links are not looked at.
+    """
+    actual = np.atleast_2d(np.asarray(q, dtype=float))
+    wanted = np.atleast_2d(np.asarray(commanded, dtype=float))
+    moved = wanted.copy()
+    moved[:, list(driven)] = actual[:, list(driven)]
+    joints = actual.copy()
+    joints[:, model.deformations] = 0.0
+    return [straight(model, wanted), straight(model, moved), joints, actual]
+
+
+def tips(model: Model, shapes: Sequence[Array], base: Array | None = None) -> Array:
+    """The tip (the first named point) in each shape, (shapes, n, 3) [m]; ``base`` (n, 24) as of the model."""
+    return np.stack([model.points(shape, base=base).position[:, 0] for shape in shapes])
+
+
+def along(parts: ArrayLike) -> Array:
+    """Components (..., k) of parts (..., k, 3) along their sum, which add up to its length; 0 where it is zero."""
+    parts = np.asarray(parts, dtype=float)
+    total = parts.sum(axis=-2)
+    size = np.linalg.norm(total, axis=-1, keepdims=True)
+    unit = np.divide(total, size, out=np.zeros_like(total), where=size > 0)
+    return np.einsum("...ki,...i->...k", parts, unit)
