@@ -18,6 +18,9 @@ from tmodes.result import Result
 from tmodes.result.earlier import NOTICE
 from tmodes.robots.load import sheet_text
 
+SETTLING = {"time_s": 0.1, "band": 0.05, "limit_m": 1e-3, "reason": ""}
+"""By the rule of that version."""
+
 
 @pytest.fixture(scope="module")
 def new() -> Result:
@@ -55,7 +58,7 @@ def record(new: Result) -> xr.Dataset:
         "tmodes_format": 1, "title": "a", "reading": "consistent", "parameters": "{}", "versions": "{}",
         "robot": sheet.model_dump_json(), "robot_real": json.dumps(actual | {"real": {}}),
         "status": "finished", "message": "reached the end", "warnings": json.dumps(["as it was"]),
-        "frequencies": json.dumps({"locked": []}), "settling": json.dumps({"time_s": 0.1, "band": 0.05}),
+        "frequencies": json.dumps({"locked": []}), "settling": json.dumps(SETTLING),
         "statistics": json.dumps({"real": {"steps": 7, "method": "dormand_prince"}, "reference": {"steps": 5}}),
     }  # fmt: skip
     return made

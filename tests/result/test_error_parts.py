@@ -9,8 +9,10 @@ import tmodes
 from arm.random_chains import random_chain, random_state
 from arm.see.runs import NASTY, result_of, run_of, sheet
 from tmodes.analysis.error_parts import along, substitutions, tips
+from tmodes.analysis.spectrum import growth_warnings, spectrum_of
 from tmodes.cli.summary_text import summary_rows
 from tmodes.model.model import Model
+from tmodes.result import Result
 from tmodes.result.paths import part_names
 from tmodes.sheet import Robot, RobotPair
 
@@ -130,3 +132,25 @@ def test_without_setpoints_there_are_no_parts():
     assert "tip_error" not in result.data
     assert result.summary()["tip_error"] == {}
     assert "tip_errors" not in result.figures()
+
+
+def test_parts_of_a_deformation_that_cancel_are_not_given():
+    """T_st far above the deflection itself, as where motors jerk at the start, is no number to print."""
+    result = result_of("swinging")
+    assert "max_stationary" in result.summary()["deformations"]["shoulder.gear"]
+    data = result.data.copy(deep=True)
+    data["deformation_stationary"].loc[{"deformation_kind": "shoulder.gear", "time": 0.0}] = 1.49e3
+    summary = Result(data).summary()
+    assert "max_stationary" not in summary["deformations"]["shoulder.gear"]
+    row = next(row for row in summary_rows(summary) if row[0] == "largest shoulder.gear")
+    assert "T_st" not in row[3]
+
+
+def test_a_double_eigenvalue_zero_does_not_grow():
+    """Two inertias on a spring that turn freely: rounding parts the double zero."""
+    state = np.array([[0, 0, 1, 0], [0, 0, 0, 1], [-1e4, 1e4, 0, 0], [1e4, -1e4, 0, 0]], dtype=float)
+    turn = np.eye(4) + 1e-3 * np.random.default_rng(0).normal(size=(5, 4, 4))
+    spectra = [spectrum_of(np.linalg.solve(one, state @ one), ["a", "b"]) for one in turn]
+    assert max(spectrum.eigenvalues.real.max() for spectrum in spectra) > 1e-7
+    assert not any(growth_warnings(spectrum, "robot", "") for spectrum in spectra)
+    assert growth_warnings(spectrum_of(np.array([[0.0, 1.0], [3.0, 0.0]]), ["a"]), "robot", "")

@@ -27,6 +27,9 @@ GROWING = 1e-7
 RINGS = 1e-9
 """Imaginary over absolute value of an eigenvalue above which its motion rings."""
 
+_DOUBLE_ZERO = float(np.sqrt(np.finfo(float).eps))
+"""Size over the largest eigenvalue up to which rounding parts a double eigenvalue zero, of what moves freely."""
+
 _UNDAMPED = 1e-9
 """Real over absolute value of an eigenvalue below which it is taken as undamped."""
 
@@ -137,7 +140,8 @@ def step_times_eigenvalue(verdict: StepVerdict, statistics: dict[str, Any]) -> f
 
 def growth_warnings(spectrum: Spectrum, whose: str, causes: str) -> list[str]:
     """A robot that is unstable at its start: the fastest growth, in which coordinate, and what may cause it."""
-    growing = spectrum.eigenvalues.real > GROWING * np.abs(spectrum.eigenvalues)
+    least = np.maximum(GROWING * np.abs(spectrum.eigenvalues), _DOUBLE_ZERO * spectrum.highest)
+    growing = spectrum.eigenvalues.real > least
     if not growing.any():
         return []
     fastest = int(np.argmax(np.where(growing, spectrum.eigenvalues.real, -np.inf)))

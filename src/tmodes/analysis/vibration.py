@@ -110,7 +110,7 @@ def _poles(values: Array, step: float, rank: float) -> Complex | None:
         return None
     held = shapes[:terms].T.reshape(-1, width, terms)
     before, after = (part.reshape(-1, terms) for part in (held[:, :-1], held[:, 1:]))
-    factors = np.linalg.eigvals(np.linalg.lstsq(before, after, rcond=None)[0]).astype(complex)
+    factors: Any = np.linalg.eigvals(np.linalg.lstsq(before, after, rcond=None)[0]).astype(complex)
     factors = factors[np.abs(factors) > 1e-12]
     return np.log(factors) / step if len(factors) else None
 
@@ -118,7 +118,7 @@ def _poles(values: Array, step: float, rank: float) -> Complex | None:
 def _checked(t: Array, y: Array, size: float, poles: Complex) -> Residual | None:
     """The vibration by these rates; None where their sum is not the motion."""
     length = float(t[-1] - t[0])
-    poles = np.minimum(poles.real, 1.0 / length) + 1j * poles.imag
+    poles = (np.minimum(poles.real, 1.0 / length) + 1j * poles.imag).astype(complex)
     basis = np.exp(np.outer(t, poles))
     parts: Any = np.linalg.lstsq(basis, y.astype(complex), rcond=None)[0]  # (terms, k)
     wrong = float(np.sqrt(np.mean(np.sum(np.abs(basis @ parts - y) ** 2, axis=1))))

@@ -165,7 +165,9 @@ def _largest(info: dict[str, Any], key: str, most: int) -> list[tuple[str, dict[
 def _deformations(summary: dict[str, Any]) -> Iterator[Row]:
     for name, one in _largest(summary["deformations"], "max", _MOST_DEFORMATIONS):
         unit = "1e-3" if one["unit"] == "1" else f"m{one['unit']}"
-        parts = f"T_st {one['max_stationary'] * 1e3:.4g}, T_to {one['max_oscillatory'] * 1e3:.4g}"
+        parts = f"t = {one['time_of_max_s']:.3f} s"
+        if "max_stationary" in one:
+            parts = f"T_st {one['max_stationary'] * 1e3:.4g}, T_to {one['max_oscillatory'] * 1e3:.4g}"
         yield _row(summary, f"deformations.{name}.max", f"largest {name}", one["max"], unit, parts, 1e3)
 
 

@@ -9,7 +9,7 @@ import json
 from collections.abc import Iterator
 from functools import cache
 from itertools import chain
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any, get_type_hints
 
 import numpy as np
 from pydantic import Field, FiniteFloat, TypeAdapter, ValidationError
@@ -41,6 +41,12 @@ class _Settling(TypedDict):
     reason: str
 
 
+class _Residual(TypedDict):
+    amplitude_m: FiniteFloat | None
+    modes: list[dict[str, FiniteFloat]]
+    reason: str
+
+
 class _Errors(TypedDict):
     how: str
     figures: dict[str, FiniteFloat]
@@ -48,19 +54,25 @@ class _Errors(TypedDict):
 
 _Group = dict[str, Any]
 _Empty = Annotated[dict[str, Any], Field(max_length=0)]
-_JSON: dict[str, Any] = {
-    "robot": _Group,
-    "robot_real": _Group,
-    "statistics": _Group,
-    "versions": dict[str, str],
-    "frequencies": dict[str, list[_Mode]],
-    "warnings": list[str],
-    "settling": _Settling | None,
-    "errors": _Errors | _Empty | None,
-    "move_end": FiniteFloat | None,
-    "meshes": list[_Group],
-}
-"""Attributes that are JSON text, and what it holds."""
+
+
+class _Attributes(TypedDict, total=False):
+    """Attributes that are JSON text, and what it holds."""
+
+    robot: _Group
+    robot_real: _Group
+    statistics: _Group
+    versions: dict[str, str]
+    frequencies: dict[str, list[_Mode]]
+    warnings: list[str]
+    settling: _Settling | None
+    vibration: dict[str, _Residual]
+    errors: _Errors | _Empty | None
+    move_end: FiniteFloat | None
+    meshes: list[_Group]
+
+
+_JSON = get_type_hints(_Attributes, include_extras=True)
 
 _TEXTS = ("status", "message", "title", "method")
 
@@ -92,15 +104,16 @@ _REFERENCE = {
 
 _SOMETIMES = {
     "time": "contact_force_normal contact_force_normal_reference penetration",
-    "time axis": "contact_force",
+    "time axis": "contact_force tip_commanded",
+    "time error_part axis": "tip_error tip_error_nominal",
     "time drive": "voltage current",
     "time stressed_link s": "stress",
     "time controller_state": "controller_states",
 }
 """Series that a record may have, by their dimensions."""
 
-_LABELLED = ("axis", "bending_link", "coordinate", "deformation_kind", "drive", "energy_kind", "link", "moment_kind",
-             "plane", "point", "s", "stressed_link", "work_kind")  # fmt: skip
+_LABELLED = ("axis", "bending_link", "coordinate", "deformation_kind", "drive", "energy_kind", "error_part", "link",
+             "moment_kind", "plane", "point", "s", "stressed_link", "work_kind")  # fmt: skip
 
 
 def refuse_wrong_content(data: Dataset, path: object, *, whole: bool) -> None:

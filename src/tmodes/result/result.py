@@ -36,6 +36,11 @@ __all__ = ["Result", "assemble_result", "load_result"]
 
 _NOTICE = "{}; until then the series are shown without what needs the robot's model"
 
+_OLDER = (
+    "this result was written by an earlier version: the error of its tip by cause is not in it, and settling and "
+    "residual vibration are found in its samples alone; run the robot again to see them"
+)
+
 
 class Result:
     """What a run gave: ``result.data["tip"].sel(axis="z")``, ``result.data["q"].sel(coordinate="elbow")``.
@@ -141,7 +146,8 @@ class Result:
         """What the run has to say about itself, as sentences; of a file also which of its kinds are absent here."""
         if live := self._live:
             return tuple(live.warnings)
-        return (*record.from_json(self.data, "warnings"), *(_NOTICE.format(one) for one in self._absent))
+        older = [] if "vibration" in self.data.attrs else [_OLDER]
+        return (*record.from_json(self.data, "warnings"), *(_NOTICE.format(one) for one in self._absent), *older)
 
     @cached_property
     def _absent(self) -> list[UnknownKindError]:

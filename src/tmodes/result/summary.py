@@ -94,7 +94,7 @@ def _joints(data: Dataset, time: Array) -> dict[str, dict[str, Any]]:
 
 
 def _deformations(data: Dataset, time: Array) -> dict[str, dict[str, Any]]:
-    """Per elastic coordinate, the largest ones: largest size, of its parts T_st and T_to, and of the reference."""
+    """Per elastic coordinate, the largest ones: largest size, of T_st and T_to (where known), of the reference."""
     if "deformation" not in data:
         return {}
     names = [str(name) for name in data["deformation_kind"].values]
@@ -102,12 +102,17 @@ def _deformations(data: Dataset, time: Array) -> dict[str, dict[str, Any]]:
     largest = np.argsort(-sizes["deformation"], kind="stable")[:MOST_ENTRIES]
     when = time[np.abs(data["deformation"].values).argmax(axis=0)]
     units = _deformation_units(data, names)
-    return {
-        names[k]: {"unit": units[k], "time_of_max_s": float(when[k])}
-        | {_PARTS[key]: float(size[k]) for key, size in sizes.items()}
-        for k in sorted(largest)
-    }
+    found = {}
+    for k in sorted(largest):
+        known = {_PARTS[key]: float(size[k]) for key, size in sizes.items()}
+        if known.get("max_stationary", 0.0) > _CANCEL * known["max"]:
+            known = {key: value for key, value in known.items() if key not in ("max_stationary", "max_oscillatory")}
+        found[names[k]] = {"unit": units[k], "time_of_max_s": float(when[k])} | known
+    return found
 
+
+_CANCEL = 2.0
+"""T_st over the deflection above which T_st and T_to cancel (motors that jerk, loads that nothing holds): not given."""
 
 _PARTS = {
     "deformation": "max",

@@ -64,7 +64,7 @@ def _pieces(
     function: Callable[[Array], Array], ends: Array, scale: float, which: str, until: float, count: int
 ) -> list[tuple[Array, Array]]:
     """Starts and coefficients of the pieces between two switches; there are ``count`` before."""
-    edges = np.linspace(*ends, int(np.ceil(16 * (ends[1] - ends[0]) / until)) + 1)
+    edges = np.linspace(ends[0], ends[1], int(np.ceil(16 * (ends[1] - ends[0]) / until)) + 1)
     starts, widths = edges[:-1], np.diff(edges)
     done: list[tuple[Array, Array]] = []
     while len(starts):

@@ -79,7 +79,7 @@ def _with_dips(function: Callable[[Array], Array], times: Array, values: Array, 
     further = []
     for k in np.flatnonzero(near & same)[:MOST_DIPS] + 1:
         side, bounds = np.sign(values[k]), (times[k - 1], times[k + 1])
-        lowest = minimize_scalar(
+        lowest: Any = minimize_scalar(
             lambda t, side=side: float(side * function(np.array([t]))[0]),
             bounds=bounds, method="bounded", options={"xatol": NARROWEST * until},
         )  # fmt: skip
