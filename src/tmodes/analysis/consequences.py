@@ -31,6 +31,9 @@ APART = 15.0
 DAMPING = 1.0
 """Damping ratio of a gear, or of a link's first bending, beyond which it does not oscillate [-]."""
 
+HELD = 3.0
+"""Weight that a joint carries over its limit of effort; below, a spring or a counterweight may hold it [-]."""
+
 FACTORS = (0.01, 100.0)
 """Usual range of a factor of the real robot on the nominal one [-]."""
 
@@ -135,7 +138,7 @@ def _efforts(robot: Robot, chain: Chain) -> Iterator[str]:
     carried = carried_by_joints(chain)
     for joint in robot.joints:
         limit = joint.limits.effort if joint.limits else None
-        if limit and joint.name in carried and carried[joint.name].weight > limit:
+        if limit and joint.name in carried and carried[joint.name].weight > HELD * limit:
             got = carried[joint.name]
             yield (
                 f"joints.{joint.name}.limits.effort = {limit:g}: the {got.mass:.4g} kg that the joint carries ask for "
