@@ -18,6 +18,9 @@ from tmodes.result import Result
 DATA = tmodes.run(tmodes.load("filipovic2010").with_({"integration.duration": 0.02, "integration.line_points": 3})).data
 JSON = ("robot", "robot_real", "statistics", "versions", "frequencies", "warnings", "settling", "errors", "move_end")
 SERIES = [str(name) for name, series in DATA.data_vars.items() if "time" in series.dims]
+OPTIONAL = ("voltage", "current", "contact", "penetration", "tip_commanded", "tip_error")
+"""Series that not every record has."""
+
 LABELS = ["axis", "coordinate", "deformation_kind", "drive", "energy_kind", "link", "bending_link", "work_kind", "s"]
 
 
@@ -70,9 +73,7 @@ def test_series_of_another_shape_or_kind(name: str) -> None:
         refused(DATA.assign({name: value}), name)
 
 
-@pytest.mark.parametrize(
-    "name", [name for name in SERIES if not name.startswith(("voltage", "current", "contact", "penetration"))]
-)
+@pytest.mark.parametrize("name", [name for name in SERIES if not name.startswith(OPTIONAL)])
 def test_series_that_are_missing(name: str) -> None:
     refused(DATA.drop_vars(name), name)
 

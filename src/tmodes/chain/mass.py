@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,7 +16,7 @@ from tmodes.kinds.schema.axes import cross_matrix
 from tmodes.kinds.schema.quantity import Issue
 from tmodes.sheet import Robot
 
-__all__ = ["massless_issues"]
+__all__ = ["Carried", "carried_by_joints", "massless_issues"]
 
 Array = NDArray[np.float64]
 
@@ -39,6 +40,33 @@ def massless_issues(robot: Robot) -> Iterator[Issue]:
         link = robot.joints[number].child
         hint = f"give `{link}`, or {where}, a body with mass and inertia; or fix the joint"
         yield Issue(f"joints.{number}", f"`{link}`, a link that {got}", "a joint that moves mass", hint)
+
+
+class Carried(NamedTuple):
+    """What one joint carries, about its axis, in a general position of the robot.
+
+    ``mass`` [kg]; ``inertia`` [kg*m^2, kg] along its coordinate; ``weight``: what that takes to be held [N*m, N].
+    """
+
+    mass: float
+    inertia: float
+    weight: float
+
+
+def carried_by_joints(chain: Chain) -> dict[str, Carried]:
+    """What each joint of one coordinate carries, by its name."""
+    found, turned = {}, []
+    for index, (node, moved) in enumerate(zip(chain.nodes, _carried(chain), strict=True)):
+        before = turned[node.parent] if node.parent >= 0 else chain.base.rotation
+        placed = node.joint.placement @ node.joint.placed(_general(node.joint, index))
+        turned.append(before @ placed.rotation)
+        subspace = [each.packed() for each in node.joint.kind.subspace(_general(node.joint, index), node.joint.numbers)]
+        if len(subspace) == 1:
+            column = np.array(subspace[0])
+            pull = turned[-1].T @ np.asarray(chain.gravity, dtype=float)
+            push = moved @ column
+            found[node.joint.name] = Carried(float(moved[3, 3]), float(column @ push), abs(float(push[3:] @ pull)))
+    return found
 
 
 def _same_names(chain: Chain) -> Iterator[Issue]:

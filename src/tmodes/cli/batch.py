@@ -48,6 +48,7 @@ def batch(
     ] = None,
     root: options.Roots = None,
     trust_paths: options.TrustPaths = False,
+    fix_inertia: options.FixInertia = False,
     as_json: options.AsJson = False,
 ) -> None:
     """Many runs at once with numbers varied: a sweep (--vary) or a Monte Carlo study (--draw).
@@ -70,7 +71,9 @@ def batch(
     changes = options.integration_changes(
         method=integrator, relative_tolerance=rtol, absolute_tolerance=atol, duration=duration
     )
-    sheet = options.chosen_sheet(robot, settings, roots=root, trust_paths=trust_paths, changes=changes)
+    sheet = options.chosen_sheet(
+        robot, settings, roots=root, trust_paths=trust_paths, fix_inertia=fix_inertia, changes=changes
+    )
     found, parted = _run(sheet, values, threads, out)
     _report(sheet.name, found, parted, as_json)
     if not found.finished.all():

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from tmodes.cli.options import AsJson, Roots, Settings, SheetArgument, TrustPaths, chosen_sheet
+from tmodes.cli.options import AsJson, FixInertia, Roots, Settings, SheetArgument, TrustPaths, chosen_sheet
 from tmodes.cli.static import PoseOption, pose_of, print_stiffness
 from tmodes.cli.terminal import notice, print_json, print_table, warn, working
 
@@ -22,12 +22,13 @@ def describe(
     settings: Settings = None,
     root: Roots = None,
     trust_paths: TrustPaths = False,
+    fix_inertia: FixInertia = False,
     as_json: AsJson = False,
 ) -> None:
     """Masses, lengths, stiffnesses, frequencies of each link by itself, sag under weight, what gives way at the tip."""
     from tmodes.analysis.describe.describe import describe as described
 
-    sheet = chosen_sheet(robot, settings, roots=root, trust_paths=trust_paths)
+    sheet = chosen_sheet(robot, settings, roots=root, trust_paths=trust_paths, fix_inertia=fix_inertia)
     with working() as tell:
         info = described(sheet, pose_of(at, sheet), progress=tell)
     if as_json:
@@ -42,6 +43,8 @@ def _print(info: dict[str, Any]) -> None:
     count = len(info["coordinates"])
     moves = "coordinate" if count == 1 else "coordinates" if count else "coordinates (nothing in it moves or bends)"
     print(f"{count or 'no'} {moves}, {info['total_mass_kg']:.4g} kg")
+    for note in info["notes"]:
+        print(f"note: {note}")
     joints = [[one["name"], one["type"], one["kind"], one["carries"], one["command"] or "held", _limits(one)]
               for one in info["joints"]]  # fmt: skip
     print_table("Joints (A active, L locked; E elastic, R rigid)",
@@ -109,6 +112,7 @@ def ladder(
     settings: Settings = None,
     root: Roots = None,
     trust_paths: TrustPaths = False,
+    fix_inertia: FixInertia = False,
     as_json: AsJson = False,
 ) -> None:
     """The ladder of link models: rigid, segments, modes, strain with more and more functions, against the finest.
@@ -117,7 +121,7 @@ def ladder(
     """
     from tmodes.analysis.hierarchy.hierarchy import ladder as climbed
 
-    sheet = chosen_sheet(robot, settings, roots=root, trust_paths=trust_paths)
+    sheet = chosen_sheet(robot, settings, roots=root, trust_paths=trust_paths, fix_inertia=fix_inertia)
     with working() as tell:
         found = climbed(sheet, tolerance, finest=finest, progress=tell)
     if as_json:

@@ -7,7 +7,16 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from tmodes.cli.options import AsJson, ReadingOption, Roots, Settings, SheetArgument, TrustPaths, chosen_sheet
+from tmodes.cli.options import (
+    AsJson,
+    FixInertia,
+    ReadingOption,
+    Roots,
+    Settings,
+    SheetArgument,
+    TrustPaths,
+    chosen_sheet,
+)
 from tmodes.cli.terminal import print_json, print_json_list, print_table
 from tmodes.errors import InputError
 
@@ -34,6 +43,7 @@ def evaluate(
     settings: Settings = None,
     root: Roots = None,
     trust_paths: TrustPaths = False,
+    fix_inertia: FixInertia = False,
     as_json: AsJson = False,
 ) -> None:
     """Mass matrix, bias, forces, accelerations, points, Jacobians and energies at given states.
@@ -46,7 +56,7 @@ def evaluate(
     """
     from tmodes.io.states import holds_phi, read_phi_states
 
-    sheet = chosen_sheet(robot, settings, reading, roots=root, trust_paths=trust_paths)
+    sheet = chosen_sheet(robot, settings, reading, roots=root, trust_paths=trust_paths, fix_inertia=fix_inertia)
     if sheet.imported and holds_phi(states):
         from tmodes.cli.evaluate_phi import evaluate_phi
 

@@ -27,6 +27,7 @@ def export(
     integrator: options.IntegratorOption = None,
     root: options.Roots = None,
     trust_paths: options.TrustPaths = False,
+    fix_inertia: options.FixInertia = False,
     out: Annotated[Path, typer.Option(metavar="DIR", help="Folder for the files.")] = Path(),
     overwrite: Annotated[bool, typer.Option("--overwrite", help="Replace files that are there.")] = False,
     as_json: options.AsJson = False,
@@ -45,7 +46,9 @@ def export(
     if not wasm:
         raise InputError("export", "none", "called with a kind of files", f"write: tmodes export {robot} --wasm")
     changes = options.integration_changes(method=integrator)
-    sheet = chosen_sheet(robot, settings, reading, contact, roots=root, trust_paths=trust_paths, changes=changes)
+    sheet = chosen_sheet(
+        robot, settings, reading, contact, roots=root, trust_paths=trust_paths, fix_inertia=fix_inertia, changes=changes
+    )
     name = folder_name(sheet.name)
     made = exported(sheet, name)
     paths = {end: out / f"{name}.{end}" for end in made.files}

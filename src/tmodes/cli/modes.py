@@ -7,7 +7,16 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from tmodes.cli.options import AsJson, ReadingOption, Roots, Settings, SheetArgument, TrustPaths, chosen_sheet
+from tmodes.cli.options import (
+    AsJson,
+    FixInertia,
+    ReadingOption,
+    Roots,
+    Settings,
+    SheetArgument,
+    TrustPaths,
+    chosen_sheet,
+)
 from tmodes.cli.static import PoseOption, pose_of, print_links
 from tmodes.cli.terminal import print_json, print_table, warn, working
 from tmodes.errors import InputError
@@ -53,6 +62,7 @@ def modes(
     ] = math.inf,
     root: Roots = None,
     trust_paths: TrustPaths = False,
+    fix_inertia: FixInertia = False,
     as_json: AsJson = False,
 ) -> None:
     """Frequencies and damping about the sagged rest, for the actual robot and for the nominal one.
@@ -64,7 +74,11 @@ def modes(
     """
     from tmodes.analysis.modes.of_sheet import vibrations
 
-    sheet = _asked(chosen_sheet(robot, settings, reading, roots=root, trust_paths=trust_paths), contact, angle)
+    sheet = _asked(
+        chosen_sheet(robot, settings, reading, roots=root, trust_paths=trust_paths, fix_inertia=fix_inertia),
+        contact,
+        angle,
+    )
     if not max_frequency > 0:
         raise InputError("--max-frequency", repr(max_frequency), "a frequency > 0 Hz", "give it in Hz, or leave it out")
     pair, held = sheet.pair(), pose_of(at, sheet)

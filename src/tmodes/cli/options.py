@@ -22,6 +22,7 @@ __all__ = [
     "CheckError",
     "Contact",
     "Duration",
+    "FixInertia",
     "IntegratorOption",
     "ReadingOption",
     "Roots",
@@ -72,6 +73,9 @@ Roots = Annotated[
 ]
 TrustPaths = Annotated[
     bool, typer.Option("--trust-paths", help="Let a robot's file name other files anywhere on this machine.")
+]
+FixInertia = Annotated[
+    bool, typer.Option("--fix-inertia", help="Take the nearest possible inertia where that of a URDF is impossible.")
 ]
 IntegratorOption = Annotated[
     str | None,
@@ -130,13 +134,14 @@ def chosen_sheet(
     *,
     roots: list[Path] | None = None,
     trust_paths: bool = False,
+    fix_inertia: bool = False,
     changes: dict[str, Any] | None = None,
 ) -> Robot:
     """The robot that a command line names, with its changes; raises an InputError for any wrong part."""
     from tmodes.io.units import parse_assignment
 
     info = dict(parse_assignment(text) for text in settings or []) | (changes or {})
-    sheet = load(robot, info, roots=roots or (), trust_paths=trust_paths)
+    sheet = load(robot, info, roots=roots or (), trust_paths=trust_paths, fix_inertia=fix_inertia)
     limited = any(joint.limits for joint in sheet.joints)
     refusals: tuple[tuple[Any, ...], ...] = (
         (

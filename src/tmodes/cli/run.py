@@ -34,6 +34,7 @@ def run(
     stop_at_limits: options.StopAtLimits = False,
     root: options.Roots = None,
     trust_paths: options.TrustPaths = False,
+    fix_inertia: options.FixInertia = False,
     out: Annotated[Path | None, typer.Option(help="Folder for the output; else results/NAME.")] = None,
     overwrite: Annotated[bool, typer.Option("--overwrite", help="Replace a result that is there.")] = False,
     figures: Annotated[
@@ -58,7 +59,9 @@ def run(
         method=integrator, relative_tolerance=rtol, absolute_tolerance=atol, duration=duration,
         check_error=check_error, stop=stop or None, stop_at_limits=stop_at_limits,
     )  # fmt: skip
-    sheet = chosen_sheet(robot, settings, reading, contact, roots=root, trust_paths=trust_paths, changes=changes)
+    sheet = chosen_sheet(
+        robot, settings, reading, contact, roots=root, trust_paths=trust_paths, fix_inertia=fix_inertia, changes=changes
+    )
     folder = _folder(
         out or Path("results") / folder_name(sheet.name), sheet, overwrite, _Looks(robot, root, trust_paths), live=live
     )

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from tmodes.cli.options import AsJson, Roots, Settings, SheetArgument, TrustPaths, chosen_sheet
+from tmodes.cli.options import AsJson, FixInertia, Roots, Settings, SheetArgument, TrustPaths, chosen_sheet
 from tmodes.cli.terminal import print_json, print_table
 from tmodes.errors import InputError, InputErrors
 from tmodes.io.words import meant, shown
@@ -80,13 +80,15 @@ def check(
     settings: Settings = None,
     root: Roots = None,
     trust_paths: TrustPaths = False,
+    fix_inertia: FixInertia = False,
     as_json: AsJson = False,
 ) -> None:
     """Check a data sheet: report all wrong values together, then what looks implausible (a wrong unit, say)."""
+    from tmodes.analysis.consequences import consequences
     from tmodes.io.sheet_plausible import notices_about
 
     try:
-        sheet = chosen_sheet(robot, settings, roots=root, trust_paths=trust_paths)
+        sheet = chosen_sheet(robot, settings, roots=root, trust_paths=trust_paths, fix_inertia=fix_inertia)
         info, numbers = _described(sheet)
     except (InputError, InputErrors) as error:
         if as_json:
@@ -94,13 +96,26 @@ def check(
             keys = ("which", "got", "expected", "hint", "where")
             print_json({"ok": False, "errors": [{key: getattr(one, key) for key in keys} for one in errors]})
         raise
-    notices = notices_about(sheet)
+    notices = [*notices_about(sheet), *consequences(sheet), *_idle(sheet)]
     if as_json:
-        print_json({"ok": True, "name": sheet.name, **numbers, "warnings": notices})
+        print_json({"ok": True, "name": sheet.name, **numbers, "notes": sheet.held_notices, "warnings": notices})
         return
     print(f"{sheet.name}: valid ({info})")
+    for note in sheet.held_notices:
+        print(f"note: {note}")
     for notice in notices:
         print(f"warning: {notice}")
+
+
+def _idle(sheet: Robot) -> list[str]:
+    """Why the robot cannot run as it stands, where nothing moves it."""
+    from tmodes.result.run import ready_to_run
+
+    try:
+        ready_to_run(sheet)
+    except InputError as error:
+        return [f"`tmodes run` needs more: {error}"]
+    return []
 
 
 def _described(sheet: Robot) -> tuple[str, dict[str, object]]:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from tmodes.cli.options import AsJson, Roots, Settings, SheetArgument, TrustPaths, chosen_sheet
+from tmodes.cli.options import AsJson, FixInertia, Roots, Settings, SheetArgument, TrustPaths, chosen_sheet
 from tmodes.cli.terminal import print_json, print_table, warn, working
 from tmodes.errors import InputError
 from tmodes.io.words import meant, shown
@@ -60,6 +60,7 @@ def static(
     settings: Settings = None,
     root: Roots = None,
     trust_paths: TrustPaths = False,
+    fix_inertia: FixInertia = False,
     as_json: AsJson = False,
 ) -> None:
     """Rest under weight and loads: pose, sag, stability, stiffness at the point, and which element gives how much.
@@ -71,7 +72,7 @@ def static(
     from tmodes.analysis.statics.loads import Load, point_index
     from tmodes.model.model import Model
 
-    sheet = chosen_sheet(robot, settings, roots=root, trust_paths=trust_paths)
+    sheet = chosen_sheet(robot, settings, roots=root, trust_paths=trust_paths, fix_inertia=fix_inertia)
     loads = [load_of(text) for text in load or []]
     if force or moment:
         info = three_of("--force", force or "0,0,0", "N"), three_of("--moment", moment or "0,0,0", "N*m")

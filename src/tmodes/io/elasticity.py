@@ -39,6 +39,7 @@ def read_elasticity(
     roots: Roots = (),
     trust_paths: bool = False,
     read: tuple[dict[str, Any], Positions] | None = None,
+    fix_inertia: bool = False,
 ) -> UrdfRobot:
     """The robot of an elasticity file and the URDF (or xacro) that it names; ``positions`` are the elasticity file's.
 
@@ -50,7 +51,7 @@ def read_elasticity(
     groups = data.get("links")
     weighed = [name for name, group in groups.items() if _weighs(group)] if isinstance(groups, dict) else []
     reader = read_xacro if urdf.suffix.lower() == ".xacro" else read_urdf
-    robot = reader(urdf, roots, trust_paths, weighed)
+    robot = reader(urdf, roots, trust_paths, weighed, fix_inertia=fix_inertia)
     overlay = _Overlay(robot, positions, shown_path(path))
     overlay.lay("joints", data.get("joints"), [joint["name"] for joint in overlay.sheet["joints"]], overlay.joint)
     overlay.lay("links", data.get("links"), [joint["child"] for joint in overlay.sheet["joints"]], overlay.link)

@@ -125,6 +125,7 @@ def sheet_of_mjcf(
     data: dict[str, Any] = {"format": 1, "kind": "arm", "name": name}
     if BASE in reader.names:
         data["assumed"] = f"The file's body {BASE}, which is not the ground, is called {BASE}_frame here."
+        data["notices"] = [data["assumed"]]
     data |= {"gravity": model.opt.gravity.tolist(), "joints": reader.joints, "links": reader.links}
     return data, reader.positions
 

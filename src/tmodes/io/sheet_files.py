@@ -37,22 +37,22 @@ def read_sheet(
     return *read_file(path, roots, trust_paths)[:2], shown_path(path)
 
 
-def read_file(path: FilePath, roots: Roots = (), trust_paths: bool = False) -> RobotFile:
+def read_file(path: FilePath, roots: Roots = (), trust_paths: bool = False, *, fix_inertia: bool = False) -> RobotFile:
     """The sheet that a file means; it is not checked here.
 
     ``.urdf``; ``.xacro``; ``.xml``: URDF or MJCF by its root element; else YAML: a robot's sheet, a Denavit-Hartenberg
     table (``kind: dh``) or an elasticity file (with ``urdf:``). Files that a robot's file names must lie in its folder
-    or in ``roots``, unless ``trust_paths``. Raises :class:`tmodes.errors.InputError` or
-    :class:`tmodes.errors.InputErrors`.
+    or in ``roots``, unless ``trust_paths``; ``fix_inertia``: impossible inertias of a URDF become the nearest possible
+    ones, with a notice. Raises :class:`tmodes.errors.InputError` or :class:`tmodes.errors.InputErrors`.
     """
     ending = Path(path).suffix.lower()
     if ending == ".xacro":
-        robot = read_xacro(path, roots, trust_paths)
+        robot = read_xacro(path, roots, trust_paths, fix_inertia=fix_inertia)
     elif ending in {".urdf", ".xml"}:
         root = read_xml(path)
         if ending == ".xml" and root.tag == "mujoco":
             return RobotFile(*sheet_of_mjcf(path, root, roots, trust_paths))
-        robot = urdf_robot(root, folders_of(path, roots, trust_paths))
+        robot = urdf_robot(root, folders_of(path, roots, trust_paths), fix_inertia=fix_inertia)
     else:
         read = data, positions = read_yaml(path)
         if "urdf" not in data and data.get("kind") != "dh":
@@ -60,7 +60,7 @@ def read_file(path: FilePath, roots: Roots = (), trust_paths: bool = False) -> R
         _check_ending(path)
         if "urdf" not in data:
             return RobotFile(*sheet_of_table(data, positions, shown_path(path)))
-        robot = read_elasticity(path, roots, trust_paths, read)
+        robot = read_elasticity(path, roots, trust_paths, read, fix_inertia=fix_inertia)
     return RobotFile(robot.data, robot.positions, robot)
 
 

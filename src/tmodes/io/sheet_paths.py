@@ -1,6 +1,7 @@
 """Change the plain data of a robot by dotted path: ``joints.shoulder.gear.stiffness``, ``links.0.beam.length``.
 
-Items of a list go by their name, or by their number where none has that name.
+Items of a list go by their name (drives by their joint, loads by their point), or by their number where none has that
+name.
 """
 
 from __future__ import annotations
@@ -120,10 +121,23 @@ def _expanded(value: Any, steps: Sequence[Step]) -> Any:
     return value
 
 
+_NAMING = ("name", "joint", "point")
+"""Keys by which an item of a list is known: a drive is that of its joint, a load that on its point."""
+
+
+def _names(items: Sequence[Any]) -> list[Any]:
+    """The name of each item of a list; None for one that has none, or one that another has too."""
+    names = [
+        next((item[key] for key in _NAMING if key in item), None) if isinstance(item, Mapping) else None
+        for item in items
+    ]
+    return [name if isinstance(name, str) and names.count(name) == 1 else None for name in names]
+
+
 def _step(value: Any, words: list[str], place: ChainPlace | None) -> tuple[Step, int]:
     """The next step, and how many words it takes: a name may hold dots itself."""
     if isinstance(value, (list, tuple)):
-        names = [item.get("name") if isinstance(item, Mapping) else None for item in value]
+        names = _names(value)
         for count in range(len(words), 0, -1):
             if (name := ".".join(words[:count])) in names:
                 return names.index(name), count
@@ -142,7 +156,7 @@ def _unknown(
     """The error for a step that leads nowhere, the first of ``words``; ``before`` are those that led to ``value``."""
     where, *beyond = words
     if isinstance(value, (list, tuple)):
-        known = [str(item.get("name") or k) if isinstance(item, Mapping) else str(k) for k, item in enumerate(value)]
+        known = [str(name or k) for k, name in enumerate(_names(value))]
         look = "give the name of an item, or its number from 0"
     else:
         known = keys(chosen(place.members, value)) if place else []

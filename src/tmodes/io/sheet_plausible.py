@@ -74,7 +74,10 @@ def reading_notices(robot: Robot) -> list[str]:
             places |= {f"links.{link.name}.beam.{name}": origin for name, origin in link.beam.mounts.items()}
     info = {path: origin.notice() for path, origin in places.items() if origin}
     info |= {f"joints.{joint.name}.axis": joint.notice() for joint in robot.joints}
-    return [f"{path}: {notice}" for path, notice in info.items() if notice]
+    return [
+        *(one for one in robot.notices if one not in robot.assumed),
+        *(f"{path}: {notice}" for path, notice in info.items() if notice),
+    ]
 
 
 def _ranges(robot: Robot) -> Iterator[str]:

@@ -12,9 +12,12 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from tmodes.errors import InputError, InputErrors
 from tmodes.io.files import FilePath, Folders, Roots, folders_of
-from tmodes.io.urdf_parts import MOVING, UrdfJoint, body_of, joint_ends, joint_of, says_massless
+from tmodes.io.urdf_body import ImpossibleBodyError, body_of, says_massless
+from tmodes.io.urdf_parts import MOVING, UrdfJoint, joint_ends, joint_of
 from tmodes.io.urdf_tree import Tree, name_of, sheet_of, tree_of
 from tmodes.io.words import shown
 from tmodes.io.xml_file import Element, read_xml
@@ -50,24 +53,37 @@ class _Reading:
     joints: dict[str, UrdfJoint] = field(default_factory=dict)
     bodies: dict[str, dict[str, Any]] = field(default_factory=dict)
     errors: list[InputError] = field(default_factory=list)
+    impossible: dict[str, ImpossibleBodyError] = field(default_factory=dict)
 
     def refuse(self) -> None:
         if self.errors:
             raise InputErrors(self.errors[:MOST_ERRORS])
 
 
-def read_urdf(path: FilePath, roots: Roots = (), trust_paths: bool = False, weighed: Collection[str] = ()) -> UrdfRobot:
+def read_urdf(
+    path: FilePath,
+    roots: Roots = (),
+    trust_paths: bool = False,
+    weighed: Collection[str] = (),
+    *,
+    fix_inertia: bool = False,
+) -> UrdfRobot:
     """The robot of a URDF file.
 
     ``roots`` are further folders in which the files it names may lie; ``trust_paths`` allows any. Links that are
     ``weighed`` get a mass elsewhere and need none here. Raises :class:`tmodes.errors.InputError` or, with all that is
     wrong, :class:`tmodes.errors.InputErrors`.
     """
-    return urdf_robot(read_xml(path), folders_of(path, roots, trust_paths), weighed)
+    return urdf_robot(read_xml(path), folders_of(path, roots, trust_paths), weighed, fix_inertia=fix_inertia)
 
 
-def urdf_robot(robot: Element, folders: Folders, weighed: Collection[str] = ()) -> UrdfRobot:
-    """The robot of a URDF's root element; see :func:`read_urdf`."""
+def urdf_robot(
+    robot: Element, folders: Folders, weighed: Collection[str] = (), *, fix_inertia: bool = False
+) -> UrdfRobot:
+    """The robot of a URDF's root element; see :func:`read_urdf`.
+
+    ``fix_inertia``: impossible inertias of moving links too become the nearest possible ones, each with a notice.
+    """
     _check_root(robot)
     reading = _Reading()
     for element in robot.children:
@@ -76,6 +92,7 @@ def urdf_robot(robot: Element, folders: Folders, weighed: Collection[str] = ()) 
         reading.errors.append(robot.fault("the robot", "no link", "made of links and joints", "add <link> and <joint>"))
     reading.refuse()
     tree = tree_of(robot, reading.links, list(reading.joints.values()))
+    notices = list(_made_possible(reading, _standing(tree), fix_inertia=fix_inertia))
     reading.errors.extend(massless(tree, reading.links, reading.bodies, weighed))
     meshes = {name: _meshes(name, link, folders, reading) for name, link in reading.links.items()}
     joints = [_tried(reading, joint_of, joint) or {} for joint in tree.joints]
@@ -85,7 +102,7 @@ def urdf_robot(robot: Element, folders: Folders, weighed: Collection[str] = ()) 
     names = {link: name_of(link, tree) for link in reading.links}
     bodies = {names[link]: body for link, body in reading.bodies.items()}
     files = {names[link]: paths for link, paths in meshes.items() if paths}
-    data, positions = sheet_of(robot, tree, joints, reading.links, bodies)
+    data, positions = sheet_of(robot, tree, joints, reading.links, bodies, notices)
     elements = {names[link]: element for link, element in reading.links.items()}
     return UrdfRobot(data, positions, bodies, files, elements, robot, folders)
 
@@ -106,13 +123,47 @@ def _read(element: Element, reading: _Reading) -> None:
         name = element.text("name", "a link's name")
         _refuse_second(name, "link", element, reading.links.get(name))
         reading.links[name] = element
-        if body := body_of(element, name):
+        try:
+            body = body_of(element, name)
+        except ImpossibleBodyError as error:
+            reading.impossible[name], body = error, error.nearest
+        if body:
             reading.bodies[name] = body
     elif element.tag == "joint":
         joint = joint_ends(element)
         first = reading.joints.get(joint.name)
         _refuse_second(joint.name, "joint", element, first.element if first else None)
         reading.joints[joint.name] = joint
+
+
+def _standing(tree: Tree) -> set[str]:
+    """The links that stand still with the base: they hang on it by fixed joints alone."""
+    found = {tree.root}
+    for joint in tree.joints:  # parents first
+        if joint.type not in MOVING and joint.parent in found:
+            found.add(joint.child)
+    return found
+
+
+def _made_possible(reading: _Reading, standing: set[str], *, fix_inertia: bool) -> Iterator[str]:
+    """Notices of what was taken in place of an impossible mass or inertia; the others are errors."""
+    for name, error in reading.impossible.items():
+        if not (name in standing or fix_inertia) or (name not in standing and error.nearest is None):
+            error.hint += "" if error.nearest is None else "; or take the nearest possible one: --fix-inertia"
+            reading.errors.append(error)
+            continue
+        taken = "no mass" if error.nearest is None else _moments(error.nearest)
+        why = "; it stands still with the base, so that no motion depends on it" if name in standing else ""
+        yield f"{error.which} is not possible ({error.got}): {taken} is taken{why}"
+
+
+def _moments(body: dict[str, Any]) -> str:
+    """The nearest moments in words."""
+    if "inertia" not in body:
+        return "a point mass"
+    xx, yy, zz, xy, xz, yz = (body["inertia"][pair] for pair in ("xx", "yy", "zz", "xy", "xz", "yz"))
+    moments = np.linalg.eigvalsh([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
+    return f"the nearest possible one, with {', '.join(f'{max(moment, 0.0):.6g}' for moment in moments)} kg*m^2,"
 
 
 def _refuse_second(name: str, kind: str, element: Element, first: Element | None) -> None:

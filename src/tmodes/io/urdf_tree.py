@@ -6,7 +6,7 @@ own in a sheet.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -16,6 +16,7 @@ from tmodes.io.urdf_parts import MOVING, Follows, UrdfJoint, follows
 from tmodes.io.words import meant, shown
 from tmodes.io.xml_file import Element
 from tmodes.io.yaml_file import Positions
+from tmodes.sheet.robot import MOST_LETTERS, MOST_NOTICES
 from tmodes.sheet.topology import BASE
 
 __all__ = ["Tree", "name_of", "sheet_of", "tree_of"]
@@ -148,9 +149,11 @@ def sheet_of(
     joints: list[dict[str, Any]],
     links: Mapping[str, Element],
     bodies: Mapping[str, dict[str, Any]],
+    changed: Sequence[str] = (),
 ) -> tuple[dict[str, Any], Positions]:
     """Data and positions of the sheet: ``joints`` in the order of the tree, ``bodies`` by their names in the sheet.
 
+    ``changed``: notices of what the file says and the sheet does not.
     The root stands on the ground by a fixed joint of its own, so that it keeps its name.
     """
     notices = [hold_followers(tree.joints, joints)]
@@ -171,6 +174,8 @@ def sheet_of(
     data: dict[str, Any] = {"format": 1, "kind": "arm", "name": title}
     if info := " ".join(filter(None, notices)):
         data["assumed"] = info
+    if read := [*filter(None, notices), *changed]:
+        data["notices"] = [notice[:MOST_LETTERS] for notice in read[:MOST_NOTICES]]
     data |= {"joints": joints, "links": [{"name": name, "bodies": [bodies[name]]} for name in weighing]}
     positions = dict.fromkeys(("", "name", "joints", "links"), robot.line)
     positions |= {f"joints.{index}": line for index, line in enumerate(lines)}

@@ -33,11 +33,13 @@ def read_xacro(
     roots: Roots = (),
     trust_paths: bool = False,
     weighed: Collection[str] = (),
+    fix_inertia: bool = False,
     arguments: Mapping[str, Value] | None = None,
 ) -> UrdfRobot:
     """The robot of a xacro file; ``arguments`` are values of its ``xacro:arg``. Else as ``read_urdf``."""
     folders = folders_of(path, roots, trust_paths)
-    return urdf_robot(expand_xacro(read_xml(path), folders, arguments or {}), folders, weighed)
+    root = expand_xacro(read_xml(path), folders, arguments or {})
+    return urdf_robot(root, folders, weighed, fix_inertia=fix_inertia)
 
 
 def expand_xacro(robot: Element, folders: Folders, arguments: Mapping[str, Value]) -> Element:

@@ -1,19 +1,21 @@
 """Read a YAML file into plain data, with the line of every key.
 
-A data sheet needs maps, lists and scalars. Everything else that YAML can do (anchors, aliases, tags, many documents)
-is refused, so a hostile file costs a bounded time and memory: the data is built here, from the parser's events.
+A data sheet needs maps, lists and scalars; anchors (&), aliases (*) and merge keys (<<) repeat them. What an alias
+stands for counts like what is written out, and everything else that YAML can do (tags, many documents) is refused, so a
+hostile file costs a bounded time and memory: the data is built here, from the parser's events.
 """
 
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
 from tmodes.errors import InputError
 from tmodes.io.files import read_bytes
 from tmodes.io.units import scalar
 from tmodes.io.words import shown, shown_path
+from tmodes.io.yaml_events import yaml_events
 
 __all__ = ["Positions", "nearest_line", "parse_yaml", "read_yaml"]
 
@@ -46,7 +48,7 @@ def parse_yaml(text: str, source: str) -> tuple[dict[str, Any], Positions]:
             got, most = f"a line of {len(line)} characters", f"at most {LONGEST_LINE} characters"
             raise InputError("the file", got, most, "break the line", f"{source}:{number}")
     builder = _Builder(source)
-    data = builder.document(_events(text, source))
+    data = builder.document(yaml_events(text, source))
     if not isinstance(data, dict):
         raise builder.error(1, "the file", shown(data), "keys and values, such as `gravity: 9.81`", "see the examples")
     if builder.count > MOST_EVENTS_2010 and not {"kind", "urdf"} & data.keys():
@@ -73,30 +75,6 @@ def _decoded(content: bytes, source: str) -> str:
         raise InputError("the file", got, "text in UTF-8", hint, f"{source}:{line}") from None
 
 
-def _events(text: str, source: str) -> Iterator[Any]:
-    """Events of the YAML parser; each of its errors becomes ours."""
-    from ruamel.yaml import YAML
-    from ruamel.yaml.error import MarkedYAMLError
-    from ruamel.yaml.reader import ReaderError
-
-    hint = "look there for a missing quote, bracket or colon, a tab, or wrong indentation"
-    try:
-        yield from YAML(typ="safe", pure=True).parse(text)
-    except ReaderError as error:
-        line = text.count("\n", 0, error.position) + 1
-        got = f"the character {shown(text[error.position : error.position + 1])}"
-        raise InputError("the file", got, "printable text", "remove it", f"{source}:{line}") from None
-    except MarkedYAMLError as error:
-        mark = error.problem_mark or error.context_mark
-        place = f"{source}:{mark.line + 1}" if mark else source
-        problem = " ".join(str(error.problem or error.context or "something else").split())
-        raise InputError("the file", f"broken YAML ({problem})", "YAML 1.2", hint, place) from None
-    except InputError:
-        raise
-    except Exception as error:  # the parser lets raw IndexError, AssertionError... through on some junk
-        raise InputError("the file", f"junk ({type(error).__name__})", "YAML 1.2", hint, source) from None
-
-
 class _Builder:
     """Builds plain data from events and keeps the lines."""
 
@@ -104,6 +82,8 @@ class _Builder:
         self.source = source
         self.positions: Positions = {"": 1}
         self.count = 0
+        self._anchors: dict[str, list[Any]] = {}
+        self._recorded: list[list[Any]] = []
 
     def too_many(self, line: int, most: int, hint: str) -> InputError:
         return self.error(line, "the file", f"more than {most} items", f"at most {most}", hint)
@@ -133,13 +113,45 @@ class _Builder:
         return data
 
     def _counted(self, events: Iterator[Any]) -> Iterator[Any]:
-        for self.count, event in enumerate(events, 1):
+        """The events, each also kept by all anchors in whose node it stands."""
+        for event in self._bounded(events):
+            for kept in self._recorded:
+                kept.append(event)
+            yield event
+
+    def _bounded(self, events: Iterable[Any]) -> Iterator[Any]:
+        for event in events:
+            self.count += 1
             if self.count > MOST_EVENTS:
                 raise self.too_many(_line(event), MOST_EVENTS, "check that this is a data sheet")
             yield event
 
     def _node(self, event: Any, events: Iterator[Any], path: str, depth: int) -> Any:
         self._check_plain(event, path, depth)
+        anchor = getattr(event, "anchor", None)
+        if type(event).__name__ == "AliasEvent":
+            return self._repeated(event, path, depth)
+        if anchor is None:
+            return self._value(event, events, path, depth)
+        self._recorded.append(kept := [event])
+        value = self._value(event, events, path, depth)
+        self._recorded.pop()
+        self._anchors[anchor] = kept
+        return value
+
+    def _repeated(self, alias: Any, path: str, depth: int) -> Any:
+        """What an alias stands for, built again; within the anchor's own node there is none yet."""
+        if alias.anchor not in self._anchors:
+            got, hint = f"the alias *{alias.anchor:.40}", f"write &{alias.anchor:.40} before it, or put it in quotes"
+            raise self.error(_line(alias), path or "the file", got, "an alias of an anchor above it", hint)
+        first, *others = self._anchors[alias.anchor]
+        outer, self._recorded = self._recorded, []
+        events = self._bounded(others)
+        value = self._value(first, events, path, depth)
+        self._recorded = outer
+        return value
+
+    def _value(self, event: Any, events: Iterator[Any], path: str, depth: int) -> Any:
         match type(event).__name__:
             case "ScalarEvent":
                 return scalar(event.value) if event.style in (None, "") else event.value
@@ -150,9 +162,6 @@ class _Builder:
 
     def _check_plain(self, event: Any, path: str, depth: int) -> None:
         which, line = path or "the file", _line(event)
-        if type(event).__name__ == "AliasEvent" or event.anchor is not None:
-            hint = "write the value out, or put text with & or * in quotes"
-            raise self.error(line, which, "an anchor (&) or an alias (*)", "a plain value", hint)
         if getattr(event, "tag", None) is not None:
             hint = "remove it, or put text with ! in quotes"
             raise self.error(line, which, f"the tag {shown(str(event.tag))}", "a plain value", hint)
@@ -174,13 +183,20 @@ class _Builder:
 
     def _map(self, events: Iterator[Any], path: str, depth: int) -> dict[str, Any]:
         pairs: dict[str, Any] = {}
+        merged: list[tuple[dict[str, Any], Positions]] = []
         for event in events:
             if type(event).__name__ == "MappingEndEvent":
                 break
             self._check_plain(event, path, depth)
+            if type(event).__name__ == "AliasEvent" or event.anchor is not None:
+                hint = "write the key out, or put text with & or * in quotes"
+                raise self.error(_line(event), path or "the file", "an anchor (&) or an alias (*)", "a key", hint)
             if type(event).__name__ != "ScalarEvent":
                 got, hint = "a list or group as a key", "write `name: value`"
                 raise self.error(_line(event), path or "the file", got, "a word as a key", hint)
+            if event.value == "<<" and event.style in (None, ""):
+                merged += self._merged(next(events), events, path, depth + 1)
+                continue
             here = _join(path, event.value)
             if event.value in pairs:
                 first = self.positions[here]
@@ -188,7 +204,28 @@ class _Builder:
                 raise self.error(_line(event), here, f"a second one (the first in line {first})", "written once", hint)
             self.positions[here] = _line(event)
             pairs[event.value] = self._node(next(events), events, here, depth + 1)
+        for group, lines in merged:  # what the group itself says wins, then the first of those that are merged
+            pairs |= {key: value for key, value in group.items() if key not in pairs}
+            for where, line in lines.items():
+                self.positions.setdefault(where, line)
         return pairs
+
+    def _merged(
+        self, event: Any, events: Iterator[Any], path: str, depth: int
+    ) -> list[tuple[dict[str, Any], Positions]]:
+        """The group, or the groups of a list, of a merge key, each with the lines of its keys."""
+        if type(event).__name__ == "SequenceStartEvent":
+            groups = []
+            while type(node := next(events)).__name__ != "SequenceEndEvent":
+                groups += self._merged(node, events, path, depth + 1)
+            return groups
+        outer, self.positions = self.positions, {}
+        value = self._node(event, events, path, depth)
+        lines, self.positions = self.positions, outer
+        if not isinstance(value, dict):
+            hint = "write <<: *name, where &name marks a group"
+            raise self.error(_line(event), path or "the file", f"{shown(value)} after <<", "a group to merge", hint)
+        return [(value, lines)]
 
 
 def _join(path: str, name: str) -> str:

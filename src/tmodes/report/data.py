@@ -127,7 +127,7 @@ _STEP = 1e-5
 
 
 def modes_of(result: Result) -> list[dict[str, Any]]:
-    """The lowest modes of the real robot about its rest, of each state of its motors; none where there is no rest.
+    """The lowest modes of the real robot about its rest or steady motion, for each state of its motors; or none.
 
     Frequencies [Hz] and damping are those of ``result.frequencies``; motions without vibration are left out.
     Displacements (L, S, 3) are complex, the largest of size 1.
@@ -148,7 +148,7 @@ def _modes(result: Result) -> list[dict[str, Any]]:
 
     known = actual(result)
     robot = known.robot
-    rest = robot_rest(robot, model=known.model, contact=robot.contact is not None)
+    rest = robot_rest(robot, model=known.model, contact=robot.contact is not None, moving=True)
     servos, feedback = servos_of(robot, rest.model), feedback_of(robot, rest)
     stations, found = np.linspace(0, 1, _STATIONS), []
     for state in _CASES[0 if servos else 1 :]:

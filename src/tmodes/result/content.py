@@ -9,7 +9,7 @@ import json
 from collections.abc import Iterator
 from functools import cache
 from itertools import chain
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any, get_type_hints
 
 import numpy as np
 from pydantic import Field, FiniteFloat, TypeAdapter, ValidationError
@@ -54,21 +54,26 @@ class _Errors(TypedDict):
 
 _Group = dict[str, Any]
 _Empty = Annotated[dict[str, Any], Field(max_length=0)]
-_JSON: dict[str, Any] = {
-    "robot": _Group,
-    "robot_real": _Group,
-    "statistics": _Group,
-    "versions": dict[str, str],
-    "frequencies": dict[str, list[_Mode]],
-    "nominal_frequencies": dict[str, list[_Mode]],
-    "warnings": list[str],
-    "settling": _Settling | None,
-    "vibration": dict[str, _Residual],
-    "errors": _Errors | _Empty | None,
-    "move_end": FiniteFloat | None,
-    "meshes": list[_Group],
-}
-"""Attributes that are JSON text, and what it holds."""
+
+
+class _Attributes(TypedDict, total=False):
+    """Attributes that are JSON text, and what it holds."""
+
+    robot: _Group
+    robot_real: _Group
+    statistics: _Group
+    versions: dict[str, str]
+    frequencies: dict[str, list[_Mode]]
+    nominal_frequencies: dict[str, list[_Mode]]
+    warnings: list[str]
+    settling: _Settling | None
+    vibration: dict[str, _Residual]
+    errors: _Errors | _Empty | None
+    move_end: FiniteFloat | None
+    meshes: list[_Group]
+
+
+_JSON = get_type_hints(_Attributes, include_extras=True)
 
 _TEXTS = ("status", "message", "title", "method")
 

@@ -29,12 +29,14 @@ def load(
     *,
     roots: Roots = (),
     trust_paths: bool = False,
+    fix_inertia: bool = False,
 ) -> Robot:
     """A checked robot from the name of a published one, or from a file (a name wins; write ``./name`` for a file).
 
     A file is a data sheet, a Denavit-Hartenberg table, URDF, xacro, MJCF, an elasticity file of a URDF, or a sheet of
     the 2010 robot. ``changes`` are values by dotted path; ``roots`` and ``trust_paths`` say where the files that a file
-    names may lie. Raises :class:`tmodes.errors.InputError` when there is no such robot or it cannot be read, and
+    names may lie; ``fix_inertia``: impossible inertias of a URDF become the nearest possible ones. Raises
+    :class:`tmodes.errors.InputError` when there is no such robot or it cannot be read, and
     :class:`tmodes.errors.InputErrors` with all wrong values and their lines.
     """
     from tmodes.io.sheet_files import read_file
@@ -49,7 +51,7 @@ def load(
             _refuse_without_model(path, roots)
             read, source = read_file(path, (*roots, *installed_models())), path.name
     elif os.path.lexists(name_or_path):
-        read = read_file(name_or_path, (*roots, *installed_models()), trust_paths)
+        read = read_file(name_or_path, (*roots, *installed_models()), trust_paths, fix_inertia=fix_inertia)
     else:
         raise unknown(source, sheet_names())
     return _checked(read.data, read.positions, source, changes or {})
@@ -64,7 +66,7 @@ def urdf_of(name_or_path: str | os.PathLike[str], *, roots: Roots = (), trust_pa
 
     file = published().get(str(name_or_path))
     with resources.as_file(file) if file else nullcontext(Path(name_or_path)) as path:
-        return read_file(path, (*roots, *installed_models()), trust_paths).urdf
+        return read_file(path, (*roots, *installed_models()), trust_paths, fix_inertia=True).urdf
 
 
 def _refuse_without_model(path: Path, roots: Roots) -> None:

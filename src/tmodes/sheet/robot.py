@@ -40,6 +40,11 @@ RECURSION = "recursion"
 """Equations of a robot whose sheet names no others."""
 
 MOST_JOINTS = 500
+MOST_NOTICES = 200
+MOST_LETTERS = 2000
+"""Longest notice [characters]."""
+
+Notice = Annotated[str, Field(max_length=MOST_LETTERS)]
 MOST_POINTS = 200
 MOST_LOADS = 100
 
@@ -58,6 +63,12 @@ class Robot(DataSheet):
     )
     citation: str = Field(default="", max_length=1000, description="where its numbers come from")
     assumed: str = Field(default="", max_length=2000, description="what is assumed and not from the source")
+    notices: tuple[Notice, ...] = Field(
+        default=(),
+        strict=False,
+        max_length=MOST_NOTICES,
+        description="what was changed when a file was read",
+    )
     gravity: Vector = list_of_numbers(
         "m/s^2", "g", "gravity in the world; one number: along -z", default=(0.0, 0.0, -9.81)
     )
@@ -107,6 +118,7 @@ class Robot(DataSheet):
     def _text_issues(self) -> list[Issue]:
         """Texts go to terminals and pages: letters that steer those are refused."""
         texts = {name: getattr(self, name) for name in ("name", "title", "citation", "assumed")}
+        texts |= {f"notices.{index}": notice for index, notice in enumerate(self.notices)}
         for group in ("joints", "links", "points"):
             texts |= {f"{group}.{index}.name": item.name for index, item in enumerate(getattr(self, group))}
         texts |= {f"joints.{index}.child": joint.child for index, joint in enumerate(self.joints)}
@@ -138,6 +150,11 @@ class Robot(DataSheet):
     def __reduce__(self) -> tuple[Any, ...]:
         """What was pickled is read again as a data sheet, and checked."""
         return Robot.from_data, (self.model_dump(mode="json", by_alias=True, exclude_none=True),)
+
+    @property
+    def held_notices(self) -> list[str]:
+        """What was assumed when a file was read: joints that are held, links with another name."""
+        return [notice for notice in self.notices if notice in self.assumed]
 
     def link(self, name: str) -> LinkSheet:
         """The link with this name; one that the sheet does not describe is rigid and has no mass."""

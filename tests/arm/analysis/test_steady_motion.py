@@ -140,7 +140,9 @@ def test_weight_that_turns_is_reported(axis: list[int], steady: bool) -> None:
 
 
 @pytest.mark.parametrize("signal", [{"type": "sine", "amplitude": 0.3, "frequency": 1.0},
-                                    {"type": "quintic", "start": 0.3, "end": 0.9, "duration": 0.1}])  # fmt: skip
+                                    {"type": "quintic", "start": 0.3, "end": 0.9, "duration": 0.1},
+                                    {"type": "trapezoid", "start": 0.3, "end": 9, "speed": 3, "acceleration": 900},
+                                    {"type": "step", "start": 0.3, "end": 0.9, "time": 0.05}])  # fmt: skip
 def test_motion_that_is_not_at_constant_speed_is_none(signal: dict) -> None:
     how = {"command": "prescribed", "signal": signal}
     assert frequencies(disc(3.0, (200.0, 300.0), 2.0, how=how)) == pytest.approx(np.sqrt([100.0, 150.0]))

@@ -229,3 +229,28 @@ def test_the_chain_of_any_right_sheet_is_sound(data) -> None:
         assert np.linalg.det(rotation) > 0
         assert np.linalg.norm(node.joint.axis) == pytest.approx(1, abs=1e-13)
     assert all(0 <= point.node < len(names) and 0 <= point.s <= 1 for point in chain.points)
+
+
+@pytest.mark.parametrize(
+    ("path", "same"),
+    [
+        ("drives.shoulder.signal.end", "drives.0.signal.end"),
+        ("loads.hand.force.2", "loads.0.force.2"),
+        ("points.hand.position.0", "points.0.position.0"),
+        ("links.forearm.bodies.cup.mass", "links.1.bodies.0.mass"),
+    ],
+)
+def test_items_of_every_list_are_known_by_what_they_belong_to(path: str, same: str) -> None:
+    data = sheet()
+    data["links"] = [{"name": data["joints"][0]["child"], "bodies": [body()]},
+                     {"name": "forearm", "bodies": [{**body(), "name": "cup"}]}]  # fmt: skip
+    data["joints"][1]["child"] = "forearm"
+    data["points"] = [{"name": "hand", "link": "forearm", "position": [0.1, 0, 0]}]
+    data["loads"] = [{"point": name, "force": [0, 0, -1.0], "frame": "world"} for name in ("hand", "tip")]
+    data["drives"] = [{"joint": data["joints"][0]["name"], "command": "prescribed",
+                       "signal": {"type": "quintic", "start": 0.0, "end": 0.5, "duration": 1.0}}]  # fmt: skip
+    arm = arm_of(data)
+    assert arm.with_({path: 0.25}) == arm.with_({same: 0.25})
+    assert arm.with_({path: 0.25}) != arm
+    with pytest.raises(InputError, match="Did you mean"):
+        arm.with_({path.replace(path.split(".")[1], path.split(".")[1] + "x"): 0.25})

@@ -1,5 +1,5 @@
 // A robot's compiled equations in JavaScript: instantiates the module, and calls its functions over many samples.
-// tmodes/live/functions.py makes module and layout; nothing here touches a page, so it runs in a worker and in Node alike.
+// tmodes/live/functions.py makes module and layout; nothing here touches a page: it runs in a worker and in Node.
 
 import { EngineError, expect, known } from "./engine_error";
 

@@ -13,6 +13,7 @@ export interface Schema {
   const?: Json;
   enum?: string[];
   default?: Json;
+  examples?: Json[];
   anyOf?: Schema[];
   oneOf?: Schema[];
   discriminator?: { propertyName: string };
@@ -171,7 +172,7 @@ export class Forms {
     return named ?? choices.find((one) => one.schema.type !== "string" && one.schema.properties?.[key] === undefined);
   }
 
-  /** A value to begin with: what is known under the same name, defaults, and the least that is needed. */
+  /** A value to begin with: what is known under the same name, an example, defaults, and the least that is needed. */
   fresh(node: Schema, before?: Json): Json {
     const schema = this.resolved(node);
     const shape = this.shape(node, before);
@@ -187,16 +188,22 @@ export class Forms {
     if (shape.kind !== "group") return null;
     const group = shape;
     const kept = isGroup(before) ? before : {};
+    const [example] = schema.examples ?? [];
+    const begun = isGroup(example) ? example : {};
     const entries = group.fields
       .filter(
         ([name, field]) =>
           group.required.has(name) ||
+          name in begun ||
           this.resolved(field).const !== undefined ||
           (name in kept && this.shape(field, kept[name]).kind !== "fixed"),
       )
       .map(
         ([name, field]) =>
-          [name, name in kept && this.resolved(field).const === undefined ? kept[name] : this.fresh(field)] as const,
+          [
+            name,
+            name in kept && this.resolved(field).const === undefined ? kept[name] : (begun[name] ?? this.fresh(field)),
+          ] as const,
       );
     return Object.fromEntries(entries);
   }

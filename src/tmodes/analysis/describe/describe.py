@@ -45,6 +45,7 @@ def describe(
         "name": robot.name,
         "title": robot.title,
         "assumed": robot.assumed,
+        "notes": robot.held_notices,
         "gravity_m_per_s2": list(robot.gravity),
         "coordinates": list(model.coordinates),
         "total_mass_kg": float(sum(link["mass_kg"] for link in links)),
@@ -54,7 +55,7 @@ def describe(
         "sag": sag(rest) if rest else None,
         "stiffness": compliance_table(rest) if rest else None,
     }
-    found = [*trouble, *notices(robot, chain, info, rest)]
+    found = [*(one for one in robot.notices if one not in robot.assumed), *trouble, *notices(robot, chain, info, rest)]
     return info | {"warnings": [*found, *(rest_warnings(robot, model, _lines(rest)) if rest else ()), *_still(model)]}
 
 

@@ -41,13 +41,17 @@ def steady_rates(robot: Robot, model: Model) -> dict[str, float]:
 
 
 def _last_rate(signal: Signal, duration: float) -> float:
-    """The constant rate at the end of a signal; 0 where it stands, or its rate changes."""
-    schedule = signal.schedule(duration)
-    times = np.linspace(0.0, duration, 201)
+    """The constant rate at the end of a signal; 0 where it stands, or its rate changes.
+
+    Of a move that comes to its own end: at that end, also where the run is over before.
+    """
+    until = max(duration, 1.25 * (signal.move_ends() or 0.0))
+    schedule = signal.schedule(until)
+    times = np.linspace(0.0, until, 201)
     positions, rates = schedule.at(times), schedule.at(times, 1)
-    last = rates[times >= _END * duration]
+    last = rates[times >= _END * until]
     changes = np.ptp(last) > _SAME * np.abs(rates).max()
-    stands = abs(last[-1]) * duration <= _STILL * max(float(np.abs(positions).max()), 1.0)
+    stands = abs(last[-1]) * until <= _STILL * max(float(np.abs(positions).max()), 1.0)
     return 0.0 if changes or stands else float(last.mean())
 
 

@@ -13,7 +13,7 @@ from tmodes.kinds.schema.axes import rpy_matrix
 from tmodes.kinds.schema.frames import TURN, Vector, list_of_numbers
 from tmodes.kinds.schema.quantity import DataSheet, Issue, any_sign, not_negative, quantity
 
-__all__ = ["BodySheet", "Inertia", "entries", "principal_moments"]
+__all__ = ["BodySheet", "Inertia", "entries", "nearest_inertia", "principal_moments"]
 
 ROUNDING = 1e-4
 """Share of the largest principal moment by which printed digits may violate the triangle inequality [-]."""
@@ -36,6 +36,20 @@ def principal_moments(matrix: ArrayLike) -> tuple[NDArray[np.float64], Literal["
     if low < -ROUNDING * high:
         return moments, "sign"
     return moments, "triangle" if low + middle < (1 - ROUNDING) * high else ""
+
+
+def nearest_inertia(matrix: ArrayLike) -> NDArray[np.float64]:
+    """The inertia (3, 3) of a real body that is nearest to a matrix, by the sum of the squares of the differences.
+
+    The axes stay. The moments are sums of two of the second moments of mass along the axes, none of which is negative.
+    """
+    from scipy.optimize import nnls
+
+    moments, axes = np.linalg.eigh(np.asarray(matrix, dtype=float))
+    sums = np.ones((3, 3)) - np.eye(3)
+    size = float(np.abs(moments).max()) or 1.0
+    second, _ = nnls(sums, moments / size)
+    return axes @ np.diag(size * (sums @ second)) @ axes.T
 
 
 def entries(matrix: NDArray[np.float64]) -> dict[str, float]:

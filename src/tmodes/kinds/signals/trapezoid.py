@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from typing import Literal
 
 import numpy as np
-from pydantic import Field
+from pydantic import ConfigDict, Field
 
 from tmodes.kinds.schema.quantity import Issue, positive
 from tmodes.kinds.signals.contract import SIGNALS, Signal, delayed, signal_time, signal_value
@@ -19,6 +19,9 @@ __all__ = ["Trapezoid"]
 @SIGNALS.register
 class Trapezoid(Signal):
     """From rest to rest with constant acceleration, speed and deceleration: by its duration, or by both of them."""
+
+    model_config = ConfigDict(json_schema_extra={"examples": [{"duration": 1.0, "ramp_fraction": 0.2}]})
+    """What a form begins with: one of the two ways to give it."""
 
     type: Literal["trapezoid"] = Field(description="kind of signal")
     start: float = signal_value("u_0", "value at the start", at_least=-1e3, at_most=1e3)

@@ -1,4 +1,4 @@
-/* tmodes, built from e391d50872d893e7; BSD-3-Clause */
+/* tmodes, built from d0f3f957c47c2125; BSD-3-Clause */
 /* three
 The MIT License
 

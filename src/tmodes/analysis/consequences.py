@@ -1,0 +1,156 @@
+"""What the numbers of a data sheet lead to, where that is odd: sag, first frequencies, damping, factors, an idle robot.
+
+The joints are taken one at a time in a general position, all else rigid; nothing is compiled. Each sentence names the
+likely cause: these are warnings of a wrong unit or a slipped decimal point, never errors.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from tmodes.analysis.describe.links import link_rows
+from tmodes.chain.chain import Chain
+from tmodes.chain.mass import Carried, carried_by_joints
+from tmodes.sheet import Robot
+
+__all__ = ["consequences"]
+
+SAG = 0.1
+"""Deflection of a gear under the weight that it carries beyond which a number is likely wrong [rad], or [m]."""
+
+BENDING = 0.1
+"""Deflection of a link under a weight at its end, over its length."""
+
+APART = 15.0
+"""How many times slower than the middle one of the other joints a joint may be on its gear [-]."""
+
+DAMPING = 1.0
+"""Damping ratio of a gear, or of a link's first bending, beyond which it does not oscillate [-]."""
+
+HELD = 3.0
+"""Weight that a joint carries over its limit of effort; below, a spring or a counterweight may hold it [-]."""
+
+FACTORS = (0.01, 100.0)
+"""Usual range of a factor of the real robot on the nominal one [-]."""
+
+
+@dataclass(frozen=True)
+class _Gear:
+    """A gear by itself: its path, stiffness and damping, and what its joint carries."""
+
+    path: str
+    stiffness: float
+    damping: float
+    unit: str
+    carried: Carried
+
+    @property
+    def rate(self) -> float:
+        """Natural angular frequency of what the joint carries on the gear [rad/s]."""
+        return math.sqrt(self.stiffness / self.carried.inertia)
+
+
+def consequences(robot: Robot) -> list[str]:
+    """Sentences on what follows from the numbers of a robot, where that is odd."""
+    chain = robot.chain()
+    gears = _gears(robot, chain)
+    checks = (_sagging(gears), _slow(gears), _damped(gears), _links(robot, chain), _efforts(robot, chain),
+              _factors(robot))  # fmt: skip
+    return [sentence for check in checks for sentence in check]
+
+
+def _gears(robot: Robot, chain: Chain) -> list[_Gear]:
+    carried = carried_by_joints(chain)
+    found = []
+    for joint in robot.joints:
+        if joint.gear is None or not joint.is_elastic or joint.name not in carried:
+            continue
+        stiffness = min(joint.gear.stiffness)
+        if math.isfinite(stiffness) and carried[joint.name].inertia > 0:
+            unit = joint.kind.coordinates[0].stiffness_unit
+            path = f"joints.{joint.name}.gear"
+            found.append(_Gear(path, stiffness, joint.gear.damping, unit, carried[joint.name]))
+    return found
+
+
+def _sagging(gears: list[_Gear]) -> Iterator[str]:
+    for gear in gears:
+        sag, length = gear.carried.weight / gear.stiffness, gear.unit.partition("/")[2]
+        if sag > SAG:
+            yield (
+                f"{gear.path}.stiffness = {gear.stiffness:g} {gear.unit}: the {gear.carried.mass:.4g} kg that it "
+                f"carries deflect it by about {sag:.3g} {length} under their weight; is a mass in g, or the stiffness "
+                "in kN*m/rad or per degree?"
+            )
+
+
+def _slow(gears: list[_Gear]) -> Iterator[str]:
+    """Gears that are much softer than the others, for what they carry."""
+    for gear in gears:
+        others = [other for other in gears if other is not gear and other.unit == gear.unit]
+        if not others:
+            continue
+        usual = float(np.median([other.rate for other in others]))
+        if gear.rate * APART < usual:
+            yield (
+                f"{gear.path}.stiffness = {gear.stiffness:g} {gear.unit}: its joint alone has a frequency of "
+                f"{gear.rate / (2 * math.pi):.3g} Hz, those on the other gears about {usual / (2 * math.pi):.3g} Hz; "
+                "was it meant in kN*m/rad (factor 1000)?"
+            )
+
+
+def _damped(gears: list[_Gear]) -> Iterator[str]:
+    for gear in gears:
+        ratio = gear.damping / (2 * gear.stiffness) * gear.rate
+        if ratio > DAMPING:
+            yield (
+                f"{gear.path}.damping = {gear.damping:g}: a damping ratio of {ratio:.3g} for what its joint carries, "
+                "which then does not oscillate; is the unit right?"
+            )
+
+
+def _links(robot: Robot, chain: Chain) -> Iterator[str]:
+    """Links by themselves, clamped: their damping, and how far a weight at their end bends them."""
+    pull = math.hypot(*robot.gravity)
+    for row in link_rows(robot, chain):
+        name, first = row["name"], [row[f"bare_bend_{axis}_Hz"] for axis in "yz" if row.get(f"bare_bend_{axis}_Hz")]
+        time = row.get("damping_time_s") or 0.0
+        if first and (ratio := math.pi * min(first) * time) > DAMPING:
+            yield (
+                f"links.{name}.beam.damping_time = {time:g} s: a damping ratio of {ratio:.3g} of its first bending by "
+                f"itself ({min(first):.3g} Hz), which then does not oscillate; was it meant in ms (factor 0.001)?"
+            )
+        stiff = [row[f"tip_stiffness_{axis}_N_per_m"] for axis in "yz" if row.get(f"tip_stiffness_{axis}_N_per_m")]
+        load = sum(body.mass * body.station**2 for body in robot.link(name).bodies)
+        if stiff and pull and load * pull / max(stiff) > BENDING * row["length_m"]:
+            yield (
+                f"links.{name}.bodies: {load:.4g} kg at its end bend it by {load * pull / max(stiff):.3g} m under "
+                f"their weight, more than a tenth of its length, {row['length_m']:.3g} m; is a mass in g?"
+            )
+
+
+def _efforts(robot: Robot, chain: Chain) -> Iterator[str]:
+    """Joints whose own limit of effort does not carry the weight on them."""
+    carried = carried_by_joints(chain)
+    for joint in robot.joints:
+        limit = joint.limits.effort if joint.limits else None
+        if limit and joint.name in carried and carried[joint.name].weight > HELD * limit:
+            got = carried[joint.name]
+            yield (
+                f"joints.{joint.name}.limits.effort = {limit:g}: the {got.mass:.4g} kg that the joint carries ask for "
+                f"about {got.weight:.3g} to be held against their weight; is a mass in g?"
+            )
+
+
+def _factors(robot: Robot) -> Iterator[str]:
+    low, high = FACTORS
+    for path, factor in robot.real.items():
+        if factor and not low <= factor <= high:
+            yield (
+                f"real.{path} = {factor:g} is a factor on the nominal value, usual are {low:g} to {high:g}; "
+                "was it meant as the value itself? Then write that value over the nominal one"
+            )
