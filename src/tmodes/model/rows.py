@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Mapping
 
 import numpy as np
@@ -36,6 +37,20 @@ def real_numbers(name: str, values: ArrayLike, expected: str, *, finite: bool = 
     return array
 
 
+_DOUBLE = np.dtype(float)
+
+
+def _finite_doubles(values: ArrayLike, *, finite: bool) -> Array | None:
+    """Values that are right at first sight, which most are; None for those that :func:`real_numbers` is to look at."""
+    try:
+        array = np.asarray(values)
+    except ValueError:
+        return None
+    if array.dtype != _DOUBLE or (finite and not math.isfinite(np.vdot(array, array))):
+        return None
+    return array
+
+
 def wrong_shape(name: str, array: Array, expected: str) -> InputError:
     """The error of an array of another shape than ``expected`` says."""
     return InputError(
@@ -51,20 +66,37 @@ class Rows:
 
     def __init__(self, q: ArrayLike, v: ArrayLike, size: int, *, finite: bool = True) -> None:
         self._finite = finite
-        expected = f"finite numbers of shape ({size},), or (n, {size}) for n states"
-        given = real_numbers("q", q, expected, finite=finite)
-        if given.ndim not in {1, 2} or given.shape[-1] != size:
-            raise wrong_shape("q", given, expected)
+        given = _finite_doubles(q, finite=finite)
+        if given is None or given.ndim not in {1, 2} or given.shape[-1] != size:
+            given = self._checked(q, size)
         self.single = given.ndim == 1
-        self.q = np.atleast_2d(given)
+        self.q = given[None] if self.single else given
         self.count = len(self.q)  # an arm in which nothing moves has states too
         self.v = self.of(v, size, "v")
+
+    def _checked(self, q: ArrayLike, size: int) -> Array:
+        expected = f"finite numbers of shape ({size},), or (n, {size}) for n states"
+        given = real_numbers("q", q, expected, finite=self._finite)
+        if given.ndim not in {1, 2} or given.shape[-1] != size:
+            raise wrong_shape("q", given, expected)
+        return given
 
     def of(self, values: ArrayLike, width: int, name: str) -> Array:
         """Values as rows of ``width`` numbers, one for each state; one number is all of them.
 
         ``wrenches`` are (points, 6) or (n, points, 6); a ``base`` is no single number.
         """
+        right = _finite_doubles(values, finite=self._finite)
+        if right is not None and right.ndim == 0 and name != "base":
+            return np.full((self.count, width), right)
+        if right is not None and right.shape == (width,) and self.count == 1:
+            return right[None]
+        if right is not None and right.shape == (self.count, width):
+            return right
+        return self._rows_of(values, width, name)
+
+    def _rows_of(self, values: ArrayLike, width: int, name: str) -> Array:
+        """The same of what is converted or repeated, or wrong."""
         one = f"{width // 6}, 6" if name == "wrenches" else f"{width},"
         expected = "" if name == "base" else "one finite number, or "
         expected += f"finite numbers of shape ({one}) or ({self.count}, {one.rstrip(',')})"
@@ -84,6 +116,11 @@ class Rows:
 
 def one_row(name: str, values: ArrayLike, size: int, *, scalar: bool = True) -> Array:
     """Values (size,) of one state, in any shape of that size; one number is all of them where a ``scalar`` may be."""
+    right = _finite_doubles(values, finite=True)
+    if right is not None and right.ndim and right.size == size:
+        return right.reshape(size)
+    if right is not None and right.ndim == 0 and scalar:
+        return np.full(size, right)
     expected = ("one finite number, or " if scalar else "") + f"finite numbers of shape ({size},), of one state"
     array = real_numbers(name, values, expected)
     if scalar and array.ndim == 0:
