@@ -25,9 +25,15 @@ def loaded(text: str, folder: Path) -> Robot:
     return arm
 
 
-def test_both_kinds_of_sheet_are_there() -> None:
-    assert len(BLOCKS) == 2
-    assert [block.startswith("urdf:") for block in BLOCKS] == [False, True]
+def test_each_kind_of_sheet_is_there() -> None:
+    assert [block.splitlines()[0].partition(":")[0] for block in BLOCKS] == ["format", "urdf", "format"]
+    assert "kind: dh" in BLOCKS[2]
+
+
+def test_a_table_of_denavit_and_hartenberg(tmp_path: Path) -> None:
+    chain = loaded(BLOCKS[2], tmp_path).chain()
+    assert chain.nodes[-1].name == "forearm"
+    assert sum(body.mass for node in chain.nodes for body in node.link.all_bodies) == pytest.approx(2.0)
 
 
 def test_sheet(tmp_path: Path) -> None:

@@ -274,7 +274,9 @@ def test_shear_stress_of_a_transverse_force(section: Any, peak: float) -> None:
     """tau = 4/3, 2 and 3/2 of Q/A; at the tip, without a moment, it is all the stress there is."""
     numbers = section.properties(find_material("steel"))
     area = numbers.axial / numbers.young
-    ends = {name: (getattr(numbers, name),) * 2 for name in ("torsion", "axial", "across_y", "across_z")}
+    ends: dict[str, Any] = {
+        name: (getattr(numbers, name),) * 2 for name in ("torsion", "axial", "across_y", "across_z")
+    }
     outer = (numbers.outer_y, numbers.outer_z)
     one = piece(bending=numbers.bend_y, **ends)
     rod = beam(pieces=(one,), outer=outer, young=numbers.young, shear=numbers.shear)

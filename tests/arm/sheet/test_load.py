@@ -88,7 +88,7 @@ def test_the_text_of_a_sheet() -> None:
         sheet_text("spong1988")
 
 
-@pytest.mark.parametrize("content", [b"", b"\x00\xff\xfe", b"[1, 2]", b"a: &x [1]\nb: *x", b"{" * 5000, b"a: 1\na: 2"])
+@pytest.mark.parametrize("content", [b"", b"\x00\xff\xfe", b"[1, 2]", b"b: *unknown", b"{" * 5000, b"a: 1\na: 2"])
 def test_files_that_are_none(tmp_path: Path, content: bytes) -> None:
     path = tmp_path / "bad.yaml"
     path.write_bytes(content)

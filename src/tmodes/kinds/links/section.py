@@ -61,6 +61,7 @@ class Round(DrawnSection):
     def geometry(self) -> Geometry:
         """Exact: J = 2 I = pi d^4/32."""
         moment, radius = math.pi * self.diameter**4 / 64, self.diameter / 2
+        peak = tube_peak(radius, 0.0)
         return Geometry(
             math.pi * radius**2,
             moment,
@@ -68,7 +69,7 @@ class Round(DrawnSection):
             2 * moment,
             radius,
             radius,
-            (tube_peak(radius, 0.0),) * 2,
+            (peak, peak),
             _both(round_shear),
         )
 
@@ -86,9 +87,9 @@ class Tube(DrawnSection):
         area = 2 * math.pi * middle * self.thickness
         moment = area * (middle**2 + self.thickness**2 / 4) / 2
         inner = 1 - self.thickness / radius
-        peaks = (tube_peak(radius, inner * radius),) * 2
+        peak = tube_peak(radius, inner * radius)
         return Geometry(
-            area, moment, moment, 2 * moment, radius, radius, peaks, _both(lambda nu: tube_shear(nu, inner))
+            area, moment, moment, 2 * moment, radius, radius, (peak, peak), _both(lambda nu: tube_shear(nu, inner))
         )
 
     def _issues(self) -> Iterator[Issue]:
