@@ -122,10 +122,9 @@ def sheet_of_mjcf(
     if not reader.joints:
         raise InputError("the model", "no body", "bodies and joints", "check that this is a robot", source)
     name = root.attributes.get("model", "").strip()[:100] or "mjcf"
-    data: dict[str, Any] = {"format": 1, "kind": "arm", "name": name}
-    if BASE in reader.names:
-        data["assumed"] = f"The file's body {BASE}, which is not the ground, is called {BASE}_frame here."
-        data["notices"] = [data["assumed"]]
+    renamed = f"The file's body {BASE}, which is not the ground, is called {BASE}_frame here."
+    changed = {"assumed": renamed, "notices": [renamed]} if BASE in reader.names else {}
+    data: dict[str, Any] = {"format": 1, "kind": "arm", "name": name} | changed
     data |= {"gravity": model.opt.gravity.tolist(), "joints": reader.joints, "links": reader.links}
     return data, reader.positions
 
