@@ -164,12 +164,6 @@ FAULTS = (
         "return 2.0 / self.order - self.damping * self.beta",
         "tests/core/test_integrators.py tests/core/test_error_estimate.py tests/contracts/test_integrators.py",
     ),
-    Fault(
-        "result/summary.py",
-        "float(outside[-1] - move_end) if outside.size else 0.0",
-        "float(outside[-1]) if outside.size else 0.0",
-        "tests/result",
-    ),
 )
 
 
