@@ -16,6 +16,7 @@ from pydantic import Field, FiniteFloat, TypeAdapter, ValidationError
 from typing_extensions import TypedDict
 
 from tmodes.io.atomic import file_error
+from tmodes.sheet.robot import RECURSION
 
 if TYPE_CHECKING:
     from xarray import Dataset
@@ -192,9 +193,12 @@ def _labels(data: Dataset) -> Wrong:
     for name in _LABELLED:
         if name in data.dims and len(set(names.get(name, ()))) < data.sizes[name]:
             yield name, "a name that is missing or given twice", "a name of its own for each place along it"
-    joints = json.loads(data.attrs["robot"]).get("joints", [])
+    robot = json.loads(data.attrs["robot"])
+    joints = robot.get("joints", [])
     links = [str(joint.get("child")) for joint in joints if isinstance(joint, dict)]
     links += [name for name in names.get("link", ()) if name.rpartition(".")[0] in links]
+    if robot.get("equations", RECURSION) != RECURSION:
+        links += [name for name in names.get("link", ()) if "-" in name]  # a system's lines from point to point
     known = {"axis": ["x", "y", "z"], "drive": names.get("coordinate", []), "link": links,
              "bending_link": links, "stressed_link": links}  # fmt: skip
     for name, right in known.items():
