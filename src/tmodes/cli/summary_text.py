@@ -164,11 +164,11 @@ def _largest(info: dict[str, Any], key: str, most: int) -> list[tuple[str, dict[
 
 def _deformations(summary: dict[str, Any]) -> Iterator[Row]:
     for name, one in _largest(summary["deformations"], "max", _MOST_DEFORMATIONS):
-        unit = "1e-3" if one["unit"] == "1" else f"m{one['unit']}"
+        unit, factor = ("", 1.0) if one["unit"] == "1" else (f"m{one['unit']}", 1e3)  # of stretch and shear none
         parts = f"t = {one['time_of_max_s']:.3f} s"
         if "max_stationary" in one:
-            parts = f"T_st {one['max_stationary'] * 1e3:.4g}, T_to {one['max_oscillatory'] * 1e3:.4g}"
-        yield _row(summary, f"deformations.{name}.max", f"largest {name}", one["max"], unit, parts, 1e3)
+            parts = f"T_st {one['max_stationary'] * factor:.4g}, T_to {one['max_oscillatory'] * factor:.4g}"
+        yield _row(summary, f"deformations.{name}.max", f"largest {name}", one["max"], unit, parts, factor)
 
 
 def _link(name: str, link: dict[str, Any], summary: dict[str, Any]) -> Iterator[Row]:

@@ -114,16 +114,17 @@ def _own(status: os.stat_result, *, private: bool) -> bool:
 def secret(place: Path, *, make: bool) -> bytes | None:
     """The secret of a folder, made at first use where asked for; None where there is none that can be relied on."""
     path = place / _SECRET_FILE
-    found = own_file(path, _BYTES, private=True)
-    if found is not None and len(found) == _BYTES:
+    if (found := _whole(path)) or not make:
         return found
-    if not make:
-        return None
     with suppress(OSError, ResultFileError):
         if os.path.lexists(path) and time.time() - path.lstat().st_mtime > _YOUNG:
             path.unlink()  # not ours, or not whole
         with atomic_write(path, overwrite=False, durable=False) as temporary:
             temporary.chmod(0o600)
             temporary.write_bytes(os.urandom(_BYTES))
+    return _whole(path)
+
+
+def _whole(path: Path) -> bytes | None:
     found = own_file(path, _BYTES, private=True)
-    return found if found is not None and len(found) == _BYTES else None
+    return found if found and len(found) == _BYTES else None

@@ -18,7 +18,7 @@ from numpy.typing import ArrayLike, NDArray
 from tmodes.chain.chain import Chain, Node
 from tmodes.equations.line.schedule import RIGID, ROOTS, Lines
 from tmodes.errors import InputError, SimulationError
-from tmodes.kinds.links.line import LineOfLink, layout
+from tmodes.kinds.links.line import SAME, LineOfLink, layout
 from tmodes.model.model import Model
 from tmodes.model.rows import Rows
 
@@ -33,9 +33,6 @@ DRAWN, NO_NODE = "drawn", -1
 
 _POINT_LIKE = 1e-9
 """A link shorter than this [m] is not drawn."""
-
-_SAME = 1e-9
-"""Difference of two places along a link [-] that is rounding."""
 
 _MOST_NUMBERS = 500_000_000
 """Numbers of an answer (4 GB) beyond which it is refused."""
@@ -174,7 +171,7 @@ def line_places(chain: Chain, count: int) -> Array:
     """``count`` places from root to tip, with those of bodies inside a link twice: just before and just beyond them."""
     grid = np.linspace(0.0, 1.0, count)
     inside = {s for node in chain.nodes for s in node.link.body_places if 0.0 < s < 1.0 and node.link.has_stations}
-    others = [place for place in grid if all(abs(place - s) > _SAME for s in inside)]
+    others = [place for place in grid if all(abs(place - s) > SAME for s in inside)]
     return np.sort(np.concatenate([others, *([s, s] for s in inside)]))
 
 

@@ -21,13 +21,13 @@ from tmodes.kinds.kernel.schedule import Kernel, Numbers, Slot, kernel
 from tmodes.kinds.kernel.spatial import FORCE, Force
 
 __all__ = [
-    "PLACE", "POSE", "STRESS", "STRESS_NUMBERS", "CubicLine", "LineOfLink", "Moved", "Shape", "Stressed",
+    "PLACE", "POSE", "SAME", "STRESS", "STRESS_NUMBERS", "CubicLine", "LineOfLink", "Moved", "Shape", "Stressed",
     "in_section", "layout", "packed_place",
 ]  # fmt: skip
 
 Array = NDArray[np.float64]
 
-_SAME = 1e-9
+SAME = 1e-9
 """Difference of two places along a link [-] that is rounding."""
 
 POSE = 15
@@ -107,9 +107,9 @@ class LineOfLink(ABC):
         Inner forces are those in the beam: at the root just beyond a body that is fixed there, at the tip just before
         one. A place bears what is fixed to it; where it is given twice, the second is just beyond.
         """
-        first, beyond = (np.searchsorted(self.stations, self.along_link + side) for side in (-_SAME, _SAME))
-        again = np.diff(self.s, prepend=-1.0) < _SAME
-        return np.where(again | (self.s <= _SAME), beyond, first)
+        first, beyond = (np.searchsorted(self.stations, self.along_link + side) for side in (-SAME, SAME))
+        again = np.diff(self.s, prepend=-1.0) < SAME
+        return np.where(again | (self.s <= SAME), beyond, first)
 
     @abstractmethod
     def places(self, moved: Moved) -> list[Slot]:
