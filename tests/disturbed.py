@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import subprocess
 import sys
-import time
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
+
+from patience import until
 
 __all__ = ["running"]
 
@@ -31,12 +32,14 @@ def running(line: Sequence[object], out: Path, stage: str) -> Iterator[subproces
     command = [sys.executable, "-c", _KEEP_OFTEN, *map(str, line), "--out", str(out)]
     with subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True) as process:
         try:
-            journal, began = out / f".checkpoint-{stage}", time.monotonic()
+            journal = out / f".checkpoint-{stage}"
             before = journal.stat().st_size if journal.exists() else 0
-            while not (journal.exists() and journal.stat().st_size > before):
+
+            def written() -> bool:
                 assert process.poll() is None, f"ended before its journal was written: {process.communicate()}"
-                assert time.monotonic() - began < 60, "no journal within a minute"
-                time.sleep(0.005)
+                return journal.exists() and journal.stat().st_size > before
+
+            until(written, "the journal")
             yield process
         finally:
             process.kill()

@@ -23,7 +23,7 @@ CHECKS: dict[str, tuple[tuple[str, ...], ...]] = {
     "imports": ((str(Path(PYTHON).with_name("lint-imports")),),),
     "docs": tuple(
         (PYTHON, f"tools/{tool}.py", "--check")
-        for tool in ("equations_doc", "notation_doc", "robot_schema", "performance_doc", "links")
+        for tool in ("equations_doc", "notation_doc", "robot_schema", "performance_doc", "errors_doc", "links")
     ),
     "test": ((PYTHON, "-m", "pytest", "--quiet"),),
     "bench": ((PYTHON, "-m", "pytest", "--quiet", "--benchmark-enable", "--benchmark-only", "benchmarks", "tests"),),

@@ -39,7 +39,7 @@ def draw(target: Path = TARGET) -> None:
 
 _LOOKS: tuple[tuple[str, str, dict[str, Any]], ...] = (
     ("deformation", "real", {"color": "#0072b2"}),
-    ("deformation_reference", "reference", {"color": "#d55e00", "linestyle": "--"}),
+    ("deformation_nominal", "nominal", {"color": "#d55e00", "linestyle": "--"}),
 )
 
 _TITLES = (

@@ -104,7 +104,7 @@ def test_noise_on_the_wanted_angle_of_the_robot():
     voltage = (shaken["voltage"] - still["voltage"]).sel(drive="joint").values
     assert np.abs(voltage - heard).max() < 1e-13
     assert np.abs(heard).max() > 0.1
-    assert shaken["q_reference"].equals(still["q_reference"])
+    assert shaken["q_nominal"].equals(still["q_nominal"])
     assert np.abs(shaken["q"] - still["q"]).max() > 1e-6
     assert np.abs(shaken["energy_balance"]).max() < 1e-6 * np.abs(shaken["work"]).max()
 

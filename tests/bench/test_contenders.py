@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import subprocess
 import sys
-import time
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 
+from patience import until
 from tmodes.bench import gcc
 from tmodes.bench.contender import CHECKED, Contender, PeerMissing, Timed, in_turns, needed
 from tmodes.bench.limit import limit
@@ -81,18 +83,24 @@ def test_gcc_that_takes_too_long_is_left_out() -> None:
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="looks at /proc")
-def test_what_a_compiler_started_ends_with_it(tmp_path: Path) -> None:
+def test_what_a_compiler_started_ends_with_it(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """gcc is a driver: the compiler proper, its child, would go on for minutes next to what is measured next."""
-    child = f"import os, time; open({str(tmp_path / 'pid')!r}, 'w').write(str(os.getpid())); time.sleep(60)"
+    noted = tmp_path / "pid"
+    child = f"import os, signal; open({str(noted)!r}, 'w').write(str(os.getpid())); signal.pause()"
     driver = f"import subprocess, sys; subprocess.run([sys.executable, '-c', {child!r}])"
+
+    class Later(subprocess.Popen[str]):
+        """Its time begins when all that it starts has started."""
+
+        def communicate(self, input: Any = None, timeout: float | None = None) -> Any:  # noqa: A002
+            until(lambda: noted.exists() and noted.read_text())
+            return super().communicate(input, timeout)
+
+    monkeypatch.setattr(gcc.subprocess, "Popen", Later)
     with pytest.raises(PeerMissing, match="given up"):
-        gcc.compiled([sys.executable, "-c", driver], 2.0)
-    pid = int((tmp_path / "pid").read_text())
-    for _ in range(100):
-        if not Path(f"/proc/{pid}/cmdline").exists() or not Path(f"/proc/{pid}/cmdline").read_bytes():
-            return
-        time.sleep(0.02)
-    pytest.fail("it continues")
+        gcc.compiled([sys.executable, "-c", driver], 0.01)
+    place = Path(f"/proc/{int(noted.read_text())}/cmdline")
+    until(lambda: not place.exists() or not place.read_bytes(), "the end of what it started")
 
 
 @pytest.mark.usefixtures("working_gcc")

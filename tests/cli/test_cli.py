@@ -6,14 +6,15 @@ import json
 import os
 import signal
 import subprocess
-import time
 from pathlib import Path
 
 import numpy as np
 import pytest
 
+import patience
 from command import COMMAND, tmodes
 from disturbed import running
+from patience import until
 
 STATES = Path(__file__).parents[1] / "oracle/reference_states.json"
 LONG = {
@@ -172,7 +173,7 @@ def test_interruption_leaves_a_valid_file_and_goes_on(tmp_path):
     for stage in ("reference", "real"):
         with running(line, tmp_path / "a", stage) as process:
             process.send_signal(signal.SIGINT)
-            info = process.communicate(timeout=60)[1]
+            info = process.communicate(timeout=patience.LONG)[1]
         assert "Traceback" not in info
         assert process.returncode == 130
         first = Result.load(tmp_path / "a/result.nc")
@@ -213,10 +214,7 @@ def test_two_writers(tmp_path):
     line = ["run", "filipovic2010", "--no-figures", *settings(LONG), "--out", str(tmp_path)]
     process = subprocess.Popen([*COMMAND, *line], stderr=subprocess.DEVNULL)
     try:
-        for _ in range(100):
-            if (tmp_path / ".tmodes.lock").exists():
-                break
-            time.sleep(0.1)
+        until((tmp_path / ".tmodes.lock").exists)
         refused = tmodes("run", "filipovic2010", "--no-figures", "--out", tmp_path, code=4)
         assert "held by process" in refused.stderr
         assert process.poll() is None

@@ -16,6 +16,7 @@ import pytest
 import tmodes
 from command import COMMAND, Done, called
 from command import tmodes as done_by
+from patience import LONG
 from tmodes.robots import installed_models
 from tmodes.robots.load import sheet_names
 
@@ -54,7 +55,7 @@ def studio(name: str, folder: Path) -> Iterator[str]:
             yield address[0]
         finally:
             process.send_signal(signal.SIGINT)
-        assert process.wait(30) in (0, 130)
+        assert process.wait(LONG) in (0, 130)
 
 
 @pytest.mark.slow
@@ -92,7 +93,7 @@ class TestEveryRobot:
 
     def test_is_served_by_the_studio(self, run: tuple[str, Path], tmp_path: Path) -> None:
         pytest.importorskip("fastapi")
-        with studio(run[0], tmp_path) as address, urllib.request.urlopen(address, timeout=30) as page:  # noqa: S310
+        with studio(run[0], tmp_path) as address, urllib.request.urlopen(address, timeout=LONG) as page:  # noqa: S310
             assert "tmodes studio" in page.read().decode()
 
     def test_from_python_the_same(self, run: tuple[str, Path]) -> None:

@@ -3,19 +3,23 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 from arm.oracle.robots import GRAVITY
 from arm.random_chains import random_body
 from arm.run.sheets import arm
 from tmodes.chain.chain import Chain, Friction, Gear, Joint, Motor, Node
-from tmodes.equations.recursion.drive_kernels import drive_kernels, drive_numbers
+from tmodes.compile.ir.ordering import kernel_function
+from tmodes.equations.recursion.drive_kernels import LOCK, drive_kernels, drive_numbers
 from tmodes.errors import TmodesError
-from tmodes.kinds.drives.contract import Angles, DriveKind, DriveLaw, Elastic, Forward
+from tmodes.kinds.drives.contract import Angles, DriveKind, DriveLaw, Dry, Elastic, Forward
 from tmodes.kinds.drives.registry import DRIVES, drive_kind
 from tmodes.kinds.joints.registry import joint_kind
 from tmodes.kinds.links.rigid import RigidLink
@@ -84,8 +88,8 @@ def law(kind: str) -> DriveLaw:
     kernels = drive_kernels(one, drive_kind(kind))
     packed = drive_numbers(one, drive_kind(kind))
     assert len(packed) == kernels.size
-    return DriveLaw(packed, ranges=kernels.ranges, dead_zone=False, dry_motor=kernels.dry_motor, dry_joint=True,
-                    own=kernels.kind.own_numbers)  # fmt: skip
+    return DriveLaw(packed, ranges=kernels.ranges, dead_zone=False, dry_motor=kernels.dry_motor,
+                    dry_joint=kernels.dry_joint, own=kernels.kind.own_numbers)  # fmt: skip
 
 
 def states(kind: str) -> Iterator[Angles]:
@@ -214,3 +218,46 @@ def test_a_sheet_names_a_drive_of_a_user() -> None:
 def test_a_drive_that_cannot_be_is_refused(changed: dict[str, Any], words: str) -> None:
     with pytest.raises(TmodesError, match=words):
         sheet(**changed)
+
+
+@given(
+    rate=st.floats(-3.0, 3.0).filter(lambda v: abs(v) > 1e-3), viscous=st.floats(0.0, 2.0), level=st.floats(0.1, 5.0),
+    extra=st.floats(0.0, 5.0), stribeck=st.floats(1e-2, 1.0), width=st.floats(1e-2, 1.0), dry=st.sampled_from(Dry),
+)  # fmt: skip
+def test_the_slope_of_friction_is_its_derivative(
+    rate: float, viscous: float, level: float, extra: float, stribeck: float, width: float, dry: Dry
+) -> None:
+    """Of motor and joint, for every structure; implicit steps and Jacobians use it."""
+    numbers = [0.0, 0.0, *[viscous, level, extra, stribeck, width] * 2]
+    law = DriveLaw(numbers, ranges=0, dead_zone=False, dry_motor=dry, dry_joint=dry)
+    step = 1e-5 * min(abs(rate), stribeck, width)
+    for friction in (law.motor_friction, law.joint_friction):
+        (ahead, _), (behind, _) = friction(rate + step), friction(rate - step)
+        assert friction(rate)[1] == pytest.approx((ahead - behind) / (2 * step), rel=1e-5, abs=1e-5 * (level + extra))
+        assert friction(-rate)[0] == pytest.approx(-friction(rate)[0], rel=1e-12)
+
+
+@pytest.mark.parametrize("kind", DRIVES.names)
+def test_what_sticks_has_no_acceleration_and_shows_the_force_that_friction_bears(kind: str) -> None:
+    """Of every kind, explicit and in an implicit step: against the same drive that does not stick."""
+    friction = Friction(0.3, 0.5, 0.2)
+    made = replace(joint(kind), friction=friction)
+    if made.motor is not None:
+        made = replace(made, motor=replace(made.motor, friction=friction))
+    drive = drive_kind(kind)
+    if drive.is_given:
+        return
+    kernels = drive_kernels(made, drive)
+    assert kernels.set_sides == (drive.has_motor, True)
+    numbers = drive_numbers(made, drive)
+    forward = kernel_function(kernels.forward())
+    for step in (0.0, 0.01):
+        for motor_side, joint_side in ((1.0, 0.0), (0.0, 1.0), (0.0, 0.0)):
+            sides = [motor_side, LOCK * (motor_side == 0), joint_side, LOCK * (joint_side == 0)]
+            effort, own, motor = forward(numbers, 0.3, 0.0, 0.1, 0.0, 2.0, [0.0, 0.0], step, sides)
+            acceleration = float(effort) / (1.0 + float(own))  # of a joint with an inertia of 1
+            pushed, pull, share = (float(x) for x in motor.full().ravel())
+            turned = share * (pushed + pull * acceleration)
+            assert (abs(acceleration) < 1e-20) == (joint_side == 0)
+            if drive.has_motor:
+                assert (abs(turned) < 1e-20) == (motor_side == 0)

@@ -15,6 +15,7 @@ from tmodes.integrate.method import EXPLICIT, Integrator, explicit
 from tmodes.integrate.registry import AUTO, INTEGRATORS, integrator, integrators
 from tmodes.integrate.settings import Integration
 from tmodes.sheet import Robot
+from tmodes.simulation.second_run import second_run
 from tmodes.simulation.simulate import simulate_motion
 
 BOGACKI_SHAMPINE = explicit(
@@ -120,10 +121,16 @@ def test_own_ones_are_differentiated(name: str) -> None:
     assert found.by[path][-1, :4] == pytest.approx(slope, rel=2e-3, abs=1e-5)
 
 
-def test_the_adaptive_one_of_this_file_reports_its_error(exact: np.ndarray) -> None:
-    run = simulate_motion(pendulum("bogacki_shampine", relative_tolerance=1e-6, absolute_tolerance=1e-8))
-    assert run.error is not None
-    assert np.abs(run.states[:, :4] - exact).max() < run.error.values[:, :4].max()
+@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("part", [1.0, 0.3])
+def test_a_second_run_finds_its_error(name: str, part: float, exact: np.ndarray) -> None:
+    """Within a factor of two, loose or tight, whatever the order."""
+    run = simulate_motion(pendulum(name, **accuracy(integrator(name), part)))
+    second = second_run(run.setup, run)
+    assert second is not None
+    estimate = run.robot.integration.refined()[1] * np.abs(second.states - run.states)[:, :4].max()
+    true = np.abs(run.states[:, :4] - exact).max()
+    assert true / 2 < estimate < 2 * true + 1e-12
 
 
 def test_too_long_a_fixed_step_is_seen_before_the_run() -> None:

@@ -147,6 +147,18 @@ def test_dynamics_follow_from_the_energies(word: str) -> None:
     assert model.inverse_dynamics(q, v, found)[:2] == pytest.approx(effort, abs=1e-7)
 
 
+@pytest.mark.parametrize("word", WORDS)
+def test_the_link_that_it_is_compared_with_shares_its_code(word: str) -> None:
+    """Whose difference shows the error of the model: the same structure with other numbers, or none."""
+    for node in sheet(word).chain().nodes:
+        other = node.link.compared()
+        assert (other is node.link) == (not node.link.bends)
+        if other is not None and node.link.bends:
+            one, two = node.link.numbers(()), other.numbers(())
+            assert one.structure == two.structure
+            assert np.any(one.stiffness != two.stiffness)
+
+
 @pytest.mark.parametrize("word", BENDING)
 def test_forces_and_tangents_are_derivatives(word: str) -> None:
     """Spring forces of the energy, tangents of the forces; power lost is that of the dampers, never negative."""

@@ -54,7 +54,7 @@ def test_a_result_up_to_the_condition(robot, method):
     assert np.linalg.norm(result.data["tip_velocity"].values[-1]) == pytest.approx(0.05, abs=1e-12)
     count = result.data.sizes["time"] - 1
     assert result.data["q"].values[:count].tobytes() == whole.data["q"].values[:count].tobytes()
-    motors = [one.data["q_reference"].sel(coordinate="joint.motor").values for one in (whole, result)]
+    motors = [one.data["q_nominal"].sel(coordinate="joint.motor").values for one in (whole, result)]
     between = np.interp(end, whole.data["time"].values, motors[0])
     assert motors[1][-1] == pytest.approx(between, abs=1e-4)
     assert result.summary()["error"]["figures"]["deviation.end_m"] > 0

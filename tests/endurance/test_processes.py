@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 
+from patience import LONG
 from tmodes.compile import cache
 from tmodes.compile.cache import entries, trim
 
@@ -33,7 +34,7 @@ def started(code: str, place: Path, *arguments: str) -> subprocess.Popen[str]:
 def compiled_by(processes: int, place: Path) -> set[str]:
     """What so many processes print that begin at the same time."""
     running = [started(COMPILE, place) for _ in range(processes)]
-    info = [one.communicate("go\n", timeout=300) for one in running]
+    info = [one.communicate("go\n", timeout=LONG) for one in running]
     assert [one.returncode for one in running] == [0] * processes, info
     return {out for out, _ in info}
 
@@ -90,7 +91,7 @@ def test_writer_killed_at_the_worst_moment(point: str, tmp_path: Path, monkeypat
     binary = bytes(range(256)) * 4096
     for _ in range(often(1, 25)):
         one = started(KILLED, place, point)
-        one.communicate(timeout=60)
+        one.communicate(timeout=LONG)
         assert one.returncode == -9
         assert cache.load("key") == (binary if point == "renamed" else None)
         cache.save("key", binary)
@@ -124,7 +125,7 @@ def test_writer_killed_at_any_moment(tmp_path: Path, monkeypatch: pytest.MonkeyP
         with pytest.raises(subprocess.TimeoutExpired):
             one.wait(0.0007 * (number % 50 + 1))
         one.kill()
-        one.communicate(timeout=60)
+        one.communicate(timeout=LONG)
         found = {key: cache.load(f"key {key}") for key in range(7)}
         assert all(binary in (None, bytes([key]) * 300_000) for key, binary in found.items())
         whole = sum(binary is not None for binary in found.values())

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import time
-
 import pytest
 
+from patience import bounded
 from tmodes.errors import InputError, InputErrors
 from tmodes.io.sheet_check import sheet_from_data
 from tmodes.io.yaml_file import parse_yaml
@@ -70,10 +69,8 @@ BOMBS = {
 
 @pytest.mark.parametrize("text", BOMBS.values(), ids=BOMBS)
 def test_what_they_stand_for_counts_as_if_written_out(text: str) -> None:
-    begun = time.process_time()
-    with pytest.raises(InputError, match="40000 items"):
+    with bounded(5.0), pytest.raises(InputError, match="40000 items"):
         data(text)
-    assert time.process_time() - begun < 5.0
 
 
 def test_wrong_values_in_them_are_reported_with_a_line_of_the_file() -> None:

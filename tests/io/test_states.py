@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import math
-import time
 from pathlib import Path
 from typing import Any
 
@@ -12,6 +11,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from patience import bounded
 from tmodes.errors import InputError
 from tmodes.io.states import read_phi_states
 
@@ -107,10 +107,8 @@ HOSTILE = {
 @pytest.mark.parametrize("text", HOSTILE.values(), ids=HOSTILE)
 def test_a_hostile_file_is_refused_in_time(text: str, tmp_path: Path) -> None:
     file = written(tmp_path, text)
-    start = time.process_time()
-    with pytest.raises(InputError, match=r"states\.json"):
+    with bounded(2.0), pytest.raises(InputError, match=r"states\.json"):
         read_phi_states(file)
-    assert time.process_time() - start < 2.0
 
 
 def test_bytes_that_are_no_text_and_places_that_are_no_files_are_refused(tmp_path: Path) -> None:

@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from patience import LONG
 from tmodes.report.pack import pack
 
 __all__ = ["built_live", "built_page", "live_in_node", "worst_difference"]
@@ -78,7 +79,7 @@ def live_in_node(bundle: dict[str, Any], jobs: list[list[float]], folder: Path) 
     (folder / "harness.mjs").write_text(HARNESS)
     (folder / "bundle.tmpk").write_bytes(pack(bundle))
     (folder / "jobs.json").write_text(json.dumps(jobs))
-    done = subprocess.run([node, "harness.mjs"], cwd=folder, capture_output=True, text=True, check=False, timeout=240)
+    done = subprocess.run([node, "harness.mjs"], cwd=folder, capture_output=True, text=True, check=False, timeout=LONG)
     assert done.returncode == 0, done.stderr
     return [_filled(result) for result in json.loads(done.stdout)]
 

@@ -72,7 +72,7 @@ def test_an_arm_that_breaks_off_shows_what_there_is(tmp_path: Path) -> None:
     steps = int(result.statistics["real"]["steps"]) // 2
     bundle, run = lived(result, arm, tmp_path, maxSteps=steps)
     assert run["status"] not in {"finished", ""}
-    assert run["message"].startswith(("real arm: ", "reference: "))
+    assert run["message"].startswith(("actual robot: ", "nominal run: "))
     count = len(run["times"])
     assert 10 < count < len(result.data["time"])
     assert worst_difference(run["series"], result.data.isel(time=slice(0, count)), {"energy_balance": 1.0})[0] < 1e-9

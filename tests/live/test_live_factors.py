@@ -41,7 +41,7 @@ def real_ones(sliders: Any) -> list[str]:
 def test_the_factors_are_offered_where_the_run_is_compared(arm: Robot) -> None:
     """As the native run has it, so does the page."""
     result = result_of(arm)
-    compared = "tip_reference" in result.data
+    compared = "tip_nominal" in result.data
     bundle = live_bundle(result)
     assert bundle is not None
     assert has_reference(arm) == compared == ("reference" in bundle["runs"])
@@ -53,7 +53,7 @@ def test_what_is_not_offered_would_make_a_reference_run() -> None:
     """`tmodes run` of such a sheet with a factor compares, which the page of the run without one cannot; it says so."""
     assert simulate_motion(pushed()).reference is None
     assert simulate_motion(pushed().with_(FACTOR)).reference is not None
-    assert "no reference run" in live_map(pushed().pair()).left_out["real"]
+    assert "no nominal run" in live_map(pushed().pair()).left_out["real"]
 
 
 def test_what_is_known_of_such_an_arm_keeps_its_sliders(tmp_path: Path) -> None:

@@ -48,7 +48,7 @@ def universal() -> Robot:
 
 
 ROBOTS = {"segments": segmented, "modes": lambda: load("filipovic2010"), "universal": universal}
-SERIES = {"q", "tip", "tip_reference", "effort", "controller_states"}
+SERIES = {"q", "tip", "tip_nominal", "effort", "controller_states"}
 
 
 @pytest.mark.parametrize("name", ROBOTS)

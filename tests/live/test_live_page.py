@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from patience import WAIT
 from tmodes import load, run
 from tmodes.live.bundle import live_bundle
 from tmodes.report.pack import embedded, pack
@@ -73,6 +74,7 @@ def test_page_from_a_file_runs_in_a_worker(chromium: str, tmp_path: Path) -> Non
     with playwright.sync_playwright() as play:
         browser = play.chromium.launch(executable_path=chromium, args=["--no-sandbox"])
         page = browser.new_page()
+        page.set_default_timeout(WAIT)
         info: list[str] = []
         asked: list[str] = []
         page.on("console", lambda message: info.append(message.text))
@@ -95,5 +97,5 @@ def test_page_from_a_file_runs_in_a_worker(chromium: str, tmp_path: Path) -> Non
     print(f"slider to curves, median: {np.median(spent[2:]):.1f} ms")
     series = {name: np.reshape([*one["data"].values()] if isinstance(one["data"], dict) else one["data"], one["shape"])
               for name, one in given["series"].items()}  # fmt: skip
-    tips = {name: series[name] for name in ("tip", "tip_reference", "q", "deviation", "contact_force_normal")}
+    tips = {name: series[name] for name in ("tip", "tip_nominal", "q", "deviation", "contact_force_normal")}
     assert worst_difference(tips, result.data, {})[0] < 1e-9

@@ -52,7 +52,7 @@ def test_tracking_in_free_space(free):
 
 def test_deformations_in_free_space(free):
     """Maxima of the bending angles [mrad], real and reference, and the gear's rms deviation of 297 %."""
-    real, reference = (free[name].values for name in ("deformation", "deformation_reference"))
+    real, reference = (free[name].values for name in ("deformation", "deformation_nominal"))
     assert np.allclose(np.abs(real[:, 1:]).max(0) * 1e3, [0.294, 2.867, 1.302, 11.474], atol=5e-4)
     assert np.allclose(np.abs(reference[:, 1:]).max(0) * 1e3, [0.428, 4.362, 1.289, 11.36], atol=[5e-4] * 3 + [5e-3])
     gear, wanted = real[:, 0], reference[:, 0]
@@ -61,7 +61,7 @@ def test_deformations_in_free_space(free):
 
 def test_claims_of_the_paper(free):
     """Mode 2 bends about ten times as much as mode 1; the gear deviates most of all."""
-    angles, reference = free["deformation"].values, free["deformation_reference"].values
+    angles, reference = free["deformation"].values, free["deformation_nominal"].values
     largest = np.abs(angles).max(0)
     assert 7 < largest[2] / largest[1] < 13
     assert 7 < largest[4] / largest[3] < 13
@@ -94,7 +94,7 @@ def test_vibration_within_vibration(free):
 def test_contact(touching):
     """In contact: 4.04 mm, gear 319 %, and a nearly flat radial force of 4.98 N."""
     assert touching["deviation"].values.max() * 1e3 == pytest.approx(4.035, abs=0.006)
-    gear, wanted = (touching[name].values[:, 0] for name in ("deformation", "deformation_reference"))
+    gear, wanted = (touching[name].values[:, 0] for name in ("deformation", "deformation_nominal"))
     assert np.sqrt(np.mean((gear - wanted) ** 2) / np.mean(wanted**2)) == pytest.approx(3.19, abs=0.006)
     force = touching["contact_force_normal"].values
     assert 4.979 < force.min() < force.max() < 4.986

@@ -44,7 +44,7 @@ def finely(request: Any, robot: Any) -> Any:
     reading, touch = request.param
     changed = robot.with_({**FINE, "reading": reading, "contact": touch})
     data = tmodes.run(changed).data
-    return changed, data, {name: data[name].values @ TO_PAPER.T for name in ("q", "v", "q_reference", "v_reference")}
+    return changed, data, {name: data[name].values @ TO_PAPER.T for name in ("q", "v", "q_nominal", "v_nominal")}
 
 
 def terms_at(robot, p, paper, data, k):
@@ -74,9 +74,9 @@ def test_the_reference_obeys_the_oracle(finely):
     robot, data, paper = finely
     p, wanted = symbols(robot), planned(robot).schedule
     for k in INSTANTS:
-        phi, phid, at = paper["q_reference"][k], paper["v_reference"][k], float(data["time"][k])
+        phi, phid, at = paper["q_nominal"][k], paper["v_nominal"][k], float(data["time"][k])
         assert [phi[5], phid[5]] == pytest.approx([float(wanted.at(at)), float(wanted.at(at, 1))], abs=1e-12)
-        gained = derivative(paper["v_reference"], k)
+        gained = derivative(paper["v_nominal"], k)
         moved = oracle(phi, phid, 0.0, p, robot.equations, robot.contact is not None)
         # The voltage that gives the motor its acceleration: the accelerations are affine in it.
         more = oracle(phi, phid, 1.0, p, robot.equations, robot.contact is not None)["phidd"] - moved["phidd"]

@@ -9,6 +9,8 @@ from pathlib import Path
 
 import pytest
 
+from patience import LONG
+
 PAGE = (Path(__file__).resolve().parents[2] / "docs" / "adding.md").read_text(encoding="utf-8")
 EXAMPLES = re.findall(r"^## (.*?)\n.*?^```python\n(.*?)^```$", PAGE, re.MULTILINE | re.DOTALL)
 
@@ -22,6 +24,6 @@ def test_example_runs(title: str, example: str, tmp_path: Path) -> None:
     script = tmp_path / "own.py"
     script.write_text(example, encoding="utf-8")
     environment_is_quiet = [sys.executable, "-W", "error", str(script)]
-    done = subprocess.run(environment_is_quiet, cwd=tmp_path, capture_output=True, text=True, timeout=240, check=False)
+    done = subprocess.run(environment_is_quiet, cwd=tmp_path, capture_output=True, text=True, timeout=LONG, check=False)
     assert done.returncode == 0, done.stderr
     assert done.stdout.startswith("finished"), (title, done.stdout)

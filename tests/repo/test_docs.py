@@ -15,7 +15,7 @@ from tmodes.io.forms import F2010
 ROOT = Path(__file__).resolve().parents[2]
 
 
-@pytest.mark.parametrize("tool", ["notation_doc", "robot_schema"])
+@pytest.mark.parametrize("tool", ["notation_doc", "robot_schema", "errors_doc"])
 def test_written_page_is_up_to_date(tool: str) -> None:
     done = subprocess.run(
         [sys.executable, f"tools/{tool}.py", "--check"], cwd=ROOT, capture_output=True, text=True, check=False

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import subprocess
 from pathlib import Path
 
@@ -53,6 +54,23 @@ def test_constraints_hold_versions_only() -> None:
     lines = (ROOT / "constraints.txt").read_text(encoding="utf-8").splitlines()
     assert len(lines) > 20
     assert [line for line in lines if "==" not in line or "/" in line or "@" in line] == []
+
+
+CLOCKS = re.compile(
+    r"\b(sleep|monotonic|perf_counter|process_time|thread_time|wait_for_timeout|setTimeout)(_ns)?\("
+    r"|\btime\.time\(|\btimeout=[\d.]+|\.(wait|join)\([\d.]+\)"
+)
+
+
+def test_tests_wait_for_states() -> None:
+    """No test but ``patience`` sleeps, reads a clock, or knows how long something takes: a busy machine is slower."""
+    found = [
+        f"{file.name}: {one.group()}"
+        for file in (ROOT / "tests").rglob("*.py")
+        if file.name != "patience.py"
+        for one in CLOCKS.finditer(file.read_text(encoding="utf-8"))
+    ]
+    assert found == []
 
 
 def test_no_lock_file_that_records_addresses() -> None:

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 
+from patience import LONG
 from quick_start import quick_start
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -42,6 +43,6 @@ def test_there_is_an_example() -> None:
 @pytest.mark.parametrize("example", EXAMPLES)
 def test_example_runs(example: str, tmp_path: Path) -> None:
     command = [sys.executable, "-W", "error", "-c", example]
-    done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, timeout=120, check=False)
+    done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, timeout=LONG, check=False)
     assert done.returncode == 0, done.stderr
     assert re.match(r"finished \d+\.\d\d mm\n\('joint.motor', 'joint'\) \[\[", done.stdout)

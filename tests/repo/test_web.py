@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 
+from patience import LONG
 from web import BUILT, WEB, built_from, digest
 
 PROGRAMS = ("viewer.js", "studio.js", "model.js")
@@ -45,7 +46,7 @@ def test_no_address_of_a_package_is_kept() -> None:
 def test_the_sources_build_what_is_kept(tmp_path: Path) -> None:
     if not (WEB / "node_modules" / "esbuild").is_dir():
         pytest.skip("needs the packages of web/: npm ci")
-    subprocess.run(["node", "build.mjs", tmp_path, digest()], cwd=WEB, check=True, timeout=120)
+    subprocess.run(["node", "build.mjs", tmp_path, digest()], cwd=WEB, check=True, timeout=LONG)
     assert sorted(path.name for path in tmp_path.glob("*.js")) == sorted(PROGRAMS)
     for name in PROGRAMS:
         assert (tmp_path / name).read_bytes() == (BUILT / name).read_bytes(), name

@@ -7,11 +7,11 @@ import json
 import os
 import subprocess
 import sys
-import time
 from pathlib import Path
 
 import pytest
 
+from patience import LONG
 from tmodes.errors import ResultFileError
 from tmodes.io import atomic
 from tmodes.io.atomic import LOCK_NAME, FolderLock, atomic_write, check_writable
@@ -20,7 +20,7 @@ POSIX = pytest.mark.skipif(sys.platform == "win32", reason="needs fork and signa
 TESTS = Path(__file__).parents[1]
 
 
-def python(code: str, *arguments: object, timeout: float = 120) -> subprocess.CompletedProcess[str]:
+def python(code: str, *arguments: object, timeout: float = LONG) -> subprocess.CompletedProcess[str]:
     environment = os.environ | {"PYTHONPATH": os.pathsep.join([str(TESTS), *sys.path])}
     command = [sys.executable, "-W", "error", "-c", code, *map(str, arguments)]
     return subprocess.run(command, env=environment, capture_output=True, text=True, timeout=timeout, check=False)
@@ -123,34 +123,37 @@ def test_places_that_cannot_be_written(tmp_path: Path) -> None:
 
 
 KILLED = """
-import os, random, signal, sys, time
+import itertools, os, signal, sys
 from pathlib import Path
 from result.synthetic import synthetic_result
-from tmodes.io import resultfile
+from tmodes.io import atomic, resultfile
 from tmodes.result import Result
-path, random = Path(sys.argv[1]), random.Random(5)
-results = [synthetic_result(samples=1000 + 50 * k) for k in (0, 1)]
+path = Path(sys.argv[1])
+results = [synthetic_result(samples=100 + 50 * k) for k in (0, 1)]
 for result in results:
     result.data.attrs["message"] = f"{result.data.sizes['time']} samples"
 bodies = {result.data.sizes["time"]: bytes(resultfile._body(result.data)) for result in results}
 resultfile._body = lambda data: memoryview(bodies[data.sizes["time"]])  # so that nearly all the time goes into writing
 results[0].save(path)
-orphans = 0
-for _ in range(20):
-    reader, writer = os.pipe()
-    child = os.fork()
-    if child == 0:
-        os.write(writer, b"!")
-        while True:
-            for result in results:
-                result.save(path, overwrite=True)
-    os.read(reader, 1)
-    time.sleep(random.uniform(0.0, 0.25))
-    os.kill(child, signal.SIGKILL)
-    os.waitpid(child, 0)
-    os.close(reader), os.close(writer)
+
+
+def save_both(hook):
+    # Calls and returns of what writes the file are heard.
+    sys.setprofile(lambda frame, *_: frame.f_code.co_filename == atomic.__file__ and hook())
+    for result in reversed(results):
+        result.save(path, overwrite=True)
+    sys.setprofile(None)
+
+
+heard, orphans = [], 0
+save_both(lambda: heard.append(1))
+for last in range(0, len(heard), len(heard) // 12):
+    if (child := os.fork()) == 0:
+        calls = itertools.count()
+        save_both(lambda: next(calls) == last and os.kill(os.getpid(), signal.SIGKILL))
+    assert os.WIFSIGNALED(os.waitpid(child, 0)[1])
     back = Result.load(path)
-    which = results[back.data.sizes["time"] != 1000]
+    which = results[back.data.sizes["time"] != 100]
     assert back.data.identical(which.data), back
     orphans = len(list(path.parent.glob(".tmodes-*.tmp")))
 assert orphans > 0, "no kill came while a file was being written: the test showed nothing"
@@ -230,7 +233,7 @@ def test_a_process_whose_start_is_not_reported_holds_its_lock(tmp_path: Path, mo
 @pytest.mark.parametrize("changes", [{"place": "another computer or container"}, {"more": "of a later version"}])
 def test_a_lock_that_cannot_be_judged_holds(changes: dict[str, str], tmp_path: Path) -> None:
     left_lock(tmp_path, pid=dead_pid(), **changes)
-    os.utime(tmp_path / LOCK_NAME, (time.time() - 60, time.time() - 60))
+    os.utime(tmp_path / LOCK_NAME, (0, 0))
     with pytest.raises(ResultFileError, match=r"(held by process|another version).*delete"), FolderLock(tmp_path):
         pass
 
@@ -256,7 +259,7 @@ def test_a_lock_without_content_holds_only_while_it_is_young(tmp_path: Path) -> 
     (tmp_path / LOCK_NAME).write_text("")
     with pytest.raises(ResultFileError, match="just being taken"), FolderLock(tmp_path):
         pass
-    os.utime(tmp_path / LOCK_NAME, (time.time() - 60, time.time() - 60))
+    os.utime(tmp_path / LOCK_NAME, (0, 0))
     with FolderLock(tmp_path):
         pass
 
@@ -275,7 +278,7 @@ def test_a_lock_that_another_took_over_is_not_removed(tmp_path: Path) -> None:
 
 
 RACE = """
-import os, sys, time
+import os, sys
 from pathlib import Path
 from tmodes.errors import ResultFileError
 from tmodes.io.atomic import FolderLock
@@ -290,7 +293,7 @@ for _ in range(60):
             try:
                 with FolderLock(folder):
                     os.close(os.open(folder / "inside", os.O_CREAT | os.O_EXCL))
-                    time.sleep(0.003)
+                    [os.sched_yield() for _ in range(1000)]
                     (folder / "inside").unlink()
                 os._exit(0)
             except ResultFileError:

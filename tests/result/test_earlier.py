@@ -32,7 +32,10 @@ def record(new: Result) -> xr.Dataset:
     """The same run as an earlier version wrote it: the paper's coordinates, names and kinds of work."""
     data = new.data
     back = np.linalg.inv(to_robot([str(name) for name in data["coordinate"].values]))
-    paper = {name: data[name].values @ back.T for name in ("q", "v", "q_reference", "v_reference")}
+    paper = {
+        name: data[name.replace("reference", "nominal")].values @ back.T
+        for name in ("q", "v", "q_reference", "v_reference")
+    }
     works = {"motor": "motor", "motor_friction": "friction", "gear_damping": "gear_damping",
              "link_damping": "link_damping", "contact": "contact"}  # fmt: skip
     work = np.stack([data["work"].sel(work_kind=kind).values for kind in works.values()], axis=1)

@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
 import tmodes
 from arm.random_chains import random_chain, random_state
 from arm.see.runs import NASTY, result_of, run_of, sheet
-from tmodes.analysis.error_parts import along, substitutions, tips
+from tmodes.analysis.error_parts import along, element_steps, substitutions, tips
+from tmodes.analysis.modes.of_sheet import sheet_frequencies
 from tmodes.analysis.spectrum import growth_warnings, spectrum_of
 from tmodes.cli.summary_text import summary_rows
 from tmodes.model.model import Model
@@ -21,7 +24,7 @@ SECTION = {"shape": "tube", "outer_diameter": 0.02, "thickness": 0.002}
 MATERIAL = {"young": 70e9, "shear": 26e9, "density": 2700.0}
 
 
-def planar() -> Model:
+def planar(lengths: tuple[float, float] = LENGTHS) -> Model:
     """Two joints about z with elastic gears; links that bend as circular arcs."""
     joints = [
         {"name": name, "type": "revolute", "parent": parent, "child": child, "axis": [0, 0, 1],
@@ -32,7 +35,7 @@ def planar() -> Model:
             "material": MATERIAL}  # fmt: skip
     links = [
         {"name": name, "beam": beam | {"length": length}}
-        for name, length in zip(("upper", "lower"), LENGTHS, strict=True)
+        for name, length in zip(("upper", "lower"), lengths, strict=True)
     ]
     return Model(Robot.from_data(sheet(joints=joints, links=links, tip={"link": "lower", "at": 1.0})).chain())
 
@@ -73,6 +76,36 @@ def test_closed_form_of_a_planar_arm(size):
     assert along(parts).sum() == pytest.approx(np.linalg.norm(parts.sum(axis=0)), abs=1e-14)
 
 
+ELEMENTS = [
+    ([0.4, -0.7], [0.402, -0.697], [0.4012, -0.6985], [-0.01, -0.02],
+     [[7.11789186087497e-05, -0.000824483924012076], [-0.00021916688715251098, -0.0007172626925381898],
+      [-0.00018779328681017837, -0.004524207433980909], [-0.0007546247108281001, -0.0023833813844359453]]),
+    ([1.1, 0.5], [1.1005, 0.4998], [1.08, 0.49], [-0.3, -0.5],
+     [[0.02115466261896115, -0.005488409394052596], [0.00489993913375214, 2.0107861802953764e-05],
+      [0.13548096450176922, -0.03638543786816606], [0.06022814855428693, -0.016287354834920942]]),
+]  # fmt: skip
+"""Setpoints, motors, joints, curvatures [1/m]; steps of both gears and both links: reference values computed by
+quadrature along the arcs, links of 0.6 and 0.5 m."""
+
+
+@pytest.mark.parametrize(("setpoints", "motors", "joints", "curvatures", "steps"), ELEMENTS)
+def test_each_gear_and_link_has_its_step(setpoints, motors, joints, curvatures, steps):
+    """Joint one before joint two, then link one before link two."""
+    model = planar((0.6, 0.5))
+    names = model.coordinates
+    values = dict(zip(("one.motor", "two.motor", "one", "two"), [*motors, *joints], strict=True))
+    values |= {"upper.bend_z1": 0.6 * curvatures[0], "lower.bend_z1": 0.5 * curvatures[1]}
+    actual = np.array([[values[name] for name in names]])
+    commanded = np.zeros_like(actual)
+    driven = [names.index(f"{name}.motor") for name in ("one", "two")]
+    commanded[0, driven] = setpoints
+    _, moved, _, _ = substitutions(model, actual, commanded, driven)
+    which, shapes = element_steps(model, moved, actual)
+    assert which == [("gears", "one"), ("gears", "two"), ("links", "upper"), ("links", "lower")]
+    found = np.diff(tips(model, [moved, *shapes])[:, 0], axis=0)
+    assert np.abs(found[:, :2] - steps).max() < 1e-9
+
+
 @pytest.mark.parametrize("seed", range(3))
 def test_parts_of_any_arm_add_up(seed):
     """Trees of joints and links of every kind, in any state."""
@@ -86,6 +119,10 @@ def test_parts_of_any_arm_add_up(seed):
     assert (shapes[1][0, driven] == states[0, driven]).all()
     assert (shapes[0][0, driven] == states[1, driven]).all()
     assert not shapes[2][:, model.deformations].any()
+    names, steps = element_steps(model, shapes[1], shapes[3])
+    gears = [part for part, _ in names].count("gears")
+    assert np.array_equal(steps[gears - 1] if gears else shapes[1], shapes[2])
+    assert np.array_equal(steps[-1], shapes[3])
 
 
 def test_along_a_zero_error():
@@ -96,7 +133,7 @@ def test_along_a_zero_error():
 def test_parts_of_a_run():
     """They add up to the tip less the commanded and less the nominal one; the commanded one is where a rigid arm is."""
     data, (_, run) = result_of("swinging").data, run_of("swinging")
-    for parts, path in (("tip_error", "tip_commanded"), ("tip_error_nominal", "tip_reference")):
+    for parts, path in (("tip_error", "tip_commanded"), ("tip_error_nominal", "tip_nominal")):
         assert np.abs(data[parts].sum("error_part") - (data["tip"] - data[path])).max() < 1e-14
     assert list(data["error_part"].values) == ["controller", "gears", "links"] == part_names(run)
     turn, lift = data["wanted"].sel(drive=["shoulder", NASTY]).transpose("drive", "time").values
@@ -112,9 +149,52 @@ def test_what_is_shown_of_it():
     for which, one in summary["tip_error"].items():
         assert sum(one["parts_m"].values()) == pytest.approx(one["max_m"], rel=1e-12)
         row = next(row for row in summary_rows(summary) if row[0] == f"tip error to {which}")
-        assert f"{one['parts_m']['controller'] * 1e3:.3g} controller" in row[3]
+        assert f"{one['parts_m']['controller'] * 1e3:.3g} controller" in row[-1]
+        for part, elements in one["elements_m"].items():
+            assert sum(elements.values()) == pytest.approx(one["parts_m"][part], abs=1e-14)
+        assert (one["environment_m"] is None) == ("contact_force" not in result_of("swinging").data)
     assert summary["tip_error"]["nominal"]["max_m"] == pytest.approx(summary["deviation"]["max_m"], rel=1e-12)
     assert "tip_error.commanded.max_m" in summary["error"]["figures"]
+
+
+PRESSED = st.fixed_dictionaries({"stiffness": st.floats(50.0, 2e3), "push": st.floats(1.0, 30.0),
+                                 "length": st.floats(0.3, 1.5)})  # fmt: skip
+
+
+@settings(max_examples=5, deadline=None)
+@given(pressed=PRESSED)
+def test_what_of_a_gear_is_by_the_contact(pressed):
+    """A rod held by its motor, pressed at its end: all that its gear gives way is by the contact, F L^2/k."""
+    length, hinge = pressed["length"], {"name": "hub", "type": "revolute", "parent": "base", "child": "rod"}
+    hinge |= {"axis": [0, 0, 1], "motor": {"inertia": 0.1, "side": "joint"}}
+    hinge["gear"] = {"stiffness": pressed["stiffness"], "damping": 1.0}
+    robot = Robot.from_data(sheet(
+        joints=[hinge], links=[{"name": "rod", "bodies": [{"name": "b", "mass": 0.5, "center": [length / 2, 0, 0]}]}],
+        tip={"link": "rod", "position": [length, 0, 0]}, integration={"duration": 0.05, "output_step": 0.01},
+        drives=[{"joint": "hub", "command": "prescribed", "signal": {"type": "constant", "value": 0.0}}],
+        contact={"law": "bilateral", "stiffness": 1.0, "damping": 0.0, "preload": pressed["push"],
+                 "shape": {"type": "plane", "position": [0, 0, 0], "normal": [0, 1, 0]}},
+    ))  # fmt: skip
+    found = tmodes.run(robot.with_({"gravity": 0.0})).summary()["tip_error"]["commanded"]
+    assert found["environment_m"]["gears"] == pytest.approx(found["parts_m"]["gears"], rel=1e-6)
+    assert found["environment_m"]["links"] == 0.0
+    assert found["max_m"] == pytest.approx(pressed["push"] * length**2 / pressed["stiffness"], rel=0.1)
+
+
+@pytest.mark.parametrize("name", ["swinging"])
+def test_modes_about_the_end_are_those_of_a_robot_that_stays_there(name):
+    """They differ from those at the start, and name the vibrations that the tip has there."""
+    result = result_of(name)
+    ends = [drive.signal.schedule(9.0).at(9.0) for drive in result.actual.drives]
+    still = {f"drives.{k}.signal": {"type": "constant", "value": float(end)} for k, end in enumerate(ends)}
+    pair = result.robot.with_(still).pair()
+    for which, robot, state in (("actual", pair.real, "controlled"), ("nominal", pair.nominal, "locked")):
+        wanted = [mode["frequency_Hz"] for mode in sheet_frequencies(robot)[state]]
+        assert [mode["frequency_Hz"] for mode in result.end_frequencies[which]] == pytest.approx(wanted, rel=1e-6)
+    ringing = {mode["element"]: mode for mode in result.end_frequencies["nominal"]}
+    for mode in result.vibration["nominal"]["modes"]:
+        if mode["element"]:
+            assert ringing[mode["element"]]["damped_frequency_Hz"] == pytest.approx(mode["frequency_Hz"], rel=0.05)
 
 
 def test_an_arm_of_other_dimensions():

@@ -113,7 +113,7 @@ def test_the_summary_finds_what_was_put_in() -> None:
     data["contact_force_normal"][:] = np.linspace(4.0, 6.0, 201)
     data["deformation"][:] = 2e-3
     data["deformation"][30, 0] = -4e-3
-    data["deformation_reference"][:] = 1e-3
+    data["deformation_nominal"][:] = 1e-3
     data["energy"][:] = 0.0
     data["work"][:] = 0.0
     data["work"][:, 0] = np.linspace(0.0, 8.0, 201)
@@ -131,7 +131,7 @@ def test_the_summary_finds_what_was_put_in() -> None:
     force = summary["contact_force"]
     assert [force[name] for name in ("min_N", "max_N", "mean_N")] == pytest.approx([4.0, 6.0, 5.0])
     gear = summary["deformations"]["joint.gear"]
-    assert (gear["max"], gear["time_of_max_s"], gear["max_reference"]) == pytest.approx((4e-3, 0.3, 1e-3))
+    assert (gear["max"], gear["time_of_max_s"], gear["max_nominal"]) == pytest.approx((4e-3, 0.3, 1e-3))
     energy = {"moved_J": 8.0, "worst_residual_J": 4e-6, "worst_residual_over_moved": 5e-7}
     assert summary["energy"] == pytest.approx(energy)
 

@@ -49,7 +49,11 @@ def test_a_short_run_settles_as_a_long_one():
     assert info["time_s"] == pytest.approx(outside[-1] - 0.01, abs=2e-3)
     assert long.settling["time_s"] == pytest.approx(info["time_s"], abs=2e-3)
     assert short.summary()["settling"] == info
-    assert short.summary(0.5)["settling"]["band"] == 0.5
+    for band in (0.5, 0.01, 3e-3):  # another band continues the run as well
+        other = short.summary(band)["settling"]
+        outside = time[np.linalg.norm(tip - other["rest_m"], axis=1) > other["limit_m"]]
+        assert other["band"] == band
+        assert other["time_s"] == pytest.approx(max(outside[-1] - 0.01, 0.0), abs=2e-3)
 
 
 def trapezoid(time: np.ndarray, angle: float, duration: float, ramp: float) -> tuple[np.ndarray, float]:

@@ -6,6 +6,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
+from patience import WAIT
+
 __all__ = ["OPTIONS", "SIZES", "WITHOUT_WEBGL", "Window", "look"]
 
 SIZES = ((1280, 800), (400, 800))
@@ -34,6 +36,7 @@ def look(browser: Any, report: Path, size: tuple[int, int] = SIZES[0], scheme: s
     """Open a page, and listen; return when its program has started."""
     viewport = {"width": size[0], "height": size[1]}
     context = browser.new_context(viewport=viewport, color_scheme=scheme, reduced_motion="reduce", **more)
+    context.set_default_timeout(WAIT)
     window = Window(context.new_page())
     window.page.on(
         "console", lambda message: any(word in message.text for word in SLOW) or window.said.append(message.text)

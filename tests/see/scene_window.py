@@ -16,6 +16,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
+from patience import LONG, WAIT
 from see.scenes import arm_result, robot_result
 from tmodes.report.data import modes_of
 from tmodes.report.pack import embedded, pack
@@ -81,7 +82,9 @@ class Window:
 def look(browser: Any, path: Path, **how: Any) -> Window:
     """Open a page, and listen."""
     options = {"viewport": {"width": SIZE[0], "height": SIZE[1]}, "reduced_motion": "reduce"} | how
-    window = Window(browser.new_context(**options).new_page())
+    context = browser.new_context(**options)
+    context.set_default_timeout(WAIT)
+    window = Window(context.new_page())
     window.page.on("console", lambda message: window.said.append(message.text))
     window.page.on("pageerror", lambda error: window.said.append(str(error)))
     window.page.on("request", lambda request: window.asked.append(request.url))
@@ -103,7 +106,7 @@ def built(folder: Path) -> str:
         pytest.skip("needs Node and the packages of web/ (npm ci) to build the page")
     out = folder / "scene.js"
     command = [node, "--input-type=module", "-e", BUILD, "--", str(HERE / "scene_page.ts"), str(out)]
-    subprocess.run(command, cwd=WEB, check=True, timeout=60)
+    subprocess.run(command, cwd=WEB, check=True, timeout=LONG)
     return out.read_text(encoding="utf-8").replace("</script", "<\\/script")
 
 

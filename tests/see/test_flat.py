@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from patience import until
 from see.scene_window import Picture, Window, differing, look
 
 FORCE = (0xB3, 0x26, 0x1E)
@@ -61,8 +62,7 @@ def test_mouse_wheel_keys_and_presets_turn_it(robot: Window) -> None:
     turned = robot.picture()
     assert differing(first, turned) > 300
     robot.page.mouse.wheel(0, -300)
-    robot.page.wait_for_timeout(100)
-    assert differing(turned, robot.picture()) > 300
+    until(lambda: differing(turned, robot.picture()) > 300)
     robot.page.get_by_role("button", name="Reset view").click()
     assert differing(first, robot.picture()) == 0
     robot.page.locator("canvas").focus()
@@ -129,7 +129,7 @@ def test_it_is_seen_where_webgl_shows_it_and_follows_a_lost_context(
     assert np.abs(there - here).max() < 4.0
     window.do(LOSE)
     window.do("lost.loseContext()")
-    window.page.wait_for_selector(".scene-flat:not([hidden])", state="attached", timeout=8000)
+    window.page.wait_for_selector(".scene-flat:not([hidden])", state="attached")
     window.do("0")
     assert differing(window.picture(), lines) < 0.2 * differing(solid, lines)  # edges are smoothed otherwise
     window.said[:] = [line for line in window.said if "Context Lost" not in line]
@@ -139,11 +139,12 @@ def test_it_is_seen_where_webgl_shows_it_and_follows_a_lost_context(
 
 def test_a_context_that_comes_back_is_used_again(browser: Any, pages: Callable[[str], Path]) -> None:
     window = look(browser, pages("robot"))
+    window.page.clock.install()
     first = window.picture()
     window.do(LOSE)
     window.do("lost.loseContext()")
     window.do("lost.restoreContext()")
-    window.page.wait_for_timeout(2500)
+    window.page.clock.run_for(10_000)
     assert window.page.locator(".scene-flat").is_hidden()
     assert differing(first, window.picture()) == 0
     window.said[:] = [line for line in window.said if "Context" not in line]

@@ -11,6 +11,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from patience import LONG
 from tmodes.report.pack import Coarse, embedded, pack
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -45,7 +46,7 @@ def test_javascript_reads_back_what_was_packed(tmp_path: Path) -> None:
     esbuild = ROOT / "web" / "node_modules" / ".bin" / "esbuild"
     if not esbuild.exists():
         pytest.skip("needs the packages of web/: npm ci")
-    subprocess.run([esbuild, ROOT / "web/src/pack.ts", f"--outfile={tmp_path / 'pack.mjs'}"], check=True, timeout=60)
+    subprocess.run([esbuild, ROOT / "web/src/pack.ts", f"--outfile={tmp_path / 'pack.mjs'}"], check=True, timeout=LONG)
     rng = np.random.default_rng(1)
     fine, coarse = rng.normal(size=(3, 4)), rng.normal(size=(500, 2))
     page = {"a": [fine], "b": {"c": Coarse(coarse), "d": np.array([7], dtype=np.int32)}, "word": "π"}
@@ -57,7 +58,7 @@ def test_javascript_reads_back_what_was_packed(tmp_path: Path) -> None:
     console.log(JSON.stringify({a: info(page.a[0]), c: info(page.b.c), d: info(page.b.d), word: page.word}));
     """
     (tmp_path / "t.mjs").write_text(program, encoding="utf-8")
-    done = subprocess.run(["node", "t.mjs"], cwd=tmp_path, check=True, capture_output=True, timeout=60)
+    done = subprocess.run(["node", "t.mjs"], cwd=tmp_path, check=True, capture_output=True, timeout=LONG)
     read = json.loads(done.stdout)
     assert read["a"] == {"data": fine.ravel().tolist(), "shape": [3, 4]}
     assert read["c"]["shape"] == [500, 2]

@@ -161,7 +161,7 @@ def test_the_numbers_are_those_of_the_summary(texts: dict[str, str], good: Resul
     settling = info["settling"]
     assert f"Settling after the move {1e3 * settling['time_s']:.4g} ms until the tip stays within" in text
     assert f"{1e3 * settling['limit_m']:.4g} mm of its rest, 0.1 % of the move" in text
-    assert "First frequency, controlled 4.932 Hz 4.989 Hz with the motors locked" in text
+    assert "First natural frequency, controlled 4.932 Hz 4.989 Hz with the motors locked" in text
     for name, one in info["deformations"].items():
         assert f"{name} {1e3 * one['max']:.4g} mrad {one['time_of_max_s']:.3g} s" in text
     moment = max(link["bending_moment"]["max_Nm"] for link in info["links"].values())

@@ -54,12 +54,12 @@ def test_the_reference_ends_where_the_result_says(made: Any) -> None:
     info = result.data.isel(time=frames(result))
     assert np.abs(line - info["line"].transpose("time", ..., "s", "axis").values).max() < 1e-6
     if made is robot_result:
-        assert np.abs(reference[:, -1, -1] - info["tip_reference"].values).max() < 1e-6
+        assert np.abs(reference[:, -1, -1] - info["tip_nominal"].values).max() < 1e-6
     else:
-        hand = info["tip_reference"].values - reference[:, -1, 0]
+        hand = info["tip_nominal"].values - reference[:, -1, 0]
         assert np.allclose(np.linalg.norm(hand, axis=1), 0.25, atol=1e-6)
         assert np.abs(reference[:, 0, -1] - reference[:, 1, 0]).max() < 1e-6
-    assert np.abs(plain(scene["tipReference"]) - info["tip_reference"].values).max() < 1e-12
+    assert np.abs(plain(scene["tipReference"]) - info["tip_nominal"].values).max() < 1e-12
 
 
 @pytest.mark.parametrize("made", RESULTS)
@@ -84,12 +84,12 @@ def test_the_rigid_robot_lies_along_its_motor() -> None:
 def test_the_reference_is_enlarged_about_its_own_rigid_arm() -> None:
     result = robot_result()
     info = result.data.isel(time=frames(result))
-    theta = info["q_reference"].sel(coordinate="joint.motor").values
+    theta = info["q_nominal"].sel(coordinate="joint.motor").values
     tip = 0.9 * np.stack([np.cos(theta), np.sin(theta), 0 * theta], axis=-1)
     assert np.abs(plain(scene_of(result)["referenceRigid"])[:, -1, -1] - tip).max() < 1e-6
     scene = scene_of(arm_result())
     bent = plain(scene["reference"]) - plain(scene["referenceRigid"])
-    gear = arm_result().data["deformation_reference"].isel(time=frames(arm_result())).values[:, 0]
+    gear = arm_result().data["deformation_nominal"].isel(time=frames(arm_result())).values[:, 0]
     assert np.abs(bent[:, 0, 0]).max() < 1e-6
     assert np.abs(bent[:, 0, -1]).max() > 0.1 * np.abs(gear).max()
 

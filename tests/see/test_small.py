@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from patience import steady
 from result.synthetic import synthetic_result
 from see.looking import SIZES, Window, look
 from tmodes.plot.figure import Drawing
@@ -104,9 +105,10 @@ def test_what_has_the_focus_is_seen(browser: Any, reports: dict[str, Path], size
 def test_nothing_moves_by_itself(browser: Any, reports: dict[str, Path]) -> None:
     window = look(browser, reports["good"])
     window.page.emulate_media(reduced_motion="no-preference")
+    window.page.clock.install()
     window.page.reload()
     window.page.wait_for_selector("html.running")
-    window.page.wait_for_timeout(400)
+    window.page.clock.run_for(1000)
     assert window.page.locator(".transport .play").get_attribute("aria-label") == "Play"
     assert window.page.locator(".time").inner_text().startswith("0.000 s")
     window.page.context.close()
@@ -114,11 +116,7 @@ def test_nothing_moves_by_itself(browser: Any, reports: dict[str, Path]) -> None
 
 def settled(page: Any) -> bytes:
     """The scene once two screenshots in a row agree; the page's own clock stands, so nothing is drawn in between."""
-    shots = [page.locator(".scene-view").screenshot()]
-    while len(shots) < 2 or shots[-1] != shots[-2]:
-        assert len(shots) < 50
-        shots.append(page.locator(".scene-view").screenshot())
-    return shots[-1]
+    return steady(page.locator(".scene-view").screenshot)
 
 
 @pytest.mark.parametrize("motion", ["reduce", "no-preference"])

@@ -43,7 +43,7 @@ def test_marks_are_labelled_and_do_not_overlap() -> None:
         {"frequency_Hz": f, "damped_frequency_Hz": f, "damping_ratio": ratio, "element": "mode 1, horizontal"}
         for f, ratio in ((0.4, 0.01), (0.42, 0.01), (0.5, 0.01), (0.9, 0.01), (178.0, 0.01), (0.7, 1.0))
     ]
-    data = result_of("pendulum").data.assign_attrs(frequencies=json.dumps({"controlled": crowd}))
+    data = result_of("pendulum").data.assign_attrs(end_frequencies=json.dumps({"actual": crowd}))
     panel: Any = spectrum(Result(data))[0]
     panel.figure.draw_without_rendering()
     labels = [text for text in panel.texts if "Hz" in text.get_text()]

@@ -5,7 +5,6 @@ from __future__ import annotations
 import copy
 import socket
 import threading
-import time
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
@@ -15,8 +14,10 @@ import httpx
 import pytest
 import uvicorn
 
+from patience import LONG, until
 from tmodes import load
 from tmodes.studio.folders import WorkingFolder
+from tmodes.studio.serve import configured
 from tmodes.studio.server import application
 from tmodes.studio.sheets import plain_sheet
 
@@ -52,11 +53,12 @@ class Studio:
     def begin(self, sheet: Any, product: str = "data", client: str = "tab") -> str:
         return self.post("/api/jobs", json={"product": product, "sheet": sheet, "client": client})["job"]
 
-    def ended(self, job: str, within: float = 30.0) -> Any:
-        until = time.monotonic() + within
-        while (info := self.get(f"/api/jobs/{job}?wait=1"))["state"] in ("waiting", "running"):
-            assert time.monotonic() < until
-        return info
+    def looked(self, job: str, *states: str) -> Any:
+        """The job once it is in one of the states."""
+        return until(lambda: (info := self.get(f"/api/jobs/{job}?wait=1"))["state"] in states and info, f"{states}")
+
+    def ended(self, job: str) -> Any:
+        return self.looked(job, "done", "error", "cancelled")
 
 
 @pytest.fixture(scope="session")
@@ -66,16 +68,15 @@ def studio(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Studio]:
         listening.bind(("127.0.0.1", 0))
         host = f"127.0.0.1:{listening.getsockname()[1]}"
         app = application(WorkingFolder(folder), TOKEN, frozenset({host}), tmp_path_factory.mktemp("own"), workers=2)
-        server = uvicorn.Server(uvicorn.Config(app, log_level="error", ws="none", timeout_graceful_shutdown=1))
+        server = uvicorn.Server(configured(app))
         serving = threading.Thread(target=server.run, kwargs={"sockets": [listening]})
         serving.start()
-        with httpx.Client(base_url=f"http://{host}", timeout=60, trust_env=False) as client:
-            while not server.started:
-                time.sleep(0.02)
+        with httpx.Client(base_url=f"http://{host}", timeout=LONG, trust_env=False) as client:
+            until(lambda: server.started)
             assert client.get(f"/?token={TOKEN}").status_code == 200
             yield Studio(client, folder, host)
         server.should_exit = True
-        serving.join(20)
+        serving.join(LONG)
         assert not serving.is_alive()
 
 

@@ -13,6 +13,7 @@ from typing import Any
 
 import pytest
 
+from patience import LONG, WAIT, steady, until
 from studio.test_looks import ELASTICITY, stl
 from studio.test_looks import URDF as MESHED
 from tmodes.report import pack
@@ -20,8 +21,8 @@ from tmodes.studio.folders import door
 
 BUILT = Path(pack.__file__).parent / "web" / "studio.js"
 LAUNCH = ("--no-sandbox", "--enable-unsafe-swiftshader", "--use-gl=angle", "--use-angle=swiftshader")
-WAIT = 120_000
-"""Milliseconds; the first run of a robot compiles its equations."""
+STILL = "Promise.all(document.getAnimations().map((one) => one.finished))"
+"""Colours that change by and by have changed."""
 MASS = "links.0.bodies.0.mass"
 """Where the payload of the robot stands in its sheet."""
 
@@ -53,7 +54,7 @@ def address(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
         assert running.stdout is not None
         yield running.stdout.readline().split()[1]
         running.send_signal(signal.SIGTERM)
-        running.wait(15)
+        running.wait(LONG)
         assert running.returncode == 0
 
 
@@ -73,6 +74,7 @@ class Tab:
 
     def __init__(self, page: Any) -> None:
         self.page, self.wrong = page, []
+        page.set_default_timeout(WAIT)
         page.on("pageerror", lambda error: self.wrong.append(str(error)))
         page.on("console", self._hear)
         page.on("dialog", lambda dialog: (self.wrong.append(dialog.message), dialog.dismiss()))
@@ -89,9 +91,9 @@ class Tab:
     def line(self) -> str:
         return self.page.inner_text(".line")
 
-    def info(self, start: str, within: int = WAIT) -> None:
+    def info(self, start: str) -> None:
         """Wait until the line of the studio says something that starts so."""
-        self.page.locator(".line", has_text=re.compile(f"^{start}")).wait_for(timeout=within)
+        self.page.locator(".line", has_text=re.compile(f"^{start}")).wait_for()
 
     def fresh(self, act: Any) -> str:
         """Do something and wait for new curves; what is reported of them."""
@@ -113,7 +115,7 @@ def opened(browser: Any, address: str) -> Iterator[Tab]:
     page = browser.new_page(viewport={"width": 1280, "height": 800})
     tab = Tab(page)
     page.goto(address)
-    page.wait_for_selector(".chart canvas", timeout=WAIT)
+    page.wait_for_selector(".chart canvas")
     yield tab
     page.close()
     assert tab.wrong == []
@@ -184,7 +186,7 @@ def test_a_wrong_number_is_reported_at_its_field(tab):
     """The field is marked, the sentence stands below it and above, and a right number takes both away."""
     payload_opened(tab)
     tab.type("Mass", "-1")
-    tab.page.wait_for_selector(".sheet [aria-invalid=true]", timeout=WAIT)
+    tab.page.wait_for_selector(".sheet [aria-invalid=true]")
     assert "not less than 0 [kg]" in tab.page.inner_text(".sheet .wrong")
     assert "payload.mass" in tab.page.inner_text(".errors")
     tab.fresh(lambda: tab.type("Mass", "0.4"))
@@ -196,7 +198,7 @@ def test_a_wrong_urdf_is_reported_by_file_line_and_field(tab):
     tab.page.set_input_files(
         "input[type=file] >> nth=0", [{"name": "two.urdf", "mimeType": "text/xml", "buffer": SLOW_URDF.encode()}]
     )
-    tab.page.wait_for_selector(".errors p", timeout=WAIT)
+    tab.page.wait_for_selector(".errors p")
     info = tab.page.inner_text(".errors")
     assert "two.urdf:3" in info
     assert "mass" in info
@@ -216,7 +218,7 @@ def test_meshes_that_are_chosen_with_a_urdf(tab, tmp_path):
     tab.fresh(lambda: folder.set_input_files(home))
     assert not tab.page.is_visible(".notices")
     chooser.set_input_files([home / "two.urdf", home / "two.yaml"])
-    tab.page.wait_for_selector(".notices", timeout=WAIT)
+    tab.page.wait_for_selector(".notices")
     assert "two.urdf:6 · links.arm" in tab.page.inner_text(".notices")
     assert "not there" in tab.page.inner_text(".sheet .notice")
     assert tab.page.locator("details[data-path='links.0']").get_attribute("aria-invalid") is None
@@ -231,13 +233,13 @@ def test_another_robot_with_its_own_form(tab):
     tab.page.locator("details[data-path='drives.0'] > summary").click()
     tab.page.locator("details[data-path='drives.0.signal'] > summary").click()
     kinds = tab.page.locator("details[data-path='drives.0.signal'] select").first
-    kinds.wait_for(timeout=WAIT)
+    kinds.wait_for()
     assert set(kinds.locator("option").all_inner_texts()) >= {"quintic", "sine", "table", "trapezoid"}
     tab.fresh(lambda: kinds.select_option("constant"))
     assert tab.page.locator("details[data-path='drives.0.signal']").get_by_label("Value").count() == 1
 
 
-LONG = """async () => {
+LONG_RUN = """async () => {
   const info = await (await fetch("api/robots/filipovic2010")).json();
   Object.assign(info.sheet.integration, { duration: 20000, output_step: 1, relative_tolerance: 1e-12 });
   info.sheet.drives[0].signal.duration = 20000;
@@ -249,15 +251,15 @@ LONG = """async () => {
 
 def test_cancel_and_go_on(tab):
     """A run of minutes shows its progress, and ends within a second when it is not wanted any more."""
-    tab.page.evaluate(LONG)
+    tab.page.evaluate(LONG_RUN)
     tab.page.reload()
     tab.info("New curves")
     tab.page.get_by_label("Open a study").select_option("long.yaml")
     cancel = tab.page.get_by_role("button", name="Cancel")
-    cancel.wait_for(timeout=WAIT)
+    cancel.wait_for()
     assert "%" in tab.line()
     cancel.click()
-    tab.info("Cancelled", 5000)
+    tab.info("Cancelled")
     assert not cancel.is_visible()
     tab.fresh(lambda: tab.page.get_by_label("Robot", exact=True).select_option("spong1987"))
 
@@ -278,15 +280,15 @@ def test_a_study_is_kept_and_opened_again(tab):
     name = tab.page.get_by_label("Name of the study")
     name.fill("kept")
     tab.page.get_by_role("button", name="Save", exact=True).click()
-    tab.info("Saved", WAIT)
+    tab.info("Saved")
     tab.fresh(lambda: drag(tab, MASS, 0.2))
     tab.fresh(lambda: tab.page.get_by_label("Open a study").select_option("kept.yaml"))
     assert tab.fact("deviation.max") == kept
     tab.page.get_by_role("button", name="Save", exact=True).click()
     replace = tab.page.get_by_role("button", name="Replace")
-    replace.wait_for(timeout=WAIT)
+    replace.wait_for()
     replace.click()
-    tab.info("Saved", WAIT)
+    tab.info("Saved")
 
 
 def test_names_that_are_none_and_what_is_typed_next_to_a_slider(tab):
@@ -294,7 +296,7 @@ def test_names_that_are_none_and_what_is_typed_next_to_a_slider(tab):
     name, save = tab.page.get_by_label("Name of the study"), tab.page.get_by_role("button", name="Save", exact=True)
     name.fill("../x")
     save.click()
-    tab.page.locator(".errors", has_text="the plain name of a file").wait_for(timeout=WAIT)
+    tab.page.locator(".errors", has_text="the plain name of a file").wait_for()
     name.fill("x")
     save.click()
     tab.info("Saved")
@@ -302,7 +304,7 @@ def test_names_that_are_none_and_what_is_typed_next_to_a_slider(tab):
     typed = tab.page.locator("[data-slider='links.0.bodies.0.mass'] input.number")
     typed.fill("some")
     typed.press("Enter")
-    tab.page.locator(".errors", has_text="payload.mass").wait_for(timeout=WAIT)
+    tab.page.locator(".errors", has_text="payload.mass").wait_for()
     typed.fill("450 g")
     tab.fresh(lambda: typed.press("Enter"))
     assert not tab.page.is_visible(".errors")
@@ -310,7 +312,7 @@ def test_names_that_are_none_and_what_is_typed_next_to_a_slider(tab):
 
 def test_a_robot_called_script_stays_text(tab):
     tab.type("Name", "<img src=x onerror=alert(1)>")
-    tab.info("New", WAIT)
+    tab.info("New")
     assert tab.page.locator("img").count() == 0
     assert "filipovic" not in tab.page.input_value(".sheet input")
 
@@ -324,7 +326,7 @@ def test_accessible(tab):
     content = script.read_text(encoding="utf-8")
     for scheme in ("light", "dark"):
         tab.page.emulate_media(color_scheme=scheme)
-        tab.page.wait_for_timeout(300)
+        tab.page.evaluate(STILL)
         tab.page.evaluate(f"() => {{ const module = undefined, define = undefined; {content} }}")
         found = tab.page.evaluate("async () => (await axe.run({ exclude: [['.view']] })).violations")
         serious = [
@@ -336,8 +338,8 @@ def test_accessible(tab):
 @pytest.mark.parametrize("size", [(1280, 800), (1920, 1080), (400, 800)])
 def test_no_width_makes_the_page_scroll_sideways(tab, size):
     tab.page.set_viewport_size({"width": size[0], "height": size[1]})
-    tab.page.wait_for_timeout(200)
-    assert tab.page.evaluate("document.documentElement.scrollWidth") <= size[0]
+    tab.page.wait_for_function(f"() => innerWidth === {size[0]}")
+    assert steady(lambda: tab.page.evaluate("document.documentElement.scrollWidth")) <= size[0]
 
 
 def studio_of_its_own(folder: Path, *more: str) -> subprocess.Popen[str]:
@@ -358,7 +360,7 @@ def test_a_studio_that_goes_away_and_comes_back(browser, tmp_path):
         tab.info("New curves")
         gone = tab.page.locator(".gone")
         running.send_signal(signal.SIGSTOP)
-        gone.wait_for(timeout=WAIT)
+        gone.wait_for()
         assert "start it again" in gone.inner_text()
         tab.page.evaluate("document.querySelector('.line').textContent = ''")
         running.send_signal(signal.SIGCONT)
@@ -369,7 +371,7 @@ def test_a_studio_that_goes_away_and_comes_back(browser, tmp_path):
     with studio_of_its_own(tmp_path, "--port", port) as again:
         assert again.stdout is not None
         again.stdout.readline()
-        tab.page.locator(".gone", has_text="open the address that it printed").wait_for(timeout=WAIT)
+        tab.page.locator(".gone", has_text="open the address that it printed").wait_for()
         again.terminate()
     tab.page.close()
 
@@ -383,7 +385,7 @@ def test_what_is_added_has_units_and_values_that_may_be(tab):
     tab.fresh(lambda: kinds.select_option("trapezoid"))
     kinds.select_option("noise")
     deviation = tab.page.locator("details[data-path='drives.0.signal'] .field", has_text="Deviation")
-    deviation.locator(".unit", has_text="rad").wait_for(timeout=WAIT)
+    deviation.locator(".unit", has_text="rad").wait_for()
 
 
 def test_nothing_is_left_when_the_studio_is_killed(tmp_path):
@@ -397,13 +399,7 @@ def test_nothing_is_left_when_the_studio_is_killed(tmp_path):
         workers = [int(one) for one in os.listdir("/proc") if one.isdecimal() and _parent(one) == running.pid]  # noqa: PTH208
         assert len(workers) >= 2
         running.kill()
-    for _ in range(100):
-        if not any(Path(f"/proc/{worker}").exists() and _parent(str(worker)) for worker in workers):
-            return
-        import time
-
-        time.sleep(0.05)
-    pytest.fail("a worker is still there")
+    until(lambda: not any(Path(f"/proc/{worker}").exists() and _parent(str(worker)) for worker in workers))
 
 
 def _parent(process: str) -> int:

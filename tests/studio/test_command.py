@@ -6,12 +6,13 @@ import signal
 import socket
 import subprocess
 import sys
-import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 
 import httpx
 import pytest
+
+from patience import LONG, until
 
 COMMAND = [sys.executable, "-m", "tmodes.cli.entry", "studio", "--no-open"]
 
@@ -33,17 +34,18 @@ def test_it_stops_cleanly_while_a_run_goes_on(tmp_path, number):
         assert running.stdout is not None
         assert running.stderr is not None
         address = running.stdout.readline().split()[1]
-        with httpx.Client(trust_env=False, timeout=60) as client:
+        with httpx.Client(trust_env=False, timeout=LONG) as client:
             client.get(address)
             base = address.partition("/?")[0]
             sheet = client.get(f"{base}/api/robots/filipovic2010").json()["sheet"]
             sheet["integration"] |= {"duration": 30000.0, "output_step": 1.0, "relative_tolerance": 1e-12}
             sheet["drives"][0]["signal"]["duration"] = 30000.0
             order = {"product": "data", "sheet": sheet, "client": "x"}
-            assert client.post(f"{base}/api/jobs", json=order).json()["state"] == "waiting"
-            time.sleep(0.5)
+            job = client.post(f"{base}/api/jobs", json=order).json()
+            assert job["state"] == "waiting"
+            until(lambda: client.get(f"{base}/api/jobs/{job['job']}").json()["state"] == "running")
         running.send_signal(number)
-        running.wait(15)
+        running.wait(LONG)
         assert running.returncode == 0
         said = running.stderr.read()
     assert "stopped" in said
@@ -60,7 +62,7 @@ def test_only_this_machine_can_reach_it(tmp_path):
         own = {one[4][0] for one in socket.getaddrinfo(socket.gethostname(), None, socket.AF_INET)} - {"127.0.0.1"}
         for other in own:
             with pytest.raises(OSError, match="refused"):
-                socket.create_connection((str(other), port), timeout=1)
+                socket.create_connection((str(other), port), timeout=LONG)
         busy = subprocess.run([*COMMAND, "--port", str(port)], capture_output=True, text=True, check=False)
         assert busy.returncode == 2
         assert "free port" in busy.stderr
@@ -125,7 +127,7 @@ def test_a_program_in_the_working_folder_is_not_run(tmp_path):
     with subprocess.Popen(command, cwd=tmp_path, text=True, stdout=subprocess.PIPE) as running:
         assert running.stdout is not None
         address = running.stdout.readline().split()[1]
-        with httpx.Client(trust_env=False, timeout=60) as client:
+        with httpx.Client(trust_env=False, timeout=LONG) as client:
             client.get(address)
             base = address.partition("/?")[0]
             sheet = client.get(f"{base}/api/robots/filipovic2010").json()["sheet"]

@@ -9,12 +9,12 @@ import re
 import signal
 import subprocess
 import sys
-import time
 from pathlib import Path
 from urllib.parse import unquote, urlsplit
 
 import pytest
 
+from patience import LONG, until
 from tmodes.studio.folders import door
 
 ADDRESS = "http://127.0.0.1:4242/?token=a-b_c&x=1"
@@ -82,13 +82,11 @@ def test_the_browsers_command_line_holds_no_token(session, tmp_path):
     ) as run:
         assert run.stdout is not None
         address = run.stdout.readline().split()[1]
-        until = time.monotonic() + 20
-        while not noted.exists() and time.monotonic() < until:
-            time.sleep(0.05)
+        until(noted.exists)
         called = json.loads(noted.read_text(encoding="utf-8"))[1]
         page = Path(unquote(urlsplit(called).path))
         assert html.escape(address) in page.read_text(encoding="utf-8")
         assert address.partition("token=")[2] not in called
         run.send_signal(signal.SIGTERM)
-        assert run.wait(15) == 0
+        assert run.wait(LONG) == 0
     assert list(session.iterdir()) == []

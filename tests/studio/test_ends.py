@@ -5,10 +5,10 @@ from __future__ import annotations
 import asyncio
 import os
 import signal
+import socket
 import subprocess
 import sys
 import threading
-import time
 from collections.abc import Coroutine, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
@@ -20,6 +20,7 @@ import httpx
 import pytest
 
 import tmodes
+from patience import LONG, until
 from studio.test_looks import ELASTICITY, URDF, sent, stl
 from tmodes.errors import InputError
 from tmodes.kinds.registry import USED
@@ -53,12 +54,19 @@ class Running:
     def left(self) -> list[Path]:
         return [path for place in self.places for path in place.iterdir()]
 
+    def _hears_no_more(self) -> bool:
+        try:
+            socket.create_connection((self.client.base_url.host, self.client.base_url.port or 0)).close()
+        except OSError:
+            return True
+        return False
+
     def end(self, *numbers: int) -> str:
         """Send signals; what was said on the standard error."""
         for number in numbers:
             self.process.send_signal(number)
-            time.sleep(0.2)
-        said = self.process.communicate(timeout=20)[1]
+            until(self._hears_no_more)
+        said = self.process.communicate(timeout=LONG)[1]
         assert "Traceback" not in said
         return said
 
@@ -79,7 +87,7 @@ def running(tmp_path: Path) -> Iterator[Running]:
             assert process.stdout is not None
             base, _, token = process.stdout.readline().split()[1].partition("/?token=")
             headers = {"X-Tmodes-Token": token}
-            with httpx.Client(base_url=base, headers=headers, timeout=60, trust_env=False) as client:
+            with httpx.Client(base_url=base, headers=headers, timeout=LONG, trust_env=False) as client:
                 yield Running(process, client, places)
         finally:
             process.kill()
@@ -101,8 +109,8 @@ def test_nothing_is_left(tmp_path, long_sheet, numbers):
     with running(tmp_path) as studio, ThreadPoolExecutor(1) as tab:
         sent(studio, FILES)
         job = begin(studio, long_sheet)
+        until(lambda: studio.client.get(f"/api/jobs/{job}").json()["state"] == "running")
         tab.submit(studio.client.get, f"/api/jobs/{job}?wait=5")
-        time.sleep(0.3)
         assert studio.left()
         assert "stopped" in studio.end(*numbers)
         assert studio.process.returncode == 0

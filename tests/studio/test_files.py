@@ -9,9 +9,10 @@ from typing import Any
 import numpy as np
 import pytest
 
+from patience import steady
 from see.test_small import PAPER
 from studio import test_browser as page
-from studio.test_browser import WAIT, Tab
+from studio.test_browser import Tab
 
 address, browser, tab = page.address, page.browser, page.tab
 """Fixtures that are those of the studio's page."""
@@ -32,13 +33,13 @@ def test_a_refused_file_leaves_the_picture_as_true_as_it_was(tab: Tab) -> None:
     errors = tab.page.locator(".errors")
     tab.info("New curves")
     save(tab, "../x")
-    errors.locator("p", has_text="plain name").wait_for(timeout=WAIT)
+    errors.locator("p", has_text="plain name").wait_for()
     assert not stale(tab)
     mass: Any = tab.page.locator("[data-slider='links.0.bodies.0.mass'] input.number")
     before = mass.input_value()
     mass.fill("-1")
     mass.press("Enter")
-    errors.locator("p", has_text="payload.mass").wait_for(timeout=WAIT)
+    errors.locator("p", has_text="payload.mass").wait_for()
     assert stale(tab)
     with tab.page.expect_response("**/api/studies/y.yaml") as answer:
         save(tab, "y")
@@ -55,7 +56,7 @@ def test_a_report_that_is_asked_for_twice_is_made_once(tab: Tab) -> None:
     begun: list[str] = []
     tab.page.on("request", lambda one: begun.append(one.post_data) if one.method == "POST" else None)
     report = tab.page.get_by_role("button", name="Report", exact=True)
-    with tab.page.expect_download(timeout=WAIT) as kept:
+    with tab.page.expect_download() as kept:
         report.evaluate("(it) => { it.focus(); it.click(); it.click(); }")
     assert kept.value.suggested_filename.endswith(".html")
     tab.info("The report is among")
@@ -77,7 +78,7 @@ def test_replace_is_offered_for_a_file_that_is_there_alone(tab: Tab, kind: str |
     answer = {"errors": [info | {"steps": None} | ({"kind": kind} if kind else {})]}
     tab.page.route("**/api/studies/there.yaml", lambda one: one.fulfill(status=409, json=answer))
     save(tab, "there")
-    tab.page.locator(".errors p", has_text="cannot be kept").wait_for(timeout=WAIT)
+    tab.page.locator(".errors p", has_text="cannot be kept").wait_for()
     assert tab.page.get_by_role("button", name="Replace").is_visible() == (kind == "exists")
     save(tab, f"free_{kind}")
     tab.info("Saved as")
@@ -97,7 +98,7 @@ def test_the_list_of_robots_names_what_is_shown(tab: Tab) -> None:
     tab.page.route("**/api/robots/spong1987", lambda one: one.fulfill(status=422, json={"errors": []}))
     with tab.page.expect_response("**/api/robots/spong1987"):
         robots.select_option("spong1987")
-    tab.page.wait_for_function("() => document.querySelector('header select').value === ''", timeout=WAIT)
+    tab.page.wait_for_function("() => document.querySelector('header select').value === ''")
     tab.fresh(lambda: robots.select_option("filipovic2010"))
     assert robots.input_value() == "filipovic2010"
 
@@ -131,27 +132,27 @@ def test_a_file_that_is_gone_is_reported(tab: Tab, tmp_path: Path) -> None:
       };
     }""")
     tab.page.get_by_label("Upload", exact=True).set_input_files(chosen)
-    errors.wait_for(timeout=WAIT)
+    errors.wait_for()
     assert re.fullmatch(r"two\.urdf it cannot be read \(NotReadableError\).*\. choose it again", errors.inner_text())
     assert not stale(tab)
     for kind, name in (("file", "arm.urdf"), ("folder", "arms")):
         tab.page.evaluate(GONE_ENTRY, kind)
-        errors.filter(has_text=name).wait_for(timeout=WAIT)
+        errors.filter(has_text=name).wait_for()
         assert "NotFoundError" in errors.inner_text()
 
 
-SETTLED = "new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done, 600))))"
-"""The scheme is heard, and the modes that follow the curves are there."""
+MODES = "() => performance.getEntriesByType('resource').filter((one) => one.name.endsWith('/content')).length > 1"
+"""The modes that follow the curves are there."""
 
 
 def test_a_dark_studio_has_light_curves_on_paper(tab: Tab) -> None:
     """As a light one prints them, without the data sheet next to them; dark again afterwards."""
     tab.info("New curves")
+    tab.page.wait_for_function(MODES)
     printed = []
     for scheme in ("light", "dark"):
         tab.page.emulate_media(color_scheme=scheme)
-        tab.page.evaluate(SETTLED)
-        before = tab.page.evaluate(PAPER)
+        before = steady(lambda: tab.page.evaluate(PAPER))
         tab.page.evaluate("dispatchEvent(new Event('beforeprint'))")
         tab.page.emulate_media(media="print", color_scheme=scheme)
         printed.append(tab.page.evaluate(PAPER))

@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from patience import LONG
 from tmodes.live.functions import LiveModule, ModelFunctions, live_module
 from tmodes.simulation.parts import sample_times
 from tmodes.simulation.start import RunSetup
@@ -84,7 +85,7 @@ def in_node(module: LiveModule, jobs: list[dict[str, Any]], folder: Path) -> lis
     (folder / "harness.mjs").write_text(HARNESS)
     (folder / "module.wasm").write_bytes(module.wasm)
     (folder / "jobs.json").write_text(json.dumps({"layout": module.layout, "jobs": [plain(job) for job in jobs]}))
-    done = subprocess.run([node, "harness.mjs"], cwd=folder, capture_output=True, text=True, check=False, timeout=120)
+    done = subprocess.run([node, "harness.mjs"], cwd=folder, capture_output=True, text=True, check=False, timeout=LONG)
     assert done.returncode == 0, done.stderr
     return [_filled(result) for result in json.loads(done.stdout)]
 

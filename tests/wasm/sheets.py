@@ -10,7 +10,7 @@ __all__ = ["two_links"]
 
 _WALL = {
     "point": "tip", "shape": {"type": "plane", "normal": [0, -1, 0], "position": [0, 0.15, 0]}, "law": "unilateral",
-    "stiffness": 2e3, "damping": 20.0, "friction": 0.2, "friction_velocity": 0.01,
+    "stiffness": 2e3, "damping": 20.0, "friction": 0.2, "static_friction": 0.3,
 }  # fmt: skip
 
 
@@ -27,7 +27,8 @@ def two_links(*, wall: bool = False, **integration: Any) -> Robot:
     joints = [
         {"name": f"j{k}", "type": "revolute", "child": f"l{k}", "axis": axis,
          "gear": {"stiffness": 300.0, "damping": 0.2},
-         "motor": {"inertia": 0.1, "side": "joint", "friction": {"viscous": 0.2}}}
+         "motor": {"inertia": 0.1, "side": "joint",
+                   "friction": {"viscous": 0.2, "coulomb": 0.05, "static_extra": 0.02}}}
         for k, axis in enumerate(([0, 0, 1], [0, 1, 0]))
     ]  # fmt: skip
     drives = [

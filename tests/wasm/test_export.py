@@ -14,6 +14,7 @@ import numpy as np
 import pytest
 
 from arm.run.sheets import pendulum
+from patience import LONG, WAIT
 from tmodes import load, run
 from tmodes.errors import ResultFileError
 from tmodes.live.wasm_export import Exported, exported
@@ -59,7 +60,7 @@ def test_it_runs_in_node_as_natively(made: Exported, seed: Any, folder: Path) ->
     for end, name in {"js": "robot.mjs", "wasm": "robot.wasm"}.items():
         (folder / name).write_bytes(made.files[end])
     (folder / "use.mjs").write_text(SCRIPT)
-    done = subprocess.run([node, "use.mjs"], cwd=folder, capture_output=True, text=True, check=False, timeout=60)
+    done = subprocess.run([node, "use.mjs"], cwd=folder, capture_output=True, text=True, check=False, timeout=LONG)
     assert done.returncode == 0, done.stderr
     info, native = json.loads(done.stdout), run(seed).data
     states = np.array(info["states"]).reshape(native.sizes["time"], -1)
@@ -82,10 +83,11 @@ def test_the_example_runs_from_disk(made: Exported, seed: Any, folder: Path, chr
     with playwright.sync_playwright() as engine:
         browser = engine.chromium.launch(executable_path=chromium, args=["--no-sandbox"])
         window = browser.new_page()
+        window.set_default_timeout(WAIT)
         window.on("console", lambda message: said.append(message.text))
         window.on("pageerror", lambda error: said.append(str(error)))
         window.goto(page.as_uri())
-        window.wait_for_function("document.getElementById('info').textContent !== ''", timeout=30_000)
+        window.wait_for_function("document.getElementById('info').textContent !== ''")
         info, title = window.inner_text("#info"), window.inner_text("h1")
         browser.close()
     assert said == []
@@ -122,7 +124,7 @@ def test_the_types_are_those_of_the_program(folder: Path) -> None:
     )
     options = ["--noEmit", "--strict", "--target", "ES2022", "--module", "ESNext", "--moduleResolution", "bundler"]
     info = [os.fspath(compiler), *options, "--lib", "ES2022,DOM", "--skipLibCheck", "types.ts"]
-    done = subprocess.run(info, cwd=folder, capture_output=True, text=True, check=False, timeout=60)
+    done = subprocess.run(info, cwd=folder, capture_output=True, text=True, check=False, timeout=LONG)
     assert done.returncode == 0, done.stdout
 
 
@@ -133,7 +135,7 @@ def test_without_the_engine_it_says_so(seed: Any, tmp_path: Path) -> None:
 
 def _command(*arguments: str, folder: Path) -> Any:
     line = [sys.executable, "-m", "tmodes.cli.main", "export", *arguments]
-    return subprocess.run(line, cwd=folder, capture_output=True, text=True, check=False, timeout=120)
+    return subprocess.run(line, cwd=folder, capture_output=True, text=True, check=False, timeout=LONG)
 
 
 def test_nothing_is_replaced_unasked(tmp_path: Path) -> None:

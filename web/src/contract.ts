@@ -184,7 +184,7 @@ export interface LinePanel {
 
 /** What can be changed in the page; the order is that of the values given to `Live.run`. */
 export interface Slider {
-  /** Key of the data sheet, such as `payload.mass`, or `real:gear.stiffness` for the factor of the real robot. */
+  /** What `--set` takes: `payload.mass`, `joints.*.gear.stiffness`: a factor on all, `real:PATH`: actual / nominal. */
   path: string;
   label: string;
   symbol: string;

@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 from tmodes.analysis.quasistatic import deflections, elastic_names, gear_inputs, sprung
 from tmodes.model.model import Model
 
-__all__ = ["PARTS", "along", "straight", "substitutions", "tips", "without_elasticity"]
+__all__ = ["PARTS", "along", "element_steps", "straight", "substitutions", "tips", "without_elasticity"]
 
 Array = NDArray[np.float64]
 
@@ -55,6 +55,25 @@ def substitutions(model: Model, q: ArrayLike, commanded: ArrayLike, driven: Sequ
     joints = actual.copy()
     joints[:, model.deformations] = 0.0
     return [straight(model, wanted), straight(model, moved), joints, actual]
+
+
+def element_steps(model: Model, straightened: Array, actual: Array) -> tuple[list[tuple[str, str]], list[Array]]:
+    """The steps from the second shape of :func:`substitutions` to the last, one joint, then one link at a time.
+
+    Part (``gears``, ``links``) and name of each, the joints and the links in the order of the chain, and the shapes
+    (n, nq) that they lead to.
+    """
+    joints = [axis for axis in model.parts.axes if not (axis.axis.drive.is_driven and axis.input == axis.angle)]
+    places = [("gears", axis.axis.name, [axis.angle]) for axis in joints]
+    links = [(one.node.name, [*range(model.nq)[one.link.own]]) for one in model.parts.nodes if one.link]
+    places += [("links", name, own) for name, own in links if own]
+    names, shapes, shape = [], [], straightened
+    for part, name, own in places:
+        shape = shape.copy()
+        shape[:, own] = actual[:, own]
+        names.append((part, name))
+        shapes.append(shape)
+    return names, shapes
 
 
 def tips(model: Model, shapes: Sequence[Array], base: Array | None = None) -> Array:

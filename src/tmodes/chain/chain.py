@@ -21,7 +21,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.frame import Placement
-from tmodes.kinds.drives.contract import DriveKind
+from tmodes.kinds.drives.contract import DriveKind, Dry
 from tmodes.kinds.drives.registry import drive_kind
 from tmodes.kinds.joints.contract import Coordinate, JointKind
 from tmodes.kinds.links.contract import Link
@@ -35,14 +35,24 @@ Array = NDArray[np.float64]
 class Friction:
     """Friction torque [N*m] (or force [N]) at a rate v: viscous v + (coulomb + extra/(1 + (v/stribeck)^2)) sgn v.
 
-    ``sgn v`` is smooth: v/sqrt(v^2 + smoothing^2).
+    ``smoothing`` > 0: ``sgn v`` is v/sqrt(v^2 + smoothing^2), else that of a set, up to coulomb + extra at rest;
+    ``stribeck_rate`` 0: in motion there is no ``extra``.
     """
 
     viscous: float = 0.0
     coulomb: float = 0.0
     static_extra: float = 0.0
-    stribeck_rate: float = 1.0
-    smoothing: float = 1e-3
+    stribeck_rate: float = 0.0
+    smoothing: float = 0.0
+
+    @property
+    def dry(self) -> Dry:
+        """The structure of its dry part."""
+        if not (self.coulomb > 0 or self.static_extra > 0):
+            return Dry.NONE
+        if self.smoothing > 0:
+            return Dry.SMOOTH
+        return Dry.FALLS if self.static_extra > 0 and self.stribeck_rate > 0 else Dry.DROPS
 
 
 @dataclass(frozen=True)

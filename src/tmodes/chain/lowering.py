@@ -114,7 +114,8 @@ def _drive(sheet: JointSheet, coordinate: str, robot: Robot) -> DriveKind:
 def _friction(sheet: FrictionSheet | None) -> Friction:
     if sheet is None:
         return Friction()
-    return Friction(sheet.viscous, sheet.coulomb, sheet.static_extra, sheet.stribeck_rate or 1.0, sheet.smoothing)
+    rates = sheet.stribeck_rate or 0.0, sheet.smoothing or 0.0
+    return Friction(sheet.viscous, sheet.coulomb, sheet.static_extra, *rates)
 
 
 def _motor(sheet: MotorSheet) -> Motor:

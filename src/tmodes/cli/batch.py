@@ -53,7 +53,7 @@ def batch(
 ) -> None:
     """Many runs at once with numbers varied: a sweep (--vary) or a Monte Carlo study (--draw).
 
-    Each is the real robot under control, as of `tmodes run`, compared with the run of the sheet as it stands: the
+    Each is the actual robot under control, as of `tmodes run`, compared with the run of the sheet as it stands: the
     distance of their tips. Everything is checked before anything runs. A run that cannot continue is named, and
     disturbs no other. The folder of --out holds states.npy, tips.npy, times.npy and batch.json;
     tmodes.simulation.batch.result.load_batch("FOLDER") reads them.

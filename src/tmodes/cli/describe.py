@@ -11,7 +11,7 @@ from tmodes.cli.static import PoseOption, pose_of, print_stiffness
 from tmodes.cli.terminal import notice, print_json, print_table, warn, working
 
 if TYPE_CHECKING:
-    from tmodes.analysis.hierarchy.hierarchy import Ladder, Rung
+    from tmodes.simulation.hierarchy.hierarchy import Ladder, Rung
 
 __all__ = ["describe", "ladder"]
 
@@ -98,10 +98,10 @@ UNITS = {
     "sag_m": "m, tip at rest off the undeformed robot's",
     "cost_us": "us, one forward dynamics, native, median",
     "highest_eigenvalue": "1/s, an explicit step must be below about 2.8 over it",
-    "tip_difference_m": "m, largest along the move, to the finest rung",
-    "tip_error": "1, of the largest deflection of the tip along the move",
+    "tip_difference_m": "m, largest in the motion, to the finest rung",
+    "tip_error": "1, of the largest deflection of the tip in the motion",
     "frequency_error": "1, of the first frequency",
-    "deflection_m": "m, largest deflection of the tip along the move, by the finest rung",
+    "deflection_m": "m, largest deflection of the tip in the motion, by the finest rung",
 }
 
 
@@ -117,9 +117,11 @@ def ladder(
 ) -> None:
     """The ladder of link models: rigid, segments, modes, strain with more and more functions, against the finest.
 
-    All rungs make the same move, which the motors follow exactly: that of the sheet's drives, else a short one.
+    All rungs make the sheet's own motion under its own loads: motors at their setpoints where the drives command
+    positions, else as efforts, voltages and controllers move them. A robot that nothing in its sheet moves makes a
+    short move of all joints.
     """
-    from tmodes.analysis.hierarchy.hierarchy import ladder as climbed
+    from tmodes.simulation.hierarchy.hierarchy import ladder as climbed
 
     sheet = chosen_sheet(robot, settings, roots=root, trust_paths=trust_paths, fix_inertia=fix_inertia)
     with working() as tell:
@@ -140,7 +142,7 @@ def _print_ladder(found: Ladder) -> None:
         info = f"{found.rungs[-2].model} is not within the tolerance of {found.rungs[-1].model}"
         notice(f"{info}: that itself may be off by more; add --finest {len(found.rungs) - 1}")
     if all(rung.tip_error is None for rung in found.rungs):
-        notice("the tip does not deflect in this move, so only frequencies are compared: is `tip` on the right link?")
+        notice("the tip does not deflect in this motion, so only frequencies are compared: is `tip` on the right link?")
     for rung in found.rungs:
         if rung.why:
             notice(f"{rung.model}: {rung.why}")
@@ -158,7 +160,7 @@ def _rung_row(rung: Rung, found: Ladder) -> list[str]:
         "-" if last else _share(rung.tip_error),
         "-" if last else _share(rung.frequency_error),
         f"{rung.cost_us:.2f}",
-        f"{rung.highest_eigenvalue:.3g}",
+        "-" if rung.highest_eigenvalue is None else f"{rung.highest_eigenvalue:.3g}",
         "<- take this" if rung.model == found.recommended else "",
     ]
 

@@ -4,17 +4,25 @@ from __future__ import annotations
 
 import sys
 
+from tmodes.cli.memory import OUT_OF_MEMORY, lacks_memory, prepare, words
+
 __all__ = ["start"]
 
 
 def start() -> None:
     """Load the command line and run it; ends the process."""
     try:
+        prepare()
         from tmodes.cli.main import main
 
         main()
     except KeyboardInterrupt:
         sys.exit(130)
+    except Exception as error:  # while it is loaded
+        if not lacks_memory(error):
+            raise
+        print(f"tmodes: {words()}", file=sys.stderr)
+        sys.exit(OUT_OF_MEMORY)
 
 
 if __name__ == "__main__":

@@ -17,6 +17,7 @@ from tmodes.cli.cache import cache
 from tmodes.cli.describe import describe, ladder
 from tmodes.cli.evaluate import evaluate
 from tmodes.cli.export import export
+from tmodes.cli.memory import OUT_OF_MEMORY, lacks_memory, words
 from tmodes.cli.modes import modes
 from tmodes.cli.run import run
 from tmodes.cli.sheets import check, robots, schema
@@ -91,21 +92,26 @@ def main() -> None:
     except (BrokenPipeError, SystemExit):
         # The reader of our output went away (| head), of which rich and typer make an exit: nothing to say, no fault.
         code = 0
-    except OSError as error:
-        _say(f"tmodes: the output cannot be written: {error.strerror}; free some space, or send it elsewhere")
-        code = 4
-    except MemoryError:
-        _say("tmodes: out of memory; raise integration.output_step or shorten integration.duration")
-        code = 3
     except Exception as error:
-        if os.environ.get("TMODES_DEBUG"):
-            raise
-        _say(f"tmodes: a fault of tmodes itself, please report it: {type(error).__name__}: {error}")
-        _say("(TMODES_DEBUG=1 shows where)")
-        code = FAULT
+        code = _explained(error)
     if code == INTERRUPTED:
         _say("tmodes: interrupted" + ("" if "batch" in sys.argv[1:2] else "; run the same command again to continue"))
     _leave(code)
+
+
+def _explained(error: Exception) -> int:
+    """Say what went wrong where no part of tmodes did; the exit code."""
+    if lacks_memory(error):
+        _say(f"tmodes: {words()}")
+        return OUT_OF_MEMORY
+    if isinstance(error, OSError) and error.strerror:
+        _say(f"tmodes: the output cannot be written: {error.strerror}; free some space, or send it elsewhere")
+        return 4
+    if os.environ.get("TMODES_DEBUG"):
+        raise error
+    _say(f"tmodes: a fault of tmodes itself, please report it: {type(error).__name__}: {error}")
+    _say("(TMODES_DEBUG=1 shows where)")
+    return FAULT
 
 
 def _explain(error: Any) -> None:

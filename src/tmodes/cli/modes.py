@@ -30,9 +30,10 @@ __all__ = ["modes"]
 _MOST_ANGLE = 1000.0
 
 _UNITS = {
-    "frequency_Hz": "Hz, natural; of modes that ring under control |eigenvalue|/2 pi",
-    "damped_frequency_Hz": "Hz",
-    "damping_ratio": "1",
+    "frequency_Hz": "Hz, natural: of mass and stiffness alone; of modes that ring under control |pole|/2 pi",
+    "damped_frequency_Hz": "Hz, imaginary part of the pole over 2 pi; null: it does not ring",
+    "damping_ratio": "1, -real part of the pole over its size",
+    "pole": "1/s, real and imaginary part: the eigenvalue of mass, damping, stiffness and controllers",
     "share": "1",
     "growth_time_s": "s, in which an unstable mode grows by the factor e",
     "frequency_error": "1, over the frequency with two more functions a direction, less 1; null: not known",
@@ -68,9 +69,10 @@ def modes(
     """Frequencies and damping about the sagged rest, for the actual robot and for the nominal one.
 
     Under its loads, its motors at their first command or `--at` a pose. Where drives turn at constant speed, about that
-    motion, with its centrifugal and gyroscopic forces. `natural` is the undamped frequency (of ringing modes under
-    control: |eigenvalue|/2 pi), `damped` the one at which it rings (- where it is over-damped). Modes marked ! change
-    with more functions.
+    motion, with its centrifugal and gyroscopic forces. `damped` and the damping ratio are of the pole, an eigenvalue
+    of mass, damping, stiffness and controllers: its imaginary part over 2 pi (- where it does not ring). `natural` is
+    of mass and stiffness alone; of modes that ring under control, |pole|/2 pi. Modes marked ! change with more
+    functions.
     """
     from tmodes.analysis.modes.of_sheet import vibrations
 

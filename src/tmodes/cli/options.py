@@ -24,6 +24,7 @@ __all__ = [
     "Duration",
     "FixInertia",
     "IntegratorOption",
+    "ModelError",
     "ReadingOption",
     "Roots",
     "Settings",
@@ -52,7 +53,9 @@ Settings = Annotated[
     typer.Option(
         "--set",
         metavar="PATH=VALUE",
-        help="Change a number of the robot; may be given often: --set payload.mass=0.8  --set real.gear.stiffness=0.5",
+        help="Change a number of the robot; may be given often: --set payload.mass=0.8  --set real.gear.stiffness=0.5. "
+        "As the sliders of a page: a path with * multiplies all that it names, --set 'joints.*.gear.stiffness=1.2'; "
+        "real:PATH=0.5 sets actual / nominal.",
     ),
 ]
 ReadingOption = Annotated[
@@ -106,7 +109,14 @@ CheckError = Annotated[
     bool,
     typer.Option(
         "--check-error",
-        help="Run again with a tenth of the tolerances (fixed step: half of it), for the error of every figure.",
+        help="Errors by a second run with a hundredth of the tolerances (fixed step: a quarter), not a tenth (half).",
+    ),
+]
+ModelError = Annotated[
+    bool,
+    typer.Option(
+        "--model-error/--no-model-error",
+        help="Estimate the error of the flexible links' models, by a second run with other stiffnesses.",
     ),
 ]
 Duration = Annotated[float | None, typer.Option(metavar="SECONDS", help="integration.duration, simulated time.")]

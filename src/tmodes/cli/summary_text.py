@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from tmodes.cli.terminal import print_table
+from tmodes.result.paths import largest_elements
 
 if TYPE_CHECKING:
     from tmodes.report.folder import RunFolder
@@ -23,13 +24,13 @@ def result_record(result: Result) -> dict[str, Any]:
 
 
 def error_of(summary: dict[str, Any], path: str, factor: float, unit: str) -> str:
-    """The estimated error of a figure in its unit, ``< `` before a bound; empty where it is not known."""
+    """The error of a figure in its unit, ``< `` before a bound, ``≈ `` before an estimate; empty where not known."""
     info = summary["error"]
     if not info or path not in info["figures"]:
         return ""
     error = info["figures"][path] * factor
-    bound = "< " if "sum" in info["how"] and error else ""
-    return f"{bound}{error:.1e} {unit}".rstrip() if error else f"0 {unit}".rstrip()
+    sign = "≈" if path in info["approximate"] else "<"
+    return f"{sign} {error:.1e} {unit}".rstrip() if error else f"0 {unit}".rstrip()
 
 
 def integration_lines(result: Any, summary: dict[str, Any]) -> Iterator[str]:
@@ -41,10 +42,10 @@ def integration_lines(result: Any, summary: dict[str, Any]) -> Iterator[str]:
         yield f"        from t = {part['from_s']:.4g} s on by {part['method']}: {part['steps']:,} steps"
     if summary["error"] is None:
         yield "error   not estimated"
-    elif "sum" in summary["error"]["how"]:
-        yield "error   at most about the sum of the local errors, mostly far less; --check-error gives a sharp one"
     else:
-        yield f"error   by a {summary['error']['how']}"
+        yield f"error   of the integration, by {summary['error']['how']}: < holds in 99 % of runs, ≈ is an estimate"
+    if summary["model_error"]:
+        yield f"model error   of the flexible links' functions, by a {summary['model_error']['how']}"
 
 
 def _steps(info: dict[str, Any]) -> str:
@@ -78,19 +79,33 @@ def print_run(result: Result, folder: RunFolder) -> None:
 def print_summary(result: Result) -> dict[str, Any]:
     """Print the summary of a result as a table, and give it back."""
     summary = result.summary()
-    columns = ["quantity", "value", "error", "where"]
-    print_table(f"{result.name}: {result.status}", columns, list(summary_rows(summary)))
+    columns = ["quantity", "value", "error", "model error", "where"]
+    rows = list(summary_rows(summary))
+    if summary["model_error"] is None:
+        columns, rows = [name for name in columns if name != "model error"], [(*row[:3], row[4]) for row in rows]
+    print_table(f"{result.name}: {result.status}", columns, rows)
     return summary
 
 
-Row = tuple[str, str, str, str]
+Row = tuple[str, str, str, str, str]
+"""Quantity, value, error of the integration, error of the link models, where and when."""
 
 
 def _row(
     summary: dict[str, Any], path: str, name: str, value: float, unit: str, where: str = "", factor: float = 1.0
 ) -> Row:
     """The row of a figure (SI) in a unit that is ``factor`` to one of SI; ``path``: where its error is."""
-    return name, f"{value * factor:.4g} {unit}", error_of(summary, path, factor, unit), where
+    return name, f"{value * factor:.4g} {unit}", *_errors(summary, path, factor, unit), where
+
+
+def _errors(summary: dict[str, Any], path: str, factor: float, unit: str) -> tuple[str, str]:
+    return error_of(summary, path, factor, unit), model_error_of(summary, path, factor, unit)
+
+
+def model_error_of(summary: dict[str, Any], path: str, factor: float, unit: str) -> str:
+    """The bound of the error of the link models in a figure, in its unit; empty where it is not known."""
+    info = summary["model_error"]
+    return f"< {info['figures'][path] * factor:.1e} {unit}".rstrip() if info and path in info["figures"] else ""
 
 
 def summary_rows(summary: dict[str, Any]) -> Iterator[Row]:
@@ -102,10 +117,10 @@ def summary_rows(summary: dict[str, Any]) -> Iterator[Row]:
     yield from _efforts(summary)
     if force := summary["contact_force"]:
         value = f"{force['min_N']:.3f} ... {force['max_N']:.3f} N"
-        error = error_of(summary, "contact_force.max_N", 1.0, "N")
-        yield "contact force", value, error, f"mean {force['mean_N']:.3f} N"
+        errors = _errors(summary, "contact_force.max_N", 1.0, "N")
+        yield "contact force", value, *errors, f"mean {force['mean_N']:.3f} N"
     energy = summary["energy"]
-    yield "energy balance", f"{energy['worst_residual_J']:.1e} J", "", f"of {energy['moved_J']:.3g} J moved"
+    yield "energy balance", f"{energy['worst_residual_J']:.1e} J", "", "", f"of {energy['moved_J']:.3g} J moved"
 
 
 def _tip(summary: dict[str, Any]) -> Iterator[Row]:
@@ -113,11 +128,13 @@ def _tip(summary: dict[str, Any]) -> Iterator[Row]:
     for which, path in _ERRORS.items():
         if which in errors:
             yield _tip_error(summary, which, path)
+            yield from _elements(which, errors[which])
     if errors:
         ends = [f"{one['end_m'] * 1e3:.4g} mm to {which}" for which, one in errors.items()]
         yield (
             "tip error at the end",
             ends[0].partition(" to ")[0],
+            "",
             "",
             "to commanded" + "".join(f"; {e}" for e in ends[1:]),
         )
@@ -127,16 +144,18 @@ def _tip(summary: dict[str, Any]) -> Iterator[Row]:
         yield _row(summary, "deviation.end_m", "tip error at the end", deviation["end_m"], "mm", "to nominal", 1e3)
     if settling["time_s"] is not None:
         limit = f"within {settling['limit_m'] * 1e3:.3g} mm of its rest ({100 * settling['band']:g} % of the move)"
-        yield "settling after the move", f"{settling['time_s']:.3f} s", "", limit
+        yield "settling after the move", f"{settling['time_s']:.3f} s", "", "", limit
     for which, one in summary["vibration"].items():
         if one["amplitude_m"] is not None:
-            yield f"residual vibration, {which}", f"{one['amplitude_m'] * 1e3:.4g} mm", "", vibration_words(one)
+            yield f"residual vibration, {which}", f"{one['amplitude_m'] * 1e3:.4g} mm", "", "", vibration_words(one)
 
 
 def vibration_words(one: dict[str, Any]) -> str:
     """The strongest modes of a residual vibration."""
     modes = [mode for mode in one["modes"] if mode["amplitude_m"] > _WEAK * one["amplitude_m"]][:_MOST_MODES]
-    return ", ".join(f"{mode['amplitude_m'] * 1e3:.3g} mm at {mode['frequency_Hz']:.3g} Hz" for mode in modes)
+    each = (f"{mode['amplitude_m'] * 1e3:.3g} mm at {mode['frequency_Hz']:.3g} Hz" for mode in modes)
+    names = (f" ({name})" if (name := mode.get("element")) else "" for mode in modes)
+    return ", ".join(map("".join, zip(each, names, strict=True)))
 
 
 _MOST_MODES, _WEAK = 3, 0.01
@@ -154,6 +173,17 @@ def _tip_error(summary: dict[str, Any], which: str, path: str) -> Row:
     if parts:
         where = f"{parts}; {where}"
     return _row(summary, path, f"tip error to {which}", one["max_m"], "mm", where, 1e3)
+
+
+def _elements(which: str, one: dict[str, Any]) -> Iterator[Row]:
+    """The gears and links with the largest parts, where there are several; what of them is by the contact force."""
+    elements = largest_elements(one)
+    if len(elements) > 1:
+        words = ", ".join(f"{value * 1e3:.3g} mm {name}" for name, value in elements)
+        yield f"  by element, to {which}", "", "", "", words
+    if environment := one.get("environment_m"):
+        words = ", ".join(f"{value * 1e3:.3g} mm of {name}" for name, value in environment.items())
+        yield f"  by the contact, to {which}", "", "", "", f"{words} (statics with and without it)"
 
 
 def _largest(info: dict[str, Any], key: str, most: int) -> list[tuple[str, dict[str, Any]]]:

@@ -134,7 +134,7 @@ LINE_EVERY = 10.0
 
 
 class Stages:
-    """Progress of stages, ``tell("reference", 0.3)``, not shown for short work.
+    """Progress of stages, ``tell("nominal robot", 0.3)``, not shown for short work.
 
     A first Ctrl-C interrupts where progress is reported, so that all results are whole: Python raises its
     KeyboardInterrupt anywhere, even where it is lost. A second one interrupts at once.

@@ -11,11 +11,12 @@ from typing import Any
 import numpy as np
 
 from tmodes.integrate.registry import AUTO, integrator
+from tmodes.integrate.rosenbrock import MOST_STATES
 from tmodes.integrate.settings import Integration
 
 __all__ = [
-    "COUNTED", "STIFF", "TRIAL", "MethodChange", "chosen_method", "explained", "otherwise", "worth_keeping",
-    "worth_switching",
+    "COUNTED", "STIFF", "TRIAL", "MethodChange", "chosen_method", "explained", "implicit_method", "otherwise",
+    "worth_keeping", "worth_switching",
 ]  # fmt: skip
 
 STIFF = 20_000
@@ -27,22 +28,32 @@ TRIAL = 40
 _DEARER = 1.65
 """Cost of a step of it over an explicit one: nine passes, of four lanes (1.1), over six."""
 
-_EXPLICIT, _IMPLICIT = "dormand_prince", "extrapolation"
-"""Those between which the stiffness chooses."""
+_EXPLICIT, _IMPLICIT, _WHOLE = "dormand_prince", "extrapolation", "rosenbrock"
+"""Those between which the stiffness chooses; the last where it may be of what the one before takes explicitly."""
 
 
-def chosen_method(given: Integration, highest: float) -> tuple[str, str]:
+def implicit_method(numbers: int, *, apart: bool) -> str | None:
+    """The implicit method for a state of so many numbers that rates depend on; None: there is none.
+
+    ``apart``: something that may be stiff is explicit in extrapolation.
+    """
+    if not apart:
+        return _IMPLICIT
+    return _WHOLE if numbers <= MOST_STATES else None
+
+
+def chosen_method(given: Integration, highest: float, implicit: str | None = _IMPLICIT) -> tuple[str, str]:
     """The method of a run and why, in words (empty where it was given); ``highest``: largest |eigenvalue| [1/s]."""
     if given.method != AUTO:
         return given.method, ""
     steps = highest * given.duration / (integrator(_EXPLICIT).reach or 1.0)
     info = f"chosen: fastest eigenvalue {_about(highest)} 1/s"
-    if steps <= STIFF:
+    if steps <= STIFF or implicit is None:
         return _EXPLICIT, f"{_EXPLICIT} {info}"
     info += f", about {_about(steps)} explicit steps"
-    if _too_exact(given):
-        return _EXPLICIT, f"{_EXPLICIT} {info}; {_IMPLICIT} would round above the tolerance"
-    return _IMPLICIT, f"{_IMPLICIT} {info}"
+    if _too_exact(given, implicit):
+        return _EXPLICIT, f"{_EXPLICIT} {info}; {implicit} would round above the tolerance"
+    return implicit, f"{implicit} {info}"
 
 
 def _about(value: float) -> str:
@@ -58,19 +69,19 @@ def explained(message: str, why: str) -> str:
     return f"{ending} ({why}){semicolon}{later_on}"
 
 
-def otherwise(given: Integration, method: str) -> Integration | None:
+def otherwise(given: Integration, method: str, implicit: str | None = _IMPLICIT) -> Integration | None:
     """The settings to continue with where a motion turns out stiff; None where there are none.
 
     ``given``: the settings of the sheet; ``method``: the one that was chosen by them. A method that was named stays;
     so does one that is implicit, or whose tolerance is below that of its rounding.
     """
-    if given.method != AUTO or method != _EXPLICIT or _too_exact(given):
+    if given.method != AUTO or method != _EXPLICIT or implicit is None or _too_exact(given, implicit):
         return None
-    return given.chosen(_IMPLICIT)
+    return given.chosen(implicit)
 
 
-def _too_exact(given: Integration) -> bool:
-    return given.chosen(_IMPLICIT).relative_tolerance < integrator(_IMPLICIT).least_tolerance
+def _too_exact(given: Integration, implicit: str) -> bool:
+    return given.chosen(implicit).relative_tolerance < integrator(implicit).least_tolerance
 
 
 def worth_switching(left: float, step: float) -> bool:

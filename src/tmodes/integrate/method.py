@@ -73,9 +73,9 @@ class Integrator:
     """One method.
 
     ``description``: in a line, for help. ``order``: of its steps. ``adaptive``: it chooses its steps by the tolerances,
-    and sums its local errors; else it takes the step of the settings. ``asks``: what of the equations. ``tableau``: of
-    an explicit Runge-Kutta method, for which the native loops are general; a method without one has a loop of its own
-    in :mod:`tmodes.compile.loops`. ``reach``: the largest step times eigenvalue at which an explicit method is stable,
+    else it takes the step of the settings. ``asks``: what of the equations. ``tableau``: of an explicit Runge-Kutta
+    method, for which the native loops are general; a method without one has a loop of its own in
+    :mod:`tmodes.compile.loops`. ``reach``: the largest step times eigenvalue at which an explicit method is stable,
     about; None without such a limit. ``looks``: points of a step at which stop conditions are checked. ``replayed``:
     its steps can be repeated and differentiated. ``tolerances``: defaults of its own, by the names of the settings.
     ``least_tolerance``: a relative tolerance below this is lost in rounding.

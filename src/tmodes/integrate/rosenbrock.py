@@ -4,7 +4,10 @@ from __future__ import annotations
 
 from tmodes.integrate.method import JACOBIAN, Integrator
 
-__all__ = ["ROSENBROCK"]
+__all__ = ["MOST_STATES", "ROSENBROCK"]
+
+MOST_STATES = 300
+"""Largest state whose Jacobian is kept in the memory of the loop."""
 
 ROSENBROCK = Integrator(
     name="rosenbrock",

@@ -22,6 +22,9 @@ MOST_BYTES = 1_800_000_000
 LEAST_TOLERANCE = 1e-14
 """A relative tolerance below this is lost in the rounding of a step."""
 
+_ROOM = 5.0
+"""A relative tolerance over the least one, from which on a run with smaller tolerances is a more exact one."""
+
 
 class Integration(DataSheet):
     """Which integrator, how exact, how long, how often the result is sampled.
@@ -53,7 +56,10 @@ class Integration(DataSheet):
     )  # fmt: skip
     check_error: bool = Field(
         default=False,
-        description="true: run again with a tenth of the tolerances (rk4, midpoint: half the step) for the error",
+        description="true: errors by a run with a hundredth of the tolerances (fixed step: a quarter), else a tenth",
+    )
+    model_error: bool = Field(
+        default=True, description="true: run again with links of another stiffness, for the error of their models"
     )
     step: float = positive("s", "dt", "fixed step (rk4, midpoint)", default=2 / 37500, span=True)
     energy_tolerance: float = positive(
@@ -135,16 +141,27 @@ class Integration(DataSheet):
             hint = f"write at least {self.duration / self.max_steps:.3g} s, or raise max_steps"
             yield Issue("step", got, most, hint)
 
-    def finer(self) -> Self:
-        """The settings of the run that estimates the error of this one: a tenth of the tolerances, half the step."""
-        return self.model_copy(update={
-            "relative_tolerance": max(self.relative_tolerance / 10, LEAST_TOLERANCE), "step": self.step / 2,
-            "absolute_tolerance": self.absolute_tolerance / 10, "max_steps": 4 * self.max_steps,
-        })  # fmt: skip
+    def refined(self) -> tuple[Self, float]:
+        """The settings of a second run that checks this one, and the error of this one over the difference of both.
 
-    def coarser(self) -> Self:
-        """The settings of the cheap run that estimates the error of one at fixed step: twice the step."""
-        return self.model_copy(update={"step": 2 * self.step})
+        A tenth of the tolerances, whose error is a tenth as large, or half the step, whose error is 1/2^order of it; by
+        ``check_error`` a hundredth and a quarter. Where rounding leaves no tenth of the relative tolerance, the second
+        run is the coarser one, at the tenfold.
+        """
+        times, one = 2 if self.check_error else 1, self.integrator
+        least = one.least_tolerance if one else LEAST_TOLERANCE
+        factor = 10.0**-times if self.relative_tolerance >= _ROOM * least else 10.0
+        less = 2.0 ** (-times * one.order) if one and not one.adaptive else factor
+        changed = self.model_copy(update={
+            "relative_tolerance": max(self.relative_tolerance * factor, least), "step": self.step / 2**times,
+            "absolute_tolerance": self.absolute_tolerance * factor, "max_steps": 4**times * self.max_steps,
+        })  # fmt: skip
+        return changed, 1.0 / (1.0 - less) if less < 1 else 1.0
+
+    def quick(self) -> Self:
+        """The settings of a run that is compared with this one, to a hundredth of a larger difference."""
+        loose = {name: 100 * getattr(self, name) for name in ("relative_tolerance", "absolute_tolerance")}
+        return self.model_copy(update={name: min(value, 1e-5) for name, value in loose.items()})
 
     def chosen(self, method: str) -> Self:
         """The settings with the integrator that is taken, and with its own tolerances where none are given."""

@@ -186,10 +186,6 @@ def _arrays(payload: bytes) -> Record:
     return record
 
 
-_GROWING = ("samples", "errors_out")
-"""Arrays of which each record holds what is new."""
-
-
 class RunJournal:
     """Keeps memory, state and the samples since the last record, every ``seconds`` of computing."""
 
@@ -206,9 +202,9 @@ class RunJournal:
         records = read_checkpoint(self.path, self.identity).records
         if not records:
             return None
-        whole = {name: np.concatenate([record[name] for record in records]) for name in _GROWING}
-        self._kept_samples = len(whole["samples"])
-        return {**records[-1], **whole}
+        samples = np.concatenate([record["samples"] for record in records])
+        self._kept_samples = len(samples)
+        return {**records[-1], "samples": samples}
 
     def keep(self, record: Record, *, last: bool = False, now: bool = False) -> None:
         """Keep the progress when the last record is old enough; the ``last`` one of any run that was not short.
@@ -218,7 +214,7 @@ class RunJournal:
         if not now and clock.monotonic() - (self._began if last else self._last) < self.seconds:
             return
         self._writer = self._writer or CheckpointWriter(self.path, self.identity)
-        self._writer.append(record | {name: record[name][self._kept_samples :] for name in _GROWING})
+        self._writer.append(record | {"samples": record["samples"][self._kept_samples :]})
         self._kept_samples = len(record["samples"])
         self._last = clock.monotonic()
 

@@ -11,7 +11,8 @@ from tmodes.io.filipovic2010 import importer
 from tmodes.io.filipovic2010.format import FORMAT, PLANT, Format2010
 from tmodes.sheet import SHEET_FORMAT, Robot
 
-__all__ = ["F2010", "ROBOT", "Form", "editor_schema", "form_of", "json_schema", "own_path", "robot_path", "with_reach"]
+__all__ = ["F2010", "ROBOT", "SHORTHANDS", "Form", "editor_schema", "form_of", "json_schema", "own_path", "robot_path"]
+__all__ += ["with_reach"]
 
 
 @dataclass(frozen=True)

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import copy
 import math
+from collections import ChainMap
 from collections.abc import Iterator, Mapping
-from itertools import islice
+from itertools import groupby, islice
 from typing import Any
 
 from pydantic import ValidationError
@@ -14,6 +15,7 @@ from tmodes.errors import InputError, InputErrors
 from tmodes.io.filipovic2010.importer import robot_data
 from tmodes.io.forms import F2010, ROBOT, Form, form_of, own_path, with_reach
 from tmodes.io.sheet_fields import ChainPlace, Step, named, place_of, quantities
+from tmodes.io.sheet_groups import is_grouped, single_changes
 from tmodes.io.sheet_paths import changed_places, entered, steps_of
 from tmodes.io.sheet_problems import AS_LIST, MOST_REPORTED, SHEET, Problem, sheet_problems
 from tmodes.io.sheet_words import at
@@ -73,8 +75,15 @@ def sheet_data(robot: Robot) -> dict[str, Any]:
 
 
 def changed_robot(robot: Robot, changes: Mapping[str, Any]) -> Robot:
-    """The checked robot with changes by path; see :func:`tmodes.io.sheet_paths.changed_places`."""
-    return sheet_from_data(changed_places(sheet_data(robot), changes)[0])
+    """The checked robot with changes by path; see :mod:`tmodes.io.sheet_paths`, for groups :mod:`.sheet_groups`."""
+    if not isinstance(changes, Mapping) or not any(map(is_grouped, changes)):
+        return sheet_from_data(changed_places(sheet_data(robot), changes)[0])
+    for grouped, part in groupby(changes.items(), lambda change: is_grouped(change[0])):
+        for one in [[each] for each in part] if grouped else [[*part]]:
+            data = sheet_data(robot)
+            single = [single_changes(path, value, data) for path, value in one]
+            robot = sheet_from_data(changed_places(data, dict(ChainMap(*reversed(single))))[0])
+    return robot
 
 
 def real_robot(robot: Robot) -> Robot:

@@ -13,11 +13,11 @@ from typing import Any, get_args, get_origin
 from tmodes.errors import InputError
 from tmodes.io.forms import ROBOT, form_of, own_path, robot_path, with_reach
 from tmodes.io.sheet_fields import ChainPlace, Step, chosen, inside, keys, named, quantities, root_of
-from tmodes.io.sheet_words import at, fields, is_group, members_of
+from tmodes.io.sheet_words import at
 from tmodes.io.words import nearest, plain, shown
 from tmodes.kinds.links.material import LIBRARY
 
-__all__ = ["changed_places", "entered", "later_changes", "steps_of"]
+__all__ = ["changed_places", "entered", "expanded", "steps_of"]
 
 LONGEST = 500
 MOST_LISTED = 20
@@ -55,21 +55,6 @@ def _plain_value(value: Any) -> Any:
     return listed() if listed and not isinstance(value, type) else copy.deepcopy(value)
 
 
-def later_changes(data: Mapping[str, Any], changes: Mapping[str, Any]) -> dict[str, Any]:
-    """Those of the changes that name a place of the robot, where the sheet is of another format."""
-    form = form_of(data)
-    if form is ROBOT:
-        return {}
-    own, others = fields(form.root), keys(ROBOT.root)
-
-    def is_later(path: str) -> bool:
-        word, _, inner = path.removeprefix("real.").partition(".")
-        plain_there = word in own and not any(map(is_group, members_of(own[word].annotation)))
-        return word in others and (word not in own or (bool(inner) and plain_there))
-
-    return {path: value for path, value in changes.items() if is_later(str(path))}
-
-
 def _switch_contact(data: dict[str, Any], on: bool) -> None:
     """Switch a contact on or off; its numbers stay in the sheet."""
     here, there = ("contact", "contact_off") if on else ("contact_off", "contact")
@@ -84,7 +69,7 @@ def entered(data: Any, steps: Sequence[Step], path: str) -> Any:
     """What stands at steps of plain data. Groups that are left out are added; a material's name gives its numbers."""
     inner = data
     for step in steps:
-        value = _expanded(at(inner, step), [step])
+        value = expanded(at(inner, step), [step])
         if value is None:
             value = {}
         if not isinstance(inner, (dict, list)):
@@ -105,7 +90,7 @@ def steps_of(path: str, data: Any) -> list[Step]:
     while words:
         step, used = _step(value, words, place)
         where = ".".join(words[:used])
-        group = _expanded(value, steps)
+        group = expanded(value, steps)
         inner = inside(place, step, group, [*steps, step], data) if place else None
         if inner is None:
             raise _unknown(path, steps, (where, *words[used:]), value, place, data)
@@ -114,7 +99,7 @@ def steps_of(path: str, data: Any) -> list[Step]:
     return steps
 
 
-def _expanded(value: Any, steps: Sequence[Step]) -> Any:
+def expanded(value: Any, steps: Sequence[Step]) -> Any:
     """The numbers of a material that is given by name."""
     if isinstance(value, str) and steps and steps[-1] == "material" and value in LIBRARY:
         return LIBRARY[value].model_dump(mode="json", exclude_none=True)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping
 from itertools import islice
 from typing import Any
@@ -15,6 +16,7 @@ from tmodes.io.sheet_fields import ChainPlace, Step, chosen, inside, keys, named
 from tmodes.io.sheet_words import at, is_group, kind_of
 from tmodes.io.words import nearest, shown
 from tmodes.kinds.schema.quantity import LARGEST
+from tmodes.sheet.checks import command_issue
 
 __all__ = ["AS_LIST", "Problem", "sheet_problems"]
 
@@ -125,11 +127,27 @@ def _missing(steps: tuple[Step, ...], data: Any) -> InputError:
     expected = place.expected if place else "a value"
     if place and place.info and place.info.description:
         expected += f": {place.meaning}"
-    words = place.choices if place else []
+    words = _possible(place.choices, steps, data) if place else []
     lines = " or ".join(f"`{steps[-1]}: {choice}`" for choice in words or ["..."]) if steps else ""
     group = own_path(named(steps[:-1], data), data)
     inside = f" inside `{group}`" if group else ""
     return InputError("", "nothing", expected, f"add the line {lines}{inside}" if lines else "add it")
+
+
+def _possible(choices: list[str], steps: tuple[Step, ...], data: Any) -> list[str]:
+    """Of the choices those that fit the rest of the sheet: a drive's commands are those that its joint can take."""
+    match steps:
+        case ["drives", int(index), "command"]:
+            joints, name = at(data, "joints"), at(data, "drives", index, "joint")
+            joint = next((one for one in joints if at(one, "name") == name), {}) if isinstance(joints, list) else {}
+            has = {
+                "motor": at(joint, "motor") is not None,
+                "electric": at(joint, "motor", "resistance") is not None,
+                "elastic": at(joint, "gear", "stiffness") not in (None, math.inf, ".inf"),
+            }
+            return [choice for choice in choices if not joint or command_issue(choice, **has) is None]
+        case _:
+            return choices
 
 
 def _kind(steps: tuple[Step, ...], data: Any) -> Problem:

@@ -7,7 +7,7 @@ misspelt is not. Format: http://wiki.ros.org/urdf/XML.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -55,9 +55,10 @@ class _Reading:
     errors: list[InputError] = field(default_factory=list)
     impossible: dict[str, ImpossibleBodyError] = field(default_factory=dict)
 
-    def refuse(self) -> None:
+    def refuse(self, further: Iterable[InputError] = ()) -> None:
+        """Raise what is wrong, and where anything is, what else may be, from the first line on."""
         if self.errors:
-            raise InputErrors(self.errors[:MOST_ERRORS])
+            raise InputErrors(sorted([*self.errors, *further], key=_line)[:MOST_ERRORS])
 
 
 def read_urdf(
@@ -90,7 +91,7 @@ def urdf_robot(
         _tried(reading, _read, element, reading)
     if not reading.links and not reading.errors:
         reading.errors.append(robot.fault("the robot", "no link", "made of links and joints", "add <link> and <joint>"))
-    reading.refuse()
+    reading.refuse(reading.impossible.values())  # which of these links stand still is not known yet
     tree = tree_of(robot, reading.links, list(reading.joints.values()))
     notices = list(_made_possible(reading, _standing(tree), fix_inertia=fix_inertia))
     reading.errors.extend(massless(tree, reading.links, reading.bodies, weighed))
@@ -134,6 +135,12 @@ def _read(element: Element, reading: _Reading) -> None:
         first = reading.joints.get(joint.name)
         _refuse_second(joint.name, "joint", element, first.element if first else None)
         reading.joints[joint.name] = joint
+
+
+def _line(error: InputError) -> int:
+    """The line of the file in which it is; 0 where it has none."""
+    line = error.where.rpartition(":")[2]
+    return int(line) if line.isdecimal() else 0
 
 
 def _standing(tree: Tree) -> set[str]:

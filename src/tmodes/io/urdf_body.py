@@ -90,7 +90,9 @@ def _mass(inertial: Element, which: str) -> float:
     mass = element.number("value", f"{which}: mass")
     if mass < 0.0:
         hint = "correct the sign, or remove <inertial> from a link that is only a frame"
-        raise element.fault(f"{which}: mass", f"{mass:g}", "a mass greater than 0 [kg]", hint)
+        raise ImpossibleBodyError.of(
+            element.fault(f"{which}: mass", f"{mass:g}", "a mass greater than 0 [kg]", hint), None
+        )
     return mass
 
 

@@ -19,6 +19,7 @@ from tmodes.live.places import evenly, joint_limits, lines_info, load_places, vi
 from tmodes.live.template import sheet_template
 from tmodes.model.model import Model
 from tmodes.result import Result
+from tmodes.result.end_modes import held_at
 from tmodes.sheet import Robot, RobotPair
 from tmodes.simulation.loop import LoopModel
 from tmodes.simulation.plan import Follow, planned, starts_at_rest
@@ -58,8 +59,11 @@ def live_bundle(result: Result) -> dict[str, Any] | None:
     settings = pair.real.integration
     places = load_places(pair.real.chain(), settings.line_points)
     stations = tuple(places[evenly(len(places), _MOST_STATIONS)].tolist())
-    compared, surfaces = "tip_reference" in result.data, _with_surfaces(result)
-    own = mechanics(pair, stations, method, compared=compared, surfaces=surfaces)
+    compared, surfaces = "tip_nominal" in result.data, _with_surfaces(result)
+    place = dict(zip(map(str, result.data["coordinate"].values), result.data["q"].values[-1].tolist(), strict=True))
+    ended = held_at(pair.real, float(result.data["time"].values[-1]), place)
+    own = mechanics(pair, ended, stations, method, compared=compared, surfaces=surfaces)
+    own["commanded"] = compared and "tip_commanded" in result.data
     return {**_common(result, pair, live_map(pair, stations), method), **own, "stations": np.array(stations)}
 
 
@@ -107,11 +111,18 @@ def why_not_mechanics(robot: Robot) -> str:
 
 
 def mechanics(
-    pair: RobotPair, stations: tuple[float, ...], method: str, *, compared: bool, surfaces: Sequence[str] = ()
+    pair: RobotPair,
+    ended: Robot,
+    stations: tuple[float, ...],
+    method: str,
+    *,
+    compared: bool,
+    surfaces: Sequence[str] = (),
 ) -> dict[str, Any]:
     """All of it. Arrays are in SI units, coordinates in their order.
 
-    ``compared``: whether there is a reference run; ``surfaces``: links that have one, shown though they be a point.
+    ``ended``: the actual robot held where its run ends; ``compared``: whether there is a reference run;
+    ``surfaces``: links that have one, shown though they be a point.
     """
     functions = ModelFunctions(pair, stations, tuple(load_places(pair.real.chain(), pair.real.integration.line_points)))
     module = live_module(functions, [method], slopes=False)
@@ -138,7 +149,7 @@ def mechanics(
         "contactPoint": -1 if real.planned.plan.touch is None else real.planned.plan.touch.point,
         "electric": any(n.joint.motor and n.joint.motor.resistance is not None for n in model.chain.nodes),
         "setpoints": [k for k, drive in enumerate(real.planned.plan.drives) if drive.joint in _positioned(pair)],
-        **vibrations_info(pair.real, real.planned.plan, model),
+        **vibrations_info(pair.real, ended, real.planned.plan, model),
     }
 
 
@@ -157,6 +168,11 @@ def _run(setup: RunSetup) -> dict[str, Any]:
         "info": [names.index(name) for name in info.coordinates],
         "exact": [
             [driver.coordinate, driver.plan.signal] for driver in setup.model.loop.drivers if driver.plan.servo is None
+        ],
+        "commanded": [
+            [driver.coordinate, driver.plan.signal]
+            for driver in setup.model.loop.drivers
+            if driver.plan.joint in {drive.joint for drive in setup.robot.drives if drive.command.is_motion}
         ],
         "signals": len(setup.planned.each),
         "moving": [k for k in range(len(setup.planned.each)) if k not in plan.aside],

@@ -29,7 +29,7 @@ _LONGEST_MOVE = 2.5
 
 _NO_EFFECT = "it changes nothing in this run"
 _NOT_COMPARED = (
-    "a real robot with factors of its own is compared with the robot as known, and this run has no reference run to "
+    "an actual robot with factors of its own is compared with the nominal one, and this run has no nominal run to "
     "compare with; set them in the data sheet and simulate it by `tmodes run`"
 )
 

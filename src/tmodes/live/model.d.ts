@@ -16,8 +16,6 @@ export interface RunResult {
   message: string;
   times: Float64Array; // [n] s
   states: Float64Array; // [n, size], row by row
-  /** Sums of the sizes of the local errors [n, size]; zeros of methods that do not estimate them. */
-  errors: Float64Array;
   statistics: Record<string, number | string | null>;
 }
 

@@ -127,10 +127,13 @@ def vibration_numbers(robot: Robot, plan: LoopPlan, model: Model) -> dict[str, A
     }
 
 
-def vibrations_info(robot: Robot, plan: LoopPlan, model: Model) -> dict[str, Any]:
-    """What ``ArmBundle`` of ``web/src/live/bundle.ts`` holds of them; ``model`` as the run has it."""
+def vibrations_info(robot: Robot, ended: Robot, plan: LoopPlan, model: Model) -> dict[str, Any]:
+    """What ``ArmBundle`` of ``web/src/live/bundle.ts`` holds of them; ``model`` as the run has it.
+
+    ``ended``: the robot held where its run ends.
+    """
     point = [] if plan.touch is None else [plan.touch.point]
-    modes, why = _modes(robot, model)
+    modes, why = _modes(robot, ended, model)
     return {
         "loads": [{"point": load.point, "follower": load.follower, "signal": load.signal} for load in plan.loads],
         "touch": _surface(robot.contact, *point) if robot.contact and point else None,
@@ -143,7 +146,7 @@ def vibrations_info(robot: Robot, plan: LoopPlan, model: Model) -> dict[str, Any
     }  # fmt: skip
 
 
-def _modes(robot: Robot, model: Model) -> tuple[dict[str, Any] | None, str]:
+def _modes(robot: Robot, ended: Robot, model: Model) -> tuple[dict[str, Any] | None, str]:
     """``ArmModes``, or why there are none."""
     if robot.contact and robot.contact.spring() is None:
         law = robot.contact.name_of_kind()
@@ -163,6 +166,7 @@ def _modes(robot: Robot, model: Model) -> tuple[dict[str, Any] | None, str]:
     springs += [{"element": name, "rows": rows, "gear": False} for name, rows in links.items()]
     return {
         "rest": rest.q,
+        "end": _end(ended),
         "free": rest.free.tolist(),
         "weight": rest.model.at_rest(),
         "cases": _cases(rest, servos),
@@ -172,6 +176,14 @@ def _modes(robot: Robot, model: Model) -> tuple[dict[str, Any] | None, str]:
         "springs": springs,
         "dry": _dry(Model(robot.model_copy(update={"drives": ()}).chain())),
     }, ""  # fmt: skip
+
+
+def _end(ended: Robot) -> Array | None:
+    """Where it rests in the end; None where it does not."""
+    try:
+        return robot_rest(ended).q
+    except SimulationError:
+        return None
 
 
 def _cases(rest: Equilibrium, servos: dict[str, Any]) -> list[dict[str, Any]]:

@@ -7,16 +7,14 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from tmodes.errors import InputError
 from tmodes.io.sheet_check import sheet_data
-from tmodes.io.sheet_fields import ChainPlace, Step, named, place_of, quantities
-from tmodes.io.sheet_paths import steps_of
-from tmodes.io.sheet_words import at
+from tmodes.io.sheet_fields import ChainPlace, Step, place_of, quantities
+from tmodes.io.sheet_groups import path_of
 from tmodes.kinds.links.material import LIBRARY
 from tmodes.kinds.schema.quantity import LARGEST
 from tmodes.sheet import Robot
 
-__all__ = ["SheetNumber", "real_entry", "sheet_numbers"]
+__all__ = ["SheetNumber", "sheet_numbers"]
 
 
 @dataclass(frozen=True)
@@ -50,28 +48,9 @@ def sheet_numbers(sheet: Robot) -> Iterator[SheetNumber]:
             yield _number(data, steps, place, float(value))
 
 
-def real_entry(sheet: Robot, path: str) -> tuple[str | None, float]:
-    """Path in ``real`` at which the factor on a number stands, or would stand, and the factor.
-
-    The path is None where several factors act on it, or one that acts on others as well.
-    """
-    data = sheet_data(sheet)
-    steps = steps_of(path, data)
-    info = [(other, steps_of(other, data)) for other in sheet.real]
-    acting = [(other, own) for other, own in info if steps[: len(own)] == own]
-    if not acting:
-        return path, 1.0
-    (first, own), *others = acting
-    shared = bool(others) or (len(own) < len(steps) and len(at(data, *own)) > 1)
-    return None if shared else first, math.prod(sheet.real[other] for other, _ in acting)
-
-
 def _number(data: Any, steps: tuple[Step, ...], place: ChainPlace, value: float) -> SheetNumber:
     kind = ".".join("*" if isinstance(step, int) else step for step in steps)
-    own = ".".join(map(str, steps))
-    path = named(steps, data)
-    if not _leads_to(path, steps, data):
-        path = own
+    path = path_of(steps, data)
     head = data[steps[0]][steps[1]] if len(steps) > 1 and isinstance(steps[1], int) else {}
     owner = str(head.get("name") or head.get("joint") or "") if isinstance(head, dict) else ""
     bounds = _bounds(place.info.metadata if place.info else ())
@@ -79,14 +58,6 @@ def _number(data: Any, steps: tuple[Step, ...], place: ChainPlace, value: float)
     return SheetNumber(
         path, kind, owner, value, found.unit or "-", str(place.extra.get("symbol", "")), place.meaning, *bounds
     )
-
-
-def _leads_to(path: str, steps: Sequence[Step], data: Any) -> bool:
-    """Whether a path with names is understood, and means these steps."""
-    try:
-        return steps_of(path, data) == list(steps)
-    except InputError:
-        return False
 
 
 def _finite(value: Any) -> bool:

@@ -10,7 +10,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from tmodes.live.sheet_numbers import SheetNumber, real_entry, sheet_numbers
+from tmodes.io.sheet_check import sheet_data
+from tmodes.io.sheet_groups import group_path, real_entry
+from tmodes.live.sheet_numbers import SheetNumber, sheet_numbers
 from tmodes.sheet import Robot
 
 __all__ = ["MOST", "Knob", "Slider", "knobs_of", "sliders_of", "stretched_length"]
@@ -157,7 +159,8 @@ def _knobs(sheet: Robot, group: Sequence[SheetNumber], rule: _Rule) -> Iterator[
 
 
 def _knob(sheet: Robot, group: Sequence[SheetNumber], span: tuple[float, float, float], log: bool) -> Knob:
-    entries = [real_entry(sheet, number.path) for number in group]
+    data = sheet_data(sheet)
+    entries = [real_entry(data, number.path) for number in group]
     reals, factors = [path for path, _ in entries if path], {factor for _, factor in entries}
     common = factors.pop() if len(factors) == 1 else None
     targets = tuple((number.path, number.value) for number in group)
@@ -199,13 +202,15 @@ def sliders_of(sheet: Any, knobs: Sequence[Knob], most: int = MOST, *, factors: 
 
     Without ``factors`` all are as known.
     """
-    info = {number.path: number for number in sheet_numbers(sheet)}
+    info, data = {number.path: number for number in sheet_numbers(sheet)}, sheet_data(sheet)
     found: list[Slider] = []
     for index, knob in enumerate(knobs):
         number = info[knob.targets[0][0]]
         rule = next(rule for rule in _RULES if re.fullmatch(rule.pattern, knob.pattern))
         label = rule.words.format("xyz"[int(number.path[-1])] if "{" in rule.words else "") or _label(number, knob)
-        path, unit = (knob.pattern, "-") if knob.together else (number.path, number.unit)
+        path, unit = number.path, number.unit
+        if knob.together:
+            path, unit = group_path(knob.pattern, [own for own, _ in knob.targets], data), "-"
         shown = f"{label}: times the sheet's" if knob.together else label
         own = (path, shown, number.symbol, unit, rule.group, knob.start, knob.low, knob.high, knob.log)
         found.append(Slider(index, False, *own))

@@ -22,7 +22,7 @@ from tmodes.live.functions import LiveModule, ModelFunctions, engine_settings, l
 from tmodes.live.map import live_map
 from tmodes.sheet import Robot, RobotPair
 from tmodes.simulation.plan import Follow
-from tmodes.simulation.start import run_setup
+from tmodes.simulation.start import RunSetup, run_setup
 
 __all__ = ["Exported", "exported"]
 
@@ -73,13 +73,13 @@ def _described(robot: Robot) -> tuple[LiveModule, dict[str, Any]]:
             moved = run_setup(which, follow)
             runs[name] = _run(moved.planned.schedule, moved.start, which.integration)
     base = functions.passes["chain"].at_rest(gravity=0.0)
-    info = _settings(pair.real.integration, setup.spectrum.highest)
+    info = _settings(pair.real.integration, setup)
     info |= {"runs": runs, "base": base.tolist()} | _named(pair, [*runs])
     return live_module(functions, [info["method"]], slopes=False), info
 
 
-def _settings(given: Integration, highest: float) -> dict[str, Any]:
-    method, _ = chosen_method(given, highest)
+def _settings(given: Integration, setup: RunSetup) -> dict[str, Any]:
+    method, _ = chosen_method(given, setup.spectrum.highest, setup.implicit)
     chosen = given.chosen(method)
     return {"method": method, "outputStep": chosen.output_step, "settings": engine_settings(chosen)}
 

@@ -16,7 +16,7 @@ __all__ = ["charts_of", "contact_parts", "drafts_of", "energy_charts", "tip_char
 _TOGETHER = 6
 """Coordinates or joints in one chart, at most."""
 
-_PARTS = {"real": "", "reference": "_reference", "stationary": "_stationary", "oscillatory": "_oscillatory"}
+_PARTS = {"real": "", "reference": "_nominal", "stationary": "_stationary", "oscillatory": "_oscillatory"}
 
 
 def charts_of(results: Sequence[Result]) -> list[list[dict[str, Any]]]:
@@ -45,8 +45,8 @@ def _contact(data: Any) -> Iterator[Draft]:
         return
     time = data["time"].values
     lines = [line_of(data, ("contact_force_normal", 0), "normal", "real")]
-    if "contact_force_normal_reference" in data:
-        lines.append(line_of(data, ("contact_force_normal_reference", 0), "normal", "reference"))
+    if "contact_force_normal_nominal" in data:
+        lines.append(line_of(data, ("contact_force_normal_nominal", 0), "normal", "reference"))
     yield Draft("contact_normal", "Normal contact force", "contact", "N", time, tuple(lines))
     yield contact_parts(data, "Contact force, by the point on the surface")
     deep = (line_of(data, ("penetration", 0), "penetration", "real"),)
@@ -161,24 +161,22 @@ def _gear_torque(data: Any, k: int, drive: str) -> tuple[Line, ...]:
     line = line_of(data, ("gear_torque", k), drive, "real")
     if not np.any(line.values):
         return ()
-    if "gear_torque_reference" not in data:
+    if "gear_torque_nominal" not in data:
         return (line,)
-    return line, line_of(data, ("gear_torque_reference", k), drive, "reference", shown=False)
+    return line, line_of(data, ("gear_torque_nominal", k), drive, "reference", shown=False)
 
 
 def tip_charts(data: Any) -> Iterator[Draft]:
     """How far the tip is from the nominal one (where there is a reference run), and where both are."""
-    time, planned = data["time"].values, "tip_reference" in data
+    time, planned = data["time"].values, "tip_nominal" in data
     if planned:
-        parts = [
-            line_of(data, ("tip", k), f"Δ{axis}", "real", less=("tip_reference", k)) for k, axis in enumerate("xyz")
-        ]
+        parts = [line_of(data, ("tip", k), f"Δ{axis}", "real", less=("tip_nominal", k)) for k, axis in enumerate("xyz")]
         lines = (line_of(data, ("deviation", 0), "distance", "real"), *parts)
         yield Draft("tip_deviation", "Tip, actual − nominal", "tip", "m", time, lines, "offered")
     for k, axis in enumerate("xyz"):
         lines = (line_of(data, ("tip", k), axis, "real"),)
         if planned:
-            lines += (line_of(data, ("tip_reference", k), axis, "reference"),)
+            lines += (line_of(data, ("tip_nominal", k), axis, "reference"),)
         yield Draft(f"tip_{axis}", f"Tip {axis}", "tip", "m", time, lines)
 
 

@@ -149,18 +149,22 @@ def _spectra(result: Result, part: Any, units: Sequence[str]) -> Iterator[Draft]
     if part.sizes["time"] < LEAST_SAMPLES:
         return
     marks = own_frequencies(result)
-    named = "actual minus nominal" if "tip_reference" in part else "place"
-    yield from spectrum_draft("spectrum_tip", f"Spectrum of the tip, {named}", "m", part, _tip(part), marks)
+    for which, path in (("actual", "tip"), ("nominal", "tip_nominal")):
+        if path in part:
+            name, own = "spectrum_tip" if which == "actual" else "spectrum_tip_nominal", marks[which]
+            yield from spectrum_draft(name, f"Spectrum of the {which} tip", "m", part, _tip(part, path), own)
     turning = [k for k, unit in enumerate(units) if unit == "rad"]
     names = [str(part["deformation_kind"].values[k]) for k in turning]
     lines = [line_of(part, ("deformation", k), name, "real") for k, name in zip(turning, names, strict=True)]
-    yield from spectrum_draft("spectrum_deformations", "Spectrum of the deformations", "rad", part, lines, marks)
+    own = marks["actual"]
+    yield from spectrum_draft("spectrum_deformations", "Spectrum of the deformations", "rad", part, lines, own)
 
 
-def _tip(part: Any) -> list[Line]:
-    if "tip_reference" not in part:
-        return [line_of(part, ("tip", k), axis, "real") for k, axis in enumerate("xyz")]
-    return [line_of(part, ("tip", k), f"Δ{axis}", "real", less=("tip_reference", k)) for k, axis in enumerate("xyz")]
+def _tip(part: Any, path: str) -> list[Line]:
+    """The coordinates of a tip, less the commanded ones where there are some: these do not ring."""
+    if "tip_commanded" not in part:
+        return [line_of(part, (path, k), axis, "real") for k, axis in enumerate("xyz")]
+    return [line_of(part, (path, k), f"Δ{axis}", "real", less=("tip_commanded", k)) for k, axis in enumerate("xyz")]
 
 
 def spectrum_draft(
@@ -190,9 +194,11 @@ def _most(lines: Sequence[Line]) -> list[Line]:
     return [lines[k] for k in sorted(ranked) if swings[k] > _NOTHING * largest]
 
 
-def own_frequencies(result: Result) -> list[tuple[float, str]]:
-    """The damped natural frequencies [Hz], under control where the robot is controlled, with the dominant element."""
-    modes = result.frequencies
-    info = modes.get("controlled") or modes.get("locked") or []
-    ringing = [(mode["damped_frequency_Hz"], mode) for mode in info if mode["damping_ratio"] < NO_PEAK]
-    return sorted((float(f), str(mode["element"])) for f, mode in ringing if f)
+def own_frequencies(result: Result) -> dict[str, list[tuple[float, str]]]:
+    """Damped frequencies [Hz] about the pose at the end, with the dominant element, of ``actual`` and ``nominal``."""
+
+    def ringing(modes: list[dict[str, Any]]) -> list[tuple[float, str]]:
+        seen = [(mode["damped_frequency_Hz"], mode) for mode in modes if mode["damping_ratio"] < NO_PEAK]
+        return sorted((float(f), str(mode["element"])) for f, mode in seen if f)
+
+    return {which: ringing(result.end_frequencies.get(which, [])) for which in ("actual", "nominal")}

@@ -12,6 +12,7 @@ from tmodes.analysis.validity import yield_strength
 from tmodes.plot.facts import drive_unit, effort_unit, names_of
 from tmodes.report.markup import Markup, tag, written
 from tmodes.result import Result
+from tmodes.result.paths import largest_elements
 from tmodes.result.summary import mean_over_time
 from tmodes.sheet import Robot
 
@@ -47,6 +48,12 @@ def tracking_facts(summary: dict[str, Any], data: Any) -> Iterator[Fact]:
     for which, one in summary["tip_error"].items():
         parts = ", ".join(f"{written(value, 'm')} {name}" for name, value in one["parts_m"].items() if value)
         note = f"{parts}; at {one['time_of_max_s']:.3g} s; {written(one['end_m'], 'm')} at the end of the run"
+        elements = largest_elements(one)
+        if len(elements) > 1:
+            note += "; by element " + ", ".join(f"{written(value, 'm')} {name}" for name, value in elements)
+        if environment := one.get("environment_m"):
+            by = ", ".join(f"{written(value, 'm')} of {name}" for name, value in environment.items())
+            note += f"; by the contact, by statics, {by}"
         yield Fact(f"tip_error.{which}", f"Error of the tip to {which}, by cause", one["max_m"], "m", note)
     if deviation := summary["deviation"]:
         note = f"at {deviation['time_of_max_s']:.3g} s; {written(deviation['end_m'], 'm')} at the end of the run"
@@ -69,16 +76,20 @@ def _settling(known: dict[str, Any]) -> Fact:
 def vibration_fact(which: str, known: dict[str, Any]) -> Fact:
     """Amplitude of the ``actual`` or ``nominal`` tip at the end of the move, about its slowly moving mean [m]."""
     own = "vibration.residual" if which == "actual" else f"vibration.{which}"
-    modes = [f"{written(mode['amplitude_m'], 'm')} at {mode['frequency_Hz']:.3g} Hz" for mode in known["modes"][:3]]
+    modes = [
+        f"{written(mode['amplitude_m'], 'm')} at {mode['frequency_Hz']:.3g} Hz"
+        + (f" ({name})" if (name := mode.get("element")) else "")
+        for mode in known["modes"][:3]
+    ]
     note = known["reason"] or ", ".join(modes) or "no mode rings"
     return Fact(own, f"Residual vibration of the tip, {which}", known["amplitude_m"], "m", note)
 
 
 def frequency_facts(known: dict[str, float | None]) -> Iterator[Fact]:
-    """The lowest frequency that rings under control, where there is one."""
+    """The natural frequency of the lowest mode that rings under control, where there is one."""
     if known["controlled"] is not None:
         locked = "" if known["locked"] is None else f"{known['locked']:.4g} Hz with the motors locked"
-        yield Fact("frequency.first", "First frequency, controlled", known["controlled"], "Hz", locked)
+        yield Fact("frequency.first", "First natural frequency, controlled", known["controlled"], "Hz", locked)
 
 
 def energy_facts(known: dict[str, Any]) -> Iterator[Fact]:

@@ -78,7 +78,11 @@ def _count(number: int, thing: str) -> str:
 def _numbers(result: Result) -> Markup:
     info = result.summary()
     where = "about the equilibrium under gravity and loads"
-    note = f"The lowest frequencies {where}: under control as in this run, with motors locked, and with motors free."
+    note = (
+        f"The lowest frequencies {where}: under control as in this run, with motors locked, and with motors free. "
+        "Damped frequency and damping are of the pole p, an eigenvalue of mass, damping, stiffness and controllers: "
+        "Im p/2π and −Re p/|p|; the natural one is of mass and stiffness alone, of what rings under control |p|/2π."
+    )
     return section(
         "numbers",
         tag("div", fact_list(facts_of(result)), class_="unprogrammed"),
@@ -86,8 +90,8 @@ def _numbers(result: Result) -> Markup:
         tag("h3", "Frequencies"),
         tag("p", note, class_="note"),
         frequency_tables(result.frequencies),
-        tag("h3", "Error of the integration"),
-        error_table(info["error"]),
+        tag("h3", "Errors"),
+        error_table(info["error"], info["model_error"]),
     )
 
 
@@ -144,7 +148,7 @@ _ROUNDING = 1e-12
 
 
 def frequency_tables(frequencies: dict[str, list[dict[str, Any]]]) -> Markup:
-    """Natural and damped frequencies, damping ratio and the dominant element of the lowest modes, per case."""
+    """Frequencies and damping ratios of the poles, and the dominant elements, of the lowest modes of each case."""
     tables = []
     for case, words in CASES.items():
         modes = sorted(frequencies.get(case, []), key=lambda mode: mode["frequency_Hz"])[:_MOST_MODES]
@@ -158,22 +162,29 @@ def frequency_tables(frequencies: dict[str, list[dict[str, Any]]]) -> Markup:
     return tag("div", *tables)
 
 
-def error_table(info: dict[str, Any] | None) -> Markup:
-    """The estimated error of the integration in each headline figure; None where it is not known."""
+def error_table(info: dict[str, Any] | None, model: dict[str, Any] | None = None) -> Markup:
+    """The estimated errors of the integration and of the link models in each number of the summary, where known."""
     if info is None:
         return tag("p", "The error of the integration was not estimated.", class_="note")
-    bound = "At most about" if "sum" in info["how"] else "Error"
-    rows = [_error_row(name, value) for name, value in info["figures"].items()]
-    return table(f"Error of the integration, by a {info['how']}", ("Number", f"{bound} [SI]"), rows, numeric=(1,))
+    figures = info["figures"].items()
+    rows = [_error_row(name, value, "≈" if name in info["approximate"] else "<") for name, value in figures]
+    head, how = ["Number", "Error [SI]"], f"Error of the integration, by {info['how']}"
+    if model:
+        head, how = [*head, "Of the link models [SI]"], f"{how}; of the link models, by a {model['how']}"
+        bounds = [model["figures"].get(name) for name in info["figures"]]
+        rows = [[*row, "–" if b is None else _error_row(name, b, "<")[1]]
+                for row, name, b in zip(rows, info["figures"], bounds, strict=True)]  # fmt: skip
+    caption = f"{how}: < holds in 99 % of runs, ≈ is an estimate"
+    return table(caption, tuple(head), rows, numeric=(1, 2)[: len(head) - 1])
 
 
-def _error_row(name: str, value: float) -> list[str]:
+def _error_row(name: str, value: float, sign: str) -> list[str]:
     """``links.rod.deflection.max_m`` with words and unit apart."""
     place, _, last = name.rpartition(".")
     words, _, unit = last.rpartition("_")
     words, unit = (words, pretty(_SI[unit])) if unit in _SI else (last, "")
     text = ", ".join(filter(None, [place, words])).replace("_", " ")
-    return [text, f"{power_of_ten(value)}\u00a0{unit}".rstrip("\u00a0")]
+    return [text, f"{sign if value else ''}\u00a0{power_of_ten(value)}\u00a0{unit}".strip("\u00a0")]
 
 
 def _joint_row(name: str, one: dict[str, Any]) -> list[str]:
@@ -191,7 +202,7 @@ def _link_row(name: str, link: dict[str, Any]) -> list[str]:
 
 
 def _coordinate_row(name: str, one: dict[str, Any]) -> list[str]:
-    unit, keys = "-" if one["unit"] == "1" else one["unit"], ("max_stationary", "max_oscillatory", "max_reference")
+    unit, keys = "-" if one["unit"] == "1" else one["unit"], ("max_stationary", "max_oscillatory", "max_nominal")
     parts = [written(one[key], unit) if key in one else "–" for key in keys]
     return [name, written(one["max"], unit), f"{one['time_of_max_s']:.3g}\u00a0s", *parts]
 
@@ -208,7 +219,7 @@ _TABLES: dict[str, tuple[str, str, tuple[str, ...], tuple[int, ...], Callable[[s
     ),
     "deformations": (
         "Elastic coordinates", "Elastic coordinates over the run",
-        ("Coordinate", "Largest", "at", "Quasi-static", "Oscillatory", "Reference"), (1, 2, 3, 4, 5), _coordinate_row,
+        ("Coordinate", "Largest", "at", "Quasi-static", "Oscillatory", "Nominal"), (1, 2, 3, 4, 5), _coordinate_row,
     ),
 }  # fmt: skip
 """By the part of a summary: title, caption, columns, the numeric ones, and a row from a name and its values."""

@@ -1,4 +1,4 @@
-"""A robot over time as a page shows it in space: links, those of reference and rigid robot, joints, contact."""
+"""A robot over time as a page shows it in space: links, those of nominal and rigid robot, joints, contact."""
 
 from __future__ import annotations
 
@@ -53,8 +53,8 @@ def scene_of(result: Result, frames: Frames | None = None) -> dict[str, Any]:
     parents = [nearest_drawn(model.chain, name, drawn) for name in names]
     _move_carriers(rigid, line, parents, len(drawn))
     base, planned = kept(rigid), [None, None]
-    if "q_reference" in data:
-        bent = _coordinates(data, "q_reference")
+    if "q_nominal" in data:
+        bent = _coordinates(data, "q_nominal")
         found = (lines_at(model, names, q, stations, stand)[0] for q in (bent, without_elasticity(model, bent)))
         planned = [displaced(line, rigid, base) for line in found]
     return _common(data, names, line, rigid) | {
@@ -75,7 +75,7 @@ def scene_of(result: Result, frames: Frames | None = None) -> dict[str, Any]:
 
 def _common(data: Any, names: list[str], line: Array, rigid: Array) -> dict[str, Any]:
     """What needs no robot."""
-    planned = data["tip_reference"].transpose("time", "axis").values if "tip_reference" in data else None
+    planned = data["tip_nominal"].transpose("time", "axis").values if "tip_nominal" in data else None
     return {
         "times": data["time"].values, "tip": data["tip"].transpose("time", "axis").values, "tipReference": planned,
         "colours": _colours(data, names, line, rigid),

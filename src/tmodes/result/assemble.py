@@ -19,10 +19,13 @@ from tmodes.analysis.quasistatic import elastic_names
 from tmodes.analysis.statics.steady import steady_rates
 from tmodes.errors import SimulationError
 from tmodes.io.sheet_plausible import implausible_numbers, reading_notices
+from tmodes.result.elements import element_errors
+from tmodes.result.end_modes import end_modes, with_elements
 from tmodes.result.errors import summary_errors
+from tmodes.result.model_errors import model_errors
 from tmodes.result.record import RESULT_FORMAT, STATUSES
 from tmodes.result.series import Variables, coordinates_of, line_series, motion_series
-from tmodes.result.settling import AfterMove, after_move, move_end, plain_vibration
+from tmodes.result.settling import BAND, AfterMove, after_move, move_end, plain_vibration
 from tmodes.sheet import Robot
 from tmodes.simulation.motion_run import RunData
 
@@ -106,18 +109,13 @@ class Assembly:
         return self._frequencies[0]
 
     @cached_property
-    def nominal_frequencies(self) -> dict[str, list[dict[str, Any]]]:
-        """The same of the nominal robot; none without a reference run, and where it cannot be at rest."""
-        reference = self.run.reference
-        if reference is None:
-            return {}
-        rest = reference.setup.rest
-        if rest and rest is self.run.setup.rest:
-            return self.frequencies
-        try:
-            return sheet_frequencies(self.known) if rest is None else frequencies_about(self.known, rest)
-        except SimulationError:
-            return {}
+    def end_frequencies(self) -> dict[str, list[dict[str, Any]]]:
+        """Modes about the pose at the end: of the ``actual`` robot as it runs, of the ``nominal`` with locked motors.
+
+        The motors of the nominal one are at their setpoints in its run.
+        """
+        found = {"actual": end_modes(self.run, "controlled", "locked")}
+        return found | ({"nominal": end_modes(self.run.reference, "locked")} if self.run.reference else {})
 
     @cached_property
     def _after(self) -> dict[str, AfterMove]:
@@ -128,19 +126,45 @@ class Assembly:
     @cached_property
     def settling(self) -> dict[str, Any]:
         """When the actual tip has settled to its own rest, by continuing the run."""
-        return self._after["actual"].settling()
+        return self.settled(BAND)
+
+    def settled(self, band: float) -> dict[str, Any]:
+        """The same with another band."""
+        return self._after["actual"].settling(band)
 
     @cached_property
     def vibration(self) -> dict[str, Any]:
         """The vibration of the ``actual`` and the ``nominal`` tip after the move, by mode."""
-        return {name: plain_vibration(after.vibration()) for name, after in self._after.items()}
+        found = {name: plain_vibration(after.vibration()) for name, after in self._after.items()}
+        return {name: with_elements(one, self.end_frequencies[name]) for name, one in found.items()}
+
+    @cached_property
+    def elements(self) -> dict[str, Any]:
+        """What each gear and link has of the largest error of the tip."""
+        return element_errors(self.run, self.count)
+
+    @property
+    def series(self) -> tuple[dict[str, NDArray[np.float64]], dict[str, list[str]]]:
+        """All series by name, and the labels along their dimensions that numbers of the summary are named by.
+
+        ``apart`` (n, 3) is what the tip is away from that of the reference [m].
+        """
+        lines, names, _ = self._lines
+        labels = names | {"deformation_kind": list(elastic_names(self.run.model)), "drive": list(self.run.drives)}
+        found = {name: info[1] for name, info in (self._motion | lines).items()}
+        if "tip_nominal" in found:
+            found["apart"] = found["tip"] - found["tip_nominal"]
+        return found, labels
 
     @cached_property
     def errors(self) -> dict[str, Any]:
         """The estimated errors of the numbers of the summary."""
-        variables, (lines, names, _) = self._motion, self._lines
-        labels = names | {"deformation_kind": list(elastic_names(self.run.model)), "drive": list(self.run.drives)}
-        return summary_errors(self.run, self.stations, variables | lines, labels)
+        return summary_errors(self.run, self.stations, *self.series)
+
+    @cached_property
+    def model_errors(self) -> dict[str, Any]:
+        """The estimated errors of the link models in the same numbers."""
+        return model_errors(self.run, self.stations, *self.series)
 
     @cached_property
     def warnings(self) -> list[str]:
@@ -153,12 +177,14 @@ class Assembly:
         status, message = self.ending
         kept: Mapping[str, Any] = {
             "frequencies": self.frequencies,
-            "nominal_frequencies": self.nominal_frequencies,
+            "end_frequencies": self.end_frequencies,
             "settling": self.settling,
             "vibration": self.vibration,
             "warnings": self.warnings,
             "errors": self.errors,
+            "model_errors": self.model_errors,
             "move_end": self.move_end,
+            "tip_error_elements": self.elements,
         }
         info = provenance(self.run, self.known) | {"status": status, "message": message}
         return info | {name: json.dumps(value) for name, value in kept.items()}
@@ -172,11 +198,11 @@ class Assembly:
 
 
 def ending(run: RunData) -> tuple[str, str]:
-    """Status and sentence of the whole run: its own, or that of the reference where that ended early."""
+    """Status and sentence of the whole run: its own, or that of the nominal run where that ended early."""
     planned_run = run.reference
     if planned_run is not None and planned_run.status != "finished":
-        return planned_run.status, f"reference: {planned_run.message}"
-    return run.status, run.message if run.status in STATUSES[:2] else f"real robot: {run.message}"
+        return planned_run.status, f"nominal run: {planned_run.message}"
+    return run.status, run.message if run.status in STATUSES[:2] else f"actual robot: {run.message}"
 
 
 def provenance(run: RunData, known: Robot) -> dict[str, Any]:

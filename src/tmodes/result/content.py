@@ -9,7 +9,7 @@ import json
 from collections.abc import Iterator
 from functools import cache
 from itertools import chain
-from typing import TYPE_CHECKING, Annotated, Any, get_type_hints
+from typing import TYPE_CHECKING, Annotated, Any, NotRequired, get_type_hints
 
 import numpy as np
 from pydantic import Field, FiniteFloat, TypeAdapter, ValidationError
@@ -42,15 +42,30 @@ class _Settling(TypedDict):
     reason: str
 
 
+class _Vibration(TypedDict):
+    """A mode of a residual vibration; of files of earlier versions without ``element``."""
+
+    frequency_Hz: FiniteFloat
+    damping_ratio: FiniteFloat
+    amplitude_m: FiniteFloat
+    element: NotRequired[str]
+
+
 class _Residual(TypedDict):
     amplitude_m: FiniteFloat | None
-    modes: list[dict[str, FiniteFloat]]
+    modes: list[_Vibration]
     reason: str
 
 
 class _Errors(TypedDict):
     how: str
     figures: dict[str, FiniteFloat]
+    approximate: NotRequired[list[str]]  # an earlier version had none
+
+
+class _Elements(TypedDict):
+    elements: dict[str, dict[str, FiniteFloat]]
+    environment: dict[str, FiniteFloat] | None
 
 
 _Group = dict[str, Any]
@@ -65,11 +80,13 @@ class _Attributes(TypedDict, total=False):
     statistics: _Group
     versions: dict[str, str]
     frequencies: dict[str, list[_Mode]]
-    nominal_frequencies: dict[str, list[_Mode]]
+    end_frequencies: dict[str, list[_Mode]]
+    tip_error_elements: dict[str, _Elements]
     warnings: list[str]
     settling: _Settling | None
     vibration: dict[str, _Residual]
     errors: _Errors | _Empty | None
+    model_errors: _Errors | _Empty | None
     move_end: FiniteFloat | None
     meshes: list[_Group]
 
@@ -97,15 +114,15 @@ _SERIES = {
 
 _REFERENCE = {
     "time": "deviation",
-    "time axis": "tip_reference",
-    "time coordinate": "q_reference v_reference",
-    "time deformation_kind": "deformation_reference",
-    "time drive": "gear_torque_reference",
+    "time axis": "tip_nominal",
+    "time coordinate": "q_nominal v_nominal",
+    "time deformation_kind": "deformation_nominal",
+    "time drive": "gear_torque_nominal",
 }
 """The same of a run with a reference, which has a deviation from it."""
 
 _SOMETIMES = {
-    "time": "contact_force_normal contact_force_normal_reference penetration",
+    "time": "contact_force_normal contact_force_normal_nominal penetration",
     "time axis": "contact_force tip_commanded",
     "time error_part axis": "tip_error tip_error_nominal",
     "time drive": "voltage current",
@@ -174,7 +191,7 @@ def _times(data: Dataset) -> Wrong:
 
 
 def _series(data: Dataset) -> Wrong:
-    asked = [(_SERIES, True), (_REFERENCE, "deviation" in data or "tip_reference" in data), (_SOMETIMES, False)]
+    asked = [(_SERIES, True), (_REFERENCE, "deviation" in data or "tip_nominal" in data), (_SOMETIMES, False)]
     for table, needed in asked:
         for dims, names in ((tuple(key.split()), names.split()) for key, names in table.items()):
             for name in names:

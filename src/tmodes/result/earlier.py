@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from tmodes.equations.loop.plan import WORKS
+from tmodes.equations.loop.layout import WORKS
 from tmodes.io.filipovic2010.importer import COORDINATES, to_robot
 from tmodes.io.sheet_check import sheet_from_data
 from tmodes.result.assemble import Assembly

@@ -1,115 +1,220 @@
-"""The estimated errors of the numbers of a run's summary: each is computed again from disturbed states."""
+"""The estimated integration error of each number of a run's summary, from a second run with finer steps."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.result.series import Variables, load_series, motion_series
+from tmodes.analysis.quasistatic import deflections
+from tmodes.integrate.registry import integrator
+from tmodes.result.series import load_series
 from tmodes.simulation.motion_run import RunData, gathered
 from tmodes.simulation.parts import Trajectory
+from tmodes.simulation.second_run import second_run
+from tmodes.simulation.start import RunSetup
 
-__all__ = ["summary_errors"]
+__all__ = ["Figure", "distances", "even_samples", "sampled", "summary_errors", "summary_figures"]
 
 Array = NDArray[np.float64]
 
 _MOST = 40
 """Deformations whose error is estimated, the largest ones."""
 
-_PATTERNS = 8
-"""Patterns of signs with which the sizes of errors are added."""
-
 _WINDOW, _WINDOW_SAMPLES = 0.03, 8
 """The window about an instant, to each side: as a share of the run, and samples in it."""
 
+_EVEN = 400
+"""Parts into which samples divide a whole run."""
 
-def summary_errors(run: RunData, stations: Array, variables: Variables, names: dict[str, Any]) -> dict[str, Any]:
-    """``how`` errors are estimated, and ``figures``: the error of each number by its path in the summary.
+_EVENTS = ("contact_changes", "switches")
+"""What statistics count of a run where its equations change."""
 
-    ``tip_m`` is that of the tip's position [m], the largest of some samples over the run. The error of the reference
-    counts too. ``names``: the labels along the dimensions of ``variables``. Empty where no error is known.
-    """
-    runs = [one for one in (run, run.reference) if one is not None]
-    estimates = [one.error for one in runs if one.error]
-    if len(estimates) < len(runs):
-        return {}
-    rows = rows_each(estimates)
-    figures = [figure.widened(len(run.times), rows) for figure in _figures(variables, names, rows)]
-    samples = sorted({k for figure in figures for k in figure.samples})
-    disturbed = [_disturbed(one, samples, rows, turn) for turn, one in zip((0, 5), runs, strict=False)]
-    both = replace(disturbed[0], reference=disturbed[1] if len(disturbed) > 1 else None)
-    found = motion_series(both, len(both.times)) | load_series(both, stations, len(both.times))
-    return {"how": estimates[0].how, "figures": figure_errors(figures, samples, rows, found)}
+_OF_LINES = {"deflection", "moment", "stress"}
+"""Series that follow from elastic lines."""
 
+SAFETY = 5.0
+"""Factor on the estimate with which it is a bound: calibrated in docs/errors.md, by tools/errors_doc.py."""
 
-def _disturbed(run: RunData, samples: list[int], rows: int, turn: int) -> RunData:
-    states = disturbed_rows(run.states, run.error, samples, rows, turn)
-    times = run.times[np.repeat(samples, rows)]
-    return gathered(run.setup, Trajectory(times, states, run.status, run.message))
+_CLEAR = 0.01
+"""Share of a number's size beyond which its bound is none: the error no longer adds up as small ones do."""
+
+_ROUNDING = 3e-13
+"""Share of the size of a number, or of those whose difference it is, that rounding alone may make of its error."""
+
+_DIFFERENCE_OF = {"apart": "tip"}
+
+_DENSE = 10
+"""Changes of contact or friction beyond which some may be missed by both runs."""
 
 
 class Figure(NamedTuple):
-    """A number of the summary: its path there, the samples that it comes from, its series and the place in it.
+    """A number of the summary: its path there, the sample that it comes from, its series and the place in it.
 
-    The place leaves (rows,) or (rows, components) of the series, whose distance counts.
+    The place leaves (n,) or (n, components) of the series, whose size counts. ``sample`` None: it is of the whole run,
+    a mean where ``mean``, else a largest value.
     """
 
     name: str
-    samples: tuple[int, ...]
+    sample: int | None
     series: str
     place: tuple[Any, ...] = ()
+    mean: bool = False
 
-    def value(self, found: Variables) -> Array:
-        """What it follows from, in other series."""
-        return found[self.series][1][(slice(None), *self.place)]
+    def values(self, found: Mapping[str, Array]) -> Array:
+        """What it follows from, (n, components)."""
+        values = found[self.series][(slice(None), *self.place)]
+        return values.reshape(len(values), -1)
 
-    def widened(self, count: int, rows: int) -> Figure:
-        """The same of a window of time about its sample of ``count``: an error that oscillates is zero at instants.
+    def size(self, found: Mapping[str, Array]) -> float:
+        """The largest of it over the run."""
+        return float(np.linalg.norm(self.values(found), axis=1).max())
 
-        Where each sample takes many rows, sizes were summed up, which do not oscillate.
-        """
-        if len(self.samples) != 1 or rows > 2:
-            return self
+    def samples(self, count: int) -> list[int]:
+        """Samples of ``count`` at which its error is looked at: an error that oscillates is zero at instants."""
+        if self.sample is None:
+            return even_samples(count)
         near = range(-_WINDOW_SAMPLES, _WINDOW_SAMPLES + 1)
-        apart = {self.samples[0] + round(k * _WINDOW * count / _WINDOW_SAMPLES) for k in near}
-        return self._replace(samples=tuple(sorted(k for k in apart if 0 <= k < count)))
+        apart = {self.sample + round(k * _WINDOW * count / _WINDOW_SAMPLES) for k in near}
+        return sorted(k for k in apart if 0 <= k < count)
 
 
-def _figures(variables: Variables, names: dict[str, Any], rows: int) -> list[Figure]:
-    values = {name: info[1] for name, info in variables.items()}
-    count = len(values["tip"])
-    figures = [Figure("tip_m", even_samples(count, rows), "tip")]
-    if "deviation" in values:
-        figures.append(at_worst("deviation.max_m", "deviation", values["deviation"]))
-        figures.append(Figure("deviation.end_m", (count - 1,), "deviation"))
+def summary_errors(
+    run: RunData, stations: Array, first: Mapping[str, Array], names: Mapping[str, list[str]]
+) -> dict[str, Any]:
+    """``how`` errors are estimated, and ``figures``: the error of each number by its path in the summary.
+
+    ``approximate``: which of them are estimates, where the others are bounds. ``tip_m`` is that of the tip's position
+    [m], the largest of some samples over the run. The error of the reference counts too. ``first``: the series of the
+    run, whose dimensions have labels ``names``. Empty where it is not known.
+    """
+    runs = [one for one in (run, run.reference) if one is not None]
+    again = [second_run(one.setup, one) for one in runs]
+    seconds = [one for one in again if one is not None]
+    if len(seconds) < len(runs):
+        return {}
+    share = run.setup.robot.integration.refined()[1]
+    figures = [*summary_figures(first, names)]
+    pairs = [*zip(runs, seconds, strict=True)]
+    sizes = {
+        one.name: near
+        for one, near, _ in distances(
+            figures, first, lambda at: [sampled(one.setup, two, at) for one, two in pairs], stations
+        )
+    }
+    found = {one.name: share * float(sizes[one.name].mean() if one.mean else sizes[one.name].max()) for one in figures}
+    clear = all(_alike(*pair) for pair in pairs)
+    info: dict[str, Any] = {"how": "a second run with finer steps", "figures": {}, "approximate": []}
+    for figure in figures:
+        error, size = found[figure.name], figure.size(first)
+        whole = figure._replace(series=_DIFFERENCE_OF.get(figure.series, figure.series)).size(first)
+        bound = max(SAFETY * error, _ROUNDING * whole) if error else 0.0
+        if not math.isfinite(error):
+            continue
+        if not clear or bound > _CLEAR * size:
+            info["approximate"].append(figure.name)
+            bound = error
+        info["figures"][figure.name] = bound
+    return info
+
+
+def sampled(setup: RunSetup, trajectory: Trajectory, samples: Sequence[int]) -> RunData:
+    """All that a trajectory shows at some samples."""
+    kept = list(samples)
+    return gathered(setup, replace(trajectory, times=trajectory.times[kept], states=trajectory.states[kept]))
+
+
+def _alike(run: RunData, second: Trajectory) -> bool:
+    """Whether both runs have the same changes of contact and friction, and few; at fixed step, whether there are none.
+
+    The error of a fixed step in which something changes goes with where in the step it does, not with a power of it.
+    """
+    first, other = ([one.statistics.get(name, 0) for name in _EVENTS] for one in (run, second))
+    adaptive = integrator(run.setup.robot.integration.method).adaptive
+    touching = np.zeros(1) if run.contact_normal is None else np.sign(run.contact_normal)
+    return first == other and (sum(first) <= _DENSE if adaptive else not (any(first) or np.ptp(touching)))
+
+
+def _series(runs: list[RunData], stations: Array, *, lines: bool) -> dict[str, Array]:
+    """The series of figures, those that follow from ``lines`` or the others; ``runs``: actual, and nominal if any."""
+    run = runs[0]
+    if lines:
+        return {name: info[1] for name, info in load_series(run, stations, len(run.times)).items()}
+    tips = [one.points.position[:, 0] for one in runs]
+    found: dict[str, Array | None] = {
+        "tip": tips[0], "apart": tips[0] - tips[-1], "effort": run.effort,
+        "deformation": deflections(run.model, run.q), "gear_torque": run.gear_torque,
+        "contact_force_normal": run.contact_normal,
+    }  # fmt: skip
+    return {name: values for name, values in found.items() if values is not None}
+
+
+def distances(
+    figures: Sequence[Figure],
+    first: Mapping[str, Array],
+    second: Callable[[list[int]], list[RunData]],
+    stations: Array,
+    ever: Sequence[int] = (),
+) -> Iterator[tuple[Figure, Array, Array]]:
+    """How far two runs are apart in each figure, at the samples that it is looked at, and at those of ``ever``.
+
+    ``first``: the series of one, whole; ``second`` gives the other one at some samples, with its reference if any.
+    """
+    for lines in (False, True):
+        group = [figure for figure in figures if (figure.series in _OF_LINES) == lines]
+        places = [figure.samples(len(first["tip"])) for figure in group]
+        samples = sorted({*ever, *(k for place in places for k in place)} if group else ())
+        found = _series(second(samples), stations, lines=lines) if group else {}
+        for figure, place in zip(group, places, strict=True):
+            both = (
+                figure.values(first)[k] - figure.values(found)[np.searchsorted(samples, k)] for k in (place, [*ever])
+            )
+            near, other = (np.linalg.norm(difference, axis=1) for difference in both)
+            yield figure, near, other
+
+
+def even_samples(count: int, parts: int = _EVEN) -> list[int]:
+    """Samples of ``count`` that divide a run into equal parts."""
+    return sorted({round(part * (count - 1) / parts) for part in range(parts + 1)})
+
+
+def summary_figures(values: Mapping[str, Array], names: Mapping[str, list[str]]) -> Iterator[Figure]:
+    """The numbers of the summary whose error is estimated, from the series of a run."""
+    yield Figure("tip_m", None, "tip")
+    if "apart" in values:
+        yield Figure("deviation.max_m", int(np.linalg.norm(values["apart"], axis=1).argmax()), "apart")
+        yield Figure("deviation.end_m", len(values["apart"]) - 1, "apart")
     if "tip_error" in values:  # the commanded tip is exact
         worst = int(np.linalg.norm(values["tip_error"].sum(axis=1), axis=1).argmax())
-        figures.append(Figure("tip_error.commanded.max_m", (worst,), "tip"))
+        yield Figure("tip_error.commanded.max_m", worst, "tip")
     if "deformation" in values:
         size = np.abs(values["deformation"]).max(axis=0)
         for k in map(int, np.argsort(-size, kind="stable")[:_MOST]):
             name = f"deformations.{names['deformation_kind'][k]}.max"
-            figures.append(at_worst(name, "deformation", values["deformation"], k))
+            yield _at_worst(name, "deformation", values["deformation"], k)
     for k, joint in enumerate(names.get("drive", ())):
         for key, series in (("largest_effort", "effort"), ("largest_gear_torque", "gear_torque")):
-            figures.append(at_worst(f"joints.{joint}.{key}", series, values[series], k))
-    return [*figures, *_links(values, names), *_contact(values, rows)]
+            yield _at_worst(f"joints.{joint}.{key}", series, values[series], k)
+    yield from _links(values, names)
+    if (series := "contact_force_normal") in values:
+        yield Figure("contact_force.min_N", int(values[series].argmin()), series)
+        yield Figure("contact_force.max_N", int(values[series].argmax()), series)
+        yield Figure("contact_force.mean_N", None, series, mean=True)
 
 
-def _links(values: dict[str, Array], names: dict[str, Any]) -> Iterator[Figure]:
+def _links(values: Mapping[str, Array], names: Mapping[str, list[str]]) -> Iterator[Figure]:
     for k, name in enumerate(names["bending_link"]):
         tip = np.linalg.norm(values["deflection"][:, k, -1], axis=-1)
-        yield Figure(f"links.{name}.deflection.max_m", (int(tip.argmax()),), "deflection", (k, -1))
+        yield Figure(f"links.{name}.deflection.max_m", int(tip.argmax()), "deflection", (k, -1))
         sample, s = _largest(np.linalg.norm(values["moment"][:, k, :, 1:], axis=-1))
-        yield Figure(f"links.{name}.bending_moment.max_Nm", (sample,), "moment", (k, s, slice(1, None)))
+        yield Figure(f"links.{name}.bending_moment.max_Nm", sample, "moment", (k, s, slice(1, None)))
     for k, name in enumerate(names["stressed_link"]):
         sample, s = _largest(values["stress"][:, k])
-        yield Figure(f"links.{name}.stress.max_Pa", (sample,), "stress", (k, s))
+        yield Figure(f"links.{name}.stress.max_Pa", sample, "stress", (k, s))
 
 
 def _largest(values: Array) -> tuple[int, int]:
@@ -118,62 +223,6 @@ def _largest(values: Array) -> tuple[int, int]:
     return int(sample), int(place)
 
 
-def _contact(values: dict[str, Array], rows: int) -> Iterator[Figure]:
-    series = "contact_force_normal"
-    if series in values:
-        force = values[series]
-        yield Figure("contact_force.min_N", (int(force.argmin()),), series)
-        yield Figure("contact_force.max_N", (int(force.argmax()),), series)
-        yield Figure("contact_force.mean_N", even_samples(len(force), rows), series)
-
-
-def at_worst(name: str, series: str, values: Array, *place: int) -> Figure:
+def _at_worst(name: str, series: str, values: Array, *place: int) -> Figure:
     """The largest size of one series (n, ...) at a place of it, at the sample where it is reached."""
-    return Figure(name, (int(np.argmax(np.abs(values[(slice(None), *place)]))),), series, place)
-
-
-def rows_each(estimates: Sequence[Any]) -> int:
-    """Rows of a sample: as it is, and disturbed once by what is signed, or by eight patterns of signs.
-
-    ``estimates``: each a :class:`tmodes.simulation.parts.ErrorEstimate`.
-    """
-    return 2 if all(estimate.signed for estimate in estimates) else 1 + _PATTERNS
-
-
-def even_samples(count: int, rows: int) -> tuple[int, ...]:
-    """Samples from the first to the last: eleven, or 101 where each takes few rows."""
-    parts = 10 if rows > 2 else 100
-    return tuple(sorted({round(part * (count - 1) / parts) for part in range(parts + 1)}))
-
-
-def disturbed_rows(states: Array, estimate: Any, samples: Sequence[int], rows: int, turn: int) -> Array:
-    """For each sample its state, then disturbed ones: ``rows`` of it, (samples rows, size).
-
-    What is signed is added as it is; sizes are added with patterns of signs (Walsh functions of the components, begun
-    at ``turn``), of which the worst will count.
-    """
-    kept = np.asarray(samples, dtype=int)
-    info = np.repeat(states[kept], rows, axis=0).reshape(len(kept), rows, -1)
-    signs = np.ones((1, 1)) if estimate.signed else _signs(states.shape[1], turn)
-    info[:, 1:] += signs * estimate.values[kept][:, None]
-    return info.reshape(len(kept) * rows, -1)
-
-
-def _signs(size: int, turn: int) -> Array:
-    patterns = range(1, _PATTERNS + 1)
-    return np.array([[1.0 - 2 * ((row & (k + turn)).bit_count() % 2) for k in range(size)] for row in patterns])
-
-
-def figure_errors(
-    figures: Sequence[Figure], samples: Sequence[int], rows: int, variables: Variables
-) -> dict[str, float]:
-    """The error of each figure by its name, where it is a number.
-
-    ``variables`` of the rows of :func:`disturbed_rows` at these samples.
-    """
-    info = {}
-    for figure in figures:
-        values = figure.value(variables).reshape(len(samples), rows, -1)
-        apart = np.linalg.norm(values[:, 1:] - values[:, :1], axis=2).max(axis=1)
-        info[figure.name] = float(max(apart[samples.index(k)] for k in figure.samples))
-    return {name: error for name, error in info.items() if math.isfinite(error)}
+    return Figure(name, int(np.argmax(np.abs(values[(slice(None), *place)]))), series, place)

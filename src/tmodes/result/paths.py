@@ -6,6 +6,7 @@ is none, the robot that ran stands for the nominal one.
 
 from __future__ import annotations
 
+import json
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -17,7 +18,7 @@ from tmodes.simulation.motion_run import RunData
 if TYPE_CHECKING:
     from xarray import Dataset
 
-__all__ = ["ErrorParts", "error_parts", "part_names", "tip_errors"]
+__all__ = ["ErrorParts", "error_parts", "largest_elements", "part_names", "shapes_of", "tip_errors"]
 
 Array = NDArray[np.float64]
 
@@ -72,6 +73,11 @@ def _setpoints(run: RunData) -> dict[int, int]:
 
 def _steps(mover: RunData, run: RunData, part: slice) -> Array:
     """The tip of ``mover`` (the actual robot or the nominal one) in its four shapes, (4, n, 3) [m]."""
+    return tips(mover.model, shapes_of(mover, run, part), mover.base[part])
+
+
+def shapes_of(mover: RunData, run: RunData, part: slice) -> list[Array]:
+    """The four shapes (n, nq) of the actual robot, or of the nominal one."""
     order = [(run.reference or run).coordinates.index(name) for name in mover.coordinates]
     commanded = (run.reference or run).q[part][:, order].copy()
     drivers = {run.coordinates[k]: signal for k, signal in _setpoints(run).items()}
@@ -79,15 +85,17 @@ def _steps(mover: RunData, run: RunData, part: slice) -> Array:
     for name, signal in drivers.items():
         commanded[:, mover.coordinates.index(name)] = signals[:, signal]
     driven = [driver.coordinate for driver in mover.setup.model.loop.drivers]
-    return tips(mover.model, substitutions(mover.model, mover.q[part], commanded, driven), mover.base[part])
+    return substitutions(mover.model, mover.q[part], commanded, driven)
 
 
 def tip_errors(data: Dataset) -> dict[str, dict[str, Any]]:
     """Of the error against the ``commanded`` and the ``nominal`` path: the largest, when, at the end, and its parts.
 
     ``parts_m``: components along the largest error, which add up to it and may be negative; ``vectors_m`` [m].
+    ``elements_m``: the same of each gear and link; ``environment_m``: what of gears and links is by the contact force,
+    see :func:`tmodes.result.elements.element_errors`; both are not known of files of earlier versions.
     """
-    found = {}
+    found, details = {}, json.loads(data.attrs.get("tip_error_elements", "{}"))
     for which, series in (("commanded", "tip_error"), ("nominal", "tip_error_nominal")):
         if series not in data:
             continue
@@ -100,5 +108,19 @@ def tip_errors(data: Dataset) -> dict[str, dict[str, Any]]:
             "end_m": float(size[-1]),
             "parts_m": dict(zip(names, along(parts[worst]).tolist(), strict=True)),
             "vectors_m": dict(zip(names, parts[worst].tolist(), strict=True)),
+            **{f"{key}_m": value for key, value in details.get(which, {}).items()},
         }
     return found
+
+
+def largest_elements(one: dict[str, Any]) -> list[tuple[str, float]]:
+    """Names and components [m] of the gears and links that have most of one of the :func:`tip_errors`, at most four."""
+    named = [
+        (f"{part.removesuffix('s')} {name}", value)
+        for part, parts in one.get("elements_m", {}).items()
+        for name, value in parts.items()
+    ]
+    return sorted((item for item in named if item[1]), key=lambda item: -abs(item[1]))[:_MOST_ELEMENTS]
+
+
+_MOST_ELEMENTS = 4

@@ -59,6 +59,24 @@ def read_record(path: str | os.PathLike[str]) -> Dataset:
     return data
 
 
+_NOMINAL = ("q", "v", "deformation", "gear_torque", "tip", "contact_force_normal")
+
+RENAMED = "an earlier version wrote this result: its series *_reference, of the nominal run, are shown as *_nominal"
+
+
+def with_present_names(data: Dataset) -> Dataset:
+    """The same with the series of the nominal run under the names that they have now, and a notice of that."""
+    old = {f"{name}_reference": f"{name}_nominal" for name in _NOMINAL}
+    old = {before: now for before, now in old.items() if before in data and now not in data}
+    if not old or is_earlier(data):
+        return data
+    data = data.rename(old)
+    try:
+        return data.assign_attrs(warnings=json.dumps([*json.loads(data.attrs["warnings"]), RENAMED]))
+    except (KeyError, TypeError, ValueError, RecursionError):  # what is wrong there is refused with the other content
+        return data
+
+
 def is_earlier(data: Dataset) -> bool:
     """Whether it is a record of the 2010 robot by an earlier version, in the paper's coordinates."""
     return _kind(data) == "robot"

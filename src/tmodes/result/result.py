@@ -119,11 +119,11 @@ class Result:
         return self._frequencies_again
 
     @property
-    def nominal_frequencies(self) -> dict[str, list[dict[str, Any]]]:
-        """The same of the nominal robot, whose motors are ``locked`` in its run; empty where they are not known."""
+    def end_frequencies(self) -> dict[str, list[dict[str, Any]]]:
+        """Modes about the pose at the end of the ``actual`` and ``nominal`` robot; empty where they are not known."""
         if live := self._live:
-            return live.nominal_frequencies
-        return record.from_json(self.data, name) if (name := "nominal_frequencies") in self.data.attrs else {}
+            return live.end_frequencies
+        return record.from_json(self.data, name) if (name := "end_frequencies") in self.data.attrs else {}
 
     @cached_property
     def _frequencies_again(self) -> dict[str, list[dict[str, Any]]]:
@@ -173,7 +173,7 @@ class Result:
 
         Raises :class:`tmodes.errors.InputError` for a ``band`` that is not between 0 and 1.
         """
-        return summarise_result(self.data, band)
+        return summarise_result(self.data, band, self._assembly and self._assembly.settled)
 
     def save(self, path: str | os.PathLike[str], *, overwrite: bool = False) -> Path:
         """Store the result as one sealed NetCDF-4 file; the same result gives the same bytes.
@@ -202,7 +202,7 @@ class Result:
     @classmethod
     def of(cls, data: Dataset, path: object) -> Self:
         """The result that a dataset holds; ``path`` names it in errors, which are those of :meth:`load`."""
-        record.refuse_incomplete(data, path)
+        record.refuse_incomplete(data := record.with_present_names(data), path)
         if not record.is_earlier(data):
             return cls(data)
         try:

@@ -90,7 +90,7 @@ def coordinate_units(run: RunData) -> list[str]:
 
 
 def motion_series(run: RunData, count: int) -> Variables:
-    """Motion, drives, points, contact and energies of the first ``count`` samples, and those of the reference."""
+    """Motion, drives, points, contact and energies of the first ``count`` samples, and those of the nominal run."""
     points = run.points
     electric = any(node.joint.motor and node.joint.motor.resistance is not None for node in run.chain.nodes)
     energy, work = (np.column_stack([*kinds.values()]) for kinds in (run.energies, run.works))
@@ -142,14 +142,14 @@ def _reference(run: RunData, planned: RunData, count: int) -> Variables:
     order = [planned.coordinates.index(name) for name in run.coordinates]
     tip, wanted = (one.points.position[:count, 0] for one in (run, planned))
     series: Series = {
-        "q_reference": ("coordinate", planned.q[:, order], MIXED, "coordinates of the reference"),
-        "v_reference": ("coordinate", planned.v[:, order], f"({MIXED}) s-1", "rates of the reference"),
-        "deformation_reference": ("deformation_kind", deflections(planned.model, planned.q[:count]), MIXED,
-                                  "elastic coordinates of the reference"),
-        "gear_torque_reference": ("drive", planned.gear_torque, _EFFORT, "gear torque of the reference"),
-        "tip_reference": ("axis", wanted, "m", "tip position of the reference"),
-        "deviation": ("", np.linalg.norm(tip - wanted, axis=1), "m", "tip deviation from the reference"),
-        "contact_force_normal_reference": ("", planned.contact_normal, "N", "normal contact force of the reference"),
+        "q_nominal": ("coordinate", planned.q[:, order], MIXED, "coordinates of the nominal run"),
+        "v_nominal": ("coordinate", planned.v[:, order], f"({MIXED}) s-1", "rates of the nominal run"),
+        "deformation_nominal": ("deformation_kind", deflections(planned.model, planned.q[:count]), MIXED,
+                                  "elastic coordinates of the nominal run"),
+        "gear_torque_nominal": ("drive", planned.gear_torque, _EFFORT, "gear torque of the nominal run"),
+        "tip_nominal": ("axis", wanted, "m", "nominal tip position"),
+        "deviation": ("", np.linalg.norm(tip - wanted, axis=1), "m", "distance of the actual tip from the nominal one"),
+        "contact_force_normal_nominal": ("", planned.contact_normal, "N", "normal contact force of the nominal run"),
     }  # fmt: skip
     return over_time(series, count)
 

@@ -183,8 +183,7 @@ def at_rest_from(setup: RunSetup, time: float, state: Array, duration: float) ->
         if driver.plan.servo is None:
             kept[layout.q][driver.coordinate] = values[driver.plan.signal]
             kept[layout.v][driver.coordinate] = 0.0
-    rows = signals.coefficients.reshape(len(signals.coefficients), -1)
-    planned = replace(plan, schedule=Schedule(signals.knots, rows), signals=signals)
+    planned = replace(plan, schedule=signals.schedule, signals=signals)
     return replace(setup, planned=planned, start=kept), kept
 
 

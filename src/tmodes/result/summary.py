@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -24,11 +25,14 @@ MOST_ENTRIES = 40
 """Deformations that are reported, the largest ones."""
 
 
-def summarise_result(data: Dataset, band: float = BAND) -> dict[str, Any]:
+def summarise_result(
+    data: Dataset, band: float = BAND, settled: Callable[[float], dict[str, Any]] | None = None
+) -> dict[str, Any]:
     """A plain dictionary of floats and words, ready for JSON; units are in the keys. What is missing is None.
 
     ``band`` [-] is the share of the move within which the tip counts as settled, between 0 and 1; for the usual one the
-    run itself was continued (:mod:`tmodes.result.settling`), for any other its samples are looked at.
+    run itself was continued (:mod:`tmodes.result.settling`), for any other ``settled`` continues it, else its samples
+    are looked at.
     Raises :class:`tmodes.errors.InputError` for a band out of range.
     """
     if not 0 < band < 1:
@@ -39,21 +43,26 @@ def summarise_result(data: Dataset, band: float = BAND) -> dict[str, Any]:
         "first_frequency_Hz": _first_frequencies(data),
         "deviation": _deviation(data, time) if "deviation" in data else None,
         "tip_error": tip_errors(data),
-        "settling": _settling(data, time, band),
+        "settling": _settling(data, time, band, settled),
         "vibration": vibrations(data),
         "joints": _joints(data, time),
         "deformations": _deformations(data, time),
         "links": _links(data, time),
         "contact_force": _contact(data, time),
         "energy": _energy(data),
-        "error": _errors(data),
+        "error": _errors(data, "errors"),
+        "model_error": _errors(data, "model_errors"),
     }
 
 
-def _settling(data: Dataset, time: Array, band: float) -> dict[str, Any]:
+def _settling(
+    data: Dataset, time: Array, band: float, settled: Callable[[float], dict[str, Any]] | None
+) -> dict[str, Any]:
     known = json.loads(data.attrs.get("settling", "null"))
     if known and known["band"] == band and "move_m" in known:  # an earlier version had another rule
         return known
+    if settled:
+        return settled(band)
     return settling(time, _path(data, "tip"), json.loads(data.attrs["move_end"]), float(time[-1]), band)
 
 
@@ -66,7 +75,7 @@ def vibrations(data: Dataset) -> dict[str, Any]:
     if "vibration" in data.attrs:
         return json.loads(data.attrs["vibration"])
     end, time = json.loads(data.attrs["move_end"]), np.asarray(data["time"].values, dtype=float)
-    paths = {"actual": "tip", "nominal": "tip_reference"}
+    paths = {"actual": "tip", "nominal": "tip_nominal"}
     return {
         which: plain_vibration(vibration(time, _path(data, name), end)) for which, name in paths.items() if name in data
     }
@@ -94,7 +103,7 @@ def _joints(data: Dataset, time: Array) -> dict[str, dict[str, Any]]:
 
 
 def _deformations(data: Dataset, time: Array) -> dict[str, dict[str, Any]]:
-    """Per elastic coordinate, the largest ones: largest size, of T_st and T_to (where known), of the reference."""
+    """Per elastic coordinate, the largest ones: largest size, of T_st and T_to (where known), of the nominal run."""
     if "deformation" not in data:
         return {}
     names = [str(name) for name in data["deformation_kind"].values]
@@ -118,7 +127,7 @@ _PARTS = {
     "deformation": "max",
     "deformation_stationary": "max_stationary",
     "deformation_oscillatory": "max_oscillatory",
-    "deformation_reference": "max_reference",
+    "deformation_nominal": "max_nominal",
 }
 
 
@@ -166,16 +175,17 @@ def _contact(data: Dataset, time: Array) -> dict[str, float] | None:
 
 
 def _first_frequencies(data: Dataset) -> dict[str, float | None]:
-    """The lowest frequency [Hz] with the motor locked, and the lowest that rings under control."""
+    """The natural frequency [Hz] of the lowest mode that rings, with the motor locked and controlled."""
     info = json.loads(data.attrs["frequencies"])
-    return {
-        case: min((line[key] for line in info.get(case, []) if line[key]), default=None)
-        for case, key in (("locked", "frequency_Hz"), ("controlled", "damped_frequency_Hz"))
-    }
+    ringing = {case: [line for line in info.get(case, []) if line["damped_frequency_Hz"]] for case in _CASES}
+    return {case: min((line["frequency_Hz"] for line in lines), default=None) for case, lines in ringing.items()}
+
+
+_CASES = ("locked", "controlled")
 
 
 def _deviation(data: Dataset, time: Array) -> dict[str, float]:
-    """The largest distance of the tip from its reference [m], when it is reached [s], and that at the end."""
+    """The largest distance of the actual tip from the nominal one [m], when it is reached [s], and that at the end."""
     deviation = data["deviation"].values
     worst = int(np.argmax(deviation))
     return {"max_m": float(deviation[worst]), "time_of_max_s": float(time[worst]), "end_m": float(deviation[-1])}
@@ -188,9 +198,13 @@ def _energy(data: Dataset) -> dict[str, float | None]:
     return {"moved_J": moved, "worst_residual_J": worst, "worst_residual_over_moved": worst / moved if moved else None}
 
 
-def _errors(data: Dataset) -> dict[str, Any] | None:
-    """How the error of the integration was estimated, and that of each figure by its path; None where it is unknown."""
-    return json.loads(data.attrs.get("errors", "null")) or None
+def _errors(data: Dataset, which: str) -> dict[str, Any] | None:
+    """How the error of integration or model was estimated, and that of each figure by its path; None where unknown.
+
+    ``approximate``: which of them are no bounds; of the integration all that an earlier version wrote.
+    """
+    info = json.loads(data.attrs.get(which, "null")) or None
+    return info and {"approximate": list(info["figures"]) if which == "errors" else []} | info
 
 
 def mean_over_time(time: Array, values: Array) -> float:

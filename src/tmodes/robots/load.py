@@ -80,7 +80,8 @@ def _refuse_without_model(path: Path, roots: Roots) -> None:
 
 def _checked(data: dict[str, Any], positions: dict[str, int], source: str, changes: Mapping[str, Any]) -> Robot:
     from tmodes.io.sheet_check import sheet_from_data
-    from tmodes.io.sheet_paths import changed_places, later_changes
+    from tmodes.io.sheet_groups import later_changes
+    from tmodes.io.sheet_paths import changed_places
     from tmodes.io.words import shown
 
     if data.get("kind", "arm") != "arm":

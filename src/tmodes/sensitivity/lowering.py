@@ -46,13 +46,23 @@ class Lowered:
     def recorded(self, most_bytes: float = MOST_BYTES) -> Replay:
         """The run, with its steps.
 
-        Raises :class:`tmodes.errors.InputError` for a sampled controller, whose samples are not differentiated, and
-        :class:`tmodes.errors.SimulationError` where the force of a contact jumped on the way: how the time of the jump
-        moves with the numbers is part of the derivative, and not seen.
+        Raises :class:`tmodes.errors.InputError` for a sampled controller and for dry friction that sticks, which are
+        not differentiated, and :class:`tmodes.errors.SimulationError` where the force of a contact jumped on the way:
+        how the time of the jump moves with the numbers is part of the derivative, and not seen.
         """
         if self.model.plan.is_sampled:
             hint = "take a controller in continuous time, or vary the numbers in a batch"
             raise InputError("drives", "a sampled controller", "controllers in continuous time for derivatives", hint)
+        for axis, _ in self.model.loop.slipping.values():
+            got, expected = "dry friction that sticks", "dry friction that is a smooth function of the rate"
+            hint = "set `smoothing` of the friction, or vary the numbers in a batch"
+            raise InputError(f"joints.{axis.axis.joint.name}.friction", got, f"{expected} for derivatives", hint)
+        if self.model.loop.modes:
+            expected, hint = (
+                "a speed, for derivatives of a run",
+                "add `friction_velocity: 0.001`, or vary it in a batch",
+            )
+            raise InputError("contact.friction_velocity", "friction that sticks", expected, hint)
         done = record(self.model, self.parameters, self.schedule, self.start, self.settings, most_bytes)
         if done.contact_changes and self.contact and self.contact.jumps:
             raise SimulationError(

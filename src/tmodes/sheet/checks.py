@@ -15,7 +15,7 @@ from tmodes.kinds.schema.quantity import SMALLEST, Issue
 from tmodes.sheet.parts import Command, DriveSheet, TipSheet
 from tmodes.sheet.topology import BASE, tree_issues
 
-__all__ = ["MOST_COORDINATES", "coordinate_count", "sheet_issues"]
+__all__ = ["MOST_COORDINATES", "command_issue", "coordinate_count", "sheet_issues"]
 
 MOST_COORDINATES = 2_000
 """Largest number of coordinates of a robot."""
@@ -30,7 +30,15 @@ def sheet_issues(robot: Any) -> list[Issue]:
     """All that does not fit; the names only where the tree stands, the masses only where the names do."""
     return (
         list(tree_issues(robot.joints, [link.name for link in robot.links]))
-        or [*_points(robot), *_drives(robot), *_couplings(robot), *_initial(robot), *_links(robot), *_size(robot)]
+        or [
+            *_points(robot),
+            *_drives(robot),
+            *_rotors(robot),
+            *_couplings(robot),
+            *_initial(robot),
+            *_links(robot),
+            *_size(robot),
+        ]
         or (list(upward("Robot.mass_issues")(robot)) if robot.equations == "recursion" else [])
     )
 
@@ -85,16 +93,37 @@ def _drives(robot: Any) -> Iterator[Issue]:
         seen.add(drive.joint)
 
 
+def _rotors(robot: Any) -> Iterator[Issue]:
+    """A rotor behind an elastic gear turns by itself, and has inertia, unless its motion is given."""
+    given = {drive.joint for drive in robot.drives if drive.command is Command.PRESCRIBED}
+    for index, joint in enumerate(robot.joints):
+        turns = joint.is_active and joint.is_elastic and not given.issuperset(joint.coordinates or [joint.name])
+        if turns and joint.motor and not joint.motor.inertia:
+            expected = "an inertia > 0 kg*m^2 behind an elastic gear, where the rotor turns by itself"
+            hint = "give the rotor its inertia, write `state: locked`, or take the command `prescribed`"
+            yield Issue(f"joints.{index}.motor.inertia", "0", expected, hint)
+
+
 def _drive(path: str, drive: DriveSheet, joint: JointSheet) -> Iterator[Issue]:
     motor = joint.motor
-    if drive.command is Command.VOLTAGE and (motor is None or motor.resistance is None):
-        hint = "give its resistance, back_emf_constant and torque_constant, or take the command `torque`"
-        yield Issue(f"{path}.command", "voltage without an electric motor", "a motor with a resistance", hint)
-    if drive.command is Command.TORQUE and motor is None:
-        yield Issue(f"{path}.command", "torque without a motor", "a motor", "take the command `effort`")
-    if drive.command is Command.EFFORT and joint.is_elastic:
-        got, hint = "effort on a joint behind an elastic gear", "take the command `torque`"
-        yield Issue(f"{path}.command", got, "a joint without an elastic gear", hint)
+    electric = motor is not None and motor.resistance is not None
+    if issue := command_issue(drive.command, motor=motor is not None, electric=electric, elastic=joint.is_elastic):
+        yield issue._replace(field=f"{path}.command")
+
+
+def command_issue(command: str, *, motor: bool, electric: bool, elastic: bool) -> Issue | None:
+    """Why a joint can not take a command, by what it has; None where it can."""
+    match command:
+        case Command.VOLTAGE if not electric:
+            hint = "give its resistance, back_emf_constant and torque_constant, or take the command `torque`"
+            return Issue("", "voltage without an electric motor", "a motor with a resistance", hint)
+        case Command.TORQUE if not motor:
+            return Issue("", "torque without a motor", "a motor", "take the command `effort`")
+        case Command.EFFORT if elastic:
+            got, hint = "effort on a joint behind an elastic gear", "take the command `torque`"
+            return Issue("", got, "a joint without an elastic gear", hint)
+        case _:
+            return None
 
 
 def _couplings(robot: Any) -> Iterator[Issue]:

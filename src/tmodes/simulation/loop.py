@@ -9,10 +9,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tmodes.compile.loops.loops import lane_loop, schedule_loop
+from tmodes.compile.loops.loops import goes_side_by_side, lane_loop, schedule_loop
+from tmodes.compile.loops.switches import MOST_SWITCHES
 from tmodes.compile.native import Library
 from tmodes.equations.loop.closed_loop import ClosedLoop
-from tmodes.equations.loop.plan import LoopPlan, StateLayout
+from tmodes.equations.loop.layout import StateLayout
+from tmodes.equations.loop.plan import LoopPlan
 from tmodes.integrate.method import EULER, EXPLICIT, JACOBIAN
 from tmodes.integrate.registry import integrator
 from tmodes.model.passes import derivatives, evaluate
@@ -75,6 +77,10 @@ class LoopModel:
         """The native time loop of each method, by its name."""
         return Loops(self.loop)
 
+    def goes_side_by_side(self, method: str) -> bool:
+        """Whether runs by a method can go side by side: it has a tableau, and nothing sticks at instants of its own."""
+        return goes_side_by_side(method) and not self.loop.modes
+
     def lane_loop(self, method: str) -> Library:
         """The native loop over robots side by side of a method with a tableau."""
         return lane_loop(self.loop.rate, 2 * len(self.coordinates), method)
@@ -90,6 +96,16 @@ class LoopModel:
         blocks = self._blocks(time, state, row)
         numbers = self.numbers if parameters is None else parameters
         return evaluate(numbers, self.loop.rate, blocks, len(blocks["time"]))["rate"]
+
+    def settled(self, time: float, state: Array, row: Array) -> Array:
+        """A state (size,) after all that sticks, slips or touches has switched as it must at an instant."""
+        schedule, before = self.loop.switched, np.asarray(state, dtype=float)
+        for _ in range(MOST_SWITCHES if schedule else 0):
+            after = evaluate(self.numbers, schedule, self._blocks([time], before, row), 1)["state"][0]
+            if np.array_equal(after, before, equal_nan=True):
+                break
+            before = after
+        return before
 
     def observe(self, time: ArrayLike, state: ArrayLike, row: ArrayLike) -> dict[str, Array]:
         """What is shown of n instants.

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from tmodes.analysis.energy import largest_flow
 from tmodes.chain.chain import Chain
-from tmodes.equations.loop.plan import BROUGHT_IN, WORKS
+from tmodes.equations.loop.layout import BROUGHT_IN, WORKS
 from tmodes.model.model import Model, PointMotion
 from tmodes.model.rows import Rows
 from tmodes.sheet import Robot

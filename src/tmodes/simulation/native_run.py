@@ -13,7 +13,7 @@ from tmodes.integrate.registry import integrator
 from tmodes.integrate.settings import Integration
 from tmodes.kinds.signals.schedule import Schedule
 from tmodes.simulation.loop import LoopModel
-from tmodes.simulation.parts import ErrorEstimate, Lost, Trajectory, chattered, completed, sample_times, used_up
+from tmodes.simulation.parts import Lost, Trajectory, chattered, completed, sample_times, used_up
 
 __all__ = ["BOUND", "EVENT_TIME", "MOST_EVENTS", "NativeRun"]
 
@@ -53,7 +53,6 @@ class NativeRun:
         self.state = np.array(state, dtype=float)
         self.samples = np.zeros((len(self.times), len(self.state))) if samples is None else samples
         self.samples[0] = self.state
-        self.errors, self.errors_out = np.zeros(len(state)), np.zeros_like(self.samples)
         self.looks, self.seen = 0.0, np.zeros(1)
         self._put(sample=1.0, fresh=1.0, old_error=1e-4)
 
@@ -111,8 +110,8 @@ class NativeRun:
         }  # fmt: skip
         given: dict[str, Any] = {
             "memory": self.memory, "y": self.state, "k1": self.slope, "p": self.parameters, "knots": self.knots,
-            "rows": self.rows, "times": self.times, "out": self.samples, "errors": self.errors,
-            "errors_out": self.errors_out, "seen": self.seen, "segments": len(self.rows), "samples": len(self.times),
+            "rows": self.rows, "times": self.times, "out": self.samples, "seen": self.seen,
+            "segments": len(self.rows), "samples": len(self.times),
             "options": np.array([chosen[name] for name in OPTIONS], dtype=float),
         }  # fmt: skip
         return {name: given[name] for name in ARGUMENTS}
@@ -130,14 +129,13 @@ class NativeRun:
         """All that the run needs to continue."""
         return {
             "memory": self.memory, "state": self.state, "slope": self.slope, "parts": self.parts,
-            "errors": self.errors, "samples": self.samples[: self.done], "errors_out": self.errors_out[: self.done],
+            "samples": self.samples[: self.done],
         }  # fmt: skip
 
     def resume(self, record: dict[str, Array]) -> None:
         """Continue where a record ends."""
         self.memory[:], self.state[:], self.slope[:] = record["memory"], record["state"], record["slope"]
-        self.parts[:], self.errors[:] = record["parts"], record["errors"]
-        self.samples[: self.done], self.errors_out[: self.done] = record["samples"], record["errors_out"]
+        self.parts[:], self.samples[: self.done] = record["parts"], record["samples"]
         if self.status is Status.STOPPED_BY_CONDITION:
             self.times[self.done - 1] = self.cell("t")
 
@@ -146,7 +144,7 @@ class NativeRun:
         self.state[:] = state
         near = time - 1e-9 * self.first.output_step  # as close to a sample, it takes its place
         done = max(int(np.searchsorted(self.times, near)), int(time > 0))
-        self.times[done], self.samples[done], self.errors_out[done] = time, state, self.errors
+        self.times[done], self.samples[done] = time, state
         self._put(t=time, sample=done + 1.0, status=float(Status.STOPPED_BY_CONDITION))
 
     def end(self) -> Trajectory:
@@ -154,15 +152,9 @@ class NativeRun:
         return self.trajectory(*self._ending())
 
     def trajectory(self, status: str, message: str) -> Trajectory:
-        """The run so far; its error is reported where the loops of all its parts sum their local errors.
-
-        The error of a motion that was lost is not known.
-        """
-        samples, error = slice(self.done), None
-        summed = all(integrator(one.method).adaptive for one in (self.first, self.settings))
-        if status != "diverged" and self.errors.any() and summed:
-            error = ErrorEstimate(self.errors_out[samples], "sum of the local errors", signed=False)
-        return Trajectory(self.times[samples], self.samples[samples], status, message, self.statistics(), error)
+        """The run so far."""
+        samples = slice(self.done)
+        return Trajectory(self.times[samples], self.samples[samples], status, message, self.statistics())
 
     def _ending(self) -> tuple[str, str]:
         if self.status is Status.FINISHED:
@@ -185,6 +177,8 @@ class NativeRun:
             info["passes"] = int(self.cell("passes"))
         if self.cell("events"):
             info["contact_changes"] = int(self.cell("events"))
+        if self.cell("switches"):
+            info["switches"] = int(self.cell("switches"))
         if self.cell("stiff_time") > 0:
             info["stiff_from_s"] = self.cell("stiff_time")
         if self.change.parts > 1:

@@ -1,4 +1,4 @@
-"""What a run is given and what it gives: a journal, samples, and their error."""
+"""What a run is given and what it gives: a journal, and samples."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from tmodes.compile.loops.time_loop import Status
 from tmodes.integrate.settings import Integration
 
-__all__ = ["ErrorEstimate", "Journal", "Lost", "Trajectory", "chattered", "completed", "sample_times", "used_up"]
+__all__ = ["Journal", "Lost", "Trajectory", "chattered", "completed", "sample_times", "used_up"]
 
 
 class Journal(Protocol):
@@ -28,26 +28,14 @@ class Journal(Protocol):
         ...
 
 
-@dataclass(frozen=True)
-class ErrorEstimate:
-    """How far the states of a run may be from the exact ones: ``values`` (n, size), and ``how`` they were found.
-
-    ``signed``: exact less computed, all components together; else the size of the error of each component by itself.
-    """
-
-    values: NDArray[np.float64]
-    how: str
-    signed: bool
-
-
 @dataclass(frozen=True, eq=False)
 class Trajectory:
     """Samples of a run: ``times`` (n,) [s], ``states`` (n, size).
 
     ``status``: finished, stopped_by_condition (at its last time), diverged, step_too_small, not_converged, chattering,
     stopped (steps or time of computing are used up), interrupted.
-    ``statistics``: steps, rejected, evaluations, ...; the same for the same run, whatever the machine. ``error``: None
-    where it is not known. ``seconds``: of computing in this process, for each simulated second; no part of a result.
+    ``statistics``: steps, rejected, evaluations, ...; the same for the same run, whatever the machine. ``seconds``: of
+    computing in this process, for each simulated second; no part of a result.
     """
 
     times: NDArray[np.float64]
@@ -55,7 +43,6 @@ class Trajectory:
     status: str
     message: str
     statistics: dict[str, Any] = field(default_factory=dict)
-    error: ErrorEstimate | None = None
     seconds: float = 0.0
 
 

@@ -97,10 +97,8 @@ def planned(robot: Robot, follow: Follow = Follow.SHEET, like: Chain | None = No
     base = () if follow is Follow.HELD else tuple(_base(robot, signals))
     touch = _touch(robot, chain, names)
     merged = merge(signals.schedules) if signals.schedules else _nothing(signals.until)
-    rows = merged.coefficients.reshape(len(merged.coefficients), -1)
     plan = LoopPlan(chain, tuple(drives), len(signals.schedules), merged.degree, loads, touch, base)
-    schedule = Schedule(merged.knots, rows)
-    return Planned(chain, plan, schedule, merged, tuple(undriven), tuple(signals.info), tuple(loose))
+    return Planned(chain, plan, merged.schedule, merged, tuple(undriven), tuple(signals.info), tuple(loose))
 
 
 def free_drive(joint: str, *, has_motor: bool) -> DriveSheet:
@@ -180,12 +178,9 @@ def _touch(robot: Robot, chain: Chain, names: list[str]) -> TouchPlan | None:
         return None
     point = names.index(sheet.point)
     info = chain.points[point]
-    if sheet.moving_mass > 0:
-        got, hint = f"{sheet.moving_mass:g} kg", "remove `mass`, or take a law that holds the point"
-        if sheet.unilateral:
-            raise InputError("contact.mass", got, "0 for a surface that only pushes", hint)
-        if info.s < 1 and chain.nodes[info.node].link.has_stations:
-            raise InputError("contact.mass", "a mass at a point inside a beam", "a point at the tip of a link", hint)
+    if sheet.moving_mass > 0 and info.s < 1 and chain.nodes[info.node].link.has_stations:
+        hint = "remove `mass`, or take another point"
+        raise InputError("contact.mass", "a mass at a point inside a beam", "a point at the tip of a link", hint)
     touch = Touch(sheet)
     return TouchPlan(point, touch, touch.numbers(chain.gravity))
 

@@ -24,7 +24,7 @@ from tmodes.simulation.plan import Follow
 from tmodes.simulation.quantities import run_stops
 from tmodes.simulation.start import RunSetup, run_setup, run_trajectory
 from tmodes.simulation.stops import STOPPED, Instants, Stops
-from tmodes.simulation.warnings import jumps, run_warnings, start_warnings
+from tmodes.simulation.warnings import jumps, no_motion, run_warnings, start_warnings
 
 __all__ = ["simulate_motion"]
 
@@ -48,8 +48,9 @@ class _Setups(NamedTuple):
     def by_method(self) -> tuple[_Setups, StepVerdict, str]:
         """The same with the integrator chosen for both, the verdict on its step, and why it was chosen."""
         given, spectra = self.real.robot.integration, [one.spectrum for one in (self.nominal, self.real) if one]
-        method, why = chosen_method(given, max(spectrum.highest for spectrum in spectra))
-        later = otherwise(given, method)
+        implicit = self.real.implicit
+        method, why = chosen_method(given, max(spectrum.highest for spectrum in spectra), implicit)
+        later = otherwise(given, method, implicit)
         real, nominal = (one and one.by(method, later) for one in (self.real, self.nominal))
         assert real is not None  # noqa: S101
         verdicts = [step_size_verdict(real.robot.integration, spectrum) for spectrum in spectra]
@@ -91,6 +92,9 @@ def simulate_motion(
     elif trajectory.status in ("finished", STOPPED):
         trajectory = replace(trajectory, message=explained(trajectory.message, why))
     run = _warned(gathered(used, trajectory, rows), *warnings)
+    if run.status in ("finished", STOPPED) and (why := no_motion(run)):
+        message = f"{run.message}, but {why}; likely cause: {_cause(verdict, warnings)}"
+        run = replace(run, status="diverged", message=message)
     dt_omega = step_times_eigenvalue(verdict, run.statistics)
     statistics = run.statistics | {"highest_eigenvalue": verdict.highest, "dt_omega": dt_omega}
     return replace(run, reference=reference, statistics=statistics)
@@ -112,7 +116,7 @@ def _prepared(pair: RobotPair, real: RunSetup) -> _Setups:
         nominal = run_setup(pair.nominal, Follow.WANTED, like=real)
         jumping = jumps(nominal)
         if jumping:
-            return _Setups(real, None, [f"no reference run: {jumping}, which no motor can follow exactly"])
+            return _Setups(real, None, [f"no nominal run: {jumping}, which no motor can follow exactly"])
         return _Setups(real, nominal, [])
     return _Setups(real, run_setup(pair.nominal, like=real) if pair.nominal.real else None, [])
 
@@ -135,11 +139,11 @@ def _run(
 ) -> tuple[Trajectory, RunSetup, np.ndarray | None]:
     """The trajectory of the actual robot, the setup that moved, and its rows where they are not the schedule's."""
     if controller is None:
-        done = run_trajectory(real, lambda share: progress("real robot", share), journals("real"), until, stops)
+        done = run_trajectory(real, lambda share: progress("actual robot", share), journals("real"), until, stops)
         return done, real, None
     real = driven_by(real)
     own = run_stops(real, stop)  # states of a run without the sheet's control are shorter
-    done, rows = run_with_controller(real, controller, lambda share: progress("real robot", share), own)
+    done, rows = run_with_controller(real, controller, lambda share: progress("actual robot", share), own)
     return done, real, rows
 
 
@@ -149,11 +153,11 @@ def _reference(
     """The reference run, and the time [s] at which the real one must end to be compared with it (None: its own end)."""
     if nominal is None:
         return None, None
-    done = run_trajectory(nominal, lambda share: progress("reference", share), journals("reference"))
+    done = run_trajectory(nominal, lambda share: progress("nominal robot", share), journals("reference"))
     run = _warned(gathered(nominal, done))
     if done.status == "finished":
         return run, None
-    warnings.append(f"the reference run ended early: {done.message}")
+    warnings.append(f"the nominal run ended early: {done.message}")
     return run, 0.0 if done.status == "interrupted" else float(done.times[-1])
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -11,8 +11,9 @@ from numpy.typing import NDArray
 
 from tmodes.analysis.spectrum import Spectrum, spectrum_of
 from tmodes.analysis.statics.equilibrium import Equilibrium, robot_rest
+from tmodes.chain.chain import Chain
 from tmodes.errors import InputError, SimulationError
-from tmodes.integrate.choice import chosen_method
+from tmodes.integrate.choice import chosen_method, implicit_method
 from tmodes.integrate.registry import AUTO
 from tmodes.integrate.settings import Integration
 from tmodes.model.model import Model
@@ -21,7 +22,7 @@ from tmodes.simulation.loop import LoopModel
 from tmodes.simulation.parts import Journal, Trajectory
 from tmodes.simulation.plan import Follow, Planned, initial_value, planned, starts_at_rest
 from tmodes.simulation.stops import Stops
-from tmodes.simulation.trajectory import integrate, with_error
+from tmodes.simulation.trajectory import integrate
 
 __all__ = ["RunSetup", "first_state", "run_setup", "run_trajectory"]
 
@@ -35,7 +36,8 @@ class RunSetup:
     ``planned``: its chain, drives and signals; ``model``: its closed loop; ``mechanics``: the model of its chain alone;
     ``rest``: the static equilibrium at the start, None where the run does not begin at rest; ``start`` (size,): the
     first state. ``otherwise``: the settings with which to continue where the motion turns out stiff; None: those of the
-    robot to the end. ``callback``: a Python function takes the place of the sheet's controllers.
+    robot to the end. ``callback``: a Python function takes the place of the sheet's controllers. ``follow``: what its
+    motors do.
     """
 
     robot: Robot
@@ -46,6 +48,7 @@ class RunSetup:
     rest: Equilibrium | None = None
     otherwise: Integration | None = None
     callback: bool = False
+    follow: Follow = Follow.SHEET
 
     @property
     def first_row(self) -> Array:
@@ -54,10 +57,25 @@ class RunSetup:
 
     @cached_property
     def spectrum(self) -> Spectrum:
-        """Eigenvalues of the robot under its drives at its start, by exact derivatives."""
-        model = self.model
-        matrix = model.jacobian(0.0, self.start, self.first_row)
+        """Eigenvalues of the robot under its drives at its start, by exact derivatives; no joint or motor sticks."""
+        model, start = self.model, self.start.copy()
+        modes = start[model.layout.modes][: len(model.loop.slipping)]
+        modes[modes == 0] = 1.0
+        matrix = model.jacobian(0.0, start, self.first_row)
         return spectrum_of(matrix, model.coordinates, list(model.plan.further_states))
+
+    @property
+    def implicit(self) -> str | None:
+        """The method for stiff motion: that which takes what may be stiff at the end of a step; None: none does.
+
+        Extrapolation takes explicitly: smooth friction of a contact, contact inside a beam, coupled drives.
+        """
+        loop, touch = self.model.loop, self.model.plan.touch
+        apart = loop.parts.couplings is not None
+        if touch:
+            sheet, point = touch.touch.sheet, loop.parts.points[touch.point]
+            apart |= (sheet.is_rough and not sheet.sticks) or loop.parts.station(point) is not None
+        return implicit_method(self.model.layout.works.start, apart=apart)
 
     def by(self, method: str, otherwise: Integration | None) -> RunSetup:
         """The same with an integrator chosen, and the settings with which to continue where the motion is stiff."""
@@ -70,24 +88,32 @@ class RunSetup:
     def chosen(self) -> RunSetup:
         """The same with the integrator of the robot, chosen by the spectrum where none is named, to the end."""
         given = self.robot.integration
-        return self.by(chosen_method(given, self.spectrum.highest)[0] if given.method == AUTO else given.method, None)
+        return self.by(
+            chosen_method(given, self.spectrum.highest, self.implicit)[0] if given.method == AUTO else given.method,
+            None,
+        )
 
 
-def run_setup(robot: Robot, follow: Follow = Follow.SHEET, like: RunSetup | None = None) -> RunSetup:
+def run_setup(
+    robot: Robot, follow: Follow = Follow.SHEET, like: RunSetup | None = None, chain: Chain | None = None
+) -> RunSetup:
     """A robot ready to run; ``like``: a setup whose chain and rest are taken where its robot is the same.
+
+    ``chain``: taken in place of the robot's own.
 
     Raises :class:`tmodes.errors.InputError` for what cannot be run, and :class:`tmodes.errors.SimulationError` where
     there is no static equilibrium to start from, or the mass matrix is singular.
     """
     like = like if like and _same(robot, like.robot) else None
-    plan = planned(robot, follow, like.planned.chain if like else None)
+    plan = planned(robot, follow, like.planned.chain if like else chain)
     model, mechanics = LoopModel(plan.plan), Model(plan.chain, trials=True)
     held = _held(robot, model)
     rest = None
     if starts_at_rest(robot):
         rest = _same_rest(like, mechanics, held) or robot_rest(robot, model=mechanics, held=held)
     start = first_state(robot, plan, model, rest)
-    _check_inertia(mechanics, start[model.layout.q])
+    given = [driver.coordinate for driver in model.loop.drivers if driver.plan.servo is None]
+    _check_inertia(mechanics, start[model.layout.q], given)
     accelerations = model.observe([0.0], start, plan.schedule.rows_at(np.zeros(1)))["a"][0]
     bad = np.flatnonzero(~np.isfinite(accelerations))
     if len(bad):
@@ -95,12 +121,15 @@ def run_setup(robot: Robot, follow: Follow = Follow.SHEET, like: RunSetup | None
             f"the acceleration at the start is {accelerations[bad[0]]} in coordinate "
             f"{model.coordinates[bad[0]]}; give what it moves a mass and an inertia"
         )
-    return RunSetup(robot, plan, model, start, mechanics, rest)
+    return RunSetup(robot, plan, model, start, mechanics, rest, follow=follow)
 
 
-def _check_inertia(mechanics: Model, q: Array) -> None:
-    """Raises :class:`tmodes.errors.SimulationError` where the mass matrix at the start is singular to rounding."""
-    moved = np.setdiff1d(np.arange(mechanics.nq), mechanics.parts.held)
+def _check_inertia(mechanics: Model, q: Array, given: Sequence[int]) -> None:
+    """Raises :class:`tmodes.errors.SimulationError` where the mass matrix at the start is singular to rounding.
+
+    Coordinates whose motion is ``given`` need no mass.
+    """
+    moved = np.setdiff1d(np.arange(mechanics.nq), [*mechanics.parts.held, *given])
     mass = mechanics.mass_matrix(q)[np.ix_(moved, moved)]
     sizes = np.sqrt(np.maximum(np.diag(mass), 0.0))
     if not len(moved) or not np.isfinite(mass).all():
@@ -159,7 +188,7 @@ def first_state(robot: Robot, plan: Planned, model: LoopModel, rest: Equilibrium
         if driver.plan.servo is None:
             for block, derivative in ((layout.q, 0), (layout.v, 1)):
                 state[block][driver.coordinate] = plan.signals.at(0.0, derivative)[driver.plan.signal]
-    return state
+    return model.settled(0.0, state, plan.schedule.rows_at(np.zeros(1)))
 
 
 def _refuse_unknown_feedback(model: LoopModel) -> None:
@@ -194,6 +223,4 @@ def run_trajectory(
         return Trajectory(np.zeros(1), setup.start[None, :], "stopped", "not begun")
     if until is not None:
         settings, journal = settings.model_copy(update={"duration": until}), None
-    done = integrate(*motion, settings, progress, journal, otherwise, stops)
-    later = otherwise and otherwise.finer()
-    return with_error(done, settings, lambda changed: integrate(*motion, changed, otherwise=later))
+    return integrate(*motion, settings, progress, journal, otherwise, stops)

@@ -9,10 +9,11 @@ from numpy.typing import NDArray
 
 from tmodes.analysis.energy import energy_sentence
 from tmodes.kinds.contacts.registry import Contact
+from tmodes.sheet.robot import RECURSION
 from tmodes.simulation.motion_run import RunData
 from tmodes.simulation.start import RunSetup
 
-__all__ = ["jam_warnings", "jumps", "run_warnings", "start_warnings"]
+__all__ = ["jam_warnings", "jumps", "no_motion", "run_warnings", "start_warnings"]
 
 Array = NDArray[np.float64]
 
@@ -88,6 +89,23 @@ def _values(powers: Array, times: Array) -> Array:
 
 
 _WAYS = ("x", "y", "z", "roll", "pitch", "yaw")
+
+
+_NO_MOTION, _LEAST_ENERGY = 0.1, 1e-4
+"""Share of the energy moved, and energy [J], by which the balance is off where a motion is none of the robot's."""
+
+
+def no_motion(run: RunData) -> str:
+    """Why a run that reached its end cannot be right: energy from nowhere. Empty where it may be.
+
+    Motions that are given may jump, whose impulses are left out; systems of other energies than their motion's are
+    not judged.
+    """
+    given = run.planned.plan.base or any(driver.plan.servo is None for driver in run.setup.model.loop.drivers)
+    off, moved = float(np.abs(run.energy_balance).max()), run.energy_moved
+    if given or run.chain.equations != RECURSION or off < max(_NO_MOTION * moved, _LEAST_ENERGY):
+        return ""
+    return f"the energy balance is off by {off:.3g} J where {moved:.3g} J were moved: no motion of this robot"
 
 
 def run_warnings(run: RunData) -> list[str]:

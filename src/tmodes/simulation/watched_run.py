@@ -145,9 +145,7 @@ class WatchedRun:
         run, after = self.run, _kept(self.run)
         _put(run, start)
         states = np.zeros((len(times), len(run.state)))
-        info = run.arguments(1) | {
-            "times": times, "out": states, "errors_out": np.zeros_like(states), "samples": len(times)
-        }  # fmt: skip
+        info = run.arguments(1) | {"times": times, "out": states, "samples": len(times)}
         run.memory[CELLS.index("sample")] = 0.0
         run.loop(*(value if isinstance(value, int) else value.ctypes.data for value in info.values()))
         _put(run, after)
@@ -207,7 +205,7 @@ def _put(run: NativeRun, kept: dict[str, Array]) -> None:
         getattr(run, name)[:] = kept[name]
 
 
-_CHANGING = ("memory", "state", "slope", "parts", "errors")
+_CHANGING = ("memory", "state", "slope", "parts")
 
 
 def _peaks(beyond: Array) -> list[tuple[int, int]]:

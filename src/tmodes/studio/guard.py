@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import asyncio
 import hmac
 import json
 from collections.abc import Mapping
 from typing import Any
 from urllib.parse import parse_qs
 
+from tmodes.studio import connection
 from tmodes.studio.messages import error_record
 
 __all__ = ["MOST_BODY", "Guard"]
@@ -55,7 +57,12 @@ class Guard:
         if self._token_in_address(scope):
             answer.more = [(b"set-cookie", self._new_cookie())]
         info = headers.get("content-length", "")
-        body = None if info.isdecimal() and int(info[:15]) > MOST_BODY else await _whole_body(receive)
+        try:
+            body = None if info.isdecimal() and int(info[:15]) > MOST_BODY else await _whole_body(receive)
+        except TimeoutError:
+            answer.more = [(b"connection", b"close")]
+            await answer.error(408, error_record("body", "the rest of the request did not come", hint="send it again"))
+            return
         if body is None:
             got, expected = (f"{words} {MOST_BODY:,} bytes" for words in ("more than", "at most"))
             await answer.error(413, error_record("body", "too much was sent", got, expected))
@@ -96,11 +103,14 @@ class Guard:
 
 
 async def _whole_body(receive: Any) -> bytes | None:
-    """All that is sent; None where it is too much, of which only so much is heard that the answer can be heard too."""
+    """All that is sent; None where it is too much, of which only so much is heard that the answer can be heard too.
+
+    Raises :class:`TimeoutError` where the next part does not come.
+    """
     parts: list[bytes] = []
     size, more = 0, True
     while more and size <= 2 * MOST_BODY:
-        message = await receive()
+        message = await asyncio.wait_for(receive(), connection.PATIENCE)
         part = message.get("body", b"")
         size += len(part)
         parts.append(part) if size <= MOST_BODY else parts.clear()

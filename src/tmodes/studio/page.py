@@ -12,7 +12,7 @@ from fastapi import FastAPI, Request, Response
 from tmodes.errors import InputError
 from tmodes.io.words import shown
 
-__all__ = ["add_page", "body_of", "document", "word_of"]
+__all__ = ["add_page", "body_of", "document", "sheet_of", "word_of"]
 
 
 _DOCUMENT = """<!doctype html>
@@ -82,6 +82,20 @@ async def body_of(request: Request) -> dict[str, Any]:
 
 def _no_number(text: str) -> float:
     raise ValueError(f"{text} is no number of JSON")
+
+
+def sheet_of(data: dict[str, Any]) -> dict[str, Any]:
+    """The plain data of the sheet; raises :class:`tmodes.errors.InputError` where there is no such field, or another.
+
+    What is wrong within it, its check says.
+    """
+    sheet = data.get("sheet")
+    if not isinstance(sheet, dict) or not sheet:
+        got = shown(sheet) if "sheet" in data else "nothing"
+        raise InputError(
+            "sheet", got, "the data of a robot, a JSON object", "send `sheet`, as /api/robots/NAME gives it"
+        )
+    return sheet
 
 
 def word_of(data: dict[str, Any], key: str) -> str:

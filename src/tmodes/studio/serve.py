@@ -16,10 +16,12 @@ from types import FrameType
 import uvicorn
 
 from tmodes.errors import InputError
+from tmodes.studio.connection import Connection
 from tmodes.studio.folders import WorkingFolder, own_folder
+from tmodes.studio.guard import Guard
 from tmodes.studio.server import application
 
-__all__ = ["serve"]
+__all__ = ["configured", "serve"]
 
 GRACE = 2
 """Seconds in which requests may end when the studio is stopped."""
@@ -43,16 +45,20 @@ def serve(
     try:
         with listening, _place() as place:
             app = application(folder, token, frozenset(names), place, first)
-            config = uvicorn.Config(app, log_level="warning", access_log=False, server_header=False, date_header=False,
-                                    timeout_graceful_shutdown=GRACE, ws="none")  # fmt: skip
             logging.getLogger("uvicorn.error").addFilter(_no_end)
-            server = _Server(config, lambda: ready(f"http://{_in_address(host)}:{own}/?token={token}"))
+            server = _Server(configured(app), lambda: ready(f"http://{_in_address(host)}:{own}/?token={token}"))
             for number in before:
                 signal.signal(number, server.handle_exit)
             server.run(sockets=[listening])
     finally:
         for number, handler in before.items():
             signal.signal(number, handler)
+
+
+def configured(app: Guard) -> uvicorn.Config:
+    """How the application is served."""
+    return uvicorn.Config(app, log_level="warning", access_log=False, server_header=False, date_header=False,
+                          timeout_graceful_shutdown=GRACE, ws="none", http=Connection)  # fmt: skip
 
 
 @contextmanager

@@ -1,7 +1,7 @@
 """A process that simulates for the studio: orders come in as lines of JSON, answers go out as a line and bytes.
 
 In:  ``{"job": 7, "product": "page", "sheet": {...}, "looks": null}`` or ``{"cancel": 7}``
-Out: ``{"job": 7, "kind": "progress", "stage": "real robot", "share": 0.3, "bytes": 0}``, then one of ``done``,
+Out: ``{"job": 7, "kind": "progress", "stage": "actual robot", "share": 0.3, "bytes": 0}``, then one of ``done``,
 ``error`` and ``cancelled``, each followed by as many bytes as it reports.
 
 When the orders end, because the server closed them or is no more, the process ends too, whatever it does.

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import time
 from pathlib import Path
 
 import pytest
 
+from patience import bounded
 from tmodes.errors import InputError, InputErrors
 from tmodes.io.sheet_files import read_sheet
 
@@ -348,15 +348,13 @@ def test_a_chain_of_3000_links_takes_bounded_time(tmp_path: Path) -> None:
     links = "".join(link.format(i) for i in range(3000))
     path = tmp_path / "long.urdf"
     path.write_text(f'<robot name="r">{links}{"".join(bend.format(i, i - 1) for i in range(1, 3000))}</robot>')
-    start = time.process_time()
-    data = read_sheet(path)[0]
-    assert time.process_time() - start < 5.0
+    with bounded(5.0):
+        data = read_sheet(path)[0]
     assert len(data["joints"]) == 3000
     from tmodes.io.sheet_check import sheet_from_data
 
-    with pytest.raises(InputErrors, match="500"):
+    with bounded(10.0), pytest.raises(InputErrors, match="500"):
         sheet_from_data(data)
-    assert time.process_time() - start < 10.0
 
 
 def test_a_number_of_another_language(tmp_path: Path) -> None:

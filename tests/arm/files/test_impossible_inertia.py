@@ -103,3 +103,14 @@ def test_held_joints_are_reported(tmp_path: Path, capsys: pytest.CaptureFixture[
     assert describe(robot)["notes"] == [note]
     check(str(path))
     assert f"note: {note}" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize("mass", [-2.0, -1e-9, 0.0])
+def test_an_impossible_mass_of_what_stands_still_is_a_warning(mass: float, tmp_path: Path) -> None:
+    """It changes nothing; on a link that moves it stays an error, whatever is allowed."""
+    path = urdf(tmp_path, GOOD, GOOD, GOOD, mass=mass)
+    (notice,) = notices_about(load(path))
+    assert "no mass is taken; it stands still with the base" in notice
+    path.write_text(path.read_text().replace('name="screwed" type="fixed"', 'name="screwed" type="continuous"'))
+    with pytest.raises(InputErrors, match="link bracket: mass must be a mass greater than 0"):
+        load(path, fix_inertia=True)

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import math
-import time
 from pathlib import Path
 
 import pytest
 
+from patience import bounded
 from tmodes.errors import InputError, TmodesError
 from tmodes.io.files import folders_of
 from tmodes.io.sheet_files import read_sheet
@@ -136,10 +136,8 @@ def test_formulas(formula: str, value: object) -> None:
     ],
 )
 def test_formulas_that_are_none(formula: str) -> None:
-    start = time.process_time()
-    with pytest.raises(FormulaError):
+    with bounded(1.0), pytest.raises(FormulaError):
         evaluate(formula, {"x": 3})
-    assert time.process_time() - start < 1.0
 
 
 def expand(inside: str, folder: Path) -> Element:
@@ -199,10 +197,8 @@ def test_an_include_of_itself_ends(tmp_path: Path) -> None:
 
 def test_macros_that_double_without_end_take_bounded_time(tmp_path: Path) -> None:
     macros = "".join(f'<xacro:macro name="m{i}"><xacro:m{i + 1}/><xacro:m{i + 1}/></xacro:macro>' for i in range(40))
-    start = time.process_time()
-    with pytest.raises(InputError, match="more than 200000 elements"):
+    with bounded(20.0), pytest.raises(InputError, match="more than 200000 elements"):
         expand(f'{macros}<xacro:macro name="m40"/><xacro:m0/>', tmp_path)
-    assert time.process_time() - start < 20.0
 
 
 def test_escapes_defaults_and_outer_names(tmp_path: Path) -> None:
@@ -221,6 +217,9 @@ def test_escapes_defaults_and_outer_names(tmp_path: Path) -> None:
 
 def test_a_xacro_is_a_urdf_after_all(tmp_path: Path) -> None:
     path = tmp_path / "bad.xacro"
-    path.write_text('<robot name="r">\n<link name="a"><inertial>\n<mass value="${-1}"/></inertial></link></robot>')
+    joint = '<joint name="j" type="continuous"><parent link="b"/><child link="a"/></joint><link name="b"/>'
+    path.write_text(
+        f'<robot name="r">{joint}\n<link name="a"><inertial>\n<mass value="${{-1}}"/></inertial></link></robot>'
+    )
     with pytest.raises(TmodesError, match=r"bad\.xacro:3: link a: mass must be .*, got -1"):
         read_sheet(path)

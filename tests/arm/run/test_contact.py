@@ -7,7 +7,6 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from arm.run.sheets import REFERENCE, TIGHT, ZERO, arm, at_times, beam
-from tmodes.errors import InputError
 from tmodes.simulation.simulate import simulate_motion
 
 
@@ -129,13 +128,6 @@ def test_bob_on_a_ball(inside, method, tolerance):
     found = solve_ivp(rate, (0, 1), [0.95, 0, 0, 1], "DOP853", run.times, rtol=1e-12, atol=1e-13).y.T
     assert np.abs(run.q - found[:, :2]).max() < 1e-9
     assert np.abs(run.energy_balance).max() < 1e-8 * run.energy_moved
-
-
-def test_mass_of_a_surface_that_only_pushes_is_refused():
-    contact = {"shape": {"type": "wall", "distance": 1.0}, "law": "unilateral", "stiffness": 1e3, "damping": 0.0,
-               "mass": 1.0}  # fmt: skip
-    with pytest.raises(InputError, match=r"contact\.mass"):
-        simulate_motion(slider(1.0, contact, integration={"duration": 0.1}))
 
 
 def link_under(load, **more):

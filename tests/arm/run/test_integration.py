@@ -159,7 +159,7 @@ def test_no_reference_run_of_a_jump():
     run = simulate_motion(pendulum(MOTOR, {"stiffness": float("inf")}, drive, initial={"state": "zero"},
                                 integration={"duration": 1.0, "output_step": 0.01}))  # fmt: skip
     assert run.reference is None
-    assert any("no reference run" in warning and "0.234568" in warning for warning in run.warnings)
+    assert any("no nominal run" in warning and "0.234568" in warning for warning in run.warnings)
     assert run.status == "finished"
 
 

@@ -54,7 +54,7 @@ def test_series_agree_with_each_other():
     assert gear == pytest.approx(gap)
     parts = data["deformation_stationary"] + data["deformation_oscillatory"]
     assert parts.values == pytest.approx(data["deformation"].values)
-    apart = np.linalg.norm(data["tip"].values - data["tip_reference"].values, axis=1)
+    apart = np.linalg.norm(data["tip"].values - data["tip_nominal"].values, axis=1)
     assert data["deviation"].values == pytest.approx(apart)
     assert np.abs(data["contact_force_normal"].values).max() > 0
     assert data["link_parent"].sel(link="hand") == "rod"

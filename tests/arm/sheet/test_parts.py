@@ -107,7 +107,10 @@ def test_a_joint_side_motor_is_taken_as_it_is() -> None:
         ({"ratio": 0}, "motor.ratio"),
         ({"ratio": 9, "resistance": 1}, "motor.back_emf_constant"),
         ({"ratio": 9, "inductance": 1}, "motor.inductance"),
-        ({"ratio": 9, "friction": {"viscous": 0, "static_extra": 1}}, "motor.friction.stribeck_rate"),
+        (
+            {"ratio": 9, "friction": {"viscous": 0, "static_extra": 1, "smoothing": 1e-3}},
+            "motor.friction.stribeck_rate",
+        ),
         ({"ratio": 9, "friction": {"viscous": 0, "coulomb": -1}}, "motor.friction.coulomb"),
         ({"ratio": 9, "inertia": -1e-4}, "motor.inertia"),
         ({"ratio": 9, "side": "Motor "}, "Did you mean `motor`?"),

@@ -6,7 +6,6 @@ from typing import Any
 
 import pytest
 
-from tmodes.analysis.hierarchy.move import chosen_move
 from tmodes.analysis.statics.equilibrium import first_value, robot_rest, sheet_loads
 from tmodes.sheet import Robot
 from tmodes.simulation.simulate import simulate_motion
@@ -43,15 +42,7 @@ def test_a_signal_that_holds_for_the_run_alone_rests_and_runs(signal, duration, 
     assert run.q[0] == pytest.approx([first], abs=1e-12)
 
 
-def test_the_ladders_own_move_starts_where_such_a_signal_starts():
-    """A kink, which the ladder does not follow, in a formula without a value after 0.6 s."""
-    move = chosen_move(sheet({"type": "expression", "formula": "abs(t - 0.2) + sqrt(0.6 - t)"}, 0.5), 3.0)
-    assert "quintic" in move.words
-    assert move.at(0.0) == pytest.approx([0.2 + 0.6**0.5], abs=1e-12)
-
-
 @pytest.mark.parametrize("duration", [0.5, 20.0])
 def test_a_jump_within_the_run_is_not_at_its_start(duration):
     arm = sheet({"type": "step", "start": 0.2, "end": 0.9, "time": 0.3}, duration)
     assert robot_rest(arm).named == {"hinge": 0.2}
-    assert chosen_move(arm, 3.0).at(0.0) == pytest.approx([0.2])

@@ -6,7 +6,8 @@ import type { Entry } from "./series";
 
 /** Marks of the live model's own robot, where it reports them; null where those of the page hold. */
 export function changedMarks(chart: Chart, run: LiveRun | null): Chart["marks"] | null {
-  return chart.group === "spectrum" && typeof run?.vibration === "object" ? run.vibration.marks : null;
+  if (chart.group !== "spectrum" || chart.id === "spectrum_tip_nominal") return null; // marks of the actual robot
+  return typeof run?.vibration === "object" ? run.vibration.marks : null;
 }
 
 /** Marks as far as the curves go. */

@@ -26,7 +26,7 @@ const SERIES: number[][] = [[], [7, 2], [6, 2, 2, 2], [2, 2], [9, 2, 2, 2, 2, 2]
 
 export const WORDS: Record<Role, string> = {
   real: "actual",
-  reference: "reference",
+  reference: "nominal",
   rigid: "rigid",
   stationary: "quasi-static part",
   oscillatory: "oscillatory part",

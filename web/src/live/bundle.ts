@@ -58,6 +58,8 @@ export interface RunInfo {
   start: Numbers;
   info: number[];
   exact: [number, number][];
+  /** Coordinates whose place a drive commands, and the signal of each. */
+  commanded: [number, number][];
   signals: number;
   /** Those of the signals that move the robot; noise and the clocks of controllers move nothing. */
   moving: number[];
@@ -92,6 +94,8 @@ export interface Bundle extends LiveBundle {
   /** Joints that turn; others slide. */
   turning: string[];
   straight: Affine;
+  /** Whether the tip of the undeformed robot at its setpoints is known: with a reference run, where it stands. */
+  commanded: boolean;
   links: { name: string; bends: boolean }[];
   carried: LoadsInfo;
   contactPoint: number;
@@ -123,6 +127,8 @@ export interface Surface {
 /** The rest about which modes are reported, the row of a base under weight, and by case the coordinates that move. */
 export interface ModesInfo {
   rest: Numbers;
+  /** The rest in which the run ends; null: it has none. */
+  end: Numbers | null;
   /** The coordinates that weight and loads move there; others are driven. */
   free: number[];
   weight: Numbers;

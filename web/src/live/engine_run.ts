@@ -34,8 +34,6 @@ export interface RunResult {
   message: string;
   times: Float64Array; // [n] s
   states: Float64Array; // [n, size]
-  /** Sums of the sizes of the local errors [n, size]; zeros of methods that do not tell them. */
-  errors: Float64Array;
   statistics: Record<string, number | string | null>;
 }
 
@@ -49,8 +47,6 @@ export class EngineRun {
   private readonly state: Float64Array;
   private readonly slope: Float64Array;
   private readonly states: Float64Array;
-  private readonly sums: Float64Array;
-  private readonly sumsAtSamples: Float64Array;
 
   constructor(
     private readonly engine: Engine,
@@ -64,9 +60,7 @@ export class EngineRun {
     this.memory = new Float64Array(engine.layout.cells.length);
     this.state = spec.state.slice();
     this.slope = new Float64Array(info.size);
-    this.sums = new Float64Array(info.size);
     this.states = new Float64Array(spec.times.length * info.size);
-    this.sumsAtSamples = new Float64Array(spec.times.length * info.size);
     this.states.set(spec.state);
     this.put({ sample: 1, fresh: 1, old_error: 1e-4 });
   }
@@ -124,8 +118,6 @@ export class EngineRun {
       times,
       out: fresh(this.states),
       options: Float64Array.from(layout.options, (name) => chosen[name]),
-      errors: both(this.sums),
-      errors_out: fresh(this.sumsAtSamples),
       seen: new Float64Array(1),
       segments: knots.length - 1,
       samples: times.length,
@@ -143,7 +135,7 @@ export class EngineRun {
     });
     return {
       status, message, times: this.spec.times.slice(0, done), states: this.states.slice(0, done * size),
-      errors: this.sumsAtSamples.slice(0, done * size), statistics: this.statistics(),
+      statistics: this.statistics(),
     };
   }
 

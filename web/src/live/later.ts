@@ -22,7 +22,7 @@ export async function completed(
     since = performance.now();
   };
   await pause(true);
-  const { vibration, facts } = vibrationOf(engine, bundle, values, real.blocks, real.schedule);
+  const { vibration, facts } = vibrationOf(engine, bundle, values, real, run);
   await pause(true);
   const parts = await splitOf(engine, bundle, real.blocks, real.schedule, run.times, run.series, pause);
   return { ...run, vibration, facts: { ...run.facts, ...facts }, series: { ...run.series, ...parts } };

@@ -34,6 +34,7 @@ export function linearAbout(
   blocks: Blocks,
   schedule: Schedule,
   q: Float64Array,
+  time = 0,
 ): Linear {
   const n = q.length;
   const still = new Float64Array(n);
@@ -41,7 +42,7 @@ export function linearAbout(
   const base = doubles(bundle.base);
   const driven = engine.sample("inertia", blocks.chain, { q, v: still, a: units, base }, n);
   const { points } = engine.sample("inertia", blocks.chain, { q, v: still, a: still, base }, 1);
-  const acts = actsAt(bundle, blocks, schedule, points, driven.points, n);
+  const acts = actsAt(bundle, blocks, schedule, points, driven.points, n, time);
   const mass = acts.mass;
   for (let i = 0; i < n; i += 1) {
     for (let j = 0; j < n; j += 1) mass[i * n + j] += (driven.forces[i * n + j] + driven.forces[j * n + i]) / 2;
@@ -74,13 +75,13 @@ export function linearAbout(
  * found.
  */
 export function linearAtRest(
-  engine: Engine, bundle: Bundle, blocks: Blocks, schedule: Schedule, near: Float64Array,
+  engine: Engine, bundle: Bundle, blocks: Blocks, schedule: Schedule, near: Float64Array, time = 0,
 ): { rest: Float64Array; linear: Linear } | null {
   const { free } = bundle.modes!;
   const [rest, n, m] = [near.slice(), near.length, free.length];
   let [before, found] = [Infinity, !m];
   for (let step = 0; step < STEPS; step += 1) {
-    const linear = linearAbout(engine, bundle, blocks, schedule, rest);
+    const linear = linearAbout(engine, bundle, blocks, schedule, rest, time);
     if (found) return { rest, linear };
     const matrix = Float64Array.from(
       { length: m * m },

@@ -53,7 +53,7 @@ export function sceneOf(
   const rigidAt = (q: Float64Array) => lineAt(affine(bundle.straight, q, m));
   const rigid = rigidAt(at("q"));
   const numbers = (name: string) => ({ data: at(name), shape: [m, ...series[name].shape.slice(1)] });
-  const compared = "q_reference" in series;
+  const compared = "q_nominal" in series;
   const shape = real.line.shape.slice(0, 3);
   const away = (real.line.data as Float64Array).map((value, k) => value - rigid.data[k]);
   return {
@@ -61,8 +61,8 @@ export function sceneOf(
     line: real.line,
     rigid,
     roots: real.roots,
-    reference: compared ? lineAt(at("q_reference")) : null,
-    referenceRigid: compared ? rigidAt(at("q_reference")) : null,
+    reference: compared ? lineAt(at("q_nominal")) : null,
+    referenceRigid: compared ? rigidAt(at("q_nominal")) : null,
     colours: [
       ...loads,
       {
@@ -73,7 +73,7 @@ export function sceneOf(
       },
     ],
     tip: numbers("tip"),
-    tipReference: compared ? numbers("tip_reference") : null,
+    tipReference: compared ? numbers("tip_nominal") : null,
     contact:
       bundle.contactPoint < 0
         ? null

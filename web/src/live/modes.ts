@@ -9,7 +9,7 @@ import { figures, type Facts } from "./facts";
 
 /** One mode; `re`, `im`: its motion in all coordinates, as the damped robot moves. */
 export interface Found {
-  frequency: number; // Hz; 0: no vibration
+  frequency: number; // Hz: of mass and stiffness alone, of what rings under control |pole|/2 pi; 0: no vibration
   /** As it rings [Hz]; null: it does not. */
   rings: number | null;
   damping: number;
@@ -26,9 +26,10 @@ const STEP = 1e-5; // of the largest coordinate, by which a line's motion is fou
 const NO_PEAK = Math.SQRT1_2; // damping from which on a response has no peak
 const RINGS = 1e-9;
 
-/** What the page shows of the modes of each case about `rest` [nq], and the headline number. */
+/** What the page shows of the modes of each case about `rest` [nq], of those `marked`, and the headline number. */
 export function info(
   cases: Record<string, Found[]>,
+  marked: readonly Found[],
   rest: Float64Array,
   lines: Lines,
 ): { vibration: Vibration; facts: Facts } {
@@ -39,7 +40,6 @@ export function info(
       .map((mode): [string, Found] => [name, mode]),
   );
   const modes = shown(vibrating, rest, lines);
-  const marked = cases.controlled?.length ? cases.controlled : (cases.locked ?? []);
   const marks = marked.flatMap((mode) =>
     mode.rings && mode.damping < NO_PEAK ? [{ at: mode.rings, label: mode.element }] : [],
   );
@@ -48,10 +48,12 @@ export function info(
 
 function frequencyFact({ controlled, locked }: Record<string, Found[] | undefined>): Facts {
   if (!controlled) return {};
-  const lowest = (values: (number | null)[]) =>
-    values.reduce((least: number | null, value) => (value && (least === null || value < least) ? value : least), null);
-  const value = lowest(controlled.map((mode) => mode.rings));
-  const held = lowest((locked ?? []).map((mode) => mode.frequency));
+  const lowest = (modes: Found[]) =>
+    modes.reduce(
+      (least: number | null, { rings, frequency }) => (rings && frequency < (least ?? Infinity) ? frequency : least),
+      null,
+    );
+  const [value, held] = [lowest(controlled), lowest(locked ?? [])];
   const note =
     value === null
       ? "no vibration under control"

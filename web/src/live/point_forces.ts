@@ -23,6 +23,7 @@ export interface Acts {
  */
 export function actsAt(
   bundle: Bundle, blocks: Blocks, schedule: Schedule, points: Float64Array, columns: Float64Array, n: number,
+  time = 0,
 ): Acts {
   const places = points.length / POINT;
   const found: Acts = {
@@ -39,7 +40,7 @@ export function actsAt(
   bundle.loads.forEach((load, which) => {
     const { point, follower } = load;
     const own = blocks.loads.subarray(WRENCH * which, WRENCH * (which + 1));
-    const wrench = wrenchAt(load, own, schedule, 0, points, POINT * point);
+    const wrench = wrenchAt(load, own, schedule, time, points, POINT * point);
     add(found.wrenches.subarray(WRENCH * point, WRENCH * (point + 1)), wrench, 1);
     if (!follower) return;
     const turn = jacobian(point, 21);

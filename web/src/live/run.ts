@@ -40,7 +40,8 @@ export async function runOf(
   const count = Math.min(...regimes.map((regime) => regime.run.times.length));
   const [own, planned] = [real, ...regimes.slice(0, -1)].map((regime) => seenOf(engine, bundle, regime, count));
   const times = real.run.times.subarray(0, count);
-  const series = { ...seriesOf(bundle, real, own, count), ...(planned ? compared(bundle, own, planned, count) : {}) };
+  const against = planned ? compared(engine, bundle, regimes[0], own, planned, count) : {};
+  const series = { ...seriesOf(bundle, real, own, count), ...against };
   const frames = framesOf(bundle, count);
   const end = signals.moveEnd(real.info.moving.map((k) => real.each[k]));
   const failed = regimes.find((regime) => regime.run.status !== "finished");
@@ -53,7 +54,7 @@ export async function runOf(
   const colours = loadColours(bundle, loads.links, frames.length);
   return {
     status: failed ? failed.run.status : "finished",
-    message: failed ? `${failed === real ? "actual robot" : "reference"}: ${failed.run.message}` : real.run.message,
+    message: failed ? `${failed === real ? "actual robot" : "nominal run"}: ${failed.run.message}` : real.run.message,
     seconds,
     times,
     series,

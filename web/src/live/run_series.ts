@@ -107,23 +107,31 @@ export function seriesOf(bundle: Bundle, real: Regime, { model, points, energy }
 }
 
 /** Those that need the reference: what it does, and how far the actual robot is from it. */
-export function compared(bundle: Bundle, own: Seen, planned: Seen, count: number): SeriesOf {
+export function compared(
+  engine: Engine, bundle: Bundle, { blocks }: Regime, own: Seen, planned: Seen, count: number,
+): SeriesOf {
   const n = planned.model.q.length / count;
   const places = planned.points.length / count / POINT;
   const [tip, wanted] = [own, planned].map(({ points }) => columns(points, places * POINT, [9, 10, 11]));
   const series: SeriesOf = {
-    q_reference: shaped(planned.model.q, count, n),
-    v_reference: shaped(planned.model.v, count, n),
-    deformation_reference: shaped(
+    q_nominal: shaped(planned.model.q, count, n),
+    v_nominal: shaped(planned.model.v, count, n),
+    deformation_nominal: shaped(
       affine(bundle.deflections, planned.model.q, count),
       count,
       bundle.deformations.length,
     ),
-    gear_torque_reference: shaped(planned.model.gear, count, planned.model.gear.length / count),
-    tip_reference: shaped(wanted, count, 3),
+    gear_torque_nominal: shaped(planned.model.gear, count, planned.model.gear.length / count),
+    tip_nominal: shaped(wanted, count, 3),
     deviation: shaped(sizes(difference(tip, wanted), 3), count),
   };
+  if (bundle.commanded) {
+    const q = affine(bundle.straight, planned.model.q, count); // its motors are at their setpoints
+    const [v, base] = [new Float64Array(n), doubles(bundle.base)];
+    const { points } = engine.sample("inertia", blocks.chain, { q, v, a: v, base }, count);
+    series.tip_commanded = shaped(columns(points, places * POINT, [9, 10, 11]), count, 3);
+  }
   if (bundle.contactPoint >= 0)
-    series.contact_force_normal_reference = shaped(columns(planned.model.contact, 6, [3]), count);
+    series.contact_force_normal_nominal = shaped(columns(planned.model.contact, 6, [3]), count);
   return series;
 }

@@ -11,7 +11,9 @@ import { numbersOf, type Blocks } from "./map";
 import { motionOf, ringing, info, type Found } from "./modes";
 import type { Vibration } from "../contract_parts";
 import { bestPartners, likeness } from "./partners";
-import type { Schedule } from "./signals";
+import type { LiveRun } from "../contract_parts";
+import type { Regime } from "./regime";
+import { valueAt, type Schedule } from "./signals";
 
 const ROUNDING = 1e-13;
 const NOTHING = 1e-13;
@@ -20,15 +22,20 @@ const LOADS = "whole arm, in its weight and loads";
 
 /** Modes, marks and the first frequency for values of the sliders; a sentence where there are none. */
 export function vibrationOf(
-  engine: Engine, bundle: Bundle, values: readonly number[], blocks: Blocks, schedule: Schedule,
+  engine: Engine, bundle: Bundle, values: readonly number[], { blocks, schedule, info: own }: Regime, run: LiveRun,
 ): { vibration: Vibration | string; facts: Facts } {
   if (!bundle.modes) return { vibration: bundle.noModes, facts: {} };
   try {
-    const { rest, linear } = aboutRest(engine, bundle, values, schedule);
+    const { rest, linear } = aboutRest(engine, bundle, values, schedule, doubles(bundle.modes.rest));
     const cases = Object.fromEntries(
       bundle.modes.cases.map(({ name, moving }) => [name, modesOf(bundle, blocks, linear, name, moving)]),
     );
-    return info(cases, rest, (q, count) => poseOf(engine, bundle, blocks, q, count).line);
+    const { name, moving } = bundle.modes.cases.find((one) => one.name === "controlled" && one.moving.length) ??
+      bundle.modes.cases.find((one) => one.name === "locked")!;
+    const end = endOf(bundle, own, schedule, run);
+    const ending = end && aboutRest(engine, bundle, values, schedule, end, run.times[run.times.length - 1]).linear;
+    const marked = ending ? modesOf(bundle, blocks, ending, name, moving) : [];
+    return info(cases, marked, rest, (q, count) => poseOf(engine, bundle, blocks, q, count).line);
   } catch (problem) {
     return { vibration: problem instanceof Error ? problem.message : String(problem), facts: {} };
   }
@@ -39,13 +46,28 @@ function aboutRest(
   bundle: Bundle,
   values: readonly number[],
   schedule: Schedule,
+  near: Float64Array,
+  time = 0,
 ): { rest: Float64Array; linear: Linear } {
   let last: ReturnType<typeof linearAtRest> = null;
-  restFor(bundle, values, "real", doubles(bundle.modes!.rest), (set, from) => {
-    last = linearAtRest(engine, bundle, numbersOf(bundle.map, set, "real"), schedule, from);
+  restFor(bundle, values, "real", near, (set, from) => {
+    last = linearAtRest(engine, bundle, numbersOf(bundle.map, set, "real"), schedule, from, time);
     return last && last.rest;
   });
   return last!;
+}
+
+/** Near the rest in which a run ends: driven coordinates at their setpoints, or where it left them; null: no rest. */
+function endOf(bundle: Bundle, own: Regime["info"], schedule: Schedule, run: LiveRun): Float64Array | null {
+  if (!bundle.modes!.end) return null;
+  const end = doubles(bundle.modes!.end).slice();
+  const [time, last] = [run.times[run.times.length - 1], run.series.q.data.subarray(-end.length)];
+  const signals = new Map(own.commanded);
+  for (let k = 0; k < end.length; k += 1) {
+    const signal = signals.get(k);
+    if (!bundle.modes!.free.includes(k)) end[k] = signal === undefined ? last[k] : valueAt(schedule, signal, time);
+  }
+  return end;
 }
 
 function modesOf(bundle: Bundle, blocks: Blocks, linear: Linear, name: string, moving: number[]): Found[] {

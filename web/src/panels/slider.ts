@@ -65,7 +65,8 @@ export function makeSlider(slider: Slider, changed: () => void): SliderRow {
     make("i", { text: slider.symbol ? ` ${slider.symbol}` : "" }),
   );
   const element = make("div", { class: "slider", "data-path": slider.path }, words,
-    make("div", { class: "slider-row" }, range, number, make("span", { class: "unit", text: unit }), back));
+    make("div", { class: "slider-row" }, range, number, make("span", { class: "unit", text: unit }), back),
+    make("code", { class: "path", text: slider.path, title: "--set PATH=VALUE" }));
   tell();
   return {
     element,

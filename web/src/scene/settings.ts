@@ -22,7 +22,7 @@ export const TOGGLES: [
   keyof Settings & ("reference" | "rigid" | "traces" | "force" | "surface" | "floor" | "apart"),
   string,
 ][] = [
-  ["reference", "Reference (ghost)"],
+  ["reference", "Nominal (ghost)"],
   ["rigid", "Rigid plan (ghost)"],
   ["traces", "Paths of the tips"],
   ["force", "Contact force"],

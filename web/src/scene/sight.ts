@@ -119,8 +119,8 @@ export abstract class Sight<Kind extends ShownRun = ShownRun> {
     else if (settings.traces) entries.push({ colour: colours.real, label: "Path of the tip" });
     const has = (key: "reference" | "rigid") => settings[key] && runs.some(({ run }) => run.scene[key]);
     const led = settings.traces && runs.some(({ run }) => run.scene.tipReference);
-    if (has("reference")) entries.push({ colour: runs[0].referenceColour, label: "Reference" });
-    else if (led) entries.push({ colour: runs[0].referenceColour, label: "Path of the reference" });
+    if (has("reference")) entries.push({ colour: runs[0].referenceColour, label: "Nominal" });
+    else if (led) entries.push({ colour: runs[0].referenceColour, label: "Path of the nominal tip" });
     if (has("rigid")) entries.push({ colour: colours.rigid, label: "Without any elasticity" });
     if (runs.some(({ changed }) => changed)) entries.push({ colour: colours.before, label: "The run as it was" });
     return entries;

@@ -22,6 +22,8 @@ export interface Wrong {
 
 /** A number, or several in proportion, that are worth a slider. */
 export interface Knob {
+  /** What `--set` takes. */
+  path: string;
   label: string;
   symbol: string;
   unit: string;

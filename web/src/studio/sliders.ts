@@ -66,6 +66,7 @@ function slider(knob: Knob, sheet: Sheet, changed: () => void): { element: HTMLE
       range,
       typed,
       info,
+      make("code", { class: "path", text: knob.path, title: "--set PATH=VALUE" }),
     ),
     refresh,
   };

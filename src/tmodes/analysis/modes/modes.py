@@ -39,10 +39,12 @@ class Servo(NamedTuple):
 class Mode:
     """One mode of vibration.
 
-    ``frequency_Hz``: natural, from mass and stiffness alone, 0 for a free motion and for one that buckles; of a mode
-    that rings under control, or about steady motion, |lambda|/2 pi, because strong controllers and gyroscopic forces
-    make other motions than masses and springs do;
-    ``damped_frequency_Hz``: as it rings, None when it does not; ``damping_ratio``: -Re/|lambda|, 1 when over-damped;
+    ``pole``: real and imaginary part [1/s] of its eigenvalue lambda, of all matrices (mass, damping, stiffness,
+    controllers); from it follow ``damping_ratio`` = -Re/|lambda|, 1 when over-damped, and ``damped_frequency_Hz`` =
+    Im/2 pi, None where it does not ring. ``frequency_Hz``: natural, of mass and stiffness alone, 0 for a free motion
+    and for one that buckles; of a mode that rings under control, or about steady motion, |lambda|/2 pi, because strong
+    controllers and gyroscopic forces make other motions than masses and springs do, so that it is never below the
+    damped one;
     ``element``: where most of its elastic energy is, and the ``share`` of it; ``shares`` of all elements; ``stable`` is
     False where it grows, by the factor e in ``growth_time_s``, else None. ``shape`` (nq,): of the undamped mode, its
     largest entry 1. ``motion`` (nq,): complex, as the damped robot moves.
@@ -56,6 +58,7 @@ class Mode:
     shares: dict[str, float]
     stable: bool
     growth_time_s: float | None
+    pole: list[float]
     shape: Array
     motion: Complex | None = None
 
@@ -66,7 +69,7 @@ def modes_about(
     servos: Mapping[str, Servo] | None = None,
     feedback: Feedback | None = None,
 ) -> list[Mode]:
-    """Modes by rising frequency about a robot at rest.
+    """Modes about a robot at rest, by rising frequency of their undamped shapes.
 
     ``motors`` locked: the driven coordinates stand still; free: they turn without current; controlled: they are on the
     springs and dampers ``servos`` of their controllers, or under the ``feedback`` of
@@ -95,10 +98,10 @@ def modes_about(
     modes = []
     for k, square in enumerate(squares):
         energies = {name: float(part[k]) for name, part in stored.items()}
-        mode = _mode(float(square), eigenvalues[k], whole[:, k], energies, zero)
-        rings = (chosen or rest.rates is not None) and mode.damped_frequency_Hz
-        frequency = float(abs(eigenvalues[k])) / (2 * np.pi) if rings else mode.frequency_Hz
-        modes.append(replace(mode, frequency_Hz=frequency, motion=moved[:, k]))
+        mode = _mode(float(square), complex(eigenvalues[k]), whole[:, k], energies, zero)
+        if (chosen or rest.rates is not None) and mode.damped_frequency_Hz:
+            mode = replace(mode, frequency_Hz=abs(complex(*mode.pole)) / (2 * np.pi))
+        modes.append(replace(mode, motion=moved[:, k]))
     return modes
 
 
@@ -149,9 +152,13 @@ def _eigenvalues(
 
 
 def moving_coordinates(rest: Equilibrium, motors: MotorState, servos: Mapping[str, Servo]) -> NDArray[np.intp]:
-    """Indices of the coordinates that move in one of the cases of :func:`modes_about`."""
+    """Indices of the coordinates that move in one of the cases of :func:`modes_about`.
+
+    A rotor without inertia has no motion of its own: it is one whose motion is prescribed.
+    """
     model = rest.model
-    prescribed = set(model.parts.held)
+    rotors = {axis.input for axis in model.parts.axes if axis.axis.drive.has_motor}
+    prescribed = {*model.parts.held, *(k for k in rotors if not model.rotor_inertias[k])}
     added: Sequence[int] = driven(model) if motors is MotorState.FREE else [model.coordinates.index(n) for n in servos]
     return np.array(sorted(({*rest.free.tolist(), *added}) - prescribed), dtype=np.intp)
 
@@ -186,18 +193,19 @@ def _mode(square: float, value: complex, shape: Array, stored: Mapping[str, floa
     shown = shape / shape[np.abs(shape).argmax()]
     total = sum(stored.values())
     if abs(square) <= zero and total <= zero:
-        return Mode(0.0, None, 0.0, "whole arm, free", 1.0, {}, True, None, shown)
+        return Mode(0.0, None, 0.0, "whole arm, free", 1.0, {}, True, None, [0.0, 0.0], shown)
     shares = {name: energy / total for name, energy in stored.items()} if total > zero else {}
     home = max(shares, key=lambda name: shares[name]) if shares else "whole arm, in its weight and loads"
     size, stable = abs(value), bool(value.real <= GROWING * abs(value))
     return Mode(
         frequency_Hz=float(np.sqrt(max(square, 0.0))) / (2 * np.pi),
-        damped_frequency_Hz=float(value.imag) / (2 * np.pi) if value.imag > RINGS * size else None,
+        damped_frequency_Hz=value.imag / (2 * np.pi) if value.imag > RINGS * size else None,
         damping_ratio=float(-value.real / size) if abs(value.real) > ROUNDING * size else 0.0,
         element=home,
         share=shares.get(home, 1.0),
         shares=shares,
         stable=stable,
         growth_time_s=None if stable else float(1 / value.real),
+        pole=[value.real, value.imag],
         shape=shown,
     )

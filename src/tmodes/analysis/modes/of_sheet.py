@@ -36,7 +36,7 @@ STEADY = 1e-6
 ALIKE = 0.3
 """Likeness (modal assurance) from which two modes are the same motion."""
 
-_FREQUENCY = ("frequency_Hz", "damped_frequency_Hz", "damping_ratio", "element", "share", "stable")
+_FREQUENCY = ("frequency_Hz", "damped_frequency_Hz", "damping_ratio", "pole", "element", "share", "stable")
 """What is kept of a mode where its shape does not matter."""
 
 

@@ -19,7 +19,7 @@ from tmodes.compile.ir.unroll import Unrolled, pays, unrolled
 from tmodes.compile.ir.values import write_values
 
 __all__ = [
-    "Main", "ScheduleRate", "kernel_symbol", "write_kernel", "write_main", "write_program", "write_rate",
+    "Main", "ScheduleRate", "kernel_symbol", "write_jumps", "write_kernel", "write_main", "write_program", "write_rate",
     "write_samples",
 ]  # fmt: skip
 
@@ -152,7 +152,9 @@ class ScheduleRate:
     ``step_offset``: where in the held memory the length of an implicit step is put; ``gate_offset``: where two numbers
     stand that are both positive while a force acts that starts and ends; None where there is none. ``call_from``: as
     ``call`` with one more pointer after the state, to the coordinates and rates that springs start from. ``sampled``:
-    the state after the samples at a knot, as a function of the same kind; None where nothing is sampled.
+    the state after the samples at a knot, as a function of the same kind; None where nothing is sampled. ``switches``:
+    where the ``switch_count`` numbers stand that end what sticks or slips; ``switched``: the state after such an end.
+    ``narrow``: where the ``narrow_count`` rates of narrow friction stand, and their widths behind them.
     """
 
     prepare: Any
@@ -164,6 +166,11 @@ class ScheduleRate:
     gate_offset: int | None = None
     call_from: Any = None
     sampled: ScheduleRate | None = None
+    switches: int = 0
+    switch_count: int = 0
+    switched: ScheduleRate | None = None
+    narrow: int = 0
+    narrow_count: int = 0
 
 
 def write_rate(module: Any, schedule: Any, numbers: Double, name: str) -> ScheduleRate:
@@ -185,9 +192,18 @@ def write_rate(module: Any, schedule: Any, numbers: Double, name: str) -> Schedu
     call = write(f"{name}.call", ("state", "row"))
     call_from = write(f"{name}.call_from", ("state", "start", "row")) if "start" in inputs else None
     gate = main.memory.offset(schedule.gate) if schedule.gate else None
-    sampled = write_rate(module, schedule.sampled, numbers, f"{name}.sampled") if schedule.sampled else None
+    sampled, switched = write_jumps(module, schedule, numbers, name)
     sizes = (main.memory.workspace, schedule.output_size, inputs["row"].size)
-    return ScheduleRate(prepare, call, *sizes, step, gate, call_from, sampled)
+    switches = (main.memory.offset(schedule.switches), schedule.switches.size) if schedule.switches else (0, 0)
+    narrow = (main.memory.offset(schedule.narrow), schedule.narrow.size // 2) if schedule.narrow else (0, 0)
+    jumps = (sampled, switches[0], switches[1], switched, narrow[0], narrow[1])
+    return ScheduleRate(prepare, call, *sizes, step, gate, call_from, *jumps)
+
+
+def write_jumps(module: Any, schedule: Any, numbers: Double, name: str) -> list[ScheduleRate | None]:
+    """What changes a state at an instant: samples, and switches; None for those that there are not."""
+    jumps = {"sampled": schedule.sampled, "switched": schedule.switched}
+    return [write_rate(module, jump, numbers, f"{name}.{label}") if jump else None for label, jump in jumps.items()]
 
 
 def _write_call(module: Any, schedule: Any, main: Main, numbers: Double, name: str, taken: tuple[str, ...]) -> Any:

@@ -129,7 +129,7 @@ class Layout:
         for index, (_, inputs, outputs) in enumerate(schedule.calls):
             last |= dict.fromkeys(self._blocks((*inputs, *outputs)), index)
         kept = [slot for slots in schedule.outputs.values() for slot in slots]
-        kept += [schedule.gate] if schedule.gate else []
+        kept += schedule.watched
         kept += [schedule.inputs["step"]] if "step" in schedule.inputs else []  # set once, before all calls
         last |= dict.fromkeys(self._blocks(kept), len(schedule.calls))
         for block in self._blocks(schedule.inputs.values()):

@@ -58,7 +58,7 @@ def unrolled(schedule: Any) -> Unrolled:
         taken, put = ([_span(schedule, slot) for slot in side] for side in slots)
         for output, element, value in numbered.inlined(kernel_program(kernel), [[memory[i] for i in s] for s in taken]):
             memory[put[output][element]] = value
-    info = [*(slot for slots in schedule.outputs.values() for slot in slots), *([schedule.gate] * bool(schedule.gate))]
+    info = [*(slot for slots in schedule.outputs.values() for slot in slots), *schedule.watched]
     wanted = sorted({place for slot in info for place in _span(schedule, slot)} - inputs)
     results = [(place, memory[place]) for place in wanted]
     return _parted(numbered.values, results, schedule, set(wanted))

@@ -10,9 +10,10 @@ from typing import Any
 
 from tmodes.compile.ir.block import ScheduleRate
 from tmodes.compile.ir.emit import F64, counted, number, store
+from tmodes.compile.loops.gate import Gate
 from tmodes.compile.loops.step_control import ExplicitMethod, StepControl
 from tmodes.compile.loops.stiffness import StiffnessTest
-from tmodes.compile.loops.time_loop import TimeLoop
+from tmodes.compile.loops.time_loop import AdaptiveStep, TimeLoop
 from tmodes.integrate.dop853 import DENSE, ERROR_3, ERROR_5, STAGES, A, C
 
 __all__ = ["write_dop853_loop"]
@@ -32,16 +33,14 @@ _METHOD = ExplicitMethod(_CONTROL, _STIFFNESS, _END)
 
 def write_dop853_loop(module: Any, name: str, lowered: ScheduleRate, guarded: int) -> None:
     """Write the loop: steps end exactly on the knots, where the first stage is evaluated again."""
-    loop = TimeLoop(module, name, lowered, (*_K[1:], "probe", "new", "local", "between"), guarded)
+    loop = TimeLoop(module, name, lowered, (*_K[1:], "probe", "new", "between"), guarded)
     gate, step = _METHOD.begin(loop)
     time, h = step.time, step.h
     for stage in range(1, STAGES + 1):
         # The last two states stay where the test of stiffness finds them: "probe" and "new".
         _stage(loop, stage, time, h, "new" if stage == STAGES else "probe")
-    error, share = _error(loop, h)
-    error = _with_dense_error(loop, error, time, h, step.time_after)
-    errors = error, loop.builder.fmul(h, share)
-    _METHOD.end_with(loop, gate, step, errors, lambda: _write_samples(loop, time, h, step.time_after))
+    error = _with_dense_error(loop, gate, _error(loop, h), step)
+    _METHOD.end_with(loop, gate, step, error, lambda: _write_samples(loop, time, h, step.time_after))
 
 
 def _stage(loop: TimeLoop, stage: int, time: Any, h: Any, state: str) -> None:
@@ -58,34 +57,32 @@ def _weighted(loop: TimeLoop, i: Any, weights: dict[int, float]) -> Any:
     return total
 
 
-def _error(loop: TimeLoop, h: Any) -> tuple[Any, Any]:
-    """The error h e5^2 / sqrt(e5^2 + e3^2/100), and its share of h e5; those of order 5 go to ``local``."""
+def _error(loop: TimeLoop, h: Any) -> Any:
+    """The error h e5^2 / sqrt(e5^2 + e3^2/100)."""
     b: Any = loop.builder
-
-    def fifth(i: Any) -> Any:
-        value = _weighted(loop, i, ERROR_5)
-        loop.store(value, "local", i)
-        return value
-
-    e5 = loop.mean_square(fifth, "y", "new")
+    e5 = loop.mean_square(lambda i: _weighted(loop, i, ERROR_5), "y", "new")
     e3 = loop.mean_square(lambda i: _weighted(loop, i, ERROR_3), "y", "new")
     both = b.fadd(b.fmul(e5, e5), b.fmul(number(0.01), b.fmul(e3, e3)))
     share = b.select(b.fcmp_ordered("==", both, number(0.0)), number(0.0), b.fdiv(e5, loop.intrinsic("sqrt", both)))
-    return b.fmul(b.fmul(h, e5), share), share
+    return b.fmul(b.fmul(h, e5), share)
 
 
-def _with_dense_error(loop: TimeLoop, error: Any, time: Any, h: Any, time_after: Any) -> Any:
+def _with_dense_error(loop: TimeLoop, gate: Gate, error: Any, step: AdaptiveStep) -> Any:
     """The larger of the step's error and, where a sample lies in it, that of the polynomial between its ends.
 
-    Takes the stages of the polynomial. Fast motions that are stable but not followed (step times eigenvalue near the
-    limit) leave the ends of a step untouched and not what lies between; its last term shows it.
+    Takes the stages of the polynomial; what the gate reads is that of the end again after them. Fast
+    motions that are stable but not followed (step times eigenvalue near the limit) leave the ends of a step untouched
+    and not what lies between; its last term shows it.
     """
     b: Any = loop.builder
+    _, _, h, _, time_after = step
     worst = loop.local("worst")
     b.store(error, worst)
     with b.if_then(loop.sample_due(time_after)):
         for stage in range(STAGES + 1, len(A)):
-            _stage(loop, stage, time, h, "between")
+            _stage(loop, stage, step.time, h, "between")
+        if gate.exists:
+            loop.evaluate(time_after, "new", _END)
         largest = b.fmul(h, number(_LAST_TERM / _DENSE))
         dense = loop.mean_square(lambda i: b.fmul(largest, _weighted(loop, i, DENSE[-1])), "y", "new")
         b.store(loop.intrinsic("maxnum", error, dense), worst)

@@ -7,7 +7,7 @@ from typing import Any
 from tmodes.compile.ir.block import ScheduleRate
 from tmodes.compile.ir.emit import counted, number, store
 from tmodes.compile.loops.frame import Frame
-from tmodes.compile.loops.step_control import ExplicitMethod, StepControl, next_step, take_step
+from tmodes.compile.loops.step_control import ExplicitMethod, FixedGate, StepControl, next_step, take_step
 from tmodes.compile.loops.stiffness import StiffnessTest
 from tmodes.compile.loops.time_loop import Status, TimeLoop
 from tmodes.integrate.method import Tableau
@@ -47,8 +47,8 @@ def adaptive_control(tableau: Tableau) -> StepControl:
     return StepControl(order + 1.0, tableau.beta, 0.75, tableau.smallest, tableau.largest, tableau.safety)
 
 
-def error_of(loop: Frame, tableau: Tableau, h: Any, local: str = "") -> Any:
-    """The error of a step over its tolerance; the errors of the components are kept in the array ``local``."""
+def error_of(loop: Frame, tableau: Tableau, h: Any) -> Any:
+    """The error of a step over its tolerance."""
     b = loop.builder
 
     def difference(i: Any) -> Any:
@@ -56,10 +56,7 @@ def error_of(loop: Frame, tableau: Tableau, h: Any, local: str = "") -> Any:
         for stage, weight in zip(slopes(tableau), tableau.error or (), strict=True):
             if weight:
                 total = b.fadd(total, b.fmul(loop.constant(weight), loop.load(stage, i)))
-        error = b.fmul(h, total)
-        if local:
-            loop.store(error, local, i)
-        return error
+        return b.fmul(h, total)
 
     return loop.mean_square(difference, "y", "new")
 
@@ -96,19 +93,19 @@ def hermite(loop: Frame, s: Any, h: Any, end: str) -> dict[str, Any]:
 def _write_adaptive(module: Any, name: str, lowered: ScheduleRate, guarded: int, tableau: Tableau) -> None:
     """Steps end exactly on the knots, where the first stage is evaluated again."""
     names = slopes(tableau)
-    loop = TimeLoop(module, name, lowered, (*names[1:], "probe", "new", "local"), guarded)
+    loop = TimeLoop(module, name, lowered, (*names[1:], "probe", "new"), guarded)
     test = StiffnessTest((names[-1], names[-2]), ("new", "probe"), *tableau.stiff) if tableau.stiff else None
     method = ExplicitMethod(adaptive_control(tableau), test, names[-1])
     gate, step = method.begin(loop)
     stages(loop, tableau, step.time, step.h)
-    b, errors = loop.builder, (error_of(loop, tableau, step.h, "local"), number(1.0))
+    b, error = loop.builder, error_of(loop, tableau, step.h)
 
     def write() -> None:
         with loop.due_samples(step.time_after) as target:
             share = b.fdiv(b.fsub(loop.sample_time(), step.time), step.h)
             _write_row(loop, target, interpolation(loop, tableau, share, step.h))
 
-    method.end_with(loop, gate, step, errors, write)
+    method.end_with(loop, gate, step, error, write)
 
 
 def _write_row(loop: TimeLoop, target: Any, weights: dict[str, Any]) -> None:
@@ -120,10 +117,13 @@ def _write_fixed(module: Any, name: str, lowered: ScheduleRate, guarded: int, ta
     """Samples between steps come from the cubic Hermite polynomial, whose error is of order 4."""
     names = slopes(tableau)
     loop = TimeLoop(module, name, lowered, (*names[1:], "probe", "new"), guarded)
-    b, step = loop.builder, next_step(loop)
+    b, gate = loop.builder, FixedGate(loop)
+    gate.begin("y", "probe")
+    step = next_step(loop)
     loop.evaluate(step.time, "y", names[0])
     stages(loop, tableau, step.time, step.h)
     loop.stop_if(b.not_(loop.within_bounds("new")), Status.DIVERGED)
+    gate.end(step, names[-1])
     with loop.due_samples(b.fadd(step.time_after, b.fmul(step.h, number(1e-9))), step.time_after) as target:
         share = b.fdiv(b.fsub(loop.sample_time(), step.time), step.h)
         with b.if_else(b.fcmp_ordered("<", share, number(1 - 1e-9))) as (between, exact):

@@ -18,7 +18,7 @@ from tmodes.compile.loops.extrapolation_rows import PairedRows, constants
 from tmodes.compile.loops.frame import MotionNorm
 from tmodes.compile.loops.gate import Gate
 from tmodes.compile.loops.rows_rate import RowsRate
-from tmodes.compile.loops.step_control import ImplicitControl, add_local_errors
+from tmodes.compile.loops.step_control import ImplicitControl
 from tmodes.compile.loops.tableau import difference_weights, limit_weights, spread_weights, steady_weights
 from tmodes.compile.loops.time_loop import AdaptiveStep, TimeLoop
 
@@ -49,7 +49,7 @@ class _Writer:
     def __init__(self, loop: TimeLoop, rate: RowsRate, pairs: int) -> None:
         self.loop, self.b = loop, loop.builder
         self.paired = PairedRows(loop, rate, pairs, ROWS)
-        self.norm, self.gate = MotionNorm(loop, pairs), Gate(loop)
+        self.norm, self.gate = MotionNorm(loop, pairs), Gate(loop, implicit=True)
         self.dense = DenseOutput(loop, self.paired)
         steady, limit = steady_weights(), limit_weights(ROWS)
         weights = {"new": steady, "apart": {row: steady[row] - limit[row] for row in limit}}
@@ -78,7 +78,6 @@ class _Writer:
             loop.evaluate(step.time_after, "new", "slope")
             loop.add("passes", 1.0)
             self.gate.meet(step.h)
-        add_local_errors(loop, "apart", number(1.0))
         self.dense.write_samples("y", "new", step.h, step.time_after)
         loop.take(step, grown)
         self.b.branch(loop.again)

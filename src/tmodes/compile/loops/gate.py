@@ -6,16 +6,15 @@ damper. A smooth method that steps over the change would not see it, or see it t
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 from tmodes.compile.ir.emit import F64, number
 from tmodes.compile.loops.frame import Frame
+from tmodes.compile.loops.switches import SHORTEST, Narrow, Switches
 from tmodes.compile.loops.time_loop import Status, TimeLoop
 
-__all__ = ["SHORTEST", "Gate", "gate_change", "gate_numbers"]
-
-SHORTEST = 1e-10
-"""A change is met when the step over it is not longer than this share of the time, or this time [s]."""
+__all__ = ["Gate", "gate_change", "gate_numbers"]
 
 
 def gate_numbers(loop: Frame) -> list[Any]:
@@ -44,35 +43,56 @@ def gate_change(loop: Frame, before: list[Any], h: Any) -> tuple[Any, Any, Any]:
 class Gate:
     """Watches the gate of a loop's right-hand side; does nothing where there is none."""
 
-    def __init__(self, loop: TimeLoop) -> None:
-        self.loop, self.exists = loop, loop.rate.gate_offset is not None
-        if self.exists:
-            self.before, self.known = [loop.local(f"gate{k}") for k in range(2)], loop.local("gate_known")
-            with loop.builder.goto_entry_block():
-                loop.builder.store(number(0.0), self.known)
+    def __init__(self, loop: TimeLoop, *, implicit: bool = False) -> None:
+        """``implicit``: of a method whose steps may be long where the motion is stiff."""
+        self.loop, self.gated, self.switches = loop, loop.rate.gate_offset is not None, Switches(loop)
+        self.narrow = Narrow(loop, watched=implicit)
+        self.before = [loop.local(f"gate{k}") for k in range(2)] if self.gated else []
+
+    @property
+    def exists(self) -> bool:
+        """Whether there is anything to be watched."""
+        return self.gated or self.switches.count > 0 or self.narrow.count > 0
 
     def begin(self, state: str, into: str) -> None:
         """The gate at the start of the first step of a call; later it is known from the step before."""
         if not self.exists:
             return
         b = self.loop.builder
-        unknown = b.fcmp_ordered("==", b.load(self.known, typ=F64), number(0.0))
+        unknown = b.fcmp_ordered("==", b.load(self.loop.known, typ=F64), number(0.0))
         with b.if_then(unknown, likely=False):
             self.loop.evaluate(self.loop.get("t"), state, into)
             self.loop.add("evaluations", -1.0)  # how often a loop is called must not be seen in its result
             self._keep()
+            self.switches.keep()
+            self.narrow.keep()
+            b.store(number(1.0), self.loop.known)
 
     def _keep(self) -> None:
         """The gate at the end of a step that is taken is that at the start of the next."""
-        b = self.loop.builder
-        for cell, value in zip(self.before, gate_numbers(self.loop), strict=True):
-            b.store(value, cell)
-        b.store(number(1.0), self.known)
+        for cell, value in zip(self.before, gate_numbers(self.loop) if self.gated else (), strict=True):
+            self.loop.builder.store(value, cell)
 
-    def meet(self, h: Any) -> None:
-        """After an evaluation at the step's end: try again with a shorter step where the gate changed too early."""
-        if not self.exists:
-            return
+    def meet(self, h: Any, shorten: Callable[[Any], None] | None = None) -> None:
+        """After an evaluation at the step's end: try again with a shorter step where the gate changed too early.
+
+        ``shorten``: how a step gets its length, by default as the wish for the next.
+        """
+        changed = self._shortened(h) if self.gated else None
+        self.narrow.meet(h)
+        self.switches.meet(h, shorten or (lambda shorter: self.loop.put("h", shorter)))
+        if changed is not None:
+            with self.loop.builder.if_then(changed, likely=False):
+                self._count()
+                self.loop.put("switching", number(1.0))
+            chatters = self.loop.builder.fcmp_ordered(">", self.loop.get("burst"), self.loop.option("most_events"))
+            self.loop.stop_if(chatters, Status.CHATTERING)
+        self._keep()
+        self.switches.keep()
+        self.narrow.keep()
+
+    def _shortened(self, h: Any) -> Any:
+        """Try again with a shorter step where the gate changed too early; whether it changes in this one."""
         loop, b = self.loop, self.loop.builder
         changed, missed, shorter = gate_change(loop, [b.load(cell, typ=F64) for cell in self.before], h)
         again, met = loop.block("gate_missed"), loop.block("gate_met")
@@ -82,10 +102,7 @@ class Gate:
         loop.add("rejected", 1.0)
         b.branch(loop.again)
         b.position_at_end(met)
-        with b.if_then(changed, likely=False):
-            self._count()
-        loop.stop_if(b.fcmp_ordered(">", loop.get("burst"), loop.option("most_events")), Status.CHATTERING)
-        self._keep()
+        return changed
 
     def _count(self) -> None:
         """Count a change, also among those that came within a short time: too many are no motion any more."""

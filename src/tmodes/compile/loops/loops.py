@@ -24,8 +24,9 @@ def schedule_loop(schedule: Any, guarded: int, method: str, **more: Any) -> Libr
     from tmodes.compile.loops.time_loop import ARGUMENTS
 
     def imports() -> dict[str, Library]:
+        jumps = called(schedule.sampled, "double") | called(schedule.switched, "double")
         slopes = kernels_of(schedule, "derivative") if integrator(method).asks == JACOBIAN else {}
-        return called(schedule, loop_arithmetic(method)) | called(schedule.sampled, "double") | slopes
+        return called(schedule, loop_arithmetic(method)) | jumps | slopes
 
     write = partial(schedule_loop_module, schedule, guarded, method, method, **more)
     name = f"loop {more} {integrator(method).key}"

@@ -14,7 +14,7 @@ from typing import Any
 from tmodes.compile.ir.block import ScheduleRate
 from tmodes.compile.ir.emit import F64, counted, number, store, whole
 from tmodes.compile.loops.frame import MotionNorm
-from tmodes.compile.loops.step_control import next_step, take_step
+from tmodes.compile.loops.step_control import FixedGate, next_step, take_step
 from tmodes.compile.loops.time_loop import Status, TimeLoop
 from tmodes.errors import CompileError
 
@@ -34,11 +34,14 @@ def write_midpoint_loop(module: Any, name: str, lowered: ScheduleRate, guarded: 
     if lowered.step_offset is None or lowered.call_from is None:
         raise CompileError(f"{name}: the schedule has no inputs `step` and `start` for implicit steps")
     loop = TimeLoop(module, name, lowered, ("ahead", "start", "before", "slope", "new"), guarded)
-    b, step = loop.builder, next_step(loop)
+    b, gate = loop.builder, FixedGate(loop)
+    gate.begin("y", "slope")
+    step = next_step(loop)
     loop.put("h", step.h)  # where the iterations do not converge, the message names it
     _Middle(loop, pairs).solve(b.fadd(step.time, b.fmul(step.h, number(0.5))), step.h)
     _move(loop, pairs, step.h, loop.array["new"])
     loop.stop_if(b.not_(loop.within_bounds("new")), Status.DIVERGED)
+    gate.end(step, "before")
     until = b.fadd(step.time_after, b.fmul(step.h, number(1e-9)))
     with loop.due_samples(until, step.time_after) as target:
         _move(loop, pairs, b.fsub(loop.sample_time(), step.time), target)

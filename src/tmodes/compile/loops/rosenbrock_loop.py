@@ -18,14 +18,12 @@ from tmodes.compile.ir.lu import lu_functions
 from tmodes.compile.ir.rows import take_rows
 from tmodes.compile.loops.frame import MotionNorm
 from tmodes.compile.loops.gate import Gate
-from tmodes.compile.loops.step_control import ImplicitControl, add_local_errors
+from tmodes.compile.loops.step_control import ImplicitControl
 from tmodes.compile.loops.time_loop import TimeLoop
 from tmodes.errors import CompileError
+from tmodes.integrate.rosenbrock import MOST_STATES
 
-__all__ = ["MOST_STATES", "STAGE_RATES", "STAGE_STATES", "RateJacobian", "write_rosenbrock_loop"]
-
-MOST_STATES = 300
-"""Largest state whose Jacobian is kept in the memory of the loop."""
+__all__ = ["STAGE_RATES", "STAGE_STATES", "RateJacobian", "write_rosenbrock_loop"]
 
 GAMMA = 0.21193756319429014
 TIMES = (0.0, 0.6358126895828704, 0.4095798393397535, 0.9769306725060716, 0.4288403609558664, 1.0, 1.0, 1.0)
@@ -92,7 +90,7 @@ class _Writer:
     def __init__(self, loop: TimeLoop, jacobian: RateJacobian, pairs: int) -> None:
         self.loop, self.b, self.jacobian, self.columns = loop, loop.builder, jacobian, jacobian.columns
         self.factor, self.solve = lu_functions(loop.module, self.columns)
-        self.norm, self.gate = MotionNorm(loop, pairs), Gate(loop)
+        self.norm, self.gate = MotionNorm(loop, pairs), Gate(loop, implicit=True)
         m = self.columns
         sizes = {"slopes": jacobian.held_size, "by_state": loop.size * m, "matrix": m * m, "order": m}
         with self.b.goto_entry_block():
@@ -114,7 +112,6 @@ class _Writer:
         if self.gate.exists:
             loop.evaluate(step.time_after, "new", "low")
             self.gate.meet(step.h)
-        add_local_errors(loop, "u8", number(1.0))  # new less low, before the low one made room
         with loop.due_samples(step.time_after) as target:
             self._write_sample(b.fdiv(b.fsub(loop.sample_time(), step.time), step.h), target)
         loop.take(step, grown)

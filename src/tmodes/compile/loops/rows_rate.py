@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from tmodes.compile.ir.arithmetic import Double, Lanes
-from tmodes.compile.ir.block import ScheduleRate, write_main, write_rate
+from tmodes.compile.ir.block import ScheduleRate, write_jumps, write_main
 from tmodes.compile.ir.builder import Builder
 from tmodes.compile.ir.emit import F64, POINTER, VOID, counted, declare, load, store, whole
 from tmodes.compile.ir.rows import copy_numbers, take_rows
@@ -52,9 +52,14 @@ class _Writer:
         prepare, rows = self._prepare(), self._call_rows()
         step, state, start = (self._offset(s.inputs[label]) for label in ("step", "state", "start"))
         end = memory.workspace * self.lanes.stride
-        call, sizes = self._call(rows, end), (end + 2, s.output_size, s.inputs["row"].size)
-        sampled = write_rate(self.module, s.sampled, double, f"{self.name}.sampled") if s.sampled else None
-        return RowsRate(prepare, call, *sizes, step, end if s.gate else None, None, sampled, rows, state, start)
+        watched = sum(slot.size for slot in s.watched)
+        call, sizes = self._call(rows, end), (end + watched, s.output_size, s.inputs["row"].size)
+        sampled, switched = write_jumps(self.module, s, double, self.name)
+        gate = end if s.gate else None
+        count = s.switches.size if s.switches else 0
+        narrow = (end + 2 * bool(s.gate), s.narrow.size // 2) if s.narrow else (0, 0)
+        jumps = (sampled, end + watched - count, count, switched, narrow[0], narrow[1])
+        return RowsRate(prepare, call, *sizes, step, gate, None, *jumps, rows, state, start)
 
     def _offset(self, slot: Any) -> int:
         return self.main.memory.offset(slot) * self.lanes.stride
@@ -90,7 +95,7 @@ class _Writer:
     def _call(self, rows: Any, gate: int) -> Any:
         """``call(time, state, row, held, out)``: the same state in all lanes, explicit; the first lane's rates.
 
-        Its gate, if any, is put at ``gate``, as of one run.
+        What loops read of its workspace is put at ``gate``, as of one run.
         """
         lanes, inputs = self.lanes, self.schedule.inputs
         kinds = [("time", F64), ("state", POINTER), ("row", POINTER), ("held", POINTER), ("out", POINTER)]
@@ -102,7 +107,8 @@ class _Writer:
         b.call(rows, [lanes.spread(b, time), lanes.constant(0.0), row, held, found])
         with counted(b, self.schedule.output_size) as i:
             store(b, load(b, found, b.mul(i, whole(lanes.stride))), out, i)
-        for k in range(2 if self.schedule.gate else 0):
-            store(b, load(b, held, self._offset(self.schedule.gate) + k * lanes.stride), held, gate + k)
+        watched = [(slot, k) for slot in self.schedule.watched for k in range(slot.size)]
+        for place, (slot, k) in enumerate(watched):
+            store(b, load(b, held, self._offset(slot) + k * lanes.stride), held, gate + place)
         b.ret_void()
         return call

@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 
 from llvmlite import ir
 
-from tmodes.compile.ir.emit import F64, counted, declare, number
+from tmodes.compile.ir.emit import F64, declare, number
 from tmodes.compile.loops.frame import Frame
 from tmodes.compile.loops.gate import Gate
 from tmodes.compile.loops.stiffness import StiffnessTest
@@ -21,7 +21,8 @@ from tmodes.compile.loops.time_loop import AdaptiveStep, Status, TimeLoop
 from tmodes.compile.native import POWER
 
 __all__ = [
-    "ExplicitMethod", "ImplicitControl", "StepControl", "add_local_errors", "first_length", "next_step", "take_step",
+    "ExplicitMethod", "FixedGate", "ImplicitControl", "StepControl", "first_length", "next_step",
+    "take_step",
 ]  # fmt: skip
 
 
@@ -124,15 +125,6 @@ def first_length(loop: Frame, order: float, power: Callable[[Any, float], Any]) 
     return loop.intrinsic("minnum", wish, span)
 
 
-def add_local_errors(loop: TimeLoop, label: str, factor: Any) -> None:
-    """Add the sizes of a step's error, an array times a factor, to the sums that the run keeps."""
-    b = loop.builder
-    factor = loop.intrinsic("fabs", factor)
-    with counted(b, loop.size) as i:
-        size = loop.intrinsic("fabs", loop.load(label, i))
-        loop.store(b.fadd(loop.load("errors", i), b.fmul(factor, size)), "errors", i)
-
-
 def _power(loop: TimeLoop, base: Any, exponent: float) -> Any:
     module = loop.module
     function = module.globals.get(POWER) or declare(module, POWER, F64, [("x", F64), ("y", F64)])
@@ -158,19 +150,14 @@ class ExplicitMethod:
                 loop.put("h", first_length(loop, self.control.order, partial(_power, loop)))
         return gate, _adaptive_step(loop, loop.segment()[1])
 
-    def end_with(
-        self, loop: TimeLoop, gate: Gate, step: AdaptiveStep, errors: tuple[Any, Any], write: Callable[[], None]
-    ) -> None:
+    def end_with(self, loop: TimeLoop, gate: Gate, step: AdaptiveStep, error: Any, write: Callable[[], None]) -> None:
         """Judge, write and take the step to ``new``, or try it again shorter.
 
-        ``errors``: that of the step over its tolerance, and what the array ``local`` is multiplied with to be its local
-        error; ``write`` writes the samples.
+        ``error``: that of the step over its tolerance; ``write`` writes the samples.
         """
-        error, share = errors
         self.control.judge(loop, step.h, error)
         loop.stop_if(loop.builder.not_(loop.within_bounds("new")), Status.DIVERGED)
         gate.meet(step.h)
-        add_local_errors(loop, "local", share)
         write()
         self.control.accept(loop, step, error, self.end)
         if self.stiffness:
@@ -179,7 +166,10 @@ class ExplicitMethod:
 
 
 class FixedStep(NamedTuple):
-    """A step of length h from ``time`` to ``time_after``; ``count`` of its segment with it, ``last``: it ends it."""
+    """A step of length h from ``time`` to ``time_after``; ``count`` of its segment with it, ``last``: it ends it.
+
+    What switches makes two of a step: it ends at the change, and the next one where it would have ended.
+    """
 
     h: Any
     time: Any
@@ -196,7 +186,29 @@ def next_step(loop: Frame) -> FixedStep:
     steps = loop.intrinsic("maxnum", loop.intrinsic("ceil", ratio), loop.constant(1.0))
     h, count = b.fdiv(length, steps), b.fadd(loop.get("index"), loop.constant(1.0))
     last = b.fcmp_ordered(">=", count, steps)
-    return FixedStep(h, loop.get("t"), b.select(last, end, b.fadd(start, b.fmul(count, h))), count, last)
+    time, after = loop.get("t"), b.select(last, end, b.fadd(start, b.fmul(count, h)))
+    if not loop.rate.switch_count:
+        return FixedStep(h, time, after, count, last)
+    left, cut = b.fsub(after, time), loop.get("cut")
+    whole_step = b.or_(b.fcmp_ordered("<=", cut, number(0.0)), b.fcmp_ordered(">=", cut, left))
+    count, last = b.select(whole_step, count, loop.get("index")), b.and_(last, whole_step)
+    return FixedStep(b.select(whole_step, left, cut), time, b.select(whole_step, after, b.fadd(time, cut)), count, last)
+
+
+class FixedGate(Gate):
+    """What switches within fixed steps; contacts that start and end by themselves do so between them."""
+
+    def __init__(self, loop: TimeLoop) -> None:
+        super().__init__(loop)
+        self.gated, self.before = False, []
+
+    def end(self, step: FixedStep, into: str) -> None:
+        """Look at the end of a step to ``new``, and shorten it where it goes beyond a change."""
+        if not self.exists:
+            return
+        self.loop.evaluate(step.time_after, "new", into)
+        self.meet(step.h, lambda shorter: self.loop.put("cut", shorter))
+        self.loop.put("cut", number(0.0))
 
 
 def take_step(loop: TimeLoop, step: FixedStep) -> None:

@@ -16,14 +16,20 @@ from tmodes.compile.ir.block import ScheduleRate
 from tmodes.compile.ir.emit import F64, I64, POINTER, at, counted, load, number, scratch, store, whole
 from tmodes.compile.loops.due_samples import due_samples, is_due
 from tmodes.compile.loops.frame import Frame
+from tmodes.compile.loops.switches import switch
 
 __all__ = ["ARGUMENTS", "CELLS", "OPTIONS", "AdaptiveStep", "Status", "TimeLoop"]
 
 CELLS = (
     "t", "h", "segment", "index", "sample", "fresh", "old_error", "steps", "rejected", "evaluations", "status",
-    "smallest", "stiff", "calm", "stiff_time", "events", "burst", "burst_time", "passes", "sampled",
+    "smallest", "stiff", "calm", "stiff_time", "events", "burst", "burst_time", "passes", "sampled", "switching",
+    "wish", "switches", "cut",
 )  # fmt: skip
-"""Memory of a loop between calls, one double each; ``sampled``: segments whose samples of controllers are taken."""
+"""Memory of a loop between calls, one double each.
+
+``sampled``: segments whose samples of controllers are taken. ``switching``: a change of a mode was met, ``switches``
+counts them, ``wish`` is the length of a step before it was shortened onto one, ``cut`` that of a fixed step after it.
+"""
 
 OPTIONS = ("step", "rtol", "atol", "chunk", "bound", "watch", "most_events", "event_time", "looks")
 """Settings of a loop.
@@ -34,12 +40,11 @@ each step that are written to ``seen`` for stop conditions.
 """
 
 ARGUMENTS = (
-    "memory", "y", "k1", "p", "knots", "rows", "times", "out", "options", "errors", "errors_out", "seen", "segments",
+    "memory", "y", "k1", "p", "knots", "rows", "times", "out", "options", "seen", "segments",
     "samples",
 )  # fmt: skip
 """Arguments of a loop, in order; the last two are int64, the others point to doubles.
 
-``errors`` (size,) holds the sums of the sizes of all local errors, ``errors_out`` (samples, size) those at the samples.
 ``seen`` (1 + points (2 + size),): how many points of steps were looked at, then of each its time, segment and state.
 """
 
@@ -78,13 +83,18 @@ class TimeLoop(Frame):
         b = self.builder
         self.cell = {label: self.local(label) for label in (*CELLS, "done", "total")}
         self.array |= {label: scratch(b, self.size, label) for label in scratch_arrays}
-        self.array["errors"] = self.argument["errors"]
         self.array["held"] = scratch(b, rate.held_size, "held")
         b.call(rate.prepare, [self.argument["p"], self.array["held"]])
         if rate.sampled is not None:
             self.array["sampling"] = scratch(b, rate.sampled.held_size, "sampling")
             self.array["after"] = scratch(b, self.size, "after")
             b.call(rate.sampled.prepare, [self.argument["p"], self.array["sampling"]])
+        self.known = self.local("known")
+        b.store(number(0.0), self.known)
+        if rate.switched is not None:
+            self.array["settling"] = scratch(b, rate.switched.held_size, "settling")
+            self.array["after"] = scratch(b, self.size, "after")
+            b.call(rate.switched.prepare, [self.argument["p"], self.array["settling"]])
         for slot, label in enumerate(CELLS):
             self.put(label, load(b, self.argument["memory"], slot))
         self.put("done", number(0.0))
@@ -102,21 +112,27 @@ class TimeLoop(Frame):
         self._sample()
 
     def _sample(self) -> None:
-        """At the start of each segment, once: the state after the samples there."""
-        b, sampled = self.builder, self.rate.sampled
-        if sampled is None:
+        """At the start of each segment, once: the state after the samples there; what the jump of a signal ends."""
+        b, sampled, switched = self.builder, self.rate.sampled, self.rate.switched
+        if sampled is None and switched is None:
             return
         after = b.fadd(self.get("segment"), number(1.0))
         with b.if_then(b.fcmp_ordered(">", after, self.get("sampled")), likely=False):
-            self.call(sampled, self.get("t"), "y", "after", "sampling")
-            self.copy("y", "after")
+            if sampled is not None:
+                self.call(sampled, self.get("t"), "y", "after", "sampling")
+                self.copy("y", "after")
             self.put("sampled", after)
+            self.put("switching", number(1.0))
+        switch(self, Status.CHATTERING)
 
     def step_until(self, end: Any) -> tuple[Any, Any, Any]:
         """Length of the next step, whether it ends on ``end``, and the time after it; fails where it is too short."""
         b = self.builder
         time, wanted = self.get("t"), self.get("h")
-        last = b.fcmp_ordered(">=", b.fadd(time, b.fmul(number(1.0001), wanted)), end)
+        reach = b.fmul(number(1.0001), wanted)
+        if self.rate.switch_count:  # a step that was shortened onto a switch stays short of the end
+            reach = b.select(b.fcmp_ordered(">", self.get("wish"), number(0.0)), wanted, reach)
+        last = b.fcmp_ordered(">=", b.fadd(time, reach), end)
         h = b.select(last, b.fsub(end, time), wanted)
         smallest = b.fmul(number(4e-15), self.intrinsic("fabs", end))
         self.stop_if(b.not_(b.fcmp_ordered(">", h, smallest)), Status.STEP_TOO_SMALL)

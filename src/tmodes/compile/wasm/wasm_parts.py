@@ -39,7 +39,8 @@ def schedule_loop(symbol: str, schedule: Any, guarded: int, method: str, **more:
     simd = arithmetic == "lanes"
     loop = Part(f"loop {method} {guarded} {more} {schedule.key}", write, (symbol,), simd=simd, level=1)
     slopes = _kernels(schedule, "derivative") if integrator(method).asks == JACOBIAN else []
-    return [loop, *_called(schedule, arithmetic), *_called(schedule.sampled, "double"), *slopes]
+    jumps = [*_called(schedule.sampled, "double"), *_called(schedule.switched, "double")]
+    return [loop, *_called(schedule, arithmetic), *jumps, *slopes]
 
 
 def schedule_samples(symbol: str, schedule: Any, arithmetic: str = "double", piece: int = PIECE) -> list[Part]:

@@ -136,9 +136,9 @@ class LagrangeWay(Coordinates):
         del k
         return True
 
-    def touched(self, k: int, touch: Any, numbers: Slot, wrench: Slot, step: Slot | None) -> None:
+    def touched(self, k: int, touch: Any, numbers: Slot, wrench: Slot, step: Slot | None, mode: Slot) -> None:
         """A contact on a point, which is solved for with the accelerations."""
-        del wrench
+        del wrench, mode
         self.contact = (k, touch, numbers, step or self.none[1])
 
     def lever(self, k: int, *, mapped: bool = True) -> Slot:

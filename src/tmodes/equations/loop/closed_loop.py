@@ -13,9 +13,12 @@ from tmodes.equations.loop.contact_kernels import CONTACT_OUTPUTS
 from tmodes.equations.loop.control_kernels import WINDING, needed_kernel
 from tmodes.equations.loop.friction import contact_fold
 from tmodes.equations.loop.instant import Instant
-from tmodes.equations.loop.plan import WORKS, Driver, LoopParts
+from tmodes.equations.loop.layout import WORKS
+from tmodes.equations.loop.narrow import narrow_rates
+from tmodes.equations.loop.plan import Driver, LoopParts
 from tmodes.equations.loop.serving import sampled_state
 from tmodes.equations.loop.signals_kernels import power_kernel
+from tmodes.equations.loop.switching import switched_state
 from tmodes.equations.recursion.body_kernels import times_kernel
 from tmodes.equations.recursion.hinge import POSE
 from tmodes.kinds.kernel import vectors as v
@@ -75,7 +78,9 @@ class Powers:
         for k, driver in enumerate(self.loop.drivers):
             if driver.plan.servo is None and driver.part.motor in loads:
                 speed, motor = self.way.motor(driver.part)[1], driver.part.motor
-                held = self._call(driver.kind.coupled_motor(), driver.kind_numbers, speed, self.none[1], loads[motor])
+                sides = self.way.sides(driver.part)
+                blocks = (driver.kind_numbers, speed, self.none[1], loads[motor], sides)
+                held = self._call(driver.kind.coupled_motor(), *blocks)
                 self._needed(k, driver, held[1])
 
     def _losses_of(self, driver: Driver, inputs: dict[int, tuple[Slot, Slot]]) -> tuple[Slot, Slot | None]:
@@ -84,7 +89,8 @@ class Powers:
         if part.motor in inputs:
             blocks = (driver.kind_numbers, *inputs[part.motor], *self.way.angle(part))
             lost = self._call(driver.kind.coupled_elastic(), *blocks)[2]
-            own = self._call(driver.kind.coupled_motor(), driver.kind_numbers, self.way.motor(part)[1], none, none)[2]
+            moving = (self.way.motor(part)[1], none, none, self.way.sides(part))
+            own = self._call(driver.kind.coupled_motor(), driver.kind_numbers, *moving)[2]
             self.powers["friction"] += [lost.part(1, 1), own]
             self.powers["gear_damping"].append(lost.part(0, 1))
             return none, self.recursion.torques[part.motor]
@@ -100,9 +106,8 @@ class Powers:
 
     def _gear_torque(self, driver: Driver, forces: Slot) -> Slot:
         """The torque in an elastic gear: the force on the motor less the motor's friction."""
-        motor = self._call(
-            driver.kind.coupled_motor(), driver.kind_numbers, self.way.motor(driver.part)[1], self.none[1], self.none[1]
-        )[1]
+        moving = (self.way.motor(driver.part)[1], self.none[1], self.none[1], self.way.sides(driver.part))
+        motor = self._call(driver.kind.coupled_motor(), driver.kind_numbers, *moving)[1]
         less = Kernel("difference", (1, 1), (1,), lambda x, y: [[x[0] - y[0]]])
         return self._call(less, forces.part(1, 1), motor)[0]
 
@@ -132,7 +137,8 @@ class Powers:
         if not (touch and self.loop.touch):
             return self.instant.pack(*(self.none[1],) * CONTACT_OUTPUTS)
         pose, _, motion = self.solution.point(touch.point)
-        info, power = self._call(touch.touch.info(), pose, motion, self.loop.touch)
+        held = self.solution.held or self.none[3]
+        info, power = self._call(touch.touch.info(), pose, motion, self.loop.touch, self.instant.mode, held)
         solved = self.solution.first.contact
         self.powers["contact"].append(power if solved is None else solved.part(2, 1))
         return info
@@ -182,16 +188,24 @@ class ClosedLoop(LoopParts):
     def _rate(self, instant: Instant) -> Schedule:
         currents = [instant.change[k] for k in sorted(instant.change)]
         controls = [instant.controls[k] for k in sorted(instant.controls)]
-        works = Powers(instant).works
+        surface = instant.switching.surface_rate
+        works, still = Powers(instant).works, [self.parts.none[1]] * self.modes
         instant.schedule.often = True
-        instant.schedule.sampled = self.sampled
-        instant.schedule.output("rate", instant.way.v, *instant.accelerations, *currents, *controls, *works)
+        instant.schedule.sampled, instant.schedule.switched = self.sampled, self.switched
+        instant.schedule.switches, instant.schedule.narrow = instant.switching.functions, narrow_rates(instant)
+        further = (*currents, *controls, *surface, *works, *still)
+        instant.schedule.output("rate", instant.way.v, *instant.accelerations, *further)
         return instant.schedule
 
     @cached_property
     def sampled(self) -> Schedule | None:
         """(time, state, row, step) -> the state after the samples at the row's start; None without a sampled one."""
         return sampled_state(self) if self.plan.is_sampled else None
+
+    @cached_property
+    def switched(self) -> Schedule | None:
+        """(time, state, row, step) -> the state after a switch of what sticks and slips; None where nothing does."""
+        return switched_state(Instant(self)) if self.modes else None
 
     @cached_property
     def observe(self) -> Schedule:

@@ -11,6 +11,7 @@ from tmodes.equations.loop.friction import solved
 from tmodes.equations.loop.plan import LoopParts
 from tmodes.equations.loop.serving import Serving
 from tmodes.equations.loop.signals_kernels import base_kernel, load_kernel
+from tmodes.equations.loop.switching import Switching
 from tmodes.equations.mechanics import Dynamics, Way
 from tmodes.equations.recursion.driven import Drives
 from tmodes.equations.recursion.passes import Blocks
@@ -26,7 +27,7 @@ class Instant(Serving):
     ``way`` and ``solution`` have what the passes found; ``accelerations`` are blocks in the order of the coordinates.
     By the number of a drive: ``efforts`` of servos, ``info`` (4), and rates of the controller's own states
     (``controls``), the states themselves (``own``); by the number of a current: its ``change``.
-    ``dead``: wrenches on points but for the contact's.
+    ``dead``: wrenches on points but for the contact's. ``switching``: what sticks, and what slips.
     """
 
     def __init__(self, loop: LoopParts, *, apart: bool = False, euler: bool = False, after: bool = False) -> None:
@@ -46,6 +47,8 @@ class Instant(Serving):
         self.own: dict[int, Slot] = {}
         self.dead: dict[int, Slot] = {}
         self.mass_step = self.none[1]
+        self.switching = Switching(self)
+        self.mode = self.switching.mode
         self._push()
         self.begin = self._drive()
         self.solution = solved(self, self.begin)
@@ -77,11 +80,13 @@ class Instant(Serving):
         touch = self.plan.touch
         if touch and self.loop.touch:
             blocks = (*self.way.frame_of(touch.point), self.way.offset(touch.point), self.loop.touch)
-            wrench, gate = self.call(touch.touch.wrench(), *blocks, wrenches.get(touch.point, self.none[FORCE]))
-            self.schedule.gate = gate if touch.touch.sheet.unilateral else None
+            before = wrenches.get(touch.point, self.none[FORCE])
+            wrench, gate = self.call(touch.touch.wrench(), *blocks, before, self.mode)
+            self.schedule.gate = gate if touch.touch.sheet.unilateral and not touch.touch.lands else None
             moves = touch.touch.has_mass or (self.euler and self.way.takes_mass(touch.point))
             self.mass_step = self.step if self.euler and moves else self.none[1]
-            self.way.touched(touch.point, touch.touch, self.loop.touch, wrench, self.mass_step if moves else None)
+            step = self.mass_step if moves else None
+            self.way.touched(touch.point, touch.touch, self.loop.touch, wrench, step, self.mode)
 
     def _drive(self) -> Callable[[], Dynamics]:
         """Efforts of the servos, and the motions that are given: the start of the dynamics, as often as asked."""
@@ -113,8 +118,10 @@ class Instant(Serving):
         swing = self.pack(*(feedback.get(name, none[2]) for name in parts.efforts))
         moved = self.pack(*(given[name] for name in parts.given))
 
+        sides = self.switching.sides
+
         def start() -> Dynamics:
-            begun = self.loop.mechanics.dynamics(self.way, Drives(effort, moved, self.step, self.start, swing))
+            begun = self.loop.mechanics.dynamics(self.way, Drives(effort, moved, self.step, self.start, swing, sides))
             begun.followed = followed
             return begun
 

@@ -6,7 +6,7 @@ The numbers of the signals themselves are in the rows of a schedule; here is onl
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import NamedTuple
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from tmodes.chain.chain import Chain, Motor
 from tmodes.equations.loop.contact_kernels import Touch
 from tmodes.equations.loop.control_kernels import Servo, Winding
+from tmodes.equations.loop.layout import StateLayout
 from tmodes.equations.mechanics import Mechanics, mechanics
 from tmodes.equations.recursion.drive_kernels import DriveKernels, drive_kernels, drive_numbers
 from tmodes.equations.recursion.parts import AxisPart, Parts
@@ -23,16 +24,10 @@ from tmodes.kinds.drives.registry import drive_kind
 from tmodes.kinds.kernel.schedule import Slot
 
 __all__ = [
-    "WORKS", "DrivePlan", "Driver", "LoadPlan", "LoopParts", "LoopPlan", "StateLayout", "TouchPlan", "winding_of",
+    "DrivePlan", "Driver", "LoadPlan", "LoopParts", "LoopPlan", "TouchPlan", "winding_of",
 ]  # fmt: skip
 
 Array = NDArray[np.float64]
-
-WORKS = ("motor", "loads", "base", "friction", "gear_damping", "link_damping", "contact")
-"""Works [J] in the state: the first three brought in, the others taken out."""
-
-BROUGHT_IN = 3
-"""How many of the works are brought in."""
 
 
 @dataclass(frozen=True)
@@ -101,7 +96,12 @@ class LoopPlan:
     @property
     def further_states(self) -> tuple[str, ...]:
         """Names of the states between the rates and the works."""
-        return (*(f"{name}.current" for name in self.currents), *self.control_names)
+        return (*(f"{name}.current" for name in self.currents), *self.control_names, *self.surface_names)
+
+    @property
+    def surface_names(self) -> tuple[str, ...]:
+        """Names of the own states of a surface with mass that only pushes."""
+        return ("contact.surface", "contact.surface_rate") if self.touch and self.touch.touch.lands else ()
 
     @property
     def control_names(self) -> tuple[str, ...]:
@@ -137,30 +137,6 @@ def winding_of(motor: Motor | None) -> tuple[Winding, tuple[float, ...]]:
         return Winding.NONE, (1.0, 0.0, 1.0, 0.0)
     kind = Winding.INDUCTANCE if motor.inductance else Winding.RESISTANCE
     return kind, (motor.resistance, motor.back_emf, motor.torque_constant, motor.inductance)
-
-
-class StateLayout(NamedTuple):
-    """Where a state holds what: coordinates, rates, motor currents [A], controllers' own states, works [J]."""
-
-    q: slice
-    v: slice
-    currents: slice
-    controls: slice
-    works: slice
-
-    @classmethod
-    def of(cls, coordinates: int, currents: int, controls: int) -> StateLayout:
-        """Of so many coordinates, currents, and own states of controllers."""
-        n, electric = coordinates, 2 * coordinates + currents
-        end = electric + controls
-        return cls(
-            slice(0, n), slice(n, 2 * n), slice(2 * n, electric), slice(electric, end), slice(end, end + len(WORKS))
-        )
-
-    @property
-    def size(self) -> int:
-        """Numbers of a state."""
-        return self.works.stop
 
 
 @dataclass(frozen=True)
@@ -199,6 +175,10 @@ class LoopParts:
         if plan.base and not self.mechanics.base_moves:
             got, expected = "a moving base", f"a base that stands still with the equations `{chain.equations}`"
             raise InputError("base_motion", got, expected, "remove `base_motion`, or take `equations: recursion`")
+        if plan.touch and plan.touch.touch.modes and not self.mechanics.base_moves:
+            got, expected = "what sticks or is met", f"a smooth law with the equations `{chain.equations}`"
+            hint = "add `friction_velocity: 0.001`; a surface that only pushes has no mass here"
+            raise InputError("contact", got, expected, hint)
         numbers = self.parts.numbers
         begin = [sum(d.servo.states for d in plan.drives[:k] if d.servo) for k in range(len(plan.drives))]
         self.drivers = tuple(self._driver(drive, first) for drive, first in zip(plan.drives, begin, strict=True))
@@ -219,7 +199,29 @@ class LoopParts:
         current = currents.index(plan.joint) if plan.joint in currents else -1
         return Driver(plan, part, part.index, self.parts.numbers.block(plan.numbers), kind, slot, current, controls)
 
+    @cached_property
+    def slipping(self) -> dict[int, tuple[AxisPart, int]]:
+        """Coordinates whose dry friction is a set at rest: the axis of each, and whether it is its motor's (0) or not.
+
+        A motor that follows its signal exactly needs none: its friction is part of what it takes.
+        """
+        exact = {driver.part.motor for driver in self.drivers if driver.plan.servo is None}
+        found = {}
+        for axis in self.parts.axes:
+            sticks = axis.drive.set_sides if axis.drive else (False, False)
+            if sticks[0] and axis.motor not in exact:
+                found[axis.motor] = (axis, 0)
+            if sticks[1]:
+                found[axis.angle] = (axis, 1)
+        return dict(sorted(found.items()))
+
+    @property
+    def modes(self) -> int:
+        """How many numbers say what sticks and what slips: of coordinates, then of the point that touches."""
+        return len(self.slipping) + (self.plan.touch.touch.modes if self.plan.touch else 0)
+
     @property
     def layout(self) -> StateLayout:
         """Where the state holds what."""
-        return StateLayout.of(self.parts.size, len(self.plan.currents), len(self.plan.controls))
+        sizes = len(self.plan.currents), len(self.plan.controls), len(self.plan.surface_names), self.modes
+        return StateLayout.of(self.parts.size, *sizes)

@@ -15,11 +15,13 @@ __all__ = ["Serving", "sampled_state"]
 class Serving:
     """A schedule of (time, state, row, step), and its ``signals`` (3 each).
 
-    ``way``: the outward pass; ``mass_step``: step of the mass of a surface that moves with a point.
+    ``way``: the outward pass; ``mass_step``: step of the mass of a surface that moves with a point; ``mode``: direction
+    in which a point slips.
     """
 
     way: Way
     mass_step: Slot
+    mode: Slot
 
     def __init__(self, loop: LoopParts, *, implicit: bool = False) -> None:
         """``implicit``: the input ``step`` may be other than zero."""

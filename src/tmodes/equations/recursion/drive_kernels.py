@@ -10,32 +10,39 @@ from dataclasses import dataclass
 from typing import Any
 
 from tmodes.chain.chain import Friction, Gear, Joint, Motor
-from tmodes.kinds.drives.contract import FRICTION, Angles, DriveKind, DriveLaw
+from tmodes.kinds.drives.contract import FRICTION, Angles, DriveKind, DriveLaw, Dry
 from tmodes.kinds.kernel import vectors as v
 from tmodes.kinds.kernel.schedule import Kernel, kernel
 
-__all__ = ["DriveKernels", "drive_kernels", "drive_numbers", "mixing_kernel"]
+__all__ = ["LOCK", "SIDES", "DriveKernels", "drive_kernels", "drive_numbers", "mixing_kernel", "sides_kernel"]
+
+LOCK = 1e30
+"""Inertia [kg*m^2, kg] of a coordinate that sticks: it keeps its rate, and this times its acceleration is the force
+that dry friction has to bear."""
+
+SIDES = 4
+"""Of motor and joint: the direction of slip (-1, 0, 1), and the inertia that holds it where it sticks."""
 
 
 @dataclass(frozen=True)
 class DriveKernels:
     """Structure of a drive: ``ranges`` of the gear's stiffness (0: no gear), whether it has a dead zone.
 
-    ``dry_motor``, ``dry_joint``: friction there is more than viscous; ``bare``: no inertia and no friction at all, the
+    ``dry_motor``, ``dry_joint``: structure of the dry friction there; ``bare``: no inertia and no friction at all, the
     effort goes to the joint as it is.
     """
 
     kind: DriveKind
     ranges: int = 0
     dead_zone: bool = False
-    dry_motor: bool = False
-    dry_joint: bool = False
+    dry_motor: Dry = Dry.NONE
+    dry_joint: Dry = Dry.NONE
     bare: bool = False
 
     @property
     def key(self) -> str:
         """The structure in words."""
-        dry = f"{' dry motor' * self.dry_motor}{' dry joint' * self.dry_joint}{' bare' * self.bare}"
+        dry = f" motor {self.dry_motor} joint {self.dry_joint}{' bare' * self.bare}"
         return f"{self.kind.key} ranges {self.ranges}{' dead zone' * self.dead_zone}{dry}"
 
     @property
@@ -43,39 +50,70 @@ class DriveKernels:
         """Numbers of its parameters."""
         return 2 * FRICTION + 2 + (2 * self.ranges + 2 if self.ranges else 0) + self.kind.own_numbers
 
-    def _law(self, p: Any) -> DriveLaw:
+    @property
+    def set_sides(self) -> tuple[bool, bool]:
+        """Whether dry friction of motor and of joint is a set at rest, each where it has a coordinate of its own.
+
+        That of a motor behind a rigid gear is the joint's.
+        """
+        motor = self.dry_motor.is_set
+        return motor and self.kind.has_motor, self.dry_joint.is_set or (motor and self.kind.carries_rotor)
+
+    def _law(self, p: Any, sides: Any = None) -> DriveLaw:
+        own = None
+        if sides is not None:
+            own = (sides[0] if self.kind.has_motor else sides[2], sides[2])
         return DriveLaw(
             p, ranges=self.ranges, dead_zone=self.dead_zone, dry_motor=self.dry_motor, dry_joint=self.dry_joint,
-            own=self.kind.own_numbers,
+            own=self.kind.own_numbers, sides=own,
         )  # fmt: skip
 
-    @kernel("drive {0.key}", ("size", 1, 1, 1, 1, 1, 2, 1), (1, 1, 3))
+    @kernel("friction widths {0.key}", ("size",), (2,))
+    def widths(self, p: Any) -> list[list[Any]]:
+        """Parameters -> rates within which dry friction of motor and of joint changes."""
+        return [[*self._law(p).widths]]
+
+    @kernel("friction limits {0.key}", ("size",), (2,))
+    def limits(self, p: Any) -> list[list[Any]]:
+        """Parameters -> largest dry friction at rest of motor and of joint, each where it is a set."""
+        (motor, joint), (own, shared) = self._law(p).limits, self.set_sides
+        both = (joint if self.dry_joint.is_set else 0.0) + (motor if self.dry_motor.is_set and not own else 0.0)
+        return [[motor if own else 0.0, both if shared else 0.0]]
+
+    @kernel("drive {0.key}", ("size", 1, 1, 1, 1, 1, 2, 1, SIDES), (1, 1, 3))
     def forward(
-        self, p: Any, th: Any, thd: Any, ga: Any, gad: Any, effort: Any, feedback: Any, step: Any
+        self, p: Any, th: Any, thd: Any, ga: Any, gad: Any, effort: Any, feedback: Any, step: Any, sides: Any
     ) -> list[list[Any]]:
-        """(parameters, th, th', ga, ga', effort, feedback, h) -> (effort on the joint, own inertia, motor (3)).
+        """(parameters, th, th', ga, ga', effort, feedback, h, sides) -> (joint's effort, own inertia, motor (3)).
 
         ``motor``: th'' = motor[2] (motor[0] + motor[1] ga''), of an elastic drive. ``feedback``: by how much the effort
         falls per angle and per rate of the motor; it is in the effort already, and helps an implicit step alone.
         """
-        law, h = self._law(p), step[0]
+        law, h = self._law(p, sides), step[0]
         held = h * feedback[1] + h * h * feedback[0]
         found = self.kind.forward(law, Angles(th[0], thd[0], ga[0], gad[0]), effort[0], held, h)
-        return [[found.effort], [found.own], list(found.motor)]
+        (push, own), (force, pull, share) = (found.effort, found.own), found.motor
+        of_motor, of_joint = self.set_sides
+        if of_motor:  # what the motor's row gave to the joint's is taken back as far as the motor is held
+            kept = share / (1 + share * sides[1])
+            given, share = pull * (share - kept), kept
+            push, own = push - given * force, own + given * pull
+        return [[push], [own + sides[3] if of_joint else own], [force, pull, share]]
 
     @kernel("motor", (3, 1), (1,))
     def motor(self, motor: Any, joint: Any) -> list[list[Any]]:
         """(motor, ga'') -> th''."""
         return [[motor[2] * (motor[0] + motor[1] * joint[0])]]
 
-    @kernel("followed {0.key}", ("size", 1, 1, 1, 1, 1), (1, 1))
-    def followed(self, p: Any, th: Any, thd: Any, ga: Any, gad: Any, step: Any) -> list[list[Any]]:
-        """(parameters, th, th', ga, ga', h) -> (effort on the joint, own inertia), of a motor that follows."""
-        law, h = self._law(p), step[0]
+    @kernel("followed {0.key}", ("size", 1, 1, 1, 1, 1, SIDES), (1, 1))
+    def followed(self, p: Any, th: Any, thd: Any, ga: Any, gad: Any, step: Any, sides: Any) -> list[list[Any]]:
+        """(parameters, th, th', ga, ga', h, sides) -> (effort on the joint, own inertia), of a motor that follows."""
+        law, h = self._law(p, sides), step[0]
         joint, joint_slope = law.joint_friction(gad[0])
         torque, stiffness = law.spring(th[0] - ga[0])
         torque = torque + law.damping * (thd[0] - gad[0])
-        return [[torque - joint], [h * (law.damping + joint_slope) + h * h * stiffness]]
+        own = h * (law.damping + joint_slope) + h * h * stiffness
+        return [[torque - joint], [own + sides[3] if self.set_sides[1] else own]]
 
     @kernel("elastic {0.key}", ("size", 1, 1, 1, 1), (2, 1, 2))
     def elastic(self, p: Any, th: Any, thd: Any, ga: Any, gad: Any) -> list[list[Any]]:
@@ -87,19 +125,22 @@ class DriveKernels:
         lost = [found.lost_in_gear, found.lost_in_friction]
         return [[found.on_joint, found.on_motor], [found.energy], lost]
 
-    @kernel("coupled {0.key}", ("size", 1, 1, 1, 1), (1, 1))
-    def coupled(self, p: Any, angle: Any, speed: Any, ga: Any, gad: Any) -> list[list[Any]]:
-        """Gear of a coupled drive, explicit: (parameters, input angle, its rate, ga, ga') -> (effort, gear torque)."""
-        law = self._law(p)
+    @kernel("coupled {0.key}", ("size", 1, 1, 1, 1, SIDES), (1, 1))
+    def coupled(self, p: Any, angle: Any, speed: Any, ga: Any, gad: Any, sides: Any) -> list[list[Any]]:
+        """Gear of a coupled drive, explicit.
+
+        (parameters, angle and rate of its input, ga, ga', sides) -> (effort on the joint, torque of the gear).
+        """
+        law = self._law(p, sides)
         torque = law.spring(angle[0] - ga[0])[0] + law.damping * (speed[0] - gad[0])
         return [[torque - law.joint_friction(gad[0])[0]], [torque]]
 
-    @kernel("coupled motor {0.key}", ("size", 1, 1, 1), (3, 1, 1))
-    def coupled_motor(self, p: Any, thd: Any, effort: Any, load: Any) -> list[list[Any]]:
-        """(parameters, th', effort, load of all gears) -> (motor (3), force on th of load and friction, loss)."""
-        law = self._law(p)
-        held = load[0] + law.motor_friction(thd[0])[0]
-        return [[effort[0] - held, 0.0, 1 / law.inertia], [held], [law.motor_friction(thd[0])[0] * thd[0]]]
+    @kernel("coupled motor {0.key}", ("size", 1, 1, 1, SIDES), (3, 1, 1))
+    def coupled_motor(self, p: Any, thd: Any, effort: Any, load: Any, sides: Any) -> list[list[Any]]:
+        """(parameters, th', effort, load of all gears, sides) -> (motor (3), force on th but for the effort, loss)."""
+        friction, _ = self._law(p, sides).motor_friction(thd[0])
+        inertia = self._law(p).inertia + (sides[1] if self.set_sides[0] else 0.0)
+        return [[effort[0] - load[0] - friction, 0.0, 1 / inertia], [load[0] + friction], [friction * thd[0]]]
 
     @kernel("coupled elastic {0.key}", ("size", 1, 1, 1, 1), (1, 1, 2))
     def coupled_elastic(self, p: Any, angle: Any, speed: Any, ga: Any, gad: Any) -> list[list[Any]]:
@@ -109,6 +150,12 @@ class DriveKernels:
         torque = law.spring(angle[0] - ga[0])[0] + law.damping * rate
         lost = [law.damping * rate * rate, joint * gad[0]]
         return [[joint - torque], [law.stored(angle[0] - ga[0])], lost]
+
+
+@kernel("sides of slip", (SIDES // 2,), (SIDES,))
+def sides_kernel(rates: Any) -> list[list[Any]]:
+    """Rates of motor and joint -> their sides by these alone, none of them held."""
+    return [[entry for k in range(SIDES // 2) for entry in ((rates[k] > 0) - (rates[k] < 0) * 1.0, 0.0)]]
 
 
 def mixing_kernel(count: int, *, transposed: bool) -> Kernel:
@@ -125,19 +172,15 @@ def mixing_kernel(count: int, *, transposed: bool) -> Kernel:
 def drive_kernels(joint: Joint, kind: DriveKind) -> DriveKernels:
     """The kernels of a drive of a joint's coordinates."""
     gear = joint.gear if kind.has_gear else None
-    dry_motor = joint.motor is not None and _is_dry(joint.motor.friction)
+    dry_motor = joint.motor.friction.dry if joint.motor else Dry.NONE
     ranges, dead_zone = len(gear.stiffness) if gear else 0, bool(gear and gear.backlash > 0)
     still = joint.motor is None or (joint.motor.inertia == 0 and not _is_rough(joint.motor.friction))
     bare = kind.carries_rotor and still and not _is_rough(joint.friction)
-    return DriveKernels(kind, ranges, dead_zone, dry_motor, _is_dry(joint.friction), bare)
-
-
-def _is_dry(friction: Friction) -> bool:
-    return friction.coulomb > 0 or friction.static_extra > 0
+    return DriveKernels(kind, ranges, dead_zone, dry_motor, joint.friction.dry, bare)
 
 
 def _is_rough(friction: Friction) -> bool:
-    return friction.viscous != 0 or _is_dry(friction)
+    return friction.viscous != 0 or friction.dry is not Dry.NONE
 
 
 def drive_numbers(joint: Joint, kind: DriveKind) -> list[float]:
@@ -151,7 +194,8 @@ def drive_numbers(joint: Joint, kind: DriveKind) -> list[float]:
 
 
 def _packed(friction: Friction) -> list[float]:
-    return [friction.viscous, friction.coulomb, friction.static_extra, friction.stribeck_rate, friction.smoothing]
+    levels = [friction.viscous, friction.coulomb, friction.static_extra]
+    return [*levels, friction.stribeck_rate or 1.0, friction.smoothing]
 
 
 def _ends(gear: Gear) -> list[float]:

@@ -6,10 +6,10 @@ and an inertia of its own, and the motor behind an elastic gear follows from the
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 
-from tmodes.equations.recursion.drive_kernels import mixing_kernel
+from tmodes.equations.recursion.drive_kernels import SIDES, mixing_kernel, sides_kernel
 from tmodes.equations.recursion.parts import AxisPart, LinkPart, Parts
 from tmodes.kinds.kernel.schedule import Divisible, Kernel, Schedule, Slot
 from tmodes.kinds.kernel.spatial import FORCE
@@ -44,6 +44,17 @@ class Coordinates:
 
     def _pair(self, index: int, size: int = 1) -> tuple[Slot, Slot]:
         return (self.none[1], self.none[1]) if index < 0 else (self.q.part(index, size), self.v.part(index, size))
+
+    def sides(self, axis: AxisPart, slips: Mapping[int, Slot] | None = None) -> Slot:
+        """Sides of the motor and of the joint of an axis (see :class:`Drives`)."""
+        places = (axis.motor, axis.angle)
+        if axis.drive is None or not any(axis.drive.set_sides):
+            return self.none[SIDES]
+        if slips is None:
+            rates = self.schedule.call(packing_kernel((1, 1)), self.motor(axis)[1], self.angle(axis)[1])[0]
+            return self.schedule.call(sides_kernel(), rates)[0]
+        free = self.none[2]
+        return self.schedule.call(packing_kernel((2, 2)), *(slips.get(place, free) for place in places))[0]
 
     def packed(self, slots: Sequence[Slot]) -> Slot:
         """One number for each coordinate of a joint as one block; zero for a joint that does not move."""
@@ -95,7 +106,8 @@ class Drives(NamedTuple):
     """What drives a chain: ``effort`` of each drive, accelerations that are ``given``, length of an implicit ``step``.
 
     ``start``: coordinates and rates from which springs, dampers and friction start; those of the outward pass place all
-    else. ``feedback`` (2 per effort): see :meth:`DriveKernels.forward`.
+    else. ``feedback`` (2 per effort): see :meth:`DriveKernels.forward`. ``sides``: index of a coordinate with dry
+    friction that is a set at rest -> its direction of slip and the inertia that holds it; without them the rates say.
     """
 
     effort: Slot
@@ -103,6 +115,7 @@ class Drives(NamedTuple):
     step: Slot
     start: tuple[Divisible, Slot]
     feedback: Slot | None = None
+    sides: Mapping[int, Slot] | None = None
 
 
 class Driven:
@@ -112,7 +125,7 @@ class Driven:
 
     def __init__(self, way: Coordinates, drives: Drives) -> None:
         self.way = way
-        self.effort, self.given, self.step, self.start, self.feedback = drives
+        self.effort, self.given, self.step, self.start, self.feedback, self.slips = drives
         self.followed: dict[int, Slot] = {}  # index of a motor that keeps a given motion -> its acceleration
         self.schedule, self.parts = way.schedule, way.parts
         self.motor_terms: dict[int, Slot] = {}
@@ -136,6 +149,10 @@ class Driven:
         none = self.way.none[1]
         return (none, none) if index < 0 else (self.start[0].part(index, 1), self.start[1].part(index, 1))
 
+    def sides(self, axis: AxisPart) -> Slot:
+        """Sides of motor and joint; zeros where no dry friction is a set."""
+        return self.way.sides(axis, self.slips)
+
     def drive(self, axis: AxisPart) -> tuple[Slot, Slot]:
         """Effort on a coordinate of a joint (of a prescribed one its acceleration), and inertia that its drive adds."""
         none = self.way.none[1]
@@ -144,17 +161,18 @@ class Driven:
         if axis.drive.bare and not self.feedback:
             return self.effort.part(axis.effort, 1), none
         if axis.motor in self.coupled:
-            blocks = (axis.drive_numbers, *self.coupled[axis.motor], *self.way.angle(axis))
+            blocks = (axis.drive_numbers, *self.coupled[axis.motor], *self.way.angle(axis), self.sides(axis))
             effort, self.torques[axis.motor] = self.schedule.call(axis.drive.coupled(), *blocks)
             return effort, none
         if axis.motor in self.followed:
-            blocks = (axis.drive_numbers, *self._start(axis.motor), *self._start(axis.angle), self.step)
+            angles = (*self._start(axis.motor), *self._start(axis.angle))
+            blocks = (axis.drive_numbers, *angles, self.step, self.sides(axis))
             effort, own = self.schedule.call(axis.drive.followed(), *blocks)
             return effort, own
         effort = self.effort.part(axis.effort, 1) if axis.effort >= 0 else none
         feedback = self.feedback.part(2 * axis.effort, 2) if self.feedback and axis.effort >= 0 else self.way.none[2]
         angles = (*self._start(axis.motor), *self._start(axis.angle))
-        blocks = (axis.drive_numbers, *angles, effort, feedback, self.step)
+        blocks = (axis.drive_numbers, *angles, effort, feedback, self.step, self.sides(axis))
         effort, own, self.motor_terms[axis.angle] = self.schedule.call(axis.drive.forward(), *blocks)
         return effort, own
 
@@ -164,7 +182,7 @@ class Driven:
         for axis in self.parts.axes:
             if axis.motor in loads and axis.drive and axis.drive_numbers:
                 effort = self.effort.part(axis.effort, 1)
-                blocks = (axis.drive_numbers, self.way.motor(axis)[1], effort, loads[axis.motor])
+                blocks = (axis.drive_numbers, self.way.motor(axis)[1], effort, loads[axis.motor], self.sides(axis))
                 self.motor_terms[axis.angle] = self.schedule.call(axis.drive.coupled_motor(), *blocks)[0]
 
     def motor_accelerations(self, joints: dict[int, Slot]) -> dict[int, Slot]:

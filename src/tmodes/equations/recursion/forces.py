@@ -190,7 +190,7 @@ def elastic_of_drives(
             if axis.motor in coupled and axis.drive and axis.drive_numbers:
                 blocks = (axis.drive_numbers, *coupled[axis.motor], *way.angle(axis))
                 joints[axis.angle], energy, lost = schedule.call(axis.drive.coupled_elastic(), *blocks)
-                torques[axis.motor] = schedule.call(axis.drive.coupled(), *blocks)[1]
+                torques[axis.motor] = schedule.call(axis.drive.coupled(), *blocks, way.sides(axis))[1]
             elif axis.drive and axis.drive_numbers:
                 blocks = (axis.drive_numbers, *way.motor(axis), *way.angle(axis))
                 forces, energy, lost = schedule.call(axis.drive.elastic(), *blocks)
@@ -212,7 +212,7 @@ def _coupled_motors(way: Coordinates, torques: dict[int, Slot], motors: dict[int
     lost: list[Slot] = []
     for axis in way.parts.axes:
         if axis.motor in loads and axis.drive and axis.drive_numbers:
-            blocks = (axis.drive_numbers, way.motor(axis)[1], way.none[1], loads[axis.motor])
+            blocks = (axis.drive_numbers, way.motor(axis)[1], way.none[1], loads[axis.motor], way.sides(axis))
             _, motors[axis.motor], friction = way.schedule.call(axis.drive.coupled_motor(), *blocks)
             lost += [way.none[1], friction, way.none[1]]
     return lost

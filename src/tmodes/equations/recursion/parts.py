@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from tmodes.chain.chain import Axis, Chain, Joint, Node, Point
 from tmodes.equations.recursion.body_kernels import BODY
-from tmodes.equations.recursion.drive_kernels import DriveKernels, drive_kernels, drive_numbers
+from tmodes.equations.recursion.drive_kernels import SIDES, DriveKernels, drive_kernels, drive_numbers
 from tmodes.equations.recursion.framing import STRAIGHT, Framing
 from tmodes.equations.recursion.general_joint import GeneralJoint, held_numbers
 from tmodes.equations.recursion.hinge import HELD, Hinge
@@ -109,7 +109,7 @@ class Parts:
         chain = self.chain
         self.points, self.framing = chain.points or (chain.tip,), Framing(chain)
         joints = [node.joint for node in chain.nodes]
-        sizes = dict.fromkeys((1, 2, 3, FORCE, HELD, 9, BODY, INERTIA))
+        sizes = dict.fromkeys((1, 2, 3, SIDES, FORCE, HELD, 9, BODY, INERTIA))
         sizes |= dict.fromkeys(size for joint in joints if joint.kind.size > 1 for size in _block_sizes(joint))
         self.none = {size: self.numbers.block(np.zeros(size)) for size in sizes}
         axes = chain.axes

@@ -212,11 +212,11 @@ class Passes(Coordinates):
         """Whether an inertia can be attached at a point: not at a station inside a link."""
         return self.parts.station(self.parts.points[k]) is None
 
-    def touched(self, k: int, touch: Any, numbers: Slot, wrench: Slot, step: Slot | None) -> None:
+    def touched(self, k: int, touch: Any, numbers: Slot, wrench: Slot, step: Slot | None, mode: Slot) -> None:
         """A contact on a point: its push is in ``wrench``; ``step``: a mass moves with the point, in steps of this."""
         self.wrenches[k] = wrench
         if step is not None:
-            blocks = (*self.frame_of(k), self.offset(k), numbers, step)
+            blocks = (*self.frame_of(k), self.offset(k), numbers, step, mode)
             inertia, bias = self.schedule.call(touch.inertia(), *blocks)
             self.attached[self.parts.points[k].node] = (inertia, bias)
 

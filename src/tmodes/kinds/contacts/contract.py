@@ -26,6 +26,7 @@ from typing import Any, ClassVar
 from pydantic import Field
 
 from tmodes.kinds.kernel import vectors as v
+from tmodes.kinds.schema.frames import Vector, list_of_numbers
 from tmodes.kinds.schema.kind import Kind
 
 __all__ = ["CONTACTS", "SURFACE", "SURFACES", "Contact", "Meeting", "Surface"]
@@ -99,6 +100,9 @@ class Contact(Kind, family="contact law", key="law"):
 
     point: str = Field(default="tip", min_length=1, max_length=100, description="which point touches")
     shape: Surface
+    velocity: Vector = list_of_numbers(
+        "m/s", "vb", "velocity of the surface along itself (a belt), in the world", default=(0.0, 0.0, 0.0)
+    )
 
     def numbers(self) -> tuple[float, ...]:
         """Numbers of the law, which its methods read as ``p``."""
@@ -124,11 +128,34 @@ class Contact(Kind, family="contact law", key="law"):
     def friction_force(self, p: Any, normal: Any, slip: v.Vector, velocity: v.Vector) -> v.Vector:
         """Friction by the point on the surface [N]; ``normal`` [N], the force's own sign, enters as a factor.
 
-        ``velocity`` is the point's [m/s], ``slip`` its part along the surface. Proportional to the value of ``normal``
-        or to its magnitude.
+        ``velocity`` is the point's against the surface's [m/s], ``slip`` its part along the surface. Proportional to
+        the value of ``normal`` or to its magnitude.
         """
         del p, normal, slip, velocity
         return v.zero()
+
+    @property
+    def sticks(self) -> bool:
+        """Whether friction at rest is a set: what keeps the point where it is, up to :meth:`static_limit`.
+
+        Then :meth:`friction_force` is asked of slip alone, with ``slip`` and ``velocity`` a unit vector along it.
+        """
+        return False
+
+    def static_limit(self, p: Any, normal: Any) -> Any:
+        """Largest friction at rest [N], of a law that sticks."""
+        del p, normal
+        return 0.0
+
+    def friction_width(self, p: Any) -> Any | None:
+        """Slip [m/s] within which smooth friction changes, else None."""
+        del p
+        return None
+
+    def restitution_of(self, p: Any) -> Any:
+        """Speed of parting over that of meeting, of a surface with mass that only pushes."""
+        del p
+        return 0.0
 
     def spring(self) -> tuple[float, float, float] | None:
         """Stiffness [N/m], damping [N*s/m] and preload [N] of a law that is linear in these, else None."""
@@ -142,7 +169,8 @@ class Contact(Kind, family="contact law", key="law"):
     @property
     def structure(self) -> str:
         """The law's compiled form: two contacts of the same structure share their code."""
-        return f"{self.fingerprint()}{' rough' * self.is_rough} {len(self.numbers())}"
+        rough = f"{' rough' * self.is_rough}{' sticks' * self.sticks}"
+        return f"{self.fingerprint()}{rough} {len(self.numbers())}"
 
     def start_notices(self, normal: float, depth: float) -> Iterator[str]:
         """What a user should know of a start with this penetration [m] and normal force [N]."""

@@ -83,6 +83,10 @@ class DynamicEnvironment(Contact):
         size = normal if self.friction_law is FrictionLaw.SIGNED else f.fabs(normal)
         return v.scale(p[3] * size / f.sqrt(v.dot(velocity, velocity) + p[4] * p[4]), velocity)
 
+    def friction_width(self, p: Any) -> Any | None:
+        """The speed of smoothing."""
+        return p[4] if self.is_rough else None
+
     def spring(self) -> tuple[float, float, float]:
         """Stiffness, damping, preload."""
         return self.stiffness, self.damping, self.preload

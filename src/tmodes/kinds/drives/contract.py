@@ -7,24 +7,61 @@ and gear (:class:`DriveLaw`), sums, products, quotients and :mod:`tmodes.kinds.k
 from __future__ import annotations
 
 from abc import abstractmethod
+from enum import StrEnum
 from typing import Any, ClassVar, NamedTuple
 
 from tmodes.kinds.kernel.functions import fabs, sqrt
 from tmodes.kinds.registry import NamedKind, Registry
 from tmodes.kinds.schema.quantity import DataSheet
 
-__all__ = ["DRIVES", "FRICTION", "Angles", "DriveKind", "DriveLaw", "Elastic", "Forward"]
+__all__ = ["DRIVES", "FRICTION", "Angles", "DriveKind", "DriveLaw", "Dry", "Elastic", "Forward"]
 
 FRICTION = 5
 """Numbers of a friction law."""
 
 
+class Dry(StrEnum):
+    """The structure of dry friction.
+
+    ``SMOOTH`` is a function of the rate. Of the others the force at rest is a set: what keeps it at rest, up to the
+    static friction. In motion ``DROPS`` has the level of motion at once, ``FALLS`` follows Stribeck's curve.
+    """
+
+    NONE = ""
+    SMOOTH = "smooth"
+    DROPS = "drops"
+    FALLS = "falls"
+
+    @property
+    def is_narrow(self) -> bool:
+        """Whether it changes with the rate."""
+        return self in {Dry.SMOOTH, Dry.FALLS}
+
+    @property
+    def is_set(self) -> bool:
+        """Whether the force at rest is a set."""
+        return self in {Dry.DROPS, Dry.FALLS}
+
+
 class DriveLaw:
     """The parameters of a drive by name, and the laws that they are in."""
 
-    def __init__(self, p: Any, *, ranges: int, dead_zone: bool, dry_motor: bool, dry_joint: bool, own: int = 0) -> None:
-        """``own``: how many numbers of the kind itself there are, the last of ``p``."""
-        self._dead_zone, self._dry_motor, self._dry_joint = dead_zone, dry_motor, dry_joint
+    def __init__(
+        self,
+        p: Any,
+        *,
+        ranges: int,
+        dead_zone: bool,
+        dry_motor: Dry,
+        dry_joint: Dry,
+        own: int = 0,
+        sides: tuple[Any, Any] | None = None,
+    ) -> None:
+        """``own``: how many numbers of the kind itself there are, the last of ``p``.
+
+        ``sides``: direction in which motor and joint slip, -1, 0 (at rest) or 1, that of their rates by default.
+        """
+        self._dead_zone, self._dry_motor, self._dry_joint, self._sides = dead_zone, dry_motor, dry_joint, sides
         self.inertia, self.rest = p[0], p[1]
         self._motor, self._joint = [p[2 + i] for i in range(5)], [p[7 + i] for i in range(5)]
         r = ranges
@@ -38,11 +75,23 @@ class DriveLaw:
 
     def motor_friction(self, rate: Any) -> tuple[Any, Any]:
         """Torque and its derivative by the rate."""
-        return _friction(self._motor, rate, dry=self._dry_motor)
+        return _friction(self._motor, rate, self._dry_motor, self._sides and self._sides[0])
 
     def joint_friction(self, rate: Any) -> tuple[Any, Any]:
         """Effort and its derivative by the rate."""
-        return _friction(self._joint, rate, dry=self._dry_joint)
+        return _friction(self._joint, rate, self._dry_joint, self._sides and self._sides[1])
+
+    @property
+    def widths(self) -> tuple[Any, Any]:
+        """Rates within which dry friction of motor and joint changes: that of smoothing, else Stribeck's."""
+        pairs = ((self._motor, self._dry_motor), (self._joint, self._dry_joint))
+        motor, joint = (p[4] if dry is Dry.SMOOTH else p[3] for p, dry in pairs)
+        return motor, joint
+
+    @property
+    def limits(self) -> tuple[Any, Any]:
+        """Largest dry friction of motor and joint at rest."""
+        return self._motor[1] + self._motor[2], self._joint[1] + self._joint[2]
 
     def spring(self, deflection: Any) -> tuple[Any, Any]:
         """Torque of the spring and its stiffness at a deflection (the rounding of a dead zone's edges aside)."""
@@ -81,18 +130,22 @@ class DriveLaw:
         return deflection + (near - far) / 2, 1 + (ahead / near - behind / far) / 2
 
 
-def _friction(p: list[Any], rate: Any, *, dry: bool) -> tuple[Any, Any]:
-    """Viscous, Coulomb and Stribeck friction, smooth at rest; and its derivative."""
+def _friction(p: list[Any], rate: Any, dry: Dry, side: Any) -> tuple[Any, Any]:
+    """Viscous, Coulomb and Stribeck friction, and its derivative; ``side``: where it slips, if that is known."""
     viscous, coulomb, extra, stribeck, smoothing = p
-    if not dry:
+    if dry is Dry.NONE:
         return viscous * rate, viscous
-    root = sqrt(rate * rate + smoothing * smoothing)
-    side = rate / root
-    ratio = rate / stribeck
-    fall = 1 / (1 + ratio * ratio)
-    level = coulomb + extra * fall
-    slope = level * smoothing * smoothing / (root * root * root) - 2 * extra * fall * fall * ratio / stribeck * side
-    return viscous * rate + level * side, viscous + slope
+    level, fall, bend = coulomb, 0.0, 0.0
+    if dry is not Dry.DROPS:
+        ratio = rate / stribeck
+        share = 1 / (1 + ratio * ratio)
+        level, fall = coulomb + extra * share, -2 * extra * share * share * ratio / stribeck
+    if dry is Dry.SMOOTH:
+        root = sqrt(rate * rate + smoothing * smoothing)
+        side, bend = rate / root, smoothing * smoothing / (root * root * root)
+    elif side is None:
+        side = (rate > 0) - (rate < 0) * 1.0
+    return viscous * rate + level * side, viscous + level * bend + fall * side
 
 
 class Angles(NamedTuple):

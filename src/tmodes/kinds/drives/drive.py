@@ -32,7 +32,11 @@ MOST_RANGES = 5
 
 
 class FrictionSheet(DataSheet):
-    """Friction at a rate v: viscous v + (coulomb + static_extra/(1 + (v/stribeck_rate)^2)) sgn v, with a smooth sgn."""
+    """Friction at a rate v: viscous v + (coulomb + static_extra/(1 + (v/stribeck_rate)^2)) sgn v.
+
+    At rest dry friction is what keeps at rest, up to coulomb + static_extra; onset and end of slip are located. Without
+    ``stribeck_rate`` it drops to ``coulomb`` at once where slip begins. With ``smoothing`` sgn is a smooth function.
+    """
 
     viscous: float = dissipation("N*m*s/rad|N*s/m", "Bv", "viscous friction")
     coulomb: float = not_negative("N*m|N", "Tc", "dry friction in motion", default=0.0)
@@ -40,12 +44,14 @@ class FrictionSheet(DataSheet):
     stribeck_rate: float | None = positive(
         "rad/s|m/s", "vs", "rate at which half of `static_extra` is gone", default=None
     )
-    smoothing: float = positive("rad/s|m/s", "veps", "rate below which dry friction is smoothed", default=1e-3)
+    smoothing: float | None = positive(
+        "rad/s|m/s", "veps", "rate below which dry friction is smoothed; none: true stick and slip", default=None
+    )
 
     def _issues(self) -> Iterator[Issue]:
-        if self.static_extra > 0 and self.stribeck_rate is None:
-            hint = "add `stribeck_rate`, or remove `static_extra`"
-            yield Issue("stribeck_rate", "nothing", "a rate, because `static_extra` is given", hint)
+        if self.static_extra > 0 and self.smoothing and self.stribeck_rate is None:
+            hint = "add `stribeck_rate`, or remove `smoothing`"
+            yield Issue("stribeck_rate", "nothing", "a rate, because `static_extra` and `smoothing` are given", hint)
 
 
 class Side(StrEnum):
@@ -112,8 +118,8 @@ class MotorSheet(DataSheet):
             viscous=friction.viscous * ratio**2,
             coulomb=friction.coulomb * turns,
             static_extra=friction.static_extra * turns,
-            stribeck_rate=(friction.stribeck_rate or turns) / turns,
-            smoothing=friction.smoothing / turns,
+            stribeck_rate=(friction.stribeck_rate or 0.0) / turns,
+            smoothing=(friction.smoothing or 0.0) / turns,
             resistance=self.resistance,
             back_emf=(self.back_emf_constant or 0.0) * ratio,
             torque_constant=(self.torque_constant or 1.0) * ratio,

@@ -146,9 +146,6 @@ class JointSheet(DataSheet):
         elif active and self.is_elastic and self.motor is None:
             hint = "add `motor`, write `state: locked`, or remove the gear"
             yield Issue("motor", "nothing", "a motor, because the joint has an elastic gear", hint)
-        elif active and self.is_elastic and self.motor and not self.motor.inertia:
-            expected = "an inertia > 0 kg*m^2 behind an elastic gear, where the rotor turns by itself"
-            yield Issue("motor.inertia", "0", expected, "give the rotor its inertia, or write `state: locked`")
         yield from self._named_drive_issues()
         if active and self.locked_at:
             hint = "write `state: locked`, or give the position under `initial`"

@@ -111,6 +111,12 @@ class Schedule:
     """Two numbers, both positive while a force acts that starts and ends at once."""
     sampled: Schedule | None = None
     """Of a right-hand side with sampled controllers: (time, state, row, step) -> the state after the samples there."""
+    switches: Slot | None = None
+    """Numbers that are positive while what sticks, slips or touches goes on doing so."""
+    switched: Schedule | None = None
+    """Of a right-hand side with ``switches``: (time, state, row, step) -> the state after what ends there."""
+    narrow: Slot | None = None
+    """Rates at which friction changes within a narrow band about zero, then the width of each band."""
     zeros: tuple[Slot, ...] = ()
     """Parameters that are zero whatever the robot's numbers."""
     often: bool = False
@@ -142,6 +148,11 @@ class Schedule:
         slot = Slot("changing", self.changing, size)
         self.changing += size
         return slot
+
+    @property
+    def watched(self) -> list[Slot]:
+        """What the time loops read of the workspace besides the outputs."""
+        return [slot for slot in (self.gate, self.narrow, self.switches) if slot]
 
     @property
     def workspace(self) -> int:
@@ -176,5 +187,5 @@ class Schedule:
             info.append(kinds.setdefault((kernel.key, kernel.inputs, kernel.outputs), len(kinds)))
             info += [slot.start if slot.region == "changing" else -1 - slot.start for slot in (*inputs, *outputs)]
         head = [self.parameters, self.changing, self.gate, self.zeros, self.often, self.inputs, self.outputs, [*kinds]]
-        head += [self.sampled.key] if self.sampled else []
+        head += [self.switches, self.narrow] + [each.key if each else "" for each in (self.sampled, self.switched)]
         return hashlib.sha256(repr(head).encode() + np.array(info, dtype="<i8").tobytes()).hexdigest()

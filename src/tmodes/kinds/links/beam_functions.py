@@ -17,8 +17,8 @@ from numpy.typing import ArrayLike, NDArray
 from tmodes.kinds.links.beam_pieces import BeamNumbers
 
 __all__ = [
-    "MODULI", "SHIFTING", "BareBeam", "bare_beam", "fine_rule", "function_values", "interval_integrals", "is_uniform",
-    "pieces_at", "stiffness_matrix",
+    "MODULI", "SHIFTING", "BareBeam", "bare_beam", "fine_rule", "function_values", "interval_integrals",
+    "is_uniform", "last_functions", "pieces_at", "softened", "stiffness_matrix",
 ]  # fmt: skip
 
 Array = NDArray[np.float64]
@@ -124,7 +124,31 @@ def stiffness_matrix(beam: BeamNumbers, direction: str) -> Array:
     values, stiffness = function_values(beam, direction, s), pieces_at(beam, MODULI[direction], s)
     stiffness = np.where(np.isinf(stiffness) & (values[0] == 0.0), 0.0, stiffness)
     scale = beam.length if direction in SHIFTING else 1 / beam.length
-    return np.asarray(scale * (values * w * stiffness) @ values.T, dtype=np.float64)
+    matrix = np.asarray(scale * (values * w * stiffness) @ values.T, dtype=np.float64)
+    return softened(matrix, last_functions(beam, direction)) if beam.softened else matrix
+
+
+def last_functions(beam: BeamNumbers, direction: str) -> int:
+    """How many functions of a direction are softened to see what they do.
+
+    An even and an odd one, of which a motion may ask for one. The first functions move or turn the tip of a link whose
+    load is given, as no missing function does: they are softened only where there are no others.
+    """
+    count = getattr(beam, direction)
+    moving = 2 if direction.startswith("bend") and beam.basis == "legendre" else 1
+    return min(count - moving, 2) if count > moving else count
+
+
+def softened(stiffness: Array, last: int) -> Array:
+    """The matrix (n, n) with half the stiffness of its ``last`` functions, of what these have beyond the others.
+
+    Half the stiffness doubles what they do.
+    """
+    first = len(stiffness) - last
+    others, coupled = stiffness[:first, :first], stiffness[:first, first:]
+    changed = stiffness.copy()
+    changed[first:, first:] -= (stiffness[first:, first:] - coupled.T @ np.linalg.solve(others, coupled)) / 2
+    return changed
 
 
 FUNCTIONS = 10

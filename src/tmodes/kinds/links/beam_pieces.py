@@ -84,7 +84,8 @@ class BeamNumbers:
     ``points``: Gauss points between jumps of the section, 0 for the default. ``damping_time`` [s] Kelvin-Voigt.
     ``rest_curvature`` (3,) [1/m]: twist, y, z of the unloaded line. ``bodies``: (s, body) in section axes at s in
     0..1. ``outer`` (2,): distance of the
-    outer fibre along y and z [m], for stress; ``young`` and ``shear`` modulus [Pa], 0 where not known.
+    outer fibre along y and z [m], for stress; ``young`` and ``shear`` modulus [Pa], 0 where not known. ``softened``:
+    what the last functions of each direction does counts as in :func:`tmodes.kinds.links.beam_functions.softened`.
     """
 
     length: float
@@ -103,6 +104,7 @@ class BeamNumbers:
     outer: tuple[float, float] = (0.0, 0.0)
     young: float = 0.0
     shear: float = 0.0
+    softened: bool = False
 
 
 MOST_TAPER_PIECES = 16

@@ -196,11 +196,6 @@ class Link(LinkFacts):
     """Length [m]; 0 for a rigid link, whose frames coincide."""
 
     @property
-    def bends(self) -> bool:
-        """Whether it has coordinates of its own."""
-        return True
-
-    @property
     @abstractmethod
     def coordinates(self) -> tuple[str, ...]:
         """Names of its coordinates, to be put after the link's name and a dot."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Mapping, Sequence
-from typing import Any, ClassVar, NamedTuple
+from typing import Any, ClassVar, NamedTuple, Self
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -46,6 +46,18 @@ class LinkFacts(ABC):
     angle_limit: ClassVar[AngleLimit] = SMALL_ANGLES
 
     @property
+    def bends(self) -> bool:
+        """Whether it has coordinates of its own."""
+        return True
+
+    def compared(self) -> Self | None:
+        """The same structure with other numbers, whose difference shows the error of the link's model.
+
+        None where the error cannot be estimated so; a link that does not bend is compared with itself.
+        """
+        return None if self.bends else self
+
+    @property
     def functions(self) -> Mapping[str, int]:
         """Number of coordinates in each of :data:`DIRECTIONS`; 0 where the link does not give way."""
         return dict.fromkeys(DIRECTIONS, 0)
@@ -54,6 +66,10 @@ class LinkFacts(ABC):
     def projected(self) -> tuple[str, ...]:
         """Directions in which the material's moment is the projection of the load's on the link's functions."""
         return ()
+
+    def other_moments(self, direction: str, s: ArrayLike) -> Array:  # noqa: ARG002
+        """Moments (functions, *s) of a projected direction that :meth:`compared` does not soften."""
+        return np.zeros((0, *np.shape(s)))
 
     @property
     def outer_distance(self) -> float:

@@ -3,13 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import astuple, dataclass
-from typing import Any, ClassVar
+from dataclasses import astuple, dataclass, replace
+from typing import Any, ClassVar, Self
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tmodes.kinds.links.beam_functions import MODULI, bare_beam, interval_integrals, pieces_at
+from tmodes.kinds.links.beam_functions import (
+    MODULI,
+    bare_beam,
+    function_values,
+    interval_integrals,
+    last_functions,
+    pieces_at,
+)
 from tmodes.kinds.links.beam_pieces import BeamNumbers, BeamPiece
 from tmodes.kinds.links.beam_tables import beam_rule, beam_tables
 from tmodes.kinds.links.contract import Body, Link, LinkNumbers, QuadraticStructure
@@ -90,6 +97,11 @@ class Beam(BeamNumbers, Link):
         """Directions that have functions and turn sections."""
         return tuple(name for name in ("twist", "bend_y", "bend_z") if getattr(self, name))
 
+    def other_moments(self, direction: str, s: ArrayLike) -> Array:
+        """The functions of curvature times the stiffness: polynomials."""
+        others = function_values(self, direction, s)[: -last_functions(self, direction)]
+        return others * self.stiffness_at(direction, s)
+
     @property
     def outer_distance(self) -> float:
         """Largest distance of the outer fibre [m]."""
@@ -141,6 +153,10 @@ class Beam(BeamNumbers, Link):
         """Quadrature, integrals of the functions, stiffness."""
         tables = beam_tables(self, stations)
         return LinkNumbers(StrainStructure(*astuple(tables.shape)), tables.packed, tables.stiffness, tables.damping)
+
+    def compared(self) -> Self:
+        """With its last functions of each direction softened."""
+        return replace(self, softened=True)
 
 
 def _over(compliance: float) -> float | None:

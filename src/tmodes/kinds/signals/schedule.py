@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from math import comb
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -98,6 +99,19 @@ class MergedSchedule:
             value = value * tau + column[piece]
         return value
 
+    def halved(self) -> MergedSchedule:
+        """The same signals with a knot in the middle of each piece too."""
+        lengths = np.diff(self.knots)
+        later = _shifted(self.coefficients, np.broadcast_to(lengths[:, None] / 2, self.coefficients.shape[:2]))
+        knots = np.append(np.column_stack([self.knots[:-1], self.knots[:-1] + lengths / 2]).ravel(), self.knots[-1])
+        pieces = np.stack([self.coefficients, later], axis=1)
+        return MergedSchedule(knots, pieces.reshape(2 * len(lengths), *self.coefficients.shape[1:]))
+
+    @property
+    def schedule(self) -> Schedule:
+        """All in one row for each piece, as compiled code reads them."""
+        return Schedule(self.knots, self.coefficients.reshape(len(self.coefficients), -1))
+
 
 def merge(schedules: Sequence[Schedule]) -> MergedSchedule:
     """The schedules on all their knots, each held in its last value up to the end of the longest.
@@ -124,15 +138,19 @@ def _common_knots(knots: NDArray[np.float64]) -> NDArray[np.float64]:
 
 def _on_knots(schedule: Schedule, knots: NDArray[np.float64], degree: int) -> NDArray[np.float64]:
     """Coefficients (pieces, degree + 1) of the schedule about the starts of new pieces."""
-    from math import comb
-
     rows = schedule.rows_at((knots[:-1] + knots[1:]) / 2)
-    shift, old = knots[:-1] - rows[:, 0], rows[:, 1:]
-    shift = np.where(np.abs(shift) <= SAME * (knots[-1] - knots[0]), 0.0, shift)
-    new = np.zeros((len(old), degree + 1))
-    for power in range(old.shape[1]):
+    shift = knots[:-1] - rows[:, 0]
+    new = np.zeros((len(rows), degree + 1))
+    new[:, : rows.shape[1] - 1] = _shifted(rows[:, 1:], np.where(np.abs(shift) <= SAME * np.ptp(knots), 0.0, shift))
+    return new
+
+
+def _shifted(powers: NDArray[np.float64], shift: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Coefficients (..., degree + 1) about times later by ``shift`` (...) [s]."""
+    new = np.zeros_like(powers)
+    for power in range(powers.shape[-1]):
         for lower in range(power + 1):
-            new[:, lower] += comb(power, lower) * old[:, power] * shift ** (power - lower)
+            new[..., lower] += comb(power, lower) * powers[..., power] * shift ** (power - lower)
     return new
 
 

@@ -17,7 +17,7 @@ NEARLY_CONSTANT = 0.05
 
 
 class ContactForce(Figure):
-    """Normal force [N], actual and reference, on an axis from zero and in close-up; components [N]; penetration [m].
+    """Normal force [N], actual and nominal, on an axis from zero and in close-up; components [N]; penetration [m].
 
     ``ax``: four axes, or None.
     """
@@ -36,8 +36,8 @@ class ContactForce(Figure):
         axes = panels(ax, [["whole", "close"], ["parts", "parts"], ["deep", "deep"]], 6.0)
         time, real = data["time"].values, data["contact_force_normal"].values
         shown = {"actual": (real, REAL)}
-        if "contact_force_normal_reference" in data:
-            shown["reference"] = (data["contact_force_normal_reference"].values, REFERENCE)
+        if "contact_force_normal_nominal" in data:
+            shown["nominal"] = (data["contact_force_normal_nominal"].values, REFERENCE)
         unit, _ = (curves(panel, time, shown, "N", "force") for panel in axes[:2])
         for panel in axes[:2]:
             time_axis(panel, time)

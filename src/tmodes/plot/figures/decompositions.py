@@ -44,7 +44,7 @@ def _stationary(data: Any, name: str) -> dict[str, tuple[Any, dict[str, Any]]]:
     known = {
         "total": ("deformation", {"color": QUIET, "linewidth": 0.8}),
         "quasi-static $T_{st}$": ("deformation_stationary", COMPONENTS[0]),
-        "reference": ("deformation_reference", REFERENCE | {"linewidth": 0.8}),
+        "nominal": ("deformation_nominal", REFERENCE | {"linewidth": 0.8}),
     }
     return {
         label: (data[series].sel(deformation_kind=name).values, look)

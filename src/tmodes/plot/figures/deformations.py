@@ -1,4 +1,4 @@
-"""The elastic coordinates next to those of the reference."""
+"""The elastic coordinates next to those of the nominal run."""
 
 from __future__ import annotations
 
@@ -15,15 +15,15 @@ _MOST_GEARS, _MOST_COORDINATES = 4, 6
 
 
 class Deformations(Figure):
-    """Elastic coordinates of links and gears [rad, m], actual and reference: the largest six and four.
+    """Elastic coordinates of links and gears [rad, m], actual and nominal: the largest six and four.
 
     ``ax``: one axes for each, or None.
     """
 
     name = "deformations"
     title = "Elastic deformations"
-    caption = "Actual and reference deformation of links and gears; note the scales, and the sag at the start."
-    needs: ClassVar = {"deformation_reference": "the run has no reference, or nothing of this robot is elastic"}
+    caption = "Actual and nominal deformation of links and gears; note the scales, and the sag at the start."
+    needs: ClassVar = {"deformation_nominal": "there is no nominal run, or nothing of this robot is elastic"}
 
     def draw(self, result: Any, ax: AxesLike = None) -> list[Axes]:
         """One panel for each coordinate, two in a row."""
@@ -40,7 +40,7 @@ class Deformations(Figure):
 
 
 def _coordinate(panel: Axes, data: Any, name: str) -> None:
-    actual, planned = (data[key].sel(deformation_kind=name).values for key in ("deformation", "deformation_reference"))
-    shown = {"actual": (actual, REAL), "reference": (planned, REFERENCE)}
+    actual, planned = (data[key].sel(deformation_kind=name).values for key in ("deformation", "deformation_nominal"))
+    shown = {"actual": (actual, REAL), "nominal": (planned, REFERENCE)}
     curves(panel, data["time"].values, shown, deformation_unit(data, name))
     time_axis(panel, data["time"].values)

@@ -53,8 +53,8 @@ def _effort(panel: Axes, data: Any, name: str) -> None:
     shown = {"motor": (effort, REAL)}
     if gear.any():
         shown["gear"] = (gear, COMPONENTS[2])
-        if "gear_torque_reference" in data:
-            shown["gear, reference"] = (data["gear_torque_reference"].sel(drive=name).values, REFERENCE)
+        if "gear_torque_nominal" in data:
+            shown["gear, nominal"] = (data["gear_torque_nominal"].sel(drive=name).values, REFERENCE)
     curves(panel, time, shown, effort_unit(data, name))
     zero_line(panel)
 

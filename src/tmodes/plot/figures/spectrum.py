@@ -36,15 +36,16 @@ class Spectrum(Figure):
     """Amplitudes of the actual and the nominal tip [m] less the commanded one, and of elastic coordinates [rad].
 
     Of the time after the move where the run continues long enough; else of the part with constant setpoint rates; else
-    of the whole run. Each is marked with its own frequencies: the actual robot's under control (else with locked
-    motors), the nominal one's with locked motors, as they follow their setpoints. ``ax``: an axes for each, or None.
+    of the whole run. Each is marked with its own frequencies about the pose at the end: the actual robot's under
+    control (else with locked motors), the nominal one's with locked motors, as they follow their setpoints. ``ax``: an
+    axes for each, or None.
     """
 
     name = "spectrum"
     title = "Vibration spectrum"
     caption = (
-        "Dotted: natural frequencies about the pose at the start, the actual robot's under control and the nominal "
-        "robot's with its motors at their setpoints; after a long move the peaks are elsewhere."
+        "Dotted: frequencies of the poles about the pose at the end, the actual robot's under control and the nominal "
+        "robot's with its motors at their setpoints; within a move the peaks are elsewhere."
     )
 
     def missing(self, data: Any) -> str:
@@ -78,11 +79,11 @@ class Spectrum(Figure):
 
 def _groups(result: Any, part: Any) -> Iterator[tuple[str, dict[str, Array], str, list[dict[str, Any]]]]:
     """Title, signals, their unit and the modes to mark: actual tip, nominal tip, elastic coordinates."""
-    modes = result.frequencies
-    own = _marked(modes.get("controlled") or modes.get("locked") or [])
+    modes = result.end_frequencies
+    own = _marked(modes.get("actual", []))
     yield "Actual tip", _tip(part, "tip"), "m", own
-    if "tip_reference" in part and (nominal := _tip(part, "tip_reference")):
-        yield "Nominal tip", nominal, "m", _marked(result.nominal_frequencies.get("locked", []))
+    if "tip_nominal" in part and (nominal := _tip(part, "tip_nominal")):
+        yield "Nominal tip", nominal, "m", _marked(modes.get("nominal", []))
     if inner := _coordinates(part):
         yield "Elastic coordinates", inner, deformation_unit(result.data, next(iter(inner))), own
 

@@ -40,7 +40,7 @@ class TipPath(Figure):
         """One panel for each view."""
         data = result.data
         tip = data["tip"].transpose("time", "axis").values
-        planned = data["tip_reference"].transpose("time", "axis").values if "tip_reference" in data else None
+        planned = data["tip_nominal"].transpose("time", "axis").values if "tip_nominal" in data else None
         chosen = views(tip if planned is None else np.concatenate([tip, planned]))
         axes = panels(ax, [["".join(pair) for pair in chosen]], 3.4)
         for panel, pair in zip(axes, chosen, strict=True):

@@ -30,7 +30,7 @@ class TipTracking(Figure):
     def draw(self, result: Any, ax: AxesLike = None) -> list[Axes]:
         """One panel for each axis, and one of the deviation."""
         data = result.data
-        planned = "tip_reference" in data
+        planned = "tip_nominal" in data
         if planned:
             axes = panels(ax, [["x", "y", "z"], ["deviation"] * 3], 4.4, height_ratios=[1, 1.25])
         else:
@@ -50,7 +50,7 @@ class TipTracking(Figure):
 def _coordinate(panel: Axes, data: Any, axis: str) -> None:
     known = {
         "actual": ("tip", REAL),
-        "nominal": ("tip_reference", REFERENCE),
+        "nominal": ("tip_nominal", REFERENCE),
         "commanded": ("tip_commanded", _COMMANDED),
     }
     shown = {label: (data[name].sel(axis=axis).values, look) for label, (name, look) in known.items() if name in data}
@@ -59,7 +59,7 @@ def _coordinate(panel: Axes, data: Any, axis: str) -> None:
 
 
 def _deviation(panel: Axes, data: Any) -> None:
-    difference = data["tip"] - data["tip_reference"]  # no component is larger than the distance
+    difference = data["tip"] - data["tip_nominal"]  # no component is larger than the distance
     parts = {f"Δ{axis}": (difference.sel(axis=axis), look) for axis, look in zip("xyz", COMPONENTS, strict=False)}
     shown = {"distance": (data["deviation"].values, {"color": INK, "linewidth": 1.5})} | parts
     curves(panel, data["time"].values, shown, "m", "deviation")

@@ -1,4 +1,4 @@
-/* tmodes, built from d0f3f957c47c2125; BSD-3-Clause */
+/* tmodes, built from d99f302f7430e43a; BSD-3-Clause */
 
 // src/live/engine_error.ts
 var EngineError = class extends Error {
@@ -223,9 +223,7 @@ var EngineRun = class {
     this.memory = new Float64Array(engine.layout.cells.length);
     this.state = spec.state.slice();
     this.slope = new Float64Array(info.size);
-    this.sums = new Float64Array(info.size);
     this.states = new Float64Array(spec.times.length * info.size);
-    this.sumsAtSamples = new Float64Array(spec.times.length * info.size);
     this.states.set(spec.state);
     this.put({ sample: 1, fresh: 1, old_error: 1e-4 });
   }
@@ -236,8 +234,6 @@ var EngineRun = class {
   state;
   slope;
   states;
-  sums;
-  sumsAtSamples;
   /** Time that is reached [s]. */
   get time() {
     return this.cell("t");
@@ -287,8 +283,6 @@ var EngineRun = class {
       times,
       out: fresh(this.states),
       options: Float64Array.from(layout.options, (name) => chosen[name]),
-      errors: both(this.sums),
-      errors_out: fresh(this.sumsAtSamples),
       seen: new Float64Array(1),
       segments: knots.length - 1,
       samples: times.length
@@ -312,7 +306,6 @@ var EngineRun = class {
       message,
       times: this.spec.times.slice(0, done),
       states: this.states.slice(0, done * size),
-      errors: this.sumsAtSamples.slice(0, done * size),
       statistics: this.statistics()
     };
   }

@@ -16,7 +16,6 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from tmodes.compile.lanes.lanes_loop import WIDTH
-from tmodes.compile.loops.loops import goes_side_by_side
 from tmodes.errors import InputError
 from tmodes.integrate.registry import AUTO
 from tmodes.integrate.settings import Integration, refuse_stops
@@ -73,6 +72,8 @@ def run_all(works: Sequence[Work], threads: int, progress: Callable[[float], Non
     done: dict[int, Trajectory] = {}
     for (work, span), future in zip(lanes, futures, strict=True):
         done |= zip(work.places[span.start : span.stop].tolist(), future.result(), strict=True)
+    if stop.is_set() and not any(one.status == "interrupted" for one in done.values()):
+        raise KeyboardInterrupt  # all ended first: what comes next must not begin
     return done
 
 
@@ -99,7 +100,7 @@ def spans(work: Work, threads: int) -> list[range]:
 
 def _side(work: Work) -> int:
     """Lanes that go at once."""
-    return WIDTH if goes_side_by_side(work.settings.method) else 1
+    return WIDTH if work.model.goes_side_by_side(work.settings.method) else 1
 
 
 def run_lanes(work: Work, lanes: range, wish: Callable[[], bool], reached: Array) -> list[Trajectory]:
@@ -109,7 +110,7 @@ def run_lanes(work: Work, lanes: range, wish: Callable[[], bool], reached: Array
     ends the run.
     """
     side = _side(work)
-    room = Room(work) if goes_side_by_side(work.settings.method) else None
+    room = Room(work) if side > 1 else None
     runs: list[Trajectory] = []
     for first in range(lanes.start, lanes.stop, side):
         group = range(first, min(first + side, lanes.stop))
@@ -170,7 +171,7 @@ def simulate_lanes(
 
 def prepare_loops(model: LoopModel, method: str) -> None:
     """Compile once, before the threads want the loop."""
-    if goes_side_by_side(method):
+    if model.goes_side_by_side(method):
         model.lane_loop(method)
     else:
         model.loops[method]

@@ -1,23 +1,16 @@
-"""The rungs of the ladder: one robot with each model of its links; and the same robot with its motors' motion given."""
+"""The rungs of the ladder: one robot with each model of its links."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
 
-import numpy as np
-from numpy.typing import NDArray
-
-from tmodes.chain.chain import Axis, Chain, Joint, Node
+from tmodes.chain.chain import Axis, Chain
 from tmodes.errors import InputError
-from tmodes.frame import Placement
-from tmodes.kinds.drives.registry import drive_kind
-from tmodes.kinds.links.registry import RigidLink
 from tmodes.sheet import Robot
 from tmodes.sheet.parts import LinkSheet
 from tmodes.sheet.robot import RECURSION
 
-__all__ = ["SEGMENTS", "driven", "input_mix", "moved_chain", "rungs", "whole_chain"]
+__all__ = ["SEGMENTS", "driven", "rungs", "whole_chain"]
 
 SEGMENTS = (1, 2, 3)
 """Numbers of segments, and of modes, that are tried."""
@@ -63,46 +56,6 @@ def whole_chain(robot: Robot) -> Chain:
     return robot.model_copy(update={"drives": ()}).chain()
 
 
-def moved_chain(chain: Chain) -> Chain:
-    """The same robot, its gear inputs given motions: an elastic drive is a given joint, then a spring on the same axis.
-
-    The given joints come in the order of the chain's moving joints that have a drive of their own.
-    """
-    nodes: list[Node] = []
-    last: dict[int, int] = {-1: -1}
-    given = drive_kind("prescribed")
-    for index, node in enumerate(chain.nodes):
-        parent, joint = last[node.parent], node.joint
-        if any(axis.drive.has_motor for axis in joint.axes):
-            _refuse_several(joint)
-            name = f"{joint.name}.input"
-            nodes.append(Node(name, parent, replace(joint, name=name, drive=given, gear=None), RigidLink()))
-            sprung = replace(joint, placement=Placement(), drive=drive_kind("spring"), motor=None, rest=0.0)
-            parent, joint = len(nodes) - 1, sprung
-        elif joint.moves and joint.drive.takes_effort:
-            joint = replace(joint, drive=given, drives=())
-        nodes.append(Node(node.name, parent, joint, node.link))
-        last[index] = len(nodes) - 1
-    points = tuple(replace(point, node=last[point.node]) for point in chain.points or (chain.tip,))
-    return replace(chain, nodes=tuple(nodes), points=points, couplings=None)
-
-
-def _refuse_several(joint: Joint) -> None:
-    if joint.kind.size > 1:
-        got, expected = f"an elastic gear on a {joint.kind} joint", "one coordinate behind each elastic gear"
-        raise InputError(f"joints.{joint.name}", got, expected, "make its gear rigid for the model hierarchy")
-
-
 def driven(chain: Chain) -> list[Axis]:
     """Coordinates that a motor or an effort moves, in the order of the chain."""
     return [axis for axis in chain.axes if axis.drive.takes_effort]
-
-
-def input_mix(chain: Chain) -> NDArray[np.float64]:
-    """Given joints over motors, in the order of :func:`driven`: the couplings of the gears' inputs."""
-    joints = driven(chain)
-    mix = np.eye(len(joints))
-    if chain.couplings is not None:
-        elastic = [k for k, axis in enumerate(joints) if axis.drive.has_motor]
-        mix[np.ix_(elastic, elastic)] = chain.couplings
-    return mix

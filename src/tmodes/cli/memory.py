@@ -1,0 +1,65 @@
+"""What is said where the memory is too small: by then hardly anything can be loaded any more."""
+
+from __future__ import annotations
+
+import errno
+import os
+import re
+import sys
+
+__all__ = ["OUT_OF_MEMORY", "lacks_memory", "prepare", "words"]
+
+OUT_OF_MEMORY = 3
+"""Exit code."""
+
+LEAST = 330e6
+"""Address space below which the libraries themselves can not be loaded [bytes]."""
+
+ENOUGH = 1e9
+"""What a run with its report of a robot of a few links needs [bytes]."""
+
+ROOMY = 4e9
+"""From so much on, BLAS may have threads: each reserves memory when it is loaded, and ends the process without."""
+
+_SIGNS = re.compile(
+    r"failed to map segment|cannot allocate|can't allocate|unable to allocate|can't start new thread", re.IGNORECASE
+)
+
+
+def limit() -> float:
+    """The address space that this process may use (`ulimit -v`) [bytes]; infinite where there is no limit."""
+    if sys.platform == "win32":
+        return float("inf")
+    import resource
+
+    most = resource.getrlimit(resource.RLIMIT_AS)[0]
+    return float("inf") if most == resource.RLIM_INFINITY else float(most)
+
+
+def prepare() -> None:
+    """Before anything is loaded; raises :class:`MemoryError` where it could not be."""
+    if limit() < LEAST:
+        raise MemoryError
+    if limit() < ENOUGH:  # native code that gets no memory may end the process without a word
+        print(f"tmodes: this process may use {limit() / 1e6:.0f} MB of memory (ulimit -v)", file=sys.stderr)
+    if limit() < ROOMY:
+        os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+
+
+def lacks_memory(error: BaseException | None) -> bool:
+    """Whether an error, or what caused it, is that the system gave no memory: libraries that are loaded name it so."""
+    while error is not None:
+        out = isinstance(error, MemoryError) or getattr(error, "errno", None) == errno.ENOMEM
+        if out or (isinstance(error, (ImportError, OSError, RuntimeError)) and _SIGNS.search(str(error))):
+            return True
+        error = error.__cause__ or error.__context__
+    return False
+
+
+def words() -> str:
+    """What is wrong and how to fix it."""
+    if limit() < ROOMY:
+        return (
+            f"out of memory: this process may use {limit() / 1e6:.0f} MB; raise the limit (ulimit -v), 2 GB are enough"
+        )
+    return "out of memory; raise integration.output_step, shorten integration.duration, or free some memory"

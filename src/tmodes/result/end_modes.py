@@ -1,0 +1,60 @@
+"""The modes about the pose in which a run ends: what a tip that comes to rest there vibrates with."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from tmodes.analysis.modes.of_sheet import frequencies_about
+from tmodes.analysis.statics.equilibrium import robot_rest
+from tmodes.analysis.statics.steady import steady_rates
+from tmodes.errors import SimulationError
+from tmodes.kinds.signals.registry import constant_signal
+from tmodes.sheet import Robot
+from tmodes.simulation.motion_run import RunData
+
+__all__ = ["end_modes", "held_at", "with_elements"]
+
+Modes = list[dict[str, Any]]
+
+_ALIKE = 0.05
+"""Share by which the frequency of a vibration may differ from that of the mode that it is."""
+
+
+def end_modes(run: RunData, *states: str) -> Modes:
+    """Modes about the rest at the last setpoints and loads, of the first of ``states`` of the motors that there is.
+
+    Joints without a setpoint are where the run ends. None where that is no rest, or the end a motion at constant speed.
+    """
+    if steady_rates(run.robot, run.model):
+        return []
+    robot = held_at(run.robot, float(run.times[-1]), dict(zip(run.coordinates, run.q[-1].tolist(), strict=True)))
+    try:
+        found = frequencies_about(robot, robot_rest(robot, model=run.model))
+    except SimulationError:
+        return []
+    return next((found[state] for state in states if found.get(state)), [])
+
+
+def held_at(robot: Robot, end: float, place: dict[str, float]) -> Robot:
+    """The robot whose signals stay as they are at ``end`` [s], without noise; it begins at coordinates ``place``."""
+
+    def still(signal: Any) -> Any:
+        return signal and constant_signal(float(signal.schedule(max(end, robot.integration.duration)).at(end)))
+
+    drives = [one.model_copy(update={"signal": still(one.signal), "noise": None}) for one in robot.drives]
+    loads = [one.model_copy(update={"signal": still(one.signal)}) for one in robot.loads]
+    initial = robot.initial.model_copy(update={"coordinates": place})
+    return robot.model_copy(update={"drives": tuple(drives), "loads": tuple(loads), "initial": initial})
+
+
+def with_elements(vibration: dict[str, Any], modes: Sequence[dict[str, Any]]) -> dict[str, Any]:
+    """A residual vibration whose modes have the dominant ``element`` of the robot's mode of that frequency."""
+    ringing = [mode for mode in modes if mode["damped_frequency_Hz"]]
+
+    def element(frequency: float) -> str:
+        near = min(ringing, key=lambda mode: abs(mode["damped_frequency_Hz"] - frequency), default=None)
+        close = near is not None and abs(near["damped_frequency_Hz"] - frequency) <= _ALIKE * frequency
+        return str(near["element"]) if near is not None and close else ""
+
+    return vibration | {"modes": [one | {"element": element(one["frequency_Hz"])} for one in vibration["modes"]]}

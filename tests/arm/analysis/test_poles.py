@@ -1,0 +1,83 @@
+"""Frequencies and damping ratios of modes are those of poles: eigenvalues of all matrices, controllers included."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from scipy.linalg import eigh
+
+from contracts.test_controllers import robot
+from tmodes.analysis.modes.of_sheet import vibrations
+from tmodes.analysis.statics.equilibrium import robot_rest
+from tmodes.model.model import Model
+from tmodes.sheet import Robot
+from tmodes.simulation.start import run_setup
+
+
+def gain(least: float, most: float) -> st.SearchStrategy[float]:
+    return st.floats(np.log(least), np.log(most)).map(lambda x: float(np.exp(x)))
+
+
+PD = st.fixed_dictionaries({"type": st.just("pd"), "position_gain": gain(5, 5e3), "velocity_gain": gain(0.1, 200)})
+PID = st.fixed_dictionaries({"type": st.just("pid"), "position_gain": gain(50, 5e3), "integral_gain": gain(1, 20),
+                             "velocity_gain": gain(1, 200), "limit": st.just(1e3)})  # fmt: skip
+ALL = st.fixed_dictionaries({
+    "type": st.just("state_feedback"),
+    "position_gains": st.fixed_dictionaries({"hub.motor": gain(50, 5e3), "beam.bend_z1": st.floats(-50, 50)}),
+    "velocity_gains": st.fixed_dictionaries({"hub.motor": gain(1, 200), "hub": st.floats(0, 5)}),
+})  # fmt: skip
+
+
+def poles_of(matrix: np.ndarray) -> np.ndarray:
+    values: Any = np.linalg.eigvals(matrix)
+    return values[values.imag > 1e-7 * np.abs(values)]
+
+
+def assert_of_poles(modes: list[dict[str, Any]], exact: Any) -> None:
+    """Each mode that rings is one pole, no pole is left out; damping and damped frequency are that pole's."""
+    ringing = [mode for mode in modes if mode["damped_frequency_Hz"]]
+    found: Any = np.array([complex(*mode["pole"]) for mode in ringing])
+    assert len(found) == len(exact)
+    order, other = np.argsort(found.imag), np.argsort(exact.imag)
+    assert found[order] == pytest.approx(exact[other], rel=1e-6)
+    for mode, pole in zip(ringing, found, strict=True):
+        assert mode["damping_ratio"] == pytest.approx(-pole.real / abs(pole), rel=1e-9, abs=1e-12)
+        assert mode["damped_frequency_Hz"] == pytest.approx(pole.imag / (2 * np.pi), rel=1e-12)
+
+
+@settings(max_examples=12, deadline=None)
+@given(law=st.one_of(PD, PID, ALL))
+def test_modes_under_control_are_poles_of_the_closed_loop(law: dict[str, Any]) -> None:
+    """Random gains: the eigenvalues of the exact Jacobian of what a run integrates."""
+    sheet: Robot = robot(law)
+    setup, found = run_setup(sheet), vibrations(sheet)
+    exact = setup.spectrum.eigenvalues
+    ours = np.array([complex(*pole) for pole in found.poles])
+    for pole in ours:
+        assert np.abs(exact - pole).min() <= 1e-6 * max(abs(pole), 1.0)
+    assert_of_poles(found.states["controlled"], exact[exact.imag > 1e-7 * np.abs(exact)])
+    for mode in found.states["controlled"]:
+        if mode["damped_frequency_Hz"]:
+            assert mode["frequency_Hz"] == pytest.approx(abs(complex(*mode["pole"])) / (2 * np.pi), rel=1e-12)
+            assert mode["damped_frequency_Hz"] <= mode["frequency_Hz"]
+
+
+@settings(max_examples=8, deadline=None)
+@given(damper=gain(0.01, 50), stiffness=gain(50, 3e3), decay=gain(1e-6, 1e-2))
+def test_modes_with_locked_motors_are_poles(damper: float, stiffness: float, decay: float) -> None:
+    """A damper in the gear, and one along the beam, damp unlike masses and springs, whose natural frequencies stay."""
+    sheet = robot({"type": "pd", "position_gain": 80.0, "velocity_gain": 9.0}).with_({
+        "joints.hub.gear": {"stiffness": stiffness, "damping": damper}, "links.beam.beam.damping_time": decay,
+    })  # fmt: skip
+    rest = robot_rest(sheet)
+    mass, damping, spring = (matrix[np.ix_(rest.free, rest.free)] for matrix in Model(sheet.chain()).linearised(rest.q))
+    zero, eye = np.zeros_like(mass), np.eye(len(mass))
+    matrix = np.block([[zero, eye], [-np.linalg.solve(mass, spring), -np.linalg.solve(mass, damping)]])
+    modes = vibrations(sheet).states["locked"]
+    assert_of_poles(modes, poles_of(matrix))
+    natural = np.sqrt(eigh(spring, mass, eigvals_only=True)) / (2 * np.pi)
+    assert sorted(mode["frequency_Hz"] for mode in modes) == pytest.approx(natural, rel=1e-9)

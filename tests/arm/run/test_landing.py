@@ -1,0 +1,146 @@
+"""A surface with mass that only pushes: momentum law, joint motion, release, its own motion, restitution, rest."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from scipy.linalg import expm
+
+from arm.run.sheets import arm
+from tmodes.errors import TmodesError
+from tmodes.sheet import Robot
+from tmodes.simulation.motion_run import RunData
+from tmodes.simulation.simulate import simulate_motion
+
+NO_FORCE = {"type": "constant", "value": 0.0}
+
+
+def falling(height: float, mass: float, contact: dict[str, Any], gravity: float = 9.81, **run: Any) -> Robot:
+    """A mass above a plate."""
+    floor = {"type": "plane", "position": [0, 0, 0], "normal": [0, 0, 1]}
+    return arm(
+        gravity=gravity,
+        joints=[{"name": "z", "type": "prismatic", "parent": "base", "child": "b", "axis": [0, 0, 1]}],
+        links=[{"name": "b", "bodies": [{"name": "m", "mass": mass, "center": [0, 0, 0]}]}],
+        tip={"link": "b", "position": [0, 0, 0]},
+        drives=[{"joint": "z", "command": "effort", "signal": NO_FORCE}],
+        contact={"law": "unilateral", "point": "tip", "shape": floor, **contact},
+        initial={"state": "zero", "coordinates": {"z": height}}, integration=run,
+    )  # fmt: skip
+
+
+def surface(run: RunData) -> np.ndarray:
+    """Displacement of the surface along the direction into it."""
+    return run.states[:, run.setup.model.layout.surface][:, 0]
+
+
+@pytest.mark.parametrize("method", [None, "dop853", "extrapolation", "rosenbrock", "rk4", "midpoint"])
+def test_a_light_plate_is_met_left_and_met_again(method: str | None) -> None:
+    """Reference values computed with closed forms in pieces; x is down."""
+    plate = {"mass": 0.05, "stiffness": 8000.0, "damping": 6.0}
+    chosen = {"duration": 0.7, "output_step": 0.05, **({"method": method, "step": 2e-4} if method else {})}
+    run = simulate_motion(falling(0.05, 1.5, plate, **chosen))
+    x = [-0.0377375, -0.0009499999999999973, -0.0010982212258100997, -0.031530201473265074, -0.03743718172072003,
+         -0.018819161968175006, 0.013051754722705956, -0.016485658957123252, -0.029105062245506113,
+         -0.017199465533888982, 0.011589166311339045, -0.012615837951856666, -0.021794687056833642]  # fmt: skip
+    y = [0.0, 0.0, -0.0009401169718514018, -9.633039545060715e-05, -3.448892002485964e-06, 3.1867666423149415e-08,
+         0.013051754722705956, 0.00031489579184569545]  # fmt: skip
+    far = 5e-6 if method == "midpoint" else 1e-6
+    np.testing.assert_allclose(-run.q[1:14, 0], x, rtol=0, atol=far)
+    np.testing.assert_allclose(surface(run)[1:9], y, rtol=0, atol=far)
+    assert run.statistics["switches"] == 6
+
+
+@settings(max_examples=10, deadline=None)
+@given(
+    mass=st.floats(0.2, 5.0), plate=st.floats(0.01, 20.0), height=st.floats(0.01, 0.5), rate=st.floats(5.0, 60.0),
+    damped=st.floats(0.0, 0.5),
+)  # fmt: skip
+def test_the_first_contact_is_the_momentum_law_and_one_oscillator(
+    mass: float, plate: float, height: float, rate: float, damped: float
+) -> None:
+    """Against the matrix exponential of the joint motion."""
+    both = mass + plate
+    stiffness, damping = both * rate**2, 2 * damped * both * rate
+    touch = math.sqrt(2 * height / 9.81)
+    until = touch + 1.2 / rate
+    contact = {"mass": plate, "stiffness": stiffness, "damping": damping}
+    run = simulate_motion(falling(height, mass, contact, duration=until, output_step=until / 20))
+    start = np.array([0.0, 9.81 * touch * mass / both, 1.0])
+    matrix = np.array([[0, 1, 0], [-(rate**2), -2 * damped * rate, 9.81 * mass / both], [0, 0, 0]])
+    touched = run.states[:, run.setup.model.layout.modes][:, -1] > 0
+    assert touched.any()
+    wanted = [(expm(matrix * (t - touch)) @ start)[0] for t in run.times[touched]]
+    np.testing.assert_allclose(-run.q[touched, 0], wanted, rtol=1e-6, atol=1e-9)
+    np.testing.assert_allclose(surface(run)[touched], wanted, rtol=1e-5, atol=1e-8)
+    assert np.abs(run.energy_balance).max() < 1e-6 * run.energy_moved
+
+
+def test_a_pendulum_meets_a_surface_that_moves_along_its_normal_alone() -> None:
+    """Reference values computed with an ODE solver with located events."""
+    arm_of_weight = 4.0 / 9.81
+    inertia = dict.fromkeys(("xx", "yy", "zz"), 0.25 - arm_of_weight**2)
+    wall = {"type": "plane", "position": [0.6 * math.sin(0.1), 0, 0], "normal": [-1, 0, 0]}
+    run = simulate_motion(arm(
+        joints=[{"name": "q", "type": "revolute", "parent": "base", "child": "b", "axis": [0, -1, 0]}],
+        links=[{"name": "b", "bodies": [{"name": "m", "mass": 1.0, "center": [0, 0, -arm_of_weight],
+                                         "inertia": inertia}]}],
+        tip={"link": "b", "position": [0, 0, -0.6]},
+        drives=[{"joint": "q", "command": "effort", "signal": NO_FORCE}],
+        contact={"law": "unilateral", "point": "tip", "shape": wall, "stiffness": 3000.0, "damping": 8.0, "mass": 0.4},
+        initial={"state": "zero", "coordinates": {"q": -0.8}}, integration={"duration": 2.0, "output_step": 0.2},
+    ))  # fmt: skip
+    wanted = [-0.5792185289524052, -0.02805810571846713, -0.06223279005466083, -0.3367174914688772,
+              -0.4107790461741034, -0.24169905721035223, 0.07204163548645963, -0.01072721642222982,
+              -0.17340122073969405, -0.23145387786459518]  # fmt: skip
+    np.testing.assert_allclose(run.q[1:, 0], wanted, rtol=0, atol=1e-7)
+
+
+@settings(max_examples=8, deadline=None)
+@given(back=st.floats(0.1, 0.8), height=st.floats(0.02, 1.0), mass=st.floats(0.1, 3.0))
+def test_infinitely_many_bounces_end_in_rest(back: float, height: float, mass: float) -> None:
+    """On a surface so heavy that it stands: flights of a geometric series, then rest."""
+    floor = {"mass": 1e9, "stiffness": 1e9, "damping": 0.0, "restitution": back}
+    first = math.sqrt(2 * height / 9.81)
+    end = first * (1 + back) / (1 - back)
+    run = simulate_motion(falling(height, mass, floor, duration=1.2 * end, output_step=1.2 * end / 50))
+    start, speed, x = first, 9.81 * first * back, np.maximum(height - 9.81 * run.times**2 / 2, 0.0)
+    while speed > 1e-9:
+        since = run.times - start
+        x = np.where((since > 0) & (since < 2 * speed / 9.81), speed * since - 9.81 * since**2 / 2, x)
+        start, speed = start + 2 * speed / 9.81, speed * back
+    assert run.status == "finished"
+    np.testing.assert_allclose(run.q[:, 0], x, rtol=0, atol=1e-6 * height)
+    assert run.contact_normal is not None
+    assert run.contact_normal[-1] == pytest.approx(9.81 * mass, rel=1e-3)
+
+
+def test_a_mass_rests_on_a_plate_where_the_plate_is() -> None:
+    plate = {"mass": 2.0, "stiffness": 500.0, "damping": 30.0, "restitution": 0.7}
+    run = simulate_motion(falling(0.1, 1.0, plate, duration=3.0, output_step=0.1))
+    assert run.status == "finished"
+    assert -run.q[-1, 0] == pytest.approx(9.81 / 500, rel=1e-4)
+    assert np.abs(run.energy_balance).max() < 1e-6 * run.energy_moved
+
+
+@pytest.mark.parametrize(
+    ("contact", "which"),
+    [({"restitution": 0.5}, "contact.restitution"), ({"mass": 1, "preload": 2}, "contact.preload")],
+)
+def test_surfaces_that_are_none(contact: dict[str, Any], which: str) -> None:
+    with pytest.raises(TmodesError, match=which):
+        falling(0.1, 1.0, {"stiffness": 1e3, "damping": 0.0, **contact}, duration=1.0)
+
+
+@pytest.mark.parametrize("mass", [0.0, 0.2])
+def test_surfaces_with_and_without_mass_share_no_code(mass: float) -> None:
+    """One after the other, with friction that sticks: energy adds up in both."""
+    contact = {"stiffness": 1e5, "damping": 10.0, "friction": 0.3, "static_friction": 0.4, "mass": mass}
+    run = simulate_motion(falling(0.02, 1.0, contact, duration=0.2, output_step=0.01))
+    assert run.status == "finished"
+    assert np.abs(run.energy_balance).max() < 1e-6 * run.energy_moved

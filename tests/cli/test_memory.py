@@ -1,0 +1,62 @@
+"""Too little memory: the message says so, and nothing is half written."""
+
+from __future__ import annotations
+
+import errno
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from command import COMMAND
+from tmodes.cli.memory import lacks_memory
+from tmodes.result import Result
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="limits memory as Linux does")
+@pytest.mark.parametrize("kilobytes", [150_000, 300_000, 420_000])
+def test_a_small_limit_is_reported(tmp_path: Path, kilobytes: int) -> None:
+    """Before the libraries are loaded, and while they are."""
+    line = f'ulimit -v {kilobytes}; exec "$@"'
+    run = [
+        *COMMAND,
+        "run",
+        "spong1987",
+        "--duration",
+        "0.02",
+        "--no-figures",
+        "--no-live",
+        "--out",
+        str(tmp_path / "o"),
+    ]
+    done = subprocess.run(["sh", "-c", line, "sh", *run], capture_output=True, text=True, check=False)
+    assert done.returncode == 3, done.stderr
+    assert f"out of memory: this process may use {1.024e-3 * kilobytes:.0f} MB" in done.stderr
+    assert "Traceback" not in done.stderr
+    assert [path for path in tmp_path.rglob("*.tmp") if path.is_file()] == []
+    for path in tmp_path.rglob("result.nc"):
+        assert Result.load(path).status == "finished"
+
+
+def raised(error: Exception, cause: Exception | None = None) -> Exception:
+    error.__cause__ = cause
+    return error
+
+
+@pytest.mark.parametrize(
+    ("error", "lacks"),
+    [
+        (MemoryError(), True),
+        (OSError(errno.ENOMEM, "Cannot allocate memory"), True),
+        (ImportError("libx.so: failed to map segment from shared object"), True),
+        (RuntimeError("can't start new thread"), True),
+        (raised(ImportError("no C-extensions"), MemoryError()), True),
+        (OSError(errno.ENOSPC, "No space left on device"), False),
+        (ImportError("no module named x"), False),
+        (ValueError("failed to map segment"), False),
+    ],
+    ids=str,
+)
+def test_errors_of_memory_are_known(error: Exception, lacks: bool) -> None:
+    assert lacks_memory(error) == lacks
