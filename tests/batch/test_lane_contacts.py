@@ -15,7 +15,7 @@ SHORT = {"duration": 0.3, "output_step": 0.013, "relative_tolerance": 1e-9, "abs
 
 
 def settings(setup, **changes):
-    info = {"method": "dormand_prince", **changes}
+    info = {"method": "dormand_prince", "step": 1e-3, **changes}
     return setup.robot.integration.model_copy(update=info)
 
 
@@ -33,9 +33,10 @@ def bounce():
     ))  # fmt: skip
 
 
-def test_each_lane_meets_its_own_wall(bounce):
+@pytest.mark.parametrize("method", ["dormand_prince", "rk4"])
+def test_each_lane_meets_its_own_wall(bounce, method):
     """Steps are cut onto the onset of each lane's own contact, at times of its own."""
-    model, chosen = bounce.model, settings(bounce)
+    model, chosen = bounce.model, settings(bounce, method=method)
     speeds = np.array([0.5, 0.9, 1.3, 2.0, 3.0])
     starts = np.tile(bounce.start, (5, 1))
     starts[:, model.layout.v] = speeds[:, None]

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from arm.run.sheets import REFERENCE, TIGHT, ZERO, arm, at_times, beam
+from arm.run.sheets import REFERENCE, TIGHT, ZERO, arm, at_times, beam, landing
 from tmodes.simulation.simulate import simulate_motion
 
 
@@ -55,6 +55,16 @@ def test_hits_a_wall_and_leaves_it():
     assert run.contact_normal.min() == 0.0
     touching = run.times[run.contact_normal > 0]
     assert touching[-1] - touching[0] == pytest.approx(p["t_end"], abs=3e-5)
+
+
+@pytest.mark.parametrize(("method", "order"), [("rk4", 4), ("midpoint", 2)])
+def test_fixed_steps_end_on_touch_and_release(method, order):
+    """So a method keeps its order over bounces on a damped spring."""
+    exact = simulate_motion(landing(6.0, 8e3, method="dop853", **{**TIGHT, "output_step": 0.05}))
+    runs = [simulate_motion(landing(6.0, 8e3, method=method, step=h, output_step=0.05)) for h in (2e-3, 5e-4)]
+    errors = [np.abs(run.q - exact.q).max() for run in runs]
+    assert np.log2(errors[0] / errors[1]) / 2 == pytest.approx(order, rel=0.2)
+    assert {run.statistics["contact_changes"] for run in (exact, *runs)} == {6}
 
 
 def test_sliding_stops():

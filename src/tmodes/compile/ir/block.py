@@ -172,6 +172,11 @@ class ScheduleRate:
     narrow: int = 0
     narrow_count: int = 0
 
+    @property
+    def changes(self) -> bool:
+        """Whether forces start or end at instants of their own, on which steps end."""
+        return self.gate_offset is not None or self.switch_count > 0
+
 
 def write_rate(module: Any, schedule: Any, numbers: Double, name: str) -> ScheduleRate:
     """Functions ``prepare(parameters, held)`` and ``call(time, state, row, held, out)`` for the time loops.

@@ -122,6 +122,7 @@ def _write_fixed(loop: LanesLoop, tableau: Tableau) -> None:
 
     Samples on a step's end are its result; those between come from Hermite's polynomial.
     """
+    _begin_gate(loop, "y", "probe")
     b, step, end = loop.builder, next_step(loop), slopes(tableau)[-1]
     running = loop.running()
     loop.put("h", step.h, running)
@@ -131,6 +132,11 @@ def _write_fixed(loop: LanesLoop, tableau: Tableau) -> None:
     inside = loop.within_bounds("new")
     loop.end_where(b.not_(inside), Status.DIVERGED)
     taken = b.and_(running, inside)
+    if loop.rate.changes:
+        loop.evaluate(step.time_after, "new", end)
+        loop.count("evaluations", running)
+        taken = _meet_gate(loop, step.h, taken, "cut")
+        loop.put("cut", loop.constant(0.0), taken)
     with due_samples(loop, taken, b.fadd(step.time_after, b.fmul(step.h, loop.constant(1e-9)))) as (due, wanted):
         share = b.fdiv(b.fsub(wanted, step.time), step.h)
         between = b.fcmp_ordered("<", share, loop.constant(1 - 1e-9))
@@ -163,17 +169,17 @@ def _keep(loop: LanesLoop, where: Any) -> None:
         loop.put(label, value, where)
 
 
-def _meet_gate(loop: LanesLoop, h: Any, accepted: Any) -> Any:
+def _meet_gate(loop: LanesLoop, h: Any, accepted: Any, length: str = "h") -> Any:
     """Of the accepted lanes those whose gate did not change too early; the others try again with a shorter step.
 
-    A lane whose gate changes too often is over.
+    ``length``: the cell for that of a step. A lane whose gate changes too often is over.
     """
     if loop.rate.gate_offset is None:
         return accepted
     b = loop.builder
     changed, missed, shorter = gate_change(loop, [loop.get(label) for label in _CELLS], h)
     missed = b.and_(accepted, missed)
-    loop.put("h", shorter, missed)
+    loop.put(length, shorter, missed)
     loop.count("rejected", missed)
     met = b.and_(accepted, b.not_(missed))
     changed = b.and_(met, changed)

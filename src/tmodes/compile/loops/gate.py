@@ -78,9 +78,10 @@ class Gate:
 
         ``shorten``: how a step gets its length, by default as the wish for the next.
         """
-        changed = self._shortened(h) if self.gated else None
+        shorten = shorten or (lambda shorter: self.loop.put("h", shorter))
+        changed = self._shortened(h, shorten) if self.gated else None
         self.narrow.meet(h)
-        self.switches.meet(h, shorten or (lambda shorter: self.loop.put("h", shorter)))
+        self.switches.meet(h, shorten)
         if changed is not None:
             with self.loop.builder.if_then(changed, likely=False):
                 self._count()
@@ -91,14 +92,14 @@ class Gate:
         self.switches.keep()
         self.narrow.keep()
 
-    def _shortened(self, h: Any) -> Any:
+    def _shortened(self, h: Any, shorten: Callable[[Any], None]) -> Any:
         """Try again with a shorter step where the gate changed too early; whether it changes in this one."""
         loop, b = self.loop, self.loop.builder
         changed, missed, shorter = gate_change(loop, [b.load(cell, typ=F64) for cell in self.before], h)
         again, met = loop.block("gate_missed"), loop.block("gate_met")
         b.cbranch(missed, again, met)
         b.position_at_end(again)
-        loop.put("h", shorter)
+        shorten(shorter)
         loop.add("rejected", 1.0)
         b.branch(loop.again)
         b.position_at_end(met)

@@ -168,7 +168,7 @@ class ExplicitMethod:
 class FixedStep(NamedTuple):
     """A step of length h from ``time`` to ``time_after``; ``count`` of its segment with it, ``last``: it ends it.
 
-    What switches makes two of a step: it ends at the change, and the next one where it would have ended.
+    A change makes two of a step: it ends at the change, and the next one where it would have ended.
     """
 
     h: Any
@@ -187,20 +187,16 @@ def next_step(loop: Frame) -> FixedStep:
     h, count = b.fdiv(length, steps), b.fadd(loop.get("index"), loop.constant(1.0))
     last = b.fcmp_ordered(">=", count, steps)
     time, after = loop.get("t"), b.select(last, end, b.fadd(start, b.fmul(count, h)))
-    if not loop.rate.switch_count:
+    if not loop.rate.changes:
         return FixedStep(h, time, after, count, last)
     left, cut = b.fsub(after, time), loop.get("cut")
-    whole_step = b.or_(b.fcmp_ordered("<=", cut, number(0.0)), b.fcmp_ordered(">=", cut, left))
+    whole_step = b.or_(b.fcmp_ordered("<=", cut, loop.constant(0.0)), b.fcmp_ordered(">=", cut, left))
     count, last = b.select(whole_step, count, loop.get("index")), b.and_(last, whole_step)
     return FixedStep(b.select(whole_step, left, cut), time, b.select(whole_step, after, b.fadd(time, cut)), count, last)
 
 
 class FixedGate(Gate):
-    """What switches within fixed steps; contacts that start and end by themselves do so between them."""
-
-    def __init__(self, loop: TimeLoop) -> None:
-        super().__init__(loop)
-        self.gated, self.before = False, []
+    """What switches, starts or ends within fixed steps."""
 
     def end(self, step: FixedStep, into: str) -> None:
         """Look at the end of a step to ``new``, and shorten it where it goes beyond a change."""
