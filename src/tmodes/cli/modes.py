@@ -68,11 +68,11 @@ def modes(
 ) -> None:
     """Frequencies and damping about the sagged rest, for the actual robot and for the nominal one.
 
-    Under its loads, its motors at their first command or `--at` a pose. Where drives turn at constant speed, about that
-    motion, with its centrifugal and gyroscopic forces. `damped` and the damping ratio are of the pole, an eigenvalue
-    of mass, damping, stiffness and controllers: its imaginary part over 2 pi (- where it does not ring). `natural` is
-    of mass and stiffness alone; of modes that ring under control, |pole|/2 pi. Modes marked ! change with more
-    functions.
+    Under its loads, its motors at their first command or `--at` a pose. Where drives or the base turn at
+    constant speed, about that motion, with its centrifugal and gyroscopic forces. `damped` and the damping ratio are
+    of the pole, an eigenvalue of mass, damping, stiffness and controllers: its imaginary part over 2 pi (- where it
+    does not ring). `natural` is of mass and stiffness alone; of modes that ring under control, |pole|/2 pi. Modes
+    marked ! change with more functions.
     """
     from tmodes.analysis.modes.of_sheet import vibrations
 

@@ -21,6 +21,7 @@ __all__ = ["PoseOption", "held_of", "load_of", "pose_of", "print_links", "print_
 
 UNITS = {
     "coordinates": "rad, m along prismatic joints and stretch",
+    "moving": "rad/s, m/s: coordinates and `base` that move at constant speed",
     "residual": "1, of the largest force",
     "lowest_frequency_Hz": "Hz, 0 where not stable",
     "lost_stability_at": "1, factor on weight and loads",
@@ -65,7 +66,8 @@ def static(
 ) -> None:
     """Rest under weight and loads: pose, sag, stability, stiffness at the point, and which element gives how much.
 
-    The loads are those of the data sheet and those given here; motors stand at their first command.
+    The loads are those of the data sheet and those given here; motors stand at their first command. Where drives or the
+    base turn at constant speed, about that motion, with its centrifugal forces.
     """
     from tmodes.analysis.describe.describe import statics_info
     from tmodes.analysis.statics.equilibrium import robot_rest
@@ -81,7 +83,7 @@ def static(
     index = point_index(model, point)
     held = pose_of(at, sheet) | dict(held_of(text, sheet) for text in hold or [])
     with working() as tell:
-        rest = robot_rest(sheet, loads, model=model, held=held, progress=tell)
+        rest = robot_rest(sheet, loads, model=model, held=held, moving=True, progress=tell)
     info = statics_info(sheet, rest, index)
     if as_json:
         print_json({"robot": sheet.name, "units": UNITS, **info})
@@ -93,7 +95,9 @@ def static(
 def _print(sheet: Robot, info: dict[str, Any]) -> None:
     lowest = info["lowest_frequency_Hz"]
     stable = "stable" if info["stable"] else "NOT STABLE"
-    print(f"{sheet.name} at rest: {stable}" + (f", lowest frequency {lowest:.4g} Hz" if lowest else ""))
+    rates = ", ".join(f"{name} {rate:.4g}" for name, rate in info["moving"].items())
+    how = f"in motion at constant speed ({rates} rad/s, m/s)" if rates else "at rest"
+    print(f"{sheet.name} {how}: {stable}" + (f", lowest frequency {lowest:.4g} Hz" if lowest else ""))
     if not info["coordinates"]:
         print("It has no coordinates: nothing in it moves or bends.")
     coordinates = [[name, f"{value:.6g}"] for name, value in info["coordinates"].items()]

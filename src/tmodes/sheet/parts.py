@@ -186,6 +186,11 @@ class BaseMotion(DataSheet):
     pitch: Signal | None = None
     yaw: Signal | None = None
 
+    @property
+    def turns(self) -> tuple[Signal | None, ...]:
+        """The angles about x, y and z."""
+        return self.roll, self.pitch, self.yaw
+
 
 class InitialState(StrEnum):
     """``rest``: static equilibrium at the first command; ``zero``: undeformed, with the coordinates given."""

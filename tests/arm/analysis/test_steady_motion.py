@@ -10,7 +10,9 @@ from numpy.polynomial import Legendre, Polynomial
 from scipy.linalg import eigh
 
 import tmodes
+from tmodes.analysis.describe.describe import describe, statics_info
 from tmodes.analysis.modes.of_sheet import vibrations
+from tmodes.analysis.statics.equilibrium import robot_rest
 from tmodes.sheet import Robot
 
 UP = [0, 0, 1]
@@ -137,6 +139,58 @@ def test_weight_that_turns_is_reported(axis: list[int], steady: bool) -> None:
     """As seen by the robot its weight stands still only where it turns about the vertical."""
     warnings = vibrations(disc(3.0, (200.0, 300.0), 2.0, gravity=9.81, hub={"axis": axis})).warnings
     assert any(UNSTEADY in warning for warning in warnings) != steady
+
+
+def on_a_turntable(robot: Robot) -> Robot:
+    """The same with the motion of its hub given to its base."""
+    info = robot.model_dump(mode="json", exclude_none=True)
+    hub, (drive,) = info["joints"][0], info.pop("drives")
+    hub["type"] = "fixed"
+    del hub["axis"]
+    return Robot.from_data(info | {"base_motion": {"yaw": drive["signal"]}})
+
+
+def test_a_base_that_turns_is_as_a_hub_that_turns() -> None:
+    """Loads that turn along are steady, those of the world are not."""
+    robot = disc(3.0, (200.0, 300.0), 2.0, gravity=9.81)
+    for one in robot, on_a_turntable(robot):
+        assert frequencies(one)[:2] == pytest.approx(np.sqrt(np.sort(np.roots([1, -268, 91 * 141]).real)))
+        assert not any(UNSTEADY in warning for warning in vibrations(one).warnings)
+    for frame, steady in (("section", True), ("world", False)):
+        loads = [{"point": "tip", "frame": frame, "force": [1.0, 0.0, 0.0]}]
+        loaded = Robot.from_data(on_a_turntable(robot).model_dump(mode="json", exclude_none=True) | {"loads": loads})
+        assert any(UNSTEADY in warning for warning in vibrations(loaded).warnings) != steady
+
+
+@pytest.mark.parametrize("made", [lambda robot: robot, on_a_turntable])
+def test_statics_in_steady_motion(made: Any) -> None:
+    """k x = m W^2 (a + x) at a distance a from the axis; the base holds the mass on its circle."""
+    mass, stiffness, speed, offset = 2.0, 300.0, 5.0, 0.4
+    robot = disc(speed, (stiffness, 500.0), mass)
+    info = robot.model_dump(mode="json", exclude_none=True)
+    info["joints"][1] |= {"from": "frame", "origin": {"position": [offset, 0, 0]}}
+    robot = made(Robot.from_data(info))
+    found = statics_info(robot, robot_rest(robot, moving=True))
+    travel = mass * speed**2 * offset / (stiffness - mass * speed**2)
+    assert found["coordinates"]["x"] == pytest.approx(travel)
+    assert np.linalg.norm(found["reactions"][0]["force_N"]) == pytest.approx(stiffness * travel)
+    assert list(found["moving"].values()) == pytest.approx([speed])
+    assert found["stable"]
+    assert found["lowest_frequency_Hz"] is None
+    assert any("standing still" in note for note in describe(robot)["notes"])
+
+
+@pytest.mark.parametrize(("springs", "stable"), [((200.0, 200.0), True), ((200.0, 400.0), False)])
+def test_gyroscopic_forces_hold_a_disc_beyond_its_critical_speed(springs: tuple[float, float], stable: bool) -> None:
+    """Not one with unequal springs, between both."""
+    rest = robot_rest(disc(12.0, springs, 2.0), moving=True)
+    assert (rest.stable, rest.lost_stability_at) == (stable, None)
+
+
+def test_a_base_that_begins_tilted_is_reported() -> None:
+    tilted = on_a_turntable(disc(3.0, (200.0, 300.0), 2.0)).model_dump(mode="json", exclude_none=True)
+    tilted["base_motion"] = {"roll": {"type": "expression", "formula": "0.3"}}
+    assert any("tilt" in warning for warning in vibrations(Robot.from_data(tilted)).warnings)
 
 
 @pytest.mark.parametrize("signal", [{"type": "sine", "amplitude": 0.3, "frequency": 1.0},

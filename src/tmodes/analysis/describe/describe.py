@@ -14,6 +14,7 @@ from tmodes.analysis.statics.compliance import DIRECTIONS, PointCompliance, miss
 from tmodes.analysis.statics.equilibrium import Equilibrium, robot_rest
 from tmodes.analysis.statics.path import Progress
 from tmodes.analysis.statics.reactions import reactions
+from tmodes.analysis.statics.steady import base_spin, steady_rates
 from tmodes.analysis.validity import link_ranges, missing_share, rest_warnings
 from tmodes.errors import SimulationError
 from tmodes.model.model import Model
@@ -45,7 +46,7 @@ def describe(
         "name": robot.name,
         "title": robot.title,
         "assumed": robot.assumed,
-        "notes": robot.held_notices,
+        "notes": [*robot.held_notices, *_standing(robot, model)],
         "gravity_m_per_s2": list(robot.gravity),
         "coordinates": list(model.coordinates),
         "total_mass_kg": float(sum(link["mass_kg"] for link in links)),
@@ -59,13 +60,23 @@ def describe(
     return info | {"warnings": [*found, *(rest_warnings(robot, model, _lines(rest)) if rest else ()), *_still(model)]}
 
 
+def _standing(robot: Robot, model: Model) -> list[str]:
+    moves = steady_rates(robot, model) or base_spin(robot) is not None
+    return (
+        ["sag and stiffness are of the robot standing still; `static` and `modes` are about its motion"]
+        if moves
+        else []
+    )
+
+
 def _still(model: Model) -> list[str]:
     return [] if model.nq else [NOTHING_MOVES]
 
 
 def _lines(rest: Equilibrium) -> LinkLines:
     wrenches = None if rest.wrenches is None else rest.wrenches[None]
-    return elastic_line(rest.model, rest.q, wrenches=wrenches)
+    rates = 0.0 if rest.rates is None else rest.rates
+    return elastic_line(rest.model, rest.q, rates, wrenches=wrenches, base=rest.base)
 
 
 def link_states(rest: Equilibrium, lines: LinkLines | None = None) -> list[dict[str, Any]]:
@@ -101,6 +112,7 @@ def statics_info(robot: Robot, rest: Equilibrium, point: int = 0) -> dict[str, A
     return {
         "coordinates": rest.named,
         "held": [name for k, name in enumerate(rest.model.coordinates) if k not in rest.free],
+        "moving": rest.moving,
         "residual": rest.residual,
         "stable": rest.stable,
         "lowest_frequency_Hz": free if np.isfinite(free) else None,

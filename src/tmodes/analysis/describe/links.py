@@ -8,13 +8,15 @@ from typing import Any
 import numpy as np
 
 from tmodes.analysis.statics.equilibrium import Equilibrium
+from tmodes.analysis.statics.loads import first_value
+from tmodes.analysis.statics.steady import base_spin
 from tmodes.analysis.validity import link_ranges
 from tmodes.chain.chain import Chain, Node
 from tmodes.kinds.joints.joint import JointSheet
 from tmodes.sheet import Robot
 from tmodes.sheet.parts import LinkSheet
 
-__all__ = ["gear_rows", "joint_rows", "link_rows", "notices", "rest_notices"]
+__all__ = ["gear_rows", "joint_rows", "link_rows", "notices", "rest_notices", "steady_notices"]
 
 
 def joint_rows(robot: Robot) -> list[dict[str, Any]]:
@@ -157,7 +159,20 @@ def _thick(chain: Chain) -> Iterator[str]:
 
 def rest_notices(robot: Robot, rest: Equilibrium) -> list[str]:
     """What is uncertain about a robot at rest: unstable, bent beyond its models, past a joint's limits."""
-    return [*_stability(rest), *_ranges(rest), *_limits(robot, rest)]
+    return [*_stability(rest), *_ranges(rest), *_limits(robot, rest), *steady_notices(robot, rest)]
+
+
+def steady_notices(robot: Robot, rest: Equilibrium) -> Iterator[str]:
+    """Where the motion at constant speed changes as seen by the robot, and where its base is not as it is placed."""
+    if rest.unsteady:
+        yield (
+            "the motion at constant speed is not steady: weight, loads or other joints turn as seen by what moves; "
+            "what is reported is of the pose that is held, with its joints and base moving"
+        )
+    turns = robot.base_motion.turns if robot.base_motion else ()
+    spin = np.zeros(3) if (found := base_spin(robot)) is None else found
+    if any(turn and not rate and first_value(robot, turn) for turn, rate in zip(turns, spin, strict=False)):
+        yield "`base_motion` begins with a tilted base; what is reported is of the base without that tilt"
 
 
 def _stability(rest: Equilibrium) -> Iterator[str]:

@@ -10,11 +10,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.analysis.describe.describe import NOTHING_MOVES, link_states
+from tmodes.analysis.describe.links import steady_notices
 from tmodes.analysis.modes.closed_loop import feedback_of
 from tmodes.analysis.modes.modes import Mode, MotorState, Servo, closed_loop_poles, modes_about
 from tmodes.analysis.statics.equilibrium import Equilibrium, robot_rest
 from tmodes.analysis.statics.path import Progress
-from tmodes.analysis.statics.steady import unsteadiness
 from tmodes.chain.chain import Motor
 from tmodes.model.model import Model
 from tmodes.sheet import Robot
@@ -29,9 +29,6 @@ CONVERGED = 0.01
 
 MOST_CHECKED = 60
 """Coordinates up to which a robot is compared with a finer one."""
-
-STEADY = 1e-6
-"""Change of forces in steady motion, over their parts, that is rounding."""
 
 ALIKE = 0.3
 """Likeness (modal assurance) from which two modes are the same motion."""
@@ -125,11 +122,7 @@ def _states(robot: Robot, rest: Equilibrium, progress: Progress) -> dict[str, li
 
 def _notices(robot: Robot, rest: Equilibrium, info: dict[str, list[dict[str, Any]]]) -> list[str]:
     found = [] if rest.model.nq else [f"no modes: {NOTHING_MOVES}"]
-    if rest.rates is not None and unsteadiness(rest.matrices[2], rest.rates, rest.free) > STEADY:
-        found.append(
-            "the motion at constant speed is not steady: weight, loads or other joints turn as seen by what moves; the "
-            "modes are those of the pose that is held, with its joints moving"
-        )
+    found += [*steady_notices(robot, rest)]
     if rest.model.nq > MOST_CHECKED and finer(robot):
         found.append(f"whether the modes are converged was not checked: more than {MOST_CHECKED} coordinates")
     if any(row["converged"] is False for modes in info.values() for row in modes):

@@ -8,23 +8,20 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from tmodes.analysis.quasistatic import gear_inputs, sprung
-from tmodes.analysis.statics.loads import Load, acts_of, surface_act
+from tmodes.analysis.statics.loads import Load, acts_of, first_value, sheet_loads, surface_act
 from tmodes.analysis.statics.path import LoadPath, Progress, follow
-from tmodes.analysis.statics.steady import steady_rates, whole_rates
+from tmodes.analysis.statics.stability import moving_stability
+from tmodes.analysis.statics.steady import base_spin, is_unsteady, steady_rates, whole_rates
 from tmodes.analysis.statics.system import StaticSystem
 from tmodes.errors import InputError
 from tmodes.kinds.contacts.registry import Contact
 from tmodes.model.model import Model
 from tmodes.sheet import Robot
-from tmodes.sheet.parts import LoadFrame
 
-__all__ = [
-    "Equilibrium", "Load", "driven", "equilibrium", "first_commands", "first_value", "free_coordinates", "robot_rest",
-    "sheet_loads",
-]  # fmt: skip
+__all__ = ["Equilibrium", "Load", "driven", "equilibrium", "first_commands", "free_coordinates", "robot_rest"]
 
 Array = NDArray[np.float64]
 
@@ -48,7 +45,9 @@ class Equilibrium:
     stability (buckled), None where it did not. ``free``: indices of the coordinates that were found. ``matrices``: M,
     D, K (nq, nq) about the pose, with the stiffness of loads and surfaces. ``wrenches`` (points, 6): what acts on the
     points, world axes, None for nothing. ``rates`` (nq,): of the steady motion in which it is at rest relative to what
-    turns, None where it stands.
+    turns, None where it stands; in motion ``lowest_frequency_Hz`` is not a number, and ``stable`` counts damping and
+    gyroscopic forces. ``base`` (24,): the row of its base, with its rate; ``unsteady``: weight, loads or joints change
+    that motion.
     """
 
     model: Model
@@ -64,12 +63,21 @@ class Equilibrium:
     wrenches: Array | None
     unloaded: Array
     """Pose without weight and loads (nq,)."""
-    rates: Array | None = None
+    rates: Array | None
+    base: Array
+    unsteady: bool
 
     @property
     def named(self) -> dict[str, float]:
         """Coordinates by name [rad, m]."""
         return dict(zip(self.model.coordinates, self.q.tolist(), strict=True))
+
+    @property
+    def moving(self) -> dict[str, float]:
+        """What is in steady motion, coordinates and ``base``, and how fast [rad/s, m/s]."""
+        rates = np.zeros(0) if self.rates is None else self.rates
+        named = dict(zip(self.model.coordinates, rates.tolist(), strict=False))
+        return {name: rate for name, rate in {**named, "base": float(self.base[6:9].sum())}.items() if rate}
 
     def displacement(self, point: int = 0) -> tuple[Array, Array]:
         """Travel (3,) [m] and rotation vector (3,) [rad] of a point from the unloaded robot, world axes."""
@@ -89,39 +97,46 @@ def equilibrium(
     start: Mapping[str, float] | None = None,
     contact: Contact | None = None,
     rates: Mapping[str, float] | None = None,
+    spin: ArrayLike | None = None,
     progress: Progress = lambda stage, share: None,
 ) -> Equilibrium:
     """The pose in which a robot rests under its weight and ``loads``, reached from the unloaded arm.
 
     Motors and joints that are driven directly or prescribed are held: at ``held`` [rad, m], else at ``start``, else
     at 0; all other coordinates, and those named in ``free``, are found, from ``start`` on. The load, weight included,
-    and with it the centrifugal forces of steady ``rates`` of held coordinates [rad/s, m/s], rises from nothing in steps
-    that keep to their branch (Crisfield, Non-linear Finite Element Analysis of Solids and Structures 1, 1991, ch. 9); a
-    robot with loose joints first sinks to where a thousandth of the load puts it.
+    and with it the centrifugal forces of steady ``rates`` of held coordinates [rad/s, m/s] and of a base that turns
+    at ``spin`` (3,) [rad/s] in its own axes, rises from nothing in steps that keep to their branch (Crisfield,
+    Non-linear Finite Element Analysis of Solids and Structures 1, 1991, ch. 9); a robot with loose joints first sinks
+    to where a thousandth of the load puts it.
 
     Raises :class:`tmodes.errors.InputError` for an unknown name or a number that is not finite, and
     :class:`tmodes.errors.SimulationError` with the last load factor reached where the whole load finds no rest.
     """
     acts = acts_of(model, loads)
     acts += [surface_act(model, contact)] if contact else []
-    system = StaticSystem(model, acts, free_coordinates(model, held or {}, free), whole_rates(model, rates))
+    turning = None if spin is None else np.asarray(spin, dtype=float)
+    moving = whole_rates(model, rates, base=turning is not None)
+    system = StaticSystem(model, acts, free_coordinates(model, held or {}, free), moving, turning)
     pose = starting_pose(model, held or {}, start or {})
     return _info(system, follow(system, pose, progress), pose)
 
 
 def _info(system: StaticSystem, path: LoadPath, pose: Array) -> Equilibrium:
     model, end = system.model, path.end
+    matrices, found = system.matrices(end.q, 1.0), end.stability
+    if system.rates is not None:
+        found = moving_stability(*(matrix[system.block] for matrix in matrices))
     growing = (
         UnstableMode(model.coordinates[system.free[one.coordinate]], one.rate, one.frequency_Hz)
-        for one in end.stability.growing
+        for one in found.growing
     )
     return Equilibrium(
-        model=model, q=end.q, residual=end.residual, stable=end.stability.stable,
-        lowest_frequency_Hz=end.stability.lowest_frequency_Hz, unstable_modes=tuple(growing),
+        model=model, q=end.q, residual=end.residual, stable=found.stable,
+        lowest_frequency_Hz=found.lowest_frequency_Hz, unstable_modes=tuple(growing),
         load_path=np.array([[station.factor, *station.q] for station in path.stations]),
-        lost_stability_at=path.lost_at, free=system.free, matrices=system.matrices(end.q, 1.0),
+        lost_stability_at=path.lost_at if system.rates is None else None, free=system.free, matrices=matrices,
         wrenches=system.wrenches(end.q), unloaded=path.stations[0].q if path.stations[0].factor == 0.0 else pose,
-        rates=system.rates,
+        rates=system.rates, base=system.base(1.0), unsteady=is_unsteady(system, matrices[2]),
     )  # fmt: skip
 
 
@@ -190,18 +205,18 @@ def robot_rest(
     """Static equilibrium of a robot under its weight, the loads of its data sheet at time 0 (``sheet``) and ``loads``.
 
     Driven coordinates are held at ``held``, else at their first command, else at the sheet's initial coordinates, else
-    at 0; ``contact`` False leaves the sheet's contact out; ``moving``: about the motion of drives at constant speed.
-    One that was solved before is taken again: a run and its modes ask for the same. Errors as of :func:`equilibrium`.
+    at 0; ``contact`` False leaves the sheet's contact out; ``moving``: about motion of drives and base at constant
+    speed. One that was solved before is taken again. Errors as of :func:`equilibrium`.
     """
     model = model or Model(robot.chain())
     known = {name: value for name, value in robot.initial.coordinates.items() if name in model.coordinates}
     commands = first_commands(robot, model) | dict(held or {})
     acting = [*(sheet_loads(robot) if sheet else ()), *loads]
     touched = robot.contact if contact else None
-    rates = steady_rates(robot, model) if moving else {}
-    key = _key(model, acting, commands, known, touched), *rates.items()
+    rates, spin = (steady_rates(robot, model), base_spin(robot)) if moving else ({}, None)
+    key = _key(model, acting, commands, known, touched), *rates.items(), spin is not None and tuple(spin)
     if key not in _solved:
-        how = {"start": known, "contact": touched, "rates": rates, "progress": progress}
+        how = {"start": known, "contact": touched, "rates": rates, "spin": spin, "progress": progress}
         _solved[key] = equilibrium(model, acting, held=commands, **how)
         while len(_solved) > _KEPT:
             _solved.popitem(last=False)
@@ -233,18 +248,3 @@ def first_commands(robot: Robot, model: Model) -> dict[str, float]:
             if name in model.coordinates:
                 commands[name] = first_value(robot, drive.signal)
     return commands
-
-
-def sheet_loads(robot: Robot) -> list[Load]:
-    """The loads of a data sheet at time 0."""
-    loads = []
-    for load in robot.loads:
-        factor = 1.0 if load.signal is None else first_value(robot, load.signal)
-        force, moment = ([factor * x for x in part] for part in (load.force, load.moment))
-        loads.append(Load(load.point, force, moment, follows=load.frame is LoadFrame.SECTION))
-    return loads
-
-
-def first_value(robot: Robot, signal: Any) -> float:
-    """The value of a signal at time 0; beyond the robot's run it may have none."""
-    return float(signal.schedule(min(1.0, robot.integration.duration)).coefficients[0, 0])

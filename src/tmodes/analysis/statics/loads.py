@@ -15,9 +15,12 @@ from tmodes.equations.loop.contact_kernels import LawAt, contact_law
 from tmodes.errors import InputError
 from tmodes.kinds.contacts.registry import Contact, Surface
 from tmodes.kinds.schema.axes import cross_matrix
+from tmodes.kinds.signals.contract import Signal
 from tmodes.model.model import Model
+from tmodes.sheet import Robot
+from tmodes.sheet.parts import LoadFrame
 
-__all__ = ["Act", "Load", "Pose", "acts_of", "point_index", "surface_act"]
+__all__ = ["Act", "Load", "Pose", "acts_of", "first_value", "point_index", "sheet_loads", "surface_act"]
 
 Array = NDArray[np.float64]
 
@@ -73,10 +76,18 @@ class Act(ABC):
         del pose
         return None
 
+    def turns_with(self, axis: Array) -> bool:
+        """Whether it stays the same as seen by a robot that turns as a whole about an axis (3,) of the world."""
+        del axis
+        return False
+
 
 @dataclass(frozen=True, eq=False)
 class _Dead(Act):
     given: Array
+
+    def turns_with(self, axis: Array) -> bool:
+        return not np.cross(self.given.reshape(2, 3), axis).any()
 
     def wrench(self, pose: Pose) -> Array:
         del pose
@@ -84,6 +95,10 @@ class _Dead(Act):
 
 
 class _Follower(_Dead):
+    def turns_with(self, axis: Array) -> bool:
+        del axis
+        return True
+
     def wrench(self, pose: Pose) -> Array:
         return np.concatenate([pose.rotation @ self.given[:3], pose.rotation @ self.given[3:]])
 
@@ -97,6 +112,21 @@ class _Follower(_Dead):
 def acts_of(model: Model, loads: Sequence[Load]) -> list[Act]:
     """Loads as acts on points by index. Raises :class:`InputError` for an unknown point and numbers not finite."""
     return [(_Follower if load.follows else _Dead)(point_index(model, load.point), load.wrench()) for load in loads]
+
+
+def sheet_loads(robot: Robot) -> list[Load]:
+    """The loads of a data sheet at time 0."""
+    loads = []
+    for load in robot.loads:
+        factor = 1.0 if load.signal is None else first_value(robot, load.signal)
+        force, moment = ([factor * x for x in part] for part in (load.force, load.moment))
+        loads.append(Load(load.point, force, moment, follows=load.frame is LoadFrame.SECTION))
+    return loads
+
+
+def first_value(robot: Robot, signal: Signal) -> float:
+    """The value of a signal at time 0; beyond the robot's run it may have none."""
+    return float(signal.schedule(min(1.0, robot.integration.duration)).coefficients[0, 0])
 
 
 def point_index(model: Model, name: str) -> int:

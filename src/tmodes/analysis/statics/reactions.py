@@ -23,9 +23,9 @@ def reactions(robot: Robot, rest: Equilibrium) -> list[dict[str, Any]] | None:
     model, joints = rest.model, {joint.name for joint in robot.joints}
     if not model.passes.mechanics.base_moves:  # equations that know no base
         return None
-    rows = Rows(rest.q, np.zeros(model.nq), model.nq)
+    rows = Rows(rest.q, np.zeros(model.nq) if rest.rates is None else rest.rates, model.nq)
     schedule = model.passes.schedule("reactions", loaded=rest.wrenches is not None)
-    blocks = model.passes.inertial(rows, 0.0, None, rest.wrenches)
+    blocks = model.passes.inertial(rows, 0.0, rest.base[None], rest.wrenches)
     found = evaluate(model.parameters, schedule, blocks, 1)
     base = model.chain.base
     info = [_one("base", base.rotation, base.position, found["base_force"][0])]

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from tmodes.errors import SimulationError
 
-__all__ = ["Growth", "Stability", "mass_root", "stability_of"]
+__all__ = ["Growth", "Stability", "mass_root", "moving_stability", "stability_of"]
 
 Array = NDArray[np.float64]
 
@@ -18,6 +18,9 @@ SYMMETRIC = 1e-9
 
 FLUTTER = 1e-3
 """Imaginary over absolute value of a squared frequency above which two modes have joined to a growing one."""
+
+MOVING = 1e-7
+"""Rate of growth about steady motion, over the fastest eigenvalue, below which it is rounding."""
 
 NOTHING = 1e-14
 """Share of the largest squared frequency, per coordinate, below which another is zero to rounding."""
@@ -32,7 +35,10 @@ class Growth(NamedTuple):
 
 
 class Stability(NamedTuple):
-    """``margin`` [1/s^2]: the lowest squared circular frequency; not positive: unstable. ``growing``: fastest first."""
+    """``margin`` [1/s^2]: the lowest squared circular frequency; not positive: unstable. ``growing``: fastest first.
+
+    About steady motion ``margin`` is not a number where nothing grows.
+    """
 
     margin: float
     growing: tuple[Growth, ...]
@@ -40,11 +46,11 @@ class Stability(NamedTuple):
     @property
     def stable(self) -> bool:
         """True where nothing grows and nothing is free to drift."""
-        return self.margin > 0
+        return not self.growing and not self.margin <= 0
 
     @property
     def lowest_frequency_Hz(self) -> float:
-        """Lowest natural frequency [Hz]; 0 where the robot is not stable, infinite where nothing is free."""
+        """Lowest natural frequency [Hz]; 0 where not stable, infinite where nothing is free; NaN about motion."""
         return float(np.sqrt(max(self.margin, 0.0)) / (2 * np.pi))
 
 
@@ -69,6 +75,21 @@ def stability_of(mass: Array, stiffness: Array) -> Stability:
     moved = np.abs(solve_triangular(root.T, shapes, lower=False))
     found = [_growth(values[k], int(moved[:, k].argmax())) for k in np.flatnonzero(grows) if values[k].imag >= 0]
     return Stability(0.0 if abs(margin) <= zero else margin, tuple(sorted(found, reverse=True)))
+
+
+def moving_stability(mass: Array, damping: Array, stiffness: Array) -> Stability:
+    """Stability of M a + D v + K x = 0 (n, n) about steady motion: D has gyroscopic forces, which may hold it."""
+    n = len(mass)
+    if not n:
+        return Stability(np.inf, ())
+    forces = np.linalg.solve(mass, np.hstack([-stiffness, -damping]))
+    values, shapes = np.linalg.eig(np.vstack([np.hstack([np.zeros((n, n)), np.eye(n)]), forces]))
+    grows = values.real > MOVING * np.abs(values).max()
+    found = [
+        Growth(float(value.real), abs(float(value.imag)) / (2 * np.pi), int(np.abs(shape[:n]).argmax()))
+        for value, shape in zip(values[grows], shapes.T[grows], strict=True) if value.imag >= 0
+    ]  # fmt: skip
+    return Stability(-1.0 if found else np.nan, tuple(sorted(found, reverse=True)))
 
 
 def mass_root(mass: Array) -> Array:

@@ -11,13 +11,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.analysis.quasistatic import gross_motion
+from tmodes.analysis.statics.system import StaticSystem
 from tmodes.kinds.signals.contract import Signal
 from tmodes.model.model import Model
 from tmodes.sheet import Robot
 
-__all__ = ["steady_rates", "unsteadiness", "whole_rates"]
+__all__ = ["base_spin", "is_unsteady", "steady_rates", "whole_rates"]
 
 Array = NDArray[np.float64]
+
+_CHANGE = 1e-6
+"""Change of forces in motion at constant speed, over their parts, beyond which it is more than rounding."""
 
 _END = 0.9
 """Share of the run from which a speed must stay the same to be the steady one."""
@@ -40,6 +44,14 @@ def steady_rates(robot: Robot, model: Model) -> dict[str, float]:
     return found
 
 
+def base_spin(robot: Robot) -> Array | None:
+    """Rate (3,) at which the base turns to the end of the run, at constant speed about one of its axes [rad/s]."""
+    if robot.base_motion is None:
+        return None
+    rates = [_last_rate(turn, robot.integration.duration) if turn else 0.0 for turn in robot.base_motion.turns]
+    return np.array(rates) if np.count_nonzero(rates) == 1 else None
+
+
 def _last_rate(signal: Signal, duration: float) -> float:
     """The constant rate at the end of a signal; 0 where it stands, or its rate changes.
 
@@ -55,19 +67,29 @@ def _last_rate(signal: Signal, duration: float) -> float:
     return 0.0 if changes or stands else float(last.mean())
 
 
-def whole_rates(model: Model, named: Mapping[str, float] | None) -> Array | None:
-    """Rates (nq,): those given by name, and those of the joints whose gears they turn; None where none is given."""
-    if not named:
+def whole_rates(model: Model, named: Mapping[str, float] | None, *, base: bool) -> Array | None:
+    """Rates (nq,): those given by name, and those of the joints whose gears they turn; None: nothing moves."""
+    if not (named or base):
         return None
     rates = np.zeros(model.nq)
-    for name, value in named.items():
+    for name, value in (named or {}).items():
         rates[model.coordinates.index(name)] = value
     turned = gross_motion(model, rates[None])[0]
     return np.where(rates, rates, turned)
 
 
-def unsteadiness(stiffness: Array, rates: Array, free: NDArray[np.intp]) -> float:
-    """By how much the forces along the ``free`` coordinates change as the robot moves on, over their parts [-]."""
-    change, parts = stiffness[free] @ rates, np.abs(stiffness[free]) @ np.abs(rates)
-    largest = float(np.abs(stiffness).max(initial=0.0) * np.abs(rates).max(initial=0.0))
-    return float((np.abs(change) / np.maximum(parts, 1e-9 * max(largest, 1e-300))).max(initial=0.0))
+def is_unsteady(system: StaticSystem, stiffness: Array) -> bool:
+    """Whether forces along the free coordinates change as a robot (``stiffness`` (nq, nq)) moves on at its rates."""
+    if system.rates is None:
+        return False
+    change, parts = stiffness[system.free] @ system.rates, np.abs(stiffness[system.free]) @ np.abs(system.rates)
+    largest = float(np.abs(stiffness).max(initial=0.0) * np.abs(system.rates).max(initial=0.0))
+    joints = np.abs(change) / np.maximum(parts, 1e-9 * max(largest, 1e-300))
+    return float(joints.max(initial=0.0)) > _CHANGE or not (system.spin is None or _turns_with(system, system.spin))
+
+
+def _turns_with(system: StaticSystem, spin: Array) -> bool:
+    """Whether weight and loads stay the same as seen by a base that turns."""
+    row, axis = system.base(1.0), spin / np.linalg.norm(spin)
+    along = np.linalg.norm(np.cross(row[3:6], axis)) <= _CHANGE * np.linalg.norm(row[3:6])
+    return bool(along) and all(act.turns_with(row[9:18].reshape(3, 3) @ axis) for act in system.acts)

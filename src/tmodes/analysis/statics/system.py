@@ -35,14 +35,21 @@ class Forces(NamedTuple):
 class StaticSystem:
     """The equations of one robot, its acts, and the indices of the coordinates that are free to move.
 
-    ``rates`` (nq,): of steady motion, about which it is at rest relative to what turns; None: it stands. Like the loads
-    centrifugal forces are taken times the factor.
+    ``rates`` (nq,): of steady motion, about which it is at rest relative to what turns; None: it stands. ``spin`` (3,):
+    rate of its base [rad/s]. Like the loads centrifugal forces are taken times the factor.
     """
 
     model: Model
     acts: Sequence[Act]
     free: NDArray[np.intp]
     rates: Array | None = None
+    spin: Array | None = None
+
+    def base(self, factor: float) -> Array:
+        """The row (24) of the base under a factor of its weight."""
+        row = self.model.at_rest(gravity=factor)
+        row[6:9] = 0.0 if self.spin is None else np.sqrt(factor) * self.spin
+        return row
 
     def wrenches(self, q: Array, factor: float = 1.0) -> Array | None:
         """Wrenches on all points, shape (points, 6), None where nothing acts."""
@@ -57,7 +64,7 @@ class StaticSystem:
         """Forces along the free coordinates at a pose (nq,)."""
         still = np.zeros_like(q)
         moving = still if self.rates is None else self.rates
-        loaded = self.model.inverse_dynamics(q, moving, still, wrenches=self.wrenches(q), base=self.model.at_rest())
+        loaded = self.model.inverse_dynamics(q, moving, still, wrenches=self.wrenches(q), base=self.base(1.0))
         elastic = self.model.elastic_forces(q, still)
         by_factor = loaded - elastic
         return Forces(*(part[self.free] for part in (elastic + factor * by_factor, by_factor, elastic)))
@@ -72,8 +79,7 @@ class StaticSystem:
 
     def stiffness(self, q: Array, factor: float) -> Array:
         """K (nq, nq) about a pose, with what following loads and surfaces add."""
-        base = self.model.at_rest(gravity=factor)
-        acting = {"wrenches": self.wrenches(q, factor), "base": base}
+        acting = {"wrenches": self.wrenches(q, factor), "base": self.base(factor)}
         if self.rates is None:
             stiffness = self.model.stiffness(q, **acting)
         else:
@@ -85,9 +91,8 @@ class StaticSystem:
 
     def matrices(self, q: Array, factor: float) -> tuple[Array, Array, Array]:
         """M, D, K (nq, nq) about a pose, with what loads and surfaces add to them; Newton's method needs only K."""
-        base = self.model.at_rest(gravity=factor)
         rates = None if self.rates is None else np.sqrt(factor) * self.rates
-        _, damping, _ = self.model.linearised(q, rates, wrenches=self.wrenches(q, factor), base=base)
+        _, damping, _ = self.model.linearised(q, rates, wrenches=self.wrenches(q, factor), base=self.base(factor))
         for act, pose in self._posed(q, turning=True):
             carried = act.carried(pose)
             damping = damping + carried[1] if carried else damping
