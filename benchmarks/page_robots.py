@@ -72,5 +72,5 @@ def result_of(sheet: Any) -> Any:
 
 
 def written(result: Any, path: Path) -> Path:
-    """Its report, with figures and model, as ``tmodes run`` leaves it."""
+    """Its report, with its model, as ``tmodes run`` leaves it."""
     return write_report(result, path)

@@ -31,7 +31,7 @@ def settings(changes: dict[str, str]) -> list[str]:
 
 def test_run_as_json(tmp_path):
     """Machines get everything that a person sees, and nothing else on standard output."""
-    done = tmodes("run", "filipovic2010", "--json", "--no-figures", "--no-contact", "--out", tmp_path / "o")
+    done = tmodes("run", "filipovic2010", "--json", "--no-report", "--no-contact", "--out", tmp_path / "o")
     info = json.loads(done.stdout)
     assert info["status"] == "finished"
     assert info["summary"]["deviation"]["max_m"] == pytest.approx(2.971e-3, abs=5e-6)
@@ -49,7 +49,7 @@ def test_same_bytes_everywhere(tmp_path):
     files = []
     for index, world in enumerate(worlds):
         out = tmp_path / f"{index} ü"
-        tmodes("run", "filipovic2010", "--no-figures", "--out", out, env=os.environ | world)
+        tmodes("run", "filipovic2010", "--no-report", "--out", out, env=os.environ | world)
         files.append((out / "result.nc").read_bytes())
     assert files[0] == files[1]
 
@@ -169,7 +169,7 @@ def test_interruption_leaves_a_valid_file_and_goes_on(tmp_path):
     """Ctrl-C, early and late: exit 130, a marked result; the same command then ends as if nobody had pressed it."""
     from tmodes.result import Result
 
-    line = ["run", "filipovic2010", "--no-figures", *settings(SHORTER)]
+    line = ["run", "filipovic2010", "--no-report", *settings(SHORTER)]
     for stage in ("reference", "real"):
         with running(line, tmp_path / "a", stage) as process:
             process.send_signal(signal.SIGINT)
@@ -187,7 +187,7 @@ def test_interruption_leaves_a_valid_file_and_goes_on(tmp_path):
 def test_a_run_whose_report_was_not_written_goes_on_there(tmp_path):
     """The same command draws what is missing, and does not compute again; another robot's is refused."""
     line = ["run", "filipovic2010", "--duration", "0.05", "--no-live", "--out", tmp_path]
-    tmodes(*line, "--no-figures")
+    tmodes(*line, "--no-report")
     before = (tmp_path / "result.nc").stat().st_mtime_ns
     tmodes(*line, "--set", "payload.mass=0.4", code=4)
     assert "continuing" in tmodes(*line).stderr
@@ -198,7 +198,7 @@ def test_a_run_whose_report_was_not_written_goes_on_there(tmp_path):
 
 def test_killed_and_continued(tmp_path):
     """kill -9, twice; the third run ends with the same bytes as one that nobody disturbed."""
-    line = ["run", "filipovic2010", "--no-figures", *settings(SHORTER)]
+    line = ["run", "filipovic2010", "--no-report", *settings(SHORTER)]
     for stage in ("reference", "real"):
         with running(line, tmp_path / "a", stage) as process:
             process.kill()
@@ -211,11 +211,11 @@ def test_killed_and_continued(tmp_path):
 
 def test_two_writers(tmp_path):
     """A second run into the same folder is refused before it touches anything."""
-    line = ["run", "filipovic2010", "--no-figures", *settings(LONG), "--out", str(tmp_path)]
+    line = ["run", "filipovic2010", "--no-report", *settings(LONG), "--out", str(tmp_path)]
     process = subprocess.Popen([*COMMAND, *line], stderr=subprocess.DEVNULL)
     try:
         until((tmp_path / ".tmodes.lock").exists)
-        refused = tmodes("run", "filipovic2010", "--no-figures", "--out", tmp_path, code=4)
+        refused = tmodes("run", "filipovic2010", "--no-report", "--out", tmp_path, code=4)
         assert "held by process" in refused.stderr
         assert process.poll() is None
     finally:

@@ -39,7 +39,7 @@ def accepted(done: Done) -> bool:
 def run(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> tuple[str, Path]:
     """The name of a robot and the folder of a short run of it."""
     folder = tmp_path_factory.mktemp(request.param) / "run"
-    done_by("run", request.param, *SHORT, "--no-figures", "--no-live", "--out", folder)
+    done_by("run", request.param, *SHORT, "--no-report", "--no-live", "--out", folder)
     return request.param, folder
 
 

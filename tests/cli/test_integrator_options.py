@@ -9,7 +9,7 @@ import pytest
 from command import tmodes
 from tmodes.result import Result
 
-SHORT = ["--duration", "0.2", "--no-contact", "--no-figures"]
+SHORT = ["--duration", "0.2", "--no-contact", "--no-report"]
 
 
 def test_options_and_what_is_reported(tmp_path):
@@ -51,7 +51,7 @@ def test_unknown_integrator(tmp_path):
 
 def test_passes_of_lanes_are_reported(tmp_path):
     """Of a method that evaluates several states at once both counts are reported."""
-    options = ["--integrator", "extrapolation", "--duration", "0.02", "--no-figures"]
+    options = ["--integrator", "extrapolation", "--duration", "0.02", "--no-report"]
     info = tmodes("run", "spong1987", *options, "--out", tmp_path).stdout
     assert "evaluations in " in info
     assert "passes of four lanes" in info

@@ -25,7 +25,7 @@ def test_a_small_limit_is_reported(tmp_path: Path, kilobytes: int) -> None:
         "spong1987",
         "--duration",
         "0.02",
-        "--no-figures",
+        "--no-report",
         "--no-live",
         "--out",
         str(tmp_path / "o"),

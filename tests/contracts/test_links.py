@@ -221,7 +221,7 @@ def test_derivatives() -> None:
 def test_report(tmp_path: Any) -> None:
     """The report of a run has the link's coordinates."""
     given = sheet("modes", duration=0.05)
-    path = write_report(tmodes.run(given), tmp_path / "report.html", figures={})
+    path = write_report(tmodes.run(given), tmp_path / "report.html")
     assert f"link.{given.chain().nodes[0].link.coordinates[0]}" in path.read_text(encoding="utf-8")
 
 

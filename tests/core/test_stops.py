@@ -121,7 +121,7 @@ def test_a_wrong_name_is_reported_by_check(name, tmp_path):
 
 def test_from_the_command_line(tmp_path):
     """The result is whole, the exit code is 0, and the way it ended is reported."""
-    options = ["--stop", "joint.motor.position > 2 deg", "--no-figures", "--duration", "0.6"]
+    options = ["--stop", "joint.motor.position > 2 deg", "--no-report", "--duration", "0.6"]
     command = [*COMMAND, "run", "filipovic2010", *options, "--json", "--out", str(tmp_path)]
     done = subprocess.run(command, capture_output=True, text=True, check=True)
     info = json.loads(done.stdout)

@@ -14,8 +14,6 @@ from arm.see.runs import result_of
 from see.looking import OPTIONS, WITHOUT_WEBGL
 from see.scene_window import scene_pages
 from tmodes import load, run
-from tmodes.plot import drawings
-from tmodes.plot.figure import Drawing
 from tmodes.report import write_report
 from tmodes.result import Result
 
@@ -65,19 +63,11 @@ def good() -> Result:
 
 
 @pytest.fixture(scope="session")
-def drawn_figures(good: Result) -> dict[str, Drawing]:
-    """The figures of the good run, each rendered once for all tests."""
-    return drawings(good)
-
-
-@pytest.fixture(scope="session")
-def reports(
-    tmp_path_factory: pytest.TempPathFactory, good: Result, failed: Result, drawn_figures: dict[str, Drawing]
-) -> dict[str, Path]:
+def reports(tmp_path_factory: pytest.TempPathFactory, good: Result, failed: Result) -> dict[str, Path]:
     """The report of a finished and of a failed run, in a folder whose name needs escaping."""
     folder = tmp_path_factory.mktemp("a report & more – ü")
     return {
-        "good": write_report(good, folder / "good.html", drawn_figures),
+        "good": write_report(good, folder / "good.html"),
         "failed": write_report(failed, folder / "failed.html"),
     }
 

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from arm.see.runs import NASTY, result_of
-from tmodes.plot import all_figures, drawings, elastic_line, spectrum, tip_path
+from tmodes.plot import all_figures, elastic_line, spectrum, tip_path
 from tmodes.plot.figures.tip_path import views
 from tmodes.report.page import write_report
 from tmodes.result import Result
@@ -57,14 +57,13 @@ def test_report(tmp_path):
     result = result_of("swinging")
     data = result.data.copy()
     data.attrs = data.attrs | {"status": "diverged", "message": f"lost {NASTY}", "warnings": f'["{NASTY}"]'}
-    drawn = {name: drawing for name, drawing in drawings(result).items() if name in {"tip_path", "joint_tracking"}}
-    page = write_report(Result(data), tmp_path / "r.html", drawn).read_text(encoding="utf-8")
+    page = write_report(Result(data), tmp_path / "r.html").read_text(encoding="utf-8")
     assert NASTY not in page
     assert page.count("&lt;b&gt;") >= 3
     assert "This run did not finish: diverged." in page
     worst = result.summary()["deviation"]["max_m"] * 1e3
     assert f"{worst:.4g}\u00a0mm" in page
     assert not re.search(r"(src|href)=\"(http|//)", page)
-    good = write_report(result, tmp_path / "g.html", {}).read_text(encoding="utf-8")
+    good = write_report(result, tmp_path / "g.html").read_text(encoding="utf-8")
     assert "2 driven joints, 1 elastic link" in good
     assert "joints.shoulder.gear.stiffness" in good

@@ -157,16 +157,6 @@ def test_nothing_was_said_and_nothing_asked_for(window: Any, reports: dict[str, 
     assert [url for url in window.asked if not url.startswith("blob:")] == [reports["good"].as_uri()]
 
 
-def test_on_paper_the_figures_stand_and_the_viewer_does_not(browser: Any, reports: dict[str, Path]) -> None:
-    page = look(browser, reports["good"]).page
-    page.emulate_media(media="print")
-    assert not page.locator("#viewer").is_visible()
-    assert page.locator("#numbers .cards").is_visible()
-    page.evaluate("dispatchEvent(new Event('beforeprint'))")
-    assert page.locator("#figures svg").first.is_visible()
-    page.context.close()
-
-
 def test_without_a_program_the_page_reports_what_it_can(browser: Any, reports: dict[str, Path]) -> None:
     window = look(browser, reports["good"], java_script_enabled=False)
     assert "need JavaScript" in window.page.locator("#viewer").inner_text()
@@ -192,7 +182,7 @@ HOSTILE = "</script><script>alert(1)</script><img src=x onerror=alert(2)>\"'"
 def test_a_hostile_name_stays_text(browser: Any, good: Result, tmp_path: Path) -> None:
     robot = json.loads(good.data.attrs["robot"]) | {"name": HOSTILE, "title": NASTY}
     result = Result(good.data.assign_attrs(robot=json.dumps(robot), message=HOSTILE, warnings=json.dumps([HOSTILE])))
-    pages = {"report": write_report(result, tmp_path / "r.html", figures={}), "several": tmp_path / "s.html"}
+    pages = {"report": write_report(result, tmp_path / "r.html"), "several": tmp_path / "s.html"}
     text = viewer_document(page_data([result, result], [HOSTILE, NASTY]))
     pages["several"].write_text(text, encoding="utf-8")
     for path in pages.values():

@@ -17,6 +17,7 @@ from tmodes.cli.cache import cache
 from tmodes.cli.describe import describe, ladder
 from tmodes.cli.evaluate import evaluate
 from tmodes.cli.export import export
+from tmodes.cli.figures import figures
 from tmodes.cli.memory import OUT_OF_MEMORY, lacks_memory, words
 from tmodes.cli.modes import modes
 from tmodes.cli.run import run
@@ -45,7 +46,8 @@ app = typer.Typer(
 for command, name in (
     (run, "run"), (robots, "robots"), (check, "check"), (describe, "describe"),
     (batch, "batch"), (static, "static"), (ladder, "ladder"), (modes, "modes"), (evaluate, "eval"), (schema, "schema"),
-    (show, "show"), (view, "view"), (studio, "studio"), (export, "export"), (bench, "bench"), (cache, "cache"),
+    (show, "show"), (view, "view"), (figures, "figures"), (studio, "studio"), (export, "export"),
+    (bench, "bench"), (cache, "cache"),
 ):  # fmt: skip
     app.command(name)(command)
 

@@ -1,7 +1,8 @@
-"""``tmodes run``: the main job. A robot in; a result file, figures and one self-contained report out."""
+"""``tmodes run``: the main job. A robot in; a result file and one self-contained report out."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, NamedTuple
 
@@ -38,9 +39,10 @@ def run(
     fix_inertia: options.FixInertia = False,
     out: Annotated[Path | None, typer.Option(help="Folder for the output; else results/NAME.")] = None,
     overwrite: Annotated[bool, typer.Option("--overwrite", help="Replace a result that is there.")] = False,
+    report: Annotated[bool, typer.Option("--report/--no-report", help="Write report.html, or the data only.")] = True,
     figures: Annotated[
-        bool, typer.Option("--figures/--no-figures", help="Figures and report, or the data only.")
-    ] = True,
+        bool, typer.Option("--figures", help="Also draw the figures for print; later: tmodes figures RESULT.")
+    ] = False,
     live: Annotated[
         bool,
         typer.Option("--live/--no-live", help="Let the report simulate again; compiling takes some seconds, once."),
@@ -49,9 +51,9 @@ def run(
 ) -> None:
     """Plan with the nominal robot, run the actual one under control, and show how it bends.
 
-    Writes result.nc (NetCDF, all series with units), report.html (open it first) and figures/*.svg, *.png. An
-    interrupted run resumes when the same command is given again. A robot needs `drives`, or an `initial` state from
-    which it moves freely.
+    Writes result.nc (NetCDF, all series with units) and report.html (open it first); with --figures also figures/*.svg
+    and *.png. An interrupted run resumes when the same command is given again. A robot needs `drives`, or an `initial`
+    state from which it moves freely.
 
     Example, a high-accuracy run with an error estimate: tmodes run spong1987 --integrator dop853 --rtol 1e-11
     --atol 1e-14 --check-error
@@ -68,8 +70,8 @@ def run(
     folder = _folder(
         out or Path("results") / folder_name(sheet.name), sheet, overwrite, _Looks(robot, root, trust_paths), live=live
     )
-    result = _computed(folder, sheet, figures)
-    _report(result, folder, as_json)
+    result = _computed(folder, sheet, [folder.report] * report + [folder.draw] * figures)
+    _say(result, folder, as_json)
     if not result.success:
         raise typer.Exit(130 if result.status == "interrupted" else 3)
 
@@ -92,7 +94,7 @@ def _folder(path: Path, sheet: Robot, overwrite: bool, looks: _Looks, *, live: b
     return RunFolder(path, sheet, overwrite, shapes, live=live)
 
 
-def _computed(folder: RunFolder, sheet: Robot, figures: bool) -> Any:
+def _computed(folder: RunFolder, sheet: Robot, products: list[Callable[[Any, Any], None]]) -> Any:
     from tmodes.io.sheet_plausible import notices_about
 
     with working() as progress, folder:
@@ -103,12 +105,12 @@ def _computed(folder: RunFolder, sheet: Robot, figures: bool) -> Any:
         except SimulationError:
             warn(notices_about(sheet))  # a wrong unit is the likely cause
             raise
-        if figures and result.status != "interrupted":
-            folder.illustrate(result, progress)
+        for make in products if result.status != "interrupted" else ():
+            make(result, progress)
     return result
 
 
-def _report(result: Any, folder: RunFolder, as_json: bool) -> None:
+def _say(result: Any, folder: RunFolder, as_json: bool) -> None:
     if as_json:
         timing = {"files": folder.written(), "seconds_per_simulated_second": result.timing}
         print_json(result_record(result) | timing)

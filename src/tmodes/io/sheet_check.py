@@ -93,7 +93,7 @@ def real_robot(robot: Robot) -> Robot:
     """
     if not robot.real:
         return robot
-    data, wrong = sheet_data(robot), []
+    data, wrong = {**sheet_data(robot), "real": {}}, []
     for path, factor in robot.real.items():
         try:
             inner, key = _factored(data, path)
@@ -102,7 +102,7 @@ def real_robot(robot: Robot) -> Robot:
             wrong.append(InputError(f"real.{path}", error.got, error.expected, _of_real(error.hint)))
     if wrong:
         raise InputErrors(wrong)
-    return sheet_from_data(with_reach(sheet_data(robot), {**data, "real": {}}))
+    return sheet_from_data(with_reach(sheet_data(robot), data))
 
 
 def _unknown_factors(data: Any) -> Iterator[Problem]:

@@ -4,7 +4,7 @@ Every figure takes ``(result, ax=None)`` and returns its axes. ``FIGURES`` holds
 those that a result can fill, ``left_out`` the reasons of the others; ``register`` adds a :class:`Figure` of your own.
 """
 
-from tmodes.plot.figure import FIGURES, Figure, all_figures, drawings, left_out, register, save_figures
+from tmodes.plot.figure import FIGURES, Figure, all_figures, left_out, register, save_figures
 from tmodes.plot.figures.contact_force import ContactForce
 from tmodes.plot.figures.controller_states import ControllerStates
 from tmodes.plot.figures.decompositions import GearDeflections, LinkCoordinates
@@ -23,7 +23,7 @@ from tmodes.plot.figures.tip_tracking import TipTracking
 from tmodes.plot.style import house_style
 
 __all__ = [
-    "FIGURES", "Figure", "all_figures", "contact_force", "controller_states", "deformations", "drawings",
+    "FIGURES", "Figure", "all_figures", "contact_force", "controller_states", "deformations",
     "elastic_line", "energies", "gear_deflections", "house_style", "joint_efforts", "joint_tracking", "left_out",
     "link_coordinates", "link_deflection", "link_loads", "link_tips", "register", "save_figures", "spectrum",
     "tip_errors", "tip_path", "tip_tracking",

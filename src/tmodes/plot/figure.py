@@ -1,4 +1,4 @@
-"""What a figure is, and every figure of a result: drawn when it is first needed, written to files."""
+"""What a figure is, and every figure of a result: drawn when it is asked for, written to files."""
 
 from __future__ import annotations
 
@@ -17,8 +17,7 @@ from tmodes.plot.style import house_style
 from tmodes.result.result import Result
 
 __all__ = [
-    "FIGURES", "FORMATS", "Drawing", "Figure", "all_figures", "drawings", "left_out", "register", "rendered",
-    "save_figures",
+    "FIGURES", "FORMATS", "Figure", "all_figures", "left_out", "register", "rendered", "save_figures",
 ]  # fmt: skip
 
 
@@ -85,26 +84,14 @@ DPI = 200
 """Resolution of a PNG in a file, for print [dots per inch]."""
 
 
-class Drawing:
-    """A figure that is drawn when it is first needed, and rendered once for each format however often it is asked."""
-
-    def __init__(self, draw: Callable[[], Any]) -> None:
-        self._draw = draw
-        self._figure: Any = None
-        self._rendered: dict[tuple[str, int], bytes] = {}
-
-    def content(self, kind: str, dpi: int = DPI) -> bytes:
-        """The bytes of a file of this ``kind`` (a key of FORMATS)."""
-        if self._figure is None:
-            self._figure = self._draw()[0].figure
-        if (kind, dpi) not in self._rendered:
-            self._rendered[kind, dpi] = rendered(self._figure, kind, dpi)
-            self._figure.set_layout_engine("none")  # places are found once, and are the same in every format
-        return self._rendered[kind, dpi]
-
-
 def rendered(figure: Any, kind: str, dpi: int = DPI) -> bytes:
-    """The figure as the bytes of a file of this ``kind`` (a key of FORMATS)."""
+    """The figure as the bytes of a file of this ``kind`` (a key of FORMATS).
+
+    Its layout is found at the first time, and stays: each file is one pass of drawing, and all have the same places.
+    """
+    if engine := figure.get_layout_engine():
+        engine.execute(figure)
+        figure.set_layout_engine(None)
     stream = io.BytesIO()
     with house_style():
         figure.savefig(stream, format=kind, dpi=dpi, metadata=FORMATS[kind])
@@ -130,34 +117,34 @@ def left_out(result: Result) -> dict[str, str]:
     return {name: reason for name, reason in reasons.items() if reason}
 
 
-def drawings(result: Result) -> dict[str, Drawing]:
-    """The figures of :func:`all_figures` as drawings that keep their bytes: pass them to several writers."""
-    return {name: Drawing(draw) for name, draw in all_figures(result).items()}
-
-
 def save_figures(
     result: Result,
     folder: Path | str,
     formats: Sequence[str] = ("svg", "png"),
     progress: Callable[[int, int, str], None] | None = None,
-    figures: Mapping[str, Drawing] | None = None,
+    names: Sequence[str] | None = None,
 ) -> list[Path]:
-    """Write every figure of the result into ``folder``, one file per figure and format; returns the files.
+    """Write figures of the result into ``folder``, one file per figure and format; returns the files.
 
-    ``progress(done, total, name)`` is called before each figure and once at the end; ``figures`` are drawings from
-    :func:`drawings`, None makes them. Raises :class:`tmodes.errors.InputError` for an unknown format,
+    ``names``: which of :func:`all_figures`, None: all. ``progress(done, total, name)`` is called before each figure and
+    once at the end. Raises :class:`tmodes.errors.InputError` for an unknown format or name,
     :class:`tmodes.errors.ResultFileError` when a file cannot be written; a file is either complete or as it was before.
     """
     for unknown in sorted(set(formats) - set(FORMATS)):
         raise InputError("formats", repr(unknown), f"some of {', '.join(FORMATS)}", "choose one of these")
     check_writable(folder, ROOM)
-    figures = drawings(result) if figures is None else figures
-    report, written = progress or _say_nothing, []
-    for done, (name, drawing) in enumerate(figures.items()):
-        report(done, len(figures), name)
+    figures = all_figures(result)
+    for unknown in sorted(set(names or ()) - set(figures)):
+        reason = left_out(result).get(unknown)
+        got = f"{unknown}, which is left out: {reason}" if reason else f"the unknown figure {unknown!r}"
+        raise InputError("figures", got, f"some of {', '.join(figures)}", "choose among these")
+    chosen, report, written = list(figures if names is None else names), progress or _say_nothing, []
+    for done, name in enumerate(chosen):
+        report(done, len(chosen), name)
+        figure = figures[name]()[0].figure
         for kind in formats:
             written.append(Path(folder) / f"{name}.{kind}")
             with atomic_write(written[-1]) as temporary:
-                temporary.write_bytes(drawing.content(kind))
-    report(len(figures), len(figures), "")
+                temporary.write_bytes(rendered(figure, kind))
+    report(len(chosen), len(chosen), "")
     return written

@@ -16,7 +16,7 @@ from tmodes.io.atomic import FolderLock, check_writable, remove_orphans
 from tmodes.io.checkpoint import RunJournal, run_identity
 from tmodes.io.sheet_check import sheet_data
 from tmodes.io.urdf_shapes import LinkShape
-from tmodes.plot import drawings, save_figures
+from tmodes.plot import save_figures
 from tmodes.report.meshes import with_shapes
 from tmodes.report.page import write_report
 from tmodes.result import Result
@@ -116,14 +116,16 @@ class RunFolder:
                 journal.remove()
         return result
 
-    def illustrate(self, result: Any, progress: Progress) -> None:
-        """Draw the figures and write the report."""
-        pictures = drawings(result)
-        self.figures.mkdir(exist_ok=True)
-        save_figures(result, self.figures, progress=lambda k, n, _: progress("figures", k / n), figures=pictures)
+    def report(self, result: Any, progress: Progress) -> None:
+        """Write the report."""
         progress("report", 0.0)
-        write_report(result, self.report_file, pictures, live=self.live)
+        write_report(result, self.report_file, live=self.live)
         progress("report", 1.0)
+
+    def draw(self, result: Any, progress: Progress) -> None:
+        """Draw the figures for print."""
+        self.figures.mkdir(exist_ok=True)
+        save_figures(result, self.figures, progress=lambda k, n, _: progress("figures", k / n))
 
     def _sheet(self) -> str:
         """The data sheet as JSON: what makes two runs the same."""

@@ -1,4 +1,4 @@
-"""The page about a run: how it ended, headline numbers and tables, figures, the robot, and the provenance."""
+"""The page about a run: how it ended, headline numbers and tables, the robot, and the provenance."""
 
 from __future__ import annotations
 
@@ -8,8 +8,6 @@ from pathlib import Path
 from typing import Any
 
 from tmodes.io.atomic import atomic_write
-from tmodes.plot import FIGURES, drawings, left_out
-from tmodes.plot.figure import Drawing
 from tmodes.plot.panels import pretty
 from tmodes.report.data import facts_of, live_page
 from tmodes.report.facts import fact_list
@@ -18,7 +16,6 @@ from tmodes.report.parts import (
     SECTIONS,
     application,
     document,
-    figures_section,
     policy,
     rows_of,
     section,
@@ -39,8 +36,8 @@ _LONG_SHEET = 120
 """Lines of a data sheet beyond which it is folded."""
 
 
-def page(result: Result, figures: Mapping[str, Drawing], *, live: bool = True) -> str:
-    """The whole page as one HTML document; ``figures`` by name, in the order of the page.
+def page(result: Result, *, live: bool = True) -> str:
+    """The whole page as one HTML document.
 
     ``live``: whether it holds the robot's equations, to be simulated again in the page.
     """
@@ -54,7 +51,6 @@ def page(result: Result, figures: Mapping[str, Drawing], *, live: bool = True) -
         warnings(result),
         application(live_page(result, live=live)),
         _numbers(result),
-        figures_section(figures, FIGURES, left_out(result)),
         section("robot", *_sheet(robot)),
         _provenance(result, robot),
     )
@@ -123,16 +119,12 @@ def _provenance(result: Result, robot: Robot) -> Markup:
     )
 
 
-def write_report(
-    result: Result, path: Path | str, figures: Mapping[str, Drawing] | None = None, *, live: bool = True
-) -> Path:
+def write_report(result: Result, path: Path | str, *, live: bool = True) -> Path:
     """Write the result's report as one self-contained HTML file; the same result gives the same bytes.
 
-    ``figures`` are drawings from :func:`tmodes.plot.drawings` (all, or a part of them), None draws them
-    all. Raises :class:`tmodes.errors.ResultFileError` when the file cannot be written.
-    ``live``: with the robot's equations.
+    ``live``: with the robot's equations. Raises :class:`tmodes.errors.ResultFileError` when the file cannot be written.
     """
-    text = page(result, drawings(result) if figures is None else figures, live=live)
+    text = page(result, live=live)
     with atomic_write(path) as temporary:
         temporary.write_text(text, encoding="utf-8", newline="\n")
     return Path(path)

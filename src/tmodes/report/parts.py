@@ -1,4 +1,4 @@
-"""Parts of a page: head, sections, status, warnings, figures; and the interactive part, program and data."""
+"""Parts of a page: head, sections, status, warnings; and the interactive part, program and data."""
 
 from __future__ import annotations
 
@@ -10,23 +10,18 @@ from functools import cache
 from importlib.resources import files
 from typing import Any
 
-from tmodes.plot import Figure
-from tmodes.plot.figure import Drawing
 from tmodes.report.facts import Fact, fact_list
-from tmodes.report.markup import Markup, picture, tag
+from tmodes.report.markup import Markup, tag
 from tmodes.report.pack import embedded, pack
 from tmodes.result.result import Result
 
 __all__ = [
-    "SECTIONS", "application", "document", "figures_section", "policy", "program", "rows_of", "section", "status",
+    "SECTIONS", "application", "document", "policy", "program", "rows_of", "section", "status",
     "title_of", "viewer_document", "warnings",
 ]  # fmt: skip
 
 
-SECTIONS = {
-    "viewer": "View", "numbers": "Numbers", "figures": "Figures for print", "robot": "Robot",
-    "provenance": "Provenance",
-}  # fmt: skip
+SECTIONS = {"viewer": "View", "numbers": "Numbers", "robot": "Robot", "provenance": "Provenance"}
 
 _STYLES = ("page.css", "app.css")
 
@@ -87,28 +82,6 @@ def warnings(result: Result) -> Markup | None:
     return tag("div", tag("strong", "Warnings"), sentences, class_="status warning", role="note")
 
 
-def figures_section(figures: Mapping[str, Drawing], table: Mapping[str, Figure], left_out: Mapping[str, str]) -> Markup:
-    """The figures of a table, numbered, folded until they are wanted, and why others are left out."""
-    shown = [_figure(number, table[name], drawing) for number, (name, drawing) in enumerate(figures.items(), 1)]
-    words = f"Show {len(shown)} figures as they stand in print"
-    folded = tag("details", tag("summary", words), *shown) if shown else None
-    return section("figures", folded, _left_out(table, left_out))
-
-
-def _figure(number: int, entry: Figure, drawing: Drawing) -> Markup:
-    shown = picture(drawing, entry.name, f"{entry.title}. {entry.caption}")
-    place = tag("div", shown, class_="scroll plot", role="region", tabindex="0", aria_label=f"Figure {number}")
-    caption = tag("figcaption", tag("strong", f"Figure {number}. {entry.title}."), f" {entry.caption}")
-    return tag("figure", place, caption, id=entry.name)
-
-
-def _left_out(table: Mapping[str, Figure], reasons: Mapping[str, str]) -> Markup | None:
-    if not reasons:
-        return None
-    lines = (tag("li", tag("strong", f"{table[name].title}: "), reason, ".") for name, reason in reasons.items())
-    return tag("div", tag("p", "Left out:"), tag("ul", *lines), class_="left-out")
-
-
 def rows_of(info: Mapping[str, Any], group: str = "") -> Iterator[list[str]]:
     """Names and values; a group within the group has its name before the names in it."""
     for key, value in info.items():
@@ -119,12 +92,15 @@ def rows_of(info: Mapping[str, Any], group: str = "") -> Iterator[list[str]]:
             yield [name, f"{value:.6g}" if isinstance(value, float) else "–" if value is None else str(value)]
 
 
-_NEEDS = "The robot in 3D and the linked charts need JavaScript, which is switched off or failed to start."
+_NEEDS = (
+    "The robot in 3D and the linked charts need JavaScript, which is switched off or failed to start. The numbers "
+    "below need none; `tmodes figures` draws the charts for print."
+)
 
 
 def application(page: Mapping[str, Any]) -> Markup:
     """Where the program mounts its parts, the data that it reads, and the program itself."""
-    without = tag("noscript", tag("p", f"{_NEEDS} The numbers and figures below need none.", class_="status warning"))
+    without = tag("noscript", tag("p", _NEEDS, class_="status warning"))
     place = tag("div", id="tmodes-app")
     data = tag("script", Markup(embedded(pack(page))), type="text/plain", id="tmodes-data")
     viewer = tag("section", without, place, id="viewer", aria_label="Interactive view")

@@ -29,13 +29,12 @@ def files(tmp_path):
 
 
 def test_the_main_job(files):
-    """One command: result, report and figures; a second one does not overwrite unasked."""
+    """One command: result and report, figures where they are asked for; a second one does not overwrite unasked."""
     out = files / "with spaces é"
     info = tmodes("run", files / "swinging.yaml", "--out", out).stdout
     assert "tip error to nominal" in info
     assert "deflection of rod" in info
-    assert sorted(path.name for path in out.iterdir()) == ["figures", "report.html", "result.nc"]
-    assert len(list((out / "figures").glob("*.svg"))) == len(list((out / "figures").glob("*.png"))) >= 10
+    assert sorted(path.name for path in out.iterdir()) == ["report.html", "result.nc"]
     page = re.sub(r"<script.*?</script>", "", (out / "report.html").read_text(encoding="utf-8"), flags=re.DOTALL)
     assert "http" not in page.replace("http-equiv", "")
     assert (out / "report.html").stat().st_size < 3_000_000
@@ -43,8 +42,12 @@ def test_the_main_job(files):
     refused = tmodes("run", files / "swinging.yaml", "--out", out, "--duration", 0.01, code=4)
     assert "--overwrite" in refused.stderr
     assert (out / "result.nc").read_bytes() == before
-    tmodes("run", files / "swinging.yaml", "--out", out, "--no-figures", "--overwrite")
+    drawn = tmodes("figures", out, "tip_path", "--pdf").stdout
+    assert f"wrote   2 files to {out / 'figures'}" in drawn
+    assert sorted(path.name for path in (out / "figures").iterdir()) == ["tip_path.pdf", "tip_path.svg"]
+    tmodes("run", files / "swinging.yaml", "--out", out, "--no-report", "--figures", "--overwrite")
     assert (out / "result.nc").read_bytes() == before
+    assert len(list((out / "figures").glob("*.svg"))) == len(list((out / "figures").glob("*.png"))) >= 10
 
 
 def test_json_and_the_options_of_integration(files):
@@ -53,7 +56,7 @@ def test_json_and_the_options_of_integration(files):
     for method in ("dormand_prince", "rk4"):
         options = ["--integrator", method, "--duration", 0.02, "--rtol", 1e-6, "--set", "integration.step=1e-5"]
         options += ["--set", "integration.output_step=0.004"]
-        done = tmodes("run", files / "cantilever.yaml", "--json", "--no-figures", "--out", files / method, *options)
+        done = tmodes("run", files / "cantilever.yaml", "--json", "--no-report", "--out", files / method, *options)
         info[method] = json.loads(done.stdout)
         assert info[method]["status"] == "finished"
         assert info[method]["summary"]["links"]["rod"]["deflection"]["max_m"] == pytest.approx(1.0517e-3, rel=1e-3)
@@ -67,7 +70,7 @@ def test_a_bare_urdf_is_reported_what_it_lacks(files):
     assert "drives" in done.stderr
     assert "joint: hinge" in done.stderr
     assert not (files / "o").exists()
-    free = ["--set", "initial.coordinates.hinge=0.3", "--duration", 0.5, "--no-figures"]
+    free = ["--set", "initial.coordinates.hinge=0.3", "--duration", 0.5, "--no-report"]
     done = tmodes("run", files / "two.urdf", *free, "--out", files / "o", "--json")
     assert json.loads(done.stdout)["summary"]["joints"]["hinge"]["largest"] == pytest.approx(0.3)
 
@@ -90,5 +93,5 @@ def test_refusals(files, arguments, info):
 
 
 def test_without_contact(files):
-    tmodes("run", files / "swinging.yaml", "--no-contact", "--no-figures", "--duration", 0.05, "--out", files / "o")
+    tmodes("run", files / "swinging.yaml", "--no-contact", "--no-report", "--duration", 0.05, "--out", files / "o")
     assert "contact_force" not in load_result(files / "o" / "result.nc").data
