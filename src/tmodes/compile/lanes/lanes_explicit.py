@@ -136,7 +136,7 @@ def _write_fixed(loop: LanesLoop, tableau: Tableau) -> None:
         loop.evaluate(step.time_after, "new", end)
         loop.count("evaluations", running)
         taken = _meet_gate(loop, step.h, taken, "cut")
-        loop.put("cut", loop.constant(0.0), taken)
+        loop.put("cut", step.longest, taken)
     with due_samples(loop, taken, b.fadd(step.time_after, b.fmul(step.h, loop.constant(1e-9)))) as (due, wanted):
         share = b.fdiv(b.fsub(wanted, step.time), step.h)
         between = b.fcmp_ordered("<", share, loop.constant(1 - 1e-9))

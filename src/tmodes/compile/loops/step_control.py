@@ -165,10 +165,15 @@ class ExplicitMethod:
         loop.builder.branch(loop.again)
 
 
+_LONGER = 10.0
+"""How much longer a step may be than one before it that was cut: the regula falsi over long steps stands still."""
+
+
 class FixedStep(NamedTuple):
     """A step of length h from ``time`` to ``time_after``; ``count`` of its segment with it, ``last``: it ends it.
 
-    A change makes two of a step: it ends at the change, and the next one where it would have ended.
+    A change makes two of a step: it ends at the change, and the next one where it would have ended. ``longest``: of the
+    next step, after one that was cut; 0: as long as it is.
     """
 
     h: Any
@@ -176,6 +181,7 @@ class FixedStep(NamedTuple):
     time_after: Any
     count: Any
     last: Any
+    longest: Any = None
 
 
 def next_step(loop: Frame) -> FixedStep:
@@ -192,7 +198,9 @@ def next_step(loop: Frame) -> FixedStep:
     left, cut = b.fsub(after, time), loop.get("cut")
     whole_step = b.or_(b.fcmp_ordered("<=", cut, loop.constant(0.0)), b.fcmp_ordered(">=", cut, left))
     count, last = b.select(whole_step, count, loop.get("index")), b.and_(last, whole_step)
-    return FixedStep(b.select(whole_step, left, cut), time, b.select(whole_step, after, b.fadd(time, cut)), count, last)
+    h, after = b.select(whole_step, left, cut), b.select(whole_step, after, b.fadd(time, cut))
+    longest = b.select(whole_step, loop.constant(0.0), b.fmul(loop.constant(_LONGER), cut))
+    return FixedStep(h, time, after, count, last, longest)
 
 
 class FixedGate(Gate):
@@ -204,7 +212,7 @@ class FixedGate(Gate):
             return
         self.loop.evaluate(step.time_after, "new", into)
         self.meet(step.h, lambda shorter: self.loop.put("cut", shorter))
-        self.loop.put("cut", number(0.0))
+        self.loop.put("cut", step.longest)
 
 
 def take_step(loop: TimeLoop, step: FixedStep) -> None:
