@@ -85,7 +85,7 @@ def test_robots_prints_a_sheet_that_runs(tmp_path):
 
 
 def test_modes():
-    """Frequencies of the real robot and of the robot as known."""
+    """Frequencies of the actual robot and of the robot as known."""
     info = json.loads(tmodes("modes", "filipovic2010", "--json").stdout)
     assert [round(m["frequency_Hz"], 2) for m in info["nominal"]["locked"]] == [6.66, 7.35, 26.17, 32.78, 235.82]
     assert "gear" in tmodes("modes", "filipovic2010", "--reading", "printed").stdout

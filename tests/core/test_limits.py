@@ -259,7 +259,7 @@ def test_every_run_looks_for_a_jam(robot):
 )  # fmt: skip
 def test_a_pair_must_move_alike(robot, change):
     """Two robots whose motions cannot be compared sample by sample are no pair."""
-    with pytest.raises(InputError, match="real robot"):
+    with pytest.raises(InputError, match="actual robot"):
         RobotPair(robot, robot.with_(change))
 
 

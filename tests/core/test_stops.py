@@ -30,7 +30,7 @@ def robot():
 
 @pytest.mark.parametrize("method", ["dormand_prince", "dop853", "rk4", "extrapolation", "midpoint"])
 def test_a_motor_that_follows_its_reference_passes_an_angle(robot, method):
-    """The motor of the reference run passes an angle when the polynomials of the signal do."""
+    """The motor of the nominal run passes an angle when the polynomials of the signal do."""
     changes = {**SHORT, "integration.method": method, "integration.stop": ["joint.motor.position > 2 deg"]}
     setup = run_setup(robot.with_(changes), Follow.WANTED)
     done = run_trajectory(setup, stops=run_stops(setup))

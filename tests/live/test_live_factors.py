@@ -1,4 +1,4 @@
-"""Factors of the real robot are offered where a run has a reference run that the page can make, and nowhere else."""
+"""Factors of the actual robot are offered where a run has a nominal run that the page can make, and nowhere else."""
 
 from __future__ import annotations
 
@@ -71,7 +71,7 @@ def test_what_is_known_of_such_an_arm_keeps_its_sliders(tmp_path: Path) -> None:
 
 
 def test_the_studio_offers_them_all_the_same() -> None:
-    """It runs natively, where a factor makes a reference run."""
+    """It runs natively, where a factor makes a nominal run."""
     from tmodes.io.sheet_check import sheet_data
 
     arm = pushed()

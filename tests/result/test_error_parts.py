@@ -16,7 +16,7 @@ from tmodes.analysis.spectrum import growth_warnings, spectrum_of
 from tmodes.cli.summary_text import summary_rows
 from tmodes.model.model import Model
 from tmodes.result import Result
-from tmodes.result.paths import part_names
+from tmodes.result.paths import largest_elements, part_names
 from tmodes.sheet import Robot, RobotPair
 
 LENGTHS = 0.7, 0.4
@@ -155,6 +155,43 @@ def test_what_is_shown_of_it():
         assert (one["environment_m"] is None) == ("contact_force" not in result_of("swinging").data)
     assert summary["tip_error"]["nominal"]["max_m"] == pytest.approx(summary["deviation"]["max_m"], rel=1e-12)
     assert "tip_error.commanded.max_m" in summary["error"]["figures"]
+
+
+def double_pendulum(tolerance: float = 1e-3) -> Robot:
+    """A driven joint that carries a free one."""
+    inertia = {"xx": 0.1, "yy": 0.1, "zz": 0.1}
+    place = {"from": "frame", "origin": {"position": [0.5, 0, 0]}}
+    turn = {"type": "revolute", "axis": [0, 1, 0]}
+    joints = [
+        {"name": "a", "parent": "base", "child": "l1", **turn, "motor": {"inertia": 0.1, "side": "joint"},
+         "gear": {"stiffness": 500.0, "damping": 1.0}},
+        {"name": "b", "parent": "l1", "child": "l2", "state": "free", **turn, **place},
+        {"name": "tool", "parent": "l2", "child": "hand", "type": "fixed", **place},
+    ]  # fmt: skip
+    bodies = [{"name": "m", "mass": 1.0, "center": [0.4, 0, 0], "inertia": inertia}]
+    move = {"type": "quintic", "start": 0.0, "end": 0.5, "duration": 0.3}
+    control = {"type": "pd", "position_gain": 100.0, "velocity_gain": 10.0}
+    return Robot.from_data(sheet(
+        joints=joints, links=[{"name": name, "bodies": bodies} for name in ("l1", "l2")], gravity=9.81,
+        drives=[{"joint": "a", "command": "position", "signal": move, "controller": control}],
+        integration={"method": "dormand_prince", "relative_tolerance": tolerance, "duration": 0.4, "output_step": 0.01},
+        initial={"state": "zero"}, real={"joints.a.gear.stiffness": 0.8},
+    ))  # fmt: skip
+
+
+def test_a_free_joint_is_no_gear():
+    """It is named, and moves the commanded tip, whose error counts as well."""
+    found = tmodes.run(double_pendulum()).summary()
+    one = found["tip_error"]["commanded"]
+    assert list(one["parts_m"]) == ["controller", "gears, free joints", "links"]
+    assert [(part, *own) for part, own in one["elements_m"].items()] == [
+        ("gears", "a"),
+        ("links",),
+        ("free joints", "b"),
+    ]
+    assert "free joint b" in [name for name, _ in largest_elements(one)]
+    exact = tmodes.run(double_pendulum(1e-7)).summary()["tip_error"]["commanded"]["max_m"]
+    assert abs(one["max_m"] - exact) <= found["error"]["figures"]["tip_error.commanded.max_m"]
 
 
 PRESSED = st.fixed_dictionaries({"stiffness": st.floats(50.0, 2e3), "push": st.floats(1.0, 30.0),

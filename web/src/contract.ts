@@ -92,10 +92,10 @@ export interface Scene {
   links: SceneLink[];
   /** Elastic lines in the world [m, L, S, 3] m. */
   line: Numbers;
-  /** The same without any elasticity, and of the reference; null where there is none. */
+  /** The same without any elasticity, and of the nominal robot; null where there is none. */
   rigid: Numbers | null;
   reference: Numbers | null;
-  /** The reference without any elasticity, about which its deformation is enlarged; null or none: `rigid` serves. */
+  /** The nominal robot without any elasticity, about which its deformation is enlarged; null or none: `rigid` serves. */
   referenceRigid?: Numbers | null;
   /** Rotation of each link's root as quaternions x, y, z, w [m, L, 4]. */
   roots: Numbers;

@@ -35,7 +35,7 @@ HELD = 3.0
 """Weight that a joint carries over its limit of effort; below, a spring or a counterweight may hold it [-]."""
 
 FACTORS = (0.01, 100.0)
-"""Usual range of a factor of the real robot on the nominal one [-]."""
+"""Usual range of a factor of the actual robot on the nominal one [-]."""
 
 
 @dataclass(frozen=True)

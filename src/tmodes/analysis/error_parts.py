@@ -15,12 +15,15 @@ from numpy.typing import ArrayLike, NDArray
 from tmodes.analysis.quasistatic import deflections, elastic_names, gear_inputs, sprung
 from tmodes.model.model import Model
 
-__all__ = ["PARTS", "along", "element_steps", "straight", "substitutions", "tips", "without_elasticity"]
+__all__ = ["FREE", "PARTS", "along", "element_steps", "straight", "substitutions", "tips", "without_elasticity"]
 
 Array = NDArray[np.float64]
 
 PARTS = ("controller", "gears", "links")
-"""The parts: drives off their setpoints; deflection of the gears (and joints without a drive); bending of the links."""
+"""The parts: drives off their setpoints; deflection of the gears, and joints that are free; bending of the links."""
+
+FREE = "free joints"
+"""Joints with neither a drive nor a gear, whose motion is with that of the gears."""
 
 
 def without_elasticity(model: Model, q: Array) -> Array:
@@ -60,11 +63,13 @@ def substitutions(model: Model, q: ArrayLike, commanded: ArrayLike, driven: Sequ
 def element_steps(model: Model, straightened: Array, actual: Array) -> tuple[list[tuple[str, str]], list[Array]]:
     """The steps from the second shape of :func:`substitutions` to the last, one joint, then one link at a time.
 
-    Part (``gears``, ``links``) and name of each, the joints and the links in the order of the chain, and the shapes
-    (n, nq) that they lead to.
+    Part (``gears``, ``free joints``, ``links``) and name of each, the joints and the links in the order of the chain,
+    and the shapes (n, nq) that they lead to.
     """
-    joints = [axis for axis in model.parts.axes if not (axis.axis.drive.is_driven and axis.input == axis.angle)]
-    places = [("gears", axis.axis.name, [axis.angle]) for axis in joints]
+    places = [
+        ("gears" if axis.axis.drive.has_gear else FREE, axis.axis.name, [axis.angle])
+        for axis in model.parts.axes if not (axis.axis.drive.is_driven and axis.input == axis.angle)
+    ]  # fmt: skip
     links = [(one.node.name, [*range(model.nq)[one.link.own]]) for one in model.parts.nodes if one.link]
     places += [("links", name, own) for name, own in links if own]
     names, shapes, shape = [], [], straightened

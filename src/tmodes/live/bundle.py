@@ -121,7 +121,7 @@ def mechanics(
 ) -> dict[str, Any]:
     """All of it. Arrays are in SI units, coordinates in their order.
 
-    ``ended``: the actual robot held where its run ends; ``compared``: whether there is a reference run;
+    ``ended``: the actual robot held where its run ends; ``compared``: whether there is a nominal run;
     ``surfaces``: links that have one, shown though they be a point.
     """
     functions = ModelFunctions(pair, stations, tuple(load_places(pair.real.chain(), pair.real.integration.line_points)))

@@ -100,7 +100,7 @@ class ModelFunctions:
 def live_module(functions: ModelFunctions, methods: Sequence[str], *, slopes: bool = True) -> LiveModule:
     """All functions of a robot; ``slopes``: ``rest.rate`` gives its derivatives too, half as much code again.
 
-    Loops: ``reference.METHOD`` (where there is a reference run) and ``real.METHOD``. Samples: ``observe`` and ``rate``
+    Loops: ``reference.METHOD`` (where there is a nominal run) and ``real.METHOD``. Samples: ``observe`` and ``rate``
     of both as of :class:`tmodes.simulation.loop.LoopModel`; ``rest.rate``, whose accelerations vanish at
     rest, where ``held`` coordinates stand by themselves; ``inertia`` and ``elastic`` as of
     :class:`tmodes.model.passes.ChainPasses`; ``pose``: motion of every station (24 numbers each: rotation, position,

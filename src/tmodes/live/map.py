@@ -48,7 +48,7 @@ class LiveMap:
     left_out: dict[str, str]
 
     def knob_values(self, values: Sequence[float], run: str) -> dict[int, float]:
-        """Where the knobs of a run stand for values of the sliders; of a real robot with its factors."""
+        """Where the knobs of a run stand for values of the sliders; of an actual robot with its factors."""
         known = {k: knob.start for k, knob in enumerate(self.knobs)}
         factors = {k: knob.factor for k, knob in enumerate(self.knobs)}
         for slider, value in zip(self.sliders, values, strict=True):
@@ -85,7 +85,7 @@ class LiveMap:
 
 
 def _really(knob: Knob, known: float, factor: float | None) -> float:
-    """Where a knob of the real robot stands; a proportion is of the actual robot's numbers."""
+    """Where a knob of the actual robot stands; a proportion is of the actual robot's numbers."""
     if factor is None or knob.factor is None:
         return known
     if not knob.together:

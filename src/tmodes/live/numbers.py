@@ -22,12 +22,12 @@ Blocks = dict[str, Array]
 
 
 def follow_of(nominal: Robot, run: str) -> Follow:
-    """How drives follow their signals; the reference's as :func:`tmodes.simulation.simulate.simulate_motion`."""
+    """How drives follow their signals; in the nominal run as :func:`tmodes.simulation.simulate.simulate_motion`."""
     return Follow.WANTED if run == "reference" and _commanded(nominal) else Follow.SHEET
 
 
 def has_reference(nominal: Robot) -> bool:
-    """Whether a run has a reference run, jumps aside, as in :mod:`tmodes.simulation.simulate`."""
+    """Whether a run has a nominal run, jumps aside, as in :mod:`tmodes.simulation.simulate`."""
     return _commanded(nominal) or bool(nominal.real)
 
 

@@ -27,7 +27,7 @@ class Knob:
 
     ``targets``: path and value of each number; the knob itself stands at the value, or at 1 where it is a proportion.
     ``reals``: where in ``real`` the factor on each stands, empty where one acts on other numbers as well; ``factor``:
-    that of the real robot on them, None where their factors differ.
+    that of the actual robot on them, None where their factors differ.
     """
 
     pattern: str
@@ -51,7 +51,7 @@ class Knob:
 
 @dataclass(frozen=True)
 class Slider:
-    """A knob that a page shows, as it is known (``real`` False) or as the factor of the real robot on it."""
+    """A knob that a page shows, as it is known (``real`` False) or as the factor of the actual robot on it."""
 
     knob: int
     real: bool
@@ -198,7 +198,7 @@ def _label(number: SheetNumber, knob: Knob) -> str:
 
 
 def sliders_of(sheet: Any, knobs: Sequence[Knob], most: int = MOST, *, factors: bool = True) -> list[Slider]:
-    """The sliders of these knobs, each as known and, where it makes sense, as the factor of the real robot.
+    """The sliders of these knobs, each as known and, where it makes sense, as the factor of the actual robot.
 
     Without ``factors`` all are as known.
     """

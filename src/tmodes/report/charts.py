@@ -167,7 +167,7 @@ def _gear_torque(data: Any, k: int, drive: str) -> tuple[Line, ...]:
 
 
 def tip_charts(data: Any) -> Iterator[Draft]:
-    """How far the tip is from the nominal one (where there is a reference run), and where both are."""
+    """How far the tip is from the nominal one (where there is a nominal run), and where both are."""
     time, planned = data["time"].values, "tip_nominal" in data
     if planned:
         parts = [line_of(data, ("tip", k), f"Δ{axis}", "real", less=("tip_nominal", k)) for k, axis in enumerate("xyz")]

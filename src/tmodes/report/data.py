@@ -127,7 +127,7 @@ _STEP = 1e-5
 
 
 def modes_of(result: Result) -> list[dict[str, Any]]:
-    """The lowest modes of the real robot about its rest or steady motion, for each state of its motors; or none.
+    """The lowest modes of the actual robot about its rest or steady motion, for each state of its motors; or none.
 
     Frequencies [Hz] and damping are those of ``result.frequencies``; motions without vibration are left out.
     Displacements (L, S, 3) are complex, the largest of size 1.

@@ -147,13 +147,15 @@ class Assembly:
     def series(self) -> tuple[dict[str, NDArray[np.float64]], dict[str, list[str]]]:
         """All series by name, and the labels along their dimensions that numbers of the summary are named by.
 
-        ``apart`` (n, 3) is what the tip is away from that of the reference [m].
+        ``apart`` and ``off`` (n, 3) are what the tip is away from the nominal and from the commanded one [m].
         """
         lines, names, _ = self._lines
         labels = names | {"deformation_kind": list(elastic_names(self.run.model)), "drive": list(self.run.drives)}
         found = {name: info[1] for name, info in (self._motion | lines).items()}
         if "tip_nominal" in found:
             found["apart"] = found["tip"] - found["tip_nominal"]
+        if "tip_commanded" in found:
+            found["off"] = found["tip"] - found["tip_commanded"]
         return found, labels
 
     @cached_property

@@ -25,7 +25,8 @@ Steps = dict[tuple[str, str], Array]
 def element_errors(run: RunData, count: int) -> dict[str, dict[str, Any]]:
     """What each gear and link has of the largest error against each path, and the environment of their deflections.
 
-    ``elements``: of ``gears`` and ``links`` the component of each along the error [m], which add up to that part.
+    ``elements``: of ``gears``, ``links`` and ``free joints`` (with neither a drive nor a gear) the component of each
+    along the error [m], which add up to the parts.
     ``environment``: what of gears and links is by the contact force, by statics with and without it (the forces of the
     motion are in both); no part of its own, None without contact. Of the first ``count`` samples; empty where no drive
     has a setpoint.
@@ -49,7 +50,7 @@ def element_errors(run: RunData, count: int) -> dict[str, dict[str, Any]]:
         unit = total / max(float(np.linalg.norm(total)), 1e-300)
         sizes: dict[str, dict[str, float]] = {part: {} for part in PARTS[1:]}
         for (part, element), vector in vectors.items():
-            sizes[part][element] = float(vector @ unit)
+            sizes.setdefault(part, {})[element] = float(vector @ unit)
         found[name] = {
             "elements": sizes,
             "environment": dict(zip(PARTS[1:], (touched @ unit).tolist(), strict=True)) if touches else None,

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from tmodes.analysis.quasistatic import deflections
 from tmodes.integrate.registry import integrator
+from tmodes.result.paths import error_parts
 from tmodes.result.series import load_series
 from tmodes.simulation.motion_run import RunData, gathered
 from tmodes.simulation.parts import Trajectory
@@ -46,7 +47,7 @@ _CLEAR = 0.01
 _ROUNDING = 3e-13
 """Share of the size of a number, or of those whose difference it is, that rounding alone may make of its error."""
 
-_DIFFERENCE_OF = {"apart": "tip"}
+_DIFFERENCE_OF = {"apart": "tip", "off": "tip"}
 
 _DENSE = 10
 """Changes of contact or friction beyond which some may be missed by both runs."""
@@ -89,7 +90,7 @@ def summary_errors(
     """``how`` errors are estimated, and ``figures``: the error of each number by its path in the summary.
 
     ``approximate``: which of them are estimates, where the others are bounds. ``tip_m`` is that of the tip's position
-    [m], the largest of some samples over the run. The error of the reference counts too. ``first``: the series of the
+    [m], the largest of some samples over the run. The error of the nominal run counts too. ``first``: the series of the
     run, whose dimensions have labels ``names``. Empty where it is not known.
     """
     runs = [one for one in (run, run.reference) if one is not None]
@@ -145,8 +146,10 @@ def _series(runs: list[RunData], stations: Array, *, lines: bool) -> dict[str, A
     if lines:
         return {name: info[1] for name, info in load_series(run, stations, len(run.times)).items()}
     tips = [one.points.position[:, 0] for one in runs]
+    parts = error_parts(replace(run, reference=runs[1] if len(runs) > 1 else None), len(run.times))
     found: dict[str, Array | None] = {
-        "tip": tips[0], "apart": tips[0] - tips[-1], "effort": run.effort,
+        "tip": tips[0], "apart": tips[0] - tips[-1], "off": parts and parts.to_commanded.sum(axis=1),
+        "effort": run.effort,
         "deformation": deflections(run.model, run.q), "gear_torque": run.gear_torque,
         "contact_force_normal": run.contact_normal,
     }  # fmt: skip
@@ -162,7 +165,7 @@ def distances(
 ) -> Iterator[tuple[Figure, Array, Array]]:
     """How far two runs are apart in each figure, at the samples that it is looked at, and at those of ``ever``.
 
-    ``first``: the series of one, whole; ``second`` gives the other one at some samples, with its reference if any.
+    ``first``: the series of one, whole; ``second`` gives the other one at some samples, with its nominal run if any.
     """
     for lines in (False, True):
         group = [figure for figure in figures if (figure.series in _OF_LINES) == lines]
@@ -188,9 +191,8 @@ def summary_figures(values: Mapping[str, Array], names: Mapping[str, list[str]])
     if "apart" in values:
         yield Figure("deviation.max_m", int(np.linalg.norm(values["apart"], axis=1).argmax()), "apart")
         yield Figure("deviation.end_m", len(values["apart"]) - 1, "apart")
-    if "tip_error" in values:  # the commanded tip is exact
-        worst = int(np.linalg.norm(values["tip_error"].sum(axis=1), axis=1).argmax())
-        yield Figure("tip_error.commanded.max_m", worst, "tip")
+    if "off" in values:  # joints without a setpoint are in the commanded tip as they move
+        yield Figure("tip_error.commanded.max_m", int(np.linalg.norm(values["off"], axis=1).argmax()), "off")
     if "deformation" in values:
         size = np.abs(values["deformation"]).max(axis=0)
         for k in map(int, np.argsort(-size, kind="stable")[:_MOST]):

@@ -1,7 +1,7 @@
 """The three paths of a tip, commanded, nominal and actual; and the error of the actual one against both, in parts.
 
-Commanded: the nominal robot without elasticity, its drives at their setpoints. Nominal: the reference run. Where there
-is none, the robot that ran stands for the nominal one.
+Commanded: the nominal robot without elasticity, its drives at their setpoints. Nominal: elastic as known, its
+motors at their setpoints. Where there is none, the robot that ran stands for the nominal one.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.analysis.error_parts import PARTS, along, substitutions, tips
+from tmodes.analysis.error_parts import PARTS, along, element_steps, substitutions, tips
 from tmodes.simulation.motion_run import RunData
 
 if TYPE_CHECKING:
@@ -42,8 +42,10 @@ def part_names(run: RunData) -> list[str]:
     if not _setpoints(run):
         return []
     first = slice(1)
+    gears = {part for part, _ in element_steps(run.model, run.q[:1], run.q[:1])[0]} - {"links"}
+    names = [PARTS[0], ", ".join(sorted(gears, reverse=True)) or PARTS[1], PARTS[2]]
     apart = np.abs(_steps(run, run, first)[0] - _steps(run.reference or run, run, first)[0]).max()
-    return [*PARTS, *([GEOMETRY] if apart > _SAME else [])]
+    return [*names, *([GEOMETRY] if apart > _SAME else [])]
 
 
 def error_parts(run: RunData, count: int) -> ErrorParts | None:

@@ -199,4 +199,4 @@ class RobotPair:
             if known != real:
                 expected = f"that of the nominal robot, {known!r}"
                 hint = "make them equal: the motions of both robots are compared sample by sample"
-                raise InputError(f"{name} of the real robot", repr(real), expected, hint)
+                raise InputError(f"{name} of the actual robot", repr(real), expected, hint)

@@ -30,7 +30,7 @@ class Follow(StrEnum):
     """Which drives follow their signals exactly."""
 
     SHEET = "sheet"  # those that the sheet says
-    WANTED = "wanted"  # every position: the reference run, in which all motors are where they should be
+    WANTED = "wanted"  # every position: the nominal run, in which all motors are where they should be
     HELD = "held"  # none: all stand where they are at first, and so does the base
 
 

@@ -1,6 +1,6 @@
 """Simulation: the nominal robot plans the motion, the actual robot runs under control.
 
-pair -> reference run (nominal robot, its motors exactly where they should be) -> run (actual robot) -> RunData
+pair -> nominal run (nominal robot, its motors exactly where they should be) -> run (actual robot) -> RunData
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ _CAUSES = (
 
 
 class _Setups(NamedTuple):
-    """The actual robot, the nominal one as its reference run moves it (None without one), and why not."""
+    """The actual robot, the nominal one as its nominal run moves it (None without one), and why not."""
 
     real: RunSetup
     nominal: RunSetup | None
@@ -150,7 +150,7 @@ def _run(
 def _reference(
     nominal: RunSetup | None, progress: Progress, journals: Journals, warnings: list[str]
 ) -> tuple[RunData | None, float | None]:
-    """The reference run, and the time [s] at which the real one must end to be compared with it (None: its own end)."""
+    """The nominal run, and the time [s] at which the real one must end to be compared with it (None: its own end)."""
     if nominal is None:
         return None, None
     done = run_trajectory(nominal, lambda share: progress("nominal robot", share), journals("reference"))

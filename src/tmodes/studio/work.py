@@ -98,7 +98,7 @@ def _refuse_large(size: int) -> None:
 
 
 def _loop_seconds(result: Result) -> float:
-    """Seconds spent in the loops of the reference run and the real one."""
+    """Seconds spent in the loops of the nominal run and the real one."""
     return sum(result.timing.values()) * float(result.data["time"][-1])
 
 

@@ -122,7 +122,7 @@ MOTIONS = {
 
 @pytest.mark.parametrize("name", MOTIONS)
 def test_the_motion_is_that_of_the_sheet_whatever_it_commands(name: str) -> None:
-    """The reference run where there is one, else the run: a motor that jumps is moved by its controller."""
+    """The nominal run where there is one, else the run: a motor that jumps is moved by its controller."""
     robot, words = with_motion(Robot.from_data(MOTIONS[name]), 3.0)
     assert words == ""
     run = simulate_motion(robot)

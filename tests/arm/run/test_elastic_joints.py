@@ -98,7 +98,7 @@ def test_ur5_with_elastic_gears():
 
 
 def test_motor_that_follows_exactly():
-    """The reference run: the motor is where it should be, and the torque that this needs is reported."""
+    """The nominal run: the motor is where it should be, and the torque that this needs is reported."""
     signal = {"type": "quintic", "start": 0.2, "end": 0.9, "duration": 0.8}
     arm = pendulum(MOTOR | {"friction": {"viscous": 0.2}}, {"stiffness": 100.0, "damping": 0.5},
                    {"command": "prescribed", "signal": signal}, initial={"state": "zero"})  # fmt: skip
@@ -134,7 +134,7 @@ def test_rest_is_where_the_springs_hold_the_weight():
 
 
 def test_rigid_joint_under_control_and_its_reference():
-    """A rigid gear: the joint is controlled itself; the reference run prescribes it and gives its torque."""
+    """A rigid gear: the joint is controlled itself; the nominal run prescribes it and gives its torque."""
     signal = {"type": "quintic", "start": 0.0, "end": 1.0, "duration": 1.0}
     control = {"type": "pd", "position_gain": 400.0, "velocity_gain": 30.0}
     drive = {"command": "position", "signal": signal, "controller": control}

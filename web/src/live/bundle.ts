@@ -94,7 +94,7 @@ export interface Bundle extends LiveBundle {
   /** Joints that turn; others slide. */
   turning: string[];
   straight: Affine;
-  /** Whether the tip of the undeformed robot at its setpoints is known: with a reference run, where it stands. */
+  /** Whether the tip of the undeformed robot at its setpoints is known: with a nominal run, where it stands. */
   commanded: boolean;
   links: { name: string; bends: boolean }[];
   carried: LoadsInfo;

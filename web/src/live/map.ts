@@ -5,7 +5,7 @@ import { doubles, type FormInfo, type MapInfo } from "./bundle";
 /** The numbers of a run by the names of their blocks. */
 export type Blocks = Record<string, Float64Array>;
 
-/** Where the knobs of a run stand; those of a real robot (all but `reference`) with its factors. */
+/** Where the knobs of a run stand; those of an actual robot (all but `reference`) with its factors. */
 export function knobValues(map: MapInfo, values: readonly number[], run: string): number[] {
   const known = map.knobs.map((knob) => knob.start);
   const factors = map.knobs.map((knob) => knob.factor);

@@ -18,7 +18,7 @@ import { setpointsOf, spanOf } from "./span";
 import * as signals from "./signals";
 
 /**
- * The whole run; raises an error where it cannot start. `kept`: the reference run before; `moving` hears the motion of
+ * The whole run; raises an error where it cannot start. `kept`: the nominal run before; `moving` hears the motion of
  * the actual robot.
  */
 export async function runOf(

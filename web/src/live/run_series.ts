@@ -106,7 +106,7 @@ export function seriesOf(bundle: Bundle, real: Regime, { model, points, energy }
   };
 }
 
-/** Those that need the reference: what it does, and how far the actual robot is from it. */
+/** Those that need the nominal run: what it does, and how far the actual robot is from it. */
 export function compared(
   engine: Engine, bundle: Bundle, { blocks }: Regime, own: Seen, planned: Seen, count: number,
 ): SeriesOf {

@@ -13,7 +13,7 @@ export class Motion {
   readonly links: number;
   readonly stations: number;
   readonly frames: number;
-  /** Places [L, S, 3] as they are shown, and without elasticity; those of the reference. */
+  /** Places [L, S, 3] as they are shown, and without elasticity; those of the nominal robot. */
   readonly line: Float32Array;
   readonly rigid: Float32Array | null;
   readonly reference: Float32Array | null;
@@ -63,7 +63,7 @@ export class Motion {
     this.enlarge(factor, this.rigid, arrays.referenceRigid ? this.planned : this.rigid);
   }
 
-  /** The tip's path [m, 3] as it is shown, or the reference's; null where there is none. */
+  /** The tip's path [m, 3] as it is shown, or the nominal one; null where there is none. */
   path(reference: boolean, factor: number): Float32Array | null {
     const { arrays, frames } = this;
     const tips = reference ? arrays.tipReference : arrays.tip;

@@ -197,7 +197,7 @@ export class Form {
     return list.length < shape.most ? [...rows, button("Add", add, { class: "add" })] : rows;
   }
 
-  /** Values by names of one's own, such as the factors of the real robot. */
+  /** Values by names of one's own, such as the factors of the actual robot. */
   private entries(item: Schema, steps: Step[], value: Json | undefined): HTMLElement[] {
     const known = isGroup(value) ? Object.keys(value) : [];
     const rows = known.map((name) =>

@@ -84,10 +84,10 @@ def moving_stability(mass: Array, damping: Array, stiffness: Array) -> Stability
         return Stability(np.inf, ())
     forces = np.linalg.solve(mass, np.hstack([-stiffness, -damping]))
     values, shapes = np.linalg.eig(np.vstack([np.hstack([np.zeros((n, n)), np.eye(n)]), forces]))
-    grows = values.real > MOVING * np.abs(values).max()
+    grows = np.real(values) > MOVING * np.abs(values).max()
     found = [
-        Growth(float(value.real), abs(float(value.imag)) / (2 * np.pi), int(np.abs(shape[:n]).argmax()))
-        for value, shape in zip(values[grows], shapes.T[grows], strict=True) if value.imag >= 0
+        Growth(float(values[k].real), abs(float(values[k].imag)) / (2 * np.pi), int(np.abs(shapes[:n, k]).argmax()))
+        for k in np.flatnonzero(grows) if values[k].imag >= 0
     ]  # fmt: skip
     return Stability(-1.0 if found else np.nan, tuple(sorted(found, reverse=True)))
 

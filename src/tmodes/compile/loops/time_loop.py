@@ -200,7 +200,7 @@ class TimeLoop(Frame):
         self.builder.position_at_end(on)
 
     def row(self) -> Any:
-        """Address of the reference's row of the current segment."""
+        """Address of the signals' row of the current segment."""
         return at(self.builder, self.argument["rows"], self.builder.mul(self.integer("segment"), whole(self.rate.row)))
 
     def segment(self) -> tuple[Any, Any]:

@@ -25,7 +25,7 @@ TURN = 6.3
 """A full turn [rad], a little rounded up."""
 
 _angle = partial(any_sign, "rad", at_least=-1e3, at_most=1e3, plausible=(-TURN, TURN))
-_FACTOR = not_negative("-", "-", "factor of the real robot on the known value", at_most=1e6)
+_FACTOR = not_negative("-", "-", "factor of the actual robot on the known value", at_most=1e6)
 
 
 class Reading(StrEnum):
@@ -138,7 +138,7 @@ class Format2010(DataSheet):
     controller: Controller
     reference: Reference
     real: dict[str, Annotated[float, _FACTOR]] = by_name(
-        "-", "-", "the real robot where it differs from the known one: path of a number -> factor on it [-]"
+        "-", "-", "the actual robot where it differs from the known one: path of a number -> factor on it [-]"
     )
     integration: RobotIntegration = Field(default_factory=RobotIntegration)
 

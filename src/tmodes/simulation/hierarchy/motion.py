@@ -74,7 +74,7 @@ def with_motion(robot: Robot, lowest_frequency: float) -> tuple[Robot, str]:
 
 
 def moved(robot: Robot, allowed: float = _LOOSEST) -> Motion:
-    """The motion of a robot: its reference run where motors can follow their setpoints exactly, else by its drives.
+    """The motion of a robot: its nominal run where motors can follow their setpoints exactly, else by its drives.
 
     ``allowed``: error of a step [rad, m]. The method is chosen by the stiffness, as one model of the links may be far
     stiffer than that of the sheet. Raises :class:`tmodes.errors.SimulationError` where the run does not reach its end,
