@@ -19,7 +19,10 @@ from tmodes.result.summary import mean_over_time
 from tmodes.sheet import Robot
 from tmodes.simulation.simulate import simulate_motion
 
-__all__ = ["FUNCTIONS", "LINK_MODEL", "METHODS", "Case", "cases", "judged", "kept", "measured", "simulated"]
+__all__ = [
+    "FUNCTIONS", "LINK_MODEL", "LUMPED", "LUMPS", "METHODS", "Case", "cases", "judged", "kept", "measured",
+    "model_cases", "simulated",
+]  # fmt: skip
 
 TOLERANCES = (None, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-8, 1e-10)
 """Relative tolerances that are drawn; None: the method's own."""
@@ -35,6 +38,9 @@ LINK_MODEL = "link model"
 FLEXIBLE, FUNCTIONS = ("beams", "slewing", "spatial"), (1, 2, 3, 4)
 """Kinds of robots on which that is done, and with how many functions in each direction."""
 
+LUMPED, LUMPS, FINE = ("segments", "modes"), (1, 2), 4
+"""Link models of lumped masses that are judged too, of how many lumps; functions of the links that are the truth."""
+
 TRUTHS = (1e-13, 1e-12, 1e-11)
 """Relative tolerances of dop853 with which true values are computed: the first two that come to their end. The second
 shows how exact the first is."""
@@ -43,7 +49,7 @@ shows how exact the first is."""
 class Case(NamedTuple):
     """A random run: a robot and how it is integrated; ``tolerance``: relative, or the step [s]; None: as by default.
 
-    Of link models: the number of functions.
+    Of link models: the number of functions; where ``method`` is one of :data:`LUMPED`, of its lumps.
     """
 
     kind: str
@@ -70,14 +76,22 @@ def cases(seeds: range) -> Iterator[list[Case]]:
                 rng.choice(np.array(STEPS if m in ("rk4", "midpoint") else TOLERANCES, dtype=object)) for m in METHODS
             ]
             yield [Case(kind, seed, m, None if m == "auto" else t) for m, t in zip(METHODS, drawn, strict=True)]
-        yield from ([Case(kind, seed, LINK_MODEL, count) for count in FUNCTIONS] for kind in FLEXIBLE)
+        yield from model_cases(seed)
+
+
+def model_cases(seed: int) -> Iterator[list[Case]]:
+    """Cases of link models; modes bend both ways, as only one kind of robot does."""
+    for kind in FLEXIBLE:
+        yield [Case(kind, seed, LINK_MODEL, count) for count in FUNCTIONS]
+        for model in LUMPED if kind == "spatial" else LUMPED[:1]:
+            yield [Case(kind, seed, model, count) for count in LUMPS]
 
 
 def measured(group: list[Case]) -> Iterator[dict[str, Any]]:
     """The printed error of each number of each run of one robot, and the true one, with what is known of the latter."""
     robot = random_robot(group[0].kind, group[0].seed)
-    if group[0].method == LINK_MODEL:
-        yield from ({**case._asdict(), **_of_model(robot, int(case.tolerance or 1))} for case in group)
+    if group[0].method not in METHODS:
+        yield from ({**case._asdict(), **_of_model(robot, case)} for case in group)
         return
     exact = []
     for tolerance in TRUTHS:
@@ -90,18 +104,28 @@ def measured(group: list[Case]) -> Iterator[dict[str, Any]]:
         yield {**case._asdict(), **found}
 
 
-def _of_model(robot: Robot, count: int) -> dict[str, Any]:
-    """The same of link models of so many functions; two more in each direction are the truth."""
-    coarse = _with_beams(robot, lambda beam: beam.variant(beam.model, count))
+def _of_model(robot: Robot, case: Case) -> dict[str, Any]:
+    """The same of link models; two functions more in each direction are the truth."""
+    lumped, count = case.method in LUMPED, int(case.tolerance or 1)
+    robot = _bare(robot) if case.seed % 2 else robot
+    robot = robot.model_copy(update={"real": {}}) if lumped else robot  # a factor on what modes do not have
+    coarse = _with_beams(robot, lambda beam: beam.variant(case.method if lumped else beam.model, count))
+    fine = _with_beams(coarse, lambda beam: beam.variant("strain", FINE) if lumped else beam.finer())
     try:
-        run, truth = simulated(coarse), simulated(_with_beams(coarse, lambda beam: beam.finer()))
+        run, truth = simulated(coarse), simulated(fine)
     except TmodesError as error:
         return {"left_out": str(error)}
-    if {run.ending[0], truth.ending[0]} != {"finished"} or not run.model_errors:
+    if {run.ending[0], truth.ending[0]} != {"finished"} or not run.model_errors["figures"]:
         return {"left_out": "not finished, or not estimated"}
     added = [one.errors.get("figures", {}) for one in (run, truth)]  # true errors below it are those of the integration
     rows = judged(run, truth, truth, run.model_errors)
     return {"rows": [(*row[:4], max(one.get(row[0], 0.0) for one in added), row[5]) for row in rows]}
+
+
+def _bare(robot: Robot) -> Robot:
+    """The robot without the load at its end, so that the link's own mass counts."""
+    *inner, last = robot.links
+    return robot.model_copy(update={"links": (*inner, last.model_copy(update={"bodies": last.bodies[:1]}))})
 
 
 def _with_beams(robot: Robot, change: Callable[[Any], Any]) -> Robot:

@@ -1,8 +1,9 @@
-"""Writes docs/errors.md from docs/errors.json: ``python tools/errors_doc.py [--check] [--measure FIRST LAST]``.
+"""Writes docs/errors.md from docs/errors.json: ``errors_doc.py [--check] [--measure FIRST LAST]``.
 
 ``--measure`` first makes the random runs of these seeds, each of every kind of robot by every method, and adds them to
 build/errors.jsonl: an interrupted measurement continues there. The safety was chosen on seeds below 1000, and is
-verified on those from 1000 on; both sets are on the page.
+verified on those from 1000 on; both sets are on the page. ``--measure-models FIRST LAST`` makes those of the link
+models alone, in build/model_errors.jsonl, and leaves what is known of the integration.
 """
 
 from __future__ import annotations
@@ -10,19 +11,20 @@ from __future__ import annotations
 import json
 import sys
 from collections.abc import Callable, Iterator, Sequence
+from itertools import chain
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 import generated
-from error_runs import FUNCTIONS, LINK_MODEL, METHODS, cases, kept, measured
+from error_runs import FUNCTIONS, LINK_MODEL, LUMPED, LUMPS, METHODS, Case, cases, kept, measured, model_cases
 from random_robots import KINDS
 from tmodes.result.errors import SAFETY
 
 __all__ = ["page", "summarised"]
 
-RUNS = generated.ROOT / "build" / "errors.jsonl"
+RUNS, MODEL_RUNS = (generated.ROOT / "build" / name for name in ("errors.jsonl", "model_errors.jsonl"))
 FIGURES = generated.ROOT / "docs" / "errors.json"
 PAGE = generated.ROOT / "docs" / "errors.md"
 
@@ -37,11 +39,11 @@ QUANTILES = (0.01, 0.1, 0.5, 0.9)
 Run = dict[str, Any]
 
 
-def measure(seeds: range, file: Path) -> None:
+def measure(asked: Iterator[list[Case]], file: Path) -> None:
     """Make the runs that the file does not have yet, one robot after the other."""
     file.parent.mkdir(exist_ok=True)
     known = {(run["kind"], run["seed"], run["method"]) for run in kept(file)}
-    groups = [group for group in cases(seeds) if group[0][:3] not in known]
+    groups = [group for group in asked if group[0][:3] not in known]
     for k, group in enumerate(groups):
         lines = "".join(json.dumps(run) + "\n" for run in measured(group))
         with file.open("a", encoding="utf-8") as target:
@@ -56,8 +58,8 @@ def summarised(runs: Sequence[Run]) -> dict[str, Any]:
 
 
 def _of_set(runs: Sequence[Run]) -> dict[str, Any]:
-    models = [run for run in runs if run["method"] == LINK_MODEL]
-    runs = [run for run in runs if run["method"] != LINK_MODEL]
+    models = [run for run in runs if run["method"] not in METHODS]
+    runs = [run for run in runs if run["method"] in METHODS]
     groups: dict[str, dict[str, Callable[[Run], bool]]] = {
         "all": {"all": lambda run: True, "all defaults": _is_default},
         "methods": {name: lambda run, name=name: run["method"] == name for name in METHODS},
@@ -65,7 +67,12 @@ def _of_set(runs: Sequence[Run]) -> dict[str, Any]:
     }
     found = {title: {name: _figures([r for r in runs if asked(r)]) for name, asked in group.items()}
              for title, group in groups.items()}  # fmt: skip
-    of_models = {f"{n} functions": [run for run in models if run["tolerance"] == n] for n in FUNCTIONS}
+    kinds = {"functions": (LINK_MODEL, FUNCTIONS)} | {model: (model, LUMPS) for model in LUMPED}
+    of_models = {
+        f"{n} {words}": [run for run in models if (run["method"], run["tolerance"]) == (method, n)]
+        for words, (method, counts) in kinds.items()
+        for n in counts
+    }
     return found | {LINK_MODEL: {name: _figures(part) for name, part in ({"all": models} | of_models).items()}}
 
 
@@ -106,15 +113,17 @@ series are compared over a window of 3 % of the run to each side of its instant.
 - `< 2e-9 m` is a bound: {safety:g} times what the second run says. It is meant to hold in 99 % of cases.
 - `≈ 2e-5 m` is an estimate: what the second run says. It stands where a bound would be beyond 1 % of the number's size,
   where contact or friction changes more often in one of the two runs or more than ten times, or at a fixed step.
-- `model error` bounds what more functions of the flexible links would change ([links.md](links.md)): true values are
-  those of runs with two functions more in each direction.
+- `model error` bounds what other models of the flexible links would change ([links.md](links.md)): true values are
+  those of runs with two functions more in each direction; of `segments` and `modes`, with four functions of the same
+  sections. Every other fresh robot has a bare last link.
 - Nothing stands where no second run came to the end, or where a Python function controls the robot.
 
 What follows was measured on random robots (elastic gears, flexible links, contact, friction, sampled control, chaotic
 pendulums; `tools/random_robots.py`) with random motions, by every method with tolerances from 1e-2 to 1e-10 and steps
 from 5 ms to 53 µs. True values are those of `dop853` at 1e-13 whose own error is below a tenth of what is judged;
 errors below 1e-12 of a number's size are left out. The factor was chosen on the first set of seeds; the second set is
-fresh. This page is written by `python tools/errors_doc.py`; `--measure 0 5` and `--measure 1000 1014` make the runs.
+fresh. This page is written by `python tools/errors_doc.py`; `--measure 0 5` and `--measure 1000 1014` make the runs,
+`--measure-models` those of the link models alone.
 """
 
 
@@ -150,10 +159,18 @@ def _words(values: Sequence[float] | None) -> str:
 
 def main() -> int:
     """Measure where asked, and write the page."""
-    if "--measure" in sys.argv:
-        place = sys.argv.index("--measure")
-        measure(range(*map(int, sys.argv[place + 1 : place + 3])), RUNS)
-        FIGURES.write_text(json.dumps(summarised(kept(RUNS)), indent=1) + "\n", encoding="utf-8")
+    asked = [name for name in ("--measure", "--measure-models") if name in sys.argv]
+    for name in asked:
+        place = sys.argv.index(name)
+        seeds, models = range(*map(int, sys.argv[place + 1 : place + 3])), name != "--measure"
+        file = MODEL_RUNS if models else RUNS
+        measure(chain.from_iterable(map(model_cases, seeds)) if models else cases(seeds), file)
+        found = summarised(kept(file))
+        if models:
+            parts = ("chosen", "verified")
+            known = json.loads(FIGURES.read_text(encoding="utf-8"))
+            found = known | {part: known[part] | {LINK_MODEL: found[part][LINK_MODEL]} for part in parts}
+        FIGURES.write_text(json.dumps(found, indent=1) + "\n", encoding="utf-8")
     return generated.main(PAGE, page(json.loads(FIGURES.read_text(encoding="utf-8"))), "errors_doc")
 
 

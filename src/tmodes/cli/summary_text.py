@@ -44,8 +44,9 @@ def integration_lines(result: Any, summary: dict[str, Any]) -> Iterator[str]:
         yield "error   not estimated"
     else:
         yield f"error   of the integration, by {summary['error']['how']}: < holds in 99 % of runs, ≈ is an estimate"
-    if summary["model_error"]:
-        yield f"model error   of the flexible links' functions, by a {summary['model_error']['how']}"
+    if model := summary["model_error"]:
+        how = f"of the link models, by a {model['how']}" if model["how"] else f"not estimated: {model['why']}"
+        yield f"model error   {how}"
 
 
 def _steps(info: dict[str, Any]) -> str:
@@ -81,7 +82,7 @@ def print_summary(result: Result) -> dict[str, Any]:
     summary = result.summary()
     columns = ["quantity", "value", "error", "model error", "where"]
     rows = list(summary_rows(summary))
-    if summary["model_error"] is None:
+    if not (summary["model_error"] or {}).get("figures"):
         columns, rows = [name for name in columns if name != "model error"], [(*row[:3], row[4]) for row in rows]
     print_table(f"{result.name}: {result.status}", columns, rows)
     return summary

@@ -161,7 +161,9 @@ def error_table(info: dict[str, Any] | None, model: dict[str, Any] | None = None
     figures = info["figures"].items()
     rows = [_error_row(name, value, "≈" if name in info["approximate"] else "<") for name, value in figures]
     head, how = ["Number", "Error [SI]"], f"Error of the integration, by {info['how']}"
-    if model:
+    if model and not model["how"]:
+        how = f"{how}; of the link models not estimated: {model['why']}"
+    elif model:
         head, how = [*head, "Of the link models [SI]"], f"{how}; of the link models, by a {model['how']}"
         bounds = [model["figures"].get(name) for name in info["figures"]]
         rows = [[*row, "–" if b is None else _error_row(name, b, "<")[1]]

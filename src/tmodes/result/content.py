@@ -61,6 +61,7 @@ class _Errors(TypedDict):
     how: str
     figures: dict[str, FiniteFloat]
     approximate: NotRequired[list[str]]  # an earlier version had none
+    why: NotRequired[str]
 
 
 class _Elements(TypedDict):

@@ -1,9 +1,8 @@
-"""The errors of the link models in the numbers of a run's summary, from what the links' last functions do.
+"""The errors of the link models in the numbers of a run's summary, by a second run with other numbers of the links.
 
-A flexible link has as many functions as its sheet says. The run is done again with the last functions of each direction
-softened, and each number is compared: this is what the last functions do. The equations are the same, only numbers
-differ, so nothing is compiled. What the missing functions would do is in proportion to what is missing in the balance
-of the links' moments.
+The equations are the same, so nothing is compiled. Of a link with functions the last ones of each direction are
+softened; how far what is missing does more or less than these follows from the balance of the link's moments. A lumped
+link gets masses and springs nearer to those of a beam of its section.
 """
 
 from __future__ import annotations
@@ -19,6 +18,7 @@ from tmodes.chain.chain import Chain
 from tmodes.errors import SimulationError
 from tmodes.kinds.links.facts import DIRECTIONS
 from tmodes.result.errors import distances, even_samples, sampled, summary_figures
+from tmodes.sheet.robot import RECURSION
 from tmodes.simulation.motion_run import RunData
 from tmodes.simulation.parts import Trajectory
 from tmodes.simulation.start import RunSetup, run_setup
@@ -29,19 +29,28 @@ __all__ = ["SAFETY", "compared_chain", "model_errors"]
 
 Array = NDArray[np.float64]
 
-SAFETY = 2.5
+SAFETY = 2.0
 """Factor on the difference: chosen so that bounds hold in 99 % of random runs (docs/errors.md)."""
 
 _WHOLE = 100
 """Parts of the whole run whose ends are compared too."""
 
 
-def compared_chain(chain: Chain) -> Chain | None:
-    """The chain with each flexible link as it is compared; None where none bends, or one is not estimated."""
-    links = [node.link.compared() for node in chain.nodes]
-    if None in links or not any(node.link.bends for node in chain.nodes):
-        return None
-    nodes = [replace(node, link=link) for node, link in zip(chain.nodes, links, strict=True) if link is not None]
+_NEGLIGIBLE = 1e-8
+"""Share of the energy of all links below which a direction of one does not count."""
+
+
+def compared_chain(chain: Chain) -> Chain | str:
+    """The chain with each flexible link as it is compared; else why there is none, empty where nothing bends."""
+    if not any(node.link.bends for node in chain.nodes):
+        return ""
+    if chain.equations != RECURSION:
+        return f"the equations `{chain.equations}` are stated for these links alone"
+    links = {node.name: node.link.compared() for node in chain.nodes}
+    nodes = [replace(node, link=link) for node in chain.nodes if (link := links[node.name]) is not None]
+    if len(nodes) < len(chain.nodes):
+        left = next(node for node in chain.nodes if links[node.name] is None)
+        return f"the link {left.name} (`{left.link.kind}`) has no other numbers to be compared with"
     return replace(chain, nodes=tuple(nodes))
 
 
@@ -50,62 +59,58 @@ def model_errors(
 ) -> dict[str, Any]:
     """``how`` the errors of the link models are estimated, and ``figures``: that of each number by its path.
 
-    Arguments as of :func:`tmodes.result.errors.summary_errors`. Empty where they are not known.
+    Arguments as of :func:`tmodes.result.errors.summary_errors`. ``why``: why there are none; empty where nothing bends
+    or they are not asked for.
     """
     runs = [one for one in (run, run.reference) if one is not None]
-    if run.status not in {"finished", STOPPED} or not run.robot.integration.model_error:
+    chains = [compared_chain(one.chain) for one in runs]
+    if not run.robot.integration.model_error or "" in chains:
         return {}
-    compared = [_compared(one, float(run.times[-1])) for one in runs]
+    why = next((chain for chain in chains if not isinstance(chain, Chain)), "")
+    if run.status not in {"finished", STOPPED} or run.setup.callback:
+        why = "a Python function controls the robot" if run.setup.callback else "the run did not reach its end"
+    pairs = [(one, chain) for one, chain in zip(runs, chains, strict=True) if isinstance(chain, Chain) and not why]
+    compared = [_compared(*pair, float(run.times[-1])) for pair in pairs]
     others, count = [one for one in compared if one is not None], len(first["tip"])
     if len(others) < len(runs) or any(len(trajectory.times) < count for _, trajectory in others):
-        return {}
+        return {"how": "", "figures": {}, "why": why or "the robot with its links changed does not come as far"}
     own = {f"deformations.{name}.max" for name in run.coordinates}  # of a function by itself: no number of the robot
     figures = [figure for figure in summary_figures(first, names) if figure.name not in own]
     whole = even_samples(count, _WHOLE)  # what is missing may come at another time than what the last functions do
     apart = distances(figures, first, lambda at: [sampled(*one, at) for one in others], stations, whole)
-    scale = SAFETY * missing_over_last(run.chain, first, names, stations)
-    how = "run with the last functions of each direction of each flexible link softened"
+    scale = SAFETY * doubt(run.chain, first, names, stations)
+    how = " and ".join(dict.fromkeys(node.link.comparison for node in run.chain.nodes if node.link.bends))
     return {
-        "how": how,
-        "figures": {one.name: scale * float(max(near.max(), ever.max() / 2)) for one, near, ever in apart},
+        "how": f"run with {how}",
+        "figures": {one.name: scale * float(max(near.max(), ever.max())) for one, near, ever in apart},
     }
 
 
-def missing_over_last(
-    chain: Chain, variables: Mapping[str, Array], names: Mapping[str, list[str]], stations: Array
-) -> float:
-    """Size of what the links' functions miss over that of the last ones, of the worst direction of a link.
+def doubt(chain: Chain, variables: Mapping[str, Array], names: Mapping[str, list[str]], stations: Array) -> float:
+    """How far the true errors may be over the difference of the runs, by the worst direction of a link.
 
-    By the energy of their moments in the run: the balance's moment less the material's is what no function has
-    (Galerkin); of the latter, the last functions' part is what the others do not have. Directions of no weight do not
-    count.
+    Of functions by the energy of their moments in the run: the balance's moment less the material's is what no function
+    has (Galerkin); of the latter, the last functions' part is what the others do not have. Directions of no weight do
+    not count.
     """
-    links, found = {node.name: node.link for node in chain.nodes}, []
-    for index, name in enumerate(names["bending_link"]):
-        link = links[name]
+    links, found = {node.name: node.link for node in chain.nodes if node.link.bends}, []
+    for name, link in links.items():
         for direction in link.projected:
-            here = (slice(None), index, slice(None), DIRECTIONS.index(direction))
+            here = (slice(None), names["bending_link"].index(name), slice(None), DIRECTIONS.index(direction))
             root = np.sqrt(_weights(stations) / link.stiffness_at(direction, stations))
             moment, elastic = (variables[series][here] * root for series in ("moment", "elastic_moment"))
             shapes = link.other_moments(direction, stations) * root
             others = np.linalg.lstsq(shapes.T, elastic.T, rcond=None)[0] if len(shapes) else np.zeros((0, len(elastic)))
             parts = (moment - elastic, elastic - others.T @ shapes, moment)
-            found.append([float(np.sum(part**2)) for part in parts])
-    missing, last, whole = np.array(found).reshape(-1, 3).T
-    count = (whole > _NEGLIGIBLE * whole.sum()) & (last > 0)
-    return float(np.sqrt(np.max(missing[count] / last[count], initial=0.0)))
+            found.append((link, direction, *(float(np.sum(part**2)) for part in parts)))
+    least = _NEGLIGIBLE * sum(whole for *_, whole in found)
+    shares = [link.doubt(way, missing / last) for link, way, missing, last, whole in found if whole > least and last]
+    return max([*shares, *(link.doubt("", 0.0) for link in links.values() if not link.projected)], default=0.0)
 
 
-_NEGLIGIBLE = 1e-8
-"""Share of the energy of all links below which a direction of one does not count."""
-
-
-def _compared(run: RunData, until: float) -> tuple[RunSetup, Trajectory] | None:
-    """The same run with the compared links; None where there is none, or it cannot go as far."""
+def _compared(run: RunData, chain: Chain, until: float) -> tuple[RunSetup, Trajectory] | None:
+    """The same run with a compared chain; None where it cannot go as far."""
     setup = run.setup
-    chain = None if setup.callback else compared_chain(setup.planned.chain)
-    if chain is None:
-        return None
     robot = run.robot.model_copy(update={"integration": run.robot.integration.quick()})
     try:
         other = run_setup(robot, setup.follow, chain=chain)

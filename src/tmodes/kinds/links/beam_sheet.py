@@ -197,6 +197,8 @@ def _segment(beam: BeamData, index: int, bodies: tuple[Body, ...]) -> Segment:
         bend_y=bool(functions.bend_y),
         bend_z=bool(functions.bend_z),
         bodies=(Body(tip_mass, np.zeros(3), inertia), *bodies),
+        mass=mass * length,
+        lever=count - 1 - index,
     )
 
 

@@ -9,7 +9,7 @@ from typing import Any, ClassVar, NamedTuple, Self
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["DIRECTIONS", "AngleLimit", "LinkFacts"]
+__all__ = ["DIRECTIONS", "LUMPS_OF_BEAM", "AngleLimit", "LinkFacts"]
 
 Array = NDArray[np.float64]
 
@@ -40,10 +40,20 @@ SMALL_ANGLES = AngleLimit(
 """Of lumped modes: the sine of the chord's angle is off by 0.2 % and 1.5 %; tan th = th holds to 0.3 % at 0.1 rad."""
 
 
+LUMPS_OF_BEAM = "the lumped masses and springs of its links nearer to those of beams"
+"""What is compared of links of lumps."""
+
+LUMPED = 1.5
+"""Doubt in the difference to masses and springs that are nearer to those of a beam."""
+
+
 class LinkFacts(ABC):
     """Asked by describe, static, warnings and reports; of a rigid link only ``functions`` and ``outer_distance``."""
 
     angle_limit: ClassVar[AngleLimit] = SMALL_ANGLES
+
+    comparison: ClassVar[str] = ""
+    """What :meth:`compared` changes, after ``a run with``."""
 
     @property
     def bends(self) -> bool:
@@ -66,6 +76,14 @@ class LinkFacts(ABC):
     def projected(self) -> tuple[str, ...]:
         """Directions in which the material's moment is the projection of the load's on the link's functions."""
         return ()
+
+    def doubt(self, direction: str, ratio: float) -> float:  # noqa: ARG002
+        """How far the true error may be, over the difference that :meth:`compared` makes; docs/errors.md.
+
+        ``ratio``: of a projected direction, the energy of the moments that no function has over that of those which
+        :meth:`compared` softens; of any other it does not count.
+        """
+        return LUMPED
 
     def other_moments(self, direction: str, s: ArrayLike) -> Array:  # noqa: ARG002
         """Moments (functions, *s) of a projected direction that :meth:`compared` does not soften."""

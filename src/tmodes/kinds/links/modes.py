@@ -8,19 +8,19 @@ l_k cos(elevation of chord k) th in azimuth, so they are not quadratic in the co
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
-from typing import Any, ClassVar
+from dataclasses import dataclass, field, replace
+from typing import Any, ClassVar, Self
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from tmodes.kinds.links.contract import Body, Link, LinkNumbers
-from tmodes.kinds.links.facts import DIRECTIONS, ends
+from tmodes.kinds.links.facts import DIRECTIONS, LUMPS_OF_BEAM, ends
 from tmodes.kinds.links.line import LineOfLink
 from tmodes.kinds.links.modes_places import ModePlaces
-from tmodes.kinds.links.modes_sheet import Mode, shape_angle, shape_slope
+from tmodes.kinds.links.modes_sheet import Mode, eased, shape_angle, shape_slope
 from tmodes.kinds.links.modes_structure import ModesStructure
-from tmodes.kinds.links.rigid import RigidLink
+from tmodes.kinds.links.rigid import RigidLink, rod
 
 __all__ = ["ModesLink", "RigidModesLink"]
 
@@ -29,12 +29,17 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False)
 class ModesLink(Link):
-    """Modes from root to tip; ``bodies``: (s, body) in section axes, s over the length of all modes."""
+    """Modes from root to tip; ``bodies``: (s, body) in section axes, s over the length of all modes.
+
+    ``likened``: with the masses and springs of :meth:`compared`.
+    """
 
     kind: ClassVar[str] = "modes"
+    comparison: ClassVar[str] = LUMPS_OF_BEAM
 
     modes: tuple[Mode, ...]
     bodies: tuple[tuple[float, Body], ...] = ()
+    likened: bool = False
     length: float = field(init=False)
 
     def __post_init__(self) -> None:
@@ -71,7 +76,16 @@ class ModesLink(Link):
         if s < 1.0:
             return own
         last = self.modes[-1]
-        return (Body(last.tip_mass, np.zeros(3), last.tip_inertia * np.eye(3)), *own)
+        lump = Body(last.tip_mass, np.zeros(3), last.tip_inertia * np.eye(3))
+        return (rod(last.mass, last.length) if self.likened else lump, *own)
+
+    def compared(self) -> Self:
+        """The last mode with its mass as a rod that turns with the tip, all as stiff as beams under a force there.
+
+        Before the last one only a mass at the end of a mode can change: to 0.4 of the mode's, between the half that a
+        rigid beam's first moment asks for and the third of its second.
+        """
+        return replace(self, likened=True)
 
     @property
     def functions(self) -> Mapping[str, int]:
@@ -122,12 +136,16 @@ class ModesLink(Link):
     def numbers(self, stations: tuple[float, ...]) -> LinkNumbers:
         """Lengths, equivalent masses and inertias, stations; Cs l^2 and Bs l^2 of the modes that bend."""
         places = [self.place(s) for s in stations]
-        table = [[mode.length for mode in self.modes], [mode.tip_mass for mode in self.modes]]
-        table += [[mode.tip_inertia for mode in self.modes]]
+        lumps = [(0.4 * m.mass, 0.0) if self.likened else (m.tip_mass, m.tip_inertia) for m in self.modes]
+        table = [[mode.length for mode in self.modes], *map(list, zip(*lumps, strict=True))]
         table += [[share, shape_angle(share), shape_slope(share)] for _, share in places]
         bending = [mode for mode, bends in zip(self.modes, self.free, strict=True) if bends]
-        springs = np.array([mode.tip_stiffness * mode.length**2 for mode in bending])
-        dampers = np.array([mode.tip_damping * mode.length**2 for mode in bending])
+        beyond = self.length - np.cumsum([mode.length for mode in self.modes])[np.array(self.free)]
+        ease = [eased(b / m.length) if self.likened else 1.0 for b, m in zip(beyond, bending, strict=True)]
+        springs, dampers = (
+            np.array([getattr(m, name) * m.length**2 * share for m, share in zip(bending, ease, strict=True)])
+            for name in ("tip_stiffness", "tip_damping")
+        )
         structure = ModesStructure(self.free, tuple(mode for mode, _ in places))
         return LinkNumbers(structure, np.concatenate(table), springs, dampers)
 

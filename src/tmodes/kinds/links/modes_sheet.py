@@ -6,7 +6,7 @@ from typing import Any
 
 from tmodes.kinds.schema.quantity import DataSheet, dissipation, positive
 
-__all__ = ["Mode", "shape_angle", "shape_deflection", "shape_slope"]
+__all__ = ["Mode", "eased", "shape_angle", "shape_deflection", "shape_slope"]
 
 
 def shape_deflection(s: Any) -> Any:
@@ -27,6 +27,15 @@ def shape_slope(s: Any) -> Any:
     return 3 * s * (2 - s) / 2
 
 
+def eased(lever: Any) -> Any:
+    """Stiffness of a cantilever under a force ``lever`` lengths beyond its tip, over that of the one shape [-].
+
+    Its compliance under a tip force F and a moment F lever l is (1/3 + lever + lever^2) l^3/EI; of the one shape of a
+    tip force, which cannot follow the moment by itself, (1/3 + lever + 3/4 lever^2) l^3/EI.
+    """
+    return (1 / 3 + lever + 0.75 * lever**2) / (1 / 3 + lever + lever**2)
+
+
 class Mode(DataSheet):
     """One elastic segment, bending in the horizontal and in the vertical plane with the same stiffness.
 
@@ -43,6 +52,11 @@ class Mode(DataSheet):
     )
     mass_per_length: float = positive("kg/m", "w", "mass per length", plausible=(1e-5, 1e4))
     damping_time: float = dissipation("s", "eta", "Kelvin-Voigt damping over stiffness: Bs = eta Cs", most=0.1)
+
+    @property
+    def mass(self) -> Any:
+        """Mass of its piece of the beam [kg]."""
+        return self.mass_per_length * self.length
 
     @property
     def tip_stiffness(self) -> Any:
@@ -62,7 +76,7 @@ class Mode(DataSheet):
         Slip (13): 33/140 already holds the rotation of the static shape, so Jel counts it twice; and gravity's
         equivalent mass would be 3/8 w l {test_slip_13_mass}
         """
-        return 33 / 140 * self.mass_per_length * self.length
+        return 33 / 140 * self.mass
 
     @property
     def tip_inertia(self) -> Any:

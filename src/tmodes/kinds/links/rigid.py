@@ -12,9 +12,14 @@ from numpy.typing import NDArray
 from tmodes.kinds.links.contract import Body, Link, LinkNumbers
 from tmodes.kinds.links.line import LineOfLink
 
-__all__ = ["RigidLink"]
+__all__ = ["RigidLink", "rod"]
 
 Array = NDArray[np.float64]
+
+
+def rod(mass: float, length: float) -> Body:
+    """A thin uniform rod of a mass [kg] along x that ends at its frame."""
+    return Body(mass, np.array([-length / 2, 0.0, 0.0]), np.diag([0.0, 1.0, 1.0]) * mass * length**2 / 12)
 
 
 @dataclass(frozen=True, eq=False)

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
-from typing import Any, ClassVar
+from dataclasses import dataclass, replace
+from typing import Any, ClassVar, Self
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -14,9 +14,10 @@ from tmodes.kinds.kernel.functions import cos, sin
 from tmodes.kinds.kernel.schedule import Kernel, Slot
 from tmodes.kinds.kernel.spatial import FORCE, Force
 from tmodes.kinds.links.contract import Body, Link, LinkNumbers, QuadraticStructure
-from tmodes.kinds.links.facts import DIRECTIONS, ends
+from tmodes.kinds.links.facts import DIRECTIONS, LUMPS_OF_BEAM, ends
 from tmodes.kinds.links.line import PLACE, POSE, LineOfLink, Moved, Shape, in_section, packed_place
-from tmodes.kinds.links.modes_sheet import shape_angle, shape_slope
+from tmodes.kinds.links.modes_sheet import eased, shape_angle, shape_slope
+from tmodes.kinds.links.rigid import rod
 from tmodes.kinds.links.terms import Section
 
 __all__ = ["Segment", "SegmentLine", "SegmentStructure", "segment_link", "turned_axes"]
@@ -61,10 +62,12 @@ class Segment(Link):
     """The paper's mode as a link: a chord of fixed length with the mass of Eq. (13) at its tip (LMA).
 
     The chord turns by th about z, then about y (``bend_y``, ``bend_z``: which are free), the tip's tangent by 3/2 th.
-    ``stiffness`` Cs [N/m] and ``damping`` Bs [N*s/m] act on the tip's deflection; ``bodies`` in the tip frame.
+    ``stiffness`` Cs [N/m] and ``damping`` Bs [N*s/m] act on the tip's deflection; ``bodies`` in the tip frame, first
+    its own. Of the beam: ``mass`` of its piece [kg], None where not known; ``lever``: lengths beyond this one [-].
     """
 
     kind: ClassVar[str] = "segments"
+    comparison: ClassVar[str] = LUMPS_OF_BEAM
 
     length: float
     stiffness_y: float
@@ -74,6 +77,8 @@ class Segment(Link):
     bend_y: bool = True
     bend_z: bool = True
     bodies: tuple[Body, ...] = ()
+    mass: float | None = None
+    lever: float = 0.0
 
     @property
     def coordinates(self) -> tuple[str, ...]:
@@ -84,6 +89,17 @@ class Segment(Link):
     def functions(self) -> Mapping[str, int]:
         """One in each direction that is free."""
         return dict.fromkeys(DIRECTIONS, 0) | {"bend_y": int(self.bend_y), "bend_z": int(self.bend_z)}
+
+    def compared(self) -> Self | None:
+        """With its mass as a rod that turns with its tip, and as stiff as the beam is under a force at the link's tip.
+
+        The rod has the inertia of the rigid beam, and 1/4 instead of 33/140 of its mass with the tip's deflection.
+        """
+        if self.mass is None:
+            return None
+        names = ("stiffness_y", "stiffness_z", "damping_y", "damping_z")
+        springs = {name: getattr(self, name) * eased(self.lever) for name in names}
+        return replace(self, bodies=(rod(self.mass, self.length), *self.bodies[1:]), **springs)
 
     def limiting_angles(self, q: Array, stations: tuple[float, ...] = ()) -> Array:  # noqa: ARG002
         """The angle of the chord."""

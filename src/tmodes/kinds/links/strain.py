@@ -30,6 +30,10 @@ __all__ = ["Beam", "BeamPiece", "StrainStructure"]
 
 Array = NDArray[np.float64]
 
+_FAST, _BOTH = 0.12, 4.5
+"""Least doubt over the cube root of the ratio of energies; doubt over the ratio where both functions that move the tip
+are softened, but one: what is missing moves fast, where the ratio is larger than in the whole motion."""
+
 
 @dataclass(frozen=True)
 class StrainStructure(StrainShape, QuadraticStructure):  # pyright: ignore[reportIncompatibleVariableOverride]
@@ -52,6 +56,7 @@ class Beam(BeamNumbers, Link):
     """A ``strain`` link: see :class:`tmodes.kinds.links.beam_pieces.BeamNumbers` for its fields."""
 
     kind: ClassVar[str] = "strain"
+    comparison: ClassVar[str] = "the last functions of each direction of its links softened"
 
     @property
     def coordinates(self) -> tuple[str, ...]:
@@ -96,6 +101,12 @@ class Beam(BeamNumbers, Link):
     def projected(self) -> tuple[str, ...]:
         """Directions that have functions and turn sections."""
         return tuple(name for name in ("twist", "bend_y", "bend_z") if getattr(self, name))
+
+    def doubt(self, direction: str, ratio: float) -> float:
+        """In proportion to the energy, but for fast vibration, which has little of it: docs/decisions/0033."""
+        if (count := getattr(self, direction)) > last_functions(self, direction):
+            return max(ratio, _FAST * ratio ** (1 / 3))
+        return ratio if count == 1 else _BOTH * ratio
 
     def other_moments(self, direction: str, s: ArrayLike) -> Array:
         """The functions of curvature times the stiffness: polynomials."""
@@ -154,9 +165,9 @@ class Beam(BeamNumbers, Link):
         tables = beam_tables(self, stations)
         return LinkNumbers(StrainStructure(*astuple(tables.shape)), tables.packed, tables.stiffness, tables.damping)
 
-    def compared(self) -> Self:
-        """With its last functions of each direction softened."""
-        return replace(self, softened=True)
+    def compared(self) -> Self | None:
+        """With its last functions of each direction softened; of one that only stretches no balance is known."""
+        return replace(self, softened=True) if self.projected else None
 
 
 def _over(compliance: float) -> float | None:
