@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 import base64
 import json
 import os
@@ -10,6 +11,8 @@ from concurrent.futures import ThreadPoolExecutor
 
 import httpx
 import pytest
+import uvicorn
+from uvicorn.server import ServerState
 
 from patience import LONG, bounded
 from studio.conftest import TOKEN
@@ -316,6 +319,40 @@ def test_a_request_that_does_not_end_is_given_up(studio, monkeypatch, parts):
             said += more
     assert (b" 408 " in said) == any(part.startswith(b"POST") for part in parts)
     assert studio.get("/api/alive") == {}
+
+
+@pytest.mark.parametrize("reads", [False, True])
+def test_an_answer_that_is_not_read_is_given_up(monkeypatch, reads):
+    """A client that reads gets all of it, however long it is."""
+    monkeypatch.setattr(connection, "PATIENCE", 0.1)
+    body = bytes(20_000_000)
+
+    async def app(scope, receive, send):
+        await send({"type": "http.response.start", "status": 200, "headers": []})
+        await send({"type": "http.response.body", "body": body})
+
+    async def got() -> int:
+        loop, lost = asyncio.get_running_loop(), asyncio.Event()
+        config = uvicorn.Config(app, lifespan="off", log_config=None)
+        config.load()
+
+        class Watched(connection.Connection):
+            def connection_lost(self, exc):
+                super().connection_lost(exc)
+                lost.set()
+
+        server = await loop.create_server(lambda: Watched(config, ServerState(), {}, loop), "127.0.0.1", 0)
+        count = 0
+        with socket.create_connection(server.sockets[0].getsockname(), timeout=LONG) as line:
+            line.sendall(b"GET / HTTP/1.1\r\nHost: x\r\nConnection: close\r\n\r\n")
+            line.setblocking(False)
+            while reads and (more := await loop.sock_recv(line, 1_000_000)):
+                count += len(more)
+            await asyncio.wait_for(lost.wait(), LONG)
+        server.close()
+        return count
+
+    assert (asyncio.run(got()) > len(body)) == reads
 
 
 @pytest.mark.parametrize(
