@@ -10,14 +10,15 @@ from pathlib import Path
 import pytest
 
 from command import COMMAND
+from tmodes.cli import memory
 from tmodes.cli.memory import lacks_memory
 from tmodes.result import Result
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="limits memory as Linux does")
-@pytest.mark.parametrize("kilobytes", [150_000, 300_000, 420_000])
+@pytest.mark.parametrize("kilobytes", [150_000, 300_000, 580_000])
 def test_a_small_limit_is_reported(tmp_path: Path, kilobytes: int) -> None:
-    """Before the libraries are loaded, and while they are."""
+    """Before the libraries are loaded, which may die without a word."""
     line = f'ulimit -v {kilobytes}; exec "$@"'
     run = [
         *COMMAND,
@@ -60,3 +61,11 @@ def raised(error: Exception, cause: Exception | None = None) -> Exception:
 )
 def test_errors_of_memory_are_known(error: Exception, lacks: bool) -> None:
     assert lacks_memory(error) == lacks
+
+
+@pytest.mark.parametrize(("limit", "lacks"), [(8e8, True), (2e9, False)])
+def test_a_module_that_is_missing_under_a_small_limit(
+    monkeypatch: pytest.MonkeyPatch, limit: float, lacks: bool
+) -> None:
+    monkeypatch.setattr(memory, "limit", lambda: limit)
+    assert lacks_memory(ImportError("No module named 'h5py', backend not available")) == lacks

@@ -12,8 +12,9 @@ __all__ = ["OUT_OF_MEMORY", "lacks_memory", "prepare", "words"]
 OUT_OF_MEMORY = 3
 """Exit code."""
 
-LEAST = 330e6
-"""Address space below which the libraries themselves can not be loaded [bytes]."""
+LEAST = 650e6
+"""Address space below which nothing is begun [bytes]: libraries and compiler, which may end the process without a word
+when they get no memory, take 610e6 in a run of the smallest robot."""
 
 ENOUGH = 1e9
 """What a run with its report of a robot of a few links needs [bytes]."""
@@ -50,6 +51,7 @@ def lacks_memory(error: BaseException | None) -> bool:
     """Whether an error, or what caused it, is that the system gave no memory: libraries that are loaded name it so."""
     while error is not None:
         out = isinstance(error, MemoryError) or getattr(error, "errno", None) == errno.ENOMEM
+        out |= isinstance(error, ImportError) and limit() < ENOUGH  # a module may hide why it is not there
         if out or (isinstance(error, (ImportError, OSError, RuntimeError)) and _SIGNS.search(str(error))):
             return True
         error = error.__cause__ or error.__context__
