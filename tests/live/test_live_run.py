@@ -249,3 +249,34 @@ def test_scene_has_all_that_the_page_s_own_has(tmp_path: Path) -> None:
     assert [link["name"] for link in bundle["links"]] == [link["name"] for link in scene["links"]] == ["l0", "l1", "l2"]
     for name in ("line", "rigid", "reference", "referenceRigid", "roots"):
         assert np.abs(run["scene"][name] - scene[name]).max() < 1e-6, name
+
+
+def test_what_lands_sticks_and_slips_does_so_in_the_page(tmp_path: Path) -> None:
+    """On a rough surface with mass, met in the first run; in the second one, of a heavier arm, the run begins on it."""
+    surface = {"type": "plane", "position": [0, 0, -0.02], "normal": [0, 0, 1]}
+    arm = Robot.from_data({
+        "format": 1, "kind": "arm", "name": "lands", "gravity": 9.81, "tip": {"link": "l", "position": [0.5, 0, 0]},
+        "joints": [{"name": "j", "type": "revolute", "child": "l", "axis": [0, -1, 0],
+                    "gear": {"stiffness": 200.0, "damping": 0.5}, "motor": {"inertia": 0.1, "side": "joint"}}],
+        "links": [{"name": "l", "bodies": [{"name": "m", "mass": 1.0, "center": [0.4, 0, 0]}]}],
+        "drives": [{"joint": "j", "command": "prescribed", "signal": {
+            "type": "table", "times": [0, 0.1, 0.3], "values": [0.0, 0.0, -0.15], "interpolation": "linear"}}],
+        "contact": {"law": "unilateral", "shape": surface, "stiffness": 2e3, "damping": 20.0, "mass": 0.2,
+                    "restitution": 0.3, "friction": 0.3, "static_friction": 0.5},
+        "integration": {"method": "dormand_prince", "duration": 0.3, "output_step": 0.02,
+                        "relative_tolerance": 1e-10, "absolute_tolerance": 1e-12},
+    })  # fmt: skip
+    heavy = {"links.l.bodies.m.mass": 2.0, "joints.j.gear.stiffness.0": 120.0}
+    first, live = result_of(arm), live_map(arm.pair(), (0.0, 1.0))
+    values = [unchanged(live), [heavy.get(slider.path, slider.value) for slider in live.sliders]]
+    bundle = live_bundle(first)
+    assert bundle is not None
+    touched = []
+    results = [first, result_of(arm.with_(heavy))]
+    for run, result in zip(live_in_node(bundle, values, tmp_path), results, strict=True):
+        assert run["status"] == result.status == "finished"
+        assert worst_difference(run["series"], result.data, scales(result.data))[0] < 1e-8
+        touched.append(result.data["contact_force_normal"].values > 0)
+    assert not touched[0][0]
+    assert touched[0].any()
+    assert touched[1][0]

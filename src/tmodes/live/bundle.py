@@ -23,7 +23,7 @@ from tmodes.result.end_modes import held_at
 from tmodes.sheet import Robot, RobotPair
 from tmodes.simulation.loop import LoopModel
 from tmodes.simulation.plan import Follow, planned, starts_at_rest
-from tmodes.simulation.start import RunSetup, run_setup
+from tmodes.simulation.start import RunSetup, first_state, run_setup
 
 __all__ = ["live_bundle", "why_not_live"]
 
@@ -164,7 +164,7 @@ def _run(setup: RunSetup) -> dict[str, Any]:
     info, plan = setup.robot.initial, setup.planned.plan
     return {
         "state": {name: [part.start, part.stop] for name, part in layout._asdict().items()},
-        "start": setup.start,
+        "start": first_state(setup.robot, setup.planned, setup.model, setup.rest),
         "info": [names.index(name) for name in info.coordinates],
         "exact": [
             [driver.coordinate, driver.plan.signal] for driver in setup.model.loop.drivers if driver.plan.servo is None

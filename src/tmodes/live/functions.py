@@ -101,8 +101,8 @@ def live_module(functions: ModelFunctions, methods: Sequence[str], *, slopes: bo
     """All functions of a robot; ``slopes``: ``rest.rate`` gives its derivatives too, half as much code again.
 
     Loops: ``reference.METHOD`` (where there is a nominal run) and ``real.METHOD``. Samples: ``observe`` and ``rate``
-    of both as of :class:`tmodes.simulation.loop.LoopModel`; ``rest.rate``, whose accelerations vanish at
-    rest, where ``held`` coordinates stand by themselves; ``inertia`` and ``elastic`` as of
+    of both as of :class:`tmodes.simulation.loop.LoopModel`, ``switched`` where something sticks; ``rest.rate``,
+    whose accelerations vanish at rest, where ``held`` coordinates stand by themselves; ``inertia``, ``elastic`` as of
     :class:`tmodes.model.passes.ChainPasses`; ``pose``: motion of every station (24 numbers each: rotation, position,
     velocity, rate, accelerations), link by link; ``loaded``: the forces of ``inertia`` with wrenches on the points,
     where any act; ``elastic.slopes``: the forces of ``elastic`` with their derivatives.
@@ -117,7 +117,7 @@ def live_module(functions: ModelFunctions, methods: Sequence[str], *, slopes: bo
         sizes = {"size": loop.layout.size, "row": loop.plan.row_size, "parameters": loop.rate.parameters}
         for method in methods:
             made.loop(f"{name}.{method}", _loop(f"{name}.{method}", loop, method), **sizes)
-        for label in ("observe", "rate"):
+        for label in ("observe", "rate", *("switched",) * bool(loop.modes)):
             schedule = getattr(loop, label)
             made.schedule(f"{name}.{label}", schedule_samples(f"{name}.{label}", schedule), schedule)
     chain = functions.passes["chain"]

@@ -95,7 +95,7 @@ def planned(robot: Robot, follow: Follow = Follow.SHEET, like: Chain | None = No
     names = [point.name for point in chain.points]
     loads = tuple(_loads(robot, names, signals))
     base = () if follow is Follow.HELD else tuple(_base(robot, signals))
-    touch = _touch(robot, chain, names)
+    touch = _touch(robot, chain, names, follow)
     merged = merge(signals.schedules) if signals.schedules else _nothing(signals.until)
     plan = LoopPlan(chain, tuple(drives), len(signals.schedules), merged.degree, loads, touch, base)
     return Planned(chain, plan, merged.schedule, merged, tuple(undriven), tuple(signals.info), tuple(loose))
@@ -172,7 +172,7 @@ def _base(robot: Robot, signals: _Signals) -> Iterator[int]:
         yield signals.add(getattr(robot.base_motion, name) or still, f"base_motion.{name}")
 
 
-def _touch(robot: Robot, chain: Chain, names: list[str]) -> TouchPlan | None:
+def _touch(robot: Robot, chain: Chain, names: list[str], follow: Follow) -> TouchPlan | None:
     sheet = robot.contact
     if sheet is None:
         return None
@@ -181,7 +181,7 @@ def _touch(robot: Robot, chain: Chain, names: list[str]) -> TouchPlan | None:
     if sheet.moving_mass > 0 and info.s < 1 and chain.nodes[info.node].link.has_stations:
         hint = "remove `mass`, or take another point"
         raise InputError("contact.mass", "a mass at a point inside a beam", "a point at the tip of a link", hint)
-    touch = Touch(sheet)
+    touch = Touch(sheet.resting() if follow is Follow.HELD else sheet)
     return TouchPlan(point, touch, touch.numbers(chain.gravity))
 
 

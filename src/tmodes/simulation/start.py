@@ -111,10 +111,11 @@ def run_setup(
     rest = None
     if starts_at_rest(robot):
         rest = _same_rest(like, mechanics, held) or robot_rest(robot, model=mechanics, held=held)
-    start = first_state(robot, plan, model, rest)
+    row = plan.schedule.rows_at(np.zeros(1))
+    start = model.settled(0.0, first_state(robot, plan, model, rest), row)
     given = [driver.coordinate for driver in model.loop.drivers if driver.plan.servo is None]
     _check_inertia(mechanics, start[model.layout.q], given)
-    accelerations = model.observe([0.0], start, plan.schedule.rows_at(np.zeros(1)))["a"][0]
+    accelerations = model.observe([0.0], start, row)["a"][0]
     bad = np.flatnonzero(~np.isfinite(accelerations))
     if len(bad):
         raise SimulationError(
@@ -168,7 +169,10 @@ def _held(robot: Robot, model: LoopModel) -> dict[str, float]:
 
 
 def first_state(robot: Robot, plan: Planned, model: LoopModel, rest: Equilibrium | None = None) -> Array:
-    """The state (size,) at time 0: at ``rest`` or undeformed, with given coordinates and rates on top."""
+    """The state (size,) at time 0: at ``rest`` or undeformed, with given coordinates and rates on top.
+
+    What sticks, slips or touches has not switched yet.
+    """
     names, layout = model.coordinates, model.layout
     state = np.zeros(layout.size)
     state[layout.controls] = model.plan.controls
@@ -188,7 +192,7 @@ def first_state(robot: Robot, plan: Planned, model: LoopModel, rest: Equilibrium
         if driver.plan.servo is None:
             for block, derivative in ((layout.q, 0), (layout.v, 1)):
                 state[block][driver.coordinate] = plan.signals.at(0.0, derivative)[driver.plan.signal]
-    return model.settled(0.0, state, plan.schedule.rows_at(np.zeros(1)))
+    return state
 
 
 def _refuse_unknown_feedback(model: LoopModel) -> None:

@@ -348,3 +348,25 @@ def test_implicit_steps_do_not_pass_over_narrow_friction(method: str, rub: dict[
 def test_a_motion_with_energy_from_nowhere_has_not_finished() -> None:
     run = smoothed(1e-6, method="rk4", step=1e-3)
     assert run.status == "diverged"
+
+
+@pytest.mark.parametrize(("method", "mass"), [("dormand_prince", 0.2), ("rk4", 0.2), ("extrapolation", 0.0)])
+def test_a_joint_and_its_tip_stick_at_once(method: str, mass: float) -> None:
+    """On a rough floor: the joint bears its weight's share and holds the tip; no force comes from nowhere."""
+    floor = {"type": "plane", "position": [0, 0, -0.02], "normal": [0, 0, 1]}
+    run = simulate_motion(arm(
+        gravity=9.81, tip={"link": "l", "position": [0.5, 0, 0]},
+        joints=[{"name": "j", "type": "revolute", "child": "l", "axis": [0, -1, 0],
+                 "motor": {"inertia": 0.1, "side": "joint"}, "gear": {"stiffness": 120.0, "damping": 0.5},
+                 "friction": {"viscous": 0.1, "coulomb": 0.2, "static_extra": 0.1}}],
+        links=[{"name": "l", "bodies": [{"name": "m", "mass": 2.0, "center": [0.4, 0, 0]}]}],
+        drives=[{"joint": "j", "command": "prescribed", "signal": {"type": "constant", "value": 0.0}}],
+        contact={"law": "unilateral", "shape": floor, "stiffness": 2e3, "damping": 20.0, "mass": mass,
+                 "friction": 0.3, "static_friction": 0.5},
+        integration={"duration": 0.1, "output_step": 0.02, "method": method, "step": 1e-3},
+    ))  # fmt: skip
+    assert run.status == "finished"
+    assert np.abs(run.q - run.q[0]).max() < 1e-12
+    assert run.contact_force is not None
+    assert np.abs(run.contact_force[:, :2]).max() < 1e-9
+    assert run.contact_force[:, 2] == pytest.approx(-run.contact_normal, rel=1e-9)

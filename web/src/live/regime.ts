@@ -21,6 +21,22 @@ export interface Regime {
   run: RunResult;
 }
 
+const MOST_SWITCHES = 100;
+
+/** A first state after all that sticks, slips or touches has switched, as simulation/loop.py. */
+function settled(
+  engine: Engine, name: Name, blocks: Blocks, schedule: signals.Schedule, state: Float64Array,
+): Float64Array {
+  const time = new Float64Array(1);
+  const inputs = { time, row: signals.rowsAt(schedule, time), step: new Float64Array(1) };
+  for (let k = 0; `${name}.switched` in engine.layout.samples && k < MOST_SWITCHES; k += 1) {
+    const before = state;
+    state = engine.sample(`${name}.switched`, blocks.parameters, { ...inputs, state }, 1).state;
+    if (state.every((value, i) => value === before[i])) break;
+  }
+  return state;
+}
+
 /** It in motion with these numbers; raises an error where it cannot start. */
 export async function moved(
   engine: Engine, bundle: Bundle, values: readonly number[], name: Name, blocks: Blocks, watch: Watch,
@@ -37,7 +53,7 @@ export async function moved(
       parameters: blocks.parameters,
       knots: schedule.knots,
       rows: signals.rowsOf(schedule),
-      state: firstState(engine, bundle, values, name, schedule),
+      state: settled(engine, name, blocks, schedule, firstState(engine, bundle, values, name, schedule)),
       times: doubles(bundle.times),
       settings,
     },

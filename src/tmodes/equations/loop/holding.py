@@ -31,6 +31,10 @@ _SINGULAR = 1e-14
 """Share of the mobility that is added in each direction: some have none, as across a slider."""
 
 
+_HELD = 1e-18
+"""Mobility [1/kg] up to which joints that stick hold the point already: of what they bear the contact takes nothing."""
+
+
 class Holding(OfTouch):
     """The kernels of one contact."""
 
@@ -61,7 +65,8 @@ class Holding(OfTouch):
         (a, b), (c, d) = ([v.dot(t, v.sub(v.vec(after), v.vec(before))) for after in (one, two)] for t in along)
         least = _SINGULAR * (f.fabs(a) + f.fabs(d)) + 1e-100
         a, d = a + least, d + least
-        sticks = (_slips(mode) < 0.5) * (f.fabs(normal) > 0)
+        moves = f.fabs(a) + f.fabs(d) > _HELD * (1 + f.fabs(normal))
+        sticks = (_slips(mode) < 0.5) * (f.fabs(normal) > 0) * moves
         scale = sticks / (a * d - b * c)
         shares = [scale * (d * wanted[0] - b * wanted[1]), scale * (a * wanted[1] - c * wanted[0])]
         held = v.add(*(v.scale(share * (1 + f.fabs(normal)), t) for share, t in zip(shares, along, strict=True)))

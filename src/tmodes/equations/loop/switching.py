@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import cached_property
-from typing import Any, NamedTuple, Protocol
+from typing import Any, NamedTuple
 
 from tmodes.equations.loop.contact_kernels import SLIP
 from tmodes.equations.loop.friction import with_wrench
@@ -28,12 +28,6 @@ __all__ = ["Switching", "switched_state"]
 
 _STILL = 1e-18
 """A rate [rad/s, m/s] up to this is rest: what is left of the motion of a coordinate that sticks."""
-
-
-class _Solved(Protocol):
-    """An instant whose accelerations are known."""
-
-    accelerations: list[Slot]
 
 
 class Switched(NamedTuple):
@@ -70,12 +64,11 @@ class Switching:
     def _known(self) -> list[Slot]:
         """Modes, rates, accelerations and limits, each in one block."""
         serving: Any = self.serving
-        solved: _Solved = serving
         limits = []
         for axis, side in serving.loop.slipping.values():
             limits.append(serving.call(axis.drive.limits(), axis.drive_numbers)[0].part(side, 1))
         rates = [serving.way.v.part(place, 1) for place in self.places]
-        accelerations = [solved.accelerations[place] for place in self.places]
+        accelerations = [serving.accelerations[place] for place in self.places]
         return [serving.pack(*blocks) for blocks in (self.modes, rates, accelerations, limits)]
 
     @property

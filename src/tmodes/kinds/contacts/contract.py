@@ -152,6 +152,10 @@ class Contact(Kind, family="contact law", key="law"):
         del p
         return None
 
+    def resting(self) -> Contact:
+        """The law of a robot at rest: nothing sticks, and no mass is apart from the point."""
+        return self
+
     def restitution_of(self, p: Any) -> Any:
         """Speed of parting over that of meeting, of a surface with mass that only pushes."""
         del p

@@ -82,6 +82,10 @@ class SpringDamper(Contact):
         del velocity
         return v.scale(p[3] * f.fabs(normal) / f.sqrt(v.dot(slip, slip) + p[4] * p[4]), slip)
 
+    def resting(self) -> Contact:
+        """Without mass and friction."""
+        return self.model_copy(update={"mass": 0.0, "friction": 0.0, "static_friction": None})
+
     def friction_width(self, p: Any) -> Any | None:
         """The speed of smoothing."""
         return p[4] if self.is_rough and not self.sticks else None

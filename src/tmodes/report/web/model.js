@@ -1,4 +1,4 @@
-/* tmodes, built from d99f302f7430e43a; BSD-3-Clause */
+/* tmodes, built from ae71048c9872ea3b; BSD-3-Clause */
 
 // src/live/engine_error.ts
 var EngineError = class extends Error {
