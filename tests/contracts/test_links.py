@@ -156,8 +156,8 @@ def test_the_link_that_it_is_compared_with_shares_its_code(word: str) -> None:
         if other is not None and node.link.bends:
             one, two = node.link.numbers(()), other.numbers(())
             assert one.structure == two.structure
-            places = [[body.center for body in link.all_bodies] for link in (node.link, other)]
-            assert np.any(one.stiffness != two.stiffness) or not np.array_equal(*places)
+            here, there = ([body.center for body in link.all_bodies] for link in (node.link, other))
+            assert np.any(one.stiffness != two.stiffness) or not np.array_equal(here, there)
 
 
 @pytest.mark.parametrize("word", BENDING)
