@@ -57,6 +57,9 @@ class Lowered:
             got, expected = "dry friction that sticks", "dry friction that is a smooth function of the rate"
             hint = "set `smoothing` of the friction, or vary the numbers in a batch"
             raise InputError(f"joints.{axis.axis.joint.name}.friction", got, f"{expected} for derivatives", hint)
+        if self.contact and self.model.loop.modes and not self.contact.sticks:
+            got, hint = f"{self.contact.moving_mass:g} kg on a surface that only pushes", "vary the numbers in a batch"
+            raise InputError("contact.mass", got, "none, for derivatives of a run: speeds jump at a touch", hint)
         if self.model.loop.modes:
             expected, hint = (
                 "a speed, for derivatives of a run",

@@ -13,6 +13,7 @@ from scipy.linalg import expm
 
 from arm.run.sheets import arm
 from tmodes.errors import TmodesError
+from tmodes.sensitivity.gradient import forward_sensitivities
 from tmodes.sheet import Robot
 from tmodes.simulation.motion_run import RunData
 from tmodes.simulation.simulate import simulate_motion
@@ -139,6 +140,12 @@ def test_a_mass_rests_on_a_plate_where_the_plate_is() -> None:
 def test_surfaces_that_are_none(contact: dict[str, Any], which: str) -> None:
     with pytest.raises(TmodesError, match=which):
         falling(0.1, 1.0, {"stiffness": 1e3, "damping": 0.0, **contact}, duration=1.0)
+
+
+def test_derivatives_over_a_touch_are_refused_with_the_mass() -> None:
+    sheet = falling(0.1, 1.0, {"stiffness": 1e3, "damping": 0.0, "mass": 0.5}, duration=0.1)
+    with pytest.raises(TmodesError, match=r"contact\.mass.*0\.5 kg"):
+        forward_sensitivities(sheet, ["contact.stiffness"])
 
 
 @pytest.mark.parametrize("mass", [0.0, 0.2])

@@ -368,5 +368,6 @@ def test_a_joint_and_its_tip_stick_at_once(method: str, mass: float) -> None:
     assert run.status == "finished"
     assert np.abs(run.q - run.q[0]).max() < 1e-12
     assert run.contact_force is not None
+    assert run.contact_normal is not None
     assert np.abs(run.contact_force[:, :2]).max() < 1e-9
     assert run.contact_force[:, 2] == pytest.approx(-run.contact_normal, rel=1e-9)
