@@ -5,7 +5,7 @@ from __future__ import annotations
 import copy
 import math
 from collections import ChainMap
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from itertools import groupby, islice
 from typing import Any
 
@@ -35,11 +35,14 @@ MOST_DEPTH = 40
 _LEFT_OUT = "a number that the sheet leaves out"
 
 
-def sheet_from_data(data: Any, positions: Mapping[str, int] | None = None, source: str = "") -> Robot:
+def sheet_from_data(
+    data: Any, positions: Mapping[str, int] | None = None, source: str = "", changed: Collection[str] = ("",)
+) -> Robot:
     """The checked robot of plain data (maps, lists and scalars, as a YAML file holds them).
 
     ``positions`` gives the line of each dotted path and ``source`` the name of the file, for messages. Numbers may be
-    text with a unit. Raises :class:`tmodes.errors.InputErrors` that holds every wrong value.
+    text with a unit; in data of a robot only those at the places of :func:`tmodes.io.sheet_paths.changed_places`,
+    ``changed``, are not read yet. Raises :class:`tmodes.errors.InputErrors` that holds every wrong value.
     """
     positions = positions or {}
     _refuse_huge(data, source)
@@ -47,26 +50,23 @@ def sheet_from_data(data: Any, positions: Mapping[str, int] | None = None, sourc
     if wrong := list(_other_format(data, form)):
         raise _located(wrong, data, positions, source)
     plain = copy.deepcopy(data)
-    found: dict[tuple[Step, ...], InputError] = {}
-    if len(found := dict(islice(_read_numbers(plain), MOST_REPORTED))) < MOST_REPORTED:
-        found |= {steps: one for steps, one in _checked(form, plain, data) if steps not in found}
-    if found:
+    found = dict(islice(_read_numbers(plain, changed), MOST_REPORTED))
+    sheet, wrong = _checked(form, plain, data) if len(found) < MOST_REPORTED else (None, ())
+    if found := {**dict(wrong), **found}:
         raise _located(list(found.items()), data, positions, source)
-    data_2010 = None if form is ROBOT else form.root.model_validate(plain).model_dump(mode="json")
-    robot = Robot.model_validate(plain if data_2010 is None else robot_data(data_2010))
+    robot = sheet if form is ROBOT else Robot.model_validate(robot_data(sheet.model_dump(mode="json")))
     if info := list(_wrong_real(robot)):
         raise _located(info, data, positions, source)
     return robot
 
 
-def _checked(form: Form, plain: Any, data: Any) -> Iterator[Problem]:
-    """What the form's type refuses, and factors that name no number."""
-    if form is F2010:
-        yield from _unknown_factors(plain)
+def _checked(form: Form, plain: Any, data: Any) -> tuple[Any, list[Problem]]:
+    """The sheet; and what the form's type refuses, and factors that name no number."""
+    wrong = list(_unknown_factors(plain)) if form is F2010 else []
     try:
-        form.root.model_validate(plain)
+        return form.root.model_validate(plain), wrong
     except ValidationError as error:
-        yield from ((steps, _as_typed(one, steps, data)) for steps, one in sheet_problems(error, plain))
+        return None, wrong + [(steps, _as_typed(one, steps, data)) for steps, one in sheet_problems(error, plain)]
 
 
 def sheet_data(robot: Robot) -> dict[str, Any]:
@@ -77,13 +77,19 @@ def sheet_data(robot: Robot) -> dict[str, Any]:
 def changed_robot(robot: Robot, changes: Mapping[str, Any]) -> Robot:
     """The checked robot with changes by path; see :mod:`tmodes.io.sheet_paths`, for groups :mod:`.sheet_groups`."""
     if not isinstance(changes, Mapping) or not any(map(is_grouped, changes)):
-        return sheet_from_data(changed_places(sheet_data(robot), changes)[0])
+        return _changed(sheet_data(robot), changes)
     for grouped, part in groupby(changes.items(), lambda change: is_grouped(change[0])):
         for one in [[each] for each in part] if grouped else [[*part]]:
             data = sheet_data(robot)
             single = [single_changes(path, value, data) for path, value in one]
-            robot = sheet_from_data(changed_places(data, dict(ChainMap(*reversed(single))))[0])
+            robot = _changed(data, dict(ChainMap(*reversed(single))))
     return robot
+
+
+def _changed(data: dict[str, Any], changes: Mapping[str, Any]) -> Robot:
+    """The robot of a robot's data with changes."""
+    changed, places = changed_places(data, changes)
+    return sheet_from_data(changed, changed=places)
 
 
 def real_robot(robot: Robot) -> Robot:
@@ -203,9 +209,9 @@ def _other_format(data: Any, form: Form) -> Iterator[Problem]:
             yield ("format",), InputError("", got, f"at most {form.version}", "update tmodes")
 
 
-def _read_numbers(data: Any) -> Iterator[Problem]:
+def _read_numbers(data: Any, places: Collection[str]) -> Iterator[Problem]:
     """Put plain numbers in place of text with units, where numbers belong; an issue for each that is none."""
-    for container, key, steps, place in quantities(data):
+    for container, key, steps, place in quantities(data, places):
         try:
             container[key] = _read_number(container[key], place)
         except NotANumber as error:

@@ -6,7 +6,7 @@ only known next to the data; its unit too, because a joint turns or slides.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Any, get_args, get_origin
 
@@ -79,17 +79,25 @@ def keys(member: Any) -> list[str]:
     return list(fields(member))
 
 
-def quantities(data: Any) -> Iterator[tuple[Any, Step, tuple[Step, ...], ChainPlace]]:
-    """Every scalar of plain data that stands where a quantity belongs: its container, key, path and place."""
-    yield from _quantities(root_of(data), data, (), data)
+def quantities(
+    data: Any, places: Collection[str] = ("",)
+) -> Iterator[tuple[Any, Step, tuple[Step, ...], ChainPlace]]:
+    """Every scalar of plain data that stands where a quantity belongs: its container, key, path and place.
+
+    ``places``: dotted keys and numbers of the parts of the data to look at; by default all.
+    """
+    yield from _quantities(root_of(data), data, (), data, [f"{place}." if place else "" for place in places])
 
 
 def _quantities(
-    place: ChainPlace, value: Any, steps: tuple[Step, ...], data: Any
+    place: ChainPlace, value: Any, steps: tuple[Step, ...], data: Any, parts: Sequence[str]
 ) -> Iterator[tuple[Any, Step, tuple[Step, ...], ChainPlace]]:
     items = value.items() if isinstance(value, dict) else enumerate(value) if isinstance(value, list) else ()
+    before = "".join(f"{step}." for step in steps)
     for key, item in list(items):
-        here = (*steps, key)
+        here, own = (*steps, key), f"{before}{key}."
+        if not any(own.startswith(part) or part.startswith(own) for part in parts):
+            continue
         inner = inside(place, key, value, here, data)
         if inner is None or (item is None and inner.may_be_left_out):
             continue
@@ -98,7 +106,7 @@ def _quantities(
         if inner.unit is not None and not holds_more:
             yield value, key, here, inner
         else:
-            yield from _quantities(inner, item, here, data)
+            yield from _quantities(inner, item, here, data, parts)
 
 
 def named(steps: Sequence[Step], data: Any) -> str:
