@@ -79,9 +79,7 @@ def keys(member: Any) -> list[str]:
     return list(fields(member))
 
 
-def quantities(
-    data: Any, places: Collection[str] = ("",)
-) -> Iterator[tuple[Any, Step, tuple[Step, ...], ChainPlace]]:
+def quantities(data: Any, places: Collection[str] = ("",)) -> Iterator[tuple[Any, Step, tuple[Step, ...], ChainPlace]]:
     """Every scalar of plain data that stands where a quantity belongs: its container, key, path and place.
 
     ``places``: dotted keys and numbers of the parts of the data to look at; by default all.

@@ -43,9 +43,9 @@ def run_numbers(robot: Robot, follow: Follow, until: float, stations: tuple[floa
     all links, with the ``lengths`` of those that bend, ``surface``, the place of what is touched, and the blocks of
     :func:`tmodes.live.places.vibration_numbers`.
     """
-    plan, rest = planned(robot, follow), planned(robot, Follow.HELD)
-    loop, chain = ClosedLoop(plan.plan), robot.model_copy(update={"drives": ()}).chain()
-    model = Model(chain)
+    chain = robot.model_copy(update={"drives": ()}).chain()
+    plan, rest = (planned(robot, each, like=chain) for each in (follow, Follow.HELD))
+    loop, model = ClosedLoop(plan.plan), Model(chain)
     found = {
         "parameters": loop.parts.numbers.vector,
         "rest": ClosedLoop(rest.plan).parts.numbers.vector,

@@ -8,6 +8,7 @@ points, under its own mass per length, and its own polynomials. A taper, also on
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 from itertools import pairwise
 
 import numpy as np
@@ -173,8 +174,9 @@ def section_edges(shape: StrainShape, points: Array, stations: tuple[float, ...]
     return np.array([0.0, *(places[kind][k] for kind, k in shape.breaks)])
 
 
+@lru_cache(maxsize=64)
 def beam_tables(beam: BeamNumbers, stations: tuple[float, ...] = ()) -> BeamTables:
-    """All tables of a beam with the sections at ``stations``."""
+    """All tables of a beam with the sections at ``stations``; found once for the model, its rest and its lines."""
     rule = beam_rule(beam)
     shape = _shape(beam, rule, stations)
     edges = section_edges(shape, rule.points, stations)
