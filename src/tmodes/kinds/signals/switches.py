@@ -7,7 +7,6 @@ from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.optimize import minimize_scalar
 
 __all__ = ["Switch", "switches"]
 
@@ -73,6 +72,8 @@ def _narrowed(holds: Callable[[Array], Any], low: Array, high: Array) -> tuple[A
 
 def _with_dips(function: Callable[[Array], Array], times: Array, values: Array, until: float) -> tuple[Array, Array]:
     """Samples and the points between them where the function comes closest to zero without a change of sign."""
+    from scipy.optimize import minimize_scalar
+
     size = np.abs(values)
     near = (size[1:-1] <= size[:-2]) & (size[1:-1] <= size[2:]) & (size[1:-1] > 0)
     same = (np.sign(values[1:-1]) == np.sign(values[:-2])) & (np.sign(values[1:-1]) == np.sign(values[2:]))
