@@ -20,9 +20,11 @@ def sheet(initial=None, **integration):
                     integration=settings)  # fmt: skip
 
 
+WANTED = sheet().drives[0].signal.schedule(0.5)
+
+
 def law(time, q, v):
-    schedule = sheet().drives[0].signal.schedule(0.5)
-    return [80 * (schedule.at(time) - q[0]) + 12 * (schedule.at(time, 1) - v[0])]
+    return [80 * (WANTED.at(time) - q[0]) + 12 * (WANTED.at(time, 1) - v[0])]
 
 
 @pytest.mark.parametrize(
