@@ -162,7 +162,7 @@ def test_closed_pipe():
         assert process.stderr.read() == ""
 
 
-SHORTER = LONG | {"integration.duration": "6000", "reference.duration": "6000"}
+SHORTER = LONG | {"integration.duration": "6000", "reference.duration": "6000", "integration.error_estimate": "false"}
 
 
 def test_interruption_leaves_a_valid_file_and_goes_on(tmp_path):

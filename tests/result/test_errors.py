@@ -146,3 +146,9 @@ def test_errors_of_an_earlier_version_are_estimates() -> None:
     assert error_of(info, "tip_m", 1e3, "mm") == "≈ 1.0e-06 mm"
     assert error_of(info, "deviation.max_m", 1e3, "mm") == ""
     assert error_of(result.summary(), "tip_m", 1e3, "mm").startswith("< ")
+
+
+def test_errors_are_left_out_where_that_is_asked() -> None:
+    result = tmodes.run(turning(MOVE).with_({"integration.error_estimate": False}))
+    assert result.summary()["error"] is None
+    assert result.summary()["status"] == "finished"

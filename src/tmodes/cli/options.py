@@ -112,6 +112,13 @@ CheckError = Annotated[
         help="Errors by a second run with a hundredth of the tolerances (fixed step: a quarter), not a tenth (half).",
     ),
 ]
+ErrorEstimate = Annotated[
+    bool,
+    typer.Option(
+        "--error-estimate/--no-error-estimate",
+        help="Estimate the error of the integration, by a second run with finer steps.",
+    ),
+]
 ModelError = Annotated[
     bool,
     typer.Option(

@@ -30,6 +30,7 @@ def run(
     rtol: options.Tolerance = None,
     atol: options.AbsoluteTolerance = None,
     check_error: options.CheckError = False,
+    error_estimate: options.ErrorEstimate = True,
     model_error: options.ModelError = True,
     duration: options.Duration = None,
     stop: options.Stop = None,
@@ -62,8 +63,8 @@ def run(
         method=integrator, relative_tolerance=rtol, absolute_tolerance=atol, duration=duration,
         check_error=check_error, stop=stop or None, stop_at_limits=stop_at_limits,
     )  # fmt: skip
-    if not model_error:
-        changes["integration.model_error"] = False
+    left_out = {"error_estimate": error_estimate, "model_error": model_error}
+    changes |= {f"integration.{name}": False for name, wanted in left_out.items() if not wanted}
     sheet = chosen_sheet(
         robot, settings, reading, contact, roots=root, trust_paths=trust_paths, fix_inertia=fix_inertia, changes=changes
     )

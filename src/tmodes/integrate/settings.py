@@ -58,6 +58,9 @@ class Integration(DataSheet):
         default=False,
         description="true: errors by a run with a hundredth of the tolerances (fixed step: a quarter), else a tenth",
     )
+    error_estimate: bool = Field(
+        default=True, description="true: run again with finer steps, for the error of the integration"
+    )
     model_error: bool = Field(
         default=True, description="true: run again with links of another stiffness, for the error of their models"
     )

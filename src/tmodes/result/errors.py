@@ -93,6 +93,8 @@ def summary_errors(
     [m], the largest of some samples over the run. The error of the nominal run counts too. ``first``: the series of the
     run, whose dimensions have labels ``names``. Empty where it is not known.
     """
+    if not run.robot.integration.error_estimate:
+        return {}
     runs = [one for one in (run, run.reference) if one is not None]
     again = [second_run(one.setup, one) for one in runs]
     seconds = [one for one in again if one is not None]
