@@ -112,5 +112,5 @@ def test_in_a_page(robot: Any, tmp_path: Any) -> None:
     result = tmodes.run(robot)
     assert why_not_live(result) == ""
     assert live_bundle(result) is not None
-    text = page(result, {}, live=True)
+    text = page(result, live=True)
     assert all(word in text for word in (*KINDS, "universal"))

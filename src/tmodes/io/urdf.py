@@ -94,7 +94,8 @@ def urdf_robot(
     reading.refuse(reading.impossible.values())  # which of these links stand still is not known yet
     tree = tree_of(robot, reading.links, list(reading.joints.values()))
     notices = list(_made_possible(reading, _standing(tree), fix_inertia=fix_inertia))
-    reading.errors.extend(massless(tree, reading.links, reading.bodies, weighed))
+    unweighed = {*weighed, *reading.impossible}  # a mass that was refused is reported once
+    reading.errors.extend(massless(tree, reading.links, reading.bodies, unweighed))
     meshes = {name: _meshes(name, link, folders, reading) for name, link in reading.links.items()}
     joints = [_tried(reading, joint_of, joint) or {} for joint in tree.joints]
     reading.refuse()
