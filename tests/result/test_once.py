@@ -16,7 +16,7 @@ from arm.see.runs import swinging
 from tmodes.analysis.modes.of_sheet import sheet_frequencies
 from tmodes.analysis.statics.equilibrium import robot_rest
 from tmodes.analysis.statics.loads import Load
-from tmodes.result import Result, load_result
+from tmodes.result import Result
 from tmodes.sheet import Robot
 
 
@@ -91,7 +91,7 @@ def test_each_analysis_is_made_once(counts, tmp_path):
     once = {"frequencies_about": 1, "line_series": 1, "after_move": 2, "summary_errors": 1}
     expected = once | {"end_modes": 2, "equilibrium": 4}  # of both robots where their runs end, and with softer links
     assert counts == expected
-    back = load_result(tmp_path / "result.nc")
+    back = Result.load(tmp_path / "result.nc")
     assert isinstance(back, Result)
     assert back.summary() == result.summary()
     assert back.settling == result.settling

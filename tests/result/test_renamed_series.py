@@ -9,7 +9,7 @@ import pytest
 
 from arm.see.runs import result_of
 from tmodes.io.resultfile import write_sealed
-from tmodes.result import load_result
+from tmodes.result import Result
 from tmodes.result.record import RENAMED
 
 
@@ -19,7 +19,7 @@ def test_series_of_an_earlier_name_are_read(name, tmp_path):
     data = result_of(name).data
     now = [str(key) for key in data if str(key).endswith("_nominal") and key != "tip_error_nominal"]
     write_sealed(data.rename({key: key.removesuffix("nominal") + "reference" for key in now}), tmp_path / "old.nc")
-    back = load_result(tmp_path / "old.nc")
+    back = Result.load(tmp_path / "old.nc")
     assert ("tip_nominal" in now) == (name == "swinging")
     for key in now:
         assert np.array_equal(back.data[key], data[key])

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, NamedTuple
 
@@ -10,11 +10,13 @@ import typer
 
 from tmodes.cli import options
 from tmodes.cli.options import chosen_sheet
+from tmodes.cli.show import opened
 from tmodes.cli.summary_text import print_run, result_record
-from tmodes.cli.terminal import notice, print_json, warn, working
+from tmodes.cli.terminal import TIMES, notice, print_json, print_table, warn, working
 from tmodes.errors import SimulationError
 
 if TYPE_CHECKING:
+    from tmodes.cli.terminal import Stages
     from tmodes.report.folder import RunFolder
     from tmodes.sheet import Robot
 
@@ -48,6 +50,8 @@ def run(
         bool,
         typer.Option("--live/--no-live", help="Let the report simulate again; compiling takes some seconds, once."),
     ] = True,
+    open_page: Annotated[bool, typer.Option("--open", help="Open the report in the browser.")] = False,
+    timing: Annotated[bool, typer.Option("--timing", help="Say where the time went, here and in the report.")] = False,
     as_json: options.AsJson = False,
 ) -> None:
     """Plan with the nominal robot, run the actual one under control, and show how it bends.
@@ -65,14 +69,19 @@ def run(
     )  # fmt: skip
     left_out = {"error_estimate": error_estimate, "model_error": model_error}
     changes |= {f"integration.{name}": False for name, wanted in left_out.items() if not wanted}
-    sheet = chosen_sheet(
-        robot, settings, reading, contact, roots=root, trust_paths=trust_paths, fix_inertia=fix_inertia, changes=changes
-    )
-    folder = _folder(
-        out or Path("results") / folder_name(sheet.name), sheet, overwrite, _Looks(robot, root, trust_paths), live=live
-    )
-    result = _computed(folder, sheet, [folder.report] * report + [folder.draw] * figures)
-    _say(result, folder, as_json)
+    looks = _Looks(robot, root, trust_paths)
+    with working() as progress:
+        progress("reading", 0.0)
+        sheet = chosen_sheet(
+            robot, settings, reading, contact, roots=root, trust_paths=trust_paths, fix_inertia=fix_inertia,
+            changes=changes,
+        )  # fmt: skip
+        place = out or Path("results") / folder_name(sheet.name)
+        folder = _folder(place, sheet, overwrite, looks, live=live, spent=progress.spent if timing else None)
+        result = _computed(folder, sheet, progress, [folder.report] * report + [folder.draw] * figures)
+    _say(result, folder, as_json, progress.spent if timing else {})
+    if open_page and folder.report_file.exists():
+        opened(folder.report_file)
     if not result.success:
         raise typer.Exit(130 if result.status == "interrupted" else 3)
 
@@ -85,20 +94,22 @@ class _Looks(NamedTuple):
     trust_paths: bool
 
 
-def _folder(path: Path, sheet: Robot, overwrite: bool, looks: _Looks, *, live: bool) -> RunFolder:
+def _folder(
+    path: Path, sheet: Robot, overwrite: bool, looks: _Looks, *, live: bool, spent: Mapping[str, list[float]] | None
+) -> RunFolder:
     from tmodes.report.folder import RunFolder
     from tmodes.report.meshes import read_shapes
 
     shapes, notices = read_shapes(looks.robot, looks.roots or (), looks.trust_paths)
     for text in notices:
         notice(f"notice: {text}")
-    return RunFolder(path, sheet, overwrite, shapes, live=live)
+    return RunFolder(path, sheet, overwrite, shapes, live=live, spent=spent)
 
 
-def _computed(folder: RunFolder, sheet: Robot, products: list[Callable[[Any, Any], None]]) -> Any:
+def _computed(folder: RunFolder, sheet: Robot, progress: Stages, products: list[Callable[[Any, Any], None]]) -> Any:
     from tmodes.io.sheet_plausible import notices_about
 
-    with working() as progress, folder:
+    with folder:
         if folder.continues:
             notice(f"continuing what was begun in {folder.path}")
         try:
@@ -111,12 +122,17 @@ def _computed(folder: RunFolder, sheet: Robot, products: list[Callable[[Any, Any
     return result
 
 
-def _say(result: Any, folder: RunFolder, as_json: bool) -> None:
+def _say(result: Any, folder: RunFolder, as_json: bool, spent: Mapping[str, list[float]]) -> None:
     if as_json:
         timing = {"files": folder.written(), "seconds_per_simulated_second": result.timing}
+        if spent:
+            timing["stages_s"] = {stage: dict(zip(TIMES, times, strict=True)) for stage, times in spent.items()}
         print_json(result_record(result) | timing)
     else:
         print_run(result, folder)
+        if spent:
+            rows = [[stage, *(f"{time:.2f}" for time in times)] for stage, times in spent.items()]
+            print_table("where the time went", ["stage", *(f"{name} [s]" for name in TIMES)], rows)
     warn(result.warnings)
     if result.status != "finished":
         notice(f"tmodes: {result.message}")

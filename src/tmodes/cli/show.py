@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from tmodes.cli.series import Series
     from tmodes.result import Result
 
-__all__ = ["names_apart", "show", "view"]
+__all__ = ["names_apart", "opened", "show", "view"]
 
 
 WIDTH = 16
@@ -127,9 +127,14 @@ def view(
     page = _written(viewer_document(data), out, overwrite)
     print_json({"page": str(page), "runs": names}) if as_json else print(f"open    {page}", flush=True)
     if browser:
-        import webbrowser
+        opened(page)
 
-        webbrowser.open(page.absolute().as_uri())
+
+def opened(page: Path) -> None:
+    """Open a page in the browser."""
+    import webbrowser
+
+    webbrowser.open(page.absolute().as_uri())
 
 
 def _refuse_too_many(results: list[Path]) -> None:

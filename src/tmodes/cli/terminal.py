@@ -6,13 +6,14 @@ import json
 import shutil
 import signal
 import sys
+import threading
 import time as clock
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from types import FrameType
 from typing import Any
 
-__all__ = ["Stages", "notice", "print_json", "print_json_list", "print_table", "warn", "working"]
+__all__ = ["TIMES", "Stages", "notice", "print_json", "print_json_list", "print_table", "warn", "working"]
 
 
 PIPE = 200
@@ -126,7 +127,10 @@ def notice(text: str) -> None:
     print(text, file=sys.stderr)
 
 
-PATIENCE = 1.5
+TIMES = "wall", "processor"
+"""What is measured of each stage."""
+
+PATIENCE = 0.5
 """Seconds of silence before progress is shown."""
 
 LINE_EVERY = 10.0
@@ -136,8 +140,9 @@ LINE_EVERY = 10.0
 class Stages:
     """Progress of stages, ``tell("nominal robot", 0.3)``, not shown for short work.
 
-    A first Ctrl-C interrupts where progress is reported, so that all results are whole: Python raises its
-    KeyboardInterrupt anywhere, even where it is lost. A second one interrupts at once.
+    In a terminal the stage and its time are also shown while nothing is reported. A first Ctrl-C interrupts where
+    progress is reported, so that all results are whole: Python raises its KeyboardInterrupt anywhere, even where it is
+    lost. A second one interrupts at once. ``spent``: wall and processor time [s] of each stage.
     """
 
     def __init__(self) -> None:
@@ -146,6 +151,13 @@ class Stages:
         self._last_line = self._started - LINE_EVERY
         self._bar: Any = None
         self._tasks: dict[str, Any] = {}
+        self.spent: dict[str, list[float]] = {}
+        self._stage, self._mark = "start", (self._started, 0.0)  # of the process too: its imports
+        self._shown = threading.Timer(PATIENCE, lambda: self._draw(self._stage, 0.0))
+        self._drawing = threading.Lock()
+        if sys.stderr.isatty():
+            self._shown.daemon = True
+            self._shown.start()
 
     def interrupt(self, number: int, frame: FrameType | None) -> None:
         """What Ctrl-C calls."""
@@ -160,6 +172,8 @@ class Stages:
             self._interrupted = False
             raise KeyboardInterrupt
         now = clock.monotonic()
+        if stage != self._stage:
+            self._take(stage)
         if now - self._started < PATIENCE:
             return
         if sys.stderr.isatty():
@@ -168,19 +182,30 @@ class Stages:
             self._last_line = now
             print(f"{stage}: {share:.0%} after {now - self._started:.0f} s", file=sys.stderr, flush=True)
 
-    def _draw(self, stage: str, share: float) -> None:
-        if self._bar is None:
-            from rich.console import Console
-            from rich.progress import Progress
+    def _take(self, stage: str) -> None:
+        """End the stage before: its time is what passed since it began."""
+        mark = clock.monotonic(), clock.process_time()
+        times = self.spent.setdefault(self._stage, [0.0, 0.0])
+        self.spent[self._stage] = [t + now - before for t, now, before in zip(times, mark, self._mark, strict=True)]
+        self._stage, self._mark = stage, mark
 
-            self._bar = Progress(console=Console(stderr=True), transient=True)
-            self._bar.start()
-        if stage not in self._tasks:
-            self._tasks[stage] = self._bar.add_task(stage, total=1.0)
-        self._bar.update(self._tasks[stage], completed=share)
+    def _draw(self, stage: str, share: float) -> None:
+        with self._drawing:
+            if self._bar is None:
+                from rich.console import Console
+                from rich.progress import BarColumn, Progress, SpinnerColumn, TextColumn, TimeElapsedColumn
+
+                columns = SpinnerColumn(), TextColumn("{task.description}"), BarColumn(), TimeElapsedColumn()
+                self._bar = Progress(*columns, console=Console(stderr=True), transient=True)
+                self._bar.start()
+            if stage not in self._tasks:
+                self._tasks[stage] = self._bar.add_task(stage, total=1.0)
+            self._bar.update(self._tasks[stage], completed=share)
 
     def stop(self) -> None:
-        """Remove what is drawn."""
+        """Remove what is drawn; the last stage ends."""
+        self._shown.cancel()
+        self._take("")
         if self._bar:
             self._bar.stop()
 

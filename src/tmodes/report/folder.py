@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from importlib.metadata import version
 from pathlib import Path
 from types import TracebackType
@@ -33,16 +33,19 @@ Progress = Callable[[str, float], None]
 class RunFolder:
     """The folder of one run: ``result.nc``, ``report.html``, ``figures/``.
 
-    ``shapes``: the surfaces of its links; ``live``: whether the report holds the robot's equations. Used as a context.
+    ``shapes``: the surfaces of its links; ``live``: whether the report holds the robot's equations;
+    ``spent``: wall and processor time [s] by stage, for its provenance. Used as a context.
     Raises :class:`tmodes.errors.InputError` for a robot that nothing moves, or a result too large for memory, before
     anything is made; and :class:`tmodes.errors.ResultFileError` on entry where the run could not be stored: no
     permission, no room, another writer, a result that is there already.
     """
 
     def __init__(
-        self, path: Path, robot: Robot, overwrite: bool = False, shapes: Sequence[LinkShape] = (), *, live: bool = True
-    ) -> None:
+        self, path: Path, robot: Robot, overwrite: bool = False, shapes: Sequence[LinkShape] = (), *, live: bool = True,
+        spent: Mapping[str, Sequence[float]] | None = None,
+    ) -> None:  # fmt: skip
         self.path, self.robot, self.overwrite, self.live = path, ready_to_run(robot), overwrite, live
+        self.spent = spent
         self._size, self._shapes = result_bytes(self.robot), shapes
         self.result_file, self.report_file, self.figures = path / "result.nc", path / "report.html", path / "figures"
         self.continues = False
@@ -109,7 +112,9 @@ class RunFolder:
         """Run, store the result, and drop the checkpoints that it replaces."""
         if self._done:
             return self._done
-        result = with_shapes(run(self.robot, progress=progress, journals=self._journal), self._shapes)
+        result = run(self.robot, progress=progress, journals=self._journal).complete(progress)
+        progress("saving", 0.0)
+        result = with_shapes(result, self._shapes)
         result.save(self.result_file, overwrite=self.overwrite)
         if result.status != "interrupted":
             for journal in self._journals.values():
@@ -119,8 +124,7 @@ class RunFolder:
     def report(self, result: Any, progress: Progress) -> None:
         """Write the report."""
         progress("report", 0.0)
-        write_report(result, self.report_file, live=self.live)
-        progress("report", 1.0)
+        write_report(result, self.report_file, live=self.live, spent=self.spent)
 
     def draw(self, result: Any, progress: Progress) -> None:
         """Draw the figures for print."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -36,10 +36,11 @@ _LONG_SHEET = 120
 """Lines of a data sheet beyond which it is folded."""
 
 
-def page(result: Result, *, live: bool = True) -> str:
+def page(result: Result, *, live: bool = True, spent: Mapping[str, Sequence[float]] | None = None) -> str:
     """The whole page as one HTML document.
 
-    ``live``: whether it holds the robot's equations, to be simulated again in the page.
+    ``live``: whether it holds the robot's equations, to be simulated again in the page; ``spent``: wall and processor
+    time [s] by stage.
     """
     robot = result.robot
     return document(
@@ -52,7 +53,7 @@ def page(result: Result, *, live: bool = True) -> str:
         application(live_page(result, live=live)),
         _numbers(result),
         section("robot", *_sheet(robot)),
-        _provenance(result, robot),
+        _provenance(result, robot, spent or {}),
     )
 
 
@@ -104,9 +105,10 @@ def _sheet(robot: Robot) -> tuple[Markup | None, ...]:
     return tag("p", f"Assumed: {robot.assumed}") if robot.assumed else None, real if factors else None, place
 
 
-def _provenance(result: Result, robot: Robot) -> Markup:
+def _provenance(result: Result, robot: Robot, spent: Mapping[str, Sequence[float]]) -> Markup:
     attributes = result.data.attrs
     method = {"method": attributes["method"]}
+    times = [[stage, *(f"{time:.2f}" for time in each)] for stage, each in spent.items()]
     return section(
         "provenance",
         tag("p", robot.citation),
@@ -114,17 +116,23 @@ def _provenance(result: Result, robot: Robot) -> Markup:
             "div",
             table("Integration", ("What", "Value"), [*rows_of(method), *rows_of(result.statistics)], numeric=(1,)),
             table("Versions", ("Program", "Version"), list(rows_of(json.loads(attributes["versions"])))),
+            table("Where the time went", ("Stage", "Wall [s]", "Processor [s]"), times, numeric=(1, 2))
+            if times
+            else None,
             class_="columns",
         ),
     )
 
 
-def write_report(result: Result, path: Path | str, *, live: bool = True) -> Path:
+def write_report(
+    result: Result, path: Path | str, *, live: bool = True, spent: Mapping[str, Sequence[float]] | None = None
+) -> Path:
     """Write the result's report as one self-contained HTML file; the same result gives the same bytes.
 
-    ``live``: with the robot's equations. Raises :class:`tmodes.errors.ResultFileError` when the file cannot be written.
+    ``live``: with the robot's equations; ``spent``: with wall and processor time [s] by stage.
+    Raises :class:`tmodes.errors.ResultFileError` when the file cannot be written.
     """
-    text = page(result, live=live)
+    text = page(result, live=live, spent=spent)
     with atomic_write(path) as temporary:
         temporary.write_text(text, encoding="utf-8", newline="\n")
     return Path(path)

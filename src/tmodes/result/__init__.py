@@ -1,5 +1,5 @@
 """The result of a run: its series and lines with units, and what is asked of it."""
 
-from tmodes.result.result import Result, assemble_result, load_result
+from tmodes.result.result import Result, assemble_result
 
-__all__ = ["Result", "assemble_result", "load_result"]
+__all__ = ["Result", "assemble_result"]

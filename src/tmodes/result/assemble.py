@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import platform
-from collections.abc import Mapping
+from collections.abc import Callable
 from functools import cached_property
 from importlib.metadata import version
 from typing import TYPE_CHECKING, Any
@@ -33,6 +33,8 @@ if TYPE_CHECKING:
     from xarray import Dataset
 
 __all__ = ["Assembly"]
+
+Progress = Callable[[str, float], None]
 
 
 class Assembly:
@@ -174,29 +176,35 @@ class Assembly:
         sheet = [*implausible_numbers(self.known), *reading_notices(self.known)]
         return [*self.run.warnings, *sheet, *self._frequencies[1], *self._lines[2]]
 
-    def attributes(self) -> dict[str, Any]:
+    def attributes(self, progress: Progress) -> dict[str, Any]:
         """Where the record comes from, and what was computed of it, as plain data and JSON."""
         status, message = self.ending
-        kept: Mapping[str, Any] = {
-            "frequencies": self.frequencies,
-            "end_frequencies": self.end_frequencies,
-            "settling": self.settling,
-            "vibration": self.vibration,
-            "warnings": self.warnings,
-            "errors": self.errors,
-            "model_errors": self.model_errors,
-            "move_end": self.move_end,
-            "tip_error_elements": self.elements,
-        }
         info = provenance(self.run, self.known) | {"status": status, "message": message}
-        return info | {name: json.dumps(value) for name, value in kept.items()}
+        for name, stage in _KEPT.items():
+            progress(stage, 0.0)
+            info[_STORED_AS.get(name, name)] = json.dumps(getattr(self, name))
+        return info
 
-    def whole(self) -> Dataset:
-        """The whole record. Raises :class:`tmodes.errors.SimulationError` for lines that memory does not hold."""
+    def whole(self, progress: Progress = lambda stage, share: None) -> Dataset:
+        """The whole record; ``progress`` receives the stages.
+
+        Raises :class:`tmodes.errors.SimulationError` for lines that memory does not hold.
+        """
+        progress("lines", 0.0)
         lines, names, _ = self._lines
         data = _dataset(self._motion | lines, coordinates_of(self.run, self.count, names, self.stations))
-        data.attrs = self.attributes()
+        data.attrs = self.attributes(progress)
         return data
+
+
+_KEPT = {
+    "frequencies": "modes", "end_frequencies": "modes", "settling": "settling", "vibration": "settling",
+    "warnings": "checks", "errors": "integration error", "model_errors": "model error", "move_end": "checks",
+    "elements": "tip error",
+}  # fmt: skip
+"""What is computed of a run and kept with it, and the stage that computes it."""
+
+_STORED_AS = {"elements": "tip_error_elements"}
 
 
 def ending(run: RunData) -> tuple[str, str]:

@@ -10,6 +10,7 @@ Dimensions: ``time``, ``coordinate``, ``deformation_kind`` (``joint.gear`` and t
 from __future__ import annotations
 
 import os
+from collections.abc import Callable
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Self
@@ -32,7 +33,7 @@ from tmodes.simulation.motion_run import RunData
 if TYPE_CHECKING:
     from xarray import Dataset
 
-__all__ = ["Result", "assemble_result", "load_result"]
+__all__ = ["Result", "assemble_result"]
 
 _NOTICE = "{}; until then the series are shown without what needs the robot's model"
 
@@ -66,6 +67,12 @@ class Result:
         """The whole record: all series with their units, and as attributes where they come from and what they show."""
         assert self._assembly is not None  # noqa: S101
         return self._assembly.whole()
+
+    def complete(self, progress: Callable[[str, float], None]) -> Self:
+        """Compute all that is stored of it, which :attr:`data` else does, and report the stages; returns itself."""
+        if self._assembly and "data" not in self.__dict__:
+            self.__dict__["data"] = self._assembly.whole(progress)
+        return self
 
     @property
     def motion(self) -> Dataset:
@@ -114,9 +121,7 @@ class Result:
         """
         if live := self._live:
             return live.frequencies
-        if "frequencies" in self.data.attrs:
-            return record.from_json(self.data, "frequencies")
-        return self._frequencies_again
+        return record.from_json(self.data, name) if (name := "frequencies") in self.data.attrs else self._again
 
     @property
     def end_frequencies(self) -> dict[str, list[dict[str, Any]]]:
@@ -126,7 +131,7 @@ class Result:
         return record.from_json(self.data, name) if (name := "end_frequencies") in self.data.attrs else {}
 
     @cached_property
-    def _frequencies_again(self) -> dict[str, list[dict[str, Any]]]:
+    def _again(self) -> dict[str, list[dict[str, Any]]]:
         return sheet_frequencies(self.actual)
 
     @property
@@ -237,11 +242,6 @@ class Result:
         except (InputError, InputErrors) as error:
             got = f"a data sheet that is wrong ({error})"
             raise file_error(f"result, attribute {name}", got, "that of the robot that ran", AGAIN) from error
-
-
-def load_result(path: str | os.PathLike[str]) -> Result:
-    """Read a result back; the same as :meth:`Result.load`."""
-    return Result.load(path)
 
 
 def assemble_result(run: RunData, known: Robot | None = None) -> Result:

@@ -10,7 +10,7 @@ import pytest
 from arm.see.runs import SHEETS
 from command import tmodes
 from tmodes.io.sheet_write import robot_to_yaml
-from tmodes.result import load_result
+from tmodes.result import Result
 from tmodes.sheet import Robot
 
 URDF = """<robot name="two"><link name="base"/>
@@ -60,8 +60,8 @@ def test_json_and_the_options_of_integration(files):
         info[method] = json.loads(done.stdout)
         assert info[method]["status"] == "finished"
         assert info[method]["summary"]["links"]["rod"]["deflection"]["max_m"] == pytest.approx(1.0517e-3, rel=1e-3)
-    assert load_result(files / "rk4" / "result.nc").data.attrs["method"] == "rk4"
-    assert float(load_result(files / "rk4" / "result.nc").data["time"][-1]) == pytest.approx(0.02)
+    assert Result.load(files / "rk4" / "result.nc").data.attrs["method"] == "rk4"
+    assert float(Result.load(files / "rk4" / "result.nc").data["time"][-1]) == pytest.approx(0.02)
     assert info["rk4"]["statistics"]["real"]["steps"] == 2000
 
 
@@ -94,4 +94,18 @@ def test_refusals(files, arguments, info):
 
 def test_without_contact(files):
     tmodes("run", files / "swinging.yaml", "--no-contact", "--no-report", "--duration", 0.05, "--out", files / "o")
-    assert "contact_force" not in load_result(files / "o" / "result.nc").data
+    assert "contact_force" not in Result.load(files / "o" / "result.nc").data
+
+
+def test_where_the_time_went(files):
+    """By stage on the terminal, as JSON and in the report; without being asked nothing that changes from run to run."""
+    line = ["run", files / "cantilever.yaml", "--no-live", "--duration", 0.02, "--overwrite", "--out", files / "o"]
+    shown = tmodes(*line, "--timing").stdout
+    report = (files / "o" / "report.html").read_text(encoding="utf-8")
+    assert "Where the time went" in report
+    spent = json.loads(tmodes(*line, "--timing", "--json").stdout)["stages_s"]
+    assert {"reading", "actual robot", "lines", "modes", "integration error", "saving", "report"} <= set(spent)
+    assert all(stage in shown for stage in spent)
+    assert all(time >= 0 for times in spent.values() for time in times.values())
+    assert "stages_s" not in json.loads(tmodes(*line, "--json").stdout)
+    assert "Where the time went" not in (files / "o" / "report.html").read_text(encoding="utf-8")

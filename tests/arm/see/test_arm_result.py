@@ -9,7 +9,7 @@ import pytest
 
 from arm.see.runs import FORCE, LENGTH, OUTER, SHEETS, THICK, YOUNG, pendulum, result_of, run_of, sheet, tube
 from tmodes.errors import InputError, ResultFileError
-from tmodes.result import Result, assemble_result, load_result
+from tmodes.result import Result, assemble_result
 from tmodes.result.run import ready_to_run, result_bytes
 from tmodes.result.series import run_wrenches, straight_shape
 from tmodes.result.settling import move_end
@@ -98,7 +98,7 @@ def test_saved_and_loaded(tmp_path):
     result.save(tmp_path / "a.nc")
     back = Result.load(tmp_path / "a.nc")
     assert back.data.identical(result.data)
-    assert isinstance(load_result(tmp_path / "a.nc"), Result)
+    assert isinstance(Result.load(tmp_path / "a.nc"), Result)
     assert back.robot == run_of("swinging")[0]
     result.save(tmp_path / "b.nc")
     assert (tmp_path / "a.nc").read_bytes() == (tmp_path / "b.nc").read_bytes()
@@ -106,7 +106,7 @@ def test_saved_and_loaded(tmp_path):
     content[len(content) // 2] ^= 1
     (tmp_path / "c.nc").write_bytes(content)
     with pytest.raises(ResultFileError, match="damaged"):
-        load_result(tmp_path / "c.nc")
+        Result.load(tmp_path / "c.nc")
 
 
 def test_an_arm_without_drives_is_saved_and_loaded(tmp_path):
@@ -118,7 +118,7 @@ def test_an_arm_without_drives_is_saved_and_loaded(tmp_path):
     assert "effort" not in result.data
     result.save(tmp_path / "a.nc")
     assert Result.load(tmp_path / "a.nc").data.identical(result.data)
-    back = load_result(tmp_path / "a.nc")
+    back = Result.load(tmp_path / "a.nc")
     assert isinstance(back, Result)
     assert back.robot == arm
     assert back.summary()["joints"] == {}
