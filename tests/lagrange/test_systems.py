@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 
 import tmodes
+from arm.run.sheets import arm
 from tmodes.analysis.modes.modes import modes_about
 from tmodes.analysis.statics.equilibrium import robot_rest
 from tmodes.errors import InputError, InputErrors
@@ -163,3 +164,32 @@ def test_a_system_without_its_reaction_says_so() -> None:
     model = tmodes.Model(double_pendulum().robot().chain())
     with pytest.raises(InputError, match="momentum"):
         model.momentum(np.zeros(2), np.ones(2))
+
+
+def test_a_tip_sticks_and_slips_as_that_of_links() -> None:
+    """A rod on a cart whose tip lands on a rough floor, and is pushed to and fro."""
+    system = tmodes.System(
+        "rod_on_cart", {"x": "m", "th": "rad"}, {"m": 2.0, "I": 0.3, "l": 0.5},
+        kinetic=lambda q, v, p: (p.m * v.x**2 + (p.I + p.m * p.l**2) * v.th**2) / 2
+        - p.m * p.l * ca.sin(q.th) * v.x * v.th,
+        gravity=lambda q, p: p.g * p.m * p.l * ca.sin(q.th),
+        points=lambda q, p: {"tip": ca.vertcat(q.x + p.l * ca.cos(q.th), 0, p.l * ca.sin(q.th))},
+    )  # fmt: skip
+    push = {"joint": "x", "command": "effort", "signal": {"type": "sine", "amplitude": 8.0, "frequency": 0.8}}
+    free = {"joint": "th", "command": "effort", "signal": {"type": "constant", "value": 0.0}}
+    common: dict[str, Any] = {
+        "gravity": 9.81, "integration": {"duration": 1.5, "output_step": 0.05, "method": "dop853"},
+        "initial": {"state": "zero", "coordinates": {"th": 0.02}, "rates": {"x": 0.5}},
+        "contact": {"law": "unilateral", "shape": {"type": "plane", "position": [0, 0, 0], "normal": [0, 0, 1]},
+                    "stiffness": 5e3, "damping": 50.0, "friction": 0.3, "static_friction": 0.5},
+    }  # fmt: skip
+    body = {"name": "m", "mass": 2.0, "center": [0.5, 0, 0], "inertia": dict.fromkeys(("xx", "yy", "zz"), 0.3)}
+    links = arm(
+        joints=[{"name": "x", "type": "prismatic", "child": "c", "axis": [1, 0, 0]},
+                {"name": "th", "type": "revolute", "child": "l", "axis": [0, -1, 0]}],
+        links=[{"name": "c", "bodies": []}, {"name": "l", "bodies": [body]}],
+        tip={"link": "l", "position": [0.5, 0, 0]}, drives=[push, free], **common,
+    )  # fmt: skip
+    one, other = simulate_motion(system.robot(drives=[push], **common)), simulate_motion(links)
+    assert one.statistics["switches"] == other.statistics["switches"] > 1
+    np.testing.assert_allclose(one.q, other.q, rtol=0, atol=1e-9)

@@ -138,8 +138,11 @@ class LagrangeWay(Coordinates):
 
     def touched(self, k: int, touch: Any, numbers: Slot, wrench: Slot, step: Slot | None, mode: Slot) -> None:
         """A contact on a point, which is solved for with the accelerations."""
-        del wrench, mode
-        self.contact = (k, touch, numbers, step or self.none[1])
+        del mode
+        if touch.sheet.sticks:  # its push is a wrench like any other, and so are those that hold the point
+            self.wrenches[k] = wrench
+        else:
+            self.contact = (k, touch, numbers, step or self.none[1])
 
     def lever(self, k: int, *, mapped: bool = True) -> Slot:
         """Generalized forces of unit forces and moments on a point."""

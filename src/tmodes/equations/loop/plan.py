@@ -175,9 +175,10 @@ class LoopParts:
         if plan.base and not self.mechanics.base_moves:
             got, expected = "a moving base", f"a base that stands still with the equations `{chain.equations}`"
             raise InputError("base_motion", got, expected, "remove `base_motion`, or take `equations: recursion`")
-        if plan.touch and plan.touch.touch.modes and not self.mechanics.base_moves:
+        far = plan.touch and (plan.touch.touch.has_mass or self.mechanics.on_links) and not self.mechanics.base_moves
+        if plan.touch and far and plan.touch.touch.modes:
             got, expected = "what sticks or is met", f"a smooth law with the equations `{chain.equations}`"
-            hint = "add `friction_velocity: 0.001`; a surface that only pushes has no mass here"
+            hint = "add `friction_velocity: 0.001`; a surface that only pushes, or is rough, has no mass here"
             raise InputError("contact", got, expected, hint)
         numbers = self.parts.numbers
         begin = [sum(d.servo.states for d in plan.drives[:k] if d.servo) for k in range(len(plan.drives))]
