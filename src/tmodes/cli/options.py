@@ -9,7 +9,7 @@ import typer
 
 from tmodes.errors import InputError
 from tmodes.io.atomic import file_error
-from tmodes.io.filipovic2010.format import Reading
+from tmodes.io.filipovic2010.reading import Reading
 from tmodes.robots.load import load, sheet_names
 
 if TYPE_CHECKING:

@@ -6,7 +6,6 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from tmodes.cli.terminal import print_table
-from tmodes.result.paths import largest_elements
 
 if TYPE_CHECKING:
     from tmodes.report.folder import RunFolder
@@ -178,6 +177,8 @@ def _tip_error(summary: dict[str, Any], which: str, path: str) -> Row:
 
 def _elements(which: str, one: dict[str, Any]) -> Iterator[Row]:
     """The gears and links with the largest parts, where there are several; what of them is by the contact force."""
+    from tmodes.result.paths import largest_elements
+
     elements = largest_elements(one)
     if len(elements) > 1:
         words = ", ".join(f"{value * 1e3:.3g} mm {name}" for name, value in elements)

@@ -12,23 +12,21 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from tmodes.equations.loop.control_kernels import WINDING, Servo
 from tmodes.errors import SimulationError
 from tmodes.integrate.settings import Integration
+from tmodes.simulation.guarded import Controller, Guarded
 from tmodes.simulation.loop import LoopModel
 from tmodes.simulation.native_run import BOUND
 from tmodes.simulation.parts import Trajectory, completed, sample_times, used_up
 from tmodes.simulation.start import RunSetup
 from tmodes.simulation.stops import STOPPED, Instants, SetIn, Stops
 
-__all__ = ["Controller", "driven_by", "run_with_controller"]
+__all__ = ["Controller", "driven_by", "fixed_steps", "run_with_controller"]
 
 Array = NDArray[np.float64]
-
-Controller = Callable[[float, Array, Array], ArrayLike]
-"""(time [s], q (nq,), v (nq,)) -> effort (m,) [N*m, N] of each drive that follows no signal, in their order."""
 
 
 def driven_by(setup: RunSetup) -> RunSetup:
@@ -49,37 +47,23 @@ def driven_by(setup: RunSetup) -> RunSetup:
     return replace(setup, planned=replace(setup.planned, plan=own), model=model, start=start, callback=True)
 
 
-@dataclass
-class _Guarded:
-    """A controller that is asked with care: wrong returns and raised errors are reported with name and time."""
+_STEPS = 0.1
+"""Fixed step times the fastest eigenvalue."""
 
-    controller: Controller
-    joints: tuple[str, ...]
-    size: int
+_MOST_SHORT, _SHORT_STEPS = 1e8, 200
+"""Steps that would take a whole run, and how many of that length in a row are too many."""
 
-    @property
-    def name(self) -> str:
-        return getattr(self.controller, "__qualname__", type(self.controller).__qualname__)
 
-    def __call__(self, time: float, q: Array, v: Array) -> Array:
-        q, v = q.copy(), v.copy()
-        q.flags.writeable = v.flags.writeable = False
-        try:
-            effort = np.asarray(self.controller(time, q, v), dtype=float)
-        except Exception as error:
-            raise self._failed(time, f"{type(error).__name__}: {error}", "an answer") from error
-        wanted = f"an array of shape ({len(self.joints)},), the efforts of {', '.join(self.joints)}"
-        if effort.shape != (len(self.joints),):
-            raise self._failed(time, f"an array of shape {effort.shape}", wanted)
-        if not np.isfinite(effort).all():
-            bad = int(np.flatnonzero(~np.isfinite(effort))[0])
-            raise self._failed(time, f"{effort[bad]} for joint {self.joints[bad]}", "finite numbers")
-        return effort
+def fixed_steps(setup: RunSetup, highest: float) -> tuple[RunSetup, str]:
+    """The setup at fixed steps that resolve its fastest eigenvalue [1/s], and why in words.
 
-    def _failed(self, time: float, got: str, expected: str) -> SimulationError:
-        return SimulationError(
-            f"controller {self.name} at t = {time:.6g} s must return {expected}, got {got}; correct the function"
-        )
+    Noise in a controller's answers makes the steps of an adaptive method collapse; these it only passes through.
+    """
+    settings = setup.robot.integration
+    step = min(settings.output_step, _STEPS / highest if highest else np.inf)
+    robot = setup.robot.model_copy(update={"integration": settings.model_copy(update={"step": step})})
+    why = f"rk4 chosen: a Python function controls; fixed steps of {step:.2g} s"
+    return replace(setup, robot=robot).by("rk4", None), why
 
 
 @dataclass
@@ -87,7 +71,7 @@ class _Run:
     """A run in Python: what is done so far."""
 
     setup: RunSetup
-    guarded: _Guarded
+    guarded: Guarded
     settings: Integration
     places: list[int]
     stops: Stops = field(default_factory=Stops)
@@ -95,6 +79,7 @@ class _Run:
     states: list[Array] = field(default_factory=list)
     evaluations: int = 0
     steps: int = 0
+    short: int = 0
     kept: float = 0.0
     began: float = field(default_factory=clock.monotonic)
 
@@ -124,6 +109,16 @@ class _Run:
             del self.states[-1], self.rows[-1]
         self.keep(time, state)
 
+    def refuse_collapse(self, time: float, length: float) -> None:
+        """Raises where steps have long been so short [s] that the end is out of reach: the answers are not smooth."""
+        self.short = self.short + 1 if length * _MOST_SHORT < self.settings.duration else 0
+        if self.short > _SHORT_STEPS:
+            name = self.guarded.name
+            raise SimulationError(
+                f"stopped at t = {time:.6g} s, at steps of {length:.2g} s: what the controller {name} answers is not "
+                "smooth (noise, a switch); take fixed steps, --integrator rk4, or method auto"
+            )
+
     def count_step(self, time: float) -> None:
         """Count a step that begins at ``time`` [s]; raises where no steps or seconds of computing are left for it."""
         s = self.settings
@@ -148,7 +143,7 @@ def run_with_controller(
     plan, settings = setup.planned.plan, setup.robot.integration
     places = [1 + drive.signal * (plan.degree + 1) for drive in plan.drives if drive.servo]
     names = tuple(drive.joint for drive in plan.drives if drive.servo)
-    guarded = _Guarded(controller, names, len(setup.model.coordinates))
+    guarded = Guarded(controller, names, len(setup.model.coordinates))
     run = _Run(setup, guarded, settings, places, stops or Stops())
     times = sample_times(settings)
     run.keep(0.0, setup.start)
@@ -209,6 +204,7 @@ def _across(run: _Run, before: float, after: float, state: Array, length: float)
             # From a length that is no number, SciPy would look for a shorter one for ever.
             if not np.isfinite(solver.h_abs) or solver.step():
                 raise SimulationError(f"stopped at t = {solver.t:.6g} s: no step is small enough")
+            run.refuse_collapse(solver.t, solver.h_abs)
             wish = max(wish if solver.status != "running" else 0.0, solver.h_abs)
             if _lost(run, solver.t, solver.y):
                 break

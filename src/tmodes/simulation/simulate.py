@@ -14,10 +14,11 @@ import numpy as np
 from tmodes.analysis.spectrum import StepVerdict, growth_warnings, step_size_verdict, step_times_eigenvalue
 from tmodes.errors import InputError
 from tmodes.integrate.choice import chosen_method, explained, otherwise
+from tmodes.integrate.registry import AUTO
 from tmodes.integrate.settings import refuse_too_large
 from tmodes.sheet import Robot, RobotPair
 from tmodes.sheet.parts import Command
-from tmodes.simulation.callback import Controller, driven_by, run_with_controller
+from tmodes.simulation.callback import Controller, driven_by, fixed_steps, run_with_controller
 from tmodes.simulation.motion_run import RunData, bytes_per_sample, gathered
 from tmodes.simulation.parts import Journal, Trajectory
 from tmodes.simulation.plan import Follow
@@ -68,8 +69,8 @@ def simulate_motion(
 ) -> RunData:
     """The trajectories of the nominal and the actual robot; arguments and errors as of :func:`tmodes.run`.
 
-    A ``controller`` (:data:`tmodes.simulation.callback.Controller`) is slow, integrated by an explicit method, and kept
-    in no journal.
+    A ``controller`` (:data:`tmodes.simulation.callback.Controller`) is slow, integrated by an explicit method (at
+    fixed steps where ``auto`` chooses: its answers need not be smooth), and kept in no journal.
     """
     pair = robot if isinstance(robot, RobotPair) else robot.pair()
     real = run_setup(pair.real)
@@ -78,6 +79,9 @@ def simulate_motion(
     if controller is None:
         stops.refuse_at_start(Instants(np.zeros(1), real.start[None, :], real.first_row[None, :]))
     setups, verdict, why = _prepared(pair, real).by_method()
+    if controller and pair.real.integration.method == AUTO:
+        real, why = fixed_steps(setups.real, verdict.highest)
+        setups = setups._replace(real=real)
     warnings = [*([verdict.sentence] if verdict.sentence else []), *_growing(setups), *start_warnings(setups.real)]
     warnings += setups.warnings
     reference, until = _reference(setups.nominal, progress, journals, warnings)

@@ -29,7 +29,11 @@ def law(time, q, v):
 
 @pytest.mark.parametrize(
     ("settings", "error"),
-    [({"method": "rk4", "step": 1e-3}, 1e-8), ({"relative_tolerance": 1e-9, "absolute_tolerance": 1e-11}, 1e-9)],
+    [
+        ({"method": "rk4", "step": 1e-3}, 1e-8),
+        ({"method": "dormand_prince", "relative_tolerance": 1e-9, "absolute_tolerance": 1e-11}, 1e-9),
+        ({}, 1e-6),
+    ],
 )
 def test_same_motion_as_the_built_in_law(settings, error):
     arm = sheet(**settings)
@@ -89,8 +93,8 @@ def test_time_limit():
 
 def test_steps_that_fail_end_the_run():
     """An effort of 1e308 N*m after 0.12 s: no step across is small enough; what was done before is kept as it was."""
-    run = simulate_motion(sheet(), controller=lambda time, q, v: [1e308 if time > 0.12 else 1.0])
-    free = simulate_motion(sheet(), controller=lambda time, q, v: [1.0])
+    run = simulate_motion(sheet(method="dormand_prince"), controller=lambda time, q, v: [1e308 if time > 0.12 else 1.0])
+    free = simulate_motion(sheet(method="dormand_prince"), controller=lambda time, q, v: [1.0])
     assert run.status == "stopped"
     assert "no step is small enough" in run.message
     assert run.times[-1] == pytest.approx(0.12)
@@ -99,9 +103,8 @@ def test_steps_that_fail_end_the_run():
 
 def test_no_acceleration_from_the_start():
     """No length of a first step can be found; the run ends at once."""
-    run = simulate_motion(
-        sheet(initial={"state": "zero", "rates": {"joint": 1.0}}), controller=lambda time, q, v: [1e308]
-    )
+    moving = {"state": "zero", "rates": {"joint": 1.0}}
+    run = simulate_motion(sheet(moving, method="dormand_prince"), controller=lambda time, q, v: [1e308])
     assert run.status == "stopped"
     assert len(run.times) == 1
 
@@ -114,7 +117,7 @@ def chatters(time, q, v):
 @pytest.mark.parametrize("limit", [{"max_steps": 60}, {"max_wall_time": 0.05}])
 def test_limits_hold_within_an_interval(limit):
     """One sample, at 0.5 s, is not reached; what is left is the start."""
-    run = simulate_motion(sheet(output_step=0.5, **limit), controller=chatters)
+    run = simulate_motion(sheet(output_step=0.5, method="dormand_prince", **limit), controller=chatters)
     assert run.status == "stopped"
     assert f"integration.{next(iter(limit))} = " in run.message
     assert "is used up; raise it" in run.message
@@ -129,3 +132,12 @@ def test_all_steps_may_be_used():
     assert stopped.status == "stopped"
     assert "max_steps" in stopped.message
     assert len(stopped.times) == 1 + 834 // 17
+
+
+@pytest.mark.parametrize(("method", "status"), [("auto", "finished"), ("dormand_prince", "stopped")])
+def test_noise_cannot_hang_a_run(method, status):
+    """Fixed steps pass through it; those of an adaptive method collapse, which ends the run with the reason."""
+    generator = np.random.default_rng(1)
+    run = simulate_motion(sheet(method=method), controller=lambda time, q, v: [0.1 * generator.normal()])
+    assert run.status == status
+    assert ("fixed steps of 0.0" if status == "finished" else "is not smooth (noise") in run.message

@@ -9,11 +9,12 @@ from typing import Annotated, Literal
 from pydantic import Field, model_validator
 
 from tmodes.integrate.settings import RobotIntegration
+from tmodes.io.filipovic2010.reading import Reading
 from tmodes.kinds.links.registry import Mode
 from tmodes.kinds.schema.quantity import DataSheet, any_sign, dissipation, not_negative, plain_texts, positive, refuse
 from tmodes.sheet.parts import by_name
 
-__all__ = ["FORMAT", "PLANT", "Format2010", "FrictionLaw", "Reading"]
+__all__ = ["FORMAT", "PLANT", "Format2010", "FrictionLaw"]
 
 FORMAT = 1
 """Version of the data sheet's format."""
@@ -26,13 +27,6 @@ TURN = 6.3
 
 _angle = partial(any_sign, "rad", at_least=-1e3, at_most=1e3, plausible=(-TURN, TURN))
 _FACTOR = not_negative("-", "-", "factor of the actual robot on the known value", at_most=1e6)
-
-
-class Reading(StrEnum):
-    """Which reading of the paper's equations. ``docs/readings.md`` compares them with numbers."""
-
-    PRINTED = "printed"
-    CONSISTENT = "consistent"
 
 
 class FrictionLaw(StrEnum):

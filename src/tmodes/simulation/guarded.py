@@ -1,0 +1,53 @@
+"""A controller that is a Python function, asked with care."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from tmodes.errors import SimulationError
+
+__all__ = ["Controller", "Guarded"]
+
+Array = NDArray[np.float64]
+
+Controller = Callable[[float, Array, Array], ArrayLike]
+"""(time [s], q (nq,), v (nq,)) -> effort (m,) [N*m, N] of each drive that follows no signal, in their order."""
+
+
+@dataclass
+class Guarded:
+    """A controller that is asked with care: wrong returns and raised errors are reported with name and time."""
+
+    controller: Controller
+    joints: tuple[str, ...]
+    size: int
+
+    @property
+    def name(self) -> str:
+        """What the function is called."""
+        return getattr(self.controller, "__qualname__", type(self.controller).__qualname__)
+
+    def __call__(self, time: float, q: Array, v: Array) -> Array:
+        """The efforts (m,); raises :class:`tmodes.errors.SimulationError` for an answer that is none."""
+        q, v = q.copy(), v.copy()
+        q.flags.writeable = v.flags.writeable = False
+        try:
+            effort = np.asarray(self.controller(time, q, v), dtype=float)
+        except Exception as error:
+            raise self._failed(time, f"{type(error).__name__}: {error}", "an answer") from error
+        wanted = f"an array of shape ({len(self.joints)},), the efforts of {', '.join(self.joints)}"
+        if effort.shape != (len(self.joints),):
+            raise self._failed(time, f"an array of shape {effort.shape}", wanted)
+        if not np.isfinite(effort).all():
+            bad = int(np.flatnonzero(~np.isfinite(effort))[0])
+            raise self._failed(time, f"{effort[bad]} for joint {self.joints[bad]}", "finite numbers")
+        return effort
+
+    def _failed(self, time: float, got: str, expected: str) -> SimulationError:
+        return SimulationError(
+            f"controller {self.name} at t = {time:.6g} s must return {expected}, got {got}; correct the function"
+        )
