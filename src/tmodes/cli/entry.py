@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import sys
 
 from tmodes.cli.memory import OUT_OF_MEMORY, lacks_memory, prepare, words
@@ -11,6 +12,7 @@ __all__ = ["start"]
 
 def start() -> None:
     """Load the command line and run it; ends the process."""
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # small matrices: threads only cost; batches have their own
     try:
         prepare()
         from tmodes.cli.main import main

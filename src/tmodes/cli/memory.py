@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import errno
-import os
 import re
 import sys
 
@@ -20,7 +19,7 @@ ENOUGH = 1e9
 """What a run with its report of a robot of a few links needs [bytes]."""
 
 ROOMY = 4e9
-"""From so much on, BLAS may have threads: each reserves memory when it is loaded, and ends the process without."""
+"""Below so much the limit is the likely reason where memory lacks [bytes]."""
 
 _SIGNS = re.compile(
     r"failed to map segment|cannot allocate|can't allocate|unable to allocate|can't start new thread", re.IGNORECASE
@@ -43,8 +42,6 @@ def prepare() -> None:
         raise MemoryError
     if limit() < ENOUGH:  # native code that gets no memory may end the process without a word
         print(f"tmodes: this process may use {limit() / 1e6:.0f} MB of memory (ulimit -v)", file=sys.stderr)
-    if limit() < ROOMY:
-        os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 
 def lacks_memory(error: BaseException | None) -> bool:

@@ -78,8 +78,8 @@ def place_beam(which: str, beam: dict[str, Any], start: Array, end: Array) -> No
         beam.pop("length", None)
     else:
         beam.setdefault("length", distance)
-    beam.setdefault("root_mount", {"position": start.tolist(), "quaternion": matrix_quaternion(axes)})
-    beam.setdefault("tip_mount", {"position": [0.0, 0.0, 0.0], "quaternion": matrix_quaternion(axes.T)})
+    beam.setdefault("root_mount", {"position": start.tolist(), "quaternion": matrix_quaternion(axes).tolist()})
+    beam.setdefault("tip_mount", {"position": [0.0, 0.0, 0.0], "quaternion": matrix_quaternion(axes.T).tolist()})
     pieces = beam.get("pieces")
     if isinstance(pieces, list) and pieces and isinstance(pieces[-1], dict):
         pieces[-1].setdefault("end", beam["length"])

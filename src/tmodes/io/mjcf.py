@@ -247,4 +247,4 @@ def _limits(model: Any, joint: int) -> dict[str, float]:
 
 
 def _origin(turn: Array, place: Array) -> dict[str, list[float]]:
-    return {"position": place.tolist(), "quaternion": matrix_quaternion(turn)}
+    return {"position": place.tolist(), "quaternion": matrix_quaternion(turn).tolist()}

@@ -21,6 +21,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from tmodes.kinds.schema.axes import matrix_quaternion
+
 __all__ = [
     "MOST_FRAMES", "MOST_POINTS", "Coarse", "TwoParts", "colour", "displaced", "embedded", "kept", "pack",
     "quaternions", "scene_frames", "stations_shown", "steady", "thinned",
@@ -79,7 +81,7 @@ def pack(page: Mapping[str, Any]) -> bytes:
 
 def embedded(packed: bytes) -> str:
     """A pack as text that a page can hold: compressed, base64; the same pack gives the same text."""
-    return base64.b64encode(gzip.compress(packed, 9, mtime=0)).decode()
+    return base64.b64encode(gzip.compress(packed, 6, mtime=0)).decode()
 
 
 def _plain(value: Any, arrays: _Arrays) -> Any:
@@ -202,11 +204,7 @@ def colour(name: str, label: str, unit: str, values: Array) -> dict[str, Any]:
 
 def quaternions(rotation: Array) -> NDArray[np.float32]:
     """Quaternions x, y, z, w (m, L, 4) of rotations (m, L, 3, 3), along time without jumps of sign."""
-    from scipy.spatial.transform import Rotation
-
-    shape = rotation.shape[:-2]
-    found = Rotation.from_matrix(rotation.reshape(-1, 3, 3)).as_quat().reshape(*shape, 4)
-    return steady(found).astype(np.float32)
+    return steady(matrix_quaternion(rotation)).astype(np.float32)
 
 
 def steady(found: Array) -> Array:

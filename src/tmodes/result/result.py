@@ -99,7 +99,7 @@ class Result:
         """The name of the robot that ran."""
         return live.known.name if (live := self._live) else str(record.from_json(self.data, "robot").get("name", ""))
 
-    @property
+    @cached_property
     def robot(self) -> Robot:
         """The robot that ran, as it is known; from a file, rebuilt from its data sheet and checked again.
 
@@ -108,7 +108,7 @@ class Result:
         """
         return live.known if (live := self._live) else self._sheet("robot")
 
-    @property
+    @cached_property
     def actual(self) -> Robot:
         """The robot as it really ran, its ``real`` factors taken; raises as :attr:`robot`."""
         return live.run.robot if (live := self._live) else self._sheet("robot_real")

@@ -9,9 +9,11 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.linalg import eigh
+from scipy.optimize import linear_sum_assignment
 
 from contracts.test_controllers import robot
 from tmodes.analysis.modes.of_sheet import vibrations
+from tmodes.analysis.modes.shapes import assigned
 from tmodes.analysis.statics.equilibrium import robot_rest
 from tmodes.model.model import Model
 from tmodes.sheet import Robot
@@ -81,3 +83,14 @@ def test_modes_with_locked_motors_are_poles(damper: float, stiffness: float, dec
     assert_of_poles(modes, poles_of(matrix))
     natural = np.sqrt(eigh(spring, mass, eigvals_only=True)) / (2 * np.pi)
     assert sorted(mode["frequency_Hz"] for mode in modes) == pytest.approx(natural, rel=1e-9)
+
+
+@given(st.integers(0, 10_000))
+def test_pairs_of_the_largest_sum(seed: int) -> None:
+    """As SciPy's, also with ties and with more rows than columns."""
+    generator = np.random.default_rng(seed)
+    worth = np.round(generator.normal(size=generator.integers(1, 12, 2)), int(generator.integers(0, 6)))
+    found, (rows, columns) = assigned(worth), linear_sum_assignment(-worth)
+    chosen = found >= 0
+    assert chosen.sum() == min(worth.shape) == len(set(found[chosen].tolist()))
+    assert worth[chosen, found[chosen]].sum() == pytest.approx(worth[rows, columns].sum())

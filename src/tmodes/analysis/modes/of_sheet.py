@@ -13,6 +13,7 @@ from tmodes.analysis.describe.describe import NOTHING_MOVES, link_states
 from tmodes.analysis.describe.links import steady_notices
 from tmodes.analysis.modes.closed_loop import feedback_of
 from tmodes.analysis.modes.modes import Mode, MotorState, Servo, closed_loop_poles, modes_about
+from tmodes.analysis.modes.shapes import assigned
 from tmodes.analysis.statics.equilibrium import Equilibrium, robot_rest
 from tmodes.analysis.statics.path import Progress
 from tmodes.chain.chain import Motor
@@ -183,8 +184,6 @@ def frequency_errors(
     rest: Equilibrium, modes: Sequence[Mode], fine: Equilibrium, fine_modes: Sequence[Mode]
 ) -> list[float | None]:
     """By which share each frequency is higher than that of the finer robot's mode most like it; None where none is."""
-    from scipy.optimize import linear_sum_assignment
-
     if not modes:
         return []
     names = fine.model.coordinates
@@ -192,12 +191,11 @@ def frequency_errors(
     ours, theirs = np.zeros((len(names), len(modes))), np.array([mode.shape for mode in fine_modes]).T
     ours[places] = np.array([mode.shape for mode in modes]).T
     alike = _likeness(ours, theirs, fine.matrices[0])
-    first, second = linear_sum_assignment(-alike)
     found: list[float | None] = [None] * len(modes)
-    for k, other in zip(first, second, strict=True):
+    for k, other in enumerate(assigned(alike).tolist()):
         exact = fine_modes[other].frequency_Hz
-        if alike[k, other] > ALIKE and exact > 0 and modes[k].frequency_Hz > 0:
-            found[int(k)] = float(modes[k].frequency_Hz / exact - 1)
+        if other >= 0 and alike[k, other] > ALIKE and exact > 0 and modes[k].frequency_Hz > 0:
+            found[k] = float(modes[k].frequency_Hz / exact - 1)
     return found
 
 

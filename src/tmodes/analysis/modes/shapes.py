@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.analysis.spectrum import RINGS
-from tmodes.analysis.statics.stability import mass_root
+from tmodes.analysis.statics.stability import backward, forward, mass_root
 
-__all__ = ["LOWEST", "MOST_WHOLE", "NOTHING", "partners", "undamped_shapes"]
+__all__ = ["LOWEST", "MOST_WHOLE", "NOTHING", "assigned", "partners", "undamped_shapes"]
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -31,8 +29,6 @@ def undamped_shapes(mass: Array, stiffness: Array) -> tuple[Array, Array]:
 
     From 1/w^2 where K is positive definite: the low frequencies then keep all their digits.
     """
-    from scipy.linalg import eigh
-
     mass_root(mass)  # refuses one that is not positive definite, before anything is divided by it
     size = len(mass)
     if np.abs(stiffness - stiffness.T).max() > 1e-9 * np.abs(stiffness).max():
@@ -42,25 +38,67 @@ def undamped_shapes(mass: Array, stiffness: Array) -> tuple[Array, Array]:
         shapes = np.real(vectors[:, order])
         return squares[order], shapes / np.sqrt(np.einsum("ik,ij,jk->k", shapes, mass, shapes))
     stiffness = (stiffness + stiffness.T) / 2
-    some = size > MOST_WHOLE
-    lowest: dict[str, Any] = {"subset_by_index": [0, LOWEST - 1]} if some else {}
-    highest: dict[str, Any] = {"subset_by_index": [size - LOWEST, size - 1]} if some else {}
     try:
-        inverse, shapes = eigh(mass, stiffness, **highest)
+        inverse, shapes = _relative(mass, stiffness, slice(-LOWEST, None))
     except np.linalg.LinAlgError:
-        return eigh(stiffness, mass, **lowest)
+        return _relative(stiffness, mass, slice(LOWEST))
     if inverse.min() <= 0:  # K was singular, and by rounding passed for positive definite
-        return eigh(stiffness, mass, **lowest)
+        return _relative(stiffness, mass, slice(LOWEST))
     values = 1 / inverse[::-1]
     if values[0] <= NOTHING * size * values[-1]:
-        return eigh(stiffness, mass, **lowest)
+        return _relative(stiffness, mass, slice(LOWEST))
     return values, shapes[:, ::-1] * np.sqrt(values)
+
+
+def _relative(one: Array, other: Array, some: slice) -> tuple[Array, Array]:
+    """Eigenvalues of A x = l B x, rising, and vectors with x^T B x = 1; of more than MOST_WHOLE only ``some``.
+
+    Raises LinAlgError where B is not positive definite.
+    """
+    root = np.linalg.cholesky(other)
+    inner = forward(root, forward(root, one).T)
+    values, vectors = np.linalg.eigh((inner + inner.T) / 2)
+    shown = some if len(one) > MOST_WHOLE else slice(None)
+    return values[shown], backward(root, vectors[:, shown])
+
+
+def assigned(worth: Array) -> NDArray[np.intp]:
+    """For each row of ``worth`` (m, n) a column, each taken once, of the largest sum; -1 for rows that are too many.
+
+    Kuhn's method with shortest augmenting paths (Jonker & Volgenant, Computing 38, 1987); SciPy has it, in a package
+    whose loading takes longer than a run.
+    """
+    if len(worth) > len(worth.T):
+        columns = assigned(worth.T)
+        found = np.full(len(worth), -1)
+        found[columns] = np.arange(len(columns))
+        return found
+    cost = np.pad(-worth, ((1, 0), (1, 0)))  # row and column 0 are where a path begins
+    rows, columns, taken = np.zeros(len(cost)), np.zeros(len(cost.T)), np.zeros(len(cost.T), dtype=int)
+    for row in range(1, len(cost)):
+        taken[0], here = row, 0
+        least, before, seen = np.full(len(columns), np.inf), np.zeros_like(taken), np.zeros(len(columns), dtype=bool)
+        while here == 0 or taken[here]:
+            seen[here] = True
+            price = cost[taken[here]] - rows[taken[here]] - columns
+            shorter = ~seen & (price < least)
+            shorter[0] = False
+            least[shorter], before[shorter] = price[shorter], here
+            here = int(np.where(seen, np.inf, np.where(np.arange(len(least)) > 0, least, np.inf)).argmin())
+            step = least[here]
+            rows[taken[seen]] += step
+            columns[seen] -= step
+            least[~seen] -= step
+        while here:
+            taken[here], here = taken[before[here]], before[here]
+    found = np.full(len(worth), -1)
+    used = np.flatnonzero(taken[1:])
+    found[taken[1:][used] - 1] = used
+    return found
 
 
 def partners(mass: Array, shapes: Array, values: Complex, damped: Complex) -> NDArray[np.intp]:
     """For each undamped mode the index of the damped motion most like it, each taken once, ringing ones first."""
-    from scipy.optimize import linear_sum_assignment
-
     root = np.linalg.cholesky(mass).T
     ours, theirs = (x / np.linalg.norm(x, axis=0) for x in (root @ shapes, root @ damped))
     rings = values.imag > RINGS * np.abs(values)
@@ -68,5 +106,4 @@ def partners(mass: Array, shapes: Array, values: Complex, damped: Complex) -> ND
     slow = np.argsort(np.argsort(-values.real)) / (10.0 * len(values))
     worth = np.abs(ours.T @ theirs) ** 2 + 10.0 * rings - slow
     worth[:, ~(rings | still)] = -100.0
-    _, chosen = linear_sum_assignment(-worth)
-    return chosen
+    return assigned(worth)

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.errors import SimulationError
 
-__all__ = ["Growth", "Stability", "mass_root", "moving_stability", "stability_of"]
+__all__ = ["Growth", "Stability", "backward", "forward", "mass_root", "moving_stability", "stability_of"]
 
 Array = NDArray[np.float64]
 
@@ -63,16 +63,14 @@ def stability_of(mass: Array, stiffness: Array) -> Stability:
     """
     if not len(mass):
         return Stability(np.inf, ())
-    from scipy.linalg import solve_triangular
-
     root = mass_root(mass)
-    scaled = solve_triangular(root, solve_triangular(root, stiffness, lower=True).T, lower=True).T
+    scaled = forward(root, forward(root, stiffness).T).T
     values, shapes = _eigen(scaled)
     zero = NOTHING * len(mass) * float(np.abs(values).max())
     fluttering = np.abs(values.imag) > np.maximum(FLUTTER * np.abs(values), zero)
     grows = fluttering | (values.real < -zero)
     margin = float(np.where(fluttering, -np.abs(values.imag), values.real).min())
-    moved = np.abs(solve_triangular(root.T, shapes, lower=False))
+    moved = np.abs(backward(root, shapes))
     found = [_growth(values[k], int(moved[:, k].argmax())) for k in np.flatnonzero(grows) if values[k].imag >= 0]
     return Stability(0.0 if abs(margin) <= zero else margin, tuple(sorted(found, reverse=True)))
 
@@ -90,6 +88,19 @@ def moving_stability(mass: Array, damping: Array, stiffness: Array) -> Stability
         for k in np.flatnonzero(grows) if values[k].imag >= 0
     ]  # fmt: skip
     return Stability(-1.0 if found else np.nan, tuple(sorted(found, reverse=True)))
+
+
+def forward(root: NDArray[Any], right: Any) -> Any:
+    """L^-1 B of a lower triangle L (n, n), by substitution: loading a library for it would take longer than a run."""
+    found = np.array(right)
+    for k, row in enumerate(root):
+        found[k] = (found[k] - row[:k] @ found[:k]) / row[k]
+    return found
+
+
+def backward(root: NDArray[Any], right: Any) -> Any:
+    """L^-T B, likewise."""
+    return forward(root.T[::-1, ::-1], right[::-1])[::-1]
 
 
 def mass_root(mass: Array) -> Array:

@@ -44,11 +44,21 @@ def quaternion_matrix(quaternion: ArrayLike) -> Array:
     return np.eye(3) + 2 * w * cross + 2 * cross @ cross
 
 
-def matrix_quaternion(matrix: ArrayLike) -> list[float]:
-    """The quaternion (x, y, z, w), of unit length, of a rotation (3, 3): what :func:`quaternion_matrix` turns back."""
-    from scipy.spatial.transform import Rotation
+def matrix_quaternion(matrix: ArrayLike) -> Array:
+    """Quaternions (..., 4) as x, y, z, w of unit length, of rotations (..., 3, 3).
 
-    return Rotation.from_matrix(matrix).as_quat().tolist()
+    By the largest of its parts (Shepperd, Journal of Guidance and Control 1, 1978).
+    """
+    m = np.asarray(matrix, dtype=float)
+    own, trace = np.diagonal(m, axis1=-2, axis2=-1), np.trace(m, axis1=-2, axis2=-1)
+    squares = np.concatenate([1 + 2 * own - trace[..., None], 1 + trace[..., None]], axis=-1)
+    products = squares[..., None] * np.eye(4)  # four times each part times each
+    for i, j, k in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
+        products[..., i, j] = products[..., j, i] = m[..., i, j] + m[..., j, i]
+        products[..., k, 3] = products[..., 3, k] = m[..., j, i] - m[..., i, j]
+    largest = squares.argmax(axis=-1)[..., None, None]
+    found = np.take_along_axis(products, largest, axis=-2)[..., 0, :]
+    return found / np.linalg.norm(found, axis=-1, keepdims=True)
 
 
 def bent_line(curvature: ArrayLike, length: float) -> tuple[Array, Array]:

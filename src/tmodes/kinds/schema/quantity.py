@@ -58,7 +58,10 @@ def refuse(issues: Sequence[Issue]) -> None:
 class DataSheet(BaseModel):
     """A frozen group of quantities; unknown keys are refused, text and booleans are not numbers."""
 
-    model_config = ConfigDict(frozen=True, extra="forbid", strict=True, allow_inf_nan=False, ser_json_inf_nan="strings")
+    model_config = ConfigDict(
+        frozen=True, extra="forbid", strict=True, allow_inf_nan=False, ser_json_inf_nan="strings",
+        defer_build=True,  # what checks a group is built with the robot that holds it, once, not for each by itself
+    )  # fmt: skip
 
     @model_validator(mode="after")
     def _fits_together(self) -> Self:
