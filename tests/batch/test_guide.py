@@ -1,4 +1,4 @@
-"""The example of the guide to batches prints what the guide says."""
+"""The examples of the guide to batches print what the guide says."""
 
 from __future__ import annotations
 
@@ -10,10 +10,12 @@ from pathlib import Path
 GUIDE = Path(__file__).parents[2] / "docs" / "batches.md"
 
 
-def test_the_example_of_the_guide():
-    guide = GUIDE.read_text(encoding="utf-8")
-    code, info = re.findall(r"```python\n(.*?)```\n\n((?:    [^\n]*\n)+)", guide, re.DOTALL)[0]
-    printed = io.StringIO()
-    with redirect_stdout(printed):
-        exec(compile(code, str(GUIDE), "exec"), {})  # noqa: S102
-    assert printed.getvalue().splitlines() == [line.removeprefix("    ") for line in info.splitlines()]
+def test_the_examples_of_the_guide():
+    guide, known = GUIDE.read_text(encoding="utf-8"), {}
+    examples = re.findall(r"```python\n(.*?)```\n\n((?:    [^\n]*\n)+)", guide, re.DOTALL)
+    assert len(examples) == 2
+    for code, info in examples:
+        printed = io.StringIO()
+        with redirect_stdout(printed):
+            exec(compile(code, str(GUIDE), "exec"), known)  # noqa: S102
+        assert printed.getvalue().splitlines() == [line.removeprefix("    ") for line in info.splitlines()]

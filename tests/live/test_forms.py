@@ -7,7 +7,8 @@ from collections.abc import Callable, Mapping
 import numpy as np
 import pytest
 
-from tmodes.live.forms import Range, Unfit, fitted
+from tmodes.model.fitting import fitted
+from tmodes.model.forms import Range, Unfit
 
 RANGES = (Range(2.0, 0.5, 8.0), Range(0.3, 0.1, 0.9), Range(0.0, 0.0, 20.0))
 
@@ -48,6 +49,13 @@ def test_products_and_polynomials_are_found() -> None:
     for _ in range(50):
         values = {k: one.drawn(draw) for k, one in enumerate(RANGES)}
         assert form.at(values) == pytest.approx(true(values), rel=1e-13)
+
+
+def test_many_values_at_once() -> None:
+    form, draw = fitted(evaluate(exact), RANGES, generator()), np.random.default_rng(3)
+    many = {k: np.array([one.drawn(draw) for _ in range(9)]) for k, one in enumerate(RANGES)}
+    each = [form.at({k: float(values[place]) for k, values in many.items()}) for place in range(9)]
+    assert form.at(many) == pytest.approx(np.array(each), rel=1e-14)
 
 
 def test_unchanged_numbers_keep_all_their_bits() -> None:

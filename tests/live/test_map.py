@@ -7,8 +7,9 @@ import pytest
 
 from tmodes import load
 from tmodes.live.map import LiveMap, live_map
-from tmodes.live.numbers import run_numbers, whole, whole_moves
+from tmodes.live.numbers import run_numbers, whole_moves
 from tmodes.live.sliders import MOST
+from tmodes.simulation.loop import whole
 from tmodes.simulation.plan import Follow
 
 from .chain import chain

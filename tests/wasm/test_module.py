@@ -14,7 +14,7 @@ from tmodes.analysis.line.line import elastic_line
 from tmodes.compile.ir.calls import DIRECT
 from tmodes.compile.ir.ordering import kernel_program
 from tmodes.compile.wasm.wasm_parts import schedule_samples
-from tmodes.live.functions import Functions, LiveModule, ModelFunctions, live_module, needed_for, stationed
+from tmodes.live.functions import Functions, LiveModule, ModelFunctions, live_module, stationed
 from tmodes.model.model import Model
 from tmodes.model.passes import derivatives
 from tmodes.sheet import Robot
@@ -165,7 +165,7 @@ def test_random_chains(tmp_path: Path) -> None:
         inputs = {"q": q, "v": v, "a": a, "base": model.at_rest()}
         schedule = model.passes.schedule("inertia")
         made.schedule(f"inertia{k}", schedule_samples(f"inertia{k}", schedule), schedule)
-        trimmed = needed_for(schedule, ("points",))
+        trimmed = schedule.only(("points",))
         made.schedule(f"points{k}", schedule_samples(f"points{k}", trimmed), trimmed)
         jobs += [
             {"sample": f"{label}{k}", "parameters": model.parameters, "inputs": inputs, "count": 1}
@@ -216,5 +216,5 @@ def test_calls_as_data(tmp_path: Path) -> None:
 
 def test_only_what_is_needed_is_computed() -> None:
     schedule = Model(replace(random_chain(4, 4), points=())).passes.schedule("inertia")
-    assert len(needed_for(schedule, ("points",)).calls) < 0.6 * len(schedule.calls)
-    assert set(needed_for(schedule, ("forces",)).outputs) == {"forces"}
+    assert len(schedule.only(("points",)).calls) < 0.6 * len(schedule.calls)
+    assert set(schedule.only(("forces",)).outputs) == {"forces"}

@@ -128,16 +128,18 @@ def _count(path: str, count: float) -> int:
 
 
 def _run(sheet: Any, values: dict[str, Any], threads: int | None, out: Path | None) -> tuple[BatchRun, Spread]:
+    """The batch and its spread; without a folder no samples are kept."""
     from tmodes.simulation.vary.simulate import prepared, run_prepared
-    from tmodes.simulation.vary.study import spread
+    from tmodes.simulation.vary.study import Spread, spread
 
     with working() as tell:
-        lanes = prepared(sheet, values, out=out, progress=tell)
+        lanes = prepared(sheet, values, out=out, keep=out is not None, progress=tell)
         own = run_prepared(prepared(sheet, None), tips=True, threads=1, progress=tell)
         if "interrupted" in own.status:
             raise KeyboardInterrupt
-        found = run_prepared(lanes, tips=True, threads=threads, progress=tell)
-    return found, spread(found, own)
+        figures = None if out else lambda part: vars(spread(part, own))
+        found = run_prepared(lanes, tips=True, threads=threads, figures=figures, progress=tell)
+    return found, spread(found, own) if out else Spread(**found.figures)
 
 
 def _report(name: str, found: BatchRun, parted: Spread, as_json: bool) -> None:

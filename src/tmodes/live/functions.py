@@ -20,7 +20,6 @@ from tmodes.equations.mechanics import mechanics
 from tmodes.integrate.method import EULER, JACOBIAN
 from tmodes.integrate.registry import integrator
 from tmodes.integrate.settings import Integration
-from tmodes.kinds.kernel.schedule import Schedule, Slot
 from tmodes.live.numbers import follow_of, has_reference
 from tmodes.live.places import line_names
 from tmodes.model.model import Model
@@ -30,7 +29,7 @@ from tmodes.sheet.robot import RECURSION
 from tmodes.simulation.native_run import BOUND, EVENT_TIME, MOST_EVENTS
 from tmodes.simulation.plan import Follow, Planned, planned
 
-__all__ = ["Functions", "LiveModule", "ModelFunctions", "engine_settings", "live_module", "needed_for", "stationed"]
+__all__ = ["Functions", "LiveModule", "ModelFunctions", "engine_settings", "live_module", "stationed"]
 
 Array = NDArray[np.float64]
 
@@ -123,14 +122,14 @@ def live_module(functions: ModelFunctions, methods: Sequence[str], *, slopes: bo
     chain = functions.passes["chain"]
     passes = {"inertia": chain.schedule("inertia"), "elastic": chain.schedule("elastic")}
     if functions.lines:
-        passes["line"] = needed_for(functions.lines.schedule, line_names(functions.lines))
+        passes["line"] = functions.lines.schedule.only(line_names(functions.lines))
     else:
-        passes["pose"] = needed_for(functions.passes["pose"].schedule("inertia"), ("points",))
+        passes["pose"] = functions.passes["pose"].schedule("inertia").only(("points",))
     if functions.loaded:
-        passes["loaded"] = needed_for(chain.schedule("inertia", loaded=True), ("forces",))
+        passes["loaded"] = chain.schedule("inertia", loaded=True).only(("forces",))
     for label, schedule in passes.items():
         made.schedule(label, schedule_samples(label, schedule), schedule)
-    springs = needed_for(passes["elastic"], ("forces",))
+    springs = passes["elastic"].only(("forces",))
     made.schedule("elastic.slopes", schedule_samples("elastic.slopes", springs, "derivative"), springs, stride=2)
     return made.module("robot", **_layout(functions))
 
@@ -176,24 +175,6 @@ def engine_settings(chosen: Integration) -> dict[str, Any]:
         "duration": chosen.duration, "step": chosen.step, "maxSteps": chosen.max_steps,
         "relativeTolerance": chosen.relative_tolerance, "absoluteTolerance": chosen.absolute_tolerance,
     }  # fmt: skip
-
-
-def needed_for(schedule: Schedule, outputs: Sequence[str]) -> Schedule:
-    """The same schedule with these outputs alone, and only the calls that they need."""
-    wanted = np.zeros(schedule.workspace, dtype=bool)
-    for name in outputs:
-        _mark(wanted, schedule, schedule.outputs[name])
-    kept = []
-    for call in reversed(schedule.calls):
-        if any(wanted[schedule.offset(slot) :][: slot.size].any() for slot in call[2]):
-            _mark(wanted, schedule, call[1])
-            kept.append(call)
-    return replace(schedule, calls=kept[::-1], outputs={name: schedule.outputs[name] for name in outputs})
-
-
-def _mark(wanted: NDArray[np.bool_], schedule: Schedule, slots: Sequence[Slot]) -> None:
-    for slot in slots:
-        wanted[schedule.offset(slot) :][: slot.size] = True
 
 
 FORMAT = 1

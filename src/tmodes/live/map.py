@@ -13,11 +13,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.errors import InputError, InputErrors
-from tmodes.live.forms import Form, Range, Unfit, fitted
-from tmodes.live.numbers import Blocks, follow_of, has_reference, run_numbers, whole, whole_moves
+from tmodes.live.numbers import follow_of, has_reference, run_numbers, whole_moves
 from tmodes.live.sheet_numbers import sheet_numbers
 from tmodes.live.sliders import Knob, Slider, knobs_of, sliders_of
+from tmodes.model.fitting import fitted
+from tmodes.model.forms import Form, Range, Unfit
 from tmodes.sheet import Robot, RobotPair
+from tmodes.simulation.loop import Blocks, whole
 
 __all__ = ["LiveMap", "live_map"]
 
@@ -154,12 +156,7 @@ class _Runs:
     def fitted(self, name: str) -> Form:
         """The form of a run's numbers."""
         ranges = [self._range(k, known=name == "reference") for k in range(len(self.knobs))]
-        start = self._vector(name, {})
-        rigid = ~np.isfinite(start)  # stiffnesses that no knob moves
-        generator = np.random.default_rng(_SEED)
-        form = fitted(lambda values: np.where(rigid, 0.0, self._vector(name, values)), ranges, generator)
-        form.base[rigid] = start[rigid]
-        return form
+        return fitted(lambda values: self._vector(name, values), ranges, np.random.default_rng(_SEED))
 
     def _range(self, k: int, *, known: bool) -> Range:
         knob, slider = self.knobs[k], self.factors.get(k)

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 from numpy.typing import NDArray
 
@@ -12,13 +10,12 @@ from tmodes.live.places import line_lengths, load_places, vibration_numbers
 from tmodes.model.model import Model
 from tmodes.model.passes import ChainPasses
 from tmodes.sheet import Robot
+from tmodes.simulation.loop import Blocks, loop_numbers
 from tmodes.simulation.plan import Follow, planned
 
-__all__ = ["Blocks", "follow_of", "has_reference", "run_numbers", "whole", "whole_moves"]
+__all__ = ["follow_of", "has_reference", "run_numbers", "whole_moves"]
 
 Array = NDArray[np.float64]
-
-Blocks = dict[str, Array]
 
 
 def follow_of(nominal: Robot, run: str) -> Follow:
@@ -46,13 +43,7 @@ def run_numbers(robot: Robot, follow: Follow, until: float, stations: tuple[floa
     chain = robot.model_copy(update={"drives": ()}).chain()
     plan, rest = (planned(robot, each, like=chain) for each in (follow, Follow.HELD))
     loop, model = ClosedLoop(plan.plan), Model(chain)
-    found = {
-        "parameters": loop.parts.numbers.vector,
-        "rest": ClosedLoop(rest.plan).parts.numbers.vector,
-        "rest_row": rest.schedule.rows_at(np.zeros(1))[0],
-        "chain": model.parameters,
-        "rotors": _rotors(loop),
-    }
+    found = loop_numbers(loop, rest) | {"chain": model.parameters, "rotors": _rotors(loop)}
     if stations:
         loaded = bool(plan.plan.loads or plan.plan.touch)
         lines = model.passes.lines(tuple(load_places(chain, robot.integration.line_points)), loaded=loaded)
@@ -81,13 +72,3 @@ def whole_moves(robot: Robot, reach: float) -> float:
     moves = [drive.signal for drive in robot.drives] + [load.signal for load in robot.loads if load.signal]
     ends = [end for move in moves if (end := move.move_ends(reach)) is not None]
     return 1.0 + max([robot.integration.duration, *ends])
-
-
-def whole(blocks: Blocks) -> tuple[Array, dict[str, Any]]:
-    """All blocks in one vector; and where each is: its start and shape."""
-    places: dict[str, Any] = {}
-    start = 0
-    for name, values in blocks.items():
-        places[name] = {"start": start, "shape": list(values.shape)}
-        start += values.size
-    return np.concatenate([values.ravel() for values in blocks.values()]), places

@@ -97,7 +97,7 @@ def _named(pair: RobotPair, runs: Sequence[str]) -> dict[str, Any]:
             if block.startswith(("knots", "coefficients")):
                 moving |= form.acting(*place)
         known = {block: places[block] for block, (_, end) in ends.items() if end <= last}
-        forms[name] = form.first(last).info() | {"places": known}
+        forms[name] = form.part(0, last).info() | {"places": known}
     kept = [slider for slider in live.sliders if slider.knob in entering - moving]
     sliders = [{"knob": slider.knob, "real": slider.real} for slider in kept]
     info = live.info() | {"sliders": sliders, "runs": forms}

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any, NamedTuple
 
@@ -11,6 +11,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from tmodes.compile.ir import kernels
+from tmodes.compile.lanes.lanes_loop import WIDTH
+from tmodes.compile.native import Library
 from tmodes.equations.line.schedule import Lines, line_schedule
 from tmodes.equations.mechanics import Mechanics
 from tmodes.equations.recursion.parts import Parts
@@ -30,22 +32,33 @@ def packed(schedule: Any, blocks: Blocks) -> Array:
 
 
 def evaluate(parameters: Array, schedule: Any, blocks: Blocks, count: int) -> Blocks:
-    """Outputs of a schedule at ``count`` samples by name, each (count, numbers); ``blocks`` are its inputs by name."""
+    """Outputs of a schedule at ``count`` samples by name, each (count, numbers); ``blocks`` are its inputs by name.
+
+    ``parameters`` (numbers,), or (count, numbers): of each sample its own.
+    """
     library = kernels.schedule_function("arm", schedule, "double")
     inputs = packed(schedule, blocks)
     out, workspace = np.empty((count, schedule.output_size)), np.zeros(schedule.workspace)
-    library["run"](count, 0, *(array.ctypes.data for array in (parameters, workspace, inputs, out)))
+    _call(library, count, parameters, workspace, inputs, out)
     return split(out, schedule.outputs)
 
 
+def _call(library: Library, count: int, parameters: Array, *arrays: Array) -> None:
+    given = np.ascontiguousarray(parameters), *arrays
+    library["run"](count, parameters.ndim - 1, *(array.ctypes.data for array in given))
+
+
 def derivatives(parameters: Array, schedule: Any, blocks: Blocks, directions: Blocks, count: int) -> Blocks:
-    """Exact derivatives of the outputs at ``count`` samples, each along its own direction of the inputs named."""
+    """Exact derivatives of the outputs at ``count`` samples, each along its own direction of the inputs named.
+
+    ``parameters`` as of :func:`evaluate`.
+    """
     library = kernels.schedule_function("arm", schedule, "derivative")
     values = np.concatenate([blocks[name] for name in schedule.inputs], axis=1)
     slopes = [directions.get(name, np.zeros_like(blocks[name])) for name in schedule.inputs]
     inputs = np.ascontiguousarray(np.stack([values, np.concatenate(slopes, axis=1)], axis=1))
     out, workspace = np.empty((count, 2, schedule.output_size)), np.zeros(2 * schedule.workspace)
-    library["run"](count, 0, *(array.ctypes.data for array in (parameters, workspace, inputs, out)))
+    _call(library, count, parameters, workspace, inputs, out)
     return split(np.ascontiguousarray(out[:, 1]), schedule.outputs)
 
 
@@ -114,6 +127,33 @@ class ChainPasses:
     def elastic(self, rows: Rows) -> Blocks:
         """Outputs of :func:`tmodes.equations.recursion.forces.elastic_forces`."""
         return evaluate(self.parameters, self.schedule("elastic"), self._common(rows, None, None), rows.count)
+
+    @cached_property
+    def _tip(self) -> Schedule:
+        """Position of the first point in the world."""
+        whole = self.schedule("inertia")
+        pose = whole.outputs["points"][0]
+        tip = replace(whole, outputs={"tip": [pose.part(9, 3)]}).only(("tip",))
+        return replace(tip, often=True)
+
+    def tips(self, q: Sequence[Array], base: Sequence[Array], parameters: Array) -> Array:
+        """Positions of the first point in the world (m, n, 3) [m], in poses (n, nq) of m robots of this structure each.
+
+        ``base`` (24,), or (n, 24) where it moves, and ``parameters`` (m, size) of each; vectors of poses go at once.
+        """
+        library, count = kernels.schedule_function("arm", self._tip, f"wide{WIDTH}"), len(q[0])
+        groups = -(-count // WIDTH)
+        inputs = np.zeros((groups * WIDTH, self._tip.input_size))
+        given, out = (
+            split(inputs, {name: [slot] for name, slot in self._tip.inputs.items()}),
+            np.empty((len(inputs), 3)),
+        )
+        workspace, found = np.zeros(WIDTH * self._tip.workspace), np.empty((len(q), count, 3))
+        for k in range(len(q)):
+            given["q"][:count], given["base"][:count] = q[k], base[k]
+            _call(library, groups, parameters[k], workspace, inputs, out)
+            found[k] = out[:count]
+        return found
 
     @cached_property
     def _lines(self) -> dict[tuple[tuple[float, ...], bool], Lines]:

@@ -18,10 +18,12 @@ from tmodes.equations.loop.plan import LoopPlan
 from tmodes.integrate.method import EULER, EXPLICIT, JACOBIAN
 from tmodes.integrate.registry import integrator
 from tmodes.model.passes import derivatives, evaluate
+from tmodes.simulation.plan import Planned
 
-__all__ = ["LoopModel", "Loops"]
+__all__ = ["Blocks", "LoopModel", "Loops", "loop_numbers", "whole"]
 
 Array = NDArray[np.float64]
+Blocks = dict[str, Array]
 
 
 @dataclass(frozen=True)
@@ -97,17 +99,21 @@ class LoopModel:
         numbers = self.numbers if parameters is None else parameters
         return evaluate(numbers, self.loop.rate, blocks, len(blocks["time"]))["rate"]
 
-    def settled(self, time: float, state: Array, row: Array) -> Array:
-        """A state (size,) after all that sticks, slips or touches has switched as it must at an instant."""
+    def settled(self, state: ArrayLike, row: ArrayLike, parameters: Array | None = None) -> Array:
+        """States (..., size) after all that sticks, slips or touches has switched as it must at time 0."""
         schedule, before = self.loop.switched, np.asarray(state, dtype=float)
+        numbers = self.numbers if parameters is None else parameters
         for _ in range(MOST_SWITCHES if schedule else 0):
-            after = evaluate(self.numbers, schedule, self._blocks([time], before, row), 1)["state"][0]
+            blocks = self._blocks(np.zeros(before.size // self.layout.size), before, row)
+            after = evaluate(numbers, schedule, blocks, len(blocks["time"]))["state"].reshape(before.shape)
             if np.array_equal(after, before, equal_nan=True):
                 break
             before = after
         return before
 
-    def observe(self, time: ArrayLike, state: ArrayLike, row: ArrayLike) -> dict[str, Array]:
+    def observe(
+        self, time: ArrayLike, state: ArrayLike, row: ArrayLike, parameters: Array | None = None
+    ) -> dict[str, Array]:
         """What is shown of n instants.
 
         ``q``, ``v``, ``a`` (n, nq); ``drives`` (n, drives, 4): effort [N*m], voltage [V], current [A], wanted;
@@ -116,15 +122,25 @@ class LoopModel:
         ``base`` (n, 24); ``powers`` (n, works) [W].
         """
         blocks = self._blocks(time, state, row)
-        found = evaluate(self.numbers, self.loop.observe, blocks, len(blocks["time"]))
+        numbers = self.numbers if parameters is None else parameters
+        found = evaluate(numbers, self.loop.observe, blocks, len(blocks["time"]))
         return found | {"drives": found["drives"].reshape(len(found["drives"]), -1, 4)}
 
-    def jacobian(self, time: float, state: Array, row: Array) -> Array:
-        """Derivative of the rates by the state (without works) at one instant, exact, (m, m)."""
+    def jacobian(self, time: float, state: Array, row: Array, parameters: Array | None = None) -> Array:
+        """Derivative of the rates by the state (without works), exact, (..., m, m) of states (..., size)."""
         m = self.layout.works.start
-        blocks = self._blocks(np.full(m, time), np.tile(state, (m, 1)), np.tile(row, (m, 1)))
-        directions = {"state": np.eye(m, self.layout.size)}
-        return derivatives(self.numbers, self.loop.rate, blocks, directions, m)["rate"][:, :m].T
+        return self.slopes(time, state, row, parameters, np.arange(m))[..., :m, :]
+
+    def slopes(self, time: float, state: Array, row: Array, parameters: Array | None, which: NDArray[np.intp]) -> Array:
+        """Derivatives of the rates at an instant by some numbers of the state, exact, (..., size, which)."""
+        m, each = len(which), state.size // self.layout.size
+        numbers, rows = self.numbers if parameters is None else parameters, row.reshape(-1, self.plan.row_size)
+        repeated = np.repeat(state.reshape(each, -1), m, axis=0), np.repeat(rows, m * each // len(rows), axis=0)
+        blocks = self._blocks(np.full(each * m, time), *repeated)
+        directions = {"state": np.tile(np.eye(self.layout.size)[which], (each, 1))}
+        numbers = np.repeat(numbers, m, axis=0) if numbers.ndim > 1 else numbers
+        found = derivatives(numbers, self.loop.rate, blocks, directions, each * m)["rate"]
+        return found.reshape(*state.shape[:-1], m, -1).swapaxes(-1, -2)
 
     def _blocks(self, time: ArrayLike, state: ArrayLike, row: ArrayLike) -> dict[str, Array]:
         times = np.asarray(time, dtype=float).reshape(-1, 1)
@@ -132,3 +148,22 @@ class LoopModel:
         states = np.asarray(state, dtype=float).reshape(count, self.layout.size)
         rows = np.asarray(row, dtype=float).reshape(count, self.plan.row_size)
         return {"time": times, "state": states, "row": rows, "step": np.zeros((count, 1))}
+
+
+def loop_numbers(loop: ClosedLoop, rest: Planned) -> Blocks:
+    """``parameters`` of a closed loop; those of its rest (``rest``, ``rest_row``), in which every drive stands."""
+    return {
+        "parameters": loop.parts.numbers.vector,
+        "rest": ClosedLoop(rest.plan).parts.numbers.vector,
+        "rest_row": rest.schedule.rows_at(np.zeros(1))[0],
+    }
+
+
+def whole(blocks: Blocks) -> tuple[Array, dict[str, Any]]:
+    """All blocks in one vector; and where each is: its start and shape."""
+    places: dict[str, Any] = {}
+    start = 0
+    for name, values in blocks.items():
+        places[name] = {"start": start, "shape": list(values.shape)}
+        start += values.size
+    return np.concatenate([values.ravel() for values in blocks.values()]), places

@@ -24,7 +24,9 @@ from tmodes.simulation.plan import Follow, Planned, initial_value, planned, star
 from tmodes.simulation.stops import Stops
 from tmodes.simulation.trajectory import integrate
 
-__all__ = ["RunSetup", "first_state", "run_setup", "run_trajectory"]
+__all__ = [
+    "RunSetup", "first_state", "held_at_start", "placed_state", "run_setup", "run_trajectory", "slipping", "undeformed",
+]  # fmt: skip
 
 Array = NDArray[np.float64]
 
@@ -58,10 +60,8 @@ class RunSetup:
     @cached_property
     def spectrum(self) -> Spectrum:
         """Eigenvalues of the robot under its drives at its start, by exact derivatives; no joint or motor sticks."""
-        model, start = self.model, self.start.copy()
-        modes = start[model.layout.modes][: len(model.loop.slipping)]
-        modes[modes == 0] = 1.0
-        matrix = model.jacobian(0.0, start, self.first_row)
+        model = self.model
+        matrix = model.jacobian(0.0, slipping(model, self.start), self.first_row)
         return spectrum_of(matrix, model.coordinates, list(model.plan.further_states))
 
     @property
@@ -94,6 +94,14 @@ class RunSetup:
         )
 
 
+def slipping(model: LoopModel, states: Array) -> Array:
+    """States (..., size) in which no joint or motor sticks."""
+    found = states.copy()
+    modes = found[..., model.layout.modes][..., : len(model.loop.slipping)]
+    modes[modes == 0] = 1.0
+    return found
+
+
 def run_setup(
     robot: Robot, follow: Follow = Follow.SHEET, like: RunSetup | None = None, chain: Chain | None = None
 ) -> RunSetup:
@@ -107,12 +115,12 @@ def run_setup(
     like = like if like and _same(robot, like.robot) else None
     plan = planned(robot, follow, like.planned.chain if like else chain)
     model, mechanics = LoopModel(plan.plan), Model(plan.chain, trials=True)
-    held = _held(robot, model)
+    held = held_at_start(robot, model)
     rest = None
     if starts_at_rest(robot):
         rest = _same_rest(like, mechanics, held) or robot_rest(robot, model=mechanics, held=held)
     row = plan.schedule.rows_at(np.zeros(1))
-    start = model.settled(0.0, first_state(robot, plan, model, rest), row)
+    start = model.settled(first_state(robot, plan, model, rest), row)
     given = [driver.coordinate for driver in model.loop.drivers if driver.plan.servo is None]
     _check_inertia(mechanics, start[model.layout.q], given)
     accelerations = model.observe([0.0], start, row)["a"][0]
@@ -159,10 +167,10 @@ def _same_rest(like: RunSetup | None, mechanics: Model, held: Mapping[str, float
     """The rest of another setup where it is the same in the same coordinates."""
     if like is None or like.rest is None or like.mechanics.coordinates != mechanics.coordinates:
         return None
-    return like.rest if _held(like.robot, like.model) == held else None
+    return like.rest if held_at_start(like.robot, like.model) == held else None
 
 
-def _held(robot: Robot, model: LoopModel) -> dict[str, float]:
+def held_at_start(robot: Robot, model: LoopModel) -> dict[str, float]:
     """The coordinates that drives hold at the start, and where [rad, m]."""
     drivers = model.loop.drivers
     return {model.coordinates[driver.coordinate]: initial_value(robot, driver.plan.joint) for driver in drivers}
@@ -173,11 +181,17 @@ def first_state(robot: Robot, plan: Planned, model: LoopModel, rest: Equilibrium
 
     What sticks, slips or touches has not switched yet.
     """
+    q = rest.q if rest else undeformed(model.coordinates, held_at_start(robot, model))
+    return placed_state(robot, plan, model, q)
+
+
+def placed_state(robot: Robot, plan: Planned, model: LoopModel, q: Array) -> Array:
+    """The same in the pose ``q`` (nq,)."""
     names, layout = model.coordinates, model.layout
     state = np.zeros(layout.size)
     state[layout.controls] = model.plan.controls
     _refuse_unknown_feedback(model)
-    state[layout.q] = rest.q if rest else _undeformed(names, _held(robot, model))
+    state[layout.q] = q
     motors = {name.removesuffix(".motor"): name for name in names if name.endswith(".motor")}
     for group, block in (("coordinates", layout.q), ("rates", layout.v)):
         info: Mapping[str, float] = getattr(robot.initial, group)
@@ -205,7 +219,7 @@ def _refuse_unknown_feedback(model: LoopModel) -> None:
             raise InputError(which, f"the unknown coordinate {unknown[0]!r}", f"one of {known}", "correct it")
 
 
-def _undeformed(names: tuple[str, ...], held: Mapping[str, float]) -> Array:
+def undeformed(names: tuple[str, ...], held: Mapping[str, float]) -> Array:
     """Each joint where its motor is, nothing bent."""
     return np.array([held.get(name, held.get(f"{name}.motor", 0.0)) for name in names])
 

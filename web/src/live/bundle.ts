@@ -6,7 +6,7 @@ import type { LoadsInfo } from "./loads";
 import type { LoadInfo } from "./wrench";
 import type { Layout } from "./engine";
 
-/** Numbers of a run as functions of its knobs, as tmodes/live/forms.py finds them. */
+/** Numbers of a run as functions of its knobs, as tmodes/model/forms.py finds them. */
 export interface FormInfo {
   base: Numbers;
   variables: { start: number; far: number }[];

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import hashlib
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property, partial, wraps
 from operator import attrgetter
 from typing import Any, Protocol
@@ -143,6 +143,19 @@ class Schedule:
     def output(self, name: str, *slots: Slot) -> None:
         """Blocks that make an output, one after the other."""
         self.outputs[name] = list(slots)
+
+    def only(self, outputs: Sequence[str]) -> Schedule:
+        """The same schedule with these outputs alone, and only the calls that they need."""
+        wanted, kept = np.zeros(self.workspace, dtype=bool), []
+        given = {name: self.outputs[name] for name in outputs}
+        for slot in (slot for slots in given.values() for slot in slots):
+            wanted[self.span(slot)] = True
+        for call in reversed(self.calls):
+            if any(wanted[self.span(slot)].any() for slot in call[2]):
+                for slot in call[1]:
+                    wanted[self.span(slot)] = True
+                kept.append(call)
+        return replace(self, calls=kept[::-1], outputs=given)
 
     def _block(self, size: int) -> Slot:
         slot = Slot("changing", self.changing, size)

@@ -43,7 +43,8 @@ class BatchRun:
     lane. ``status``: finished, diverged, stopped (a limit of the settings), interrupted, or failed (it could not
     start), and ``message`` what happened, for each lane. ``statistics``: steps, rejected, evaluations (k,). ``values``:
     numbers that differ between the lanes, (k,) each, by path of the data sheet. ``tips`` (k, n, 3): position of the tip
-    in the world [m], or None. ``folder``: where the batch lies on disk, or None.
+    in the world [m], or None. ``folder``: where the batch lies on disk, or None. ``figures`` (k,): numbers asked for in
+    place of the samples, by name; ``states`` is then (k, 0, nx).
     """
 
     coordinates: tuple[str, ...]
@@ -56,6 +57,7 @@ class BatchRun:
     values: dict[str, Array] = field(default_factory=dict)
     tips: Array | None = None
     folder: Path | None = None
+    figures: dict[str, Array] = field(default_factory=dict)
 
     @property
     def size(self) -> int:
@@ -75,10 +77,10 @@ class BatchRun:
         return Trajectory(self.times[:count], states, self.status[index], self.message[index], info)
 
 
-def not_begun(states: Array, message: str) -> Trajectory:
+def not_begun(states: Array, message: str, status: str = "failed") -> Trajectory:
     """A run that could not start; ``states`` (n, nx), its room, is left without a number."""
     states[:] = np.nan
-    return Trajectory(np.zeros(0), states[:0], "failed", message, dict.fromkeys(COUNTS, 0.0))
+    return Trajectory(np.zeros(0), states[:0], status, message, dict.fromkeys(COUNTS, 0.0))
 
 
 def gathered(coordinates: tuple[str, ...], times: Array, states: Array, runs: Sequence[Trajectory]) -> BatchRun:

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
+from itertools import accumulate
 from pathlib import Path
 
 import numpy as np
@@ -15,17 +17,24 @@ from tmodes.integrate.settings import refuse_stops
 from tmodes.sheet import Robot
 from tmodes.sheet.robot import refuse_other
 from tmodes.simulation.batch.result import BatchRun, check_room, gathered, not_begun, room_for, stored
-from tmodes.simulation.batch.simulate import prepare_loops, run_all, thread_count
-from tmodes.simulation.batch.work import Work, inputs
-from tmodes.simulation.motion_run import tip_positions
-from tmodes.simulation.parts import sample_times
+from tmodes.simulation.batch.simulate import run_all, thread_count
+from tmodes.simulation.parts import Trajectory, sample_times
 from tmodes.simulation.start import RunSetup, run_setup
-from tmodes.simulation.vary.lanes import Columns, changed_sheet, structure_of
+from tmodes.simulation.vary.arrays import array_lots
+from tmodes.simulation.vary.lanes import Columns, changed_sheet
+from tmodes.simulation.vary.lots import Indices, Lot, lots_of
 
 __all__ = ["Prepared", "prepared", "run_prepared", "simulate_batch"]
 
 Array = NDArray[np.float64]
 Progress = Callable[[str, float], None]
+Figures = Callable[[BatchRun], Mapping[str, Array]]
+
+_ROOM = 128_000_000
+"""Bytes of the samples that figures are made of at once."""
+
+_WHOLE = 64
+"""Lanes that are taken at once, or a multiple of it."""
 
 
 def simulate_batch(
@@ -35,6 +44,7 @@ def simulate_batch(
     tips: bool = False,
     threads: int | None = None,
     out: str | os.PathLike[str] | None = None,
+    figures: Figures | None = None,
     progress: Progress = lambda stage, share: None,
 ) -> BatchRun:
     """Run k robots of one sheet at once: ``vary`` holds k numbers for each path that differs.
@@ -42,8 +52,9 @@ def simulate_batch(
     Paths are those of ``with_`` and of ``--set`` (``gear.stiffness``, ``real.gear.stiffness``), but for
     ``integration``, which all share. Each lane is checked like a sheet, and runs as the actual robot of
     :func:`tmodes.run`, without a reference. ``tips``: also where the tip was. ``threads``: None for one on each core.
-    ``out``: a folder for the samples, where they are too many for memory. ``progress`` is given the stage and its
-    share.
+    ``out``: a folder for the samples, where they are too many for memory. ``figures``: what is wanted in place of them:
+    it is given one part of the batch after the other, with states (and tips), and gives numbers (k,) of its lanes by
+    name. ``progress`` is given the stage and its share.
 
     Lanes may differ in their coordinates, as with a rigid gear next to elastic ones: the batch has those of all lanes,
     a motor without one of its own moves as its joint, and of a link they are zero. A lane that cannot start
@@ -51,23 +62,33 @@ def simulate_batch(
     :class:`tmodes.errors.InputError` or :class:`tmodes.errors.InputErrors` for wrong numbers, reporting their lane;
     :class:`tmodes.errors.SimulationError` where none can start.
     """
-    return run_prepared(
-        prepared(sheet, vary, out=out, progress=progress), tips=tips, threads=threads, progress=progress
-    )
+    if figures and out is not None:
+        raise InputError("out", "a folder", "no folder where figures are asked for", "leave out one of the two")
+    lanes = prepared(sheet, vary, out=out, keep=figures is None, progress=progress)
+    return run_prepared(lanes, tips=tips, threads=threads, figures=figures, progress=progress)
 
 
 @dataclass(frozen=True, eq=False)
 class Prepared:
-    """Lanes that were checked and can run, or why not; ``values`` is what the batch describes them, by path.
+    """Lanes that were checked and can run, and why others cannot; ``values`` (k,) describe them, by path.
 
-    ``times`` (n,) [s]: of the samples; ``folder``: where they go, or None.
+    ``failed``: messages by place. ``times`` (n,) [s]: of the samples; ``folder``: where they go, or None.
     """
 
-    lanes: Sequence[RunSetup | str]
+    size: int
+    lots: Sequence[Lot]
+    failed: Mapping[int, str]
     columns: Columns
     values: dict[str, Array]
     times: Array
     folder: Path | None
+
+    def part(self, first: int, stop: int) -> Prepared:
+        """Some lanes, as a batch of their own in memory."""
+        failed = {index - first: why for index, why in self.failed.items() if first <= index < stop}
+        lots = [part for lot in self.lots if len((part := lot.part(first, stop)).places)]
+        values = {path: numbers[first:stop] for path, numbers in self.values.items()}
+        return replace(self, size=stop - first, lots=lots, failed=failed, values=values, folder=None)
 
 
 def prepared(
@@ -75,12 +96,13 @@ def prepared(
     vary: Mapping[str, ArrayLike] | None,
     *,
     out: str | os.PathLike[str] | None = None,
+    keep: bool = True,
     progress: Progress = lambda stage, share: None,
 ) -> Prepared:
     """All that can be wrong with a batch is reported here, before anything runs; see :func:`simulate_batch`.
 
-    ``vary`` None: the sheet as it stands, as a batch of one lane. The room is asked for as soon as the size of a state
-    is known.
+    ``vary`` None: the sheet as it stands, as a batch of one lane. The room of samples to ``keep`` is asked for as soon
+    as the size of a state is known.
     """
     refuse_other(sheet)
     values, folder = {} if vary is None else _checked(vary), None if out is None else Path(out)
@@ -89,30 +111,112 @@ def prepared(
     if sheet.integration.energy_stop:
         hint = "leave it out, or run the lane by itself (tmodes run)"
         raise InputError("integration.energy_stop", "true", "false: a batch watches no energy", hint)
-    lanes: list[RunSetup | str] = []
+    lanes: dict[int, RunSetup | str] = {}
     times, columns = sample_times(sheet.integration), None
-    for index in range(size):
-        changes = {path: _plain(numbers[index]) for path, numbers in values.items()}
-        lanes.append(lane := _lane(sheet, changes, index))
-        if isinstance(lane, RunSetup) and (columns is None or not columns.have(lane)):
-            columns = Columns.of_all([one for one in lanes if isinstance(one, RunSetup)], index)
-            check_room((size, len(times), columns.width), folder)
+
+    def one(index: int) -> RunSetup | str:
+        nonlocal columns
+        if index not in lanes:
+            changes = {path: _plain(numbers[index]) for path, numbers in values.items()}
+            lanes[index] = lane = _lane(sheet, changes, index)
+            if isinstance(lane, RunSetup) and (columns is None or not columns.have(lane)):
+                columns = Columns.of_all([lane for lane in lanes.values() if isinstance(lane, RunSetup)], index)
+                check_room((size if keep else 1, len(times), columns.width), folder)
+        return lanes[index]
+
+    one(0)
+    lots = array_lots(sheet, values, one, lambda share: progress("preparing", share)) if values else []
+    done = np.zeros(size, dtype=bool)
+    for lot in lots:
+        done[lot.places] = True
+    for index in np.flatnonzero(~done).tolist():
+        one(index)
         progress("preparing", (index + 1) / size)
     if columns is None:
         raise SimulationError(f"no case can start; case 0: {lanes[0]}")
-    return Prepared(lanes, columns, values, times, folder)
+    left = {index: lane for index, lane in sorted(lanes.items()) if not done[index]}
+    failed = {index: lane for index, lane in left.items() if isinstance(lane, str)}
+    lots += lots_of({index: lane for index, lane in left.items() if isinstance(lane, RunSetup)})
+    return Prepared(size, lots, failed, columns, values, times, folder)
 
 
 def run_prepared(
-    batch: Prepared, *, tips: bool, threads: int | None = None, progress: Progress = lambda stage, share: None
+    batch: Prepared,
+    *,
+    tips: bool,
+    threads: int | None = None,
+    figures: Figures | None = None,
+    progress: Progress = lambda stage, share: None,
 ) -> BatchRun:
     """Run lanes that were prepared; see :func:`simulate_batch`."""
     count = thread_count(threads)
-    with room_for((len(batch.lanes), len(batch.times), batch.columns.width), batch.folder) as room:
-        done = replace(_run(batch, room, count, progress), values=batch.values)
-        if tips:
-            done = replace(done, tips=_tips(done, batch, progress))
+    if figures:
+        return _figures(batch, figures, count, progress, tips=tips)
+    with room_for((batch.size, len(batch.times), batch.columns.width), batch.folder) as room:
+        runs = _run(batch, room, count, progress)
+        done = _gathered(batch, room, runs, _tips(batch, room, count, progress) if tips else None)
     return stored(done, batch.folder)
+
+
+def _gathered(batch: Prepared, states: Array, runs: Sequence[Trajectory], tips: Array | None) -> BatchRun:
+    return replace(gathered(batch.columns.coordinates, batch.times, states, runs), values=batch.values, tips=tips)
+
+
+def _figures(batch: Prepared, figures: Figures, threads: int, progress: Progress, *, tips: bool) -> BatchRun:
+    """Run part after part in the same room, and keep the figures of each."""
+    shape, runs, found = (len(batch.times), batch.columns.width), [], []
+    at_once = min(-(-_ROOM // (8 * shape[0] * shape[1] * _WHOLE)) * _WHOLE, batch.size)
+    room = np.empty((at_once, *shape))
+    for first in range(0, batch.size, at_once):
+        part = batch.part(first, min(first + at_once, batch.size))
+
+        def tell(stage: str, share: float, part: Prepared = part, first: int = first) -> None:
+            progress(stage, (first + share * part.size) / batch.size)
+
+        if runs and any(run.status == "interrupted" for run in runs[-at_once:]):
+            some = [not_begun(room[index], "interrupted", "interrupted") for index in range(part.size)]
+        else:
+            some = _run(part, room, threads, tell)
+        where = _tips(part, room[: part.size], threads, tell) if tips else None
+        found.append(figures(_gathered(part, room[: part.size], some, where)))
+        runs += some
+    done = _gathered(batch, np.empty((batch.size, 0, shape[1])), runs, None)
+    return replace(done, figures={name: np.concatenate([one[name] for one in found]) for name in found[0]})
+
+
+def _run(batch: Prepared, room: Array, threads: int, progress: Progress) -> list[Trajectory]:
+    """Run the lanes that could start, into a ``room`` (k, n, nx)."""
+    runs = {index: not_begun(room[index], why) for index, why in batch.failed.items()}
+    works = [lot.work(batch.times, _room(lot, batch, room)) for lot in batch.lots]
+    runs |= run_all(works, threads, lambda share: progress("running", share))
+    for work in works:
+        if work.states is not room:
+            room[work.places] = batch.columns.filled(work.states[work.places], work.model.coordinates)
+    return [runs[index] for index in range(batch.size)]
+
+
+def _room(lot: Lot, batch: Prepared, room: Array) -> Array:
+    """Lanes with other coordinates than the batch have a room of their own, at first of rows that take no memory."""
+    size = lot.starts.shape[1]
+    return room if lot.like.model.coordinates == batch.columns.coordinates else np.empty((*room.shape[:2], size))
+
+
+def _tips(batch: Prepared, room: Array, threads: int, progress: Progress) -> Array:
+    tips = np.full((*room.shape[:2], 3), np.nan)
+
+    def fill(lot: Lot, which: Indices) -> int:
+        columns = batch.columns.of(lot.like.model.coordinates)
+        places = lot.places[which].tolist()
+        same = columns == [*range(room.shape[2])]
+        tips[places] = lot.tips(which, batch.times, [room[k] if same else room[k][:, columns] for k in places])
+        return len(places)
+
+    pieces = [(lot, every[k : k + _WHOLE]) for lot in batch.lots if len(every := np.arange(len(lot.places)))
+              for k in range(0, len(every), _WHOLE)]  # fmt: skip
+    with ThreadPoolExecutor(threads, "tmodes-tips") as pool:
+        for done in accumulate(pool.map(lambda piece: fill(*piece), pieces)):
+            progress("tips", done / batch.size)
+    return tips
 
 
 def _checked(vary: Mapping[str, ArrayLike]) -> dict[str, Array]:
@@ -148,48 +252,3 @@ def _lane(sheet: Robot, changes: Mapping[str, float | int], index: int) -> RunSe
         return run_setup(real).chosen()
     except SimulationError as error:
         return str(error)
-
-
-def _run(batch: Prepared, room: Array, threads: int, progress: Progress) -> BatchRun:
-    """Run the lanes that could start, those of one structure together."""
-    groups: dict[object, list[int]] = {}
-    done = {}
-    for index, lane in enumerate(batch.lanes):
-        if isinstance(lane, RunSetup):
-            groups.setdefault(structure_of(lane), []).append(index)
-        else:
-            done[index] = not_begun(room[index], lane)
-    works = [_work(batch, members, room) for members in groups.values()]
-    done |= run_all(works, threads, lambda share: progress("running", share))
-    for work, members in zip(works, groups.values(), strict=True):
-        if work.states is not room:
-            room[members] = batch.columns.filled(work.states[members], work.model.coordinates)
-    return gathered(batch.columns.coordinates, batch.times, room, [done[index] for index in range(len(batch.lanes))])
-
-
-def _work(batch: Prepared, members: list[int], room: Array) -> Work:
-    """Lanes of one structure; those with other coordinates than the batch have a room of their own at first."""
-    setups = [lane for lane in (batch.lanes[index] for index in members) if isinstance(lane, RunSetup)]
-    model, settings = setups[0].model, setups[0].robot.integration
-    prepare_loops(model, settings.method)
-    info = inputs(
-        np.stack([setup.model.numbers for setup in setups]),
-        [setup.planned.schedule for setup in setups],
-        np.stack([setup.start for setup in setups]),
-        settings.duration,
-        model.batch_widths,
-    )
-    if model.coordinates != batch.columns.coordinates:
-        room = np.empty((len(room), len(batch.times), info.starts.shape[1]))  # of rows that nobody writes, no memory
-    return Work(model, info, settings, batch.times, room, np.array(members))
-
-
-def _tips(done: BatchRun, batch: Prepared, progress: Progress) -> Array:
-    tips = np.full((done.size, len(done.times), 3), np.nan)
-    for index, lane in enumerate(batch.lanes):
-        run = done.lane(index)
-        if isinstance(lane, RunSetup) and len(run.times):
-            states = run.states[:, batch.columns.of(lane.model.coordinates)]
-            tips[index, : len(run.times)] = tip_positions(lane, run.times, states)
-        progress("tips", (index + 1) / done.size)
-    return tips

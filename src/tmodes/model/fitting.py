@@ -1,20 +1,16 @@
-"""A vector of numbers as exact functions of a few others: found by probing, and verified at random points.
-
-Each number is a product of powers of those that it depends on, or a polynomial that is linear in each of their powers:
-a mass, a stiffness, the duration of a move enter the numbers of a robot in no other way.
-"""
+"""The form of a vector of numbers that depends on a few others: found by probing, and verified at random points."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
 from itertools import combinations
-from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["Form", "Range", "Unfit", "fitted"]
+from tmodes.model.forms import Form, Powers, Range, Unfit, share
+
+__all__ = ["fitted", "rounding"]
 
 Array = NDArray[np.float64]
 
@@ -35,107 +31,27 @@ _MOST_TOGETHER = 4
 """Variables whose joint polynomial is looked for."""
 
 
-class Range(NamedTuple):
-    """A variable: where it starts, its least and its largest value."""
-
-    start: float
-    low: float
-    high: float
-
-    @property
-    def far(self) -> float:
-        """The end that is the farther from the start."""
-        return max((self.low, self.high), key=lambda end: abs(end - self.start))
-
-    @property
-    def between(self) -> float:
-        """A value at neither end."""
-        return self.start + 0.618 * (self.far - self.start)
-
-    def drawn(self, generator: np.random.Generator) -> float:
-        """A random value, as likely above as below the start in ratio."""
-        if self.low > 0:
-            return float(np.exp(generator.uniform(np.log(self.low), np.log(self.high))))
-        return float(generator.uniform(self.low, self.high))
-
-
-class Unfit(Exception):
-    """Variables, by their index, whose effect has no such form, each with the reason in words."""
-
-    def __init__(self, reasons: dict[int, str]) -> None:
-        super().__init__(reasons)
-        self.reasons = reasons
-
-
-Powers = tuple[tuple[int, int], ...]
-"""Variables, by their index, each with its exponent."""
-
-
-@dataclass(frozen=True, eq=False)
-class Form:
-    """base * product of (x/start)^p of some numbers; base + sum of terms of others.
-
-    A term is its coefficient times the product of (x^p - start^p)/(far^p - start^p).
-    """
-
-    base: Array
-    ranges: tuple[Range, ...]
-    products: dict[int, Powers] = field(default_factory=dict)
-    sums: dict[int, list[tuple[float, Powers]]] = field(default_factory=dict)
-
-    def at(self, values: Mapping[int, float]) -> Array:
-        """The vector at values of some variables."""
-        found = self.base.copy()
-        here = [values.get(k, one.start) for k, one in enumerate(self.ranges)]
-        for entry, powers in self.products.items():
-            for k, p in powers:
-                found[entry] *= (here[k] / self.ranges[k].start) ** p
-        for entry, terms in self.sums.items():
-            for coefficient, powers in terms:
-                found[entry] += coefficient * float(np.prod([_share(self.ranges[k], p, here[k]) for k, p in powers]))
-        return found
-
-    def acting(self, start: int, stop: int) -> set[int]:
-        """Variables, by their index, that change one of these numbers."""
-        each = [powers for entry, powers in self.products.items() if start <= entry < stop]
-        each += [powers for entry, terms in self.sums.items() if start <= entry < stop for _, powers in terms]
-        return {k for powers in each for k, _ in powers}
-
-    def first(self, count: int) -> Form:
-        """The form of so many numbers alone."""
-        products = {entry: powers for entry, powers in self.products.items() if entry < count}
-        sums = {entry: terms for entry, terms in self.sums.items() if entry < count}
-        return Form(self.base[:count], self.ranges, products, sums)
-
-    def info(self) -> dict[str, Any]:
-        """As plain data with arrays: what ``web/src/live/map.ts`` evaluates."""
-        kinds: dict[Powers, int] = {}
-        ratios = [(entry, kinds.setdefault(powers, len(kinds))) for entry, powers in self.products.items()]
-        terms = [
-            (entry, coefficient, kinds.setdefault(powers, len(kinds)))
-            for entry, info in self.sums.items()
-            for coefficient, powers in info
-        ]
-        return {
-            "base": self.base,
-            "variables": [{"start": one.start, "far": one.far} for one in self.ranges],
-            "powers": [[list(pair) for pair in powers] for powers in kinds],
-            "products": np.array(ratios, dtype=np.int32).reshape(-1, 2),
-            "terms": np.array([(entry, kind) for entry, _, kind in terms], dtype=np.int32).reshape(-1, 2),
-            "coefficients": np.array([coefficient for _, coefficient, _ in terms], dtype=float),
-        }
-
-
-def _share(one: Range, p: int, value: float) -> float:
-    return (value**p - one.start**p) / (one.far**p - one.start**p)
-
-
 def fitted(evaluate: Evaluate, ranges: Sequence[Range], generator: np.random.Generator, trials: int = 3) -> Form:
-    """The form of a vector over all variables.
+    """The form of a vector over all variables; what is infinite at the start (a rigid stiffness) must stay so.
 
     Raises :class:`Unfit` that names the variables without one.
     """
-    fit = _Fit(evaluate, tuple(ranges))
+    start = evaluate({})
+    rigid = ~np.isfinite(start)
+
+    def finite(values: Mapping[int, float]) -> Array:
+        found = evaluate(values) if values else start
+        if not np.array_equal(rigid, ~np.isfinite(found)):
+            raise Unfit({max(values): "it makes what is rigid elastic"})
+        return np.where(rigid, 0.0, found)
+
+    form = _verified(finite, tuple(ranges), generator, trials)
+    form.base[rigid] = start[rigid]
+    return form
+
+
+def _verified(evaluate: Evaluate, ranges: tuple[Range, ...], generator: np.random.Generator, trials: int) -> Form:
+    fit = _Fit(evaluate, ranges)
     for k in range(len(ranges)):
         fit.probe(k)
     if fit.unfit:
@@ -144,7 +60,7 @@ def fitted(evaluate: Evaluate, ranges: Sequence[Range], generator: np.random.Gen
     for _ in range(trials):
         values = {k: one.drawn(generator) for k, one in enumerate(ranges)}
         found, true = form.at(values), evaluate(values)
-        allowed = np.maximum(_VERIFIED * np.maximum(np.abs(true), _reach(form, true)), _ROUNDING * _around(true))
+        allowed = np.maximum(_VERIFIED * np.maximum(np.abs(true), _reach(form, true)), rounding(true))
         wrong = ~(np.abs(found - true) <= allowed)
         if wrong.any():
             blamed = max((k for e in np.flatnonzero(wrong) for k, _ in fit.depends.get(int(e), ())), default=None)
@@ -160,10 +76,10 @@ def _reach(form: Form, true: Array) -> Array:
     return size
 
 
-def _around(values: Array) -> Array:
-    """The largest size of a number and its neighbours."""
-    padded = np.pad(np.abs(values), _NEAR)
-    return np.lib.stride_tricks.sliding_window_view(padded, 2 * _NEAR + 1).max(axis=1, initial=0.0)
+def rounding(values: Array) -> Array:
+    """Size of what is rounding in a vector, by the largest of each number and its neighbours."""
+    padded = np.pad(np.abs(np.where(np.isfinite(values), values, 0.0)), _NEAR)
+    return _ROUNDING * np.lib.stride_tricks.sliding_window_view(padded, 2 * _NEAR + 1).max(axis=1, initial=0.0)
 
 
 _ENTANGLED = "its effect together with others has no simple form"
@@ -198,13 +114,13 @@ class _Fit:
         for exponent in _EXPONENTS:
             if not len(entries) or (exponent < 0 and one.start * one.far <= 0):
                 continue
-            info = self.base[entries] + (far - self.base)[entries] * _share(one, exponent, one.between)
+            info = self.base[entries] + (far - self.base)[entries] * share(one, exponent, one.between)
             fits = np.abs(info - between[entries]) <= _FITS * size[entries]
             for entry in entries[fits].tolist():
                 self.depends.setdefault(entry, []).append((k, exponent))
             entries = entries[~fits]
         change = np.maximum(np.abs(far - self.base), np.abs(between - self.base))[entries]
-        entries = entries[change > _ROUNDING * _around(size)[entries]]
+        entries = entries[change > rounding(size)[entries]]
         if len(entries):
             self.unfit[k] = "its effect is no power of it"
 

@@ -1,0 +1,200 @@
+"""Cases of one sheet as arrays: their numbers by a form of those of the varied paths, their starts all at once."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tmodes.errors import InputError, InputErrors
+from tmodes.integrate.choice import STIFF, chosen_method
+from tmodes.integrate.registry import AUTO, integrator
+from tmodes.kinds.signals.schedule import Schedule
+from tmodes.model.fitting import fitted, rounding
+from tmodes.model.forms import Form, Range, Unfit
+from tmodes.model.model import Model
+from tmodes.sheet import Robot
+from tmodes.simulation.loop import LoopModel, loop_numbers, whole
+from tmodes.simulation.plan import Follow, planned, starts_at_rest
+from tmodes.simulation.start import RunSetup, held_at_start, placed_state, slipping, undeformed
+from tmodes.simulation.vary.lots import Indices, LaneNumbers, Lot
+from tmodes.simulation.vary.rests import rests
+
+__all__ = ["Cases"]
+
+Array = NDArray[np.float64]
+
+_SEED = 20100
+
+_BLOCK = 1024
+"""Cases whose starts are found at once."""
+
+_LONGEST = 20_000
+"""Numbers of all signals."""
+
+_EXACT = 1e-11
+"""Relative error of a number that is rounding."""
+
+_SURELY = 2.0
+"""Stiffness of a few cases over that of any other: the method of all is then known from these few."""
+
+
+@dataclass(frozen=True, eq=False)
+class Cases:
+    """k cases of a sheet: ``values`` (k,) of each path; ``like``: one of them."""
+
+    sheet: Robot
+    values: Mapping[str, Array]
+    like: RunSetup
+
+    @cached_property
+    def ranges(self) -> tuple[Range, ...]:
+        """From the least to the largest value of each path."""
+        ends = [(float(values.min()), float(values.max())) for values in self.values.values()]
+        return tuple(Range(low, low, high) for low, high in ends)
+
+    @cached_property
+    def held(self) -> LoopModel:
+        """The loop in which every drive stands."""
+        return LoopModel(planned(self.like.robot, Follow.HELD).plan)
+
+    @cached_property
+    def _structure(self) -> Any:
+        return self._at({})[1]
+
+    @cached_property
+    def forms(self) -> dict[str, Form]:
+        """The form of each block of numbers. Raises :class:`tmodes.model.forms.Unfit` where there is none."""
+        other = self.held.loop.modes or self.held.coordinates != self.like.model.coordinates
+        if other and starts_at_rest(self.like.robot):
+            raise Unfit({0: "its rest is found by other equations"})
+        places = self._structure[-1]
+        form = fitted(self._vector, self.ranges, np.random.default_rng(_SEED))
+        ends = {name: place["start"] + int(np.prod(place["shape"])) for name, place in places.items()}
+        return {name: form.part(place["start"], ends[name]) for name, place in places.items()}
+
+    def _vector(self, point: Mapping[int, float]) -> Array:
+        """All numbers where some paths have other values than their least."""
+        vector, structure = self._at(point)
+        if structure != self._structure:
+            raise Unfit({max(point, default=0): "it changes the structure"})
+        return vector
+
+    def _at(self, point: Mapping[int, float]) -> tuple[Array, Any]:
+        at = [point.get(k, one.start) for k, one in enumerate(self.ranges)]
+        try:
+            return self._of(self.sheet.with_(dict(zip(self.values, at, strict=True))).pair().real)
+        except (InputError, InputErrors) as error:
+            raise Unfit({max(point, default=0): f"the sheet refuses it: {error}"}) from error
+
+    def _of(self, robot: Robot) -> tuple[Array, Any]:
+        """The numbers of a robot, and all that must be the same for all cases."""
+        plan, rest = planned(robot), planned(robot, Follow.HELD)
+        model, chain, held = LoopModel(plan.plan), Model(plan.chain, trials=True), LoopModel(rest.plan)
+        at_start, at_rest = held_at_start(robot, model), starts_at_rest(robot)
+        pose = np.full(chain.nq, np.nan) if at_rest else undeformed(model.coordinates, at_start)
+        blocks = loop_numbers(model.loop, rest) | {
+            "chain": chain.parameters, "base": chain.at_rest(gravity=0.0), "held": np.array([*at_start.values()]),
+            "start": placed_state(robot, plan, model, pose),
+            "knots": plan.schedule.knots, "coefficients": plan.schedule.coefficients,
+        }  # fmt: skip
+        vector, places = whole(blocks)
+        if plan.schedule.coefficients.size > _LONGEST:
+            raise Unfit({0: "its signals have too many pieces"})
+        keys = model.loop.rate.key, held.loop.rate.key, chain.passes.schedule("inertia").key
+        return vector, (keys, model.coordinates, tuple(at_start), at_rest, robot.integration, places)
+
+    def block(self, name: str, which: Indices) -> Array:
+        """A block of numbers of some cases, (m, ...)."""
+        found = self.forms[name].at({k: values[which] for k, values in enumerate(self.values.values())})
+        return found.reshape(len(which), *self._structure[-1][name]["shape"])
+
+    @cached_property
+    def _moves(self) -> bool:
+        """Whether the signals differ."""
+        return any(form.products or form.sums for form in (self.forms["knots"], self.forms["coefficients"]))
+
+    def numbers(self, which: Indices) -> LaneNumbers:
+        """The numbers of some cases."""
+        parameters, chain, base = (self.block(name, which) for name in ("parameters", "chain", "base"))
+        if not self._moves:
+            return LaneNumbers(parameters, chain, base, (self.like.planned.schedule,))
+        pieces = zip(self.block("knots", which), self.block("coefficients", which), strict=True)
+        return LaneNumbers(parameters, chain, base, tuple(Schedule(knots, powers) for knots, powers in pieces))
+
+    def has_numbers(self, index: int, setup: RunSetup) -> bool:
+        """Whether the numbers of a case are those of its sheet but for rounding, however far its values are apart."""
+        found, true = self.numbers(np.array([index])), (setup.model.numbers, setup.mechanics.parameters)
+        return all(
+            bool((np.abs(given[0] - right) <= _EXACT * np.abs(right) + rounding(right))[np.isfinite(right)].all())
+            for given, right in zip((found.parameters, found.chain), true, strict=True)
+        )
+
+    def starts(self, progress: Callable[[float], None]) -> Array:
+        """The first states (k, nx); not-a-number where none is found."""
+        found = []
+        for which in self._blocks:
+            found.append(self._starts(which))
+            progress((which[-1] + 1) / (self._blocks[-1][-1] + 1))
+        return np.concatenate(found)
+
+    @cached_property
+    def _blocks(self) -> list[Indices]:
+        every = np.arange(len(next(iter(self.values.values()))))
+        return [every[k : k + _BLOCK] for k in range(0, len(every), _BLOCK)]
+
+    def _rows(self, which: Indices) -> Array:
+        """The rows of the signals at time 0."""
+        if not self._moves:
+            return np.tile(self.like.first_row, (len(which), 1))
+        pieces = self.block("coefficients", which)[:, 0].reshape(len(which), -1)
+        return np.column_stack([self.block("knots", which)[:, 0], pieces])
+
+    def _starts(self, which: Indices) -> Array:
+        model, parameters, rows = self.like.model, self.block("parameters", which), self._rows(which)
+        states = self.block("start", which).copy()
+        if self.like.rest is not None:
+            placed = states[:, model.layout.q]  # a view
+            np.copyto(placed, self._rests(which), where=np.isnan(placed))
+        states = model.settled(states, rows, parameters)
+        rates = model.rate(np.zeros(len(states)), states, rows, parameters)
+        states[~np.isfinite(rates[:, model.layout.v]).all(axis=1)] = np.nan
+        return states
+
+    def _rests(self, which: Indices) -> Array:
+        rest, names = self.like.rest, list(self.like.model.coordinates)
+        assert rest is not None  # noqa: S101
+        near = np.tile(rest.q, (len(which), 1))
+        places = [names.index(name) for name in held_at_start(self.like.robot, self.like.model)]
+        near[:, places] = self.block("held", which)
+        return rests(self.held, self.block("rest", which), self.block("rest_row", which), near, rest.free)
+
+    def lots(self, starts: Array, places: Indices, tried: list[RunSetup]) -> Iterator[Lot]:
+        """The cases that have a start, by their method; ``tried``: some, as setups of their own."""
+        has_start = np.isfinite(starts).all(axis=1)
+        methods = self._methods(starts, tried)
+        for method in sorted(set(methods[has_start].tolist())):
+            chosen = np.flatnonzero(has_start & (methods == method))
+            yield Lot(
+                self.like.by(method, None), places[chosen], starts[chosen],
+                lambda which, chosen=chosen: self.numbers(chosen[which]),
+            )  # fmt: skip
+
+    def _methods(self, starts: Array, tried: list[RunSetup]) -> NDArray[np.str_]:
+        """The method of each case: that of a few where it is surely the same, else by the eigenvalues of each."""
+        given, few = self.sheet.integration, sorted({setup.robot.integration.method for setup in tried})
+        bounds = STIFF * (integrator(few[0]).reach or 1.0) / given.duration
+        if given.method != AUTO or (
+            len(few) == 1 and max(setup.spectrum.highest for setup in tried) * _SURELY <= bounds
+        ):
+            return np.full(len(starts), few[0])
+        model, found = self.like.model, []
+        for which in self._blocks:
+            states = slipping(model, np.nan_to_num(starts[which]))
+            slopes = model.jacobian(0.0, states, self._rows(which), self.block("parameters", which))
+            found += np.abs(np.linalg.eigvals(np.nan_to_num(slopes))).max(axis=1, initial=0.0).tolist()
+        return np.array([chosen_method(given, highest, self.like.implicit)[0] for highest in found])

@@ -1,0 +1,94 @@
+"""Lots: lanes of a batch that run on the same code, with the numbers of each; prepared one by one, or as arrays."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tmodes.kinds.signals.schedule import Schedule
+from tmodes.simulation.batch.simulate import prepare_loops
+from tmodes.simulation.batch.work import Work, inputs
+from tmodes.simulation.start import RunSetup
+from tmodes.simulation.vary.lanes import structure_of
+
+__all__ = ["Indices", "LaneNumbers", "Lot", "lots_of"]
+
+Array = NDArray[np.float64]
+Indices = NDArray[np.int64]
+
+
+class LaneNumbers(NamedTuple):
+    """Of m lanes: ``parameters`` (m, size) of their loops, those of their ``chain`` alone, ``base`` (m, 24) at rest.
+
+    ``schedules``: one for all, or m.
+    """
+
+    parameters: Array
+    chain: Array
+    base: Array
+    schedules: tuple[Schedule, ...]
+
+
+@dataclass(frozen=True, eq=False)
+class Lot:
+    """Lanes of one structure: ``places`` (k,) in the batch, ``starts`` (k, nx), their first states.
+
+    ``like``: a lane of the same structure and method; ``numbers`` of some of the lanes, by their indices.
+    """
+
+    like: RunSetup
+    places: Indices
+    starts: Array
+    numbers: Callable[[Indices], LaneNumbers]
+
+    def part(self, first: int, stop: int) -> Lot:
+        """The lanes of these places of the batch, as those of a batch of their own."""
+        start, end = np.searchsorted(self.places, (first, stop)).tolist()
+        places, starts = self.places[start:end] - first, self.starts[start:end]
+        return Lot(self.like, places, starts, lambda which: self.numbers(start + which))
+
+    def work(self, times: Array, room: Array) -> Work:
+        """What is to run, its samples in a ``room`` (all, n, nx)."""
+        model, settings, found = self.like.model, self.like.robot.integration, self.numbers(np.arange(len(self.places)))
+        prepare_loops(model, settings.method)
+        info = inputs(found.parameters, found.schedules, self.starts, settings.duration, model.batch_widths)
+        return Work(model, info, settings, times, room, self.places)
+
+    def tips(self, which: Indices, times: Array, states: Sequence[Array]) -> Array:
+        """Where the tips of m lanes are in the world, (m, n, 3) [m], in ``states`` (n, nx) of this structure each."""
+        model, found = self.like.model, self.numbers(which)
+        base: Sequence[Array] = [*found.base]
+        if self.like.planned.plan.base:
+            rows = [schedule.rows_at(times) for schedule in found.schedules]
+            base = [
+                model.observe(times, samples, rows[lane % len(rows)], found.parameters[lane])["base"]
+                for lane, samples in enumerate(states)
+            ]
+        return self.like.mechanics.passes.tips([one[:, model.layout.q] for one in states], base, found.chain)
+
+
+def lots_of(lanes: Mapping[int, RunSetup]) -> list[Lot]:
+    """Lanes that were prepared one by one, by their places: those of one structure together."""
+    groups: dict[object, list[int]] = {}
+    for index, lane in lanes.items():
+        groups.setdefault(structure_of(lane), []).append(index)
+    return [_stacked({index: lanes[index] for index in members}) for members in groups.values()]
+
+
+def _stacked(lanes: Mapping[int, RunSetup]) -> Lot:
+    setups = list(lanes.values())
+
+    def numbers(which: Indices) -> LaneNumbers:
+        chosen = [setups[k] for k in which]
+        return LaneNumbers(
+            np.stack([one.model.numbers for one in chosen]),
+            np.stack([one.mechanics.parameters for one in chosen]),
+            np.stack([one.mechanics.at_rest(gravity=0.0) for one in chosen]),
+            tuple(one.planned.schedule for one in chosen),
+        )
+
+    return Lot(setups[0], np.array([*lanes]), np.stack([one.start for one in setups]), numbers)
