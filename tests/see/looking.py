@@ -32,8 +32,16 @@ def hear(window: Window, text: str) -> None:
         window.said.append(text)
 
 
-def look(browser: Any, report: Path, size: tuple[int, int] = SIZES[0], scheme: str = "light", **more: Any) -> Window:
-    """Open a page, and listen; return when its program has started."""
+def look(
+    browser: Any,
+    report: Path,
+    size: tuple[int, int] = SIZES[0],
+    scheme: str = "light",
+    *,
+    unfolded: bool = False,
+    **more: Any,
+) -> Window:
+    """Open a page, and listen; return when its program has started. ``unfolded``: with all its sliders in sight."""
     viewport = {"width": size[0], "height": size[1]}
     context = browser.new_context(viewport=viewport, color_scheme=scheme, reduced_motion="reduce", **more)
     context.set_default_timeout(WAIT)
@@ -47,4 +55,8 @@ def look(browser: Any, report: Path, size: tuple[int, int] = SIZES[0], scheme: s
     window.page.goto(report.as_uri())
     if more.get("java_script_enabled", True):
         window.page.wait_for_selector("html.running")
+    if unfolded:
+        window.page.evaluate(
+            "document.querySelectorAll('.sliders-panel details').forEach((one) => { one.open = true })"
+        )
     return window

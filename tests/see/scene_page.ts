@@ -9,7 +9,7 @@ async function main(): Promise<void> {
   const page = unpack(await inflated(document.getElementById("tmodes-data")?.textContent ?? "")) as Page;
   const place = document.getElementById("place") as HTMLElement;
   const clock = makeClock(Math.max(...page.runs.map((run) => run.duration)));
-  const mount = () => mountScene(place, page, clock);
+  const mount = (bent = false) => mountScene(place, page, clock, bent);
   Object.assign(window, { page, place, clock, mount, Motion, view: mount(), ready: true });
 }
 

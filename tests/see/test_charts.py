@@ -51,7 +51,18 @@ def test_units_are_those_of_the_figures(charts: dict[str, dict[str, Any]]) -> No
         name = chart["unit"]
         known = name[1:] in {"m", "rad", "N", "N·m", "J", "V", "A"}
         prefix = PREFIX.get(name[0], 1.0) if known else 1
-        assert {curve["source"]["factor"] for curve in chart["curves"]} == {prefix}
+        assert {curve["source"]["factor"] for curve in chart["curves"] if curve["source"]} <= {prefix}
+
+
+def test_causes_add_up_to_the_error_in_one_unit(good: Result, charts: dict[str, dict[str, Any]]) -> None:
+    for which in ("tip_error", "tip_error_nominal"):
+        *parts, total = charts[which]["curves"]
+        assert (charts[which]["stacked"], charts[which]["unit"], total["label"]) == (True, "mm", "total")
+        assert sum(part["values"] for part in parts) == pytest.approx(total["values"], abs=1e-4)
+    assert total["values"] == pytest.approx(1e3 * good.data["deviation"].values, abs=1e-3)
+    lengths = {"error": {"mm"}, "deformations": {"mrad"}}
+    for group, units in lengths.items():
+        assert {chart["unit"] for chart in charts.values() if chart["group"] == group} == units
 
 
 def test_what_stands_side_by_side_has_one_unit(good: Result) -> None:
@@ -93,7 +104,7 @@ def test_long_runs_are_thinned_and_tell_it(good: Result) -> None:
 
 
 def test_free_space_has_no_contact_chart(failed: Result) -> None:
-    assert {draft.group for draft in drafts_of(failed)} == {"tip", "deformations", "motors", "energy"}
+    assert {draft.group for draft in drafts_of(failed)} == {"error", "tip", "deformations", "motors", "energy"}
 
 
 def test_facts_have_stable_names_units_and_values(good: Result) -> None:

@@ -49,7 +49,7 @@ def opened(request: Any, browser: Any, tmp_path_factory: pytest.TempPathFactory)
     _, slider, value, _ = KINDS[request.param]
     path = tmp_path_factory.mktemp("steady") / "report.html"
     path.write_text(report_of(request.param), encoding="utf-8")
-    window = look(browser, path, (1280, 1000))
+    window = look(browser, path, (1280, 1000), unfolded=True)
     window.page.wait_for_selector(f"{STATUS}:text('Move a slider')")
     yield window, slider, value
     assert window.said == []

@@ -121,7 +121,7 @@ def test_keys_move_the_time(window: Any) -> None:
 
 
 def test_groups_of_charts_are_tabs(window: Any) -> None:
-    window.page.get_by_role("tab", name="Overview").focus()
+    window.page.get_by_role("tab", name="Error").click()
     window.page.keyboard.press("ArrowRight")
     assert window.page.get_by_role("tab", name="Tip").get_attribute("aria-selected") == "true"
     charts = window.page.locator(".chart-grid .chart")

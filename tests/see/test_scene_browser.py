@@ -51,8 +51,8 @@ def test_enlarged_deformation_changes_the_picture_and_says_so(robot: Window) -> 
     assert robot.page.locator(".scene-factor").is_hidden()
     robot.enlarge(70)
     assert differing(first, robot.picture()) > 300
-    factor = round(200**0.7)
-    assert robot.page.locator(".scene-factor").text_content() == f"Deformation × {factor}"
+    factor = robot.page.locator(".scene-factor-row output").text_content()
+    assert robot.page.locator(".scene-factor").text_content() == f"Deformation × {factor[1:]}, not to scale"
     robot.enlarge(0)
     assert differing(first, robot.picture()) == 0
 
@@ -84,6 +84,29 @@ def test_cameras_show_other_sides_and_come_back(robot: Window) -> None:
     assert differing(seen[0], turned) > 300
     robot.page.get_by_role("button", name="Reset view").click()
     assert differing(seen[0], robot.picture()) == 0
+
+
+def test_it_opens_bent_and_no_scale_leaves_the_picture(robot: Window) -> None:
+    """What bends much is to scale; at the largest scale, and back, all of the robot is seen."""
+    robot.do("view.dispose(); window.view = mount(true); clock.seek(view.opensAt)")
+    shown = """(() => {
+      const { line, rigid, times } = page.runs[0].scene;
+      const [count, size] = [times.data.length, line.data.length / times.data.length];
+      const far = Array.from({ length: count }, (_, k) => Math.max(...Array.from({ length: size / 3 }, (_, j) =>
+        Math.hypot(...[0, 1, 2].map((c) => line.data[k * size + 3 * j + c] - rigid.data[k * size + 3 * j + c])))));
+      return [view.opensAt, times.data[far.indexOf(Math.max(...far))], Math.max(...far)];
+    })()"""
+    opens, bent, size = robot.do(shown)
+    assert opens == bent
+    factor = float(robot.page.locator(".scene-factor-row output").text_content()[1:])
+    assert factor == 1 or 0.05 < factor * size < 0.15
+    assert "Undeformed" in robot.page.locator(".scene-legend").text_content()
+    robot.choose("floor")
+    robot.choose("surface")
+    for step in (100, 0):
+        robot.enlarge(step)
+        shot = robot.picture()
+        assert differing(shot[[0, -1], 1:], shot[[0, -1], :-1]) == 0  # nothing but the sky is at the edge
 
 
 def test_modes_are_animated_and_end(robot: Window) -> None:

@@ -28,7 +28,7 @@ def window(browser: Any, tmp_path_factory: pytest.TempPathFactory) -> Any:
     """Its report, open."""
     path = tmp_path_factory.mktemp("alive") / "report.html"
     path.write_text(short_report(), encoding="utf-8")
-    window = look(browser, path, (1280, 1000))
+    window = look(browser, path, (1280, 1000), unfolded=True)
     window.page.wait_for_selector(f"{STATUS}:text('Move a slider')")
     return window
 

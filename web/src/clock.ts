@@ -8,6 +8,8 @@ export interface Clock {
   readonly playing: boolean;
   /** Simulated seconds in a second. */
   speed: number;
+  /** Whether it starts again at the end. */
+  loop: boolean;
   seek(time: number): void;
   play(): void;
   pause(): void;
@@ -28,7 +30,10 @@ export function makeClock(duration: number): Clock {
     const passed = Math.min(0.25, (now - before) / 1000);
     before = now;
     state.time += passed * clock.speed;
-    if (state.time >= state.duration) state.time = 0; // again and again
+    if (state.time >= state.duration) {
+      state.time = clock.loop ? 0 : state.duration;
+      state.playing = clock.loop;
+    }
     tell();
     if (state.playing) frame = requestAnimationFrame(step);
   };
@@ -43,6 +48,7 @@ export function makeClock(duration: number): Clock {
       return state.playing;
     },
     speed: 1,
+    loop: true,
     seek(time) {
       state.time = Math.min(Math.max(time, 0), state.duration);
       tell();
@@ -50,6 +56,7 @@ export function makeClock(duration: number): Clock {
     play() {
       if (state.playing) return;
       state.playing = true;
+      if (state.time >= state.duration) state.time = 0;
       before = performance.now();
       frame = requestAnimationFrame(step);
       tell();

@@ -21,16 +21,25 @@ export interface Run {
   status: string;
   success: boolean;
   message: string;
+  /** The result in a sentence; empty where the run did not reach its end. */
+  sentence: string;
   warnings: string[];
   duration: number;
   /** The numbers that matter, most important first. */
   facts: Fact[];
+  /** Moments that the time bar marks [s], in their order. */
+  events: RunEvent[];
   charts: Chart[];
   scene: Scene;
   line: LinePanel | null;
   modes: Mode[];
   /** The data sheet of this very run as YAML, ready to be saved. */
   sheet: string;
+}
+
+export interface RunEvent {
+  time: number;
+  label: string;
 }
 
 /** One headline number. */
@@ -42,6 +51,10 @@ export interface Fact {
   unit: string;
   /** When, where, of what. */
   note: string;
+  /** At which it is so [s]. */
+  time?: number | null;
+  /** What a reader may ask next. */
+  more?: string;
 }
 
 /** A quantity of the result: column `index` of the flattened trailing dimensions of the result's variable. */
@@ -69,7 +82,7 @@ export interface Chart {
   /** Stable name, such as `tip_deviation`. */
   id: string;
   title: string;
-  group: "tip" | "contact" | "deformations" | "motors" | "energy" | "spectrum";
+  group: "error" | "tip" | "contact" | "deformations" | "motors" | "energy" | "spectrum";
   unit: string;
   /** What is along: time [s] (linked with the clock) or frequency [Hz]. */
   abscissa: "time" | "frequency";
@@ -81,6 +94,8 @@ export interface Chart {
   /** Places along the abscissa with a name, such as the robot's own frequencies. */
   marks: { at: number; label: string }[];
   curves: Curve[];
+  /** All curves but the last one are drawn as areas on each other: they add up to it. */
+  stacked?: boolean;
   /** Whether a logarithmic ordinate serves, and whether it is the first choice. */
   log: "no" | "offered" | "first";
 }

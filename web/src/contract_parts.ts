@@ -21,7 +21,7 @@ export interface LiveRun {
   /** First and last time [s] of what its spectra are of; without it those of the charts serve. */
   span?: [number, number];
   /** Headline numbers by the ids of the facts; those that cannot be computed are absent. */
-  facts: Record<string, { value: number | null; note: string }>;
+  facts: Record<string, { value: number | null; note: string; time?: number }>;
   /** Its modes; a sentence where they cannot be reported, none where they are not known yet. */
   vibration?: Vibration | string;
 }
@@ -45,6 +45,12 @@ export interface Live {
 
 /** `mountScene(element, page, clock)` of src/scene/scene.ts gives it. */
 export interface SceneView {
+  /** When the first run's robot is bent most [s]. */
+  readonly opensAt: number;
+  /** From where it is looked at [m], six numbers, and how many times deformations are enlarged. */
+  view: { pose: number[]; factor: number };
+  /** The picture as it is now, with the words that it needs; drawn on `canvas` again where one is given. */
+  picture(canvas?: HTMLCanvasElement): HTMLCanvasElement;
   /** Show other arrays for a run (of the live model); null: those of the page. The page's own stay as a ghost. */
   replace(run: number, scene: LiveRun["scene"] | null): void;
   /**

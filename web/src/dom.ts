@@ -49,9 +49,14 @@ export function ownId(stem: string): string {
   return `tm-${stem}-${info}`;
 }
 
+/** Give the user a picture as a PNG file. */
+export function savePicture(canvas: HTMLCanvasElement, name: string): void {
+  canvas.toBlob((blob) => blob && save(blob, `${name}.png`, "image/png"), "image/png");
+}
+
 /** Give the user a file. */
-export function save(text: string, name: string, type: string): void {
-  const address = URL.createObjectURL(new Blob([text], { type }));
+export function save(content: string | Blob, name: string, type: string): void {
+  const address = URL.createObjectURL(new Blob([content], { type }));
   make("a", { href: address, download: name }).click();
   setTimeout(() => URL.revokeObjectURL(address), 10_000);
 }

@@ -11,6 +11,8 @@ const PREFIXES: [number, number, string][] = [
 ];
 const NEVER_LARGE = ["m", "rad", "s"];
 const PLAIN = ["Hz", "%", "rad/s"];
+/** One unit for what is compared: below this size the factor on the SI value and its name. */
+const FIXED: Record<string, [number, number, string]> = { m: [10, 1e3, "mm"], rad: [1, 1e3, "mrad"], s: [1, 1, "s"] };
 const SUPERSCRIPT = "⁰¹²³⁴⁵⁶⁷⁸⁹";
 
 /** `N*m` and `N m` as `N·m`; no unit is empty. */
@@ -37,6 +39,8 @@ export function powerOfTen(value: number): string {
 export function readable(unit: string, size: number): { factor: number; name: string } {
   const name = pretty(unit);
   if (!name || PLAIN.includes(unit) || !(size > 0)) return { factor: 1, name };
+  const fixed = FIXED[unit];
+  if (fixed) return size < fixed[0] ? { factor: fixed[1], name: fixed[2] } : { factor: 1, name };
   const never = NEVER_LARGE.includes(unit.split("/")[0]);
   const found = PREFIXES.find(([least, factor]) => size >= least && (factor >= 1 || !never));
   return found ? { factor: found[1], name: found[2] + name } : { factor: 1, name };
@@ -47,8 +51,8 @@ export function info(value: number | null, unit: string): string {
   if (value === null || !Number.isFinite(value)) return "–";
   const size = Math.abs(value);
   const { factor, name } = readable(unit, size);
-  const tiny = size > 0 && (factor === 1 ? size < 1e-3 : size < 1e-11);
-  return `${tiny ? powerOfTen(value) : digits(value * factor)}\u00a0${name}`.trimEnd();
+  const tiny = size > 0 && (factor === 1 || unit in FIXED ? size * factor < 1e-3 : size < 1e-11);
+  return `${tiny ? powerOfTen(unit in FIXED ? value * factor : value) : digits(value * factor)}\u00a0${name}`.trimEnd();
 }
 
 /** A number on an axis or in a legend, without a unit. */

@@ -9,10 +9,13 @@ import { openLive } from "./live/live";
 import { mountFacts } from "./panels/facts";
 import { mountLine } from "./panels/line";
 import { mountModes } from "./panels/modes";
-import { fileName, mountSave } from "./panels/save";
+import { follow, fragmentOf } from "./panels/address";
+import { fileName, mountSave, saveMenu } from "./panels/save";
 import { mountSliders } from "./panels/sliders";
 import { mountTransport } from "./panels/transport";
 import { mountScene } from "./scene/scene";
+
+const MARKED = ["tip_error.commanded", "deviation.max", "deflection.max", "gear.max"];
 
 export interface PageView {
   readonly clock: Clock;
@@ -37,7 +40,7 @@ export function mountPage(root: HTMLElement, page: Page): PageView {
     "aria-label": "Numbers that matter",
   });
   const sliders = make("div", { class: "sliders-panel", role: "region", tabindex: "0", "aria-label": "Settings" });
-  const side = make("div", { class: "side" }, sliders, facts);
+  const side = make("div", { class: "side" }, facts, sliders);
   const transport = make("div", { class: "transport", role: "group", "aria-label": "Time" });
   const charts = make("section", { class: "charts", "aria-label": "Charts" });
   const of = page.runs.length > 1 ? ` of ${page.runs[0].name}` : "";
@@ -46,16 +49,17 @@ export function mountPage(root: HTMLElement, page: Page): PageView {
   const files = make("div", { class: "bar files" });
   root.classList.add("app");
   root.append(
-    make("div", { class: "stage" }, stage, side),
+    make("div", { class: "stage" }, stage),
     transport,
-    charts,
-    make("div", { class: "lower" }, line.element, modes.element),
+    make("div", { class: "desk" }, side, charts, make("div", { class: "lower" }, line.element, modes.element)),
     files,
   );
 
-  const scene = mountScene(stage, page, clock);
-  const parts: { dispose(): void }[] = [scene, mountTransport(transport, clock)];
-  const factsView = mountFacts(facts, page);
+  const scene = mountScene(stage, page, clock, true);
+  clock.seek(scene.opensAt);
+  const transportView = mountTransport(transport, clock);
+  const parts: { dispose(): void }[] = [scene, transportView];
+  const factsView = mountFacts(facts, page, clock);
   const chartsView = mountCharts(charts, page, clock);
   const lineView = page.runs[0].line ? mountLine(line.body, page, clock) : null;
   let modesView = page.runs[0].modes.length ? mountModes(modes.body, page, scene, clock) : null;
@@ -63,6 +67,16 @@ export function mountPage(root: HTMLElement, page: Page): PageView {
   // a robot at rest, without a run
   transport.hidden = charts.hidden = page.runs.every((run) => run.charts.length === 0);
 
+  const samples = page.runs[0].charts.find((chart) => chart.abscissa === "time")?.at.data ?? [];
+  const mark = (live: LiveRun | null) => {
+    const times = live ? live.times : samples;
+    const changed = page.runs[0].facts.flatMap(({ id, name }) => {
+      const time = live?.facts[id]?.time;
+      return time !== undefined && MARKED.includes(id) ? [{ time, label: `largest: ${name.toLowerCase()}` }] : [];
+    });
+    transportView.show(live ? changed.sort((one, other) => one.time - other.time) : page.runs[0].events, times);
+  };
+  mark(null);
   let drawn: LiveRun | null = null; // picture and curves are there before all of a run
 
   function show(live: LiveRun | null): void {
@@ -74,15 +88,23 @@ export function mountPage(root: HTMLElement, page: Page): PageView {
     chartsView.show(live);
     factsView.show(live);
     modesView?.show(live);
+    mark(live);
     drawn = live;
   }
 
-  if (page.live)
-    parts.push(
-      mountSliders(sliders, page.live, { open: openLive, show, fileName: `${fileName(page.runs[0].name)}_changed` }),
-    );
+  const own = fileName(page.runs[0].name);
+  const settings = page.live && mountSliders(sliders, page.live, {
+    open: openLive, show, fileName: `${own}_changed`, facts: page.runs[0].facts,
+  });
+  if (settings) parts.push(settings);
   else if (page.notLive)
     sliders.append(make("p", { class: "note", text: `Nothing can be changed in this page: ${page.notLive}.` }));
+
+  const menu = saveMenu(own, scene, clock, () => fragmentOf(clock, scene, settings));
+  stage.querySelector(".scene-bar")?.append(menu);
+  const goBack = () => follow(location.hash, clock, scene, settings);
+  addEventListener("hashchange", goBack);
+  goBack();
 
   return {
     clock,
@@ -100,6 +122,7 @@ export function mountPage(root: HTMLElement, page: Page): PageView {
     },
     dispose() {
       clock.pause();
+      removeEventListener("hashchange", goBack);
       modesView?.dispose();
       [...parts, chartsView, ...(lineView ? [lineView] : [])].forEach((part) => part.dispose());
       root.replaceChildren();

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -16,6 +17,9 @@ __all__ = ["charts_of", "contact_parts", "drafts_of", "energy_charts", "tip_char
 _TOGETHER = 6
 """Coordinates or joints in one chart, at most."""
 
+_SAME = 2e-3
+"""Share of a chart's range within which curves lie on each other."""
+
 _PARTS = {"real": "", "reference": "_nominal", "stationary": "_stationary", "oscillatory": "_oscillatory"}
 
 
@@ -25,12 +29,14 @@ def charts_of(results: Sequence[Result]) -> list[list[dict[str, Any]]]:
 
 
 def drafts_of(result: Result) -> list[Draft]:
-    """The charts of a run in SI units, the first of each group being the one to look at first."""
-    return list(_drafts(result))
+    """The charts of a run in SI units, the first of each group being the one to look at first; none of zeros alone."""
+    drafts = list(_drafts(result))
+    return [draft for draft in drafts if draft.group == "energy" or any(np.any(line.values) for line in draft.lines)]
 
 
 def _drafts(result: Result) -> Iterator[Draft]:
     data = result.data
+    yield from _causes(data)
     yield from tip_charts(data)
     yield from _contact(data)
     yield from _deformations(data)
@@ -38,6 +44,21 @@ def _drafts(result: Result) -> Iterator[Draft]:
     yield from _controllers(data)
     yield from energy_charts(data)
     yield from run_spectra(result)
+
+
+def _causes(data: Any) -> Iterator[Draft]:
+    """The error of the tip over time by its causes: components along the error, which add up to its size."""
+    for which, series in (("commanded", "tip_error"), ("nominal", "tip_error_nominal")):
+        if series in data:
+            parts = data[series].transpose("error_part", "time", "axis").values
+            whole = parts.sum(axis=0)
+            size = np.linalg.norm(whole, axis=1)
+            along = (parts * (whole / np.maximum(size, np.finfo(float).tiny)[:, None])).sum(axis=2)
+            names = [str(name) for name in data["error_part"].values]
+            lines = [Line(name, "real", part) for name, part in zip(names, along, strict=True) if np.any(part)]
+            own, title = series, f"Tip error to {which}, by cause"
+            time = data["time"].values
+            yield Draft(own, title, "error", "m", time, (*lines, Line("total", "real", size)), stacked=True)
 
 
 def _contact(data: Any) -> Iterator[Draft]:
@@ -115,11 +136,28 @@ def _by_unit(data: Any, name: str, title: str, drives: Sequence[str], lines: Any
 
 
 def _chunks(name: str, title: str, unit: str, data: Any, groups: Sequence[tuple[Line, ...]]) -> Iterator[Draft]:
+    groups = _apart(groups)
     for first in range(0, len(groups), _TOGETHER):
         part = groups[first : first + _TOGETHER]
         more = f", {first + 1} to {first + len(part)} of {len(groups)}" if len(groups) > _TOGETHER else ""
         lines = tuple(line for group in part for line in group)
         yield Draft(f"{name}_{first}", f"{title}{more}", "motors", unit, data["time"].values, lines)
+
+
+def _apart(groups: Sequence[tuple[Line, ...]]) -> list[tuple[Line, ...]]:
+    """Curves that lie on each other are drawn once, under all their names."""
+    largest = max((float(np.ptp(line.values)) for group in groups for line in group), default=0.0)
+    found: list[tuple[Line, ...]] = []
+    for group in groups:
+        for k, other in enumerate(found):
+            if len(other) == len(group) and all(
+                np.abs(one.values - two.values).max() <= _SAME * largest for one, two in zip(other, group, strict=True)
+            ):
+                found[k] = tuple(replace(line, label=f"{line.label} ≈ {group[0].label}") for line in other)
+                break
+        else:
+            found.append(group)
+    return found
 
 
 def _controllers(data: Any) -> Iterator[Draft]:
@@ -187,9 +225,13 @@ def contact_parts(data: Any, title: str) -> Draft:
 
 
 def energy_charts(data: Any) -> Iterator[Draft]:
-    """The residual of the energy balance [J], the energies and the works by kind."""
-    time = data["time"].values
-    yield Draft("energy", "Energy by kind", "energy", "J", time, _kinds(data, "energy"))
+    """The energies, those of the elasticity apart since they are small, the works, the residual of the balance [J]."""
+    time, kinds = data["time"].values, _kinds(data, "energy")
+    elastic = tuple(line for line in kinds if line.label.startswith("elastic"))
+    if motion := tuple(line for line in kinds if line not in elastic):
+        yield Draft("energy", "Kinetic and potential energy", "energy", "J", time, motion)
+    if elastic:
+        yield Draft("energy_elastic", "Elastic energy", "energy", "J", time, elastic)
     yield Draft("work", "Work since the start", "energy", "J", time, _kinds(data, "work"))
     residual = (line_of(data, ("energy_balance", 0), "residual", "real"),)
     yield Draft("energy_balance", "Residual of the energy balance", "energy", "J", time, residual, "first")

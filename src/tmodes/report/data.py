@@ -15,10 +15,12 @@ from tmodes.analysis.spectrum import MotorState
 from tmodes.errors import InputError, InputErrors, SimulationError, TmodesError
 from tmodes.live.bundle import live_bundle, why_not_live
 from tmodes.report.charts import charts_of
+from tmodes.report.events import events_of
 from tmodes.report.facts import Fact, run_facts
 from tmodes.report.pack import scene_frames
 from tmodes.report.scene import line_of, lines_at, scene_of
 from tmodes.report.scene_parts import actual
+from tmodes.report.sentence import result_sentence
 from tmodes.result import Result
 
 __all__ = ["facts_of", "live_page", "modes_of", "page_data", "robot_name", "sheet_of"]
@@ -74,15 +76,18 @@ def _run(result: Result, name: str, charts: list[dict[str, Any]], *, light: bool
     times, missing = np.asarray(data["time"].values, dtype=float), actual(result).missing
     unknown = [f"shown by what the result holds alone, because its robot cannot be rebuilt: {missing}"]
     unknown = unknown if missing and not any(missing in one for one in result.warnings) else []
+    facts = facts_of(result)
     frames = scene_frames(times, int(np.prod(data["line"].shape[1:])) if "line" in data else 0)
     return {
         "name": name,
         "status": result.status,
         "success": result.success,
         "message": result.message,
+        "sentence": result_sentence(result.summary()) if result.status == "finished" else "",
         "warnings": [*result.warnings, *unknown],
         "duration": float(times[-1]),
-        "facts": [asdict(fact) for fact in facts_of(result)],
+        "facts": [asdict(fact) for fact in facts],
+        "events": events_of(result, facts),
         "charts": charts,
         "scene": scene_of(result, frames),
         "line": line_of(result, frames),

@@ -27,6 +27,9 @@ Place = tuple[str, int]
 
 _LARGEST_SINGLE = 1e37
 
+_LONG = 10.0
+"""Lengths from here on are in m."""
+
 
 @dataclass(frozen=True, eq=False)
 class Line:
@@ -50,7 +53,7 @@ class Draft:
     """A chart in SI units; ``at`` (n,) is time [s] or frequency [Hz], ``unit`` that of all lines.
 
     ``span``: of a spectrum, first and last time [s] of the samples that it is of. ``marks``: places along ``at`` with
-    their names.
+    their names. ``stacked``: all lines but the last one add up to it.
     """
 
     id: str
@@ -63,6 +66,7 @@ class Draft:
     abscissa: str = "time"
     span: tuple[float, float] | None = None
     marks: tuple[tuple[float, str], ...] = ()
+    stacked: bool = False
 
 
 def values_at(data: Any, place: Place) -> Array:
@@ -78,18 +82,29 @@ def line_of(data: Any, place: Place, label: str, role: str, *, less: Place | Non
 
 
 def in_readable_units(runs: Sequence[Sequence[Draft]]) -> list[list[dict[str, Any]]]:
-    """The charts of several runs as the page holds them: what has one name has one unit in all runs."""
+    """The charts of several runs as the page holds them: what is compared has one unit in all charts and runs."""
     values: dict[str, list[Array]] = {}
     for draft in (draft for drafts in runs for draft in drafts):
-        values.setdefault(draft.id, []).extend(line.values for line in draft.lines)
-    return [[chart_data(draft, readable(draft.unit, *values[draft.id])) for draft in drafts] for drafts in runs]
+        values.setdefault(_shares(draft), []).extend(line.values for line in draft.lines)
+    return [[chart_data(draft, _unit(draft.unit, values[_shares(draft)])) for draft in drafts] for drafts in runs]
+
+
+def _shares(draft: Draft) -> str:
+    """What has the unit of this chart."""
+    return f"{draft.group} {draft.unit}" if draft.group in ("error", "deformations") else draft.id
+
+
+def _unit(unit: str, values: Sequence[Array]) -> Unit:
+    """Lengths in mm, as in the numbers of the page."""
+    largest = max((float(np.abs(part).max(initial=0.0)) for part in values), default=0.0)
+    return Unit("mm", 1e3) if unit == "m" and _ROUNDING < largest < _LONG else readable(unit, *values)
 
 
 def chart_data(draft: Draft, unit: Unit) -> dict[str, Any]:
     """A chart as the page holds it, in ``unit``; too many samples are thinned so that every extreme stays."""
     kept = thinned(np.stack([line.values for line in draft.lines], axis=1), MOST_POINTS)
     coarse = len(kept) < len(draft.at) and draft.log == "no"
-    as_drafted = {name: getattr(draft, name) for name in ("id", "title", "group", "abscissa", "span", "log")}
+    as_drafted = {name: getattr(draft, name) for name in ("id", "title", "group", "abscissa", "span", "log", "stacked")}
     return as_drafted | {
         "unit": unit.name,
         "at": draft.at[kept] if len(kept) < len(draft.at) else draft.at,

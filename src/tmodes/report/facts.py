@@ -21,48 +21,62 @@ __all__ = ["Fact", "energy_facts", "fact_list", "frequency_facts", "run_facts", 
 
 @dataclass(frozen=True)
 class Fact:
-    """One headline number: a stable name, words, the value [``unit``, SI] or None, and when, where, or why not."""
+    """One headline number: a stable name, words, the value [``unit``, SI] or None, and when, where, or why not.
+
+    ``time`` [s]: at which it is so; ``more``: what a reader may ask next.
+    """
 
     id: str
     name: str
     value: float | None
     unit: str
     note: str = ""
+    time: float | None = None
+    more: str = ""
 
 
 def fact_list(facts: Iterable[Fact]) -> Markup:
     """Facts as the page shows them where no program runs."""
     entries = (
-        tag("div", tag("dt", fact.name), tag("dd", tag("strong", _value(fact)), tag("span", fact.note)), class_="card")
+        tag(
+            "div", tag("dt", fact.name), tag("dd", tag("strong", _value(fact)), tag("span", _said(fact))), class_="card"
+        )
         for fact in facts
     )
     return tag("dl", *entries, class_="cards")
+
+
+def _said(fact: Fact) -> str:
+    return "; ".join(filter(None, [fact.note, fact.more]))
 
 
 def _value(fact: Fact) -> str:
     return "–" if fact.value is None else written(fact.value, fact.unit)
 
 
-def tracking_facts(summary: dict[str, Any], data: Any) -> Iterator[Fact]:
+def tracking_facts(summary: dict[str, Any]) -> Iterator[Fact]:
     """How far the tip is from its commanded and nominal paths, and why; how it settles and rings."""
-    for which, one in summary["tip_error"].items():
-        parts = ", ".join(f"{written(value, 'm')} {name}" for name, value in one["parts_m"].items() if value)
-        note = f"{parts}; at {one['time_of_max_s']:.3g} s; {written(one['end_m'], 'm')} at the end of the run"
-        elements = largest_elements(one)
-        if len(elements) > 1:
-            note += "; by element " + ", ".join(f"{written(value, 'm')} {name}" for name, value in elements)
-        if environment := one.get("environment_m"):
-            by = ", ".join(f"{written(value, 'm')} of {name}" for name, value in environment.items())
-            note += f"; by the contact, by statics, {by}"
-        yield Fact(f"tip_error.{which}", f"Error of the tip to {which}, by cause", one["max_m"], "m", note)
+    errors = summary["tip_error"]
+    if one := errors.get("commanded"):
+        yield _error(one, "tip_error.commanded", "Tip error to commanded", one)
     if deviation := summary["deviation"]:
-        note = f"at {deviation['time_of_max_s']:.3g} s; {written(deviation['end_m'], 'm')} at the end of the run"
-        yield Fact("deviation.max", "Largest error of the tip, to nominal", deviation["max_m"], "m", note)
-        square = mean_over_time(data["time"].values, data["deviation"].values ** 2)
-        yield Fact("deviation.rms", "Error of the tip to nominal, rms", float(np.sqrt(square)), "m", "over the run")
+        yield _error(deviation, "deviation.max", "Tip error to nominal", errors.get("nominal", {}))
     yield _settling(summary["settling"])
     for which, one in summary["vibration"].items():
         yield vibration_fact(which, one)
+
+
+def _error(largest: dict[str, Any], own: str, name: str, causes: dict[str, Any]) -> Fact:
+    """The largest error of the tip; by its causes, gears and links, and the contact where they are known."""
+    time, end = largest["time_of_max_s"], written(largest["end_m"], "m")
+    parts = {"": causes.get("parts_m", {}).items(), "by element ": largest_elements(causes)}
+    parts["by the contact, by statics, "] = (causes.get("environment_m") or {}).items()
+    said = [
+        words + ", ".join(f"{written(value, 'm')} {name}" for name, value in part if value)
+        for words, part in parts.items() if len(part) > (words == "by element ")
+    ]  # fmt: skip
+    note = f"at {time:.3g} s; {end} at the end of the run"
+    return Fact(own, name, largest["max_m"], "m", note, time, "; ".join(said))
 
 
 def _settling(known: dict[str, Any]) -> Fact:
@@ -82,7 +96,7 @@ def vibration_fact(which: str, known: dict[str, Any]) -> Fact:
         for mode in known["modes"][:3]
     ]
     note = known["reason"] or ", ".join(modes) or "no mode rings"
-    return Fact(own, f"Residual vibration of the tip, {which}", known["amplitude_m"], "m", note)
+    return Fact(own, f"Residual vibration, {which}", known["amplitude_m"], "m", note)
 
 
 def frequency_facts(known: dict[str, float | None]) -> Iterator[Fact]:
@@ -107,7 +121,7 @@ _ROUNDING = 1e-15
 def run_facts(result: Result, summary: dict[str, Any]) -> Iterator[Fact]:
     """From a result and its summary; what there is not is left out."""
     data, robot = result.data, result.robot
-    yield from tracking_facts(summary, data)
+    yield from tracking_facts(summary)
     yield from _worst(summary["links"], "deflection", "max_m", "m", "Largest deflection of a link")
     yield from _worst(summary["links"], "bending_moment", "max_Nm", "N m", "Largest bending moment", "moment.max")
     yield from _stress(robot, summary["links"])
@@ -117,6 +131,9 @@ def run_facts(result: Result, summary: dict[str, Any]) -> Iterator[Fact]:
     yield from _contact(summary["contact_force"])
     yield from frequency_facts(summary["first_frequency_Hz"])
     yield from energy_facts(summary["energy"])
+    if "deviation" in data:
+        square = mean_over_time(data["time"].values, data["deviation"].values ** 2)
+        yield Fact("deviation.rms", "Tip error to nominal, rms", float(np.sqrt(square)), "m", "over the run")
 
 
 def _worst(links: dict[str, Any], quantity: str, key: str, unit: str, title: str, own: str = "") -> Iterator[Fact]:
@@ -125,7 +142,8 @@ def _worst(links: dict[str, Any], quantity: str, key: str, unit: str, title: str
         name = max(known, key=lambda name: known[name][key])
         one = known[name]
         place = "" if quantity == "deflection" else f" at s = {one['s']:.2g}"
-        yield Fact(own or f"{quantity}.max", title, one[key], unit, f"{name}{place}, at {one['time_s']:.3g} s")
+        note = f"{name}{place}, at {one['time_s']:.3g} s"
+        yield Fact(own or f"{quantity}.max", title, one[key], unit, note, one["time_s"])
 
 
 def _stress(robot: Robot, links: dict[str, Any]) -> Iterator[Fact]:
@@ -152,7 +170,7 @@ def _gear(deformations: dict[str, dict[str, Any]]) -> Iterator[Fact]:
         one = gears[name]
         others = " (of the gears that turn)" if len(gears) < len(every) else ""
         note = f"{name.removesuffix('.gear')}, at {one['time_of_max_s']:.3g} s{others}"
-        yield Fact("gear.max", "Largest deflection of a gear", one["max"], one["unit"], note)
+        yield Fact("gear.max", "Largest deflection of a gear", one["max"], one["unit"], note, one["time_of_max_s"])
 
 
 def _drives(data: Any) -> Iterator[Fact]:
@@ -172,8 +190,8 @@ def _largest(data: Any, series: str, drives: list[str], fact: Fact) -> Iterator[
     sizes = np.abs(data[series].sel(drive=drives).transpose("time", "drive").values)
     sample, drive = map(int, np.unravel_index(int(sizes.argmax()), sizes.shape))
     if sizes[sample, drive] > 0:
-        note = f"{drives[drive]}, at {float(data['time'][sample]):.3g} s"
-        yield replace(fact, value=float(sizes[sample, drive]), note=note)
+        time = float(data["time"][sample])
+        yield replace(fact, value=float(sizes[sample, drive]), note=f"{drives[drive]}, at {time:.3g} s", time=time)
 
 
 def _limits(robot: Robot, data: Any) -> Iterator[Fact]:

@@ -77,6 +77,9 @@ _PREFIXES = (
     (1e10, 1e-9, "G"), (1e7, 1e-6, "M"), (1e4, 1e-3, "k"), (0.1, 1.0, ""), (1e-4, 1e3, "m"), (1e-7, 1e6, "µ"),
     (1e-11, 1e9, "n"),
 )  # fmt: skip
+_FIXED = {"m": (10.0, 1e3, "mm"), "rad": (1.0, 1e3, "mrad"), "s": (1.0, 1.0, "s")}
+"""One unit for what is compared: below this size the factor on the SI value and its name."""
+
 _PLAIN = ("Hz", "%", "rad/s")
 """Units that take no prefix."""
 
@@ -89,8 +92,10 @@ def written(value: float, unit: str, digits: int = 4) -> str:
     size = abs(value)
     if not math.isfinite(value):
         return f"{value:g}\u00a0{name}".rstrip()
-    if not name or unit in _PLAIN or size == 0.0:
-        text = power_of_ten(value) if 0.0 < size < 1e-3 else _rounded(value, digits)
+    if (fixed := _FIXED.get(unit)) and 0.0 < size < fixed[0]:
+        value, name = value * fixed[1], fixed[2]
+    if not name or unit in _PLAIN or unit in _FIXED or size == 0.0:
+        text = power_of_ten(value) if 0.0 < abs(value) < 1e-3 else _rounded(value, digits)
         return f"{text}\u00a0{name}".rstrip("\u00a0")
     for least, factor, prefix in _PREFIXES:
         if size >= least and (factor >= 1.0 or unit.split("/", maxsplit=1)[0] not in NEVER_LARGE):

@@ -107,7 +107,7 @@ def _sheet(robot: Robot) -> tuple[Markup | None, ...]:
 
 def _provenance(result: Result, robot: Robot, spent: Mapping[str, Sequence[float]]) -> Markup:
     attributes = result.data.attrs
-    method = {"method": attributes["method"]}
+    method = {"method": attributes["method"], "end": result.message}
     times = [[stage, *(f"{time:.2f}" for time in each)] for stage, each in spent.items()]
     return section(
         "provenance",

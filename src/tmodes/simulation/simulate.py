@@ -32,6 +32,10 @@ __all__ = ["simulate_motion"]
 Progress = Callable[[str, float], None]
 Journals = Callable[[str], Journal | None]
 
+_WITHOUT_NOMINAL = (
+    "errors are those to the commanded path alone, there is no nominal run: {}, which no motor can follow exactly"
+)
+
 _CAUSES = (
     "an equilibrium above the horizontal that tips over, buckling, a loose joint that falls, friction of a contact "
     "that pulls, or the controller"
@@ -120,7 +124,7 @@ def _prepared(pair: RobotPair, real: RunSetup) -> _Setups:
         nominal = run_setup(pair.nominal, Follow.WANTED, like=real)
         jumping = jumps(nominal)
         if jumping:
-            return _Setups(real, None, [f"no nominal run: {jumping}, which no motor can follow exactly"])
+            return _Setups(real, None, [_WITHOUT_NOMINAL.format(jumping)])
         return _Setups(real, nominal, [])
     return _Setups(real, run_setup(pair.nominal, like=real) if pair.nominal.real else None, [])
 

@@ -32,7 +32,7 @@ def start_warnings(setup: RunSetup) -> list[str]:
     info += _left_out(setup)
     jumping = jumps(setup)
     if jumping:
-        info.append(f"{jumping}: its impulse on the arm is left out")
+        info.append(f"the arm does not feel the jolt of a jump, its impulse on the arm is left out: {jumping}")
     if setup.robot.contact:
         info += _touching(setup, setup.robot.contact)
     return info
@@ -122,9 +122,9 @@ def jam_warnings(time: Array, fold: Array) -> list[str]:
     if not len(jammed):
         return []
     return [
-        f"the contact jams first at t = {time[jammed[0]]:.4g} s, and at {len(jammed)} samples in all: friction and the "
-        "environment's mass are so large that the force has no single answer; do not trust the motion from there on; "
-        "lower the contact's friction or mass"
+        f"do not trust the motion from t = {time[jammed[0]]:.4g} s on: the contact jams first at "
+        f"t = {time[jammed[0]]:.4g} s, and at {len(jammed)} samples in all: friction and the environment's mass are so "
+        "large that the force has no single answer; lower the contact's friction or mass"
     ]
 
 

@@ -3,7 +3,7 @@
 import type uPlot from "uplot";
 import type { Clock } from "../clock";
 import type { LiveRun } from "../contract_parts";
-import { button, make, ownId, put, save } from "../dom";
+import { button, make, ownId, put, save, savePicture } from "../dom";
 import { info } from "../format";
 import { drawnBy, drawnShare, summary, thinnest } from "./chart_words";
 import { csvOf } from "./csv";
@@ -11,6 +11,9 @@ import { changedMarks, marksWithin } from "./frequency_marks";
 import { makeLegend, type Legend } from "./legend";
 import { makePlot, type PlotLine } from "./plot";
 import { aligned, entriesOf, extremes, valueAt, type ChartSet, type Entry, type Values } from "./series";
+import type { Look } from "./look";
+import { chartPicture } from "./picture";
+import { narrow, shapes } from "./stack";
 import type { Zoom } from "./zoom";
 
 export interface ChartView {
@@ -63,13 +66,12 @@ export function mountChart(set: ChartSet, clock: Clock, zoom: Zoom): ChartView {
     { class: "tools" },
     resetButton,
     logButton,
+    button("PNG", savePlot, { class: "tool", title: "Save this chart as a picture" }),
     button("CSV", saveData, { class: "tool", title: "Save the data of this chart as CSV" }),
   );
-  const heading = make(
-    "h4",
-    { id: title, text: chart.title },
-    make("span", { class: "unit", text: unit ? ` [${unit}]` : "" }),
-  );
+  const titled = `${chart.title}${unit ? ` [${unit}]` : ""}`;
+  const units = make("span", { class: "unit", text: titled.slice(chart.title.length) });
+  const heading = make("h4", { id: title, text: chart.title }, units);
   const thinning = make("p", {
     class: "note",
     hidden: !timed || drawnShare(thinnest(set)) >= 1,
@@ -78,11 +80,12 @@ export function mountChart(set: ChartSet, clock: Clock, zoom: Zoom): ChartView {
   const marksNote = make("p", {
     class: "note",
     hidden: true,
-    text: "The marked frequencies are of the run as it was.",
+    text: chart.stacked ? "Of the run as it was." : "The marked frequencies are of the run as it was.",
   });
+  const axisNote = make("p", { class: "note", hidden: true });
   const legend: Legend = makeLegend(entries, set.compared, redraw);
   const element = make("figure", { class: "chart", "aria-labelledby": title, "data-chart": chart.id },
-    make("figcaption", {}, heading, readout, tools), place, legend.element, thinning, marksNote);
+    make("figcaption", {}, heading, readout, tools), place, legend.element, axisNote, thinning, marksNote);
 
   function setLog(on: boolean): void {
     log = on;
@@ -109,13 +112,19 @@ export function mountChart(set: ChartSet, clock: Clock, zoom: Zoom): ChartView {
   function draw(): void {
     if (!stale || width === 0) return;
     stale = false;
-    const shown = known().filter((entry) => legend.shows(entry));
-    const lines = shown.map((entry) => ({
+    const shown = chosen();
+    const [axis, ...columns] = aligned(shown, log);
+    const pieces = shapes(shown, columns, chart.stacked === true);
+    const lines: PlotLine[] = pieces.map(({ entry, filled }) => ({
       ...legend.look(entry),
-      width: entry.ghost ? 1 : entry.role === "real" ? 1.6 : 1.3,
+      width: filled ? 0 : entry.ghost ? 1 : entry.role === "real" ? 1.6 : 1.3,
       ghost: entry.ghost,
+      filled,
     }));
-    const data = aligned(shown, log);
+    const data: [Values, ...ArrayLike<number | null>[]] = [axis, ...pieces.map(({ values }) => values)];
+    const words = log ? "" : narrow(shown, unit);
+    put(axisNote, words);
+    axisNote.hidden = !words;
     largest = Math.max(0, ...shown.map((entry) => Math.max(...extremes(entry.y).map(Math.abs))));
     const kind = JSON.stringify([lines, marks, log, width, scheme]);
     if (plot && kind === drawn) plot.setData(data as unknown as uPlot.AlignedData);
@@ -177,16 +186,15 @@ export function mountChart(set: ChartSet, clock: Clock, zoom: Zoom): ChartView {
     return value !== null && Math.abs(value) < ROUNDING * largest && !log ? 0 : value;
   }
 
+  const chosen = () => known().filter((entry) => legend.shows(entry));
+
+  function savePlot(): void {
+    const looks = chosen().map((entry) => [entry, legend.look(entry)] as [Entry, Look]);
+    if (plot) savePicture(chartPicture(plot.ctx.canvas, devicePixelRatio, titled, looks), chart.id);
+  }
+
   function saveData(): void {
-    save(
-      csvOf(
-        known().filter((entry) => legend.shows(entry)),
-        timed ? "time [s]" : "frequency [Hz]",
-        unit,
-      ),
-      `${chart.id}.csv`,
-      "text/csv",
-    );
+    save(csvOf(chosen(), timed ? "time [s]" : "frequency [Hz]", unit), `${chart.id}.csv`, "text/csv");
   }
 
   const watch = new IntersectionObserver((found) => {
@@ -221,7 +229,8 @@ export function mountChart(set: ChartSet, clock: Clock, zoom: Zoom): ChartView {
     show(run) {
       live = run;
       current = false;
-      marksNote.hidden = run === null || changedMarks(chart, run) !== null || chart.marks.length === 0;
+      marksNote.hidden =
+        run === null || (!chart.stacked && (changedMarks(chart, run) !== null || chart.marks.length === 0));
       redraw();
     },
     recolour() {

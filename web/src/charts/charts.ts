@@ -17,6 +17,7 @@ export interface ChartsView {
 type Group = Chart["group"] | "overview" | "all";
 const WORDS: Record<Group, string> = {
   overview: "Overview",
+  error: "Error",
   tip: "Tip",
   contact: "Contact",
   deformations: "Deformations",
@@ -33,7 +34,7 @@ export function mountCharts(element: HTMLElement, page: Page, clock: Clock): Cha
   const tabs = make("div", { class: "tabs", role: "tablist", "aria-label": "Charts" });
   const hint = make("p", {
     class: "note hint",
-    text: "Click or drag: choose the time. Shift and drag: zoom, double click: back.",
+    text: "Click or drag: choose the time. Shift and drag: zoom, double click: back. Keys: space, arrows, and , . by sample.",
   });
   const groups = (Object.keys(WORDS) as Group[]).filter((group) => chosen(sets, group).length > 0);
   let drawn: ChartSet[] = [];
@@ -76,7 +77,7 @@ export function mountCharts(element: HTMLElement, page: Page, clock: Clock): Cha
   const dark = matchMedia("(prefers-color-scheme: dark)");
   const recolour = () => views.forEach((view) => view.recolour());
   dark.addEventListener("change", recolour);
-  element.append(make("div", { class: "tab-bar" }, tabs, hint), grid);
+  element.append(make("div", { class: "tab-bar" }, tabs), grid, hint);
   open("overview");
   return {
     show(run) {

@@ -11,6 +11,8 @@ export interface PlotLine {
   width: number;
   /** Drawn pale, behind. */
   ghost: boolean;
+  /** Filled down to zero. */
+  filled: boolean;
 }
 
 export interface PlotOptions {
@@ -69,7 +71,8 @@ export function makePlot(
       ...lines.map((line) => ({
         stroke: () => colour(line.property),
         width: line.width,
-        dash: line.dash,
+        dash: line.filled ? [] : line.dash,
+        fill: line.filled ? () => colour(line.property) : undefined,
         alpha: line.ghost ? 0.35 : 1,
         spanGaps: true,
         points: { show: false },

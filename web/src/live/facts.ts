@@ -24,14 +24,15 @@ export function meanOverTime(times: Float64Array, values: Float64Array): number 
 /** How far the tip is from the nominal one; why it is not seen to settle. */
 export function trackingFacts(times: Float64Array, series: SeriesOf, moveEnd: number | null): Facts {
   const facts: Facts = {};
+  const { tip, tip_commanded: commanded } = series;
+  if (tip && commanded) {
+    const away = Float64Array.from(times, (_, k) =>
+      Math.hypot(...[0, 1, 2].map((c) => tip.data[3 * k + c] - commanded.data[3 * k + c])));
+    facts["tip_error.commanded"] = largestError(times, away);
+  }
   const deviation = series.deviation?.data;
   if (deviation) {
-    const k = worst(deviation);
-    const end = deviation[deviation.length - 1];
-    facts["deviation.max"] = {
-      value: deviation[k],
-      note: `at ${figures(times[k])} s; ${info(end, "m")} at the end of the run`,
-    };
+    facts["deviation.max"] = largestError(times, deviation);
     facts["deviation.rms"] = {
       value: Math.sqrt(
         meanOverTime(
@@ -43,6 +44,12 @@ export function trackingFacts(times: Float64Array, series: SeriesOf, moveEnd: nu
     };
   }
   return { ...facts, ...unseen(times, moveEnd, deviation !== undefined) };
+}
+
+function largestError(times: Float64Array, sizes: Float64Array): Facts[string] {
+  const k = worst(sizes);
+  const note = `at ${figures(times[k])} s; ${info(sizes[sizes.length - 1], "m")} at the end of the run`;
+  return { value: sizes[k], note, time: times[k] };
 }
 
 /**

@@ -15,9 +15,8 @@ export function loadFacts(loads: Loads, { strengths, places, kept }: LoadsInfo, 
   const fact = (id: string, found: Largest[]): Facts => {
     const one = most(found, ({ value }) => value);
     const place = one && id !== "deflection.max" ? ` at s = ${figures(one.s, 2)}` : "";
-    return one
-      ? { [id]: { value: one.value, note: `${one.link}${place}, at ${figures(times[one.sample])} s${seen}` } }
-      : {};
+    const time = one ? times[one.sample] : 0;
+    return one ? { [id]: { value: one.value, note: `${one.link}${place}, at ${figures(time)} s${seen}`, time } } : {};
   };
   const share = most(
     of("stress").filter(({ link }) => link in strengths),

@@ -39,5 +39,5 @@ export function factsOf(bundle: Bundle, times: Float64Array, series: SeriesOf, e
 function largest(times: Float64Array, values: Float64Array, names: string[]): Facts[string] {
   const k = worst(values);
   const note = `${names[k % names.length]}, at ${figures(times[Math.floor(k / names.length)])} s`;
-  return { value: Math.abs(values[k]), note };
+  return { value: Math.abs(values[k]), note, time: times[Math.floor(k / names.length)] };
 }

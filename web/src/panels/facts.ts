@@ -1,9 +1,10 @@
 // The numbers that matter; those of the live model stand next to the page's own, with the difference.
 
+import type { Clock } from "../clock";
 import type { Fact, Page } from "../contract";
 import type { LiveRun } from "../contract_parts";
-import { make, put } from "../dom";
-import { info } from "../format";
+import { button, make, put } from "../dom";
+import { digits, info } from "../format";
 import { isEarly, patience } from "./early";
 
 export interface FactsView {
@@ -17,9 +18,11 @@ export interface FactsView {
 /** Texts of what is there already: no element is made again. `late`: what stays says of what it is. */
 type Info = (live: LiveRun | null, late: boolean) => void;
 
-export function mountFacts(element: HTMLElement, page: Page): FactsView {
+const MAIN = 7; // numbers that are shown at first
+
+export function mountFacts(element: HTMLElement, page: Page, clock: Clock): FactsView {
   const known: Info[] = [];
-  element.append(page.runs.length > 1 ? compared(page, known) : single(page.runs[0].facts, known));
+  element.append(page.runs.length > 1 ? compared(page, known) : single(page.runs[0].facts, known, clock));
   let last: LiveRun | null = null;
   const late = patience(() => known.forEach((tell) => tell(last, true)));
   const show = (live: LiveRun | null) => {
@@ -32,29 +35,52 @@ export function mountFacts(element: HTMLElement, page: Page): FactsView {
   return { show };
 }
 
-function single(facts: Fact[], known: Info[]): HTMLElement {
-  return make("dl", { class: "facts" }, ...facts.map((fact) => {
-    const value = make("strong");
-    const was = make("span", { class: "was" });
-    const note = make("dd", { class: "note" });
-    let changed = false;
-    known.push((live, late) => {
-      const fresh = live?.facts[fact.id];
-      if (!fresh && isEarly(live)) {
-        if (late) put(was, changed ? "of the setting before" : "of the original run");
-        if (late) was.hidden = false;
-        return;
-      }
-      changed = fresh !== undefined;
-      const before = fresh ? `${change(fact, fresh.value)} was ${info(fact.value, fact.unit)}` : "of the original run";
-      put(value, info(fresh ? fresh.value : fact.value, fact.unit));
-      put(was, live ? before : "");
-      put(note, (fresh ? fresh.note : fact.note) || "");
-      was.hidden = live === null || (fresh !== undefined && fresh.value === null && fact.value === null);
-      note.hidden = note.textContent === "";
-    });
-    return make("div", { "data-fact": fact.id }, make("dt", { text: fact.name }), make("dd", {}, value, was), note);
-  }));
+/** One line a number, the first ones; the rest, and when, where and why, on request. */
+function single(facts: Fact[], known: Info[], clock: Clock): HTMLElement {
+  const order = [...facts].sort((one, other) => Number(one.value === null) - Number(other.value === null));
+  const list = make("dl", { class: "facts" }, ...order.map((fact, k) => row(fact, k >= MAIN, known, clock)));
+  const all = button("all, with notes", () => {
+    all.setAttribute("aria-pressed", String(list.classList.toggle("all")));
+  }, { class: "tool", "aria-pressed": "false" });
+  return make("div", {}, make("div", { class: "bar" }, make("h3", { text: "Numbers" }), all), list);
+}
+
+function row(fact: Fact, rest: boolean, known: Info[], clock: Clock): HTMLElement {
+  const value = make("strong");
+  const was = make("span", { class: "was" });
+  const note = make("dd", { class: "note" });
+  let changed = false;
+  let time: number | null = null;
+  const jump = make("button", { type: "button", class: "jump" });
+  jump.addEventListener("click", () => time !== null && clock.seek(time));
+  const place = make("dd", {}, value, was);
+  known.push((live, late) => {
+    const fresh = live?.facts[fact.id];
+    if (!fresh && isEarly(live)) {
+      if (late) put(was, changed ? "of the setting before" : "of the original run");
+      if (late) was.hidden = false;
+      return;
+    }
+    changed = fresh !== undefined;
+    const before = fresh ? `${change(fact, fresh.value)} was ${info(fact.value, fact.unit)}` : "of the original run";
+    put(value, info(fresh ? fresh.value : fact.value, fact.unit));
+    put(was, live ? before : "");
+    put(note, fresh ? fresh.note : [fact.note, fact.more].filter(Boolean).join("; "));
+    was.hidden = live === null || (fresh !== undefined && fresh.value === null && fact.value === null);
+    note.hidden = note.textContent === "";
+    element.title = note.textContent ?? "";
+    time = (fresh ? fresh.time : fact.time) ?? null;
+    if (time === null) jump.replaceWith(value);
+    else if (!jump.contains(value)) {
+      value.replaceWith(jump);
+      jump.append(value);
+    }
+    jump.title = time === null ? "" : `go to t = ${digits(time)} s`;
+  });
+  const element = make(
+    "div", { "data-fact": fact.id, class: rest ? "rest" : undefined }, make("dt", { text: fact.name }), place, note,
+  );
+  return element;
 }
 
 /** `+12 %,` where both are known. */

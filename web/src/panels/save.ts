@@ -1,7 +1,9 @@
-// What of a page can be taken along: the data sheet of each run.
+// What of a page can be taken along: the data sheet of each run, a picture, a film, and an address that leads back here.
 
+import type { Clock } from "../clock";
 import type { Page } from "../contract";
-import { button, save } from "../dom";
+import type { SceneView } from "../contract_parts";
+import { button, make, put, save, savePicture } from "../dom";
 
 export function mountSave(element: HTMLElement, page: Page): void {
   for (const run of page.runs) {
@@ -11,6 +13,57 @@ export function mountSave(element: HTMLElement, page: Page): void {
       button(words, () => save(run.sheet, `${fileName(run.name)}.yaml`, "application/yaml"), { class: "save-yaml" }),
     );
   }
+}
+
+/** A menu for the picture's bar; `address` gives the one that leads back to what is shown. */
+export function saveMenu(name: string, scene: SceneView, clock: Clock, address: () => string): HTMLElement {
+  const link = button("Copy a link to this view", () => {
+    location.replace(address());
+    const copied = navigator.clipboard?.writeText(location.href) ?? Promise.reject(new Error("no clipboard"));
+    copied.then(() => put(link, "Link copied"), () => put(link, "The link is in the address bar"));
+  }, { class: "copy-link" });
+  const film = button("Record the run (WebM)", () => record(name, scene, clock, film), {
+    hidden: typeof MediaRecorder === "undefined",
+  });
+  const details = make("details", { class: "save-menu" }, make("summary", { text: "Save" }),
+    make("div", { class: "scene-more" },
+      button("Save the picture (PNG)", () => savePicture(scene.picture(), name)), film, link));
+  details.addEventListener("keydown", (event) => {
+    if (event.key !== "Escape") return;
+    details.open = false;
+    details.querySelector("summary")?.focus();
+  });
+  return details;
+}
+
+const FRAMES = 30; // a second
+
+/** Play the run once from its start, and save what was seen; pressed again it ends earlier. */
+function record(name: string, scene: SceneView, clock: Clock, control: HTMLButtonElement): void {
+  if (control.getAttribute("aria-pressed") === "true") return clock.pause();
+  const words = control.textContent ?? "";
+  const canvas = scene.picture();
+  const recorder = new MediaRecorder(canvas.captureStream(FRAMES), { mimeType: "video/webm" });
+  const parts: Blob[] = [];
+  const { loop } = clock;
+  recorder.ondataavailable = ({ data }) => parts.push(data);
+  recorder.onstop = () => save(new Blob(parts), `${name}.webm`, "video/webm");
+  recorder.start();
+  clock.pause();
+  clock.loop = false;
+  clock.seek(0);
+  clock.play();
+  control.setAttribute("aria-pressed", "true");
+  put(control, "Stop recording");
+  const end = clock.subscribe(() => {
+    scene.picture(canvas);
+    if (clock.playing) return;
+    end();
+    clock.loop = loop;
+    control.setAttribute("aria-pressed", "false");
+    put(control, words);
+    recorder.stop();
+  });
 }
 
 /** A name that every file system takes. */

@@ -7,6 +7,8 @@ import { digits, pretty } from "../format";
 export interface SliderRow {
   readonly element: HTMLElement;
   readonly slider: Slider;
+  /** What one per cent of it does, in words. */
+  readonly effect: HTMLElement;
   value: number;
 }
 
@@ -29,6 +31,7 @@ export function makeSlider(slider: Slider, changed: () => void): SliderRow {
     "aria-label": `${slider.label}: back to ${digits(slider.value, 6)} ${unit}`,
     title: "back to the run's own",
   });
+  const effect = make("span", { class: "effect" });
   let value = slider.value;
 
   function tell(typing = false): void {
@@ -60,9 +63,10 @@ export function makeSlider(slider: Slider, changed: () => void): SliderRow {
   number.addEventListener("change", () => tell());
   const words = make(
     "label",
-    { for: name },
+    { for: name, title: slider.path },
     make("span", { text: slider.label }),
     make("i", { text: slider.symbol ? ` ${slider.symbol}` : "" }),
+    effect,
   );
   const element = make("div", { class: "slider", "data-path": slider.path }, words,
     make("div", { class: "slider-row" }, range, number, make("span", { class: "unit", text: unit }), back),
@@ -71,6 +75,7 @@ export function makeSlider(slider: Slider, changed: () => void): SliderRow {
   return {
     element,
     slider,
+    effect,
     get value() {
       return value;
     },

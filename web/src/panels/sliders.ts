@@ -1,9 +1,11 @@
 // What if: the robot's own numbers changed in the page, the run made again, everything follows.
 
-import type { LiveBundle } from "../contract";
+import type { Fact, LiveBundle } from "../contract";
 import type { Live, LiveRun } from "../contract_parts";
-import { button, make, save } from "../dom";
-import { info } from "../format";
+import { button, make, put, save } from "../dom";
+import { digits, info } from "../format";
+import type { Settings } from "./address";
+import { byKind, effects, nameOf } from "./effects";
 import { makeSlider, type SliderRow } from "./slider";
 
 export interface SlidersOptions {
@@ -13,15 +15,20 @@ export interface SlidersOptions {
   show(live: LiveRun | null): void;
   /** Of the file with a changed data sheet, without its ending. */
   fileName: string;
+  /** The page's numbers. */
+  facts: Fact[];
 }
 
+const LEADING = 5; // settings that are shown at first
 const PATIENCE = 300; // ms after which a bar shows how far a run is
 
-export function mountSliders(element: HTMLElement, bundle: LiveBundle, options: SlidersOptions): { dispose(): void } {
+export function mountSliders(
+  element: HTMLElement, bundle: LiveBundle, options: SlidersOptions,
+): Settings & { dispose(): void } {
   const status = make("p", { class: "note", role: "status", "aria-live": "polite", text: "starts …" });
   const bar = make("progress", { max: "1", value: "0", hidden: true, "aria-label": "Progress of the simulation" });
   const reset = button("reset all", () => {
-    put(null);
+    give(null);
     rows[0]?.element.querySelector("input")?.focus(); // the button itself has nothing to do now
   }, { disabled: true });
   const keep = button(
@@ -54,7 +61,7 @@ export function mountSliders(element: HTMLElement, bundle: LiveBundle, options: 
     else void simulate();
   }
 
-  function put(wanted: number[] | null): void {
+  function give(wanted: number[] | null): void {
     rows.forEach((row, k) => { row.value = wanted ? wanted[k] : row.slider.value; });
     changed();
   }
@@ -106,13 +113,37 @@ export function mountSliders(element: HTMLElement, bundle: LiveBundle, options: 
     bar.value = 0;
   }
 
-  element.append(
-    make("div", { class: "bar" }, make("h3", { text: "What if" }), reset, keep),
-    status,
-    bar,
-    ...grouped(rows),
-    ...notes(bundle),
-  );
+  const first = make("div", { class: "leading" });
+  const rest = make("div");
+  const order = make("p", { class: "note", hidden: true });
+  const more = make("details", {}, make("summary", { text: `All settings (${rows.length})` }), order, rest);
+  more.hidden = rows.length <= LEADING;
+  more.append(...notes(bundle));
+
+  function place(leading: SliderRow[]): void {
+    first.replaceChildren(...leading.map((row) => row.element));
+    rest.replaceChildren(...grouped(rows.filter((row) => !leading.includes(row))));
+  }
+
+  /** The most effective settings first, once that is known; nothing moves under who uses them. */
+  async function rank(opened: Live): Promise<void> {
+    const found = await effects(opened, rows, () => asked === 0 && !closed);
+    if (found === null || asked > 0 || closed) return;
+    order.hidden = false;
+    if (typeof found === "string") return put(order, `Ordered by kind, not by effect: ${found}.`);
+    const { number, shares } = found;
+    rows.forEach((row, k) => {
+      row.effect.textContent = shares[k] > 0 ? `${digits(100 * shares[k], 2)} %` : "";
+      row.effect.title = "change for 1 % of this setting";
+    });
+    put(order, `Behind each setting: the change of the ${nameOf(number, options.facts)} for 1 % of it.`);
+    if (element.contains(document.activeElement) || element.matches(":hover")) return;
+    const size = (row: SliderRow) => shares[rows.indexOf(row)];
+    place([...rows].sort((one, other) => size(other) - size(one)).slice(0, LEADING));
+  }
+
+  place(byKind(rows, LEADING));
+  element.append(make("div", { class: "bar" }, make("h3", { text: "What if" }), reset, keep), status, bar, first, more);
   void options.open(bundle).then(
     (opened) => {
       if (closed) return opened.close();
@@ -120,6 +151,7 @@ export function mountSliders(element: HTMLElement, bundle: LiveBundle, options: 
       keep.disabled = false;
       status.textContent = "Move a slider to run the simulation again in this page.";
       if (!unchanged()) changed();
+      else rank(opened).catch(() => undefined); // somebody wants a run
     },
     (error: unknown) => {
       const info = error instanceof Error ? error.message : String(error);
@@ -129,6 +161,10 @@ export function mountSliders(element: HTMLElement, bundle: LiveBundle, options: 
     },
   );
   return {
+    changed: () =>
+      Object.fromEntries(rows.filter((row) => row.value !== row.slider.value).map((row) => [row.slider.path, row.value])),
+    give: (wanted) => give(rows.map(({ slider }) =>
+      Math.min(Math.max(wanted[slider.path] ?? slider.value, slider.min), slider.max))),
     dispose() {
       closed = true;
       cancelAnimationFrame(scheduled);

@@ -1,15 +1,29 @@
 // The time bar: play and pause, scrub, speed, the time shown; space and arrow keys wherever nothing else wants them.
 
 import type { Clock } from "../clock";
+import type { RunEvent } from "../contract";
 import { button, make, ownId } from "../dom";
 import { digits } from "../format";
 
 const SPEEDS = [0.05, 0.1, 0.2, 0.5, 1, 2];
 const STEPS = 1000;
 const ARROW = 1 / 200;
+const TOGETHER = 0.012; // of the bar: marks that would lie on each other are one
 
-export function mountTransport(element: HTMLElement, clock: Clock): { dispose(): void } {
+export interface TransportView {
+  /** Other moments to mark, and other times of the samples that one steps by. */
+  show(events: RunEvent[], samples: ArrayLike<number>): void;
+  dispose(): void;
+}
+
+export function mountTransport(element: HTMLElement, clock: Clock): TransportView {
+  let samples: ArrayLike<number> = [];
   const play = button("", () => clock.toggle(), { class: "play" });
+  const marks = make("div", { class: "time-marks" });
+  const loop = button("loop", () => {
+    clock.loop = !clock.loop;
+    loop.setAttribute("aria-pressed", String(clock.loop));
+  }, { class: "loop", "aria-pressed": "true", title: "start again at the end" });
   const scrub = make("input", {
     type: "range",
     min: "0",
@@ -52,16 +66,44 @@ export function mountTransport(element: HTMLElement, clock: Clock): { dispose():
       ArrowRight: () => clock.seek(clock.time + (event.shiftKey ? 10 : 1) * ARROW * clock.duration),
       ArrowLeft: () => clock.seek(clock.time - (event.shiftKey ? 10 : 1) * ARROW * clock.duration),
     };
+    if (event.key === "." || event.key === ",") acts[event.key] = () => step(event.key === "." ? 1 : -1);
     const act = acts[event.key];
     if (!act) return;
     event.preventDefault();
     act();
   };
+  function step(way: 1 | -1): void {
+    let k = way > 0 ? 0 : samples.length - 1;
+    const there = clock.time + way * 1e-9 * (clock.duration || 1);
+    while (k >= 0 && k < samples.length && way * (samples[k] - there) <= 0) k += way;
+    if (k >= 0 && k < samples.length) clock.seek(samples[k]);
+  }
+
+  function mark(events: RunEvent[]): void {
+    const near = (one: RunEvent, other: RunEvent) => Math.abs(one.time - other.time) < TOGETHER * clock.duration;
+    const groups: RunEvent[][] = [];
+    for (const event of events) {
+      const known = groups.find((group) => near(group[0], event));
+      if (known) known.push(event);
+      else groups.push([event]);
+    }
+    marks.replaceChildren(...groups.map((group) => {
+      const words = `${group.map(({ label }) => label).join("; ")}, t = ${digits(group[0].time)} s`;
+      const found = button("", () => clock.seek(group[0].time), { class: "time-mark", "aria-label": words, title: words });
+      found.style.left = `${(100 * group[0].time) / (clock.duration || 1)}%`;
+      return found;
+    }));
+  }
+
   document.addEventListener("keydown", keys);
-  element.append(play, scrub, shown, make("label", { for: speedName, text: "speed" }), speed);
+  element.append(play, make("div", { class: "scrub-box" }, marks, scrub), shown, loop, make("label", { for: speedName, text: "speed" }), speed);
   const unsubscribe = clock.subscribe(tell);
   tell();
   return {
+    show(events, times) {
+      samples = times;
+      mark(events);
+    },
     dispose() {
       unsubscribe();
       document.removeEventListener("keydown", keys);

@@ -1,20 +1,21 @@
 // Where one looks from: presets that fit all that moves into the picture, turning by mouse, touch and keys.
-import { Box3, MathUtils, PerspectiveCamera, Spherical, Vector3 } from "three";
+import { MathUtils, PerspectiveCamera, Spherical, Vector3 } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 
 export const VIEWS = ["iso", "front", "side", "top", "tip"] as const;
 export type View = (typeof VIEWS)[number];
 
-const DIRECTIONS: Record<View, [number, number, number]> = {
-  iso: [0.62, -1, 0.55], front: [1, 0, 0.08], side: [0, -1, 0.08], top: [0, -1e-3, 1], tip: [0.62, -1, 0.4],
+const DIRECTIONS: Record<Exclude<View, "iso">, [number, number, number]> = {
+  front: [1, 0, 0.08], side: [0, -1, 0.08], top: [0, -1e-3, 1], tip: [0.62, -1, 0.4],
 }; // prettier-ignore
 
 const GLIDE = 0.35; // s
+const ROOM = 1.2; // about what is in the picture, for the notes over it
 
 export class Cameras {
   view: View = "iso";
-  /** What presets fit into the picture. */
-  readonly box = new Box3();
+  /** What presets fit into the picture, places [k, 3]. */
+  places: number[] = [0, 0, 0];
   private readonly controls: OrbitControls;
   private readonly start = new Vector3();
   private readonly end = new Vector3();
@@ -29,6 +30,7 @@ export class Cameras {
     private readonly camera: PerspectiveCamera,
     private readonly canvas: HTMLCanvasElement,
     private readonly reach: number,
+    private readonly oblique: readonly [number, number, number],
     private readonly changed: () => void,
   ) {
     this.controls = new OrbitControls(camera, canvas);
@@ -44,18 +46,35 @@ export class Cameras {
   /** Look from a preset; `tip` is where the tip is, `glide`: on the way there, as long as that is no trouble. */
   show(view: View, tip: Float32Array, glide: boolean): void {
     this.view = view;
-    const direction = this.offset.set(...DIRECTIONS[view]).normalize();
-    const near = view === "tip";
-    if (near) this.targetEnd.fromArray(tip);
-    else this.box.getCenter(this.targetEnd);
-    const distance = near ? 0.55 * this.reach : this.fitting(direction, this.targetEnd);
-    this.end.copy(this.targetEnd).addScaledVector(direction, distance);
+    const direction = this.offset.set(...(view === "iso" ? this.oblique : DIRECTIONS[view])).normalize();
+    if (view === "tip") this.end.copy(this.targetEnd.fromArray(tip)).addScaledVector(direction, 0.55 * this.reach);
+    else this.fit(direction);
     cancelAnimationFrame(this.gliding);
     if (!glide) return this.place(1);
     this.start.copy(this.camera.position);
     this.targetStart.copy(this.controls.target);
     this.began = performance.now();
     this.step(this.began);
+  }
+
+  /** From the same side, with all in the picture again; a view that follows the tip stays as near as it is. */
+  refit(): void {
+    if (this.view === "tip") return;
+    this.fit(this.offset.copy(this.camera.position).sub(this.controls.target).normalize());
+    cancelAnimationFrame(this.gliding);
+    this.place(1);
+  }
+
+  /** Where the camera is and what it looks at [m], six numbers. */
+  get pose(): number[] {
+    return [...this.camera.position.toArray(), ...this.controls.target.toArray()];
+  }
+
+  set pose(wanted: number[]) {
+    cancelAnimationFrame(this.gliding);
+    this.end.fromArray(wanted);
+    this.targetEnd.fromArray(wanted, 3);
+    this.place(1);
   }
 
   /** Look from where another one looks. */
@@ -129,26 +148,27 @@ export class Cameras {
     this.changed();
   }
 
-  /** The least distance from which the whole box is in the picture. */
-  private fitting(direction: Vector3, target: Vector3): number {
-    const { camera, box } = this;
+  /** Aim at the middle of all places, from the least distance from which all are in the picture. */
+  private fit(direction: Vector3): void {
+    const { camera, places, targetEnd } = this;
     const tall = Math.tan(MathUtils.degToRad(camera.fov / 2));
     const right = new Vector3().crossVectors(camera.up, direction).normalize();
-    const up = new Vector3().crossVectors(direction, right);
-    const corner = new Vector3();
+    const axes = [right, new Vector3().crossVectors(direction, right), direction];
+    const place = new Vector3();
+    const ranges = axes.map(() => [Infinity, -Infinity]);
+    const each = (act: (along: number[]) => void) => {
+      for (let k = 0; k < places.length; k += 3) act(axes.map((axis) => place.fromArray(places, k).dot(axis)));
+    };
+    each((along) => along.forEach((x, k) => (ranges[k] = [Math.min(ranges[k][0], x), Math.max(ranges[k][1], x)])));
+    const [x, y, z] = ranges.map(([low, high]) => (low + high) / 2);
     let distance = 0.3 * this.reach;
-    for (let k = 0; k < 8; k++) {
-      corner
-        .set(k & 1 ? box.max.x : box.min.x, k & 2 ? box.max.y : box.min.y, k & 4 ? box.max.z : box.min.z)
-        .sub(target);
-      const ahead = corner.dot(direction);
-      distance = Math.max(
-        distance,
-        Math.abs(corner.dot(right)) / (tall * camera.aspect) + ahead,
-        Math.abs(corner.dot(up)) / tall + ahead,
-      );
-    }
-    return 1.18 * distance;
+    each((along) => {
+      const [wide, high] = [Math.abs(along[0] - x) / (tall * camera.aspect), Math.abs(along[1] - y) / tall];
+      distance = Math.max(distance, ROOM * Math.max(wide, high) + along[2] - z);
+    });
+    targetEnd.set(0, 0, 0);
+    axes.forEach((axis, k) => targetEnd.addScaledVector(axis, [x, y, z][k]));
+    this.end.copy(targetEnd).addScaledVector(direction, distance);
   }
 
   private readonly step = (now: number) => {

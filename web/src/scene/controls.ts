@@ -1,6 +1,6 @@
 // The controls above the picture: what colours the links, how much elasticity is enlarged, where one looks from.
 import { VIEWS, type View } from "./cameras";
-import { LARGEST_FACTOR, TOGGLES, type Settings } from "./settings";
+import { TOGGLES, type Settings } from "./settings";
 
 const VIEW_NAMES: Record<View, string> = {
   iso: "Oblique",
@@ -29,14 +29,14 @@ export function make<Tag extends keyof HTMLElementTagNameMap>(
 } // prettier-ignore
 
 /**
- * `colours`: ids and labels of what may colour the links; `toggles`: which things may be shown or not; `enlarges`:
- * there is something to enlarge; `fine`: there are qualities to choose from.
+ * `colours`: ids and labels of what may colour the links; `toggles`: which things may be shown or not; `most`:
+ * how many times deformations may be enlarged, 1: not at all; `fine`: there are qualities to choose from.
  */
 export function makeControls(
   settings: Settings,
   colours: [string, string][],
   toggles: (keyof Settings)[],
-  enlarges: boolean,
+  most: number,
   fine: boolean,
   wishes: Wishes,
 ): HTMLElement {
@@ -46,7 +46,7 @@ export function makeControls(
     wishes.changed();
   });
   bar.append(make("label", {}, name("Colour"), colour));
-  if (enlarges) bar.append(factorSlider(settings, wishes));
+  if (most > 1) bar.append(factorSlider(settings, most, wishes));
   const view = chooser(
     "View",
     VIEWS.map((id) => [id, VIEW_NAMES[id]]),
@@ -60,19 +60,19 @@ export function makeControls(
   return bar;
 } // prettier-ignore
 
-function factorSlider(settings: Settings, wishes: Wishes): HTMLElement {
+function factorSlider(settings: Settings, most: number, wishes: Wishes): HTMLElement {
   const slider = make("input", {
     type: "range",
     min: "0",
     max: String(SLIDER_STEPS),
     step: "1",
-    value: "0",
+    value: String(Math.round((SLIDER_STEPS * Math.log(settings.factor)) / Math.log(most))),
     ariaLabel: "Deformation",
   });
-  const info = make("output", {}, "×1");
+  const info = make("output", {}, `×${settings.factor}`);
   slider.dataset.scene = "factor";
   slider.addEventListener("input", () => {
-    settings.factor = rounded(LARGEST_FACTOR ** (Number(slider.value) / SLIDER_STEPS));
+    settings.factor = rounded(most ** (Number(slider.value) / SLIDER_STEPS));
     info.textContent = slider.ariaValueText = `×${settings.factor}`;
     wishes.changed();
   });

@@ -2,6 +2,8 @@
 import { Box3, Vector3 } from "three";
 import type { Page } from "../contract";
 import type { Widths } from "./links";
+import { openingOf, type Opening } from "./opening";
+import { forceScale } from "./shown";
 import { round125 } from "./units";
 
 export interface Extent extends Widths {
@@ -11,6 +13,31 @@ export interface Extent extends Widths {
   reach: number;
   /** Side of a square of the floor. */
   cell: number;
+  opening: Opening;
+}
+
+const FRAMES = 60;
+
+/** Places [k, 3] that a picture of all runs has to show, with their elasticity so many times enlarged. */
+export function placesOf(page: Page, factor: number, { reach, floor }: Extent): number[] {
+  const scale = forceScale(page.runs, reach);
+  const found: number[] = [];
+  for (const { scene } of page.runs) {
+    const { line, rigid, contact } = scene;
+    const [frames, links, stations] = line.shape;
+    const every = Math.max(1, Math.ceil(frames / FRAMES));
+    if (line.data.length) found.push(line.data[0], line.data[1], floor);
+    for (let frame = 0; frame < frames; frame += every) {
+      for (let place = 0; place < links * stations; place += Math.max(1, stations >> 1))
+        for (let c = 0, k = 3 * (frame * links * stations + place); c < 3; c++, k++) {
+          const still = rigid?.data[k] ?? line.data[k];
+          found.push(still + factor * (line.data[k] - still));
+        }
+      for (let c = 0, k = 3 * frame; c < 3; c++, k++)
+        found.push(contact ? contact.at.data[k] + scale * contact.force.data[k] : scene.tip.data[k]);
+    }
+  }
+  return found;
 }
 
 export function extentOf(page: Page): Extent {
@@ -31,7 +58,7 @@ export function extentOf(page: Page): Extent {
   const floor = floorBelow(box, page, reach);
   for (const { scene } of page.runs)
     if (scene.line.data.length) box.expandByPoint(point.fromArray(scene.line.data).setZ(floor));
-  return { box, reach, cell: round125(span / 5), usual, least: 0.006 * reach, floor };
+  return { box, reach, cell: round125(span / 5), usual, least: 0.006 * reach, floor, opening: openingOf(page, reach) };
 }
 
 /** Length along all links in the first frame. */

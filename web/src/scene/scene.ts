@@ -2,6 +2,7 @@
 import type { Clock } from "../clock";
 import type { Mode, Page } from "../contract";
 import type { LiveRun, SceneView } from "../contract_parts";
+import { framed } from "./framed";
 import { make, makeControls } from "./controls";
 import { extentOf } from "./extent";
 import { FlatWorld } from "./flat";
@@ -15,12 +16,13 @@ import { World } from "./world";
 
 const PATIENCE = 2000; // ms: a context that is lost comes back by then, or the robot is drawn without it
 
-export function mountScene(element: HTMLElement, page: Page, clock: Clock): SceneView {
+/** `bent`: deformations are enlarged until they are seen, with the undeformed robot as a ghost. */
+export function mountScene(element: HTMLElement, page: Page, clock: Clock, bent = false): SceneView {
   useStyle();
   const frame = make("div", { className: "scene" });
   const view = make("div", { className: "scene-view" });
   element.append(frame);
-  return new Mounted(frame, view, page, clock, suitable());
+  return new Mounted(frame, view, page, clock, suitable(), bent);
 }
 
 class Mounted implements SceneView {
@@ -35,22 +37,26 @@ class Mounted implements SceneView {
   private waiting = 0;
   private mode: { mode: Mode; amplitude: number } | null = null;
   private asked = 0;
+  private drawn = 1; // times the deformations are enlarged
 
   constructor(
     private readonly frame: HTMLElement,
-    private readonly view: HTMLElement,
+    private readonly place: HTMLElement,
     private readonly page: Page,
     private readonly clock: Clock,
     /** The quality that suits the machine; null: there is no WebGL. */
     private best: Quality | null,
+    bent: boolean,
   ) {
     const { runs } = page;
     const many = runs.length > 1;
+    this.extent = extentOf(page);
+    const enlarges = bent && this.extent.opening.most > 1;
     this.settings = {
       colour: many ? "run" : (runs[0].scene.colours[0]?.id ?? "run"),
-      factor: 1,
-      reference: !many,
-      rigid: false,
+      factor: enlarges ? this.extent.opening.factor : 1,
+      reference: !many && !enlarges,
+      rigid: enlarges && !many,
       traces: true,
       force: true,
       surface: true,
@@ -59,13 +65,12 @@ class Mounted implements SceneView {
       quality: "auto",
     }; // prettier-ignore
     this.replaced = runs.map(() => null);
-    this.extent = extentOf(page);
-    this.notes = new Notes(view);
-    frame.append(this.controls(), view);
+    this.notes = new Notes(place);
+    frame.append(this.controls(), place);
     this.world = this.made();
     this.ends.push(clock.subscribe(this.ask));
     const sizes = new ResizeObserver(() => this.resize());
-    sizes.observe(view);
+    sizes.observe(place);
     this.dark.addEventListener("change", this.remake);
     this.ends.push(() => sizes.disconnect(), () => this.dark.removeEventListener("change", this.remake));
     this.resize();
@@ -80,13 +85,40 @@ class Mounted implements SceneView {
   }
 
   showMode(mode: Mode | null, amplitude: number): void {
+    if (mode && this.mode?.mode !== mode) this.frame.scrollIntoView({ block: "nearest" });
     this.mode = mode === null ? null : { mode, amplitude };
     this.world.showMode(mode, amplitude);
     this.refresh();
   }
 
+  get opensAt(): number {
+    return this.extent.opening.time;
+  }
+
+  get view(): SceneView["view"] {
+    return { pose: this.world.cameras.pose, factor: this.settings.factor };
+  }
+
+  set view({ pose, factor }: SceneView["view"]) {
+    const slider = this.frame.querySelector<HTMLInputElement>("[data-scene=factor]");
+    const { most } = this.extent.opening;
+    if (slider && factor !== this.settings.factor) {
+      slider.value = String((100 * Math.log(Math.min(Math.max(factor, 1), most))) / Math.log(most));
+      slider.dispatchEvent(new Event("input"));
+    }
+    if (pose.length === 6 && pose.every(Number.isFinite)) this.world.cameras.pose = pose;
+  }
+
+  picture(canvas = document.createElement("canvas")): HTMLCanvasElement {
+    this.world.draw(this.clock.time, this.still.matches ? 0 : performance.now() / 1000);
+    const colours = getComputedStyle(this.frame);
+    const factor = this.settings.factor === 1 ? "" : `, deformation × ${this.settings.factor}`;
+    const words = this.mode ? "" : `, t = ${this.clock.time.toFixed(3)} s${factor}`;
+    return framed(canvas, this.world.canvas, (name) => colours.getPropertyValue(name), this.page.title + words);
+  }
+
   resize(): void {
-    this.world.resize(this.view.clientWidth, this.view.clientHeight);
+    this.world.resize(this.place.clientWidth, this.place.clientHeight);
     this.ask();
   }
 
@@ -110,8 +142,12 @@ class Mounted implements SceneView {
       ["apart", runs.length > 1],
     ]; // prettier-ignore
     const toggles = there.filter(([, is]) => is).map(([key]) => key);
-    return makeControls(this.settings, colours, toggles, any((scene) => scene.rigid), this.best !== null, {
-      changed: () => this.refresh(),
+    return makeControls(this.settings, colours, toggles, this.extent.opening.most, this.best !== null, {
+      changed: () => {
+        const before = this.drawn;
+        this.refresh();
+        if (before !== this.settings.factor) this.world.cameras.refit();
+      },
       look: (view) => this.world.look(view, !this.still.matches),
       quality: () => {
         this.best ??= suitable();
@@ -128,7 +164,7 @@ class Mounted implements SceneView {
     const world = (solid && inSpace(given, solid)) ?? new FlatWorld(given, quality === "lines");
     world.canvas.addEventListener("webglcontextlost", this.lost);
     world.canvas.addEventListener("webglcontextrestored", this.found);
-    this.view.prepend(world.canvas);
+    this.place.prepend(world.canvas);
     return world;
   }
 
@@ -159,6 +195,7 @@ class Mounted implements SceneView {
   };
 
   private refresh(): void {
+    this.drawn = this.settings.factor;
     this.world.refresh();
     this.world.tell(this.notes);
     this.ask();

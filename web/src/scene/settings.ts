@@ -16,14 +16,12 @@ export interface Settings {
   quality: "auto" | "low" | "high" | "lines";
 }
 
-export const LARGEST_FACTOR = 200;
-
 export const TOGGLES: [
   keyof Settings & ("reference" | "rigid" | "traces" | "force" | "surface" | "floor" | "apart"),
   string,
 ][] = [
   ["reference", "Nominal (ghost)"],
-  ["rigid", "Rigid plan (ghost)"],
+  ["rigid", "Undeformed (ghost)"],
   ["traces", "Paths of the tips"],
   ["force", "Contact force"],
   ["surface", "Surface"],

@@ -1,9 +1,9 @@
 // What all ways to draw a scene have in common: the runs, the camera, what colours mean, what the notes over it say.
-import { Vector3, type PerspectiveCamera } from "three";
+import type { PerspectiveCamera } from "three";
 import type { Mode, Page } from "../contract";
 import type { LiveRun } from "../contract_parts";
 import { Cameras, type View } from "./cameras";
-import type { Extent } from "./extent";
+import { placesOf, type Extent } from "./extent";
 import type { Entry, Notes } from "./notes";
 import type { Palette } from "./palette";
 import type { Settings } from "./settings";
@@ -33,7 +33,7 @@ export abstract class Sight<Kind extends ShownRun = ShownRun> {
   ) {
     const { page, extent, ask } = given;
     this.scale = forceScale(page.runs, extent.reach);
-    this.cameras = new Cameras(camera, canvas, extent.reach, ask);
+    this.cameras = new Cameras(camera, canvas, extent.reach, extent.opening.direction, ask);
     canvas.tabIndex = 0;
     canvas.setAttribute("role", "img");
     const keys = "Arrow keys turn the view, with Shift they move it, + and - zoom.";
@@ -67,7 +67,10 @@ export abstract class Sight<Kind extends ShownRun = ShownRun> {
       run.aside = (k - (runs.length - 1) / 2) * wide;
       run.showsSurface = settings.apart || surfaces.indexOf(surfaces[k]) === k;
     });
-    this.cameras.box.copy(box).expandByVector(new Vector3(0, ((runs.length - 1) / 2) * wide, 0));
+    const places = placesOf(this.given.page, settings.factor, extent);
+    const least = box.min.toArray().map((x, k) => x - (k === 1 ? ((runs.length - 1) / 2) * wide : 0));
+    const most = box.max.toArray().map((x, k) => x + (k === 1 ? ((runs.length - 1) / 2) * wide : 0));
+    this.cameras.places = wide ? [...places, ...least, ...most] : places;
   }
 
   look(view: View, glide: boolean): void {
@@ -87,7 +90,7 @@ export abstract class Sight<Kind extends ShownRun = ShownRun> {
     notes.list(shown ? this.modeEntries(shown) : this.entries(), !shown && this.forceShown());
     if (shown) notes.range({ label: "Displacement, share of the largest", unit: "", low: 0, high: 1 });
     else notes.range(info ? { label: info.label, unit: info.unit, ...this.range } : null);
-    notes.enlarged(settings.factor === 1 || shown ? "" : `Deformation × ${settings.factor}`);
+    notes.enlarged(settings.factor === 1 || shown ? "" : `Deformation × ${settings.factor}, not to scale`);
     const height = extent.floor === 0 ? "" : `, at z = ${digits(extent.floor)} m`;
     notes.flat("");
     notes.floor(settings.floor ? `Grid ${digits(extent.cell)} m${height}${this.thick()}` : "");
@@ -121,7 +124,7 @@ export abstract class Sight<Kind extends ShownRun = ShownRun> {
     const led = settings.traces && runs.some(({ run }) => run.scene.tipReference);
     if (has("reference")) entries.push({ colour: runs[0].referenceColour, label: "Nominal" });
     else if (led) entries.push({ colour: runs[0].referenceColour, label: "Path of the nominal tip" });
-    if (has("rigid")) entries.push({ colour: colours.rigid, label: "Without any elasticity" });
+    if (has("rigid")) entries.push({ colour: colours.rigid, label: "Undeformed" });
     if (runs.some(({ changed }) => changed)) entries.push({ colour: colours.before, label: "The run as it was" });
     return entries;
   }

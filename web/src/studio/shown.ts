@@ -45,7 +45,7 @@ export class Shown {
     this.base = page;
     this.view = mountPage(this.element, page);
     this.view.clock.speed = speed;
-    this.view.clock.seek(time);
+    if (clock) this.view.clock.seek(time);
     if (playing) this.view.clock.play();
   }
 }

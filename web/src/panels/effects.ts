@@ -1,0 +1,57 @@
+// Which settings matter most: what one per cent of each changes in the number that the page leads with.
+
+import type { Fact } from "../contract";
+import type { Live, LiveRun } from "../contract_parts";
+import type { SliderRow } from "./slider";
+
+const LEADING = ["tip_error.commanded", "deviation.max", "deflection.max", "gear.max"];
+const STEP = 0.01;
+const PATIENCE = 6000; // ms that all runs may take
+
+/** Rows that are shown at first: of each kind the first, then the next of each. */
+export function byKind(rows: SliderRow[], count: number): SliderRow[] {
+  const kinds = [...new Set(rows.map((row) => row.slider.group))];
+  const places = new Map(rows.map((row) => {
+    const { group } = row.slider;
+    const own = rows.filter((other) => other.slider.group === group);
+    return [row, own.indexOf(row) * kinds.length + kinds.indexOf(group)];
+  }));
+  return [...rows].sort((one, other) => (places.get(one) ?? 0) - (places.get(other) ?? 0)).slice(0, count);
+}
+
+/**
+ * Changes of the leading number, as shares of it, for one per cent of each setting; why not, where that would take too
+ * long or cannot be; null where somebody wants another run meanwhile.
+ */
+export async function effects(
+  live: Live, rows: SliderRow[], wanted: () => boolean,
+): Promise<{ number: string; shares: number[] } | string | null> {
+  const own = rows.map((row) => row.slider.value);
+  const began = performance.now();
+  const facts = await early(live, own);
+  const id = LEADING.find((name) => facts[name]?.value);
+  if (!id) return "no number of this run tells it";
+  const whole = Number(facts[id].value);
+  if ((performance.now() - began) * rows.length > PATIENCE) return "to measure it would take long";
+  const shares: number[] = [];
+  for (const [k, { slider }] of rows.entries()) {
+    if (!wanted()) return null;
+    const more = slider.value * (1 + STEP);
+    const step = more <= slider.max && more >= slider.min ? STEP : -STEP;
+    const values = own.map((value, j) => (j === k ? value * (1 + step) : value));
+    const found = slider.value === 0 ? whole : ((await early(live, values))[id]?.value ?? whole);
+    shares.push(Math.abs(found - whole) / Math.abs(whole));
+  }
+  return { number: id, shares };
+}
+
+/** The facts that a run tells first. */
+async function early(live: Live, values: number[]): Promise<LiveRun["facts"]> {
+  return new Promise((resolve, reject) => {
+    live.run(values, undefined, (run) => resolve(run.facts)).then((run) => resolve(run.facts), reject);
+  });
+}
+
+export function nameOf(id: string, facts: Fact[]): string {
+  return (facts.find((fact) => fact.id === id)?.name ?? id).toLowerCase();
+}
