@@ -53,12 +53,22 @@ def pairs(rows: int) -> list[list[str]]:
     return [[f"{k} left", f"{k} right"] for k in range(rows)]
 
 
+_QUANTITIES = {
+    "rad": "angle", "rad/s": "rate", "m": "displacement", "m/s": "speed", "N": "force", "N m": "torque", "V": "voltage",
+    "A": "current",
+}  # fmt: skip
+"""What an axis shows where its figure gives no word, by unit."""
+
+
 def curves(panel: Axes, x: Any, shown: Mapping[str, tuple[Any, dict[str, Any]]], si: str, what: str = "") -> Unit:
-    """Draw labelled values [``si``] with their looks over ``x``, in one readable unit that the axis names."""
+    """Draw labelled values [``si``] with their looks over ``x``, in one readable unit that the axis names.
+
+    ``what``: the quantity in a word; else that of the unit.
+    """
     unit = readable(si, *(values for values, _ in shown.values()))
     for label, (values, look) in shown.items():
         panel.plot(x, unit.of(values), label=label or None, **look)
-    panel.set_ylabel(f"{what} [{unit.name}]".lstrip())
+    panel.set_ylabel(f"{what or _QUANTITIES.get(si, '')} [{unit.name}]".lstrip())
     return unit
 
 

@@ -35,7 +35,7 @@ class LinkTips(Figure):
         for panel, name in zip(axes, names, strict=True):
             bent = ends.sel(bending_link=name)
             shown = {f"along {one}": (bent.sel(plane=one), look) for one, look in zip("yz", COMPONENTS, strict=False)}
-            curves(panel, data["time"].values, shown, "m")
+            curves(panel, data["time"].values, shown, "m", "deflection")
         last_times(axes, data["time"].values, 1)
         shared_legend(axes[0])
         letter(axes, (f"End of {plain(name)}" for name in names))
