@@ -89,6 +89,7 @@ export function mountPage(root: HTMLElement, page: Page): PageView {
     factsView.show(live);
     modesView?.show(live);
     mark(live);
+    document.querySelector("main > .status.good")?.classList.toggle("before", live !== null);
     drawn = live;
   }
 

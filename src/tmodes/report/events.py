@@ -44,10 +44,9 @@ def _limits(result: Result) -> Iterator[tuple[float, str]]:
     except TmodesError:
         return
     for joint in joints:
-        for name in joint.coordinates if joint.limits else ():
-            bounds = {"v": joint.limits.speed, "effort": joint.limits.effort}
+        for name in joint.coordinates:
             for series, dim, words in (("v", "coordinate", "speed"), ("effort", "drive", "effort")):
-                if bounds[series] and dim in data.dims and name in data[dim].values:
-                    past = np.flatnonzero(np.abs(data[series].sel({dim: name}).values) > bounds[series])
+                if (bound := getattr(joint.limits, words, None)) and dim in data.dims and name in data[dim].values:
+                    past = np.flatnonzero(np.abs(data[series].sel({dim: name}).values) > bound)
                     if len(past):
                         yield float(time[past[0]]), f"{name} passes its limit of {words}"

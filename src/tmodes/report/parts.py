@@ -104,7 +104,8 @@ def application(page: Mapping[str, Any]) -> Markup:
     without = tag("noscript", tag("p", _NEEDS, class_="status warning"))
     place = tag("div", id="tmodes-app")
     data = tag("script", Markup(embedded(pack(page))), type="text/plain", id="tmodes-data")
-    viewer = tag("section", without, place, id="viewer", aria_label="Interactive view")
+    heading = tag("h2", SECTIONS["viewer"], class_="offscreen")
+    viewer = tag("section", heading, without, place, id="viewer", aria_label="Interactive view")
     return Markup(viewer + data + tag("script", Markup(program())))
 
 

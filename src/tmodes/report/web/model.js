@@ -1,4 +1,4 @@
-/* tmodes, built from 9a5c47a3b2dd5793; BSD-3-Clause */
+/* tmodes, built from 237e671460141070; BSD-3-Clause */
 
 // src/live/engine_error.ts
 var EngineError = class extends Error {
