@@ -92,6 +92,15 @@ def test_what_has_no_form_goes_case_by_case(prepared_alone, monkeypatch):
     assert found.states.tobytes() == one_by_one(monkeypatch, robot, vary).states.tobytes()
 
 
+def test_rests_far_apart_are_found_from_their_neighbours(prepared_alone):
+    """Masses over three decades; the lightest rests as its own sheet says."""
+    robot, masses = tmodes.load("filipovic2010").with_(SHORT), np.geomspace(300.0, 0.1, 24)
+    lots = simulate.prepared(robot, {"payload.mass": masses}).lots
+    assert len({*prepared_alone}) == 2
+    true = simulate.prepared(robot, {"payload.mass": masses[11:12]}).lots[0].starts
+    assert np.abs(lots[0].starts[11] - true).max() < 1e-12
+
+
 def test_zero_is_a_case_of_its_own(prepared_alone):
     """It may change the structure."""
     vary = {"joints.joint.gear.damping": [0.5, 0.4, 0.0, 0.3, 0.2, 0.1, 0.6]}
@@ -123,7 +132,7 @@ def test_figures_in_place_of_samples(prepared_alone, monkeypatch):
     def peak(part):
         return {"peak": np.abs(part.states[:, :, 1]).max(axis=1), "end": part.tips[:, -1, 2]}
 
-    monkeypatch.setattr(simulate, "_ROOM", 1)
+    monkeypatch.setattr(simulate, "_ROOM", 60 * 11 * 19 * 8)
     found = tmodes.simulate_batch(robot, vary, tips=True, figures=peak)
     kept = tmodes.simulate_batch(robot, vary, tips=True)
     assert {*prepared_alone} == {0, 69}

@@ -99,5 +99,5 @@ def _first_refused(values: Array, wrong: int, one: Callable[[int], RunSetup | st
 
 
 def _same(found: Array, true: Array) -> bool:
-    """Whether a start is that of its sheet but for rounding."""
-    return bool(np.abs(found - true).max(initial=0.0) <= _SAME_START * np.abs(true).max(initial=1.0))
+    """Whether a start, where one was found, is that of its sheet but for rounding."""
+    return not np.abs(found - true).max(initial=0.0) > _SAME_START * np.abs(true).max(initial=1.0)

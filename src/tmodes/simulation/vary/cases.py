@@ -166,12 +166,25 @@ class Cases:
         return states
 
     def _rests(self, which: Indices) -> Array:
+        """Poses at rest, of each case from that of ``like`` or, where that is too far, from its nearest neighbour's."""
         rest, names = self.like.rest, list(self.like.model.coordinates)
         assert rest is not None  # noqa: S101
-        near = np.tile(rest.q, (len(which), 1))
         places = [names.index(name) for name in held_at_start(self.like.robot, self.like.model)]
-        near[:, places] = self.block("held", which)
-        return rests(self.held, self.block("rest", which), self.block("rest_row", which), near, rest.free)
+        held, numbers, rows = (self.block(name, which) for name in ("held", "rest", "rest_row"))
+        far = np.stack(
+            [one.shares(values[which]) for one, values in zip(self.ranges, self.values.values(), strict=True)]
+        )
+        found, lost, near = np.full((len(which), len(names)), np.nan), np.arange(len(which)), rest.q[None]
+        while len(lost):
+            begin = np.broadcast_to(near, (len(lost), len(names))).copy()
+            begin[:, places] = held[lost]
+            found[lost] = rests(self.held, numbers[lost], rows[lost], begin, rest.free)
+            known, before = np.flatnonzero(np.isfinite(found).all(axis=1)), len(lost)
+            lost = np.flatnonzero(~np.isfinite(found).all(axis=1))
+            if len(lost) == before or not len(known):
+                break
+            near = found[known[[np.abs(far[:, known] - far[:, [k]]).sum(axis=0).argmin() for k in lost]]]
+        return found
 
     def lots(self, starts: Array, places: Indices, tried: list[RunSetup]) -> Iterator[Lot]:
         """The cases that have a start, by their method; ``tried``: some, as setups of their own."""

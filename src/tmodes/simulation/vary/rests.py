@@ -73,8 +73,10 @@ def _inverses(loop: LoopModel, numbers: Array, rows: Array, q: Array, free: NDAr
     """Of the derivatives of the accelerations of the free coordinates by them, (k, free, free)."""
     n = len(free)
     slopes = loop.slopes(0.0, _states(loop, q), rows, numbers, free)[:, loop.layout.v][:, free]
-    bad = ~np.isfinite(slopes).all(axis=(1, 2)) | (np.abs(np.linalg.det(slopes)) == 0.0)
+    bad = ~np.isfinite(slopes).all(axis=(1, 2))
     slopes[bad] = np.eye(n)
+    singular = np.linalg.det(slopes) == 0.0
+    slopes[singular] = np.eye(n)
     found = np.asarray(np.linalg.inv(slopes), dtype=float)
-    found[bad] = np.nan
+    found[bad | singular] = np.nan
     return found

@@ -165,8 +165,7 @@ def _gathered(batch: Prepared, states: Array, runs: Sequence[Trajectory], tips: 
 def _figures(batch: Prepared, figures: Figures, threads: int, progress: Progress, *, tips: bool) -> BatchRun:
     """Run part after part in the same room, and keep the figures of each."""
     shape, runs, found = (len(batch.times), batch.columns.width), [], []
-    at_once = min(-(-_ROOM // (8 * shape[0] * shape[1] * _WHOLE)) * _WHOLE, batch.size)
-    room = np.empty((at_once, *shape))
+    room = np.empty((at_once := min(max(1, _ROOM // (8 * shape[0] * shape[1])), batch.size), *shape))
     for first in range(0, batch.size, at_once):
         part = batch.part(first, min(first + at_once, batch.size))
 
@@ -179,7 +178,7 @@ def _figures(batch: Prepared, figures: Figures, threads: int, progress: Progress
             some = _run(part, room, threads, tell)
         where = _tips(part, room[: part.size], threads, tell) if tips else None
         found.append(figures(_gathered(part, room[: part.size], some, where)))
-        runs += some
+        runs += [replace(run, times=batch.times[: len(run.times)], states=room[0, :0]) for run in some]
     done = _gathered(batch, np.empty((batch.size, 0, shape[1])), runs, None)
     return replace(done, figures={name: np.concatenate([one[name] for one in found]) for name in found[0]})
 
@@ -187,7 +186,11 @@ def _figures(batch: Prepared, figures: Figures, threads: int, progress: Progress
 def _run(batch: Prepared, room: Array, threads: int, progress: Progress) -> list[Trajectory]:
     """Run the lanes that could start, into a ``room`` (k, n, nx)."""
     runs = {index: not_begun(room[index], why) for index, why in batch.failed.items()}
-    works = [lot.work(batch.times, _room(lot, batch, room)) for lot in batch.lots]
+    names, shape = batch.columns.coordinates, room.shape[:2]  # lanes with other coordinates have rooms of their own,
+    works = [  # at first of rows that take no memory
+        lot.work(batch.times, room if lot.like.model.coordinates == names else np.empty((*shape, lot.starts.shape[1])))
+        for lot in batch.lots
+    ]
     runs |= run_all(works, threads, lambda share: progress("running", share))
     for work in works:
         if work.states is not room:
@@ -195,20 +198,13 @@ def _run(batch: Prepared, room: Array, threads: int, progress: Progress) -> list
     return [runs[index] for index in range(batch.size)]
 
 
-def _room(lot: Lot, batch: Prepared, room: Array) -> Array:
-    """Lanes with other coordinates than the batch have a room of their own, at first of rows that take no memory."""
-    size = lot.starts.shape[1]
-    return room if lot.like.model.coordinates == batch.columns.coordinates else np.empty((*room.shape[:2], size))
-
-
 def _tips(batch: Prepared, room: Array, threads: int, progress: Progress) -> Array:
     tips = np.full((*room.shape[:2], 3), np.nan)
 
     def fill(lot: Lot, which: Indices) -> int:
-        columns = batch.columns.of(lot.like.model.coordinates)
-        places = lot.places[which].tolist()
-        same = columns == [*range(room.shape[2])]
-        tips[places] = lot.tips(which, batch.times, [room[k] if same else room[k][:, columns] for k in places])
+        columns, places = batch.columns.of(lot.like.model.coordinates), lot.places[which].tolist()
+        whole = columns == [*range(room.shape[2])]
+        tips[places] = lot.tips(which, batch.times, [room[k] if whole else room[k][:, columns] for k in places])
         return len(places)
 
     pieces = [(lot, every[k : k + _WHOLE]) for lot in batch.lots if len(every := np.arange(len(lot.places)))
