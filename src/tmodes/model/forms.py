@@ -39,7 +39,7 @@ class Range(NamedTuple):
     def shares(self, values: Array) -> Array:
         """Where values are between the least and the largest, 0 to 1, by their ratio where none is negative."""
         low, high, here = (np.log(x) if self.low > 0 else x for x in (self.low, self.high, values))
-        return (here - low) / ((high - low) or 1.0)
+        return np.asarray((here - low) / ((high - low) or 1.0))
 
     def drawn(self, generator: np.random.Generator) -> float:
         """A random value, as likely above as below the start in ratio."""
