@@ -22,7 +22,7 @@ INK = """id => { const c = document.querySelector(`[data-chart=${id}] canvas`); 
   return seen.size }"""
 """How many colours a chart shows."""
 LINE = "document.querySelector('[data-chart=tip_deviation] .time-line').style.transform"
-PLAY = ".transport button"
+PLAY = ".transport .play"
 
 
 @pytest.fixture(scope="module")
@@ -38,6 +38,7 @@ def shown(window: Any) -> float:
 
 def ink(window: Any, chart: str) -> int:
     """How many colours a chart shows, once it is drawn."""
+    window.page.locator(f"[data-chart={chart}]").scroll_into_view_if_needed()
     window.page.wait_for_selector(f"[data-chart={chart}] canvas")
     return window.page.evaluate(INK, chart)
 
