@@ -110,7 +110,7 @@ export interface Scene {
   /** The same without any elasticity, and of the nominal robot; null where there is none. */
   rigid: Numbers | null;
   reference: Numbers | null;
-  /** The nominal robot without any elasticity, about which its deformation is enlarged; null or none: `rigid` serves. */
+  /** The nominal robot without elasticity, about which its deformation is enlarged; null or none: `rigid` serves. */
   referenceRigid?: Numbers | null;
   /** Rotation of each link's root as quaternions x, y, z, w [m, L, 4]. */
   roots: Numbers;

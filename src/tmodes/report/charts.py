@@ -25,13 +25,19 @@ _PARTS = {"real": "", "reference": "_nominal", "stationary": "_stationary", "osc
 
 def charts_of(results: Sequence[Result]) -> list[list[dict[str, Any]]]:
     """The charts of each run as ``Chart`` of ``web/src/contract.ts``; charts of one name have one unit in all runs."""
-    return in_readable_units([drafts_of(result) for result in results])
+    runs = [drafts_of(result) for result in results]
+    shown = {draft.id for run in runs for draft in run if _shows(draft)}
+    return in_readable_units([[draft for draft in run if draft.id in shown] for run in runs])
+
+
+def _shows(draft: Draft) -> bool:
+    """Whether there is more than zeros, or that is what it is to show."""
+    return draft.group == "energy" or any(np.any(line.values) for line in draft.lines)
 
 
 def drafts_of(result: Result) -> list[Draft]:
-    """The charts of a run in SI units, the first of each group being the one to look at first; none of zeros alone."""
-    drafts = list(_drafts(result))
-    return [draft for draft in drafts if draft.group == "energy" or any(np.any(line.values) for line in draft.lines)]
+    """The charts of a run in SI units, the first of each group being the one to look at first."""
+    return list(_drafts(result))
 
 
 def _drafts(result: Result) -> Iterator[Draft]:

@@ -204,7 +204,8 @@ def colour(name: str, label: str, unit: str, values: Array) -> dict[str, Any]:
 
 def quaternions(rotation: Array) -> NDArray[np.float32]:
     """Quaternions x, y, z, w (m, L, 4) of rotations (m, L, 3, 3), along time without jumps of sign."""
-    return steady(matrix_quaternion(rotation)).astype(np.float32)
+    found = matrix_quaternion(rotation.reshape(-1, 3, 3)).reshape(*rotation.shape[:-2], 4)
+    return steady(found).astype(np.float32)
 
 
 def steady(found: Array) -> Array:

@@ -34,7 +34,7 @@ export function mountCharts(element: HTMLElement, page: Page, clock: Clock): Cha
   const tabs = make("div", { class: "tabs", role: "tablist", "aria-label": "Charts" });
   const hint = make("p", {
     class: "note hint",
-    text: "Click or drag: choose the time. Shift and drag: zoom, double click: back. Keys: space, arrows, and , . by sample.",
+    text: "Click or drag: the time. Shift and drag: zoom, double click: back. Keys: space, arrows, and , . by sample.",
   });
   const groups = (Object.keys(WORDS) as Group[]).filter((group) => chosen(sets, group).length > 0);
   let drawn: ChartSet[] = [];

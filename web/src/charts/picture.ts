@@ -6,7 +6,9 @@ import type { Entry } from "./series";
 const [LINE, EDGE] = [18, 12]; // px
 
 /** Of a plot's canvas, `ratio` of whose pixels are one of the page; `looks` are those of the curves that are shown. */
-export function chartPicture(plot: HTMLCanvasElement, ratio: number, title: string, looks: [Entry, Look][]): HTMLCanvasElement {
+export function chartPicture(
+  plot: HTMLCanvasElement, ratio: number, title: string, looks: [Entry, Look][],
+): HTMLCanvasElement {
   const known = new Set<string>();
   const keys = looks.filter(([{ ghost }]) => !ghost).flatMap(([entry, look]) => {
     const words = entry.role === "real" ? entry.label : `${entry.label}, ${WORDS[entry.role]}`;

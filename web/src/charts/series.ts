@@ -43,7 +43,8 @@ export function entriesOf(set: ChartSet, live: LiveRun | null): Entry[] {
   const own = set.runs.flatMap(({ run, name, chart }) =>
     chart.curves.map((curve) => ({
       run, runName: name, label: curve.label, role: curve.role, x: chart.at.data, y: curve.values.data,
-      shown: curve.shown && (set.runs.length < 2 || leading(curve, chart)), ghost: live !== null && run === 0 && !chart.stacked,
+      shown: curve.shown && (set.runs.length < 2 || leading(curve, chart)),
+      ghost: live !== null && run === 0 && !chart.stacked,
     })),
   );
   if (live === null) return own;

@@ -26,8 +26,9 @@ export function follow(fragment: string, clock: Clock, scene: SceneView, setting
   const factor = number("scale");
   const pose = (parts.get("camera") ?? "").split(" ").map(Number);
   scene.view = { pose, factor: Number.isFinite(factor) ? factor : scene.view.factor };
-  const given = parts.getAll("set").map((one) => [one.slice(0, one.lastIndexOf("=")), one.slice(one.lastIndexOf("=") + 1)]);
-  const values = given.map(([path, value]) => [path, Number(value)] as const).filter(([, value]) => Number.isFinite(value));
+  const values = parts.getAll("set")
+    .map((one) => [one.slice(0, one.lastIndexOf("=")), Number(one.slice(one.lastIndexOf("=") + 1))] as const)
+    .filter(([, value]) => Number.isFinite(value));
   if (settings && values.length) settings.give(Object.fromEntries(values));
   clock.pause();
   clock.seek(number("t"));

@@ -1,4 +1,4 @@
-// What of a page can be taken along: the data sheet of each run, a picture, a film, and an address that leads back here.
+// What of a page can be taken along: the data sheet of each run, a picture, a film, an address that leads back here.
 
 import type { Clock } from "../clock";
 import type { Page } from "../contract";

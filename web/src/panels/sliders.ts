@@ -162,7 +162,9 @@ export function mountSliders(
   );
   return {
     changed: () =>
-      Object.fromEntries(rows.filter((row) => row.value !== row.slider.value).map((row) => [row.slider.path, row.value])),
+      Object.fromEntries(
+        rows.filter((row) => row.value !== row.slider.value).map((row) => [row.slider.path, row.value]),
+      ),
     give: (wanted) => give(rows.map(({ slider }) =>
       Math.min(Math.max(wanted[slider.path] ?? slider.value, slider.min), slider.max))),
     dispose() {

@@ -89,14 +89,16 @@ export function mountTransport(element: HTMLElement, clock: Clock): TransportVie
     }
     marks.replaceChildren(...groups.map((group) => {
       const words = `${group.map(({ label }) => label).join("; ")}, t = ${digits(group[0].time)} s`;
-      const found = button("", () => clock.seek(group[0].time), { class: "time-mark", "aria-label": words, title: words });
+      const look = { class: "time-mark", "aria-label": words, title: words };
+      const found = button("", () => clock.seek(group[0].time), look);
       found.style.left = `${(100 * group[0].time) / (clock.duration || 1)}%`;
       return found;
     }));
   }
 
   document.addEventListener("keydown", keys);
-  element.append(play, make("div", { class: "scrub-box" }, marks, scrub), shown, loop, make("label", { for: speedName, text: "speed" }), speed);
+  const label = make("label", { for: speedName, text: "speed" });
+  element.append(play, make("div", { class: "scrub-box" }, marks, scrub), shown, loop, label, speed);
   const unsubscribe = clock.subscribe(tell);
   tell();
   return {
