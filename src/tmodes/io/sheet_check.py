@@ -40,9 +40,9 @@ def sheet_from_data(
 ) -> Robot:
     """The checked robot of plain data (maps, lists and scalars, as a YAML file holds them).
 
-    ``positions`` gives the line of each dotted path and ``source`` the name of the file, for messages. Numbers may be
-    text with a unit; in data of a robot only those at the places of :func:`tmodes.io.sheet_paths.changed_places`,
-    ``changed``, are not read yet. Raises :class:`tmodes.errors.InputErrors` that holds every wrong value.
+    ``positions``: the line of each dotted path; ``source``: the name of the file, for messages. Numbers may be text
+    with a unit; in data of a robot only those at the ``changed`` places (:func:`tmodes.io.sheet_paths.changed_places`)
+    are not read yet. Raises :class:`tmodes.errors.InputErrors` that holds every wrong value.
     """
     positions = positions or {}
     _refuse_huge(data, source)
@@ -51,7 +51,8 @@ def sheet_from_data(
         raise _located(wrong, data, positions, source)
     plain = copy.deepcopy(data)
     found = dict(islice(_read_numbers(plain, changed), MOST_REPORTED))
-    sheet, wrong = _checked(form, plain, data) if len(found) < MOST_REPORTED else (None, ())
+    refused: Any = (None, ())
+    sheet, wrong = _checked(form, plain, data) if len(found) < MOST_REPORTED else refused
     if found := {**dict(wrong), **found}:
         raise _located(list(found.items()), data, positions, source)
     robot = sheet if form is ROBOT else Robot.model_validate(robot_data(sheet.model_dump(mode="json")))
