@@ -26,11 +26,9 @@ from tmodes.sheet import Robot
 
 __all__ = ["changed_robot", "real_robot", "sheet_data", "sheet_from_data"]
 
-MOST_ERRORS = 100
+MOST_ERRORS, MOST_DEPTH = 100, 40
 MOST_VALUES = 200_000
 """Largest number of values in the plain data of a robot."""
-
-MOST_DEPTH = 40
 
 _LEFT_OUT = "a number that the sheet leaves out"
 
