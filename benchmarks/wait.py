@@ -5,7 +5,7 @@
 ``--against``: the sources of the other version, ``src`` of a checkout (``git worktree add ../before REV``); the same
 interpreter and packages run both. Each round makes every command once with each version, with an empty cache of
 compiled code and with a full one; medians of wall and processor time [s], and the ratio of processor times. Commands
-that only read (check, modes, describe, show) stand beside what importing xarray and h5netcdf takes.
+that only read (check, modes, describe, show) are compared with importing xarray and h5netcdf.
 """
 
 from __future__ import annotations

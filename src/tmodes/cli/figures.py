@@ -21,7 +21,9 @@ def figures(
     ] = None,
     png: Annotated[bool, typer.Option("--png", help="As PNG too, 200 dots per inch; else SVG alone.")] = False,
     pdf: Annotated[bool, typer.Option("--pdf", help="As PDF too.")] = False,
-    out: Annotated[Path | None, typer.Option(help="Folder for the figures; else `figures` beside the result.")] = None,
+    out: Annotated[
+        Path | None, typer.Option(help="Folder for the figures; else `figures` in the folder of the result.")
+    ] = None,
 ) -> None:
     """Draw the figures of a stored result for print: 16 cm wide, legible without colour. Files that exist are replaced.
 

@@ -152,7 +152,7 @@ class Stages:
         self._bar: Any = None
         self._tasks: dict[str, Any] = {}
         self.spent: dict[str, list[float]] = {}
-        self._stage, self._mark = "start", (self._started, 0.0)  # of the process too: its imports
+        self._stage, self._mark = "", (self._started, clock.process_time())
         self._shown = threading.Timer(PATIENCE, lambda: self._draw(self._stage, 0.0))
         self._drawing = threading.Lock()
         if sys.stderr.isatty():
@@ -185,12 +185,15 @@ class Stages:
     def _take(self, stage: str) -> None:
         """End the stage before: its time is what passed since it began."""
         mark = clock.monotonic(), clock.process_time()
-        times = self.spent.setdefault(self._stage, [0.0, 0.0])
-        self.spent[self._stage] = [t + now - before for t, now, before in zip(times, mark, self._mark, strict=True)]
+        if self._stage:
+            times = self.spent.setdefault(self._stage, [0.0, 0.0])
+            self.spent[self._stage] = [t + now - before for t, now, before in zip(times, mark, self._mark, strict=True)]
         self._stage, self._mark = stage, mark
 
     def _draw(self, stage: str, share: float) -> None:
         with self._drawing:
+            if not stage:  # nothing has begun, or all has ended
+                return
             if self._bar is None:
                 from rich.console import Console
                 from rich.progress import BarColumn, Progress, SpinnerColumn, TextColumn, TimeElapsedColumn
@@ -199,6 +202,8 @@ class Stages:
                 self._bar = Progress(*columns, console=Console(stderr=True), transient=True)
                 self._bar.start()
             if stage not in self._tasks:
+                for task in self._tasks.values():
+                    self._bar.update(task, completed=1.0)
                 self._tasks[stage] = self._bar.add_task(stage, total=1.0)
             self._bar.update(self._tasks[stage], completed=share)
 
@@ -206,8 +211,9 @@ class Stages:
         """Remove what is drawn; the last stage ends."""
         self._shown.cancel()
         self._take("")
-        if self._bar:
-            self._bar.stop()
+        with self._drawing:  # what the timer began is drawn to its end, and then removed
+            if self._bar:
+                self._bar.stop()
 
 
 @contextmanager

@@ -1,4 +1,4 @@
-"""What sliders change and ``--set`` takes beside a number's own path.
+"""What sliders change and ``--set`` takes besides a number's own path.
 
 ``joints.*.gear.stiffness`` multiplies all that stand there by a factor, ``real:PATH`` sets actual over nominal of what
 stands at a path, wherever the sheet has that factor.

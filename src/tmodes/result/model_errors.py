@@ -78,7 +78,7 @@ def model_errors(
     figures = [figure for figure in summary_figures(first, names) if figure.name not in own]
     whole = even_samples(count, _WHOLE)  # what is missing may come at another time than what the last functions do
     apart = distances(figures, first, lambda at: [sampled(*one, at) for one in others], stations, whole)
-    scale = SAFETY * doubt(run.chain, first, names, stations)
+    scale = SAFETY * uncertainty(run.chain, first, names, stations)
     how = " and ".join(dict.fromkeys(node.link.comparison for node in run.chain.nodes if node.link.bends))
     return {
         "how": f"run with {how}",
@@ -86,7 +86,7 @@ def model_errors(
     }
 
 
-def doubt(chain: Chain, variables: Mapping[str, Array], names: Mapping[str, list[str]], stations: Array) -> float:
+def uncertainty(chain: Chain, variables: Mapping[str, Array], names: Mapping[str, list[str]], stations: Array) -> float:
     """How far the true errors may be over the difference of the runs, by the worst direction of a link.
 
     Of functions by the energy of their moments in the run: the balance's moment less the material's is what no function
@@ -104,8 +104,10 @@ def doubt(chain: Chain, variables: Mapping[str, Array], names: Mapping[str, list
             parts = (moment - elastic, elastic - others.T @ shapes, moment)
             found.append((link, direction, *(float(np.sum(part**2)) for part in parts)))
     least = _NEGLIGIBLE * sum(whole for *_, whole in found)
-    shares = [link.doubt(way, missing / last) for link, way, missing, last, whole in found if whole > least and last]
-    return max([*shares, *(link.doubt("", 0.0) for link in links.values() if not link.projected)], default=0.0)
+    shares = [
+        link.uncertainty(way, missing / last) for link, way, missing, last, whole in found if whole > least and last
+    ]
+    return max([*shares, *(link.uncertainty("", 0.0) for link in links.values() if not link.projected)], default=0.0)
 
 
 def _compared(run: RunData, chain: Chain, until: float) -> tuple[RunSetup, Trajectory] | None:

@@ -82,9 +82,8 @@ def assigned(worth: Array) -> NDArray[np.intp]:
             seen[here] = True
             price = cost[taken[here]] - rows[taken[here]] - columns
             shorter = ~seen & (price < least)
-            shorter[0] = False
             least[shorter], before[shorter] = price[shorter], here
-            here = int(np.where(seen, np.inf, np.where(np.arange(len(least)) > 0, least, np.inf)).argmin())
+            here = int(np.where(seen, np.inf, least).argmin())
             step = least[here]
             rows[taken[seen]] += step
             columns[seen] -= step

@@ -88,7 +88,7 @@ class Holding(OfTouch):
     def switched(self, pose: Any, motion: Any, p: Any, mode: Any, held: Any) -> list[list[Any]]:
         """(pose of the point, acceleration less gravity, numbers, mode, force that holds) -> slip after the switch.
 
-        A slip that has turned by a right angle goes on in its new direction, or sticks where it has come to rest and
+        A slip that has turned by a right angle continues in its new direction, or sticks where it has come to rest and
         does not accelerate along its mode.
         """
         _, slip, normal = self._met(pose, p, mode)

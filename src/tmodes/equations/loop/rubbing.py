@@ -1,6 +1,6 @@
 """Kernels of a contact whose friction is of the whole normal force, that of the moving mass included.
 
-That force has the point's acceleration in it: a trial force tells how both go together.
+That force has the point's acceleration in it: a trial force gives the relation of both.
 """
 
 from __future__ import annotations

@@ -112,7 +112,7 @@ class Schedule:
     sampled: Schedule | None = None
     """Of a right-hand side with sampled controllers: (time, state, row, step) -> the state after the samples there."""
     switches: Slot | None = None
-    """Numbers that are positive while what sticks, slips or touches goes on doing so."""
+    """Numbers that are positive while what sticks, slips or touches continues to do so."""
     switched: Schedule | None = None
     """Of a right-hand side with ``switches``: (time, state, row, step) -> the state after what ends there."""
     narrow: Slot | None = None

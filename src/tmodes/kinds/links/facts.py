@@ -44,7 +44,7 @@ LUMPS_OF_BEAM = "the lumped masses and springs of its links nearer to those of b
 """What is compared of links of lumps."""
 
 LUMPED = 1.5
-"""Doubt in the difference to masses and springs that are nearer to those of a beam."""
+"""Uncertainty of the difference to masses and springs that are nearer to those of a beam."""
 
 
 class LinkFacts(ABC):
@@ -77,7 +77,7 @@ class LinkFacts(ABC):
         """Directions in which the material's moment is the projection of the load's on the link's functions."""
         return ()
 
-    def doubt(self, direction: str, ratio: float) -> float:  # noqa: ARG002
+    def uncertainty(self, direction: str, ratio: float) -> float:  # noqa: ARG002
         """How far the true error may be, over the difference that :meth:`compared` makes; docs/errors.md.
 
         ``ratio``: of a projected direction, the energy of the moments that no function has over that of those which

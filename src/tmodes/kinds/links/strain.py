@@ -31,7 +31,7 @@ __all__ = ["Beam", "BeamPiece", "StrainStructure"]
 Array = NDArray[np.float64]
 
 _FAST, _BOTH = 0.12, 4.5
-"""Least doubt over the cube root of the ratio of energies; doubt over the ratio where both functions that move the tip
+"""Least one over the cube root of the ratio of energies; that over the ratio where both functions that move the tip
 are softened, but one: what is missing moves fast, where the ratio is larger than in the whole motion."""
 
 
@@ -102,7 +102,7 @@ class Beam(BeamNumbers, Link):
         """Directions that have functions and turn sections."""
         return tuple(name for name in ("twist", "bend_y", "bend_z") if getattr(self, name))
 
-    def doubt(self, direction: str, ratio: float) -> float:
+    def uncertainty(self, direction: str, ratio: float) -> float:
         """In proportion to the energy, but for fast vibration, which has little of it: docs/decisions/0033."""
         if (count := getattr(self, direction)) > last_functions(self, direction):
             return max(ratio, _FAST * ratio ** (1 / 3))
