@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 
+import tmodes.live.map as map_module
 from tmodes import load
 from tmodes.live.map import LiveMap, live_map
 from tmodes.live.numbers import run_numbers, whole_moves
@@ -75,3 +78,27 @@ def test_a_real_robot_without_a_damping_has_a_map(count: int) -> None:
     true = run_numbers(sheet.with_(live.changes(values)).pair().real, Follow.SHEET, whole_moves(sheet, REACH))
     for block, numbers in live.numbers(values, "real").items():
         assert numbers == pytest.approx(true[block], rel=1e-12, abs=1e-12), block
+
+
+def test_a_map_is_found_once(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    """The same sheet, kinds and program: its forms are read again, to the bit; another sheet has its own."""
+    (tmp_path / "cache").mkdir(mode=0o700)
+    monkeypatch.setenv("TMODES_CACHE", str(tmp_path / "cache"))
+    sheet = load("spong1987")
+    first = live_map(sheet.pair())
+    fitted, asked = map_module.fitted, []
+    monkeypatch.setattr(map_module, "fitted", lambda *given: asked.append(given) or fitted(*given))
+    again = live_map(sheet.pair())
+    assert not asked
+    assert (again.sliders, again.knobs, again.left_out, again.places) == (
+        first.sliders, first.knobs, first.left_out, first.places
+    )  # fmt: skip
+    values = drawn(first, np.random.default_rng(5))
+    for run in first.forms:
+        assert np.array_equal(whole(first.numbers(values, run))[0], whole(again.numbers(values, run))[0])
+    live_map(sheet.with_({"gravity": 9.7}).pair())
+    assert asked
+    asked.clear()
+    monkeypatch.setattr(map_module, "outside_digest", lambda: "another kind")
+    live_map(sheet.pair())
+    assert asked

@@ -107,7 +107,7 @@ def test_picture_and_energies_are_the_native_ones(module: LiveModule, tmp_path: 
     arm = ModelFunctions(_arm().pair(), STATIONS)
     model = Model(arm.pair.real.model_copy(update={"drives": ()}).chain())
     q, v, a = random_state(11, model.coordinates, bend=0.2)
-    numbers, motion = arm.numbers(), {"q": q, "v": v, "a": a}
+    numbers, motion = {name: one.parameters for name, one in arm.passes.items()}, {"q": q, "v": v, "a": a}
     base = {"rest": model.at_rest(gravity=0.0), "weight": model.at_rest()}
     jobs = [
         {"sample": "pose", "parameters": numbers["pose"], "inputs": {**motion, "base": base["rest"]}, "count": 1},
@@ -132,7 +132,8 @@ def test_picture_and_energies_are_the_native_ones(module: LiveModule, tmp_path: 
 def test_rest_is_where_nothing_accelerates(module: LiveModule, tmp_path: Path) -> None:
     pair = _arm().pair()
     arm, setup = ModelFunctions(pair, STATIONS), run_setup(pair.real)
-    held, row = LoopModel(arm.plans["rest"].plan), arm.numbers()["rest_row"]
+    rest = arm.plans["rest"]
+    held, row = LoopModel(rest.plan), rest.schedule.rows_at(np.zeros(1))[0]
     state = np.zeros(held.layout.size)
     state[held.layout.q] = setup.start[setup.model.layout.q]
     count, n = len(held.coordinates), held.layout.size

@@ -32,8 +32,7 @@ def batch(
         typer.Option(metavar="PATH=LOW:HIGH:COUNT", help="Evenly spaced numbers; of several, all combinations."),
     ] = None,
     draw: Annotated[
-        list[str] | None,
-        typer.Option(metavar="PATH=LOW:HIGH", help="Random numbers, uniform; with --runs and --seed."),
+        list[str] | None, typer.Option(metavar="PATH=LOW:HIGH", help="Random numbers, uniform; with --runs and --seed.")
     ] = None,
     runs: Annotated[int, typer.Option(min=1, max=MOST_LANES, help="How many runs --draw makes.")] = 100,
     seed: Annotated[int, typer.Option(min=0, help="Same seed, same numbers.")] = 0,

@@ -42,11 +42,7 @@ _UNITS = {
     "missing_share": "1, of the energy of bending, in shapes that the link's functions do not have",
 }
 
-_MOTOR = {
-    "locked": "motor locked",
-    "free": "motor free (no current)",
-    "controlled": "motor under control",
-}
+_MOTOR = {"locked": "motor locked", "free": "motor free (no current)", "controlled": "motor under control"}
 
 
 def modes(

@@ -138,8 +138,7 @@ Stop = Annotated[
     ),
 ]
 StopAtLimits = Annotated[
-    bool,
-    typer.Option("--stop-at-limits", help="integration.stop_at_limits: end the run where a joint passes a limit."),
+    bool, typer.Option("--stop-at-limits", help="integration.stop_at_limits: end the run where a joint passes a limit.")
 ]
 
 

@@ -18,7 +18,7 @@ from llvmlite.binding.newpassmanagers import NewPassManager
 from tmodes.compile.ir.trigonometry import FAR_COSINE, FAR_SINE
 from tmodes.errors import CompileError
 
-__all__ = ["POWER", "Library", "free", "host", "processor", "to_object"]
+__all__ = ["POWER", "Library", "for_target", "free", "host", "processor", "to_object"]
 
 POWER = "tmodes_pow"
 """Symbol bound to the C library's pow."""
@@ -56,16 +56,16 @@ def processor() -> str:
 def to_object(module: Any, level: int, *, tidy: bool = True) -> bytes:
     """Optimise a module of IR and return its object file; raises :class:`CompileError` when LLVM refuses it.
 
-    ``tidy``: False where there is nothing to tidy before code is made: no cells, each value computed once, and an order
-    that is kept.
+    ``module``: the module, or its text. ``tidy``: False where there is nothing to tidy before code is made: no cells,
+    each value computed once, and an order that is kept.
     """
     machine = _machine(level)
-    module.triple, module.data_layout = llvm.get_process_triple(), str(machine.target_data)
+    code = for_target(str(module), machine)
     try:
-        parsed = llvm.parse_assembly(str(module))
+        parsed = llvm.parse_assembly(code)
         parsed.verify()
     except RuntimeError as problem:
-        raise CompileError(f"{module.name}: LLVM refuses the code: {problem}") from problem
+        raise CompileError(f"{code.partition(chr(10))[0]}: LLVM refuses the code: {problem}") from problem
     options = llvm.create_pipeline_tuning_options(speed_level=level if tidy else 0)
     builder = llvm.create_pass_builder(machine, options)
     passes = builder.getModulePassManager()
@@ -73,6 +73,12 @@ def to_object(module: Any, level: int, *, tidy: bool = True) -> bytes:
     free(passes)
     with _emission, nullcontext() if tidy else _in_the_order_written():
         return machine.emit_object(parsed)
+
+
+def for_target(code: str, machine: Any) -> str:
+    """The text of a module that names no target yet, for this one."""
+    code = code.replace('triple = "unknown-unknown-unknown"', f'triple = "{machine.triple}"', 1)
+    return code.replace('datalayout = ""', f'datalayout = "{machine.target_data}"', 1)
 
 
 _emission = Lock()

@@ -11,12 +11,7 @@ from tmodes.integrate.method import Integrator
 __all__ = ["DENSE", "DOP853", "ERROR_3", "ERROR_5", "STAGES", "A", "C"]
 
 DOP853 = Integrator(
-    name="dop853",
-    description="explicit, order 8, for rtol below 1e-8",
-    order=8,
-    reach=6.1,
-    looks=8,
-    replayed=True,
+    name="dop853", description="explicit, order 8, for rtol below 1e-8", order=8, reach=6.1, looks=8, replayed=True
 )
 
 STAGES = 12

@@ -10,9 +10,5 @@ MOST_STATES = 300
 """Largest state whose Jacobian is kept in the memory of the loop."""
 
 ROSENBROCK = Integrator(
-    name="rosenbrock",
-    description="implicit with the exact Jacobian, to check others",
-    order=5,
-    asks=JACOBIAN,
-    looks=6,
+    name="rosenbrock", description="implicit with the exact Jacobian, to check others", order=5, asks=JACOBIAN, looks=6
 )

@@ -29,10 +29,7 @@ class ImpossibleBodyError(InputError):
         return made
 
 
-RULES = {
-    "sign": "none is negative",
-    "triangle": "the largest is at most the sum of the others (triangle inequality)",
-}
+RULES = {"sign": "none is negative", "triangle": "the largest is at most the sum of the others (triangle inequality)"}
 """The rules of :func:`tmodes.kinds.links.body.principal_moments` in words."""
 
 NOTHING = 1e-12

@@ -20,7 +20,10 @@ from typing import Any, ClassVar, TypeVar
 
 from tmodes.errors import InputError
 
-__all__ = ["ENTRY_POINTS", "REGISTRIES", "USED", "NamedKind", "Registry", "UnknownKindError", "source_digest", "use"]
+__all__ = [
+    "ENTRY_POINTS", "REGISTRIES", "USED", "NamedKind", "Registry", "UnknownKindError",
+    "outside_digest", "source_digest", "use",
+]  # fmt: skip
 
 ENTRY_POINTS = "tmodes.kinds"
 """Group of the entry points by which installed packages offer kinds."""
@@ -204,6 +207,12 @@ def source_digest(cls: type[Any]) -> str:
     known = ("tmodes.", "pydantic", "builtins", "abc", "typing")
     outside = [base for base in cls.__mro__ if not base.__module__.startswith(known)]
     return hashlib.sha256("\n".join(map(_source, outside)).encode()).hexdigest()[:16] if outside else ""
+
+
+def outside_digest() -> str:
+    """Digests of the sources of all registered kinds from outside of tmodes; empty where there are none."""
+    every = {_class_of(member) for registry in REGISTRIES.values() for member in registry.members}
+    return " ".join(sorted({digest for cls in every if (digest := source_digest(cls))}))
 
 
 def _class_of(member: Any) -> type[Any]:

@@ -7,9 +7,6 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
 
-import numpy as np
-from numpy.typing import NDArray
-
 from tmodes.chain.chain import Chain, Point
 from tmodes.compile.loops.time_loop import ARGUMENTS, CELLS, OPTIONS, Status
 from tmodes.compile.wasm.wasm import Part, wasm_module
@@ -30,8 +27,6 @@ from tmodes.simulation.native_run import BOUND, EVENT_TIME, MOST_EVENTS
 from tmodes.simulation.plan import Follow, Planned, planned
 
 __all__ = ["Functions", "LiveModule", "ModelFunctions", "engine_settings", "live_module", "stationed"]
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)
@@ -83,17 +78,6 @@ class ModelFunctions:
         """Whether forces act on points."""
         plan = self.plans["real"].plan
         return bool(plan.loads or plan.touch)
-
-    def numbers(self) -> dict[str, Array]:
-        """All that a changed sheet changes, but for the signals of the runs.
-
-        Parameters of the functions by what stands before the dot of their names, and the row of signals at rest.
-        """
-        loops = {name: loop.parts.numbers.vector for name, loop in self.loops.items()}
-        row = self.plans["rest"].schedule.rows_at(np.zeros(1))[0]
-        passes = {name: one.parameters for name, one in self.passes.items()}
-        lines = {"line": self.lines.numbers} if self.lines else {}
-        return loops | passes | lines | {"rest_row": row}
 
 
 def live_module(functions: ModelFunctions, methods: Sequence[str], *, slopes: bool = True) -> LiveModule:

@@ -5,14 +5,19 @@ sliders -> knobs, as known and as they really are -> numbers of each run, by a F
 
 from __future__ import annotations
 
+import json
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from hashlib import sha256
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from tmodes.compile.cache import load, save, source_digest
 from tmodes.errors import InputError, InputErrors
+from tmodes.kinds.registry import outside_digest
 from tmodes.live.numbers import follow_of, has_reference, run_numbers, whole_moves
 from tmodes.live.sheet_numbers import sheet_numbers
 from tmodes.live.sliders import Knob, Slider, knobs_of, sliders_of
@@ -98,25 +103,41 @@ def _really(knob: Knob, known: float, factor: float | None) -> float:
 def live_map(pair: RobotPair, stations: tuple[float, ...] = ()) -> LiveMap:
     """The map of a pair: sliders whose effect has a form, and the forms, each verified at random points.
 
-    ``stations``: places along each link of a robot of which its picture is made.
+    ``stations``: places along each link of a robot of which its picture is made. What was found is kept in the folder
+    of compiled code, and found again where sheet, kinds, program and the numbers at the start are the same.
     """
     knobs = knobs_of(pair.nominal)
     sliders, left_out = _offered(pair, knobs)
-    used = sorted({slider.knob for slider in sliders})
+    runs = _Runs(pair, knobs, sliders, range(len(knobs)), stations)
+    found = json.loads(load(runs.key) or b"null")
+    if found is None:
+        found = _found(runs)
+        save(runs.key, json.dumps(found).encode())
+    used = found["used"]
+    sliders = [slider for slider in sliders if slider.knob in used]
+    start, runs = runs.at_start, runs.of(used, sliders)
+    forms = {name: Form.of(start[name], runs.ranges(name), parts) for name, parts in found["forms"].items()}
+    idle = _idle(sliders, used, forms)
+    left_out |= found["left out"] | {slider.path: _NO_EFFECT for slider in sliders if slider in idle}
+    kept = [replace(slider, knob=used.index(slider.knob)) for slider in sliders if slider not in idle]
+    return LiveMap(tuple(kept), tuple(runs.knobs), forms, runs.places, left_out)
+
+
+def _found(every: _Runs) -> dict[str, Any]:
+    """As plain data: the indices of the knobs whose effect has a form (``used``), why others have none, the forms."""
+    left_out: dict[str, str] = {}
+    sliders, used = every.sliders, sorted({slider.knob for slider in every.sliders})
     while True:
-        runs = _Runs(pair, [knobs[k] for k in used], sliders, used, stations)
+        runs = every.of(used, sliders)
         try:
-            forms = {name: runs.fitted(name) for name in runs.names}
+            forms = {name: runs.fitted(name).parts() for name in every.at_start}
         except Unfit as error:
             for place, why in error.reasons.items():
-                left_out |= {path: why for path, _ in knobs[used[place]].targets}
+                left_out |= {path: why for path, _ in runs.knobs[place].targets}
             used = [k for place, k in enumerate(used) if place not in error.reasons]
             sliders = [slider for slider in sliders if slider.knob in used]
             continue
-        idle = _idle(sliders, used, forms)
-        left_out |= {slider.path: _NO_EFFECT for slider in sliders if slider in idle}
-        kept = [replace(slider, knob=used.index(slider.knob)) for slider in sliders if slider not in idle]
-        return LiveMap(tuple(kept), tuple(knobs[k] for k in used), forms, runs.places, left_out)
+        return {"used": used, "left out": left_out, "forms": forms}
 
 
 def _offered(pair: RobotPair, knobs: Sequence[Knob]) -> tuple[list[Slider], dict[str, str]]:
@@ -135,28 +156,51 @@ def _idle(sliders: Sequence[Slider], used: list[int], forms: Mapping[str, Form])
     return [slider for slider in sliders if used.index(slider.knob) not in (real if slider.real else every)]
 
 
+@dataclass(frozen=True, eq=False)
 class _Runs:
-    """The runs of a pair as functions of knobs."""
+    """The runs of a pair as functions of knobs; ``used``: which these are among all, by which sliders name them."""
 
-    def __init__(
-        self,
-        pair: RobotPair,
-        knobs: Sequence[Knob],
-        sliders: Sequence[Slider],
-        used: list[int],
-        stations: tuple[float, ...],
-    ) -> None:
-        self.pair, self.knobs, self.places = pair, knobs, {}
-        self.names = ("reference", "real")
-        self.factors = {used.index(slider.knob): slider for slider in sliders if slider.real}
-        self.stations = stations
-        self.really = {number.path: number.value for number in sheet_numbers(pair.real)}
-        self.until = whole_moves(pair.nominal, _LONGEST_MOVE)
+    pair: RobotPair
+    knobs: Sequence[Knob]
+    sliders: Sequence[Slider]
+    used: Sequence[int]
+    stations: tuple[float, ...]
+    places: dict[str, dict[str, Any]] = field(default_factory=dict)
+
+    def of(self, used: Sequence[int], sliders: Sequence[Slider]) -> _Runs:
+        """The same runs as functions of some of the knobs, and with the sliders of these."""
+        return replace(self, knobs=[self.knobs[k] for k in used], sliders=sliders, used=used)
+
+    @cached_property
+    def factors(self) -> dict[int, Slider]:
+        """The sliders that are factors of the actual robot, by their knobs."""
+        return {self.used.index(slider.knob): slider for slider in self.sliders if slider.real}
+
+    @cached_property
+    def at_start(self) -> dict[str, Array]:
+        """The vector of each run where no knob has moved."""
+        return {name: self._vector(name, {}) for name in ("reference", "real")}
+
+    @cached_property
+    def really(self) -> dict[str, float]:
+        """The numbers of the actual robot by their paths."""
+        return {number.path: number.value for number in sheet_numbers(self.pair.real)}
+
+    @property
+    def key(self) -> str:
+        """All that a map follows from: program, kinds, both sheets, stations, and the numbers at the start."""
+        sheets = [robot.model_dump_json() for robot in (self.pair.nominal, self.pair.real)]
+        numbers = [sha256(vector.tobytes()).hexdigest() for vector in self.at_start.values()]
+        program = source_digest((".",)), outside_digest(), np.__version__
+        return "\n".join(["map", *program, *sheets, repr(self.stations), *numbers])
 
     def fitted(self, name: str) -> Form:
         """The form of a run's numbers."""
-        ranges = [self._range(k, known=name == "reference") for k in range(len(self.knobs))]
-        return fitted(lambda values: self._vector(name, values), ranges, np.random.default_rng(_SEED))
+        return fitted(lambda values: self._vector(name, values), self.ranges(name), np.random.default_rng(_SEED))
+
+    def ranges(self, name: str) -> tuple[Range, ...]:
+        """Where the knobs of a run start, and how far they go."""
+        return tuple(self._range(k, known=name == "reference") for k in range(len(self.knobs)))
 
     def _range(self, k: int, *, known: bool) -> Range:
         knob, slider = self.knobs[k], self.factors.get(k)
@@ -190,5 +234,5 @@ class _Runs:
         return found
 
     def _blocks(self, name: str, sheet: Robot) -> Blocks:
-        follow = follow_of(self.pair.nominal, name)
-        return run_numbers(sheet, follow, self.until, self.stations if name == "real" else ())
+        follow, until = follow_of(self.pair.nominal, name), whole_moves(self.pair.nominal, _LONGEST_MOVE)
+        return run_numbers(sheet, follow, until, self.stations if name == "real" else ())

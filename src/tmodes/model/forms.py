@@ -72,6 +72,17 @@ class Form:
     products: dict[int, Powers] = field(default_factory=dict)
     sums: dict[int, list[tuple[float, Powers]]] = field(default_factory=dict)
 
+    @classmethod
+    def of(cls, base: Array, ranges: tuple[Range, ...], parts: dict[str, Any]) -> Form:
+        """The form with these :meth:`parts`."""
+        products = {entry: tuple(map(tuple, powers)) for entry, powers in parts["products"]}
+        sums = {entry: [(one, tuple(map(tuple, powers))) for one, powers in terms] for entry, terms in parts["sums"]}
+        return cls(base, ranges, products, sums)
+
+    def parts(self) -> dict[str, Any]:
+        """All but the base and the ranges as plain data, as JSON holds it."""
+        return {"products": [*self.products.items()], "sums": [*self.sums.items()]}
+
     def at(self, values: Mapping[int, float | Array]) -> Array:
         """The vector (n,) at values of some variables; of k values each, the vectors (k, n)."""
         here = [values.get(k, one.start) for k, one in enumerate(self.ranges)]

@@ -64,10 +64,7 @@ class Robot(DataSheet):
     citation: str = Field(default="", max_length=1000, description="where its numbers come from")
     assumed: str = Field(default="", max_length=2000, description="what is assumed and not from the source")
     notices: tuple[Notice, ...] = Field(
-        default=(),
-        strict=False,
-        max_length=MOST_NOTICES,
-        description="what was changed when a file was read",
+        default=(), strict=False, max_length=MOST_NOTICES, description="what was changed when a file was read"
     )
     gravity: Vector = list_of_numbers(
         "m/s^2", "g", "gravity in the world; one number: along -z", default=(0.0, 0.0, -9.81)

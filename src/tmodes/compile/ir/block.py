@@ -12,14 +12,13 @@ from tmodes.compile.ir.arithmetic import Double
 from tmodes.compile.ir.builder import Builder
 from tmodes.compile.ir.calls import Layout, write_calls
 from tmodes.compile.ir.emit import I64, POINTER, VOID, at, counted, declare, whole
-from tmodes.compile.ir.ordering import kernel_program
 from tmodes.compile.ir.program import BlockProgram, Instruction
 from tmodes.compile.ir.rows import copy_numbers, give_rows, take_parameters, take_rows
 from tmodes.compile.ir.unroll import Unrolled, pays, unrolled
 from tmodes.compile.ir.values import write_values
 
 __all__ = [
-    "Main", "ScheduleRate", "kernel_symbol", "write_jumps", "write_kernel", "write_main", "write_program", "write_rate",
+    "Main", "ScheduleRate", "kernel_symbol", "write_jumps", "write_main", "write_program", "write_rate",
     "write_samples",
 ]  # fmt: skip
 
@@ -34,13 +33,8 @@ def _symbol(info: str) -> str:
     return f"kernel_{hashlib.sha256(info.encode()).hexdigest()[:32]}"
 
 
-def write_kernel(module: Any, kernel: Any, arithmetic: Double) -> None:
-    """The exported function of a kernel: pointers to the input blocks, then to the output blocks, never overlapping."""
-    write_program(module, kernel_symbol(kernel, arithmetic.name), kernel_program(kernel), arithmetic)
-
-
 def write_program(module: Any, name: str, program: BlockProgram, arithmetic: Double) -> None:
-    """The same of a kernel's program."""
+    """The exported function of a kernel: pointers to the input blocks, then to the output blocks, never overlapping."""
     labels = [f"i{k}" for k in range(program.inputs)] + [f"o{k}" for k in range(program.outputs)]
     function = declare(module, name, VOID, [(label, POINTER) for label in labels])
     b = Builder(function.append_basic_block("entry"))

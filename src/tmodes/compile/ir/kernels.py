@@ -13,7 +13,7 @@ from tmodes.compile import cache
 from tmodes.compile.native import Library, host, to_object
 
 __all__ = [
-    "arithmetic_of", "called", "kernels_of", "library", "native_functions", "row_function",
+    "arithmetic_of", "called", "kernel_code", "kernels_of", "library", "native_functions", "row_function",
     "schedule_function", "schedule_module",
 ]  # fmt: skip
 
@@ -95,17 +95,24 @@ def _level(arithmetic: str, *, often: bool) -> int:
 
 
 def _kernel(symbol: str, kernel: Any, arithmetic: str, level: int) -> Library:
-    def write() -> Any:
-        from llvmlite import ir
-
-        from tmodes.compile.ir.block import write_kernel
-
-        module = ir.Module(symbol)
-        write_kernel(module, kernel, arithmetic_of(arithmetic)(module))
-        return module
-
     functions = {symbol: len(kernel.inputs) + len(kernel.outputs)}
+    write = partial(kernel_code, kernel, arithmetic)
     return library(symbol, f"{symbol} {level}", write, functions, level, tidy=kernel.long)
+
+
+def kernel_code(kernel: Any, arithmetic: str) -> str:
+    """The IR of one kernel as text, written once for native code and for that of pages."""
+    from llvmlite import ir
+
+    from tmodes.compile.ir.block import kernel_symbol, write_program
+    from tmodes.compile.ir.ordering import kernel_program
+
+    program = kernel_program(kernel)
+    if arithmetic not in program.codes:
+        module = ir.Module(kernel_symbol(kernel, arithmetic))
+        write_program(module, module.name, program, arithmetic_of(arithmetic)(module))
+        program.codes[arithmetic] = str(module)
+    return program.codes[arithmetic]
 
 
 def arithmetic_of(name: str) -> Any:

@@ -56,12 +56,16 @@ def _instruction(function: ca.Function, k: int, registers: dict[int, int]) -> In
 
 @dataclass
 class BlockProgram:
-    """Straight-line program of several input and output blocks; ``results``: (output, element, index of value)."""
+    """Straight-line program of several input and output blocks; ``results``: (output, element, index of value).
+
+    ``codes``: as IR, by the kind of numbers, once it is written.
+    """
 
     inputs: int
     outputs: int
     values: list[Instruction] = field(default_factory=list)
     results: list[tuple[int, int, int | None]] = field(default_factory=list)
+    codes: dict[str, str] = field(default_factory=dict, repr=False, compare=False)
 
 
 def block_program(function: ca.Function) -> BlockProgram:

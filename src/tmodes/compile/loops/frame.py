@@ -17,12 +17,7 @@ class Frame:
     """The function of a loop. ``guarded``: how many first components of the state are watched for divergence."""
 
     def __init__(
-        self,
-        name: str,
-        rate: ScheduleRate,
-        numbers: Double,
-        arguments: Sequence[tuple[str, Any]],
-        guarded: int,
+        self, name: str, rate: ScheduleRate, numbers: Double, arguments: Sequence[tuple[str, Any]], guarded: int
     ) -> None:
         self.module, self.rate, self.numbers, self.guarded = numbers.module, rate, numbers, guarded
         self.size = rate.size

@@ -13,7 +13,7 @@ from typing import Any
 import llvmlite.binding as llvm
 
 from tmodes.compile.cache import load, save, source_digest
-from tmodes.compile.native import free
+from tmodes.compile.native import for_target, free
 from tmodes.compile.wasm.wasm_binary import finished
 from tmodes.errors import CompileError
 
@@ -24,7 +24,7 @@ TRIPLE = "wasm32-unknown-unknown"
 
 @dataclass(frozen=True)
 class Part:
-    """Code of one module of IR: ``key`` identifies it, ``write`` gives it, ``symbols`` are the functions in it.
+    """Code of one module of IR: ``key`` identifies it, ``write`` gives it or its text, ``symbols`` are its functions.
 
     ``exported``: whether these are to be seen outside. ``simd``: whether it works on vectors. ``level``: how far it is
     optimised, 0 for straight lines in which each value is computed once.
@@ -86,9 +86,7 @@ def _object(
 
 def _optimised(part: Part, machine: Any) -> Any:
     """The code of a part, as far optimised as it pays."""
-    module = part.write()
-    module.triple, module.data_layout = TRIPLE, str(machine.target_data)
-    parsed = llvm.parse_assembly(_with_extremes(str(module)))
+    parsed = llvm.parse_assembly(_with_extremes(for_target(str(part.write()), machine)))
     builder = llvm.create_pass_builder(machine, llvm.create_pipeline_tuning_options(speed_level=part.level))
     passes = builder.getModulePassManager()
     passes.run(parsed, builder)

@@ -13,10 +13,10 @@ from typing import Any
 from llvmlite import ir
 
 from tmodes.compile.ir.arithmetic import Double
-from tmodes.compile.ir.block import kernel_symbol, write_program
+from tmodes.compile.ir.block import kernel_symbol
 from tmodes.compile.ir.builder import Builder
 from tmodes.compile.ir.emit import POINTER, VOID, declare, scratch
-from tmodes.compile.ir.kernels import arithmetic_of, schedule_module
+from tmodes.compile.ir.kernels import arithmetic_of, kernel_code, schedule_module
 from tmodes.compile.ir.ordering import kernel_program
 from tmodes.compile.ir.program import READ, BlockProgram, Instruction
 from tmodes.compile.ir.unroll import pays
@@ -76,13 +76,12 @@ def _kernels(schedule: Any, arithmetic: str, piece: int = PIECE) -> list[Part]:
 
 def kernel_in_pieces(kernel: Any, arithmetic: str, piece: int) -> Any:
     """The IR of one kernel in functions of ``piece`` values; what one finds for a later one is kept on the stack."""
+    program = kernel_program(kernel)
+    if len(program.values) <= piece:
+        return kernel_code(kernel, arithmetic)
     name = kernel_symbol(kernel, arithmetic)
     module = ir.Module(name)
-    kind, program = arithmetic_of(arithmetic)(module), kernel_program(kernel)
-    if len(program.values) <= piece:
-        write_program(module, name, program, kind)
-    else:
-        _Pieces(module, name, program, kind, piece).write()
+    _Pieces(module, name, program, arithmetic_of(arithmetic)(module), piece).write()
     return module
 
 

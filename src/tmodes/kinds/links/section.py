@@ -63,14 +63,7 @@ class Round(DrawnSection):
         moment, radius = math.pi * self.diameter**4 / 64, self.diameter / 2
         peak = tube_peak(radius, 0.0)
         return Geometry(
-            math.pi * radius**2,
-            moment,
-            moment,
-            2 * moment,
-            radius,
-            radius,
-            (peak, peak),
-            _both(round_shear),
+            math.pi * radius**2, moment, moment, 2 * moment, radius, radius, (peak, peak), _both(round_shear)
         )
 
 

@@ -48,11 +48,7 @@ class TipTracking(Figure):
 
 
 def _coordinate(panel: Axes, data: Any, axis: str) -> None:
-    known = {
-        "actual": ("tip", REAL),
-        "nominal": ("tip_nominal", REFERENCE),
-        "commanded": ("tip_commanded", _COMMANDED),
-    }
+    known = {"actual": ("tip", REAL), "nominal": ("tip_nominal", REFERENCE), "commanded": ("tip_commanded", _COMMANDED)}
     shown = {label: (data[name].sel(axis=axis).values, look) for label, (name, look) in known.items() if name in data}
     curves(panel, data["time"].values, shown, "m", axis)
     time_axis(panel, data["time"].values)
