@@ -5,9 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["Placement"]
+__all__ = ["Placement", "along"]
 
 Array = NDArray[np.float64]
 
@@ -26,3 +26,12 @@ class Placement:
     def inverse(self) -> Placement:
         """The frame that this one is given in, as seen from this one."""
         return Placement(self.rotation.T, -self.rotation.T @ self.position)
+
+
+def along(parts: ArrayLike) -> Array:
+    """Components (..., k) of parts (..., k, 3) along their sum, which add up to its length; 0 where it is zero."""
+    parts = np.asarray(parts, dtype=float)
+    total = parts.sum(axis=-2)
+    size = np.linalg.norm(total, axis=-1, keepdims=True)
+    unit = np.divide(total, size, out=np.zeros_like(total), where=size > 0)
+    return np.einsum("...ki,...i->...k", parts, unit)

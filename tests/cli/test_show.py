@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 import subprocess
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -140,3 +141,14 @@ def test_sparkline_keeps_the_peak():
     assert sparkline(np.linspace(0, 1, 8), 8) == BLOCKS
     assert sparkline(np.linspace(0, 1, 8), 8, ASCII) == ASCII
     assert (steps_for("utf-8"), steps_for("latin-1"), steps_for(None)) == (BLOCKS, ASCII, ASCII)
+
+
+def test_reading_needs_no_model(robot_run):
+    """What a stored result says is read: neither equations nor compiled code are loaded for it."""
+    code = (
+        "import sys; from tmodes.result import Result; result = Result.load(sys.argv[1]); result.summary(); "
+        "result.warnings; print([m for m in ('tmodes.model.model', 'tmodes.simulation.simulate', 'llvmlite') "
+        "if m in sys.modules])"
+    )
+    done = subprocess.run([sys.executable, "-c", code, robot_run / "result.nc"], capture_output=True, check=True)
+    assert done.stdout.split() == [b"[]"]

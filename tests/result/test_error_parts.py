@@ -10,13 +10,15 @@ from hypothesis import strategies as st
 import tmodes
 from arm.random_chains import random_chain, random_state
 from arm.see.runs import NASTY, result_of, run_of, sheet
-from tmodes.analysis.error_parts import along, element_steps, substitutions, tips
+from tmodes.analysis.error_parts import element_steps, substitutions, tips
 from tmodes.analysis.modes.of_sheet import sheet_frequencies
 from tmodes.analysis.spectrum import growth_warnings, spectrum_of
 from tmodes.cli.summary_text import summary_rows
+from tmodes.frame import along
 from tmodes.model.model import Model
 from tmodes.result import Result
-from tmodes.result.paths import largest_elements, part_names
+from tmodes.result.paths import part_names
+from tmodes.result.summary import largest_elements
 from tmodes.sheet import Robot, RobotPair
 
 LENGTHS = 0.7, 0.4

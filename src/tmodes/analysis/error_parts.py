@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 from tmodes.analysis.quasistatic import deflections, elastic_names, gear_inputs, sprung
 from tmodes.model.model import Model
 
-__all__ = ["FREE", "PARTS", "along", "element_steps", "straight", "substitutions", "tips", "without_elasticity"]
+__all__ = ["FREE", "PARTS", "element_steps", "straight", "substitutions", "tips", "without_elasticity"]
 
 Array = NDArray[np.float64]
 
@@ -84,12 +84,3 @@ def element_steps(model: Model, straightened: Array, actual: Array) -> tuple[lis
 def tips(model: Model, shapes: Sequence[Array], base: Array | None = None) -> Array:
     """The tip (the first named point) in each shape, (shapes, n, 3) [m]; ``base`` (n, 24) as of the model."""
     return np.stack([model.points(shape, base=base).position[:, 0] for shape in shapes])
-
-
-def along(parts: ArrayLike) -> Array:
-    """Components (..., k) of parts (..., k, 3) along their sum, which add up to its length; 0 where it is zero."""
-    parts = np.asarray(parts, dtype=float)
-    total = parts.sum(axis=-2)
-    size = np.linalg.norm(total, axis=-1, keepdims=True)
-    unit = np.divide(total, size, out=np.zeros_like(total), where=size > 0)
-    return np.einsum("...ki,...i->...k", parts, unit)

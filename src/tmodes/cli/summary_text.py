@@ -177,7 +177,7 @@ def _tip_error(summary: dict[str, Any], which: str, path: str) -> Row:
 
 def _elements(which: str, one: dict[str, Any]) -> Iterator[Row]:
     """The gears and links with the largest parts, where there are several; what of them is by the contact force."""
-    from tmodes.result.paths import largest_elements
+    from tmodes.result.summary import largest_elements
 
     elements = largest_elements(one)
     if len(elements) > 1:

@@ -12,8 +12,7 @@ from tmodes.analysis.validity import yield_strength
 from tmodes.plot.facts import drive_unit, effort_unit, names_of
 from tmodes.report.markup import Markup, tag, written
 from tmodes.result import Result
-from tmodes.result.paths import largest_elements
-from tmodes.result.summary import mean_over_time
+from tmodes.result.summary import largest_elements, mean_over_time
 from tmodes.sheet import Robot
 
 __all__ = ["Fact", "energy_facts", "fact_list", "frequency_facts", "run_facts", "tracking_facts", "vibration_fact"]

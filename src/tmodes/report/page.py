@@ -12,17 +12,7 @@ from tmodes.plot.panels import pretty
 from tmodes.report.data import facts_of, live_page
 from tmodes.report.facts import fact_list
 from tmodes.report.markup import Markup, power_of_ten, table, tag, written
-from tmodes.report.parts import (
-    SECTIONS,
-    application,
-    document,
-    policy,
-    rows_of,
-    section,
-    status,
-    title_of,
-    warnings,
-)
+from tmodes.report.parts import SECTIONS, application, document, policy, rows_of, section, status, title_of, warnings
 from tmodes.result import Result
 from tmodes.sheet import Robot
 

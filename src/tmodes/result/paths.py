@@ -6,19 +6,15 @@ motors at their setpoints. Where there is none, the robot that ran stands for th
 
 from __future__ import annotations
 
-import json
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.analysis.error_parts import PARTS, along, element_steps, substitutions, tips
+from tmodes.analysis.error_parts import PARTS, element_steps, substitutions, tips
 from tmodes.simulation.motion_run import RunData
 
-if TYPE_CHECKING:
-    from xarray import Dataset
-
-__all__ = ["ErrorParts", "error_parts", "largest_elements", "part_names", "shapes_of", "tip_errors"]
+__all__ = ["ErrorParts", "error_parts", "part_names", "shapes_of"]
 
 Array = NDArray[np.float64]
 
@@ -88,41 +84,3 @@ def shapes_of(mover: RunData, run: RunData, part: slice) -> list[Array]:
         commanded[:, mover.coordinates.index(name)] = signals[:, signal]
     driven = [driver.coordinate for driver in mover.setup.model.loop.drivers]
     return substitutions(mover.model, mover.q[part], commanded, driven)
-
-
-def tip_errors(data: Dataset) -> dict[str, dict[str, Any]]:
-    """Of the error against the ``commanded`` and the ``nominal`` path: the largest, when, at the end, and its parts.
-
-    ``parts_m``: components along the largest error, which add up to it and may be negative; ``vectors_m`` [m].
-    ``elements_m``: the same of each gear and link; ``environment_m``: what of gears and links is by the contact force,
-    see :func:`tmodes.result.elements.element_errors`; both are not known of files of earlier versions.
-    """
-    found, details = {}, json.loads(data.attrs.get("tip_error_elements", "{}"))
-    for which, series in (("commanded", "tip_error"), ("nominal", "tip_error_nominal")):
-        if series not in data:
-            continue
-        parts = data[series].transpose("time", "error_part", "axis").values
-        size = np.linalg.norm(parts.sum(axis=1), axis=1)
-        worst, names = int(size.argmax()), [str(name) for name in data["error_part"].values]
-        found[which] = {
-            "max_m": float(size[worst]),
-            "time_of_max_s": float(data["time"].values[worst]),
-            "end_m": float(size[-1]),
-            "parts_m": dict(zip(names, along(parts[worst]).tolist(), strict=True)),
-            "vectors_m": dict(zip(names, parts[worst].tolist(), strict=True)),
-            **{f"{key}_m": value for key, value in details.get(which, {}).items()},
-        }
-    return found
-
-
-def largest_elements(one: dict[str, Any]) -> list[tuple[str, float]]:
-    """Names and components [m] of the gears and links that have most of one of the :func:`tip_errors`, at most four."""
-    named = [
-        (f"{part.removesuffix('s')} {name}", value)
-        for part, parts in one.get("elements_m", {}).items()
-        for name, value in parts.items()
-    ]
-    return sorted((item for item in named if item[1]), key=lambda item: -abs(item[1]))[:_MOST_ELEMENTS]
-
-
-_MOST_ELEMENTS = 4

@@ -16,22 +16,21 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Self
 
 from tmodes import upward
-from tmodes.analysis.modes.of_sheet import sheet_frequencies
 from tmodes.errors import InputError, InputErrors
 from tmodes.io.atomic import file_error
-from tmodes.kinds.registry import UnknownKindError
 from tmodes.result import record
-from tmodes.result.assemble import Assembly
 from tmodes.result.content import AGAIN, refuse_not_finite
-from tmodes.result.earlier import assembly_2010
 from tmodes.result.record import absent_kinds
 from tmodes.result.settling import BAND
 from tmodes.result.summary import summarise_result, vibrations
-from tmodes.sheet import Robot
-from tmodes.simulation.motion_run import RunData
 
 if TYPE_CHECKING:
     from xarray import Dataset
+
+    from tmodes.kinds.registry import UnknownKindError
+    from tmodes.result.assemble import Assembly
+    from tmodes.sheet import Robot
+    from tmodes.simulation.motion_run import RunData
 
 __all__ = ["Result", "assemble_result"]
 
@@ -132,6 +131,8 @@ class Result:
 
     @cached_property
     def _again(self) -> dict[str, list[dict[str, Any]]]:
+        from tmodes.analysis.modes.of_sheet import sheet_frequencies
+
         return sheet_frequencies(self.actual)
 
     @property
@@ -210,6 +211,8 @@ class Result:
         record.refuse_incomplete(data := record.with_present_names(data), path)
         if not record.is_earlier(data):
             return cls(data)
+        from tmodes.result.earlier import assembly_2010
+
         try:
             return cls(assembly=assembly_2010(data))
         except (InputError, InputErrors, KeyError, TypeError, ValueError) as error:
@@ -246,5 +249,7 @@ class Result:
 
 def assemble_result(run: RunData, known: Robot | None = None) -> Result:
     """The result of a run; ``known``: the robot by whose sheet it was planned, None: the one of the run."""
+    from tmodes.result.assemble import Assembly
+
     timing = {"real": run.seconds} | ({"reference": run.reference.seconds} if run.reference else {})
     return Result(timing=timing, assembly=Assembly(run, known or run.robot))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,11 +12,12 @@ from tmodes.analysis.vibration import FEWEST, Residual, residual_vibration, sett
 from tmodes.errors import InputError
 from tmodes.integrate.registry import integrator
 from tmodes.kinds.signals.schedule import MergedSchedule, Schedule, merge
-from tmodes.simulation.motion_run import RunData, tip_positions
-from tmodes.simulation.parts import Trajectory
-from tmodes.simulation.plan import Planned
-from tmodes.simulation.start import RunSetup
-from tmodes.simulation.trajectory import integrate
+
+if TYPE_CHECKING:
+    from tmodes.simulation.motion_run import RunData
+    from tmodes.simulation.parts import Trajectory
+    from tmodes.simulation.plan import Planned
+    from tmodes.simulation.start import RunSetup
 
 __all__ = ["BAND", "AfterMove", "after_move", "move_end", "plain_vibration", "settling", "vibration"]
 
@@ -154,6 +155,9 @@ def _decays(run: RunData) -> list[float]:
 
 def _continued(setup: RunSetup, run: RunData, duration: float) -> tuple[Trajectory, Array]:
     """The run from where it ended, all signals at rest, and its tip at each sample (n, 3) [m]."""
+    from tmodes.simulation.motion_run import tip_positions
+    from tmodes.simulation.trajectory import integrate
+
     setup, state = at_rest_from(setup, float(run.times[-1]), run.states[-1], duration)
     step = max(1, np.ceil(duration / _SAMPLES / setup.robot.integration.output_step))
     given = setup.robot.integration

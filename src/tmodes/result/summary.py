@@ -11,13 +11,13 @@ from numpy.typing import NDArray
 
 from tmodes.analysis.energy import largest_flow
 from tmodes.errors import InputError
-from tmodes.result.paths import tip_errors
+from tmodes.frame import along
 from tmodes.result.settling import BAND, plain_vibration, settling, vibration
 
 if TYPE_CHECKING:
     from xarray import Dataset
 
-__all__ = ["mean_over_time", "summarise_result", "vibrations"]
+__all__ = ["largest_elements", "mean_over_time", "summarise_result", "tip_errors", "vibrations"]
 
 Array = NDArray[np.float64]
 
@@ -210,3 +210,41 @@ def _errors(data: Dataset, which: str) -> dict[str, Any] | None:
 def mean_over_time(time: Array, values: Array) -> float:
     """Mean over time; the last sample may follow a shorter step."""
     return float(np.trapezoid(values, time) / (time[-1] - time[0])) if len(time) > 1 else float(values[0])
+
+
+def tip_errors(data: Dataset) -> dict[str, dict[str, Any]]:
+    """Of the error against the ``commanded`` and the ``nominal`` path: the largest, when, at the end, and its parts.
+
+    ``parts_m``: components along the largest error, which add up to it and may be negative; ``vectors_m`` [m].
+    ``elements_m``: the same of each gear and link; ``environment_m``: what of gears and links is by the contact force,
+    see :func:`tmodes.result.elements.element_errors`; both are not known of files of earlier versions.
+    """
+    found, details = {}, json.loads(data.attrs.get("tip_error_elements", "{}"))
+    for which, series in (("commanded", "tip_error"), ("nominal", "tip_error_nominal")):
+        if series not in data:
+            continue
+        parts = data[series].transpose("time", "error_part", "axis").values
+        size = np.linalg.norm(parts.sum(axis=1), axis=1)
+        worst, names = int(size.argmax()), [str(name) for name in data["error_part"].values]
+        found[which] = {
+            "max_m": float(size[worst]),
+            "time_of_max_s": float(data["time"].values[worst]),
+            "end_m": float(size[-1]),
+            "parts_m": dict(zip(names, along(parts[worst]).tolist(), strict=True)),
+            "vectors_m": dict(zip(names, parts[worst].tolist(), strict=True)),
+            **{f"{key}_m": value for key, value in details.get(which, {}).items()},
+        }
+    return found
+
+
+def largest_elements(one: dict[str, Any]) -> list[tuple[str, float]]:
+    """Names and components [m] of the gears and links that have most of one of the :func:`tip_errors`, at most four."""
+    named = [
+        (f"{part.removesuffix('s')} {name}", value)
+        for part, parts in one.get("elements_m", {}).items()
+        for name, value in parts.items()
+    ]
+    return sorted((item for item in named if item[1]), key=lambda item: -abs(item[1]))[:_MOST_ELEMENTS]
+
+
+_MOST_ELEMENTS = 4

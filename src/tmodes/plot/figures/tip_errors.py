@@ -6,7 +6,7 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from tmodes.analysis.error_parts import along
+from tmodes.frame import along
 from tmodes.plot.figure import Figure
 from tmodes.plot.panels import Axes, AxesLike, curves, last_times, letter, panels, shared_legend, zero_line
 from tmodes.plot.style import COMPONENTS, INK, QUIET
