@@ -32,8 +32,8 @@ DRAWN = 1e-7
 """Bound of the picture [m]: the page takes the model's own line, a result one on a finer grid along each link."""
 
 LINES = {"line", "line_rigid", "deflection", "slope", "moment", "elastic_moment", "shear_force", "axial_force",
-         "stress", "strain", "tip_error", "tip_error_nominal"}  # fmt: skip
-"""What the page shows in its scene and its panel alone; the error of the tip by cause it does not compute."""
+         "stress", "strain"}  # fmt: skip
+"""What the page shows in its scene and its panel alone."""
 
 _WALL = {"shape": {"type": "wall", "distance": 0.87}, "law": "bilateral", "stiffness": 500.0, "damping": 5.0}
 

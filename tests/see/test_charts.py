@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from see.scenes import arm_result
+from tmodes.analysis.error_parts import along
 from tmodes.plot.figures.spectrum import amplitude_spectrum
 from tmodes.report.charts import charts_of, drafts_of
 from tmodes.report.data import facts_of, page_data
@@ -25,6 +26,11 @@ def charts(good: Result) -> dict[str, dict[str, Any]]:
 
 
 def column(data: Any, place: dict[str, Any]) -> Any:
+    if place.get("along"):
+        parts = data[place["variable"]].transpose("time", "error_part", "axis").values
+        return (along(parts) if place["index"] >= 0 else np.linalg.norm(parts.sum(axis=1), axis=1)[:, None])[
+            :, place["index"]
+        ]
     return data[place["variable"]].values.reshape(data.sizes["time"], -1)[:, place["index"]]
 
 

@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+import csv
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 
 from see.looking import look
 from see.scenes import short_report, short_robot
 from see.test_page import ink
 from tmodes import load, run
+from tmodes.analysis.error_parts import along
 
 PAYLOAD = '[data-path="links.link.bodies.payload.mass"] input[type=number]'
 STATUS = ".sliders-panel [role=status]"
@@ -102,3 +105,24 @@ def test_bounds_are_kept_and_nonsense_is_ignored(window: Any) -> None:
 def test_it_is_silent_and_asks_for_nothing(window: Any) -> None:
     assert window.said == []
     assert {url.split(":")[0] for url in window.asked} <= {"file", "blob"}
+
+
+def test_the_error_by_cause_follows_as_natively(window: Any, robot: Any) -> None:
+    """Its chart, whose numbers are saved as CSV, and the note of the largest error."""
+    give(window, "0.9")
+    own = run(robot.with_({"payload.mass": 0.9}))
+    with window.page.expect_download() as given:
+        window.page.locator("[data-chart=tip_error]").get_by_role("button", name="CSV").click()
+    head, *rows = csv.reader(given.value.path().read_text(encoding="utf-8").splitlines())
+    table = np.array([[float(value or "nan") for value in row] for row in rows])
+    parts = own.data["tip_error"].transpose("time", "error_part", "axis").values
+    size = np.linalg.norm(parts.sum(axis=1), axis=1)
+    wanted = {**dict(zip(own.data["error_part"].values, along(parts).T, strict=True)), "total": size}
+    columns = [k for k, name in enumerate(head) if k and "original" not in name]
+    assert len(columns) == 1 + np.count_nonzero(np.abs(parts).max(axis=(0, 2)))
+    for k in columns:
+        true = 1e3 * wanted[head[k].split(" ")[0]]
+        assert np.allclose(np.interp(own.data["time"].values, table[:, 0], table[:, k]), true, atol=1e-5 * true.max())
+    note = window.page.locator("[data-fact='tip_error.commanded'] .note").text_content().replace("\u00a0", " ")
+    for name, value in own.summary()["tip_error"]["commanded"]["parts_m"].items():
+        assert f" {name}" in note or abs(value) < 1e-12

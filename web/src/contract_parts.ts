@@ -21,7 +21,7 @@ export interface LiveRun {
   /** First and last time [s] of what its spectra are of; without it those of the charts serve. */
   span?: [number, number];
   /** Headline numbers by the ids of the facts; those that cannot be computed are absent. */
-  facts: Record<string, { value: number | null; note: string; time?: number }>;
+  facts: Record<string, { value: number | null; note: string; time?: number; more?: string }>;
   /** Its modes; a sentence where they cannot be reported, none where they are not known yet. */
   vibration?: Vibration | string;
 }

@@ -63,7 +63,7 @@ def live_bundle(result: Result) -> dict[str, Any] | None:
     place = dict(zip(map(str, result.data["coordinate"].values), result.data["q"].values[-1].tolist(), strict=True))
     ended = held_at(pair.real, float(result.data["time"].values[-1]), place)
     own = mechanics(pair, ended, stations, method, compared=compared, surfaces=surfaces)
-    own["commanded"] = compared and "tip_commanded" in result.data
+    own["errorParts"] = [*map(str, result.data["error_part"].values)] if "tip_error" in result.data else None
     return {**_common(result, pair, live_map(pair, stations), method), **own, "stations": np.array(stations)}
 
 
@@ -143,6 +143,7 @@ def mechanics(
         "deformations": list(elastic_names(model)),
         "turning": [axis.name for axis in model.chain.axes if not axis.coordinate.slides],
         "straight": _affine(lambda q: without_elasticity(model, q), model.nq),
+        "bends": model.deformations.tolist(),
         "links": _links(model, surfaces),
         "carried": _carried(pair, real, functions),
         "surface": pair.real.contact and pair.real.contact.shape.drawing(),
@@ -174,6 +175,7 @@ def _run(setup: RunSetup) -> dict[str, Any]:
             for driver in setup.model.loop.drivers
             if driver.plan.joint in {drive.joint for drive in setup.robot.drives if drive.command.is_motion}
         ],
+        "driven": [driver.coordinate for driver in setup.model.loop.drivers],
         "signals": len(setup.planned.each),
         "moving": [k for k in range(len(setup.planned.each)) if k not in plan.aside],
     }

@@ -61,10 +61,12 @@ def _causes(data: Any) -> Iterator[Draft]:
             size = np.linalg.norm(whole, axis=1)
             along = (parts * (whole / np.maximum(size, np.finfo(float).tiny)[:, None])).sum(axis=2)
             names = [str(name) for name in data["error_part"].values]
-            lines = [Line(name, "real", part) for name, part in zip(names, along, strict=True) if np.any(part)]
-            own, title = series, f"Tip error to {which}, by cause"
-            time = data["time"].values
-            yield Draft(own, title, "error", "m", time, (*lines, Line("total", "real", size)), stacked=True)
+            each = [*zip(names, along, range(len(names)), strict=True), ("total", size, -1)]
+            lines = [
+                Line(name, "real", part, (series, k), along=True) for name, part, k in each if k < 0 or np.any(part)
+            ]
+            title, time = f"Tip error to {which}, by cause", data["time"].values
+            yield Draft(series, title, "error", "m", time, tuple(lines), stacked=True)
 
 
 def _contact(data: Any) -> Iterator[Draft]:

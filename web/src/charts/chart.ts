@@ -80,7 +80,7 @@ export function mountChart(set: ChartSet, clock: Clock, zoom: Zoom): ChartView {
   const marksNote = make("p", {
     class: "note",
     hidden: true,
-    text: chart.stacked ? "Of the run as it was." : "The marked frequencies are of the run as it was.",
+    text: "The marked frequencies are of the run as it was.",
   });
   const axisNote = make("p", { class: "note", hidden: true });
   const legend: Legend = makeLegend(entries, set.compared, redraw);
@@ -229,8 +229,7 @@ export function mountChart(set: ChartSet, clock: Clock, zoom: Zoom): ChartView {
     show(run) {
       live = run;
       current = false;
-      marksNote.hidden =
-        run === null || (!chart.stacked && (changedMarks(chart, run) !== null || chart.marks.length === 0));
+      marksNote.hidden = run === null || changedMarks(chart, run) !== null || chart.marks.length === 0;
       redraw();
     },
     recolour() {

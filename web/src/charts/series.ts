@@ -1,5 +1,6 @@
 // What a chart draws: the curves of all runs under one name, and their values on one common axis.
 
+import { alongSum } from "../along";
 import type { Chart, Curve, Page, Role } from "../contract";
 import type { LiveRun } from "../contract_parts";
 import { spectrumOf } from "./spectrum";
@@ -41,10 +42,10 @@ export function chartSets(page: Page): ChartSet[] {
 /** All curves to draw; `live` is the live model's run of the first run's robot. */
 export function entriesOf(set: ChartSet, live: LiveRun | null): Entry[] {
   const own = set.runs.flatMap(({ run, name, chart }) =>
-    chart.curves.map((curve) => ({
+    (live && run === 0 && chart.stacked ? chart.curves.slice(-1) : chart.curves).map((curve) => ({
       run, runName: name, label: curve.label, role: curve.role, x: chart.at.data, y: curve.values.data,
       shown: curve.shown && (set.runs.length < 2 || leading(curve, chart)),
-      ghost: live !== null && run === 0 && !chart.stacked,
+      ghost: live !== null && run === 0,
     })),
   );
   if (live === null) return own;
@@ -81,16 +82,17 @@ export function unchanged(set: ChartSet, earlier: LiveRun, later: LiveRun): bool
 export function liveValues(curve: Curve, live: LiveRun): Float64Array | null {
   const source = curve.source;
   if (source === null) return null;
-  const column = columnOf(live, source.variable, source.index);
+  const column = columnOf(live, source.variable, source.index, source.along);
   const less = source.less ? columnOf(live, source.less.variable, source.less.index) : null;
   if (column === null || (source.less && less === null)) return null;
   for (let k = 0; k < column.length; k += 1) column[k] = source.factor * (column[k] - (less ? less[k] : 0));
   return column;
 }
 
-function columnOf(live: LiveRun, variable: string, index: number): Float64Array | null {
+function columnOf(live: LiveRun, variable: string, index: number, along = false): Float64Array | null {
   const series = live.series[variable];
   if (series === undefined) return null;
+  if (along) return Float64Array.from(live.times, (_, k) => alongSum(series, k, index));
   const width = series.shape.slice(1).reduce((product, size) => product * size, 1);
   if (index >= width) return null;
   const found = new Float64Array(series.shape[0]);

@@ -60,6 +60,8 @@ export interface RunInfo {
   exact: [number, number][];
   /** Coordinates whose place a drive commands, and the signal of each. */
   commanded: [number, number][];
+  /** Coordinates that drives move. */
+  driven: number[];
   signals: number;
   /** Those of the signals that move the robot; noise and the clocks of controllers move nothing. */
   moving: number[];
@@ -94,8 +96,10 @@ export interface Bundle extends LiveBundle {
   /** Joints that turn; others slide. */
   turning: string[];
   straight: Affine;
-  /** Whether the tip of the undeformed robot at its setpoints is known: with a nominal run, where it stands. */
-  commanded: boolean;
+  /** Names of the parts of the tip's error, controller, gears and links; none where no drive has a setpoint. */
+  errorParts: string[] | null;
+  /** Coordinates of the links' own deformations. */
+  bends: number[];
   links: { name: string; bends: boolean }[];
   carried: LoadsInfo;
   contactPoint: number;

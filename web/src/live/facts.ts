@@ -1,8 +1,9 @@
 // Headline numbers of a run in the page, by the ids and words of tmodes/report/facts.py.
 
+import { alongSum } from "../along";
 import type { LiveRun } from "../contract_parts";
 import { digits, info } from "../format";
-import { worst, type SeriesOf } from "./series";
+import { range, worst, type SeriesOf } from "./series";
 
 export type Facts = LiveRun["facts"];
 
@@ -21,18 +22,19 @@ export function meanOverTime(times: Float64Array, values: Float64Array): number 
   return total / (times[times.length - 1] - times[0]);
 }
 
-/** How far the tip is from the nominal one; why it is not seen to settle. */
-export function trackingFacts(times: Float64Array, series: SeriesOf, moveEnd: number | null): Facts {
+/** How far the tip is from the commanded and nominal ones, and by which `parts`; why it is not seen to settle. */
+export function trackingFacts(
+  times: Float64Array, series: SeriesOf, moveEnd: number | null, parts: readonly string[],
+): Facts {
   const facts: Facts = {};
-  const { tip, tip_commanded: commanded } = series;
-  if (tip && commanded) {
-    const away = Float64Array.from(times, (_, k) =>
-      Math.hypot(...[0, 1, 2].map((c) => tip.data[3 * k + c] - commanded.data[3 * k + c])));
-    facts["tip_error.commanded"] = largestError(times, away);
+  const { tip_error: error } = series;
+  if (error) {
+    const away = Float64Array.from(times, (_, k) => alongSum(error, k, -1));
+    facts["tip_error.commanded"] = largestError(times, away, error, parts);
   }
   const deviation = series.deviation?.data;
   if (deviation) {
-    facts["deviation.max"] = largestError(times, deviation);
+    facts["deviation.max"] = largestError(times, deviation, series.tip_error_nominal, parts);
     facts["deviation.rms"] = {
       value: Math.sqrt(
         meanOverTime(
@@ -46,10 +48,14 @@ export function trackingFacts(times: Float64Array, series: SeriesOf, moveEnd: nu
   return { ...facts, ...unseen(times, moveEnd, deviation !== undefined) };
 }
 
-function largestError(times: Float64Array, sizes: Float64Array): Facts[string] {
+function largestError(
+  times: Float64Array, sizes: Float64Array, error: SeriesOf[string] | undefined, parts: readonly string[],
+): Facts[string] {
   const k = worst(sizes);
   const note = `at ${figures(times[k])} s; ${info(sizes[sizes.length - 1], "m")} at the end of the run`;
-  return { value: sizes[k], note, time: times[k] };
+  const each = error ? range(0, error.shape[1]).map((part) => [alongSum(error, k, part), parts[part]] as const) : [];
+  const more = each.filter(([size]) => size).map(([size, name]) => `${info(size, "m")} ${name ?? "geometry"}`).join(", ");
+  return { value: sizes[k], note, time: times[k], more };
 }
 
 /**
@@ -72,8 +78,8 @@ export function brokenOff(facts: Facts): Facts {
   const info: Facts = {};
   const needing = NEEDS_THE_END.filter((id) => id !== "vibration.nominal" || "deviation.max" in facts);
   for (const id of needing) info[id] = { value: null, note: "the run broke off" };
-  for (const [id, { value, note }] of Object.entries(facts)) {
-    if (!needing.includes(id)) info[id] = { value, note: `until it broke off: ${note}` };
+  for (const [id, fact] of Object.entries(facts)) {
+    if (!needing.includes(id)) info[id] = { ...fact, note: `until it broke off: ${fact.note}` };
   }
   return info;
 }

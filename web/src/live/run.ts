@@ -1,6 +1,7 @@
 // A run in the page: from values of the sliders to all that a page shows of it, as tmodes/simulation/simulate.py does.
 
 import type { LiveRun } from "../contract_parts";
+import { causesOf } from "./causes";
 import { factsOf } from "./run_facts";
 import { limitFact, loadFacts } from "./load_facts";
 import { linePanel, loadColours } from "./load_picture";
@@ -38,10 +39,13 @@ export async function runOf(
   moving(real);
   const seconds = (performance.now() - began) / 1000;
   const count = Math.min(...regimes.map((regime) => regime.run.times.length));
-  const [own, planned] = [real, ...regimes.slice(0, -1)].map((regime) => seenOf(engine, bundle, regime, count));
+  const both = [real, ...regimes.slice(0, -1)];
+  const seen = both.map((regime) => seenOf(engine, bundle, regime, count));
+  const [own, planned] = seen;
   const times = real.run.times.subarray(0, count);
-  const against = planned ? compared(engine, bundle, regimes[0], own, planned, count) : {};
-  const series = { ...seriesOf(bundle, real, own, count), ...against };
+  const against = planned ? compared(bundle, own, planned, count) : {};
+  const causes = causesOf(engine, bundle, both, seen, count);
+  const series = { ...seriesOf(bundle, real, own, count), ...against, ...causes };
   const frames = framesOf(bundle, count);
   const end = signals.moveEnd(real.info.moving.map((k) => real.each[k]));
   const failed = regimes.find((regime) => regime.run.status !== "finished");

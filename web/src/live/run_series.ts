@@ -107,9 +107,7 @@ export function seriesOf(bundle: Bundle, real: Regime, { model, points, energy }
 }
 
 /** Those that need the nominal run: what it does, and how far the actual robot is from it. */
-export function compared(
-  engine: Engine, bundle: Bundle, { blocks }: Regime, own: Seen, planned: Seen, count: number,
-): SeriesOf {
+export function compared(bundle: Bundle, own: Seen, planned: Seen, count: number): SeriesOf {
   const n = planned.model.q.length / count;
   const places = planned.points.length / count / POINT;
   const [tip, wanted] = [own, planned].map(({ points }) => columns(points, places * POINT, [9, 10, 11]));
@@ -125,12 +123,6 @@ export function compared(
     tip_nominal: shaped(wanted, count, 3),
     deviation: shaped(sizes(difference(tip, wanted), 3), count),
   };
-  if (bundle.commanded) {
-    const q = affine(bundle.straight, planned.model.q, count); // its motors are at their setpoints
-    const [v, base] = [new Float64Array(n), doubles(bundle.base)];
-    const { points } = engine.sample("inertia", blocks.chain, { q, v, a: v, base }, count);
-    series.tip_commanded = shaped(columns(points, places * POINT, [9, 10, 11]), count, 3);
-  }
   if (bundle.contactPoint >= 0)
     series.contact_force_normal_nominal = shaped(columns(planned.model.contact, 6, [3]), count);
   return series;

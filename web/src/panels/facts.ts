@@ -65,7 +65,7 @@ function row(fact: Fact, rest: boolean, known: Info[], clock: Clock): HTMLElemen
     const before = fresh ? `${change(fact, fresh.value)} was ${info(fact.value, fact.unit)}` : "of the original run";
     put(value, info(fresh ? fresh.value : fact.value, fact.unit));
     put(was, live ? before : "");
-    put(note, fresh ? fresh.note : [fact.note, fact.more].filter(Boolean).join("; "));
+    put(note, [(fresh ?? fact).note, (fresh ?? fact).more].filter(Boolean).join("; "));
     was.hidden = live === null || (fresh !== undefined && fresh.value === null && fact.value === null);
     note.hidden = note.textContent === "";
     element.title = note.textContent ?? "";

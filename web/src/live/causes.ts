@@ -1,0 +1,74 @@
+// The error of the tip by its causes, as tmodes/analysis/error_parts.py and tmodes/result/paths.py find it.
+
+import type { Bundle } from "./bundle";
+import { doubles } from "./bundle";
+import type { Engine } from "./engine";
+import { affine } from "./live_scene";
+import type { Regime } from "./regime";
+import type { Seen } from "./run_series";
+import { columns, difference, shaped, type SeriesOf } from "./series";
+import { valueAt } from "./signals";
+
+const SAME = 1e-12; // m between two commanded tips up to which both robots have the same dimensions
+
+/** Of the actual robot, and of the nominal one where there is one, the first `count` samples. */
+export function causesOf(
+  engine: Engine, bundle: Bundle, [real, nominal]: Regime[], [own, planned]: (Seen | undefined)[], count: number,
+): SeriesOf {
+  if (!bundle.errorParts || !own) return {};
+  const wanted = (planned ?? own).model.q.slice();
+  const width = wanted.length / count;
+  for (const [coordinate, signal] of [...real.info.commanded, ...real.info.exact]) {
+    for (let k = 0; k < count; k += 1)
+      wanted[k * width + coordinate] = valueAt(real.schedule, signal, real.run.times[k]);
+  }
+  const actual = steps(engine, bundle, real, own, wanted, count);
+  const known = planned ? steps(engine, bundle, nominal, planned, wanted, count) : actual;
+  const parts = parted(actual);
+  const geometry = difference(actual[0], known[0]);
+  const expected = parted(known);
+  if (bundle.errorParts.length > parts.length || geometry.subarray(0, 3).some((value) => Math.abs(value) > SAME)) {
+    parts.push(geometry);
+    expected.push(new Float64Array(geometry.length));
+  }
+  const series = (each: Float64Array[]) => {
+    const data = new Float64Array(3 * count * each.length);
+    each.forEach((part, j) => part.forEach((value, k) => {
+      data[3 * (Math.floor(k / 3) * each.length + j) + (k % 3)] = value;
+    }));
+    return shaped(data, count, each.length, 3);
+  };
+  const found: SeriesOf = { tip_commanded: shaped(known[0], count, 3), tip_error: series(parts) };
+  if (planned) found.tip_error_nominal = series(parts.map((part, k) => difference(part, expected[k])));
+  return found;
+}
+
+function parted(tips: Float64Array[]): Float64Array[] {
+  return tips.slice(1).map((tip, k) => difference(tip, tips[k]));
+}
+
+/** The tip [n, 3] commanded, with the motors where they are, with the joints where they are, and as it is. */
+function steps(
+  engine: Engine, bundle: Bundle, mover: Regime, { model: { q }, points }: Seen, wanted: Float64Array, count: number,
+): Float64Array[] {
+  const width = q.length / count;
+  const [moved, joints] = [wanted.slice(), q.slice()];
+  for (let k = 0; k < q.length; k += width) {
+    for (const j of mover.info.driven) moved[k + j] = q[k + j];
+    for (const j of bundle.bends) joints[k + j] = 0;
+  }
+  const tips = (rows: Float64Array) => columns(rows, rows.length / count, [9, 10, 11]);
+  const still = new Float64Array(width);
+  let [before, tip] = [q, tips(points)];
+  const found = [tip];
+  const straight = (shape: Float64Array) => affine(bundle.straight, shape, count);
+  for (const shape of [joints, straight(moved), straight(wanted)]) {
+    if (!shape.every((value, k) => value === before[k])) {
+      const inputs = { q: shape, v: still, a: still, base: doubles(bundle.base) };
+      tip = tips(engine.sample("inertia", mover.blocks.chain, inputs, count).points);
+    }
+    before = shape;
+    found.unshift(tip);
+  }
+  return found;
+}
