@@ -65,7 +65,7 @@ export interface Source {
   /** Taken off before the factor: what is drawn is a difference of two series. */
   less?: { variable: string; index: number };
   /** Of vectors [n, parts, 3]: the component of part `index` along their sum; -1: the size of the sum. */
-  along?: boolean;
+  along: boolean;
 }
 
 export type Role = "real" | "reference" | "rigid" | "stationary" | "oscillatory" | "limit" | "other";

@@ -161,21 +161,16 @@ def _positioned(pair: RobotPair) -> set[str]:
 
 def _run(setup: RunSetup) -> dict[str, Any]:
     """Where its state holds what, how it starts, what its sheet says of that, and drives that follow exactly."""
-    layout, names = setup.model.layout, setup.model.coordinates
+    layout, names, drivers = setup.model.layout, setup.model.coordinates, setup.model.loop.drivers
+    motion = {drive.joint for drive in setup.robot.drives if drive.command.is_motion}
     info, plan = setup.robot.initial, setup.planned.plan
     return {
         "state": {name: [part.start, part.stop] for name, part in layout._asdict().items()},
         "start": first_state(setup.robot, setup.planned, setup.model, setup.rest),
         "info": [names.index(name) for name in info.coordinates],
-        "exact": [
-            [driver.coordinate, driver.plan.signal] for driver in setup.model.loop.drivers if driver.plan.servo is None
-        ],
-        "commanded": [
-            [driver.coordinate, driver.plan.signal]
-            for driver in setup.model.loop.drivers
-            if driver.plan.joint in {drive.joint for drive in setup.robot.drives if drive.command.is_motion}
-        ],
-        "driven": [driver.coordinate for driver in setup.model.loop.drivers],
+        "exact": [[one.coordinate, one.plan.signal] for one in drivers if one.plan.servo is None],
+        "commanded": [[one.coordinate, one.plan.signal] for one in drivers if one.plan.joint in motion],
+        "driven": [one.coordinate for one in drivers],
         "signals": len(setup.planned.each),
         "moving": [k for k in range(len(setup.planned.each)) if k not in plan.aside],
     }

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from tmodes.analysis.error_parts import along
 from tmodes.plot.facts import command_of, deformation_unit, drive_unit, effort_unit, names_of
 from tmodes.report.drafts import Draft, Line, in_readable_units, line_of, run_spectra
 from tmodes.result import Result
@@ -56,17 +57,13 @@ def _causes(data: Any) -> Iterator[Draft]:
     """The error of the tip over time by its causes: components along the error, which add up to its size."""
     for which, series in (("commanded", "tip_error"), ("nominal", "tip_error_nominal")):
         if series in data:
-            parts = data[series].transpose("error_part", "time", "axis").values
-            whole = parts.sum(axis=0)
-            size = np.linalg.norm(whole, axis=1)
-            along = (parts * (whole / np.maximum(size, np.finfo(float).tiny)[:, None])).sum(axis=2)
-            names = [str(name) for name in data["error_part"].values]
-            each = [*zip(names, along, range(len(names)), strict=True), ("total", size, -1)]
-            lines = [
-                Line(name, "real", part, (series, k), along=True) for name, part, k in each if k < 0 or np.any(part)
-            ]
+            parts = data[series].transpose("time", "error_part", "axis").values
+            columns = [np.linalg.norm(parts.sum(axis=1), axis=1), *along(parts).T]
+            each = enumerate(zip(["total", *map(str, data["error_part"].values)], columns, strict=True), -1)
+            total, *lines = [Line(name, "real", one, (series, k), along=True) for k, (name, one) in each]
+            drawn = (*(line for line in lines if np.any(line.values)), total)
             title, time = f"Tip error to {which}, by cause", data["time"].values
-            yield Draft(series, title, "error", "m", time, tuple(lines), stacked=True)
+            yield Draft(series, title, "error", "m", time, drawn, stacked=True)
 
 
 def _contact(data: Any) -> Iterator[Draft]:

@@ -36,8 +36,7 @@ class Line:
     """A curve: its values [SI of its chart], shape (n,), and what of the result they are.
 
     ``place`` less ``less``, times ``factor``; None where they are no plain series, which the live model cannot draw.
-    Of a spectrum they tell the series that it is of. ``along``: of vectors (n, parts, 3), the component of the part
-    ``place`` along their sum, or the size of the sum (-1).
+    Of a spectrum they tell the series that it is of. ``along``: a part of vectors, along their sum; -1: its size.
     """
 
     label: str
@@ -130,9 +129,7 @@ def _curve(line: Line, unit: Unit, kept: NDArray[np.intp], *, coarse: bool) -> d
 def _source(line: Line, unit: Unit) -> dict[str, Any] | None:
     if line.place is None:
         return None
-    info: dict[str, Any] = {"variable": line.place[0], "index": line.place[1], "factor": unit.factor * line.factor}
-    if line.along:
-        info["along"] = True
+    info = {"variable": line.place[0], "index": line.place[1], "factor": unit.factor * line.factor, "along": line.along}
     return info if line.less is None else info | {"less": {"variable": line.less[0], "index": line.less[1]}}
 
 
