@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from see.scenes import arm_result
-from tmodes.analysis.error_parts import along
+from tmodes.frame import along
 from tmodes.plot.figures.spectrum import amplitude_spectrum
 from tmodes.report.charts import charts_of, drafts_of
 from tmodes.report.data import facts_of, page_data

@@ -13,7 +13,7 @@ from see.looking import look
 from see.scenes import short_report, short_robot
 from see.test_page import ink
 from tmodes import load, run
-from tmodes.analysis.error_parts import along
+from tmodes.frame import along
 
 PAYLOAD = '[data-path="links.link.bodies.payload.mass"] input[type=number]'
 STATUS = ".sliders-panel [role=status]"

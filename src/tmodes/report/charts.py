@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from tmodes.analysis.error_parts import along
+from tmodes.frame import along
 from tmodes.plot.facts import command_of, deformation_unit, drive_unit, effort_unit, names_of
 from tmodes.report.drafts import Draft, Line, in_readable_units, line_of, run_spectra
 from tmodes.result import Result
