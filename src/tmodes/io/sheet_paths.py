@@ -149,14 +149,13 @@ def _unknown(
     start = own_path(named(before, data), data)
     meant = nearest(where, known)
     found = ".".join(filter(None, (start, meant, *beyond))) if meant else ""
-    found = found or _first(data, lambda steps, _: steps[-1] == where)
+    found = found or _first(data, lambda steps: steps[-1] == where)
     if not before:  # a path may differ in capital letters and hyphens alone
-        found = _first(data, lambda _, other: plain(other) == plain(path)) or found
+        found = _first(data, lambda steps: plain(own_path(named(steps, data), data)) == plain(path)) or found
     expected = f"one of {', '.join(known[:MOST_LISTED])}" if known else f"no key inside `{start}`"
     return InputError(path, "an unknown key", expected, f"did you mean `{found}`?" if found else look)
 
 
-def _first(data: Any, fits: Callable[[tuple[Step, ...], str], bool]) -> str:
-    """The path of the first number of the sheet that fits; empty where there is none."""
-    paths = ((steps, own_path(named(steps, data), data)) for _, _, steps, _ in quantities(data))
-    return next((path for steps, path in paths if fits(steps, path)), "")
+def _first(data: Any, fits: Callable[[tuple[Step, ...]], bool]) -> str:
+    """The path of the first number of the sheet whose steps fit; empty where there is none."""
+    return next((own_path(named(steps, data), data) for _, _, steps, _ in quantities(data) if fits(steps)), "")

@@ -27,7 +27,7 @@ class Knob:
 
     ``targets``: path and value of each number; the knob itself stands at the value, or at 1 where it is a proportion.
     ``reals``: where in ``real`` the factor on each stands, empty where one acts on other numbers as well; ``factor``:
-    that of the actual robot on them, None where their factors differ.
+    that of the actual robot on them, None where their factors differ. ``first``: the first of the numbers.
     """
 
     pattern: str
@@ -38,6 +38,7 @@ class Knob:
     log: bool
     reals: tuple[str, ...]
     factor: float | None
+    first: SheetNumber
 
     @property
     def together(self) -> bool:
@@ -163,8 +164,8 @@ def _knob(sheet: Robot, group: Sequence[SheetNumber], span: tuple[float, float, 
     entries = [real_entry(data, number.path) for number in group]
     reals, factors = [path for path, _ in entries if path], {factor for _, factor in entries}
     common = factors.pop() if len(factors) == 1 else None
-    targets = tuple((number.path, number.value) for number in group)
-    return Knob(group[0].pattern, targets, *span, log, tuple(reals) if len(reals) == len(group) else (), common)
+    targets, own = tuple((number.path, number.value) for number in group), reals if len(reals) == len(group) else ()
+    return Knob(group[0].pattern, targets, *span, log, tuple(own), common, group[0])
 
 
 def _reach(sheet: Robot, number: SheetNumber, rule: _Rule) -> tuple[float, float]:
@@ -202,10 +203,11 @@ def sliders_of(sheet: Any, knobs: Sequence[Knob], most: int = MOST, *, factors: 
 
     Without ``factors`` all are as known.
     """
-    info, data = {number.path: number for number in sheet_numbers(sheet)}, sheet_data(sheet)
-    found: list[Slider] = []
+    found, data = list[Slider](), sheet_data(sheet)
     for index, knob in enumerate(knobs):
-        number = info[knob.targets[0][0]]
+        if len(found) >= most:
+            break
+        number = knob.first
         rule = next(rule for rule in _RULES if re.fullmatch(rule.pattern, knob.pattern))
         label = rule.words.format("xyz"[int(number.path[-1])] if "{" in rule.words else "") or _label(number, knob)
         path, unit = number.path, number.unit
