@@ -3,16 +3,15 @@
 import type uPlot from "uplot";
 import type { Clock } from "../clock";
 import type { LiveRun } from "../contract_parts";
-import { button, make, ownId, put, save, savePicture } from "../dom";
+import { button, make, ownId, put } from "../dom";
 import { info } from "../format";
 import { drawnBy, drawnShare, summary, thinnest } from "./chart_words";
-import { csvOf } from "./csv";
 import { changedMarks, marksWithin } from "./frequency_marks";
 import { makeLegend, type Legend } from "./legend";
 import { makePlot, type PlotLine } from "./plot";
 import { aligned, entriesOf, extremes, valueAt, type ChartSet, type Entry, type Values } from "./series";
 import type { Look } from "./look";
-import { chartPicture } from "./picture";
+import { saveButtons, type Drawn } from "./saving";
 import { narrow, shapes } from "./stack";
 import type { Zoom } from "./zoom";
 
@@ -23,6 +22,7 @@ export interface ChartView {
   show(live: LiveRun | null): void;
   /** Draw again: the colours have changed. */
   recolour(): void;
+  state(): Drawn | null;
   dispose(): void;
 }
 
@@ -35,6 +35,7 @@ export function mountChart(set: ChartSet, clock: Clock, zoom: Zoom): ChartView {
   const { chart } = set;
   const timed = chart.abscissa === "time";
   const title = ownId("chart");
+  const abscissa = timed ? "time [s]" : "frequency [Hz]";
   const unit = chart.unit === "–" ? "" : chart.unit;
   let log = chart.log === "first";
   let live: LiveRun | null = null;
@@ -47,6 +48,7 @@ export function mountChart(set: ChartSet, clock: Clock, zoom: Zoom): ChartView {
   let hover: number | null = null;
   let seen = false;
   let stale = true;
+  let pieces: PlotLine[] = [];
   let drawn = ""; // what the plot is made for
   let scheme = 0;
   let largest = 0;
@@ -66,8 +68,7 @@ export function mountChart(set: ChartSet, clock: Clock, zoom: Zoom): ChartView {
     { class: "tools" },
     resetButton,
     logButton,
-    button("PNG", savePlot, { class: "tool", title: "Save this chart as a picture" }),
-    button("CSV", saveData, { class: "tool", title: "Save the data of this chart as CSV" }),
+    ...saveButtons(state),
   );
   const titled = `${chart.title}${unit ? ` [${unit}]` : ""}`;
   const units = make("span", { class: "unit", text: titled.slice(chart.title.length) });
@@ -114,21 +115,21 @@ export function mountChart(set: ChartSet, clock: Clock, zoom: Zoom): ChartView {
     stale = false;
     const shown = chosen();
     const [axis, ...columns] = aligned(shown, log);
-    const pieces = shapes(shown, columns, chart.stacked === true);
-    const lines: PlotLine[] = pieces.map(({ entry, filled }) => ({
+    const drawing = shapes(shown, columns, chart.stacked === true);
+    pieces = drawing.map(({ entry, filled }) => ({
       ...legend.look(entry),
       width: filled ? 0 : entry.ghost ? 1 : entry.role === "real" ? 1.6 : 1.3,
       ghost: entry.ghost,
       filled,
     }));
-    const data: [Values, ...ArrayLike<number | null>[]] = [axis, ...pieces.map(({ values }) => values)];
+    const data: [Values, ...ArrayLike<number | null>[]] = [axis, ...drawing.map(({ values }) => values)];
     const words = log ? "" : narrow(shown, unit);
     put(axisNote, words);
     axisNote.hidden = !words;
     largest = Math.max(0, ...shown.map((entry) => Math.max(...extremes(entry.y).map(Math.abs))));
-    const kind = JSON.stringify([lines, marks, log, width, scheme]);
+    const kind = JSON.stringify([pieces, marks, log, width, scheme]);
     if (plot && kind === drawn) plot.setData(data as unknown as uPlot.AlignedData);
-    else renew(data, lines);
+    else renew(data, pieces);
     drawn = kind;
     place.setAttribute("aria-label", summary(chart, unit, shown));
     if (timed) stretch(zoom.range);
@@ -140,7 +141,7 @@ export function mountChart(set: ChartSet, clock: Clock, zoom: Zoom): ChartView {
     hover = null; // where the pointer was, was a place of that plot
     plot = makePlot(place, data, lines, {
       log, decades: chart.group === "spectrum" ? DECADES.spectrum : DECADES.other, height: HEIGHT, marks,
-      abscissa: timed ? "time [s]" : "frequency [Hz]",
+      abscissa,
       zoomed: (range) => (timed ? zoom.set(range) : stretch(range)),
       hovered: (at) => { hover = at; tell(); },
       chosen: (at) => { if (timed) clock.seek(at); },
@@ -188,13 +189,11 @@ export function mountChart(set: ChartSet, clock: Clock, zoom: Zoom): ChartView {
 
   const chosen = () => known().filter((entry) => legend.shows(entry));
 
-  function savePlot(): void {
+  /** Drawn now, be it seen or not. */
+  function state(): Drawn | null {
+    draw();
     const looks = chosen().map((entry) => [entry, legend.look(entry)] as [Entry, Look]);
-    if (plot) savePicture(chartPicture(plot.ctx.canvas, devicePixelRatio, titled, looks), chart.id);
-  }
-
-  function saveData(): void {
-    save(csvOf(chosen(), timed ? "time [s]" : "frequency [Hz]", unit), `${chart.id}.csv`, "text/csv");
+    return plot && { id: chart.id, titled, unit, abscissa, plot, marks, pieces, looks };
   }
 
   const watch = new IntersectionObserver((found) => {
@@ -226,6 +225,7 @@ export function mountChart(set: ChartSet, clock: Clock, zoom: Zoom): ChartView {
   return {
     element,
     id: chart.id,
+    state,
     show(run) {
       live = run;
       current = false;

@@ -4,6 +4,7 @@ import type { Clock } from "../clock";
 import type { Chart, Page } from "../contract";
 import type { LiveRun } from "../contract_parts";
 import { button, make } from "../dom";
+import { drawnSheet, saveSheets } from "./saving";
 import { mountChart, type ChartView } from "./chart";
 import { chartSets, unchanged, type ChartSet } from "./series";
 import { makeZoom } from "./zoom";
@@ -39,6 +40,7 @@ export function mountCharts(element: HTMLElement, page: Page, clock: Clock): Cha
   const groups = (Object.keys(WORDS) as Group[]).filter((group) => chosen(sets, group).length > 0);
   let drawn: ChartSet[] = [];
   let views: ChartView[] = [];
+  let opened: Group = "overview";
   let live: LiveRun | null = null;
 
   for (const group of groups) {
@@ -62,6 +64,7 @@ export function mountCharts(element: HTMLElement, page: Page, clock: Clock): Cha
 
   function open(group: Group): void {
     views.forEach((view) => view.dispose());
+    opened = group;
     drawn = chosen(sets, group);
     views = drawn.map((set) => mountChart(set, clock, zoom));
     if (live) views.forEach((view) => view.show(live));
@@ -74,10 +77,14 @@ export function mountCharts(element: HTMLElement, page: Page, clock: Clock): Cha
     grid.replaceChildren(...views.map((view) => view.element));
   }
 
+  const whole = button("Save all of these (SVG)", () => {
+    const all = views.flatMap((view) => view.state() ?? []);
+    setTimeout(() => saveSheets(all.map(drawnSheet), `charts_${opened}`)); // uPlot finds its axes a little later
+  }, { class: "tool", title: "Save the charts of this tab as one vector graphic" });
   const dark = matchMedia("(prefers-color-scheme: dark)");
   const recolour = () => views.forEach((view) => view.recolour());
   dark.addEventListener("change", recolour);
-  element.append(make("div", { class: "tab-bar" }, tabs), grid, hint);
+  element.append(make("div", { class: "tab-bar" }, tabs), grid, whole, hint);
   open("overview");
   return {
     show(run) {

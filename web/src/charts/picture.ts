@@ -9,11 +9,7 @@ const [LINE, EDGE] = [18, 12]; // px
 export function chartPicture(
   plot: HTMLCanvasElement, ratio: number, title: string, looks: [Entry, Look][],
 ): HTMLCanvasElement {
-  const known = new Set<string>();
-  const keys = looks.filter(([{ ghost }]) => !ghost).flatMap(([entry, look]) => {
-    const words = entry.role === "real" ? entry.label : `${entry.label}, ${WORDS[entry.role]}`;
-    return known.size < known.add(words).size ? [{ words, look }] : [];
-  });
+  const keys = keysOf(looks);
   const canvas = document.createElement("canvas");
   const [width, height] = [plot.width / ratio, plot.height / ratio];
   canvas.width = plot.width;
@@ -40,4 +36,13 @@ export function chartPicture(
     context.fillText(words, EDGE + 34, y, width - EDGE - 40);
   });
   return canvas;
+}
+
+/** What the curves are, each once. */
+export function keysOf(looks: [Entry, Look][]): { words: string; look: Look }[] {
+  const known = new Set<string>();
+  return looks.filter(([{ ghost }]) => !ghost).flatMap(([entry, look]) => {
+    const words = entry.role === "real" ? entry.label : `${entry.label}, ${WORDS[entry.role]}`;
+    return known.size < known.add(words).size ? [{ words, look }] : [];
+  });
 }

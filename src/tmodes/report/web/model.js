@@ -1,4 +1,4 @@
-/* tmodes, built from 5209c82eaac6a82d; BSD-3-Clause */
+/* tmodes, built from a29e0b2cb529a4b6; BSD-3-Clause */
 
 // src/live/engine_error.ts
 var EngineError = class extends Error {
