@@ -32,10 +32,10 @@ def test_all_charts_of_a_tab_as_one_graphic(browser: Any, tmp_path: Path, scheme
         assert {"time [s]", "frequency [Hz]"} & set(each)
         numbers = [word for word in each[1:] if word.replace(".", "").replace("-", "").isdigit()]
         assert len(numbers) > 5 or "frequency [Hz]" in each
-        drawn = [one.get("d", "") for one in chart.find(f"{SVG}svg").iter(f"{SVG}path")]
+        drawn = [one.get("d", "") for one in chart.iterfind(f"{SVG}svg//{SVG}path")]
         assert drawn
         assert all("NaN" not in one for one in drawn)
         assert max(one.count("L") for one in drawn) > 30
     fill = window.page.evaluate("getComputedStyle(document.documentElement).getPropertyValue('--paper').trim()")
-    assert root.find(f"{SVG}rect").get("fill") == fill
+    assert [one.get("fill") for one in root.iterfind(f"{SVG}rect")] == [fill]
     assert window.said == []

@@ -39,9 +39,10 @@ export function sheetOf({ plot, titled, marks, looks, pieces, abscissa }: Drawn,
   }
   parts.push(text((box.left + right) / 2, bottom + 35, abscissa, "--quiet", 'text-anchor="middle"'));
   const curves = pieces.map((piece, k) => curve(plot, k + 1, x, y, piece));
+  const marked = marks.map((one) => stroke(`M${at(x(one.at))} ${at(box.top)}V${at(bottom)}`, "--quiet", [3, 3]));
   parts.push(`<svg x="${at(box.left)}" y="${at(box.top)}" width="${at(box.width)}" height="${at(box.height)}" ` +
     `viewBox="${[box.left, box.top, box.width, box.height].map(at).join(" ")}">${curves.join("")}` +
-    `${marks.map((one) => stroke(`M${at(x(one.at))} ${at(box.top)}V${at(bottom)}`, "--quiet", [3, 3])).join("")}</svg>`);
+    `${marked.join("")}</svg>`);
   keys.forEach(({ words, look }, k) => {
     const line = tall + LINE * (k + 2);
     parts.push(stroke(`M${EDGE} ${line - 4}h26`, look.property, look.dash, 2));

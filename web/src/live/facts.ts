@@ -54,8 +54,8 @@ function largestError(
   const k = worst(sizes);
   const note = `at ${figures(times[k])} s; ${info(sizes[sizes.length - 1], "m")} at the end of the run`;
   const each = error ? range(0, error.shape[1]).map((part) => [alongSum(error, k, part), parts[part]] as const) : [];
-  const more = each.filter(([size]) => size).map(([size, name]) => `${info(size, "m")} ${name ?? "geometry"}`).join(", ");
-  return { value: sizes[k], note, time: times[k], more };
+  const words = each.filter(([size]) => size).map(([size, name]) => `${info(size, "m")} ${name ?? "geometry"}`);
+  return { value: sizes[k], note, time: times[k], more: words.join(", ") };
 }
 
 /**

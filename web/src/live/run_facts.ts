@@ -6,7 +6,8 @@ import { columns, range, worst, type SeriesOf } from "./series";
 
 /** `end`: when the move ends [s]; null where it never does. */
 export function factsOf(bundle: Bundle, times: Float64Array, series: SeriesOf, end: number | null): Facts {
-  const facts: Facts = { ...trackingFacts(times, series, end, bundle.errorParts ?? []), ...energyFacts(series, times.length) };
+  const tracking = trackingFacts(times, series, end, bundle.errorParts ?? []);
+  const facts: Facts = { ...tracking, ...energyFacts(series, times.length) };
   const every = bundle.deformations.flatMap((name, k) => (name.endsWith(".gear") ? [k] : []));
   const turning = every.filter((k) => bundle.turning.includes(bundle.deformations[k].replace(/\.gear$/, "")));
   const gears = turning.length ? turning : every; // as the page's own fact: radians and meters are not compared

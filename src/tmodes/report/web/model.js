@@ -1,4 +1,4 @@
-/* tmodes, built from a29e0b2cb529a4b6; BSD-3-Clause */
+/* tmodes, built from 198b77bdceb1e79a; BSD-3-Clause */
 
 // src/live/engine_error.ts
 var EngineError = class extends Error {
