@@ -178,3 +178,13 @@ def test_what_is_opened_for_paper_is_closed_again(browser: Any, reports: dict[st
     page.evaluate("dispatchEvent(new Event('afterprint'))")
     assert folded.evaluate_all("(all) => all.map((it) => it.open)") == before
     page.context.close()
+
+
+def test_on_a_phone_the_robot_stays_in_sight(browser: Any, reports: dict[str, Path]) -> None:
+    """Above the chart that is looked at, in less than half of the screen."""
+    page = look(browser, reports["good"], PHONE).page
+    page.evaluate("document.querySelector('#tm-charts .chart').scrollIntoView()")
+    boxes = [page.locator(one).first.bounding_box() for one in ("#tmodes-app > .stage", "#tm-charts .chart")]
+    bottom = boxes[0]["y"] + boxes[0]["height"]
+    assert 0 < boxes[0]["y"] < bottom < 0.55 * PHONE[1]
+    assert boxes[1]["y"] >= bottom - 1
