@@ -13,6 +13,7 @@ from typing import Any
 from tmodes.errors import InputError
 from tmodes.io.atomic import atomic_write
 from tmodes.report.data import live_page, page_data, robot_name
+from tmodes.report.differences import names_by_difference
 from tmodes.report.parts import viewer_document
 from tmodes.result import Result
 from tmodes.result.run import movable_joints, run
@@ -76,7 +77,9 @@ def _page_of(results: list[Result], names: list[str] | None) -> dict[str, Any]:
 
 
 def _numbered(results: list[Result]) -> list[str] | None:
-    """Several results of robots of one name get numbers."""
+    """Several results of robots of one name are named by what differs, else get numbers."""
+    if found := names_by_difference(results):
+        return found
     names = [robot_name(result) for result in results]
     return None if len(set(names)) == len(names) else [f"{name} {k}" for k, name in enumerate(names, 1)]
 

@@ -19,6 +19,8 @@ from command import tmodes as command
 from tmodes.cli.show import names_apart
 from tmodes.errors import InputError, ResultFileError
 from tmodes.notebook import rest_page, show
+from tmodes.report.differences import differences, names_by_difference
+from tmodes.result import Result
 
 
 def viewed(*arguments: object, **more):
@@ -45,13 +47,20 @@ def runs(tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
 
 
 def test_two_runs_side_by_side(runs, tmp_path):
-    """Runs of one robot are distinguished by their folders; the page asks for nothing outside."""
+    """Runs of one robot are named by what differs, which a table lists; the page asks for nothing outside."""
     out = tmp_path / "a page.html"
     info = json.loads(viewed(*runs, "--out", out, "--json").stdout)
     document = out.read_text(encoding="utf-8")
     head = head_of(document)
     assert [run["name"] for run in head["runs"]] == info["runs"]
-    assert [name.partition(" (")[2] for name in info["runs"]] == ["soft)", "stiff)"]
+    assert info["runs"] == ["gear stiffness 400\u00a0N·m/rad", "gear stiffness 900\u00a0N·m/rad"]
+    sheet, numbers = document.split("<h2>Differences</h2>")[1].split("<table>")[1:3]
+    assert re.findall(r'<th scope="row">([^<]*)', sheet) == ["joints.joint.gear.stiffness.0"]
+    one, two = (
+        next(iter(run.summary()["tip_error"].values()))["max_m"]
+        for run in map(Result.load, (path / "result.nc" for path in runs))
+    )
+    assert f"−{100 * (one - two) / one:.3g}\u00a0%" in html.unescape(numbers)
     assert "default-src 'none'" in html.unescape(document[:1000])
     assert not re.search(r"(?:src|href)=[\"']?https?:", document)
 
@@ -140,3 +149,17 @@ def test_a_robot_with_a_fixed_step_is_shown_too(name):
 def test_an_arm_that_nothing_moves_is_shown_too():
     arm = tmodes.load("spong1987").with_({"drives": []})
     assert rest_page(arm)["runs"][0]["status"] == "at rest"
+
+
+def test_runs_are_named_by_the_fewest_values_that_tell_them_apart(runs):
+    """Equal sheets have no such names; where one value tells two runs apart, the third needs another."""
+    soft, stiff = (Result.load(path / "result.nc") for path in runs)
+    heavy = tmodes.run(stiff.robot.with_({"payload.mass": 0.7, "integration.output_step": 0.02}))
+    assert names_by_difference([soft, soft]) is None
+    assert names_by_difference([soft]) is None
+    assert [one.path.rpartition(".")[2] for one in differences([stiff, heavy])] == ["mass", "output_step"]
+    assert names_by_difference([stiff, heavy]) == ["payload mass 0.5\u00a0kg", "payload mass 0.7\u00a0kg"]
+    names = names_by_difference([soft, stiff, heavy])
+    assert names
+    assert [name.split(", ")[1] for name in names] == [f"payload mass {m}\u00a0kg" for m in (0.5, 0.5, 0.7)]
+    assert 'title="filipovic2010: 2 runs compared"' in show(stiff, heavy)._repr_html_()

@@ -114,15 +114,17 @@ def view(
     """Look at stored results in the browser: the robot in 3D, linked charts, numbers; several runs side by side.
 
     The page is one file that needs no network and can be sent to others. Robots move at the same time, their charts lie
-    over each other, their numbers are next to each other.
+    over each other. Runs of one robot are named by what differs in their sheets, and tables list what differs and how
+    every number changes.
     """
     from tmodes.report.data import live_page, page_data, robot_name
+    from tmodes.report.differences import names_by_difference
     from tmodes.report.parts import viewer_document
 
     _refuse_too_many(results)
     _refuse_taken(out, overwrite)
     stored = [stored_result(path) for path in results]
-    names = names_apart([robot_name(one) for one in stored], results)
+    names = names_by_difference(stored) or names_apart([robot_name(one) for one in stored], results)
     data = page_data(stored, names) if len(stored) > 1 else live_page(stored[0])
     page = _written(viewer_document(data), out, overwrite)
     print_json({"page": str(page), "runs": names}) if as_json else print(f"open    {page}", flush=True)

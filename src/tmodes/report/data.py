@@ -15,6 +15,7 @@ from tmodes.analysis.spectrum import MotorState
 from tmodes.errors import InputError, InputErrors, SimulationError, TmodesError
 from tmodes.live.bundle import live_bundle, why_not_live
 from tmodes.report.charts import charts_of
+from tmodes.report.differences import difference_tables, names_by_difference
 from tmodes.report.events import events_of
 from tmodes.report.facts import Fact, run_facts
 from tmodes.report.pack import scene_frames
@@ -36,16 +37,20 @@ def page_data(
 ) -> dict[str, Any]:
     """The data of a page about one result, or several side by side.
 
-    ``names`` tell the runs apart, None takes those of the robots; ``live`` is the bundle of the first run's equations,
-    from :func:`tmodes.live.bundle.live_bundle`, None where the page shall not simulate; ``not_live`` says why, where
-    it could be expected to. ``light``: without modes and sheet, for a picture that changes while somebody drags.
+    ``names`` tell the runs apart, None takes what differs, or the robots' names; ``live`` is the bundle of the first
+    run's equations, from :func:`tmodes.live.bundle.live_bundle`, None where the page shall not simulate; ``not_live``
+    says why, where it could be expected to. ``light``: without modes and sheet, for a picture that changes while
+    somebody drags.
     """
-    names = names or [robot_name(result) for result in results]
+    names = names or names_by_difference(results) or [robot_name(result) for result in results]
     charts = charts_of(results)
     runs = [_run(*one, light=light) for one in zip(results, names, charts, strict=True)]
     subtitle = _title(results[0]) if len(results) == 1 else f"{len(results)} runs side by side"
-    info = {"title": ", ".join(names), "subtitle": subtitle, "live": live, "notLive": not_live}
-    return {"format": 1, "runs": runs, **info}
+    own = {robot_name(result) for result in results}
+    same = len(results) > 1 and len(own) == 1 and not any(name.startswith(min(own)) for name in names)
+    title = f"{min(own)}: {len(results)} runs compared" if same else ", ".join(names)
+    info = {"title": title, "subtitle": subtitle, "live": live, "notLive": not_live}
+    return {"format": 1, "runs": runs, "differences": difference_tables(results, runs), **info}
 
 
 def live_page(result: Result, *, live: bool = True) -> dict[str, Any]:

@@ -133,7 +133,8 @@ def viewer_document(page: Mapping[str, Any]) -> str:
     heading = tag("header", tag("h1", str(page["title"])), tag("p", str(page["subtitle"]), class_="lead"), class_="top")
     info = [_run_status(run, several=len(page["runs"]) > 1) for run in page["runs"]]
     numbers = [tag("section", tag("h2", run["name"]), _facts(run), class_="unprogrammed") for run in page["runs"]]
-    return document(str(page["title"]), policy(), {}, heading, *info, application(page), *numbers)
+    view = application({name: value for name, value in page.items() if name != "differences"})
+    return document(str(page["title"]), policy(), {}, heading, *info, view, page.get("differences"), *numbers)
 
 
 def _run_status(run: Mapping[str, Any], *, several: bool) -> Markup:
