@@ -18,10 +18,12 @@ from tmodes.kinds.joints.registry import JOINTS
 from tmodes.kinds.links.registry import LINKS
 from tmodes.kinds.registry import Registry, UnknownKindError
 from tmodes.kinds.signals.registry import SIGNALS
-from tmodes.result.content import refuse_wrong_content
+from tmodes.result.content import refuse_not_finite, refuse_wrong_content
 from tmodes.sheet.robot import RECURSION
 
 if TYPE_CHECKING:
+    from pathlib import Path
+
     from xarray import Dataset
 
 __all__ = ["RESULT_FORMAT", "STATUSES", "absent_kinds", "text_of"]
@@ -57,6 +59,17 @@ def read_record(path: str | os.PathLike[str]) -> Dataset:
         hint = "read it with the tmodes that wrote it, or run the robot again"
         raise file_error(f"{path}, tmodes_format", repr(version), str(RESULT_FORMAT), hint)
     return data
+
+
+def write_record(data: Dataset, path: Path, *, overwrite: bool) -> Path:
+    """Store a dataset as a result file; raises as :meth:`tmodes.result.result.Result.save`."""
+    from tmodes.io.resultfile import write_sealed
+
+    if os.path.lexists(path) and not overwrite:
+        raise file_error(path, "a file that exists", "a new name", "choose another name, or overwrite=True")
+    refuse_not_finite(data)
+    write_sealed(data, path, overwrite=overwrite)
+    return path
 
 
 _NOMINAL = ("q", "v", "deformation", "gear_torque", "tip", "contact_force_normal")

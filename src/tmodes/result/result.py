@@ -19,7 +19,7 @@ from tmodes import upward
 from tmodes.errors import InputError, InputErrors
 from tmodes.io.atomic import file_error
 from tmodes.result import record
-from tmodes.result.content import AGAIN, refuse_not_finite
+from tmodes.result.content import AGAIN
 from tmodes.result.record import absent_kinds
 from tmodes.result.settling import BAND
 from tmodes.result.summary import summarise_result, vibrations
@@ -187,14 +187,7 @@ class Result:
         Whatever happens meanwhile, the path holds the old file or the new one, whole. Raises
         :class:`tmodes.errors.ResultFileError` when the file exists, cannot be written, or a number is not finite.
         """
-        from tmodes.io.resultfile import write_sealed
-
-        path = Path(path)
-        if os.path.lexists(path) and not overwrite:
-            raise file_error(path, "a file that exists", "a new name", "choose another name, or overwrite=True")
-        refuse_not_finite(self.data)
-        write_sealed(self.data, path, overwrite=overwrite)
-        return path
+        return record.write_record(self.data, Path(path), overwrite=overwrite)
 
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> Self:
