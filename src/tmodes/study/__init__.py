@@ -1,0 +1,1 @@
+"""Studies: many robots of one sheet, planned, run, kept and shown; sensitivities and optimal designs."""

@@ -1,0 +1,1 @@
+"""A formula of parameters and other quantities."""

@@ -1,0 +1,1 @@
+"""A Python function of the result of each case."""

@@ -1,0 +1,35 @@
+"""A series of the run, reduced to one number."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any, Literal
+
+from pydantic import Field
+
+from tmodes.study.quantities.contract import QUANTITIES, Array, Asked, Needs, Quantity
+
+__all__ = ["Series"]
+
+
+@QUANTITIES.register
+class Series(Quantity):
+    """A ``series`` such as ``deviation``, ``tip.z`` or ``joint.effort``, reduced by ``reduce``."""
+
+    type: Literal["series"] = Field(description="kind of quantity")
+    series: str = Field(min_length=1, max_length=200, description="name of a series, as stop conditions know it")
+    reduce: str = Field(
+        min_length=1, max_length=20, description="max, min, max_abs, mean, rms, end, range, time_of_max, percentile:P"
+    )
+
+    def needs(self) -> Needs:
+        """One reduction."""
+        return Needs(reductions=((self.series, self.reduce),))
+
+    def own_unit(self, units: Mapping[Any, str]) -> str:
+        """That of the series; of a time s."""
+        return units[self.series, self.reduce]
+
+    def values(self, asked: Asked) -> tuple[Array, Mapping[int, str]]:
+        """As the loop has folded it."""
+        return asked.reductions[self.series, self.reduce], {}

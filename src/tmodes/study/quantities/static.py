@@ -1,0 +1,32 @@
+"""A number that needs no simulation: sag, natural frequency, mass."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any, Literal
+
+from pydantic import Field
+
+from tmodes.study.quantities.contract import QUANTITIES, Array, Asked, Needs, Quantity
+
+__all__ = ["Static"]
+
+
+@QUANTITIES.register
+class Static(Quantity):
+    """A number of the robot at rest by its ``name``: ``sag``, ``frequency.locked.1``, ``mass``."""
+
+    type: Literal["static"] = Field(description="kind of quantity")
+    name: str = Field(min_length=1, max_length=200, description="sag, sag.z, frequency.locked.1, mass, mass.links")
+
+    def needs(self) -> Needs:
+        """One static number."""
+        return Needs(static=(self.name,))
+
+    def own_unit(self, units: Mapping[Any, str]) -> str:
+        """That of the number."""
+        return units[self.name]
+
+    def values(self, asked: Asked) -> tuple[Array, Mapping[int, str]]:
+        """As it was found for all cases."""
+        return asked.static[self.name], {}

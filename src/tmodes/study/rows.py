@@ -1,0 +1,71 @@
+"""Rows: what some cases of a study gave, column by column; the one type that is stored, joined and shown."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+__all__ = ["GOOD", "STATUS", "Kept", "Rows", "joined"]
+
+Array = NDArray[np.float64]
+
+STATUS = ("finished", "stopped_by_condition", "stopped", "diverged", "chattering", "failed", "refused", "interrupted")
+"""How a case may end; ``failed``: it could not start, or a quantity of it; ``refused``: the sheet has no such robot."""
+
+GOOD = ("finished", "stopped_by_condition")
+
+
+@dataclass(frozen=True, eq=False)
+class Kept:
+    """The whole motion of one case: ``times`` (n,) [s], ``states`` (n, nx), ``tip`` (n, 3) [m]; ``names`` of states."""
+
+    times: Array
+    states: Array
+    tip: Array
+    names: tuple[str, ...]
+
+
+@dataclass(frozen=True, eq=False)
+class Rows:
+    """m cases: their numbers in the study ``case`` (m,), ``parameters`` and ``quantities`` (m,) each, by name.
+
+    Quantities are in the units of ``units``, not-a-number where a case has none. ``status`` and ``reason`` (m,) words;
+    ``method``: integrator, empty where nothing was simulated; ``seconds`` (m,): processor time of each. ``kept``: whole
+    motions, by the number of the case.
+    """
+
+    case: NDArray[np.int64]
+    parameters: Mapping[str, Array]
+    quantities: Mapping[str, Array]
+    units: Mapping[str, str]
+    status: Sequence[str]
+    reason: Sequence[str]
+    method: Sequence[str]
+    seconds: Array
+    kept: Mapping[int, Kept] = field(default_factory=dict)
+
+    def __len__(self) -> int:
+        return len(self.case)
+
+    @property
+    def good(self) -> NDArray[np.bool_]:
+        """Which cases reached their end, (m,)."""
+        return np.array([status in GOOD for status in self.status], dtype=bool)
+
+
+def joined(parts: Sequence[Rows]) -> Rows:
+    """All rows of some parts, which have the same columns, in their order."""
+    first = parts[0]
+
+    def stacked(of: str) -> dict[str, Array]:
+        return {name: np.concatenate([getattr(part, of)[name] for part in parts]) for name in getattr(first, of)}
+
+    words = {of: [one for part in parts for one in getattr(part, of)] for of in ("status", "reason", "method")}
+    kept = {case: one for part in parts for case, one in part.kept.items()}
+    return Rows(
+        np.concatenate([part.case for part in parts]), stacked("parameters"), stacked("quantities"), first.units,
+        **words, seconds=np.concatenate([part.seconds for part in parts]), kept=kept,
+    )  # fmt: skip
