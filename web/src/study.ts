@@ -1,0 +1,52 @@
+// The program of a study's page: unpacks its data and mounts the charts.
+import { make } from "./dom";
+import { inflated, unpack } from "./pack";
+import { forPaper } from "./paper";
+import { mountBand, mountPareto } from "./study/bands";
+import { mountBars } from "./study/bars";
+import { mountCase, mountTable } from "./study/cases";
+import type { StudyPage } from "./study/contract";
+import { mountHistogram } from "./study/histogram";
+import { mountParallel } from "./study/parallel";
+import { mountResponses } from "./study/responses";
+import { Store } from "./study/store";
+
+async function main(): Promise<void> {
+  const [place, root] = [document.getElementById("tmodes-data"), document.getElementById("tmodes-study")];
+  if (place === null || root === null) return;
+  try {
+    mount(root, unpack(await inflated(place.textContent ?? "")) as StudyPage);
+    document.documentElement.classList.add("running");
+  } catch (error) {
+    const text = `The charts of this page could not start: ${error instanceof Error ? error.message : String(error)}.`;
+    root.replaceChildren(make("p", { class: "status warning", role: "alert", text }));
+  }
+}
+
+function mount(root: HTMLElement, page: StudyPage): void {
+  const store = new Store(page);
+  const choice = make("select", {}, ...page.quantities.map(({ name, title }) => make("option", { value: name, text: title || name })));
+  choice.addEventListener("change", () => store.look(choice.value));
+  const label = make("label", { text: "Quantity " });
+  label.append(choice);
+  const part = page.case.data.length < page.cases ? `Charts show ${page.case.data.length} of ${page.cases} cases.` : "";
+  const bar = make("div", { class: "bar study-bar" }, label, make("span", { class: "note", text: part }));
+  const top = make("div", { class: "study-top" });
+  const [first, second] = [make("div", { class: "study-grid" }), make("div", {})];
+  top.append(first, second);
+  root.classList.add("app-study");
+  root.append(bar, top);
+  mountHistogram(first, store);
+  mountBars(first, store);
+  mountCase(second, store);
+  mountParallel(root, store);
+  const wide = make("div", { class: "study-grid" });
+  if (page.pareto) mountPareto(wide, store, page.pareto);
+  for (const band of page.bands) mountBand(wide, band);
+  if (wide.childElementCount) root.append(wide);
+  mountResponses(root, store);
+  mountTable(root, store);
+}
+
+forPaper("details");
+void main();

@@ -1,0 +1,37 @@
+// How a quantity is distributed over all cases, with its percentiles, and where the chosen case is.
+import { plain } from "../format";
+import { axes, chart, named, svg, type Box } from "./draw";
+import { rangeOf, scale } from "./scale";
+import type { Store } from "./store";
+
+const MARKED = [5, 50, 95];
+
+export function mountHistogram(host: HTMLElement, store: Store): void {
+  const view = chart(host, "Distribution", 240, (root, width, height) => {
+    const column = store.shown;
+    const box: Box = { left: 52, top: 26, right: width - 10, bottom: height - 40 };
+    if (!column.edges || !column.counts) return;
+    const [edges, counts] = [column.edges.data, column.counts.data];
+    const x = scale(rangeOf(edges), [box.left, box.right], Math.max(3, width / 90));
+    const y = scale([0, 1.05 * Math.max(...counts)], [box.bottom, box.top], 4);
+    axes(root, box, x, y, [named(column), "cases"]);
+    for (let k = 0; k < counts.length; k += 1) {
+      const [left, top] = [x.at(edges[k]), y.at(counts[k])];
+      root.append(svg("rect", { x: left, y: top, width: Math.max(0.5, x.at(edges[k + 1]) - left - 1),
+        height: box.bottom - top, class: "bar-area" }));
+    }
+    let last = -Infinity;
+    for (const [share, value] of column.percentiles.filter(([one]) => MARKED.includes(one))) {
+      const at = x.at(value);
+      root.append(svg("path", { d: `M${at} ${box.top}V${box.bottom}`, class: "percentile" }));
+      const words = `${share} %: ${plain(value)}`;
+      if (at - 3 * words.length > last) {
+        root.append(svg("text", { x: at, y: box.top - 8, "text-anchor": "middle", class: "name" }, words));
+        last = at + 3 * words.length;
+      }
+    }
+    const own = store.row === null ? NaN : column.values.data[store.row];
+    if (Number.isFinite(own)) root.append(svg("path", { d: `M${x.at(own)} ${box.top}V${box.bottom}`, class: "chosen" }));
+  }, "Dashed: percentiles of all cases.");
+  store.listen((change) => change !== "brush" && view.redraw());
+}

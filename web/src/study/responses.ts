@@ -1,0 +1,144 @@
+// The quantity that is looked at over each parameter: points and the middle of them; of a grid of two a surface.
+import { make } from "../dom";
+import { plain } from "../format";
+import type { Column } from "./contract";
+import { axes, chart, dots, line, named, svg, type Box } from "./draw";
+import { rangeOf, scale } from "./scale";
+import type { Store } from "./store";
+
+const [MOST_POINTS, BINS, MOST_LEVELS, NEAR, MOST_SHOWN] = [2500, 24, 60, 14, 12];
+
+export function mountResponses(host: HTMLElement, store: Store): void {
+  const place = make("div", { class: "study-grid" });
+  host.append(place);
+  const varied = store.page.parameters.filter(({ values }) => new Set(values.data.slice(0, 500)).size > 1);
+  if (isGrid(varied, store.size)) surface(place, store, varied[0], varied[1]);
+  for (const parameter of varied.slice(0, MOST_SHOWN)) response(place, store, parameter);
+}
+
+function response(host: HTMLElement, store: Store, parameter: Column): void {
+  const view = chart(host, `Response to ${parameter.title || parameter.name}`, 230, (root, width, height) => {
+    const column = store.shown;
+    const [given, found] = [parameter.values.data, column.values.data];
+    const box: Box = { left: 62, top: 10, right: width - 12, bottom: height - 40 };
+    const x = scale(rangeOf(given, parameter.labels), [box.left, box.right], Math.max(3, width / 90), parameter.labels);
+    const y = scale(rangeOf(found), [box.bottom, box.top], 5);
+    axes(root, box, x, y, [named(parameter), named(column)]);
+    const [near, far, lost]: [number, number][][] = [[], [], []];
+    const step = Math.max(1, Math.floor(store.size / MOST_POINTS));
+    for (let row = 0; row < store.size; row += 1) {
+      if (!store.isGood(row)) lost.push([x.at(given[row]), box.bottom - 4]);
+      else if (row % step === 0 && Number.isFinite(found[row]))
+        (store.inside(row) ? near : far).push([x.at(given[row]), y.at(found[row])]);
+    }
+    root.append(svg("path", { d: dots(far), class: "points faint" }), svg("path", { d: dots(near), class: "points" }));
+    root.append(svg("path", { d: line(middles(store, parameter, column).map(([a, b]) => [x.at(a), y.at(b)])), class: "middle" }));
+    if (lost.length) root.append(svg("path", { d: dots(lost), class: "points lost" }, svg("title", {}, "cases that did not finish")));
+    if (store.row !== null && Number.isFinite(found[store.row]))
+      root.append(svg("path", { d: dots([[x.at(given[store.row]), y.at(found[store.row])]]), class: "points chosen-point" }));
+    root.onclick = (event) => {
+      const frame = root.getBoundingClientRect();
+      pickNear(store, parameter, column, x.at, y.at, event.clientX - frame.left, event.clientY - frame.top);
+    };
+  });
+  store.listen(() => view.redraw());
+}
+
+function pickNear(
+  store: Store, parameter: Column, column: Column, x: (value: number) => number, y: (value: number) => number,
+  left: number, top: number,
+): void {
+  let [best, nearest] = [-1, NEAR];
+  for (let row = 0; row < store.size; row += 1) {
+    const apart = Math.hypot(x(parameter.values.data[row]) - left, y(column.values.data[row]) - top);
+    if (apart < nearest) [best, nearest] = [row, apart];
+  }
+  if (best >= 0) store.pick(best);
+}
+
+/** Medians of the quantity in bins of equally many cases; of few levels at each. */
+function middles(store: Store, parameter: Column, column: Column): [number, number][] {
+  const pairs: [number, number][] = [];
+  for (let row = 0; row < store.size; row += 1) {
+    const pair: [number, number] = [parameter.values.data[row], column.values.data[row]];
+    if (pair.every(Number.isFinite) && store.isGood(row) && store.inside(row)) pairs.push(pair);
+  }
+  pairs.sort((a, b) => a[0] - b[0]);
+  const levels = new Set(pairs.map(([value]) => value)).size;
+  if (levels <= BINS) return groups(pairs, (pair, before) => pair[0] !== before[0]);
+  const each = Math.max(8, Math.ceil(pairs.length / BINS));
+  return groups(pairs, (_, __, k) => k % each === 0);
+}
+
+function groups(
+  pairs: [number, number][], begins: (pair: [number, number], before: [number, number], k: number) => boolean,
+): [number, number][] {
+  const parts: [number, number][][] = [];
+  pairs.forEach((pair, k) => (k === 0 || begins(pair, pairs[k - 1], k) ? parts.push([pair]) : parts[parts.length - 1].push(pair)));
+  return parts.map((part) => [median(part.map(([a]) => a)), median(part.map(([, b]) => b))]);
+}
+
+function median(values: number[]): number {
+  const sorted = values.sort((a, b) => a - b);
+  const half = sorted.length >> 1;
+  return sorted.length % 2 ? sorted[half] : (sorted[half - 1] + sorted[half]) / 2;
+}
+
+/** Whether the cases are all combinations of two parameters' values. */
+function isGrid(varied: Column[], size: number): boolean {
+  if (varied.length !== 2) return false;
+  const [one, two] = varied.map(({ values }) => new Set(values.data).size);
+  return one > 2 && two > 2 && one <= MOST_LEVELS && two <= MOST_LEVELS && one * two === size;
+}
+
+function surface(host: HTMLElement, store: Store, one: Column, two: Column): void {
+  const view = chart(host, `Response to ${one.title || one.name} and ${two.title || two.name}`, 300, (root, width, height) => {
+    const column = store.shown;
+    const box: Box = { left: 62, top: 10, right: width - 84, bottom: height - 40 };
+    const [xs, ys] = [one, two].map(({ values }) => [...new Set(values.data)].sort((a, b) => a - b));
+    const [left, top] = [edgesOf(xs), edgesOf(ys)];
+    const x = scale([left[0], left[xs.length]], [box.left, box.right], Math.max(3, width / 90), one.labels);
+    const y = scale([top[0], top[ys.length]], [box.bottom, box.top], 5, two.labels);
+    const values = column.values.data;
+    const [low, high] = extremes(values);
+    for (let row = 0; row < store.size; row += 1) {
+      const [i, j] = [xs.indexOf(one.values.data[row]), ys.indexOf(two.values.data[row])];
+      const share = (values[row] - low) / (high - low || 1);
+      const cell = svg("rect", { x: x.at(left[i]), y: y.at(top[j + 1]), width: x.at(left[i + 1]) - x.at(left[i]) + 0.5,
+        height: y.at(top[j]) - y.at(top[j + 1]) + 0.5, class: store.row === row ? "cell picked" : "cell",
+        fill: Number.isFinite(values[row]) ? shade(share) : "none" },
+      svg("title", {}, `${plain(xs[i])}, ${plain(ys[j])}: ${plain(values[row])}`));
+      cell.onclick = () => store.pick(row);
+      root.append(cell);
+    }
+    axes(root, box, x, y, [named(one), named(two)]);
+    for (let k = 0; k < 40; k += 1) {
+      const at = box.bottom - ((k + 1) / 40) * (box.bottom - box.top);
+      root.append(svg("rect", { x: box.right + 12, y: at, width: 12, height: (box.bottom - box.top) / 40 + 0.5, fill: shade(k / 39) }));
+    }
+    for (const [value, at] of [[low, box.bottom], [(low + high) / 2, (box.top + box.bottom) / 2], [high, box.top + 8]])
+      root.append(svg("text", { x: box.right + 28, y: at, class: "name" }, plain(Number(value.toPrecision(3)))));
+  }, "Colour: the quantity that is looked at.");
+  store.listen((change) => change !== "brush" && view.redraw());
+}
+
+function extremes(values: ArrayLike<number>): [number, number] {
+  let [low, high] = [Infinity, -Infinity];
+  for (let k = 0; k < values.length; k += 1)
+    if (Number.isFinite(values[k])) [low, high] = [Math.min(low, values[k]), Math.max(high, values[k])];
+  return low > high ? [0, 1] : [low, high];
+}
+
+/** Half-way between neighbours, and as far beyond the ends. */
+function edgesOf(sorted: number[]): number[] {
+  const middle = sorted.slice(1).map((value, k) => (value + sorted[k]) / 2);
+  return [2 * sorted[0] - middle[0], ...middle, 2 * sorted[sorted.length - 1] - middle[middle.length - 1]];
+}
+
+/** From dark blue through green to yellow, evenly light for every eye (points of viridis). */
+const VIRIDIS = [[68, 1, 84], [59, 82, 139], [33, 145, 140], [94, 201, 98], [253, 231, 37]];
+function shade(share: number): string {
+  const at = Math.min(Math.max(share, 0), 1) * (VIRIDIS.length - 1);
+  const k = Math.min(Math.floor(at), VIRIDIS.length - 2);
+  return `rgb(${VIRIDIS[k].map((value, c) => Math.round(value + (at - k) * (VIRIDIS[k + 1][c] - value))).join(" ")})`;
+}
