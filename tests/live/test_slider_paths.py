@@ -8,7 +8,8 @@ import tmodes
 from tmodes.errors import InputError
 from tmodes.io.sheet_check import sheet_data
 from tmodes.io.units import parse_assignment
-from tmodes.live.sliders import knobs_of, sliders_of
+from tmodes.live.knobs import knobs_of
+from tmodes.live.sliders import sliders_of
 from tmodes.robots import names
 from tmodes.sheet import Robot
 from tmodes.studio.sheets import plain_sheet, slider_records

@@ -13,6 +13,7 @@ from tmodes.analysis.error_parts import without_elasticity
 from tmodes.analysis.line.line import elastic_line, line_places
 from tmodes.analysis.quasistatic import deflections, elastic_names
 from tmodes.live.functions import ModelFunctions, engine_settings, live_module
+from tmodes.live.knobs import Ahead
 from tmodes.live.map import LiveMap, live_map
 from tmodes.live.numbers import follow_of
 from tmodes.live.places import evenly, joint_limits, lines_info, load_places, vibrations_info, yield_strengths
@@ -51,8 +52,11 @@ def why_not_live(result: Result) -> str:
     return why_not_mechanics(result.robot)
 
 
-def live_bundle(result: Result) -> dict[str, Any] | None:
-    """The bundle of a run, for :func:`tmodes.report.pack.pack`; None where :func:`why_not_live` gives a reason."""
+def live_bundle(result: Result, ahead: Ahead | None = None) -> dict[str, Any] | None:
+    """The bundle of a run, for :func:`tmodes.report.pack.pack`; None where :func:`why_not_live` gives a reason.
+
+    ``ahead``: numbers whose sliders come first.
+    """
     if why_not_live(result):
         return None
     pair, method = result.robot.pair(), result.statistics["real"]["method"]  # of several, the last one
@@ -64,7 +68,7 @@ def live_bundle(result: Result) -> dict[str, Any] | None:
     ended = held_at(pair.real, float(result.data["time"].values[-1]), place)
     own = mechanics(pair, ended, stations, method, compared=compared, surfaces=surfaces)
     own["errorParts"] = [*map(str, result.data["error_part"].values)] if "tip_error" in result.data else None
-    return {**_common(result, pair, live_map(pair, stations), method), **own, "stations": np.array(stations)}
+    return {**_common(result, pair, live_map(pair, stations, ahead), method), **own, "stations": np.array(stations)}
 
 
 def _with_surfaces(result: Result) -> list[str]:

@@ -18,9 +18,10 @@ from numpy.typing import NDArray
 from tmodes.compile.cache import load, save, source_digest
 from tmodes.errors import InputError, InputErrors
 from tmodes.kinds.registry import outside_digest
+from tmodes.live.knobs import Ahead, Knob, knobs_of
 from tmodes.live.numbers import follow_of, has_reference, run_numbers, whole_moves
 from tmodes.live.sheet_numbers import sheet_numbers
-from tmodes.live.sliders import Knob, Slider, knobs_of, sliders_of
+from tmodes.live.sliders import Slider, sliders_of
 from tmodes.model.fitting import fitted
 from tmodes.model.forms import Form, Range, Unfit
 from tmodes.sheet import Robot, RobotPair
@@ -100,14 +101,15 @@ def _really(knob: Knob, known: float, factor: float | None) -> float:
     return known * (factor / knob.factor) if knob.factor else known
 
 
-def live_map(pair: RobotPair, stations: tuple[float, ...] = ()) -> LiveMap:
+def live_map(pair: RobotPair, stations: tuple[float, ...] = (), ahead: Ahead | None = None) -> LiveMap:
     """The map of a pair: sliders whose effect has a form, and the forms, each verified at random points.
 
-    ``stations``: places along each link of a robot of which its picture is made. What was found is kept in the folder
-    of compiled code, and found again where sheet, kinds, program and the numbers at the start are the same.
+    ``stations``: places along each link of a robot of which its picture is made; ``ahead``: numbers whose sliders come
+    first. What was found is kept in the folder of compiled code, and found again where sheet, kinds, program, sliders
+    and the numbers at the start are the same.
     """
-    knobs = knobs_of(pair.nominal)
-    sliders, left_out = _offered(pair, knobs)
+    knobs = knobs_of(pair.nominal, ahead)
+    sliders, left_out = _offered(pair, knobs, ahead)
     runs = _Runs(pair, knobs, sliders, range(len(knobs)), stations)
     found = json.loads(load(runs.key) or b"null")
     if found is None:
@@ -140,9 +142,9 @@ def _found(every: _Runs) -> dict[str, Any]:
         return {"used": used, "left out": left_out, "forms": forms}
 
 
-def _offered(pair: RobotPair, knobs: Sequence[Knob]) -> tuple[list[Slider], dict[str, str]]:
+def _offered(pair: RobotPair, knobs: Sequence[Knob], ahead: Ahead | None) -> tuple[list[Slider], dict[str, str]]:
     """Sliders to begin with, and what has none: with a first factor a run would get a reference that is not here."""
-    sliders = sliders_of(pair.nominal, knobs)
+    sliders = sliders_of(pair.nominal, knobs, ahead=ahead)
     if has_reference(pair.nominal) or not any(one.real for one in sliders):
         return sliders, {}
     return sliders_of(pair.nominal, knobs, factors=False), {"real": _NOT_COMPARED}
@@ -192,7 +194,8 @@ class _Runs:
         sheets = [robot.model_dump_json() for robot in (self.pair.nominal, self.pair.real)]
         numbers = [sha256(vector.tobytes()).hexdigest() for vector in self.at_start.values()]
         program = source_digest((".",)), outside_digest(), np.__version__
-        return "\n".join(["map", *program, *sheets, repr(self.stations), *numbers])
+        spans = [(knob.targets[0][0], knob.low, knob.high) for knob in self.knobs]
+        return "\n".join(["map", *program, *sheets, repr(self.stations), repr(spans), *numbers])
 
     def fitted(self, name: str) -> Form:
         """The form of a run's numbers."""

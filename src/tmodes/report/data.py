@@ -14,6 +14,7 @@ from tmodes.analysis.modes.modes import Mode
 from tmodes.analysis.spectrum import MotorState
 from tmodes.errors import InputError, InputErrors, SimulationError, TmodesError
 from tmodes.live.bundle import live_bundle, why_not_live
+from tmodes.live.knobs import Ahead
 from tmodes.report.charts import charts_of
 from tmodes.report.differences import difference_tables, names_by_difference
 from tmodes.report.events import events_of
@@ -53,15 +54,18 @@ def page_data(
     return {"format": 1, "runs": runs, "differences": difference_tables(results, runs), **info}
 
 
-def live_page(result: Result, *, live: bool = True) -> dict[str, Any]:
-    """The data of a page about one result, with its equations where they are wanted and the page can run them again."""
+def live_page(result: Result, *, live: bool = True, ahead: Ahead | None = None) -> dict[str, Any]:
+    """The data of a page about one result, with its equations where they are wanted and the page can run them again.
+
+    ``ahead``: numbers whose sliders come first.
+    """
     if not live:
         return page_data([result], not_live="it was asked to hold no equations (--no-live)")
     bundle, reason = None, "its record does not tell how it was made"
     if "real" in result.statistics:
         try:
             reason = why_not_live(result)
-            bundle = None if reason else live_bundle(result)
+            bundle = None if reason else live_bundle(result, ahead)
         except (TmodesError, KeyError, ValueError) as error:  # a good run keeps its page
             reason = str(error)
     return page_data([result], live=bundle, not_live=reason)

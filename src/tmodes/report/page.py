@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from tmodes.io.atomic import atomic_write
+from tmodes.live.knobs import Ahead
 from tmodes.plot.panels import pretty
 from tmodes.report.data import facts_of, live_page
 from tmodes.report.facts import fact_list
@@ -26,11 +27,17 @@ _LONG_SHEET = 120
 """Lines of a data sheet beyond which it is folded."""
 
 
-def page(result: Result, *, live: bool = True, spent: Mapping[str, Sequence[float]] | None = None) -> str:
+def page(
+    result: Result,
+    *,
+    live: bool = True,
+    spent: Mapping[str, Sequence[float]] | None = None,
+    ahead: Ahead | None = None,
+) -> str:
     """The whole page as one HTML document.
 
     ``live``: whether it holds the robot's equations, to be simulated again in the page; ``spent``: wall and processor
-    time [s] by stage.
+    time [s] by stage; ``ahead``: numbers whose sliders come first.
     """
     robot = result.robot
     return document(
@@ -40,7 +47,7 @@ def page(result: Result, *, live: bool = True, spent: Mapping[str, Sequence[floa
         _header(result, robot),
         status(result),
         warnings(result),
-        application(live_page(result, live=live)),
+        application(live_page(result, live=live, ahead=ahead)),
         _numbers(result),
         section("robot", *_sheet(robot)),
         _provenance(result, robot, spent or {}),

@@ -12,7 +12,8 @@ from tmodes.io.sheet_fields import quantities
 from tmodes.io.sheet_paths import steps_of
 from tmodes.io.sheet_plausible import notices_about
 from tmodes.io.yaml_file import parse_yaml
-from tmodes.live.sliders import Knob, Slider, knobs_of, sliders_of
+from tmodes.live.knobs import Knob, knobs_of
+from tmodes.live.sliders import Slider, sliders_of
 from tmodes.robots.load import sheet_names, sheet_text
 from tmodes.sheet import Robot
 

@@ -82,7 +82,8 @@ def _status(rows: Rows, info: Mapping[str, ColumnInfo]) -> list[Markup]:
         unit = "" if rows.units.get(name, "-") == "-" else f" {rows.units[name]}"
         middle, most = np.percentile(finite, [50, 95])
         title = (shown.title if shown else "") or name
-        words += f" {title[:1].upper()}{title[1:]}: median {middle:.4g}{unit}, 95 % of all cases stay below {most:.4g}{unit}."
+        middle, most = f"{middle:.4g}{unit}", f"{most:.4g}{unit}"
+        words += f" {title[:1].upper()}{title[1:]}: median {middle}, 95 % of all cases stay below {most}."
     found = [tag("p", words, class_="status good" if good == len(rows) else "status warning")]
     return found if good else [tag("p", words, class_="status bad", role="alert")]
 
@@ -108,7 +109,12 @@ def _lost(rows: Rows) -> Markup | None:
     if not len(lost):
         return None
     lines = [
-        [str(rows.case[k]), *(f"{values[k]:.6g}" for values in rows.parameters.values()), rows.status[k], rows.reason[k]]
+        [
+            str(rows.case[k]),
+            *(f"{values[k]:.6g}" for values in rows.parameters.values()),
+            rows.status[k],
+            rows.reason[k],
+        ]
         for k in lost[:_MOST_LOST].tolist()
     ]
     more = f", the first {_MOST_LOST} of {len(lost)}" if len(lost) > _MOST_LOST else ""

@@ -62,8 +62,6 @@ def _of_tenths(rows: Rows, values: Array, chosen: Mapping[str, bool]) -> dict[st
             low, high = min(middles), max(middles)
         else:
             ends = np.percentile(own, [10, 90])
-            low, high = (
-                float(np.median(values[good][part])) for part in (own <= ends[0], own >= ends[1])
-            )
+            low, high = (float(np.median(values[good][part])) for part in (own <= ends[0], own >= ends[1]))
         bars.append({"name": name, "low": low, "high": high})
     return {"how": _TENTHS, "base": float(np.median(values[good])), "bars": bars} if bars else None
