@@ -10,6 +10,7 @@ import json
 import time as clock
 from collections.abc import Callable
 from functools import lru_cache
+from threading import Lock
 
 import numpy as np
 
@@ -52,6 +53,15 @@ def order(study: Study, task: Task, threads: int | None = None) -> bytes:
 
 def compute_block(asked: bytes) -> bytes:
     """What a worker runs: the order as bytes, the block as bytes. Raises SimulationError for another engine."""
+    with _ONE:
+        return _computed(asked)
+
+
+_ONE = Lock()
+"""A worker computes one block at a time, over all of its threads."""
+
+
+def _computed(asked: bytes) -> bytes:
     text, _, numbers = asked.partition(b"\n")
     head = json.loads(text)
     if head["engine"] != engine_version():
@@ -61,7 +71,17 @@ def compute_block(asked: bytes) -> bytes:
         )
     values = np.frombuffer(numbers, "<f8").reshape(head["shape"])
     task = Task(head["first"], values, tuple(head["quantities"]), tuple(head["keep"]))
-    return pack(compute(_study(canonical(head["data"])), task, head["threads"]))
+    return pack(compute(_study(canonical(head["data"])), task, head["threads"] or _own_threads()))
+
+
+def _own_threads() -> int:
+    """Threads of the Dask worker that runs this; one where there is none."""
+    from tmodes.study.extra import needed
+
+    try:
+        return needed("distributed", "cluster").get_worker().state.nthreads
+    except ValueError:
+        return 1
 
 
 @lru_cache(maxsize=4)

@@ -16,7 +16,7 @@ from tmodes.study.places.contract import How, place_of
 from tmodes.study.result import StudyResult
 from tmodes.study.store import Folder, locked
 from tmodes.study.study import Study
-from tmodes.study.table import write_table
+from tmodes.study.table import refuse_names, write_table
 
 __all__ = ["run_study"]
 
@@ -47,6 +47,7 @@ def run_study(
     for a folder that is damaged, foreign, in use, or without room; :class:`tmodes.errors.InputError` for a wrong place.
     """
     needed("pyarrow", "study")
+    refuse_names(study)
     place = place_of(on, How(threads, insecure, tls, dict(resources or {})))
     progress("planning", 0.0)
     design = study.design()

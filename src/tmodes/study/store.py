@@ -178,15 +178,14 @@ def locked(folder: Folder, *, overwrite: bool = False) -> Iterator[Folder]:
     with FolderLock(path):
         if overwrite:
             _remove_study(path)
-        if os.path.lexists(path / STUDY_FILE):
-            found = description(path)
-            if found["base"] != folder.base:
-                hint = "name another folder (--out), or replace what is there (--overwrite)"
-                raise file_error(f"folder {path}", "a study of another robot or of other parameters", "this one", hint)
-        elif os.path.lexists(folder.blocks):
-            raise file_error(f"folder {path}", f"blocks without {STUDY_FILE}", "the folder of a study", "name another")
         if folder.blocks.is_symlink():
             raise file_error(folder.blocks, "a link", "a folder", "name another folder for the study")
+        if os.path.lexists(path / STUDY_FILE):
+            if description(path)["base"] != folder.base:
+                hint = "name another folder (--out), or replace what is there (--overwrite)"
+                raise file_error(f"folder {path}", "a study of another robot or of other parameters", "this one", hint)
+        elif os.path.lexists(folder.blocks) and (not folder.blocks.is_dir() or any(folder.blocks.iterdir())):
+            raise file_error(f"folder {path}", f"blocks without {STUDY_FILE}", "the folder of a study", "name another")
         if folder.blocks.is_dir():
             remove_orphans(folder.blocks)
         yield folder

@@ -9,7 +9,7 @@ back is bytes, which are verified as a file of anybody's.
 from __future__ import annotations
 
 import ipaddress
-from collections.abc import Mapping
+from contextlib import suppress
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Self
@@ -26,6 +26,9 @@ LOST = 20
 """How often a block may be lost with its worker before the study ends: then it is the block that ends workers."""
 
 CONNECT = "30s"
+
+GLANCE = 0.5
+"""Seconds after which progress is reported, and Ctrl-C heard."""
 
 
 @PLACES.register
@@ -53,8 +56,10 @@ class Dask(Place):
 
     def run(self, job: Job) -> None:
         """Connect, and have all blocks computed."""
+        import dask
         from distributed import Client
 
+        dask.config.set({"distributed.admin.large-graph-warning-threshold": "1GB"})
         try:
             client = Client(self.address, security=self.security, timeout=CONNECT, set_as_default=False)
         except (OSError, TimeoutError) as error:
@@ -91,27 +96,27 @@ def security(folder: Path | None) -> Any:
 
 def work_through(client: Any, job: Job) -> None:
     """Keep every worker busy with two blocks, and take back what is done; a block that was lost is given out again."""
-    from distributed import as_completed
+    from distributed import wait
 
     pending: dict[Any, Task] = {}
     lost: dict[int, int] = {}
-    finished = as_completed(with_results=False, raise_errors=False)
-
-    def fill() -> None:
-        workers: Mapping[str, Any] = client.scheduler_info(n_workers=-1)["workers"]
-        while len(pending) < 2 * max(1, len(workers)) and (task := job.next(max(1, len(workers)))):
-            future = client.submit(compute_block, job.order(task, 1), pure=False, retries=0)
-            pending[future] = task
-            finished.add(future)
-
     try:
-        fill()
-        while pending:
-            future = next(finished)
-            _take(future, pending.pop(future), job, lost)
-            fill()
+        while True:
+            workers = max(1, len(client.scheduler_info(n_workers=-1)["workers"]))
+            while len(pending) < 2 * workers and (task := job.next(workers)):
+                pending[client.submit(compute_block, job.order(task, job.threads), pure=False)] = task
+            if not pending:
+                return
+            with suppress(TimeoutError):
+                wait(list(pending), timeout=GLANCE, return_when="FIRST_COMPLETED")
+            job.report()
+            if client.status != "running":
+                raise SimulationError("the connection to the scheduler is lost; the same command computes the rest")
+            for future in [each for each in pending if each.status != "pending"]:
+                _take(future, pending.pop(future), job, lost)
     finally:
-        client.cancel(list(pending), force=True)
+        with suppress(OSError, RuntimeError):
+            client.cancel(list(pending), force=True)
 
 
 def _take(future: Any, task: Task, job: Job, lost: dict[int, int]) -> None:
@@ -119,17 +124,12 @@ def _take(future: Any, task: Task, job: Job, lost: dict[int, int]) -> None:
     if future.status == "finished":
         job.done(task, future.result())
         return
-    error = future.exception()
-    lost[task.first] = lost.get(task.first, 0) + 1
-    if future.status != "lost" and not _of_a_worker(error):
-        if isinstance(error, TmodesError):
+    error = future.exception() if future.status == "error" else None
+    if error is not None and type(error).__name__ != "KilledWorker":
+        if type(error).__module__ == TmodesError.__module__:
             raise error
         raise SimulationError(f"a worker failed at the cases from {task.first} on: {type(error).__name__}: {error}")
+    lost[task.first] = lost.get(task.first, 0) + 1
     if lost[task.first] > LOST:
         raise SimulationError(f"the block of the cases from {task.first} on has ended {LOST} workers")
     job.again(task)
-
-
-def _of_a_worker(error: BaseException | None) -> bool:
-    """Whether it is the worker that ended, not the work that failed."""
-    return type(error).__name__ in {"KilledWorker", "CancelledError", "FutureCancelledError"}
