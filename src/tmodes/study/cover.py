@@ -13,7 +13,7 @@ __all__ = ["Cover", "Gap", "Part", "covered"]
 
 @dataclass(frozen=True)
 class Part:
-    """Cases ``first`` to ``end``, whose quantities are in the blocks ``labels``; ``missing``: those that are in none."""
+    """Cases ``first`` to ``end``, whose quantities are in the blocks ``labels``; ``missing``: those in none."""
 
     first: int
     end: int

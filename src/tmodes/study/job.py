@@ -30,7 +30,9 @@ def kept_cases(study: Study, first: int, end: int) -> tuple[int, ...]:
 class StudyJob:
     """Tasks of what is missing: new cases, quantities that stored cases lack, motions that were not kept."""
 
-    def __init__(self, folder: Folder, cover: Cover, tasks: list[Task], threads: int | None, progress: Progress) -> None:
+    def __init__(
+        self, folder: Folder, cover: Cover, tasks: list[Task], threads: int | None, progress: Progress
+    ) -> None:
         self.folder, self.cover, self.study, self.threads = folder, cover, folder.study, threads
         self._tasks, self._gaps, self._progress = tasks, list(cover.gaps), progress
         self._total = len(folder.values) + sum(len(task.values) for task in tasks)

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from tmodes.study.rows import GOOD, Rows
 
 if TYPE_CHECKING:
@@ -27,13 +29,14 @@ def merged(parts: list[Rows], quantities: list[str]) -> Rows:
     first = parts[0]
     columns = {name: values for rows in reversed(parts) for name, values in rows.quantities.items()}
     units = {name: unit for rows in reversed(parts) for name, unit in rows.units.items()}
-    worst = [next((k for k, s in enumerate(each) if s not in GOOD), 0) for each in zip(*(p.status for p in parts), strict=True)]
-    status, reason = (
-        [getattr(parts[k], of)[row] for row, k in enumerate(worst)] for of in ("status", "reason")
-    )
+    worst = [
+        next((k for k, s in enumerate(each) if s not in GOOD), 0)
+        for each in zip(*(p.status for p in parts), strict=True)
+    ]
+    status, reason = ([getattr(parts[k], of)[row] for row, k in enumerate(worst)] for of in ("status", "reason"))
     method = [next((word for word in words if word), "") for words in zip(*(p.method for p in parts), strict=True)]
     return Rows(
         first.case, first.parameters, {name: columns[name] for name in quantities if name in columns}, units,
-        status, reason, method, seconds=sum(rows.seconds for rows in parts) + 0.0,
+        status, reason, method, seconds=np.sum([rows.seconds for rows in parts], axis=0),
         kept={case: motion for rows in parts for case, motion in rows.kept.items()},
     )  # fmt: skip

@@ -25,7 +25,9 @@ __all__ = ["compute", "compute_block", "order"]
 Progress = Callable[[str, float], None]
 
 
-def compute(study: Study, task: Task, threads: int | None = None, progress: Progress = lambda stage, share: None) -> Block:
+def compute(
+    study: Study, task: Task, threads: int | None = None, progress: Progress = lambda stage, share: None
+) -> Block:
     """Compute the cases of a task; raises KeyboardInterrupt where it was interrupted, so that no half is stored."""
     part = restricted(study, task.quantities)
     began = clock.perf_counter()
@@ -34,7 +36,9 @@ def compute(study: Study, task: Task, threads: int | None = None, progress: Prog
         raise KeyboardInterrupt
     keys = quantity_keys(part)
     if len(rows) != len(task.values) or set(rows.quantities) != set(keys):
-        raise SimulationError(f"{len(rows)} rows of {sorted(rows.quantities)} came where {len(task.values)} were asked for")
+        raise SimulationError(
+            f"{len(rows)} rows of {sorted(rows.quantities)} came where {len(task.values)} were asked for"
+        )
     label = label_of(base_of(study), engine_version(), keys, rows, clock.perf_counter() - began)
     return Block(label, rows, task.keep)
 

@@ -12,8 +12,8 @@ from typing import Any
 
 from tmodes.errors import InputError
 from tmodes.io.atomic import file_error
+from tmodes.study.blocks import Block, Label
 from tmodes.study.cover import Cover
-from tmodes.study.parts import rows_of
 from tmodes.study.plans import Design
 from tmodes.study.rows import STATUS, Kept, Rows, joined
 from tmodes.study.store import BLOCKS, TABLE, Folder, description
@@ -31,6 +31,7 @@ class StudyResult:
     folder: Path
     design: Design
     stored: Folder = field(repr=False)
+    _open: Block | None = field(default=None, repr=False)
 
     @cached_property
     def cover(self) -> Cover:
@@ -76,13 +77,19 @@ class StudyResult:
     @cached_property
     def kept_cases(self) -> tuple[int, ...]:
         """The cases whose whole motion is stored."""
-        blocks = {label.name: label for label in self.stored.keepers().values()}
+        blocks = {label.name: label for label in self._keepers.values()}
         return tuple(sorted(case for label in blocks.values() for case in self.stored.block(label).rows.kept))
+
+    @cached_property
+    def _keepers(self) -> dict[int, Label]:
+        return self.stored.keepers()
 
     def kept(self, case: int) -> Kept:
         """The whole motion of a case. Raises :class:`tmodes.errors.InputError` where it was not kept."""
-        label = self.stored.keepers().get(case)
-        motion = None if label is None else self.stored.block(label).rows.kept.get(case)
+        label = self._keepers.get(case)
+        if label is not None and (self._open is None or self._open.label != label):
+            self._open = self.stored.block(label)
+        motion = None if label is None or self._open is None else self._open.rows.kept.get(case)
         if motion is None:
             hint = "name it under keep.cases in the study, and run it again"
             raise InputError("case", str(case), "a case whose motion was kept", hint)
@@ -94,7 +101,8 @@ def load_study(
 ) -> StudyResult:
     """A study from its folder, as far as it was computed, by the engine that has computed it.
 
-    ``functions``: those of the study that are Python functions, which no folder holds. Raises :class:`tmodes.errors.ResultFileError` for a folder that is damaged, foreign or newer than this program.
+    ``functions``: those of the study that are Python functions, which no folder holds. Raises
+    :class:`tmodes.errors.ResultFileError` for a folder that is damaged, foreign or newer than this program.
     """
     path = Path(folder)
     info = description(path)

@@ -64,7 +64,7 @@ def grouped(folder: Folder, cover: Cover) -> Iterator[Rows]:
         yield joined(gathered)
 
 
-def table_of(study: Study, rows: Rows, labels: Mapping[int, str], facts: Mapping[str, str] = {}) -> Any:  # noqa: B006
+def table_of(study: Study, rows: Rows, labels: Mapping[int, str], facts: Mapping[str, str] = {}) -> Any:
     """Rows as a table of pyarrow: units and titles are in the metadata of the fields; no number is null."""
     pa = needed("pyarrow", "study")
     refuse_names(study)

@@ -1,14 +1,15 @@
-"""R23: a study folder that is tampered with, foreign, cut, or newer is refused with the reason, before it is touched."""
+"""R23: a study folder that is tampered with, foreign, cut, or newer is refused before it is touched."""
 
 from __future__ import annotations
 
 import json
 import struct
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
-from study.store.fake import FakeStudy, data
+from study.store.fake import data, fake
 from tmodes.errors import InputError, ResultFileError
 from tmodes.study.blocks import PREFIX, pack, unpack
 from tmodes.study.runner import run_study
@@ -19,17 +20,17 @@ SHEET = data(100, ("peak", "sag"), block=50, keep={"cases": [3]})
 
 @pytest.fixture
 def folder(tmp_path):
-    run_study(FakeStudy(SHEET), tmp_path)
+    run_study(fake(SHEET), tmp_path)
     return tmp_path
 
 
 @pytest.fixture
 def block(folder):
-    return sorted((folder / BLOCKS).iterdir())[0]
+    return min((folder / BLOCKS).iterdir())
 
 
 def refused(folder, info, study=None):
-    study = study or FakeStudy(SHEET)
+    study = study or fake(SHEET)
     before = {file: file.read_bytes() for file in folder.rglob("*") if file.is_file()}
     with pytest.raises(ResultFileError, match=info):
         run_study(study, folder)
@@ -62,7 +63,7 @@ def test_a_flipped_bit_in_the_folder_is_refused(folder, block):
     block.write_bytes(content)
     refused(folder, "does not match its checksum; delete this file to compute its cases again")
     block.unlink()
-    study = FakeStudy(SHEET)
+    study = fake(SHEET)
     assert run_study(study, folder).complete
     assert len(study.calls) == 1
 
@@ -93,8 +94,6 @@ def test_a_block_with_other_numbers_and_new_checksums_is_refused(block):
     found = unpack(block.read_bytes(), block)
     values = dict(found.rows.parameters)
     values["gear"] = values["gear"] + 1e-9
-    from dataclasses import replace
-
     forged = pack(replace(found, rows=replace(found.rows, parameters=values)))
     with pytest.raises(ResultFileError, match="another address"):
         unpack(forged, "block")
@@ -113,7 +112,7 @@ def test_linked_blocks_folder_is_refused(folder, tmp_path_factory):
     (folder / BLOCKS).symlink_to(moved)
     refused(folder, "got a link")
     with pytest.raises(ResultFileError, match="got a link"):
-        run_study(FakeStudy(SHEET), folder, overwrite=True)
+        run_study(fake(SHEET), folder, overwrite=True)
     assert [*moved.iterdir()]
 
 
@@ -127,17 +126,17 @@ def test_a_block_under_another_name_and_a_foreign_file_are_refused(folder, block
 
 
 def test_blocks_of_another_robot_are_refused(folder, tmp_path):
-    other = FakeStudy(SHEET | {"robot": "another"})
+    other = fake(SHEET | {"robot": "another"})
     refused(folder, "another robot or of other parameters.*--overwrite", other)
     run_study(other, tmp_path / "other")
-    foreign = sorted((tmp_path / "other" / BLOCKS).iterdir())[0]
+    foreign = min((tmp_path / "other" / BLOCKS).iterdir())
     (folder / BLOCKS / foreign.name).write_bytes(foreign.read_bytes())
     refused(folder, "a block of another robot")
 
 
 def test_overwrite_replaces_a_study_and_nothing_else(folder):
     (folder / "notes.txt").write_text("mine")
-    other = FakeStudy(data(80, robot="another"))
+    other = fake(data(80, robot="another"))
     assert run_study(other, folder, overwrite=True).complete
     assert (folder / "notes.txt").read_text() == "mine"
     assert not [*(folder / "trajectories").glob("*.nc")]
@@ -169,11 +168,11 @@ def test_blocks_without_a_description_are_refused(folder):
 def test_a_folder_in_which_nothing_can_be_written(tmp_path):
     (tmp_path / "file").write_text("")
     with pytest.raises(ResultFileError, match="which is a file"):
-        run_study(FakeStudy(SHEET), tmp_path / "file" / "study")
+        run_study(fake(SHEET), tmp_path / "file" / "study")
 
 
 def test_a_column_that_would_hide_another_is_refused_before_anything_runs(tmp_path):
-    study = FakeStudy(data(100))
+    study = fake(data(100))
     study.data["parameters"]["status"] = study.data["parameters"].pop("payload")  # pyright: ignore[reportIndexIssue]
     with pytest.raises(InputError, match="a name that the table has already"):
         run_study(study, tmp_path)

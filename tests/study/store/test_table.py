@@ -6,7 +6,7 @@ import numpy as np
 import pyarrow.parquet as pq
 import pytest
 
-from study.store.fake import FakeStudy, data
+from study.store.fake import data, fake
 from tmodes.study import table
 from tmodes.study.runner import run_study
 
@@ -15,7 +15,7 @@ COLUMNS = ["case", "gear", "payload", "peak", "bad", "status", "reason", "method
 
 @pytest.fixture
 def result(tmp_path):
-    return run_study(FakeStudy(data(500, ("peak", "bad"), block=64)), tmp_path)
+    return run_study(fake(data(500, ("peak", "bad"), block=64)), tmp_path)
 
 
 def test_pandas_polars_and_duckdb_read_it(result):
@@ -29,7 +29,7 @@ def test_pandas_polars_and_duckdb_read_it(result):
     frame = polars.read_parquet(result.parquet)
     assert (frame["peak"].sum(), frame["bad"].null_count()) == (pytest.approx(sums), bad)
     duckdb = pytest.importorskip("duckdb")
-    found = duckdb.sql(f"select sum(peak), count(*) - count(bad) from '{result.parquet}'").fetchall()[0]
+    found = duckdb.read_parquet(str(result.parquet)).aggregate("sum(peak), count(*) - count(bad)").fetchall()[0]
     assert found == (pytest.approx(sums), bad)
 
 
@@ -46,8 +46,10 @@ def test_it_is_written_some_rows_at_a_time(tmp_path, monkeypatch):
     monkeypatch.setattr(table, "ROW_GROUP", 200)
     seen = []
     whole = table.table_of
-    monkeypatch.setattr(table, "table_of", lambda study, rows, *more: seen.append(len(rows)) or whole(study, rows, *more))
-    result = run_study(FakeStudy(data(1000, block=64)), tmp_path)
+    monkeypatch.setattr(
+        table, "table_of", lambda study, rows, *more: seen.append(len(rows)) or whole(study, rows, *more)
+    )
+    result = run_study(fake(data(1000, block=64)), tmp_path)
     assert max(seen) < 200 + 64
     assert sum(seen) == 1000
     assert pq.ParquetFile(result.parquet).num_row_groups == len(seen)
@@ -56,7 +58,7 @@ def test_it_is_written_some_rows_at_a_time(tmp_path, monkeypatch):
 
 def test_motions_open_as_netcdf(tmp_path):
     xarray = pytest.importorskip("xarray")
-    run_study(FakeStudy(data(100, block=50, keep={"every": 40})), tmp_path)
+    run_study(fake(data(100, block=50, keep={"every": 40})), tmp_path)
     files = sorted((tmp_path / "trajectories").iterdir())
     assert [file.name for file in files] == ["case_000000.nc", "case_000040.nc", "case_000080.nc"]
     with xarray.open_dataset(files[1], engine="h5netcdf") as motion:

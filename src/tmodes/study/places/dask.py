@@ -56,10 +56,10 @@ class Dask(Place):
 
     def run(self, job: Job) -> None:
         """Connect, and have all blocks computed."""
-        import dask
+        from dask import config
         from distributed import Client
 
-        dask.config.set({"distributed.admin.large-graph-warning-threshold": "1GB"})
+        config.set({"distributed.admin.large-graph-warning-threshold": "1GB"})
         try:
             client = Client(self.address, security=self.security, timeout=CONNECT, set_as_default=False)
         except (OSError, TimeoutError) as error:

@@ -19,7 +19,9 @@ class Gpu(Place):
     @classmethod
     def at(cls, address: str, how: How) -> Self:
         """The first GPU."""
-        raise InputError("--on", "gpu", "local, dask or slurm: this version of tmodes has no loop for GPUs", "use local")
+        raise InputError(
+            "--on", "gpu", "local, dask or slurm: this version of tmodes has no loop for GPUs", "use local"
+        )
 
     def run(self, job: Job) -> None:
         """Block by block."""

@@ -1,4 +1,4 @@
-"""This machine: one block after another, each over all cores."""
+"""The machine at hand: one block after another, each over all cores."""
 
 from __future__ import annotations
 
@@ -19,6 +19,7 @@ class Local(Place):
     @classmethod
     def at(cls, address: str, how: How) -> Self:
         """It has no address."""
+        del how
         if address:
             raise InputError("--on", f"local://{address}", "local without an address", "write --on local")
         return cls()

@@ -76,7 +76,7 @@ def cluster_of(how: How) -> Any:
     Certificates are those of ``how.tls``, else temporary ones (library cryptography), which the jobs find in
     ``shared_temp_directory``.
     """
-    from dask_jobqueue import SLURMCluster
+    from dask_jobqueue.slurm import SLURMCluster
 
     asked = {"cores": CORES, "memory": MEMORY, "processes": 1} | resources_of(how)
     asked.pop("jobs", None)
