@@ -113,7 +113,7 @@ class Rate:
 
     def __init__(self, stages: Stages, asked: Study) -> None:
         self._stages = stages
-        self._cases = asked.sheet.plan.cases(len(asked.names))
+        self._cases = asked.cases
         self._start: tuple[float, float] | None = None
 
     def __call__(self, stage: str, share: float) -> None:

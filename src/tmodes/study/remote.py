@@ -15,7 +15,7 @@ from threading import Lock
 import numpy as np
 
 from tmodes.errors import InputError, SimulationError
-from tmodes.study.addresses import base_of, canonical, engine_version, quantity_keys, restricted
+from tmodes.study.addresses import base_of, canonical, engine_of_blocks, restricted
 from tmodes.study.blocks import Block, label_of, pack
 from tmodes.study.places.contract import Task
 from tmodes.study.study import Study
@@ -31,15 +31,15 @@ def compute(
     """Compute the cases of a task; raises KeyboardInterrupt where it was interrupted, so that no half is stored."""
     part = restricted(study, task.quantities)
     began = clock.perf_counter()
-    rows = part.evaluate(task.first, task.values, progress)
+    rows = part.evaluate(task.first, task.values, progress, threads=threads)
     if "interrupted" in rows.status:
         raise KeyboardInterrupt
-    keys = quantity_keys(part)
+    keys = part.quantity_identities
     if len(rows) != len(task.values) or set(rows.quantities) != set(keys):
         raise SimulationError(
             f"{len(rows)} rows of {sorted(rows.quantities)} came where {len(task.values)} were asked for"
         )
-    label = label_of(base_of(study), engine_version(), keys, rows, clock.perf_counter() - began)
+    label = label_of(base_of(study), engine_of_blocks(), keys, rows, clock.perf_counter() - began)
     return Block(label, rows, task.keep)
 
 
@@ -50,7 +50,7 @@ def order(study: Study, task: Task, threads: int | None = None) -> bytes:
         raise InputError("quantities", "a Python function", "plain data on other machines", hint)
     head = {
         "data": dict(study.data), "first": task.first, "shape": list(task.values.shape), "threads": threads,
-        "quantities": list(task.quantities), "keep": list(task.keep), "engine": engine_version(),
+        "quantities": list(task.quantities), "keep": list(task.keep), "engine": engine_of_blocks(),
     }  # fmt: skip
     return canonical(head) + b"\n" + np.ascontiguousarray(task.values, "<f8").tobytes()
 
@@ -68,9 +68,9 @@ _ONE = Lock()
 def _computed(asked: bytes) -> bytes:
     text, _, numbers = asked.partition(b"\n")
     head = json.loads(text)
-    if head["engine"] != engine_version():
+    if head["engine"] != engine_of_blocks():
         raise SimulationError(
-            f"a worker has version {engine_version()} of the engine, the study {head['engine']}; "
+            f"a worker has version {engine_of_blocks()} of the engine, the study {head['engine']}; "
             "install the same tmodes on all machines"
         )
     values = np.frombuffer(numbers, "<f8").reshape(head["shape"])

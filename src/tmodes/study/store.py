@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from tmodes.errors import ResultFileError
 from tmodes.io.atomic import FolderLock, atomic_write, check_writable, file_error, remove_orphans
-from tmodes.study.addresses import base_of, canonical, cases_address, engine_version, quantity_keys
+from tmodes.study.addresses import base_of, canonical, cases_address, engine_of_blocks
 from tmodes.study.blocks import Block, Label, pack, refused, unpack
 from tmodes.study.cover import Cover, covered
 from tmodes.study.study import Study
@@ -48,7 +48,7 @@ class Folder:
     @classmethod
     def of(cls, path: Path, study: Study, values: NDArray[np.float64]) -> Folder:
         """The folder for a study, whether it is there or not."""
-        return cls(path, study, values, base_of(study), engine_version(), quantity_keys(study))
+        return cls(path, study, values, base_of(study), engine_of_blocks(), study.quantity_identities)
 
     @property
     def blocks(self) -> Path:

@@ -88,7 +88,7 @@ def table_of(study: Study, rows: Rows, labels: Mapping[int, str], facts: Mapping
             add(name, index, pa.int64(), **about)
             add(f"{name}.name", [names[each] for each in index.tolist()], pa.string(), **about)
         else:
-            add(name, values, pa.float64(), unit=rows.units.get(name, ""), path=parameter.path or "", **about)
+            add(name, values, pa.float64(), unit=study.parameter_units[name], path=parameter.path or "", **about)
     for name, values in rows.quantities.items():
         about = {"title": study.sheet.quantities[name].title, "role": "quantity"}
         add(name, values, pa.float64(), unit=rows.units.get(name, ""), **about)

@@ -26,10 +26,9 @@ def data(runs: int = 1000, quantities: tuple[str, ...] = ("peak",), **more: Any)
     """The study as plain data."""
     parameters = {name: {"path": name, "distribution": {"type": "uniform"}} for name in ("gear", "payload")}
     asked = {name: {"type": "fake", "formula": name} for name in quantities}
-    return {
-        "format": 1, "kind": "study", "name": "fake", "parameters": parameters, "quantities": asked,
-        "plan": {"runs": runs}, **more,
-    }  # fmt: skip
+    robot = more.pop("robot", None)
+    sheet = {"name": "fake", "parameters": parameters, "quantities": asked, "plan": {"runs": runs}, **more}
+    return {"study": sheet, "robot": robot}
 
 
 @dataclass
@@ -45,27 +44,39 @@ class FakeStudy:
         return FakeStudy(info, functions or {}, self.calls, self.before)
 
     @property
+    def _own(self) -> Any:
+        return self.data["study"]
+
+    @property
+    def quantity_identities(self) -> dict[str, str]:
+        return {name: f"digest of {name}" for name in self._own["quantities"]}
+
+    @property
+    def parameter_units(self) -> dict[str, str]:
+        return dict.fromkeys(self.names, "-")
+
+    @property
     def sheet(self) -> Any:
         entry = SimpleNamespace(choices=(), title="", path="x")
         quantity = SimpleNamespace(title="a number", needs=Needs)
-        keep = SimpleNamespace(**{"cases": (), "every": None} | self.data.get("keep", {}))
+        keep = SimpleNamespace(**{"cases": (), "every": None} | self._own.get("keep", {}))
         return SimpleNamespace(
-            name=self.data["name"], parameters=dict.fromkeys(self.data["parameters"], entry), keep=keep,
-            quantities=dict.fromkeys(self.data["quantities"], quantity), block=self.data.get("block"),
+            name=self._own["name"], parameters=dict.fromkeys(self._own["parameters"], entry), keep=keep,
+            quantities=dict.fromkeys(self._own["quantities"], quantity), block=self._own.get("block"),
         )  # fmt: skip
 
     @property
     def names(self) -> tuple[str, ...]:
-        return tuple(self.data["parameters"])
+        return tuple(self._own["parameters"])
 
     def design(self) -> Design:
-        return Design(np.random.default_rng(0).random((self.data["plan"]["runs"], 2)))
+        return Design(np.random.default_rng(0).random((self._own["plan"]["runs"], 2)))
 
     def evaluate(self, first: int, values: Any, progress: Any = lambda stage, share: None, threads: Any = None) -> Rows:
         self.before(first)
-        self.calls.append((first, len(values), tuple(self.data["quantities"])))
+        self.calls.append((first, len(values), tuple(self._own["quantities"])))
         count = len(values)
-        found = {name: FORMULAS[name](values) for name in self.data["quantities"]}
+        found = {name: FORMULAS[name](values) for name in self._own["quantities"]}
         good = np.isfinite(np.column_stack(list(found.values()))).all(axis=1).tolist()
         every, cases = self.sheet.keep.every, self.sheet.keep.cases
         kept = {

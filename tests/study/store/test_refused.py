@@ -173,7 +173,7 @@ def test_a_folder_in_which_nothing_can_be_written(tmp_path):
 
 def test_a_column_that_would_hide_another_is_refused_before_anything_runs(tmp_path):
     study = fake(data(100))
-    study.data["parameters"]["status"] = study.data["parameters"].pop("payload")  # pyright: ignore[reportIndexIssue]
+    study.data["study"]["parameters"]["status"] = study.data["study"]["parameters"].pop("payload")  # pyright: ignore[reportIndexIssue]
     with pytest.raises(InputError, match="a name that the table has already"):
         run_study(study, tmp_path)
     assert not study.calls

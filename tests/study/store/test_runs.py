@@ -128,7 +128,7 @@ def test_another_engine_is_refused_or_recomputed_with_a_notice(tmp_path, monkeyp
     run_study(fake(data(300, block=100)), tmp_path)
     old = {file.name for file in (tmp_path / BLOCKS).iterdir()}
     for module in ("store", "remote"):
-        monkeypatch.setattr(f"tmodes.study.{module}.engine_version", lambda: "9.9-other")
+        monkeypatch.setattr(f"tmodes.study.{module}.engine_of_blocks", lambda: "9.9-other")
     study = fake(data(400, block=100))
     with pytest.raises(ResultFileError, match=r"300 cases of another version of the engine.*--recompute"):
         run_study(study, tmp_path)

@@ -36,7 +36,7 @@ def test_pandas_polars_and_duckdb_read_it(result):
 def test_units_and_origin_are_in_the_metadata(result):
     schema = pq.read_schema(result.parquet)
     assert schema.field("peak").metadata == {b"unit": b"m", b"title": b"a number", b"role": b"quantity"}
-    assert schema.field("gear").metadata == {b"path": b"x", b"role": b"parameter"}
+    assert schema.field("gear").metadata == {b"unit": b"-", b"path": b"x", b"role": b"parameter"}
     assert schema.metadata[b"tmodes.study"] == b"fake"
     assert b"tmodes.engine" in schema.metadata
 
