@@ -5,9 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from tmodes.io.atomic import file_error
-from tmodes.study.blocks import pack, unpack
-from tmodes.study.cover import Cover, Gap
+from tmodes.study.blocks import Block, label_of, pack, unpack
+from tmodes.study.cover import Cover, Gap, Part
+from tmodes.study.derived import derivable, derived, is_formula
 from tmodes.study.pace import Pace
+from tmodes.study.parts import rows_of
 from tmodes.study.places.contract import Task
 from tmodes.study.remote import compute, order
 from tmodes.study.store import Folder
@@ -44,12 +46,21 @@ class StudyJob:
     def of(cls, folder: Folder, threads: int | None, progress: Progress) -> StudyJob:
         """What is missing in a folder."""
         cover = folder.cover()
-        tasks = [_task(folder, part.first, part.end, part.missing) for part in cover.parts if part.missing]
+        tasks = [_task(folder, part.first, part.end, asked) for part in cover.parts if (asked := _asked(folder, part))]
         known = folder.keepers()
         for part in cover.parts:
             wanted = kept_cases(folder.study, part.first, part.end)
             tasks += [_task(folder, case, case + 1, tuple(folder.keys)) for case in wanted if case not in known]
         return cls(folder, cover, tasks, threads, progress)
+
+    def derive(self) -> None:
+        """Compute the formulas that follow from what is stored."""
+        folder = self.folder
+        for part in folder.cover().parts:
+            if names := derivable(self.study, part.missing):
+                rows = derived(self.study, rows_of(folder, part), names)
+                keys = {name: folder.keys[name] for name in names}
+                folder.write(Block(label_of(folder.base, folder.engine, keys, rows), rows))
 
     @property
     def finished(self) -> bool:
@@ -108,6 +119,13 @@ class StudyJob:
             self.report(cases * share)
 
         return tell
+
+
+def _asked(folder: Folder, part: Part) -> tuple[str, ...]:
+    """What is to be computed of stored cases; formulas follow from it, and are derived."""
+    quantities = folder.study.sheet.quantities
+    left = [name for name in part.missing if name not in derivable(folder.study, part.missing)]
+    return tuple(name for name in left if not is_formula(quantities[name]))
 
 
 def _task(folder: Folder, first: int, end: int, quantities: tuple[str, ...]) -> Task:

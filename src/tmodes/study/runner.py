@@ -59,6 +59,7 @@ def run_study(
             place.run(job)
             if not job.finished:
                 raise SimulationError(f"`{on}` has ended before all cases were computed; run the same command again")
+            job.derive()
             write_motions(here, set(kept_cases(study, 0, len(design.values))), progress)
             write_table(here, here.cover(), design.labels, progress)
     return StudyResult(study, Path(folder), design, here)
