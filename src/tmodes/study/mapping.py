@@ -92,8 +92,8 @@ class Group:
 
 
 def groups_of(
-    robot: Robot, names: Sequence[str], targets: Mapping[str, Target], choices: Mapping[str, Sequence[Mapping[str, Any]]],
-    values: Array,
+    robot: Robot, names: Sequence[str], targets: Mapping[str, Target],
+    choices: Mapping[str, Sequence[Mapping[str, Any]]], values: Array,
 ) -> Iterator[Group]:  # fmt: skip
     """Cases (m, d) by what they set that cannot differ in a batch: words, whole structures, settings of integration.
 
@@ -124,7 +124,7 @@ def groups_of(
 
 
 def _numeric(entries: Sequence[Mapping[str, Any]]) -> dict[str, Array]:
-    """Numbers (n,) by path, where all entries set numbers at the same paths that may differ in a batch; else nothing."""
+    """Numbers (n,) by path, where all entries set those of paths that may differ in a batch; else nothing."""
     paths = entries[0].keys()
     plain = all(
         entry.keys() == paths and all(isinstance(value, float) for value in entry.values()) for entry in entries

@@ -19,7 +19,7 @@ from tmodes.study.mapping import target_of
 from tmodes.study.shorthand import Shorthands
 from tmodes.study.tables import Table
 
-__all__ = ["resolved_parameters", "resolved_plan"]
+__all__ = ["resolved_parameters", "resolved_plan", "words_of_path"]
 
 _STANDS_IN = {"type": "uniform", "low": 0.0, "high": 1.0}
 """In place of a distribution whose unit is not known, because its path is wrong."""
@@ -55,7 +55,7 @@ def _parameter(name: str, group: dict[str, Any], data: Any, taken: dict[str, str
         target = target_of(path, data, relative=group.get("relative") is True)
     except InputError as error:
         group["distribution"] = _STANDS_IN
-        yield (*here, "path"), InputError("", *_of_path(error))
+        yield (*here, "path"), InputError("", *words_of_path(error))
         return
     for own in target.paths if not target.multiplies else ():
         if own in taken:
@@ -69,11 +69,10 @@ def _parameter(name: str, group: dict[str, Any], data: Any, taken: dict[str, str
         yield (*here, "unit"), InputError("", shown(unit), f"{target.unit}, that of the path", hint)
 
 
-def _of_path(error: InputError) -> tuple[str, str, str]:
-    """What a wrong path is, as the value of a key."""
-    if error.got.startswith("an unknown"):
-        return f"the unknown path {error.which!r}", error.expected, error.hint
-    return f"{error.which!r}, {error.got}", error.expected, error.hint
+def words_of_path(error: InputError) -> tuple[str, str, str]:
+    """What is wrong at a path, as the value of a key: got, expected, hint."""
+    got = f"the unknown path {error.which!r}" if error.got.startswith("an unknown") else error.got
+    return got, error.expected, error.hint
 
 
 def _choices(name: str, group: dict[str, Any], data: Any, found: Shorthands) -> Iterator[Problem]:

@@ -44,6 +44,7 @@ def by_reductions(
     motions = {case: Kept(one.times, one.states, one.tips, tuple(one.coordinates)) for case, one in found.kept.items()}
     return Part(
         [*found.status], [*found.message], [*found.method], np.asarray(found.seconds, dtype=float),
-        {pair: found.values[one] for pair, one in asked.items()}, {pair: found.units[one] for pair, one in asked.items()},
+        {pair: found.values[one] for pair, one in asked.items()},
+        {pair: found.units[one] for pair, one in asked.items()},
         kept=motions,
     )  # fmt: skip
