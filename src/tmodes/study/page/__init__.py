@@ -1,1 +1,5 @@
 """The page of a study: one self-contained file, with charts that are brushed and cases that are simulated again."""
+
+from tmodes.study.page.write import write_page
+
+__all__ = ["write_page"]

@@ -1,0 +1,107 @@
+"""Write the page of a study: what of the study is shown by which words, its bands, and the report of its cases."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import Any
+
+from tmodes.errors import TmodesError
+from tmodes.io.atomic import atomic_write
+from tmodes.report.page import page
+from tmodes.result.run import run
+from tmodes.study.page.bands import tip_bands
+from tmodes.study.page.data import ColumnInfo, page_data
+from tmodes.study.page.document import packed_report, study_document
+from tmodes.study.page.settings import Setting, ahead_of, setting_of
+from tmodes.study.result import StudyResult
+from tmodes.study.rows import Rows
+from tmodes.study.study import Study
+
+__all__ = ["write_page"]
+
+Progress = Callable[[str, float], None]
+
+_NO_MOTION = "Nothing is simulated in this study: its quantities are at rest, or formulas of its parameters."
+
+
+def write_page(
+    result: StudyResult,
+    path: Path | str,
+    *,
+    progress: Progress = lambda stage, share: None,
+    **found: Any,
+) -> Path:
+    """Write a study as one self-contained HTML file.
+
+    ``found``: what an analysis adds, as :func:`tmodes.study.page.data.page_data` takes it: ``indices``, ``objectives``
+    and ``front``. Raises :class:`tmodes.errors.ResultFileError` when the file cannot be written.
+    """
+    study, rows = result.study, result.rows
+    settings = _settings(study)
+    info = _columns(study, rows, settings)
+    report, reason = _report(study, settings, progress)
+    data = page_data(
+        study.sheet.name, rows, info, labels=result.design.labels, bands=tip_bands(study, rows, progress),
+        report=report, no_report=reason, **found,
+    )  # fmt: skip
+    text = study_document(study.sheet.name, study.sheet.title, rows, info, data, _provenance(result))
+    with atomic_write(path) as temporary:
+        temporary.write_text(text, encoding="utf-8", newline="\n")
+    return Path(path)
+
+
+def _settings(study: Study) -> dict[str, Setting]:
+    """The settings of a live report by the names of parameters, of those that have one."""
+    found = {}
+    for name, one in study.sheet.parameters.items():
+        if study.robot is not None and one.path and one.distribution:
+            setting = setting_of(study.robot, one.path, one.distribution.ends, relative=one.relative)
+            if setting is not None:
+                found[name] = setting
+    return found
+
+
+def _columns(study: Study, rows: Rows, settings: Mapping[str, Setting]) -> dict[str, ColumnInfo]:
+    nominal = dict(zip(study.names, study.space.nominal.tolist(), strict=True))
+    found = {}
+    for name, one in study.sheet.parameters.items():
+        labels, setting = study.choice_names(name), settings.get(name)
+        found[name] = ColumnInfo(
+            one.title, study.parameter_units[name], labels, None if labels else nominal[name],
+            setting.path if setting else None, setting.factor if setting else 1.0,
+        )  # fmt: skip
+    return found | {name: ColumnInfo(one.title, rows.units[name]) for name, one in study.sheet.quantities.items()}
+
+
+def _report(study: Study, settings: Mapping[str, Setting], progress: Progress) -> tuple[str, str]:
+    """The report of the sheet's own run, packed, with settings for what the study varies; or why there is none."""
+    needs = study.needs
+    if study.robot is None or not (needs.reductions or needs.result):
+        return "", _NO_MOTION
+    moved = [name for name, one in study.sheet.parameters.items() if one.path]
+    lost = [name for name in study.names if name not in settings and (name not in moved or study.choices.get(name))]
+    try:
+        done = run(study.robot, progress=lambda stage, share: progress("report", share))
+        text = page(done, ahead=ahead_of(settings))
+    except TmodesError as error:
+        return "", f"The sheet's own run has no report: {error}"
+    if not done.success:
+        return "", f"The sheet's own run has no report: {done.message}"
+    note = f"The report cannot change {', '.join(lost)}: these stay as in the sheet." if lost else ""
+    return packed_report(text), note
+
+
+def _provenance(result: StudyResult) -> list[list[str]]:
+    study, rows = result.study, result.rows
+    plan = study.sheet.plan.model_dump(mode="json", exclude_none=True)
+    words = ", ".join(f"{key} {value}" for key, value in plan.items() if not isinstance(value, (list, dict)))
+    methods = ", ".join(sorted({method for method in rows.method if method})) or "nothing simulated"
+    return [
+        ["robot", "none" if study.robot is None else study.robot.name],
+        ["plan", words],
+        ["cases", f"{len(rows):,}"],
+        ["integrators", methods],
+        ["processor time of all cases", f"{float(rows.seconds.sum()):.3g} s"],
+        ["engine", str(result.stored.engine)],
+    ]
