@@ -78,9 +78,6 @@ def _study(
     plain = expanded(dict(data), found)
     changed, problems = _changed(robot, plain)
     problems += resolved_parameters(plain, changed, found) + resolved_plan(plain, found)
-    if found.errors and not problems:
-        raise InputErrors(found.errors)
-    study = None
     try:
         places = filled_places(plain, found.filled)
         study = _checked(plain, changed, positions, source, problems, places, functions, folder)

@@ -24,7 +24,9 @@ __all__ = ["resolved_parameters", "resolved_plan", "words_of_path"]
 _STANDS_IN = {"type": "uniform", "low": 0.0, "high": 1.0}
 """In place of a distribution whose unit is not known, because its path is wrong."""
 
-_NO_ROBOT = InputError("", "a path without a robot", "left out without a robot", "name the robot: `robot: NAME`")
+
+def _no_robot(path: str = "") -> InputError:
+    return InputError(path, "a path without a robot", "left out without a robot", "name the robot: `robot: NAME`")
 
 
 def resolved_parameters(plain: dict[str, Any], robot: Robot | None, found: Shorthands) -> list[Problem]:
@@ -49,7 +51,7 @@ def _parameter(name: str, group: dict[str, Any], data: Any, taken: dict[str, str
         return
     if data is None:
         group["distribution"] = _STANDS_IN
-        yield (*here, "path"), _NO_ROBOT
+        yield (*here, "path"), _no_robot()
         return
     try:
         target = target_of(path, data, relative=group.get("relative") is True)
@@ -111,7 +113,7 @@ def _kept(
 def _set(path: str, value: Any, data: Any, known: dict[str, Any]) -> dict[str, Any]:
     """What one path of a choice sets, by its own path; raises InputError."""
     if data is None:
-        raise InputError(path, _NO_ROBOT.got, _NO_ROBOT.expected, _NO_ROBOT.hint)
+        raise _no_robot(path)
     if is_grouped(path):
         target_of(path, data, relative=False)
         return {path: _number(path, value, "-")}
