@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import time as clock
+from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
@@ -18,7 +19,7 @@ if TYPE_CHECKING:
     from tmodes.cli.terminal import Stages
     from tmodes.study.study import Study
 
-__all__ = ["Rate", "resources", "study"]
+__all__ = ["Rate", "changed", "resources", "study"]
 
 
 def study(
@@ -66,7 +67,7 @@ def study(
     given = resources(resource or [])
     with working() as stages:
         stages("reading", 0.0)
-        asked = read_study(sheet, roots=root or (), trust_paths=trust_paths, **_changes(settings, runs))
+        asked = changed(read_study(sheet, roots=root or (), trust_paths=trust_paths), settings or [], runs)
         place = out or Path("results") / folder_name(asked.sheet.name)
         result = run_study(
             asked, place, on, threads=threads, recompute=recompute, overwrite=overwrite, insecure=insecure, tls=tls,
@@ -85,16 +86,26 @@ def study(
         raise typer.Exit(3)
 
 
-def _changes(settings: list[str] | None, runs: int | None) -> dict[str, Any]:
-    """What the line changes of the study."""
+def changed(asked: Study, settings: Sequence[str], runs: int | None) -> Study:
+    """The study with the robot's settings of the line, and its number of cases; raises InputError for wrong ones."""
+    from tmodes.io.sheet_check import sheet_data
     from tmodes.io.units import parse_assignment
 
-    found: dict[str, Any] = {}
-    if settings:
-        found["changes"] = dict(parse_assignment(text) for text in settings)
+    sheet, robot = dict(asked.data["study"]), asked.data["robot"]
     if runs is not None:
-        found["runs"] = runs
-    return found
+        if "runs" not in type(asked.sheet.plan).model_fields:
+            got = f"{runs} runs of the plan `{asked.sheet.plan.name_of_kind()}`"
+            raise InputError("--runs", got, "given for a plan that has runs", "change the plan in the file")
+        sheet["plan"] = {**sheet["plan"], "runs": runs}
+    if settings:
+        if asked.robot is None:
+            raise InputError("--set", "a study without a robot", "given for a study of a robot", "leave it out")
+        changes = dict(parse_assignment(text) for text in settings)
+        sheet["set"] = {**sheet.get("set", {}), **changes}
+        robot = sheet_data(asked.robot.with_(changes))
+    if runs is None and not settings:
+        return asked
+    return asked.from_data({"study": sheet, "robot": robot}, functions=asked.functions)
 
 
 def resources(texts: list[str]) -> dict[str, str]:

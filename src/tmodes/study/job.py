@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from tmodes.io.atomic import file_error
+from tmodes.simulation.batch.simulate import thread_count
 from tmodes.study.blocks import Block, label_of, pack, unpack
 from tmodes.study.cover import Cover, Gap, Part
 from tmodes.study.derived import derivable, derived, is_formula
@@ -40,6 +41,7 @@ class StudyJob:
         self._total = len(folder.values) + sum(len(task.values) for task in tasks)
         self._left = sum(len(task.values) for task in tasks) + sum(gap.end - gap.first for gap in cover.gaps)
         kept = 0 if not self.study.sheet.keep.every else 1 << 16
+        self._own_threads = 1
         self._pace = Pace(self.study.sheet.block, kept)
 
     @classmethod
@@ -89,6 +91,7 @@ class StudyJob:
 
     def compute(self, task: Task) -> bytes:
         """Compute a task in this process."""
+        self._own_threads = thread_count(self.threads)
         return pack(compute(self.study, task, self.threads, self._share(len(task.values))))
 
     def done(self, task: Task, block: bytes) -> None:
@@ -103,7 +106,7 @@ class StudyJob:
             hint = "install the same tmodes on all machines"
             raise file_error(which, "a block of something else", "what was asked for", hint)
         folder.write(found)
-        self._pace.took(label.count, label.wall)
+        self._pace.took(label.count, label.wall, float(found.rows.seconds.sum()), self._own_threads)
         self._left -= label.count
         self.report()
 

@@ -58,7 +58,7 @@ class FakeStudy:
     @property
     def sheet(self) -> Any:
         entry = SimpleNamespace(choices=(), title="", path="x")
-        quantity = SimpleNamespace(title="a number", needs=Needs)
+        quantity = SimpleNamespace(title="a number", needs=lambda: Needs(static=("x",)))
         keep = SimpleNamespace(**{"cases": (), "every": None} | self._own.get("keep", {}))
         return SimpleNamespace(
             name=self._own["name"], parameters=dict.fromkeys(self._own["parameters"], entry), keep=keep,
