@@ -71,7 +71,7 @@ export function mountTable(host: HTMLElement, store: Store): void {
     const head = ["case", ...store.columns.map(({ title, name, unit }) => `${title || name}${pretty(unit) ? ` [${pretty(unit)}]` : ""}`), "ended"];
     const shown = store.shown.title || store.quantity;
     place.replaceChildren(make("table", {},
-      make("caption", { text: `Cases with the largest ${shown}${lost.length ? ", and some that did not finish" : ""}` }),
+      make("caption", { text: `Cases at the top: ${shown}${lost.length ? ", and some that did not finish" : ""}` }),
       make("thead", {}, make("tr", {}, ...head.map((text) => make("th", { scope: "col", text })))),
       make("tbody", {}, ...[...rows, ...lost].map((row) => line(store, row)))));
   };
