@@ -80,7 +80,7 @@ class Optimize(DataSheet):
     """Which parameters are chosen, for what, within which limits, and what is not known when they are.
 
     Parameters that are not chosen by the ``design`` stay uncertain: with ``worst_case`` each design is judged by the
-    worst of its cases.
+    worst of its cases, or by a ``percentile`` of them.
     """
 
     objectives: tuple[Objective, ...] = Field(strict=False, min_length=1, max_length=5, description="one, or several")
@@ -89,6 +89,7 @@ class Optimize(DataSheet):
     )
     design: tuple[str, ...] = Field(default=(), strict=False, description="names of what is chosen; else all")
     worst_case: int = Field(default=0, ge=0, le=100_000, description="cases of what is uncertain, for each design")
+    percentile: float = Field(default=100.0, gt=0, le=100, description="of these cases that counts; 100: the worst")
 
 
 class StudySheet(DataSheet):
