@@ -1,4 +1,4 @@
-"""The two forms of data sheet that a person writes, and the JSON Schema of each, for editors that check it."""
+"""The forms of data sheet that a person writes, and the JSON Schema of each, for editors that check it."""
 
 from __future__ import annotations
 
@@ -11,8 +11,8 @@ from tmodes.io.filipovic2010 import importer
 from tmodes.io.filipovic2010.format import FORMAT, PLANT, Format2010
 from tmodes.sheet import SHEET_FORMAT, Robot
 
-__all__ = ["F2010", "ROBOT", "SHORTHANDS", "Form", "editor_schema", "form_of", "json_schema", "own_path", "robot_path"]
-__all__ += ["with_reach"]
+__all__ = ["F2010", "ROBOT", "SHORTHANDS", "Form", "editor_schema", "form_of", "json_schema", "own_path"]
+__all__ += ["register_form", "robot_path", "with_reach"]
 
 
 @dataclass(frozen=True)
@@ -36,8 +36,20 @@ _ROBOT_KEYS = ("kind", "joints", "links", "urdf")
 """Keys by one of which a sheet is that of joints and links."""
 
 
+_OTHERS: dict[str, Form] = {}
+"""Sheets that are of no robot, by what they say at ``kind``."""
+
+
+def register_form(form: Form) -> Form:
+    """Let sheets with ``kind: NAME`` be of this form; the packages that read them register them."""
+    _OTHERS[form.name] = form
+    return form
+
+
 def form_of(data: Any) -> Form:
     """The form of a sheet's plain data."""
+    if isinstance(data, Mapping) and isinstance(kind := data.get("kind"), str) and kind in _OTHERS:
+        return _OTHERS[kind]
     if not isinstance(data, Mapping) or any(key in data for key in _ROBOT_KEYS):
         return ROBOT
     return F2010

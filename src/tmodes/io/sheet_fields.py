@@ -35,15 +35,18 @@ def inside(place: ChainPlace, step: Step, value: Any, steps: Sequence[Step], dat
     if get_origin(member) is tuple and isinstance(step, int):
         items = get_args(member)
         item = items[0] if Ellipsis in items else items[step] if 0 <= step < len(items) else None
-        return None if item is None else _item(place, item)
+        return None if item is None else _item(place, item, steps, data)
     if get_origin(member) is dict:
-        return _item(place, get_args(member)[1])
+        return _item(place, get_args(member)[1], steps, data)
     return None
 
 
-def _item(place: ChainPlace, item: Any) -> ChainPlace:
+def _item(place: ChainPlace, item: Any, steps: Sequence[Step], data: Any) -> ChainPlace:
     """An item of a list or of names: a quantity as the whole is one, else a place of its own."""
-    return replace(place, annotation=item) if place.unit is not None else ChainPlace(item)
+    if place.unit is None or place.info is None:
+        return ChainPlace(item)
+    named = own_unit(place.info) == "parameter"  # the name of the item says of which
+    return replace(place, annotation=item, unit=_unit_at("parameter", steps, data) if named else place.unit)
 
 
 def place_of(steps: Sequence[Step], data: Any) -> ChainPlace | None:
@@ -129,6 +132,8 @@ def _unit_at(unit: str | None, steps: Sequence[Step], data: Any) -> str | None:
             electric = at(_joint(steps, data), "motor", "resistance") is not None
             of_time = "*s" if unit.endswith("*s") else ""
             unit = f"V{of_time}/rad|V{of_time}/m" if electric else f"N*m{of_time}/rad|N{of_time}/m"
+        case "parameter":
+            unit = _parameter_unit(steps, data)
         case "coordinate" | "coordinate/s":
             unit = "rad/s|m/s" if unit.endswith("/s") else "rad|m"
         case _:
@@ -148,6 +153,16 @@ def _signal_unit(steps: Sequence[Step], data: Any) -> str:
             return "rad"
         case ["drives", int(index), *_]:
             return COMMANDS.get(str(at(data, "drives", index, "command")), "rad|m")
+        case _:
+            return "-"
+
+
+def _parameter_unit(steps: Sequence[Step], data: Any) -> str:
+    """Of a parameter of a study: in its own group, or by its name in the plan."""
+    match list(steps):
+        case ["parameters", str(name), *_] | ["plan", _, int(), str(name), *_] | ["plan", _, str(name), *_]:
+            unit = at(data, "parameters", name, "unit")
+            return unit if isinstance(unit, str) else "-"
         case _:
             return "-"
 

@@ -7,12 +7,18 @@ from typing import Any, Literal
 
 from pydantic import Field
 
-from tmodes.kinds.schema.quantity import DataSheet, Issue
+from tmodes.io.forms import Form, register_form
+from tmodes.kinds.schema.frames import list_of_numbers
+from tmodes.kinds.schema.quantity import DataSheet, Issue, quantity
+from tmodes.study.checks import study_issues
 from tmodes.study.distributions import Distribution
 from tmodes.study.plans import Plan
+from tmodes.study.plans.contract import count
 from tmodes.study.quantities import Quantity
 
-__all__ = ["STUDY_FORMAT", "Choice", "Correlation", "Keep", "Objective", "Optimize", "Parameter", "StudySheet"]
+__all__ = [
+    "STUDY", "STUDY_FORMAT", "Choice", "Correlation", "Keep", "Objective", "Optimize", "Parameter", "StudySheet",
+]  # fmt: skip
 
 STUDY_FORMAT = 1
 MOST_PARAMETERS, MOST_QUANTITIES, MOST_CHOICES = 200, 200, 10_000
@@ -32,7 +38,7 @@ class Parameter(DataSheet):
     """What varies: the number at ``path``, or an entry of a list of ``choices`` or of a ``catalogue``.
 
     A parameter without a path is seen by expressions and functions alone. ``relative``: its values are factors on the
-    sheet's own number.
+    number that the sheet has there, or that a choice has set.
     """
 
     path: str | None = Field(default=None, min_length=1, max_length=500, description="path in the robot's sheet")
@@ -40,8 +46,12 @@ class Parameter(DataSheet):
     distribution: Distribution | None = Field(default=None, description="how it varies")
     choices: tuple[Choice, ...] = Field(default=(), strict=False, max_length=MOST_CHOICES, description="what to choose")
     catalogue: str | None = Field(
-        default=None, max_length=200,
+        default=None, min_length=1, max_length=200,
         description="CSV file in the folder of the study: a column `name`, and a path of the sheet over each other",
+    )  # fmt: skip
+    unit: str | None = Field(
+        default=None, min_length=1, max_length=40,
+        description="unit of its values; left out of one with a path, whose unit is that of the path",
     )  # fmt: skip
     title: str = Field(default="", max_length=200, description="what it is, for tables and figures")
 
@@ -50,30 +60,48 @@ class Parameter(DataSheet):
         if len(given) != 1:
             got = " and ".join(given) or "nothing that varies it"
             hint = "write `distribution: {type: uniform, low: ..., high: ...}`, or `choices`, or `catalogue`"
-            yield Issue("", got, "one of distribution, choices and catalogue", hint)
+            yield Issue("", got, "varied by one of distribution, choices and catalogue", hint)
         if self.path and not self.distribution:
             yield Issue("path", repr(self.path), "left out: choices name their own paths", "remove `path`")
+        if self.relative and not self.path:
+            yield Issue("relative", "true", "false without a `path`", "name the path of the sheet's number")
+        names = [choice.name for choice in self.choices]
+        if twice := next((name for name in names if names.count(name) > 1), None):
+            yield Issue(f"choices.{names.index(twice)}.name", f"{twice!r}, given twice", "a name of its own", "change it")
 
 
 class Correlation(DataSheet):
     """Correlation of two parameters, that of their underlying normals (Gaussian copula)."""
 
     between: tuple[str, str] = Field(strict=False, description="names of two parameters")
-    value: float = Field(gt=-1, lt=1, description="correlation of the underlying normals")
+    value: float = quantity("-", "rho", "correlation of the underlying normals", above=-1.0, at_most=1.0)
+
+    def _issues(self) -> Iterator[Issue]:
+        if self.value >= 1.0:
+            yield Issue("value", repr(self.value), "a number between -1 and 1", "for 1 use one parameter in both places")
 
 
 class Keep(DataSheet):
-    """Which cases keep their whole motion, beside the table."""
+    """Which cases keep their whole motion, in addition to the table."""
 
-    cases: tuple[int, ...] = Field(default=(), strict=False, max_length=10_000, description="by number, from 0")
-    every: int | None = Field(default=None, ge=1, description="each so manyth case; 1: all")
+    cases: tuple[int, ...] = list_of_numbers("-", "k", "numbers of cases, from 0", default=())
+    every: int | None = count("n", "each so manyth case; 1: all", default=None)
+
+    def _issues(self) -> Iterator[Issue]:
+        if wrong := [case for case in self.cases if case < 0]:
+            yield Issue("cases", f"the number {wrong[0]}", "numbers from 0 on", "the first case is 0")
 
 
 class Objective(DataSheet):
     """What is to be small or large: a quantity or an expression of quantities and parameters."""
 
-    minimize: str | None = Field(default=None, max_length=500, description="a quantity, or an expression")
-    maximize: str | None = Field(default=None, max_length=500, description="a quantity, or an expression")
+    minimize: str | None = Field(default=None, min_length=1, max_length=500, description="a quantity, or an expression")
+    maximize: str | None = Field(default=None, min_length=1, max_length=500, description="a quantity, or an expression")
+
+    def _issues(self) -> Iterator[Issue]:
+        if bool(self.minimize) == bool(self.maximize):
+            got = "both" if self.minimize else "neither"
+            yield Issue("", got, "one of minimize and maximize", "write `{minimize: mass}`")
 
 
 class Optimize(DataSheet):
@@ -88,8 +116,8 @@ class Optimize(DataSheet):
         default=(), strict=False, max_length=50, description="conditions such as `sag <= 1.5 mm`"
     )
     design: tuple[str, ...] = Field(default=(), strict=False, description="names of what is chosen; else all")
-    worst_case: int = Field(default=0, ge=0, le=100_000, description="cases of what is uncertain, for each design")
-    percentile: float = Field(default=100.0, gt=0, le=100, description="of these cases that counts; 100: the worst")
+    worst_case: int = count("n", "cases of what is uncertain, for each design", 100_000, least=0, default=0)
+    percentile: float = quantity("-", "p", "of these cases that counts; 100: the worst", above=0.0, at_most=100.0, default=100.0)
 
 
 class StudySheet(DataSheet):
@@ -99,12 +127,23 @@ class StudySheet(DataSheet):
     kind: Literal["study"] = Field(description="a study")
     name: str = Field(min_length=1, max_length=100, description="name of the study")
     title: str = Field(default="", max_length=300, description="what it is about")
-    robot: str | None = Field(default=None, max_length=500, description="published robot, or a file in this folder")
+    robot: str | None = Field(
+        default=None, min_length=1, max_length=500, description="published robot, or a file in this folder"
+    )
     set: dict[str, Any] = Field(default_factory=dict, description="changes of the robot for all cases, by path")
     parameters: dict[str, Parameter] = Field(min_length=1, max_length=MOST_PARAMETERS, description="what varies")
-    correlations: tuple[Correlation, ...] = Field(default=(), strict=False, description="pairs that vary together")
+    correlations: tuple[Correlation, ...] = Field(
+        default=(), strict=False, max_length=MOST_PARAMETERS**2, description="pairs that vary together"
+    )
     plan: Plan = Field(description="which cases are run")
     quantities: dict[str, Quantity] = Field(min_length=1, max_length=MOST_QUANTITIES, description="what is asked")
     keep: Keep = Field(default_factory=Keep, description="cases that keep their whole motion")
     optimize: Optimize | None = Field(default=None, description="for `tmodes optimize`")
-    block: int | None = Field(default=None, ge=1, le=1_000_000, description="cases that are stored together")
+    block: int | None = count("n", "cases that are stored together", 1_000_000, default=None)
+
+    def _issues(self) -> Iterator[Issue]:
+        yield from study_issues(self)
+
+
+STUDY = register_form(Form("study", StudySheet, STUDY_FORMAT, ()))
+"""The form of a study's file, for the readers of sheets."""

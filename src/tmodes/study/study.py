@@ -2,32 +2,45 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
+from functools import cached_property, reduce
+from operator import or_
 from pathlib import Path
-from typing import Any
+from typing import Any, Self
 
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.sheet.robot import Robot
+from tmodes.errors import InputError
+from tmodes.io.sheet_check import sheet_data
+from tmodes.io.sheet_problems import Problem
+from tmodes.sheet import Robot
+from tmodes.study.identity import base_digest, quantity_digests, whole_digest
+from tmodes.study.mapping import Target, target_of
 from tmodes.study.plans import Design
+from tmodes.study.plans.contract import MOST_CASES
+from tmodes.study.quantities import Needs
 from tmodes.study.rows import Rows
 from tmodes.study.sheet import StudySheet
+from tmodes.study.space import Dimension, ParameterSpace, correlation_matrix
 
-__all__ = ["Study"]
+__all__ = ["Study", "study_problems"]
 
 Array = NDArray[np.float64]
 Progress = Callable[[str, float], None]
+
+MOST_NUMBERS = 200_000_000
+"""Cases times parameters and quantities of one study: 1.6 GB."""
 
 
 @dataclass(frozen=True, eq=False)
 class Study:
     """What :func:`tmodes.study.read.read_study` gives. ``robot`` None: quantities are expressions of parameters alone.
 
-    ``data``: the sheet as plain data, all files that it names read into it (catalogues, samples), so that another
-    machine needs no file: ``Study.from_data(data)`` gives the same study. ``functions``: quantities of one's own by
-    name, Python functions of a :class:`tmodes.Result`.
+    ``data``: the sheet as plain data, all files that it names read into it (robot, catalogues, samples), so that
+    another machine needs no file: ``Study.from_data(data)`` gives the same study. ``functions``: quantities of one's
+    own by name, Python functions of a :class:`tmodes.Result`.
     """
 
     sheet: StudySheet
@@ -36,23 +49,134 @@ class Study:
     folder: Path | None = None
     functions: Mapping[str, Callable[[Any], float]] = field(default_factory=dict)
 
+    @classmethod
+    def from_data(cls, data: Mapping[str, Any], functions: Mapping[str, Callable[[Any], float]] | None = None) -> Self:
+        """The study of :attr:`data`; raises :class:`tmodes.errors.InputErrors` for what is none."""
+        from tmodes.study.read import study_from_data
+
+        return study_from_data(data, functions=functions)  # pyright: ignore[reportReturnType]
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """What was pickled is read again as data, and checked."""
+        return type(self).from_data, (dict(self.data), dict(self.functions))
+
     @property
     def names(self) -> tuple[str, ...]:
         """Names of the parameters."""
         return tuple(self.sheet.parameters)
 
-    def design(self) -> Design:
-        """All cases, by the plan of the sheet."""
-        raise NotImplementedError
+    @cached_property
+    def targets(self) -> dict[str, Target]:
+        """What each parameter with a path acts on."""
+        data = None if self.robot is None else sheet_data(self.robot)
+        return {
+            name: target_of(one.path, data, relative=one.relative)
+            for name, one in self.sheet.parameters.items()
+            if one.path and data is not None
+        }
 
-    def evaluate(self, first: int, values: Array, progress: Progress = lambda stage, share: None) -> Rows:
+    @cached_property
+    def choices(self) -> dict[str, list[dict[str, Any]]]:
+        """What each entry of a choice sets, by the name of the parameter."""
+        parameters = self.sheet.parameters.items()
+        return {name: [entry.set for entry in one.choices] for name, one in parameters if one.choices}
+
+    def choice_names(self, name: str) -> tuple[str, ...]:
+        """Names of the entries of a choice, by their numbers; none of another parameter."""
+        return tuple(entry.name for entry in self.sheet.parameters[name].choices)
+
+    @property
+    def parameter_units(self) -> dict[str, str]:
+        """Unit of the values of each parameter, ``-`` for none."""
+        return {name: one.unit or "-" for name, one in self.sheet.parameters.items()}
+
+    @cached_property
+    def space(self) -> ParameterSpace:
+        """The parameters as plans see them."""
+        pairs = [(*one.between, one.value) for one in self.sheet.correlations]
+        return ParameterSpace(
+            [self._dimension(name) for name in self.names], correlation_matrix(self.names, pairs) if pairs else None
+        )
+
+    def _dimension(self, name: str) -> Dimension:
+        one, target = self.sheet.parameters[name], self.targets.get(name)
+        known = target.nominal if target else None
+        if one.distribution is None:
+            return Dimension(name, 0.0, None, len(one.choices))
+        return Dimension(name, one.distribution.middle if known is None else known, one.distribution)
+
+    @property
+    def cases(self) -> int:
+        """How many cases the plan has."""
+        return self.sheet.plan.cases(self.space)
+
+    def design(self) -> Design:
+        """All cases, by the plan of the sheet; the same each time."""
+        return self.sheet.plan.design(self.space)
+
+    @cached_property
+    def needs(self) -> Needs:
+        """What all quantities need of each case."""
+        return reduce(or_, (one.needs() for one in self.sheet.quantities.values()))
+
+    def evaluate(
+        self, first: int, values: Array, progress: Progress = lambda stage, share: None, *, threads: int | None = None
+    ) -> Rows:
         """Compute the cases ``values`` (m, d), of which the first has the number ``first``.
 
-        A case that fails is a row with its reason; nothing is raised but for what is wrong with the study itself.
+        ``threads``: at once, None for one on each core. A case that fails is a row with its reason. Raises
+        :class:`tmodes.errors.InputError` for what is wrong with the study itself: a series, a number or a key of the
+        summary that its robot does not have, a unit to which a quantity cannot be converted.
         """
-        raise NotImplementedError
+        from tmodes.study.evaluate import evaluated
+
+        return evaluated(self, first, np.asarray(values, dtype=float), progress, threads)
+
+    @cached_property
+    def base_identity(self) -> str:
+        """Digest of all that the rows of a case depend on besides its values and the quantities: robot, paths, engine."""
+        return base_digest(self.sheet, self.robot, self.choices)
+
+    @cached_property
+    def quantity_identities(self) -> dict[str, str]:
+        """Digest of each quantity, by its name: of its own definition, and of those that it needs."""
+        return quantity_digests(self.sheet, self.functions)
 
     @property
     def identity(self) -> str:
         """Digest of all that the rows of a case depend on besides its values: robot, paths, quantities, engine."""
-        raise NotImplementedError
+        return whole_digest(self.base_identity, self.quantity_identities)
+
+
+def study_problems(study: Study, *, functions_known: bool) -> Iterator[Problem]:
+    """What is wrong with a study whose parts are right: its plan, its size, quantities that need a robot."""
+    from tmodes.study.quantities.function import function_issues
+
+    sheet, plan = study.sheet, study.sheet.plan
+    wrong = list(plan.issues(study.space))
+    for path, got, expected, hint in wrong:
+        inner = [int(step) if step.isdecimal() else step for step in path.split(".") if step]
+        yield ("plan", *inner), InputError("", got, expected, hint)
+    if not wrong:
+        yield from _size(study)
+    if study.robot is None:
+        for name, one in sheet.quantities.items():
+            if (needs := one.needs()) and (needs.reductions or needs.static or needs.result):
+                got, hint = "a number of a robot, without one", "name the robot: `robot: NAME`"
+                yield ("quantities", name), InputError("", got, "an expression of parameters", hint)
+    for name, one in sheet.quantities.items() if functions_known else ():
+        yield from ((("quantities", name, *each[:1]), InputError("", *each[1:])) for each in function_issues(one, study.functions))
+
+
+def _size(study: Study) -> Iterator[Problem]:
+    """A plan with more cases than can be computed, before anything of it is made."""
+    cases, each = study.cases, len(study.names) + len(study.sheet.quantities)
+    most = min(MOST_CASES, MOST_NUMBERS // each)
+    if cases > most:
+        shown = f"{cases:,}" if cases < 10**12 else f"{float(cases) if cases < 10**300 else float('inf'):.3g}"
+        got = f"{shown} cases of {len(study.names)} parameters"
+        yield ("plan",), InputError("", got, f"at most {most:,} cases", "take fewer levels or runs, or another plan")
+    beyond = [case for case in study.sheet.keep.cases if case >= cases]
+    if beyond:
+        got, hint = f"case {beyond[0]} of {cases}", "the first case is 0"
+        yield ("keep", "cases"), InputError("", got, f"numbers from 0 to {cases - 1}", hint)

@@ -8,7 +8,7 @@ from typing import Literal
 from pydantic import Field
 
 from tmodes.kinds.schema.quantity import Issue
-from tmodes.study.distributions.contract import DISTRIBUTIONS, Array, Distribution, level
+from tmodes.study.distributions.contract import DISTRIBUTIONS, Array, Distribution, level, ordered
 
 __all__ = ["Uniform"]
 
@@ -22,8 +22,7 @@ class Uniform(Distribution):
     high: float = level("b", "largest value")
 
     def _issues(self) -> Iterator[Issue]:
-        if not self.low < self.high:
-            yield Issue("high", repr(self.high), f"more than low, {self.low!r}", "exchange them, or leave it out")
+        yield from ordered(self.low, self.high)
 
     def at(self, share: Array) -> Array:
         """Low and share times the range."""

@@ -1,1 +1,129 @@
-"""A Python function of the result of each case."""
+"""A Python function of the result of each case.
+
+A function is given from Python, ``read_study(path, functions={"score": f})``, or registered by a file that a person
+names (``--use my.py``)::
+
+    from tmodes.study.quantities.function import quantity
+
+    @quantity("score")
+    def score(result):
+        return float(abs(result.motion["tip"][-1, 2]))
+
+A study file only names functions, it never causes an import. The function is given the :class:`tmodes.Result`, whose
+arrays cannot be written, and returns one number; what it raises is the reason of the row. One that takes longer than
+``timeout`` seconds is stopped, where the system has alarms (not on Windows) and it runs Python code.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import inspect
+import signal
+import threading
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from typing import Any, ClassVar, Literal
+
+import numpy as np
+from pydantic import Field
+
+from tmodes.errors import InputError, TmodesError
+from tmodes.kinds.schema.quantity import quantity as number_field
+from tmodes.study.quantities.contract import QUANTITIES, Asked, Found, Needs, Quantity
+
+__all__ = ["REGISTERED", "Function", "code_digest", "called", "quantity"]
+
+Own = Callable[[Any], float]
+
+REGISTERED: dict[str, Own] = {}
+"""Functions by name, registered by files that a person named."""
+
+
+def quantity(name: str) -> Callable[[Own], Own]:
+    """Decorator that registers a function of a :class:`tmodes.Result` under a name; a later one replaces it."""
+
+    def register(function: Own) -> Own:
+        REGISTERED[name] = function
+        return function
+
+    return register
+
+
+@QUANTITIES.register
+class Function(Quantity):
+    """A number by a Python function of the whole result, which the name ``name`` stands for; slow."""
+
+    named: ClassVar[str] = "name"
+
+    type: Literal["function"] = Field(description="kind of quantity")
+    name: str = Field(min_length=1, max_length=100, description="name of a function that was given or registered")
+    timeout: float = number_field("s", "t", "longest time of one call", above=0.0, at_most=86_400.0, default=60.0)
+
+    def needs(self) -> Needs:
+        """The result of the run."""
+        return Needs(result=True)
+
+    def values(self, asked: Asked) -> Found:
+        """What the function returned."""
+        assert asked.own is not None  # noqa: S101
+        return asked.own, asked.own_reasons
+
+
+def called(function: Own, result: Any, timeout: float) -> float:
+    """One finite number of a result; raises :class:`tmodes.errors.TmodesError` that says why there is none."""
+    for variable in result.data.variables.values():
+        variable.values.flags.writeable = False
+    try:
+        with _limited(timeout):
+            value = function(result)
+    except Exception as error:
+        raise TmodesError(f"{type(error).__name__}: {error}"[:500]) from error
+    found = np.asarray(value)
+    if found.shape or found.dtype.kind not in "fiu":
+        what = f"an array of shape {found.shape}" if found.shape else f"a {type(value).__name__}"
+        raise TmodesError(f"the function must return one number, got {what}")
+    if not np.isfinite(found):
+        raise TmodesError(f"the function must return a finite number, got {float(found)!r}")
+    return float(found)
+
+
+@contextmanager
+def _limited(seconds: float) -> Iterator[None]:
+    """Raise TimeoutError in what takes longer; only in the main thread of a process of a system with alarms."""
+    if not hasattr(signal, "setitimer") or threading.current_thread() is not threading.main_thread():
+        yield
+        return
+
+    def stop(*_: Any) -> None:
+        raise TimeoutError(f"took longer than {seconds:g} s")
+
+    before = signal.signal(signal.SIGALRM, stop)
+    signal.setitimer(signal.ITIMER_REAL, seconds)
+    try:
+        yield
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, before)
+
+
+def code_digest(function: Own) -> str:
+    """Digest of a function's source, else of its byte code, and of the values that it closes over."""
+    try:
+        text = inspect.getsource(function)
+    except (OSError, TypeError):
+        code = getattr(function, "__code__", None)
+        text = repr((code.co_code, code.co_consts, code.co_names) if code else type(function).__qualname__)
+    held = getattr(function, "__closure__", None) or ()
+    text += repr([cell.cell_contents for cell in held]) + repr(getattr(function, "__defaults__", None))
+    return hashlib.sha256(text.encode()).hexdigest()
+
+
+def function_of(name: str, given: Mapping[str, Own], which: str) -> Own:
+    """The function of a name, of those ``given`` or registered; raises :class:`tmodes.errors.InputError`."""
+    known = {**REGISTERED, **given}
+    if name not in known:
+        names: Sequence[str] = tuple(known)
+        expected = f"one of {', '.join(names)}" if names else "a function that was given or registered"
+        hint = "register it in a Python file and name that by --use, or give functions={...}"
+        raise InputError(which, f"the unknown function {name!r}", expected, hint)
+    return known[name]

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import Any, Literal
+from typing import ClassVar, Literal
 
 from pydantic import Field
 
-from tmodes.study.quantities.contract import QUANTITIES, Array, Asked, Needs, Quantity
+from tmodes.study.quantities.contract import QUANTITIES, Asked, Found, Needs, Quantity
 
 __all__ = ["Series"]
 
@@ -15,6 +14,8 @@ __all__ = ["Series"]
 @QUANTITIES.register
 class Series(Quantity):
     """A ``series`` such as ``deviation``, ``tip.z`` or ``joint.effort``, reduced by ``reduce``."""
+
+    named: ClassVar[str] = "series"
 
     type: Literal["series"] = Field(description="kind of quantity")
     series: str = Field(min_length=1, max_length=200, description="name of a series, as stop conditions know it")
@@ -26,10 +27,10 @@ class Series(Quantity):
         """One reduction."""
         return Needs(reductions=((self.series, self.reduce),))
 
-    def own_unit(self, units: Mapping[Any, str]) -> str:
+    def own_unit(self, asked: Asked) -> str:
         """That of the series; of a time s."""
-        return units[self.series, self.reduce]
+        return asked.units[self.series, self.reduce]
 
-    def values(self, asked: Asked) -> tuple[Array, Mapping[int, str]]:
+    def values(self, asked: Asked) -> Found:
         """As the loop has folded it."""
         return asked.reductions[self.series, self.reduce], {}

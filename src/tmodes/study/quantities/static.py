@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import Any, Literal
+from typing import ClassVar, Literal
 
 from pydantic import Field
 
-from tmodes.study.quantities.contract import QUANTITIES, Array, Asked, Needs, Quantity
+from tmodes.study.quantities.contract import QUANTITIES, Asked, Found, Needs, Quantity
 
 __all__ = ["Static"]
 
@@ -16,6 +15,8 @@ __all__ = ["Static"]
 class Static(Quantity):
     """A number of the robot at rest by its ``name``: ``sag``, ``frequency.locked.1``, ``mass``."""
 
+    named: ClassVar[str] = "name"
+
     type: Literal["static"] = Field(description="kind of quantity")
     name: str = Field(min_length=1, max_length=200, description="sag, sag.z, frequency.locked.1, mass, mass.links")
 
@@ -23,10 +24,10 @@ class Static(Quantity):
         """One static number."""
         return Needs(static=(self.name,))
 
-    def own_unit(self, units: Mapping[Any, str]) -> str:
+    def own_unit(self, asked: Asked) -> str:
         """That of the number."""
-        return units[self.name]
+        return asked.units[self.name]
 
-    def values(self, asked: Asked) -> tuple[Array, Mapping[int, str]]:
+    def values(self, asked: Asked) -> Found:
         """As it was found for all cases."""
         return asked.static[self.name], {}

@@ -2,32 +2,96 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import Any, Literal
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any, ClassVar, Literal
 
-import numpy as np
 from pydantic import Field
 
-from tmodes.study.quantities.contract import QUANTITIES, Array, Asked, Needs, Quantity
+from tmodes.errors import InputError
+from tmodes.io.words import meant, shown
+from tmodes.kinds.schema.quantity import Issue
+from tmodes.study.quantities.contract import QUANTITIES, Asked, Found, Needs, Quantity
 
-__all__ = ["Summary"]
+__all__ = ["KEYS", "Summary", "summary_number"]
+
+KEYS = (
+    *("first_frequency_Hz", "deviation", "tip_error", "settling", "vibration", "joints", "deformations", "links"),
+    *("contact_force", "energy", "error", "model_error"),
+)
+"""First keys of a summary that lead to numbers."""
+
+_UNITS = {"s": "s", "m": "m", "Hz": "Hz", "N": "N", "Nm": "N*m", "Pa": "Pa", "J": "J", "rad": "rad"}
+"""Units by the ending of a key."""
 
 
 @QUANTITIES.register
 class Summary(Quantity):
     """A number of the summary by its ``path``: ``settling.time_s``, ``first_frequency_Hz.controlled``."""
 
+    named: ClassVar[str] = "path"
+
     type: Literal["summary"] = Field(description="kind of quantity")
     path: str = Field(min_length=1, max_length=200, description="path in the summary, as `tmodes run --json` prints it")
 
     def needs(self) -> Needs:
-        """The result of the run."""
-        return Needs(result=True)
+        """The result of the run; with estimated errors where it is one of them."""
+        first = self.path.partition(".")[0]
+        return Needs(result=True, errors=frozenset({first} & {"error", "model_error"}))
 
-    def own_unit(self, units: Mapping[Any, str]) -> str:
+    def name_issues(self, names: Sequence[str]) -> Iterator[Issue]:
+        """A path whose first key no summary has; its further keys depend on the robot."""
+        first = self.path.partition(".")[0]
+        if first not in KEYS:
+            hint = meant(first, KEYS, "see: tmodes run --json")
+            yield Issue("path", f"the unknown key {first!r}", f"one of {', '.join(KEYS)}", hint)
+
+    def own_unit(self, asked: Asked) -> str:
         """By the ending of its key."""
-        raise NotImplementedError
+        return asked.own_unit
 
-    def values(self, asked: Asked) -> tuple[Array, Mapping[int, str]]:
+    def values(self, asked: Asked) -> Found:
         """What stands there in the summary of each result."""
-        return np.array([np.nan if one is None else one.summary() for one in asked.results]), {}
+        assert asked.own is not None  # noqa: S101
+        return asked.own, asked.own_reasons
+
+    def of_result(self, result: Any) -> tuple[float, str]:
+        """The number at the path; not-a-number where a summary says that there is none.
+
+        Raises :class:`tmodes.errors.InputError` for a path that the summary does not have.
+        """
+        return summary_number(result.summary(), self.path)
+
+
+def summary_number(summary: Mapping[str, Any], path: str) -> tuple[float, str]:
+    """The number at a path of a summary, and its unit; raises as :meth:`Summary.of_result`."""
+    value, words, group, unit = summary, path.split("."), {}, "-"
+    while words:
+        if value is None:
+            return math.nan, unit
+        key, used = _key(value, words)
+        if key is None:
+            known = ", ".join(map(str, value)) if isinstance(value, Mapping) else "nothing below it"
+            hint = meant(words[0], map(str, value), "see: tmodes run --json") if isinstance(value, Mapping) else ""
+            raise InputError(path, f"the unknown key {words[0]!r}", known, hint)
+        group, value = value, value[key]
+        ending = str(key).rpartition("_")[2]
+        unit = _UNITS.get(ending, unit) if "_" in str(key) else unit
+        words = words[used:]
+    if value is None:
+        return math.nan, unit
+    if isinstance(value, bool) or not isinstance(value, (int, float)):
+        inner = f": one of {', '.join(map(str, value))}" if isinstance(value, Mapping) else ""
+        raise InputError(path, shown(value), f"the path of a number{inner}", "write the whole path")
+    return float(value), str(group.get("unit", unit)) if isinstance(group, Mapping) and unit == "-" else unit
+
+
+def _key(value: Any, words: Sequence[str]) -> tuple[Any, int]:
+    """The key of a group, or index of a list, that some words name, and how many: names may hold dots."""
+    if isinstance(value, Mapping):
+        for count in range(len(words), 0, -1):
+            if (name := ".".join(words[:count])) in value:
+                return name, count
+    if isinstance(value, (list, tuple)) and words[0].isdecimal() and int(words[0]) < len(value):
+        return int(words[0]), 1
+    return None, 0

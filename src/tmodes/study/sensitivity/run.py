@@ -73,7 +73,8 @@ def _refuse_correlated(study: Study) -> None:
 
 def with_plan(study: Study, plan: dict[str, Any]) -> Study:
     """The same study by another plan. Raises :class:`tmodes.errors.InputError` for a plan that is none."""
-    return Study.from_data({**study.data, "plan": plan}, functions=study.functions)
+    data = {**study.data, "study": {**study.data["study"], "plan": plan, "keep": {}}}
+    return Study.from_data(data, functions=study.functions)
 
 
 def _rows(study: Study, design: Design, folder: Any, progress: Progress, where: dict[str, Any]) -> Rows:

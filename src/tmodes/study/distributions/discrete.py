@@ -1,0 +1,57 @@
+"""One of a few values, by their weights."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import cached_property
+from typing import Annotated, Literal
+
+import numpy as np
+from pydantic import Field
+
+from tmodes.kinds.schema.frames import list_of_numbers
+from tmodes.kinds.schema.quantity import LARGEST, Issue
+from tmodes.study.distributions.contract import DISTRIBUTIONS, Array, Distribution, levels
+
+__all__ = ["Discrete"]
+
+Weight = Annotated[float, Field(gt=0, le=LARGEST)]
+
+
+@DISTRIBUTIONS.register
+class Discrete(Distribution):
+    """One of ``values``, by ``weights`` (any positive numbers; left out: all equally likely). A grid takes each."""
+
+    type: Literal["discrete"] = Field(description="kind of distribution")
+    values: tuple[float, ...] = levels("x", "values, in rising order")
+    weights: tuple[Weight, ...] = list_of_numbers("-", "w", "how likely each is", default=())
+
+    def _issues(self) -> Iterator[Issue]:
+        if not self.values:
+            yield Issue("values", "an empty list", "one value or more", "write the values")
+        elif any(high <= low for low, high in zip(self.values, self.values[1:], strict=False)):
+            yield Issue("values", "values that do not rise", "values in rising order, each once", "sort them")
+        if self.weights and len(self.weights) != len(self.values):
+            got = f"{len(self.weights)} weights for {len(self.values)} values"
+            yield Issue("weights", got, "one for each value", "add or remove some, or leave them out")
+
+    @cached_property
+    def _steps(self) -> Array:
+        """The share up to each value."""
+        weights = np.array(self.weights or [1.0] * len(self.values))
+        return np.cumsum(weights) / weights.sum()
+
+    def at(self, share: Array) -> Array:
+        """The first value up to which the share lies."""
+        places = np.searchsorted(self._steps, np.asarray(share), side="left")
+        return np.array(self.values)[np.minimum(places, len(self.values) - 1)]
+
+    @property
+    def ends(self) -> tuple[float, float]:
+        """The first and the last value."""
+        return self.values[0], self.values[-1]
+
+    @property
+    def listed(self) -> tuple[float, ...]:
+        """All of them."""
+        return self.values

@@ -1,0 +1,57 @@
+"""What the rows of a study depend on, as digests: robot, paths, quantities, and the engine that computes them."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING, Any
+
+import tmodes
+from tmodes.compile.cache import source_digest
+from tmodes.io.sheet_check import sheet_data
+from tmodes.kinds.registry import outside_digest
+from tmodes.study.order import ordered
+from tmodes.study.quantities.function import function_digest
+
+if TYPE_CHECKING:
+    from tmodes.sheet import Robot
+    from tmodes.study.sheet import StudySheet
+
+__all__ = ["base_digest", "engine_version", "quantity_digests", "whole_digest"]
+
+_SOURCES = (
+    *("analysis", "chain", "compile", "equations", "frame.py", "integrate", "io", "kinds", "model", "result", "robots"),
+    *("sheet", "simulation", "study/evaluate.py", "study/mapping.py", "study/quantities", "study/ways"),
+)
+"""Source from which the rows follow."""
+
+
+def engine_version() -> str:
+    """Version of tmodes with a digest of its engine's source: rows of one are never mixed with those of another."""
+    return f"{tmodes.__version__}+{source_digest(_SOURCES)[:16]}"
+
+
+def base_digest(sheet: StudySheet, robot: Robot | None, choices: Mapping[str, Any]) -> str:
+    """Digest of the robot, of what the parameters stand for, of the engine and of all kinds from outside."""
+    meant = {name: [one.path, one.relative, choices.get(name)] for name, one in sheet.parameters.items()}
+    return _digest([engine_version(), outside_digest(), robot and sheet_data(robot), meant])
+
+
+def quantity_digests(sheet: StudySheet, functions: Mapping[str, Callable[[Any], float]]) -> dict[str, str]:
+    """Digest of each quantity by its name."""
+    needs = {name: one.needs().names for name, one in sheet.quantities.items()}
+    found: dict[str, str] = {}
+    for name in ordered(needs):
+        own = sheet.quantities[name]
+        found[name] = _digest([own.digest(found), function_digest(own, functions)])
+    return {name: found[name] for name in sheet.quantities}
+
+
+def whole_digest(base: str, quantities: Mapping[str, str]) -> str:
+    """Digest of all of it."""
+    return _digest([base, dict(quantities)])
+
+
+def _digest(value: Any) -> str:
+    return hashlib.sha256(json.dumps(value, sort_keys=True).encode()).hexdigest()

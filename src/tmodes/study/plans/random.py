@@ -1,0 +1,31 @@
+"""Random cases, each value equally likely between its ends."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from pydantic import Field
+
+from tmodes.study.plans.contract import PLANS, Design, Plan, Space, count, seed_field, unit_shares
+
+__all__ = ["Random"]
+
+
+@PLANS.register
+class Random(Plan):
+    """``runs`` cases, uniform between the ends of each parameter whatever its distribution; to look at responses.
+
+    Correlations are left out. A longer plan extends a shorter one.
+    """
+
+    type: Literal["random"] = Field(description="kind of plan")
+    runs: int = count("N", "number of cases")
+    seed: int = seed_field()
+
+    def cases(self, space: Space) -> int:
+        """As many as are asked for."""
+        return self.runs
+
+    def design(self, space: Space) -> Design:
+        """The first of a longer plan are those of a shorter one; a parameter that is added changes no other."""
+        return Design(space.between(unit_shares(space.names, self.runs, self.seed)))

@@ -1,0 +1,138 @@
+"""Read a study: its file, the robot and the tables that it names; all that is wrong is reported together."""
+
+from __future__ import annotations
+
+import copy
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import Any
+
+from tmodes.errors import InputError, InputErrors
+from tmodes.io.checked_sheet import checked_sheet, located
+from tmodes.io.files import FilePath, Folders, Roots, folders_of
+from tmodes.io.sheet_check import sheet_data
+from tmodes.io.sheet_problems import Problem
+from tmodes.io.words import shown, shown_path
+from tmodes.io.yaml_file import nearest_line, read_yaml
+from tmodes.robots import names as published_names
+from tmodes.robots.load import load
+from tmodes.sheet import Robot
+from tmodes.study.places import filled_places
+from tmodes.study.resolve import resolved_parameters, resolved_plan
+from tmodes.study.shorthand import Shorthands, expanded
+from tmodes.study.sheet import StudySheet
+from tmodes.study.study import Study, study_problems
+
+__all__ = ["read_study", "study_from_data"]
+
+Functions = Mapping[str, Callable[[Any], float]]
+
+MOST_VALUES = 3_000_000
+"""Largest number of values in the plain data of a study, tables included."""
+
+
+def read_study(
+    path: FilePath, *, roots: Roots = (), trust_paths: bool = False, functions: Functions | None = None
+) -> Study:
+    """The checked study of a YAML file.
+
+    Files that it names (robot, catalogues, samples) must lie in its folder or in ``roots``, unless ``trust_paths``.
+    ``functions``: Python functions of a :class:`tmodes.Result`, which quantities of the type ``function`` name. Raises
+    :class:`tmodes.errors.InputError` where it cannot be read, and :class:`tmodes.errors.InputErrors` with all wrong
+    values and their lines.
+    """
+    data, positions = read_yaml(path)
+    source = shown_path(path)
+    folder = Path(path).absolute().parent
+    return _study(data, positions, source, folders_of(path, roots, trust_paths), functions or {}, folder)
+
+
+def study_from_data(
+    data: Mapping[str, Any], *, folder: FilePath | None = None, roots: Roots = (), functions: Functions | None = None
+) -> Study:
+    """The study of plain data: :attr:`Study.data` of another one, or the content of a file.
+
+    Files that the latter names lie in ``folder``; without one it can name none. Raises as :func:`read_study`.
+    """
+    if isinstance(data, Mapping) and set(data) == {"study", "robot"}:
+        robot = None if data["robot"] is None else Robot.from_data(data["robot"])
+        return _checked(data["study"], robot, {}, "", [], (), functions or {}, None)
+    folders = Folders(Path(folder).resolve(), tuple(Path(root).resolve() for root in roots)) if folder else None
+    return _study(copy.deepcopy(data), {}, "", folders, functions or {}, Path(folder) if folder else None)
+
+
+def _study(
+    data: Any, positions: dict[str, int], source: str, folders: Folders | None, functions: Functions, folder: Path | None
+) -> Study:
+    where = f"{source}:{positions.get('kind', 1)}" if source else ""
+    if not isinstance(data, Mapping) or data.get("kind") != "study":
+        got = shown(data.get("kind") if isinstance(data, Mapping) else data)
+        raise InputErrors([InputError("kind", got, "study", "write `kind: study`, and `format: 1`", where)])
+    robot = _robot(data, positions, source, folders)
+    found = Shorthands(positions, source, folders)
+    plain = expanded(dict(data), found)
+    changed, problems = _changed(robot, plain)
+    problems += resolved_parameters(plain, changed, found) + resolved_plan(plain, found)
+    if found.errors and not problems:
+        raise InputErrors(found.errors)
+    study = None
+    try:
+        places = filled_places(plain, found.filled)
+        study = _checked(plain, changed, positions, source, problems, places, functions, folder)
+    except InputErrors as errors:
+        raise InputErrors([*errors.errors, *found.errors]) from None
+    if found.errors:
+        raise InputErrors(found.errors)
+    return study
+
+
+def _checked(
+    plain: Any, robot: Robot | None, positions: Mapping[str, int], source: str, problems: list[Problem],
+    places: tuple[str, ...], functions: Functions, folder: Path | None,
+) -> Study:  # fmt: skip
+    """The study of complete plain data, in which text stands for numbers at ``places`` alone."""
+    sheet: StudySheet = checked_sheet(
+        plain, positions, source, places, most=MOST_VALUES, further=lambda _: problems
+    )
+    if problems:
+        raise located(problems, plain, positions, source)
+    data = {"study": sheet.model_dump(mode="json", exclude_defaults=True), "robot": robot and sheet_data(robot)}
+    study = Study(sheet, robot, data, folder, functions)
+    if wrong := list(study_problems(study, functions_known=bool(source))):
+        raise located(wrong, plain, positions, source)
+    return study
+
+
+def _robot(data: Mapping[str, Any], positions: Mapping[str, int], source: str, folders: Folders | None) -> Robot | None:
+    """The robot that a study names, as its own sheet states it."""
+    name = data.get("robot")
+    if not isinstance(name, str) or not name:
+        return None
+    if name in published_names():
+        return load(name)
+    place = f"{source}:{nearest_line('robot', positions)}" if source else ""
+    path = folders.find(name, "robot", place) if folders else None
+    if path is None or not path.exists():
+        known = ", ".join(published_names())
+        got, hint = f"{shown(name)}, neither published nor a file there", f"published are {known}"
+        raise InputErrors([InputError("robot", got, "a published robot, or a file in the study's folder", hint, place)])
+    return load(path, roots=folders.roots if folders else (), trust_paths=bool(folders and folders.trust))
+
+
+def _changed(robot: Robot | None, plain: Mapping[str, Any]) -> tuple[Robot | None, list[Problem]]:
+    """The robot with the changes for all cases, and what is wrong with these."""
+    changes = plain.get("set")
+    if not isinstance(changes, Mapping) or not changes:
+        return robot, []
+    if robot is None:
+        return None, [(("set",), InputError("", "changes without a robot", "left out without a robot", "name the robot"))]
+    try:
+        return robot.with_(changes), []
+    except InputError as error:
+        wrong = [error]
+    except InputErrors as errors:
+        wrong = [*errors.errors]
+    return robot, [
+        (("set", error.which) if error.which in changes else ("set",), InputError("", error.got, error.expected, error.hint))
+        for error in wrong
+    ]  # fmt: skip
