@@ -97,7 +97,8 @@ _METHODS = {
 def _print_designs(found: Optimum, title: str, designs: tuple[Candidate, ...]) -> None:
     """One row for each design: what is chosen, the objectives, the quantities of the limits."""
     first = designs[0]
-    columns = [*first.values, *found.objectives, *(limit.text for limit in first.limits)]
+    objectives = [text.partition(" ")[2] for text in found.objectives]
+    columns = [*first.values, *(_with_unit(found, text) for text in objectives), *(one.text for one in first.limits)]
     rows = [
         [
             *(one.choices.get(name, f"{value:.6g}") for name, value in one.values.items()),
@@ -107,6 +108,11 @@ def _print_designs(found: Optimum, title: str, designs: tuple[Candidate, ...]) -
         for one in designs
     ]
     print_table(title, columns, rows)
+
+
+def _with_unit(found: Optimum, text: str) -> str:
+    unit = found.units.get(text, "-")
+    return text if unit == "-" else f"{text} [{unit}]"
 
 
 def _print_limits(found: Optimum, best: Candidate) -> None:

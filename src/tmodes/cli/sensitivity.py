@@ -83,14 +83,14 @@ def _print(found: Sensitivity, name: str) -> None:
     if note := found.notes.get(name):
         notice(f"{name} has no indices: {note}")
         return
-    title = (
+    print(
         f"{name}: mean {found.mean[k]:.4g}{unit_text}, standard deviation {found.deviation[k]:.3g}{unit_text} "
         f"({found.cases:,} cases)"
     )
     order = [found.names.index(one) for one in found.ranked(name)]
     columns = ["parameter", *(_HEADINGS[index].format(unit=unit) for index in _shown(found))]
     rows = [[found.names[i], *(_cell(found, index, (k, i)) for index in _shown(found))] for i in order]
-    print_table(title, columns, rows)
+    print_table("", columns, rows)
     if found.second is not None:
         _print_pairs(found, k)
     if found.failed[k]:
@@ -129,4 +129,5 @@ def _print_pairs(found: Sensitivity, k: int) -> None:
     )
     rows = [[f"{found.names[j]}, {found.names[i]}", _cell(found, "second", (k, i, j))] for i, j in pairs[:MOST_PAIRS]]
     if rows:
-        print_table("Pairs: what two parameters make together, beyond each by itself", ["pair", "second"], rows)
+        print("Pairs: what two parameters make together, beyond each by itself")
+        print_table("", ["pair", "second"], rows)

@@ -29,7 +29,7 @@ class Aim:
     @property
     def text(self) -> str:
         """In words."""
-        return f"{'least' if self.sign > 0 else 'largest'} {self.term.text}"
+        return f"{'minimize' if self.sign > 0 else 'maximize'} {self.term.text}"
 
 
 class Judged(NamedTuple):
@@ -84,13 +84,13 @@ def _columns(parts: list[Array], count: int) -> Array:
     return np.stack(parts, axis=-1) if parts else np.empty((count, 0))
 
 
-def goals_of(asked: Optimize, units: Mapping[str, str]) -> Goals:
+def goals_of(asked: Optimize, units: Mapping[str, str | None]) -> Goals:
     """The goals of a sheet; ``units`` of all quantities and parameters by name."""
     aims = tuple(_aim(objective, units) for objective in asked.objectives)
     return Goals(aims, limits_of(asked.limits, units), asked.percentile)
 
 
-def _aim(objective: Objective, units: Mapping[str, str]) -> Aim:
+def _aim(objective: Objective, units: Mapping[str, str | None]) -> Aim:
     if bool(objective.minimize) == bool(objective.maximize):
         got = "both" if objective.minimize else "neither"
         hint = "write `- minimize: mass`"

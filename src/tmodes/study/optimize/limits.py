@@ -53,8 +53,8 @@ class Limit:
         return over < 0 if self.strict else over <= ROUNDING
 
 
-def limits_of(texts: Sequence[str], units: Mapping[str, str]) -> tuple[Limit, ...]:
-    """Limits from their texts; ``units`` of all quantities and parameters by name.
+def limits_of(texts: Sequence[str], units: Mapping[str, str | None]) -> tuple[Limit, ...]:
+    """Limits from their texts; ``units`` of all quantities and parameters by name, None where not known yet.
 
     Raises :class:`tmodes.errors.InputError` for a text that is no limit, a name that is not known, and a unit that does
     not fit.
@@ -62,7 +62,7 @@ def limits_of(texts: Sequence[str], units: Mapping[str, str]) -> tuple[Limit, ..
     return tuple(limit for text in texts for limit in _limits(text, units))
 
 
-def _limits(text: str, units: Mapping[str, str]) -> list[Limit]:
+def _limits(text: str, units: Mapping[str, str | None]) -> list[Limit]:
     """One limit, or both of ``1 mm <= sag <= 2 mm``."""
     parts = [part.strip() for part in _RELATION.split(text)]
     relations = [_PLAIN.get(one, one) for one in parts[1::2]]
@@ -84,10 +84,11 @@ def _is_number(side: str) -> bool:
     return bool(_NUMBER.match(side)) and not re.search(r"[*/+(]|[0-9] *-", side.split(" ")[0])
 
 
-def _limit(text: str, left: str, relation: str, right: str, units: Mapping[str, str]) -> Limit:
+def _limit(text: str, left: str, relation: str, right: str, units: Mapping[str, str | None]) -> Limit:
     term = Term.of(left, "optimize.limits", units)
-    unit = units[left] if left in units else None
-    bound = _bound(text, left, right, unit)
+    known = left not in units or units[left] is not None
+    unit = units.get(left)
+    bound = _bound(text, left, right, unit) if known else 0.0
     return Limit(text, term, 1 if relation[0] == "<" else -1, bound, unit or "-", strict=len(relation) == 1)
 
 

@@ -60,9 +60,13 @@ def optimize(
     asked = _asked(study)
     space = design_space(study, asked.design)
     _refuse_stuck(space)
-    goals = goals_of(asked, units := {**study.units, **dict.fromkeys(functionals or {}, "-")})
     chosen = _chosen(study, space, asked, method, functionals or {})
+    names = {*study.names, *study.sheet.quantities, *(functionals or {})}
+    goals_of(asked, dict.fromkeys(names))
     scenarios = scenarios_of(study, space, asked.worst_case, seed)
+    units = study.parameter_units | dict.fromkeys(functionals or {}, "-")
+    units |= study.evaluate(0, scenarios[:1], progress).units
+    goals = goals_of(asked, units)
     tried = Trials(study, space, goals, scenarios, folder, progress, where)
     count = trials or TRIALS.get(chosen, 0)
     if chosen == "grid":

@@ -55,8 +55,8 @@ class DesignSpace:
         return np.where(levels > 0, entries, self.low + np.clip(shares, 0.0, 1.0) * (self.high - self.low))
 
     def shares(self, designs: Array) -> Array:
-        """The other way round, for parameters of a range."""
-        return (designs - self.low) / (self.high - self.low)
+        """The other way round; entries of a list are apart by more than 0."""
+        return (designs - self.low) / np.where(self.high > self.low, self.high - self.low, 1.0)
 
 
 def design_space(study: Study, names: Sequence[str]) -> DesignSpace:

@@ -14,6 +14,9 @@ __all__ = ["candidate", "found"]
 
 MOST_RANKED = 100
 
+_SAME = 1e-3
+"""Of a parameter's range: what differs by less is one design."""
+
 
 def found(
     trials: Trials, method: str, units: dict[str, str], *, exact: bool = False, gradients: int = 0,
@@ -31,13 +34,25 @@ def found(
         trials.study.sheet.name, method, exact, tuple(aim.text for aim in trials.goals.aims), units,
         best=candidate(trials, judged, ranked[0]) if len(ranked) else None,
         nearest=None if len(ranked) or not len(trials) else candidate(trials, judged, _nearest(judged)),
-        ranked=tuple(candidate(trials, judged, k) for k in order[:MOST_RANKED]),
+        ranked=tuple(candidate(trials, judged, k) for k in _apart(trials, order)),
         front=tuple(candidate(trials, judged, k) for k in front),
         designs=len(trials), feasible=len(feasible), failed=int(_failed(judged).sum()), cases=trials.cases,
         gradients=gradients, prices=prices or {},
         lost_to={limit.text: int((judged.excess[:, k] > 0).sum()) for k, limit in enumerate(limits)},
         history=_history(signed[:, 0], judged.feasible, trials.goals.signs[0]),
     )  # fmt: skip
+
+
+def _apart(trials: Trials, order: NDArray[np.intp]) -> list[int]:
+    """The first of these designs, without those that hardly differ from a better one."""
+    shares = trials.space.shares(trials.designs)
+    kept: list[int] = []
+    for k in order.tolist():
+        if not len(kept) or (np.abs(shares[kept] - shares[k]).max(axis=1) > _SAME).all():
+            kept.append(k)
+        if len(kept) == MOST_RANKED:
+            break
+    return kept
 
 
 def _failed(judged: Judged) -> NDArray[np.bool_]:

@@ -61,8 +61,17 @@ class Trials:
         """Trials by their numbers, judged; all in order, where none are given."""
         return self.goals.judged({name: one[numbers] for name, one in self.values.items()})
 
+    def add(self, design: Array, values: dict[str, float]) -> None:
+        """A design (k,) that was computed elsewhere, in one case; what is not given of it is not-a-number."""
+        self._number[(design + 0.0).tobytes()] = len(self)
+        for name in {*self.study.names, *self.study.sheet.quantities, *values}:
+            before = self.values.get(name, np.full((len(self), 1), np.nan))
+            self.values[name] = np.concatenate([before, [[values.get(name, np.nan)]]])
+        self.reasons.append("")
+        self.designs = np.concatenate([self.designs, design[None]])
+
     def _compute(self, designs: Array) -> None:
-        first, cases = self.cases, self._cases(designs)
+        first, cases = self.cases, self.cases_of(designs)
         rows = self._rows(first, cases)
         shape = len(designs), len(self.scenarios)
         for name, one in {**rows.parameters, **rows.quantities}.items():
@@ -74,7 +83,7 @@ class Trials:
             self.reasons.append(str(group[bad][0]) if bad.any() else "")
         self.designs = np.concatenate([self.designs, designs])
 
-    def _cases(self, designs: Array) -> Array:
+    def cases_of(self, designs: Array) -> Array:
         """All cases (m s, d) of designs (m, k)."""
         cases = np.tile(self.scenarios, (len(designs), 1))
         cases[:, self.space.columns] = np.repeat(designs, len(self.scenarios), axis=0)
@@ -85,6 +94,6 @@ class Trials:
             return self.study.evaluate(first, cases, self._progress)
         from tmodes.study.optimize.stored import stored_rows
 
-        known = self._cases(self.designs)
+        known = self.cases_of(self.designs)
         every = np.concatenate([known, cases]) if len(self.designs) else cases
         return stored_rows(self.study, every, first, self._folder, self._progress, self._where)
