@@ -61,7 +61,9 @@ def target_of(path: str, data: Mapping[str, Any], *, relative: bool) -> Target:
         raise InputError(path, "a path that holds no number", expected, hint)
     if value is None and (relative or isinstance(at(data, *steps), (list, dict))):
         got = shown(at(data, *steps)) if at(data, *steps) is not None else "a number that the sheet leaves out"
-        raise InputError(path, got, "the path of one number of the sheet", "name one number, or write values of its own")
+        raise InputError(
+            path, got, "the path of one number of the sheet", "name one number, or write values of its own"
+        )
     own = path_of(steps, data)
     alone = own.partition(".")[0] == "integration"
     if relative:
@@ -109,7 +111,11 @@ def groups_of(
         own = {name: column[places] for name, column in columns.items()}
         base, changes = robot, {}
         for name, value in zip(apart, kind.tolist(), strict=True):
-            changes |= choices[name][int(value)] if name in choices else {targets[name].paths[0]: _scaled(value, robot, targets[name])}
+            changes |= (
+                choices[name][int(value)]
+                if name in choices
+                else {targets[name].paths[0]: _scaled(value, robot, targets[name])}
+            )
         try:
             base = robot.with_(changes) if changes else robot
             yield Group(places, base, _varied(base, own, targets, {n: arrays[n] for n in choices if n not in apart}))

@@ -19,8 +19,8 @@ from tmodes.robots.load import load
 from tmodes.sheet import Robot
 from tmodes.study.places import filled_places
 from tmodes.study.resolve import resolved_parameters, resolved_plan
-from tmodes.study.shorthand import Shorthands, expanded
 from tmodes.study.sheet import StudySheet
+from tmodes.study.shorthand import Shorthands, expanded
 from tmodes.study.study import Study, study_problems
 
 __all__ = ["read_study", "study_from_data"]
@@ -62,7 +62,12 @@ def study_from_data(
 
 
 def _study(
-    data: Any, positions: dict[str, int], source: str, folders: Folders | None, functions: Functions, folder: Path | None
+    data: Any,
+    positions: dict[str, int],
+    source: str,
+    folders: Folders | None,
+    functions: Functions,
+    folder: Path | None,
 ) -> Study:
     where = f"{source}:{positions.get('kind', 1)}" if source else ""
     if not isinstance(data, Mapping) or data.get("kind") != "study":
@@ -91,9 +96,7 @@ def _checked(
     places: tuple[str, ...], functions: Functions, folder: Path | None,
 ) -> Study:  # fmt: skip
     """The study of complete plain data, in which text stands for numbers at ``places`` alone."""
-    sheet: StudySheet = checked_sheet(
-        plain, positions, source, places, most=MOST_VALUES, further=lambda _: problems
-    )
+    sheet: StudySheet = checked_sheet(plain, positions, source, places, most=MOST_VALUES, further=lambda _: problems)
     if problems:
         raise located(problems, plain, positions, source)
     data = {"study": sheet.model_dump(mode="json", exclude_defaults=True), "robot": robot and sheet_data(robot)}
@@ -125,7 +128,9 @@ def _changed(robot: Robot | None, plain: Mapping[str, Any]) -> tuple[Robot | Non
     if not isinstance(changes, Mapping) or not changes:
         return robot, []
     if robot is None:
-        return None, [(("set",), InputError("", "changes without a robot", "left out without a robot", "name the robot"))]
+        return None, [
+            (("set",), InputError("", "changes without a robot", "left out without a robot", "name the robot"))
+        ]
     try:
         return robot.with_(changes), []
     except InputError as error:

@@ -95,7 +95,9 @@ def _choices(name: str, group: dict[str, Any], data: Any, found: Shorthands) -> 
         one["set"] = own
 
 
-def _kept(error: InputError, steps: tuple[Any, ...], table: Table | None, row: int, found: Shorthands) -> Iterator[Problem]:
+def _kept(
+    error: InputError, steps: tuple[Any, ...], table: Table | None, row: int, found: Shorthands
+) -> Iterator[Problem]:
     """An error of a table with its line there; any other as a problem of the study's file."""
     if table is None:
         yield steps, InputError("", error.got, error.expected, error.hint)
@@ -144,7 +146,7 @@ def _sampled(name: str, group: Any, unit: str, found: Shorthands, place: str = "
     place = place or f"parameters.{name}.distribution"
     if not isinstance(group, dict):
         return
-    _sampled(name, group.get("of"), unit, found, f"{place}.of")
+    _sampled(name, group.get("distribution"), unit, found, f"{place}.distribution")
     if (table := found.filled.get(f"{place}.values")) is not None:
         group["values"] = [_cell(name, cell, unit, table, k, found) for k, cell in enumerate(group["values"])]
 
@@ -153,7 +155,9 @@ def _cell(which: str, cell: Any, unit: str, table: Table, row: int, found: Short
     try:
         return _number(which, cell, unit)
     except InputError as error:
-        found.errors.append(InputError(which, error.got, error.expected, error.hint, f"{table.source}:{table.lines[row]}"))
+        found.errors.append(
+            InputError(which, error.got, error.expected, error.hint, f"{table.source}:{table.lines[row]}")
+        )
         return float(row)
 
 

@@ -67,7 +67,9 @@ class Parameter(DataSheet):
             yield Issue("relative", "true", "false without a `path`", "name the path of the sheet's number")
         names = [choice.name for choice in self.choices]
         if twice := next((name for name in names if names.count(name) > 1), None):
-            yield Issue(f"choices.{names.index(twice)}.name", f"{twice!r}, given twice", "a name of its own", "change it")
+            yield Issue(
+                f"choices.{names.index(twice)}.name", f"{twice!r}, given twice", "a name of its own", "change it"
+            )
 
 
 class Correlation(DataSheet):
@@ -78,7 +80,9 @@ class Correlation(DataSheet):
 
     def _issues(self) -> Iterator[Issue]:
         if self.value >= 1.0:
-            yield Issue("value", repr(self.value), "a number between -1 and 1", "for 1 use one parameter in both places")
+            yield Issue(
+                "value", repr(self.value), "a number between -1 and 1", "for 1 use one parameter in both places"
+            )
 
 
 class Keep(DataSheet):

@@ -94,15 +94,18 @@ def _entries(table: Table, place: str, found: Shorthands) -> list[dict[str, Any]
         return [{"name": "none", "set": {}}]
     found.filled[f"{place}.choices"] = table
     return [
-        {"name": str(name), "set": {path: table.columns[path][k] for path in paths if table.columns[path][k] is not None}}
+        {
+            "name": str(name),
+            "set": {path: table.columns[path][k] for path in paths if table.columns[path][k] is not None},
+        }
         for k, name in enumerate(names)
     ]
 
 
 def _with_values(group: Mapping[str, Any], place: str, found: Shorthands) -> dict[str, Any]:
     """A distribution with the values of its file, or of that of the one that it truncates."""
-    if isinstance(group.get("of"), Mapping):
-        return {**group, "of": _with_values(group["of"], f"{place}.of", found)}
+    if isinstance(group.get("distribution"), Mapping):
+        return {**group, "distribution": _with_values(group["distribution"], f"{place}.distribution", found)}
     file, column = group.get("file"), group.get("column")
     if not isinstance(file, str) or group.get("values"):
         return {**group}

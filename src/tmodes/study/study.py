@@ -165,7 +165,10 @@ def study_problems(study: Study, *, functions_known: bool) -> Iterator[Problem]:
                 got, hint = "a number of a robot, without one", "name the robot: `robot: NAME`"
                 yield ("quantities", name), InputError("", got, "an expression of parameters", hint)
     for name, one in sheet.quantities.items() if functions_known else ():
-        yield from ((("quantities", name, *each[:1]), InputError("", *each[1:])) for each in function_issues(one, study.functions))
+        yield from (
+            (("quantities", name, *each[:1]), InputError("", *each[1:]))
+            for each in function_issues(one, study.functions)
+        )
 
 
 def _size(study: Study) -> Iterator[Problem]:

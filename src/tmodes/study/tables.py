@@ -61,7 +61,9 @@ def read_table(folders: Folders, name: str, which: str, place: str) -> Table:
     for line, row in body:
         if len(row) != len(names):
             got = f"{len(row)} cells"
-            raise InputError("the row", got, f"{len(names)}, as in the header", "add or remove commas", f"{name}:{line}")
+            raise InputError(
+                "the row", got, f"{len(names)}, as in the header", "add or remove commas", f"{name}:{line}"
+            )
     cells = [tuple(_cell(row[k], units[k]) for _, row in body) for k in range(len(names))]
     return Table(name, dict(zip(names, cells, strict=True)), tuple(line for line, _ in body))
 

@@ -20,7 +20,18 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["CHOICES", "COMPARED", "CONSTANTS", "FUNCTIONS", "PAIRS", "SEVERAL", "TIME", "FormulaError", "checked_tree", "names_in"]
+__all__ = [
+    "CHOICES",
+    "COMPARED",
+    "CONSTANTS",
+    "FUNCTIONS",
+    "PAIRS",
+    "SEVERAL",
+    "TIME",
+    "FormulaError",
+    "checked_tree",
+    "names_in",
+]
 
 Array = NDArray[np.float64]
 

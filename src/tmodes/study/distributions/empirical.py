@@ -32,7 +32,9 @@ class Empirical(Distribution):
     def _issues(self) -> Iterator[Issue]:
         if bool(self.values) == bool(self.file):
             got = "both" if self.file else "neither"
-            yield Issue("", got, "either values or a file with a column", "write `values: [..]`, or `file` and `column`")
+            yield Issue(
+                "", got, "either values or a file with a column", "write `values: [..]`, or `file` and `column`"
+            )
         elif self.values and len(self.values) < _FEWEST:
             yield Issue("values", f"{len(self.values)} value", f"at least {_FEWEST}", "add values")
         elif self.values and min(self.values) == max(self.values):

@@ -26,7 +26,9 @@ class LogNormal(Distribution):
 
     type: Literal["lognormal"] = Field(description="kind of distribution")
     median: float | None = size("m", "median of the number", default=None)
-    sigma_log: float | None = positive("-", "s", "standard deviation of the natural logarithm", default=None, at_most=10.0)
+    sigma_log: float | None = positive(
+        "-", "s", "standard deviation of the natural logarithm", default=None, at_most=10.0
+    )
     mean: float | None = size("mu", "mean of the number itself", default=None)
     deviation: float | None = size("sigma", "standard deviation of the number itself", default=None)
 

@@ -20,10 +20,10 @@ _LEAST = 1e-9
 
 @DISTRIBUTIONS.register
 class Truncated(Distribution):
-    """Those values of another distribution (``of``) that are between ``low`` and ``high``, one of which may be left out."""
+    """Those values of another ``distribution`` that are between ``low`` and ``high``, one of which may be left out."""
 
     type: Literal["truncated"] = Field(description="kind of distribution")
-    of: Distribution = Field(description="the whole distribution")
+    distribution: Distribution = Field(description="the whole distribution")
     low: float | None = level("a", "least value", default=None)
     high: float | None = level("b", "largest value", default=None)
 
@@ -39,24 +39,24 @@ class Truncated(Distribution):
     @cached_property
     def _shares(self) -> tuple[float, float]:
         """Shares of the whole below both limits."""
-        low = 0.0 if self.low is None else share_of(self.of, self.low)
-        high = 1.0 if self.high is None else share_of(self.of, float(np.nextafter(self.high, np.inf)))
+        low = 0.0 if self.low is None else share_of(self.distribution, self.low)
+        high = 1.0 if self.high is None else share_of(self.distribution, float(np.nextafter(self.high, np.inf)))
         return low, high
 
     def at(self, share: Array) -> Array:
         """The whole distribution at shares between those of the limits."""
         low, high = self._shares
         inside = np.clip(low + (high - low) * share, np.nextafter(0, 1), np.nextafter(1, 0))
-        return np.clip(self.of.at(inside), self.low, self.high)
+        return np.clip(self.distribution.at(inside), self.low, self.high)
 
     @property
     def ends(self) -> tuple[float, float]:
         """The limits; where one is left out, the end of the whole."""
-        low, high = self.of.ends
+        low, high = self.distribution.ends
         return low if self.low is None else max(self.low, low), high if self.high is None else min(self.high, high)
 
     @property
     def listed(self) -> tuple[float, ...]:
         """Of a whole that has only some values, those between the limits."""
         low, high = self.ends
-        return tuple(value for value in self.of.listed if low <= value <= high)
+        return tuple(value for value in self.distribution.listed if low <= value <= high)

@@ -27,7 +27,7 @@ class ListOfCases(Plan):
 
     type: Literal["list"] = Field(description="kind of plan")
     rows: tuple[dict[str, Value], ...] = list_of_numbers(
-        "parameter", "x", "values by parameter, for each case", default=(), max_length=MOST_CASES
+        "parameter", "x", "values by parameter, for each case", default=()
     )
     file: str | None = Field(default=None, min_length=1, max_length=200, description="CSV file in the study's folder")
 

@@ -34,5 +34,7 @@ class Sobol(Plan):
         power = (self.runs - 1).bit_length()
         shares = Sequence(len(space.names), rng=self.seed).random_base2(power)[: self.runs]
         near = (1 << power) >> 1, 1 << power
-        notice = f"{self.runs} runs are no power of two, for which Sobol's sequence is balanced: take {near[0]} or {near[1]}"
+        notice = (
+            f"{self.runs} runs are no power of two, for which Sobol's sequence is balanced: take {near[0]} or {near[1]}"
+        )
         return Design(space.drawn(shares), notices=(notice,) if self.runs != 1 << power else ())

@@ -55,6 +55,6 @@ class Expression(Quantity):
         values = self._formula.at(asked.values)
         known = np.all([np.isfinite(asked.values[name]) for name in self._names], axis=0)
         wrong = np.flatnonzero(known & ~np.isfinite(values)).tolist()
-        reasons = {k: f"{self.formula} has no finite value there" for k in wrong}
+        reasons = dict.fromkeys(wrong, f"{self.formula} has no finite value there")
         values[wrong] = np.nan
         return values, reasons

@@ -28,10 +28,20 @@ import numpy as np
 from pydantic import Field
 
 from tmodes.errors import InputError, TmodesError
+from tmodes.kinds.schema.quantity import Issue
 from tmodes.kinds.schema.quantity import quantity as number_field
 from tmodes.study.quantities.contract import QUANTITIES, Asked, Found, Needs, Quantity
 
-__all__ = ["REGISTERED", "Function", "code_digest", "called", "quantity"]
+__all__ = [
+    "REGISTERED",
+    "Function",
+    "called",
+    "code_digest",
+    "function_digest",
+    "function_issues",
+    "function_of",
+    "quantity",
+]
 
 Own = Callable[[Any], float]
 
@@ -127,3 +137,18 @@ def function_of(name: str, given: Mapping[str, Own], which: str) -> Own:
         hint = "register it in a Python file and name that by --use, or give functions={...}"
         raise InputError(which, f"the unknown function {name!r}", expected, hint)
     return known[name]
+
+
+def function_issues(one: Quantity, given: Mapping[str, Own]) -> Iterator[Issue]:
+    """A quantity whose function is neither given nor registered."""
+    if isinstance(one, Function):
+        try:
+            function_of(one.name, given, "name")
+        except InputError as error:
+            yield Issue("name", error.got, error.expected, error.hint)
+
+
+def function_digest(one: Quantity, given: Mapping[str, Own]) -> str:
+    """Digest of the code of a quantity's function; empty of other kinds, and where it is not known here."""
+    known = {**REGISTERED, **given}
+    return code_digest(known[one.name]) if isinstance(one, Function) and one.name in known else ""

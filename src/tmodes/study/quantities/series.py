@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
 from typing import ClassVar, Literal
 
 from pydantic import Field
 
+from tmodes.errors import InputError
+from tmodes.kinds.schema.quantity import Issue
+from tmodes.simulation.vary.reductions import Reduction, refuse_unknown_rules
 from tmodes.study.quantities.contract import QUANTITIES, Asked, Found, Needs, Quantity
 
 __all__ = ["Series"]
@@ -26,6 +30,13 @@ class Series(Quantity):
     def needs(self) -> Needs:
         """One reduction."""
         return Needs(reductions=((self.series, self.reduce),))
+
+    def name_issues(self, names: Sequence[str]) -> Iterator[Issue]:
+        """A rule that is none; the series themselves depend on the robot."""
+        try:
+            refuse_unknown_rules([Reduction(self.series, self.reduce)])
+        except InputError as error:
+            yield Issue("reduce", error.got, error.expected, error.hint)
 
     def own_unit(self, asked: Asked) -> str:
         """That of the series; of a time s."""

@@ -1,0 +1,152 @@
+"""Compute cases of a study: by the ways that its quantities need, grouped by what cannot differ in one batch."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tmodes.errors import InputError
+from tmodes.io.units import NotANumber, number
+from tmodes.study.mapping import Group, groups_of
+from tmodes.study.order import ordered
+from tmodes.study.quantities import Asked, Needs, Quantity
+from tmodes.study.rows import GOOD, Rows
+from tmodes.study.ways.part import Part, worst
+
+if TYPE_CHECKING:
+    from tmodes.study.study import Study
+
+__all__ = ["evaluated"]
+
+Array = NDArray[np.float64]
+Progress = Callable[[str, float], None]
+
+_SAME = "gravity.2"
+"""A number that every robot has: set to its own value it makes a batch of cases that are all alike."""
+
+
+def evaluated(study: Study, first: int, values: Array, progress: Progress, threads: int | None) -> Rows:
+    """The rows of cases (m, d), as :meth:`Study.evaluate`."""
+    if values.ndim != 2 or values.shape[1] != len(study.names):
+        expected = f"an array (cases, {len(study.names)})"
+        raise InputError("values", f"an array of shape {values.shape}", expected, "take rows of Study.design().values")
+    part = _computed(study, first, values, progress, threads) if study.robot else Part.of_all(len(values), "finished")
+    parameters = {name: values[:, k].copy() for k, name in enumerate(study.names)}
+    quantities, units = _quantities(study, parameters, part)
+    return Rows(
+        first + np.arange(len(values)), parameters, quantities, units, part.status, part.reason, part.method,
+        part.seconds, {first + k: motion for k, motion in part.kept.items()},
+    )  # fmt: skip
+
+
+def _computed(study: Study, first: int, values: Array, progress: Progress, threads: int | None) -> Part:
+    """What the robots of all cases gave, group by group."""
+    needs, found, done = study.needs, Part.of_all(len(values), "finished"), 0
+    asked = dict.fromkeys([*needs.reductions, *needs.static, *_of_results(study)], "")
+    assert study.robot is not None  # noqa: S101
+    for group in groups_of(study.robot, study.names, study.targets, study.choices, values):
+        size = len(group.places)
+
+        def tell(stage: str, share: float, before: int = done, size: int = size) -> None:
+            progress(stage, (before + share * size) / len(values))
+
+        found.take(group.places, _of_group(study, group, first, tell, threads), asked)
+        done += size
+    return found
+
+
+def _of_results(study: Study) -> dict[str, Quantity]:
+    return {name: one for name, one in study.sheet.quantities.items() if one.needs().result}
+
+
+def _of_group(study: Study, group: Group, first: int, progress: Progress, threads: int | None) -> Part:
+    """What the cases of one group gave; those that are all alike are computed once."""
+    needs, robot, size = study.needs, group.robot, len(group.places)
+    if robot is None:
+        return Part.of_all(size, "refused", group.wrong)
+    alike = not group.vary
+    vary = {_SAME: np.array([robot.gravity[2]])} if alike else dict(group.vary)
+    kept = [k for k, place in enumerate(group.places.tolist()) if _is_kept(study, first + place)]
+    parts = []
+    if needs.reductions or (kept and not needs.static):
+        from tmodes.study.ways.reductions import by_reductions
+
+        parts.append(by_reductions(robot, vary, needs, [0] if alike and kept else kept, threads, progress))
+    if needs.static:
+        from tmodes.study.ways.static import by_statics
+
+        parts.append(by_statics(robot, vary, needs, progress))
+    if needs.result:
+        from tmodes.study.ways.results import by_results
+
+        parts.append(by_results(robot, vary, _of_results(study), study.functions, needs, threads, progress))
+    found = parts[0] if parts else Part.of_all(len(next(iter(vary.values()))), "finished")
+    for other in parts[1:]:
+        found = worst(found, other)
+    return _repeated(found, size, kept) if alike else found
+
+
+def _is_kept(study: Study, case: int) -> bool:
+    keep = study.sheet.keep
+    return case in keep.cases or bool(keep.every and case % keep.every == 0)
+
+
+def _repeated(part: Part, size: int, kept: list[int]) -> Part:
+    """Many cases of which each is as the one of a part; the seconds are shared."""
+    return Part(
+        part.status * size, part.reason * size, part.method * size, np.full(size, part.seconds[0] / size),
+        {key: np.repeat(values, size) for key, values in part.numbers.items()}, part.units,
+        {key: dict.fromkeys(range(size), reasons[0]) for key, reasons in part.reasons.items() if 0 in reasons},
+        {k: part.kept[0] for k in kept if 0 in part.kept},
+    )  # fmt: skip
+
+
+def _quantities(study: Study, parameters: Mapping[str, Array], part: Part) -> tuple[dict[str, Array], dict[str, str]]:
+    """Values of all quantities and their units; what has none gives its case the reason."""
+    sheet, good = study.sheet, np.array([status in GOOD for status in part.status], dtype=bool)
+    known, units = dict(parameters), {}
+    needs = {name: one.needs() for name, one in sheet.quantities.items()}
+    for name in ordered({name: one.names for name, one in needs.items()}):
+        own = sheet.quantities[name]
+        asked = _asked(name, needs[name], known, part, len(good))
+        if any(key not in part.units for key in (*needs[name].reductions, *needs[name].static)):
+            known[name], units[name] = np.full(len(good), np.nan), own.unit or "-"  # no case could be computed
+            continue
+        values, reasons = own.values(asked)
+        values = np.where(good, np.asarray(values, dtype=float), np.nan)
+        units[name] = own.unit or own.own_unit(asked)
+        known[name] = values * _factor(own.own_unit(asked), units[name], name)
+        for k, why in reasons.items():
+            if good[k]:
+                part.status[k], part.reason[k] = "failed", part.reason[k] or f"{name}: {why}"
+    return {name: known[name] for name in sheet.quantities}, {name: units[name] for name in sheet.quantities}
+
+
+def _asked(name: str, needs: Needs, known: Mapping[str, Array], part: Part, size: int) -> Asked:
+    """What one quantity asked for."""
+    nothing = np.full(size, np.nan)
+    return Asked(
+        {each: known[each] for each in needs.names} or {"": nothing},
+        {pair: part.numbers[pair] for pair in needs.reductions if pair in part.numbers},
+        {each: part.numbers[each] for each in needs.static if each in part.numbers},
+        part.units,
+        part.numbers.get(name, nothing) if needs.result else None,
+        part.units.get(name, "-"),
+        part.reasons.get(name, {}),
+    )
+
+
+def _factor(own: str, wanted: str, name: str) -> float:
+    """What values in their own unit are multiplied by; raises InputError for a unit of another dimension."""
+    if own == wanted:
+        return 1.0
+    try:
+        one = number(f"1 {wanted}", own)
+    except NotANumber as error:
+        hint = f"write a unit that {own} converts to, or leave it out"
+        raise InputError(f"quantities.{name}.unit", error.got, f"a unit of {own}", hint) from None
+    return 1.0 / one if not math.isclose(1.0 / one, round(1.0 / one), rel_tol=1e-12) else float(round(1.0 / one))

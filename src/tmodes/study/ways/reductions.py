@@ -1,0 +1,49 @@
+"""Cases whose series are reduced to numbers in the native loop: the fast way."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Mapping
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tmodes.errors import InputError, InputErrors, SimulationError
+from tmodes.sheet import Robot
+from tmodes.simulation.vary.reduce import Reduction, reduced
+from tmodes.simulation.vary.refused import refused_cases
+from tmodes.study.quantities import Needs
+from tmodes.study.rows import Kept
+from tmodes.study.ways.part import Part
+
+__all__ = ["by_reductions"]
+
+Array = NDArray[np.float64]
+
+
+def by_reductions(
+    robot: Robot, vary: Mapping[str, Array], needs: Needs, kept: Collection[int],
+    threads: int | None, progress: Callable[[str, float], None],
+) -> Part:  # fmt: skip
+    """Reductions of the cases ``vary`` (m,) of one robot, and the motions of those ``kept``, by index.
+
+    Raises :class:`tmodes.errors.InputError` for a series or a rule that is unknown.
+    """
+    asked = {pair: Reduction(*pair) for pair in needs.reductions}
+    size = len(next(iter(vary.values())))
+    try:
+        found = reduced(robot, vary, [*asked.values()], threads=threads, progress=progress, kept=kept, wrong="row")
+    except SimulationError as error:
+        return Part.of_all(size, "failed", str(error))
+    except (InputError, InputErrors):
+        refused = refused_cases(robot, vary)
+        if len(refused) < size:
+            raise
+        part = Part.of_all(size, "refused")
+        part.reason = [refused[k] for k in range(size)]
+        return part
+    motions = {case: Kept(one.times, one.states, one.tips, tuple(one.coordinates)) for case, one in found.kept.items()}
+    return Part(
+        [*found.status], [*found.message], [*found.method], np.asarray(found.seconds, dtype=float),
+        {pair: found.values[one] for pair, one in asked.items()}, {pair: found.units[one] for pair, one in asked.items()},
+        kept=motions,
+    )  # fmt: skip

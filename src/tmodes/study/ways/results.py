@@ -1,0 +1,152 @@
+"""Cases of which the whole result is asked: each is run by itself, in processes; slow."""
+
+from __future__ import annotations
+
+import multiprocessing
+import os
+import pickle
+import time as clock
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from concurrent.futures import ProcessPoolExecutor
+from contextlib import contextmanager
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tmodes.errors import InputError, InputErrors, SimulationError, TmodesError
+from tmodes.io.sheet_check import sheet_data
+from tmodes.kinds.registry import USED, use
+from tmodes.result.run import run
+from tmodes.sheet import Robot
+from tmodes.study.quantities import Needs, Quantity
+from tmodes.study.quantities.function import Function, called, function_of
+from tmodes.study.ways.part import Part
+
+__all__ = ["by_results"]
+
+Array = NDArray[np.float64]
+Functions = Mapping[str, Callable[[Any], float]]
+
+
+class _Case(NamedTuple):
+    """What one case gave: how it ended, and of each quantity its number, unit and why it has none."""
+
+    status: str
+    reason: str
+    method: str
+    seconds: float
+    numbers: dict[str, tuple[float, str, str]]
+
+
+@dataclass(frozen=True)
+class _Task:
+    """What a process needs once: the robot, the quantities by name, functions, and which errors are estimated."""
+
+    robot: dict[str, Any]
+    quantities: dict[str, tuple[type[Quantity], dict[str, Any]]]
+    functions: dict[str, Callable[[Any], float]]
+    errors: frozenset[str]
+
+
+def by_results(
+    robot: Robot, vary: Mapping[str, Array], quantities: Mapping[str, Quantity], functions: Functions, needs: Needs,
+    threads: int | None, progress: Callable[[str, float], None],
+) -> Part:  # fmt: skip
+    """Numbers of the results of the cases ``vary`` (m,) of one robot, by names of ``quantities``.
+
+    They run in processes where there are several cases and several cores, and the ``functions`` can be sent there.
+    Raises :class:`tmodes.errors.InputError` for a key that no summary has.
+    """
+    own = {name: function_of(one.name, functions, name) for name, one in _functions(quantities).items()}
+    kinds = {name: (type(one), one.model_dump()) for name, one in quantities.items()}
+    task = _Task(sheet_data(robot), kinds, own, needs.errors)
+    size = len(next(iter(vary.values())))
+    changes = [{path: float(values[k]) for path, values in vary.items()} for k in range(size)]
+    part = Part.of_all(size, "finished")
+    part.numbers = {name: np.full(size, np.nan) for name in quantities}
+    with _mapped(task, min(size, threads or os.cpu_count() or 1)) as mapped:
+        for k, case in enumerate(mapped(changes)):
+            part.status[k], part.reason[k], part.method[k], part.seconds[k] = case[:4]
+            for name, (value, unit, why) in case.numbers.items():
+                part.numbers[name][k], part.units[name] = value, unit
+                if why:
+                    part.reasons.setdefault(name, {})[k] = why
+            progress("results", (k + 1) / size)
+    return part
+
+
+def _functions(quantities: Mapping[str, Quantity]) -> dict[str, Function]:
+    return {name: one for name, one in quantities.items() if isinstance(one, Function)}
+
+
+@contextmanager
+def _mapped(task: _Task, workers: int) -> Iterator[Callable[[Sequence[dict[str, float]]], Iterator[_Case]]]:
+    """How cases are run: over processes, else one after the other here."""
+    if workers < 2 or not _can_be_sent(task):
+        yield lambda changes: (_ran(task, change) for change in changes)
+        return
+    context = multiprocessing.get_context("spawn")
+    with ProcessPoolExecutor(workers, context, _begin, (task, tuple(USED))) as pool:
+        try:
+            yield lambda changes: pool.map(_ran_there, changes)
+        except BaseException:
+            pool.shutdown(wait=False, cancel_futures=True)
+            raise
+
+
+def _can_be_sent(task: _Task) -> bool:
+    try:
+        pickle.dumps(task)
+    except (pickle.PicklingError, AttributeError, TypeError):
+        return False
+    return True
+
+
+_TASK: list[_Task] = []
+"""The task of this process."""
+
+
+def _begin(task: _Task, used: Sequence[str]) -> None:
+    if used:
+        use(*used)
+    _TASK[:] = [task]
+
+
+def _ran_there(changes: dict[str, float]) -> _Case:
+    return _ran(_TASK[0], changes)
+
+
+def _ran(task: _Task, changes: Mapping[str, float]) -> _Case:
+    """One case, run whole."""
+    began = clock.process_time()
+    estimates = {
+        "integration.error_estimate": "error" in task.errors,
+        "integration.model_error": "model_error" in task.errors,
+    }
+    try:
+        result = run(Robot.from_data(task.robot).with_({**changes, **estimates}))
+    except (InputError, InputErrors) as error:
+        return _Case("refused", str(error), "", clock.process_time() - began, {})
+    except SimulationError as error:
+        return _Case("failed", str(error), "", clock.process_time() - began, {})
+    numbers: dict[str, tuple[float, str, str]] = {}
+    status, reason = result.status, "" if result.success else result.message
+    for name, (kind, data) in task.quantities.items() if result.success else ():
+        value, unit, why = _number(kind.of(data), task.functions.get(name), result)
+        numbers[name] = value, unit, why
+        if why and not np.isfinite(value):
+            status, reason = "failed", f"{name}: {why}"
+    method = result.actual.integration.method
+    return _Case(status, reason, method, clock.process_time() - began, numbers)
+
+
+def _number(quantity: Quantity, function: Callable[[Any], float] | None, result: Any) -> tuple[float, str, str]:
+    """The number of a quantity, its unit, and why there is none."""
+    if function is None or not isinstance(quantity, Function):
+        return *quantity.of_result(result), ""
+    try:
+        return called(function, result, quantity.timeout), quantity.unit or "-", ""
+    except TmodesError as error:
+        return float("nan"), quantity.unit or "-", str(error)
