@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from functools import cached_property
-from typing import Any
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,10 +12,13 @@ from tmodes.errors import InputError
 from tmodes.sensitivity.gradient import adjoint_gradient
 from tmodes.sensitivity.quantities import Functional
 from tmodes.sheet import Robot
+from tmodes.simulation.start import run_setup
+from tmodes.simulation.vary.series import COMMANDED, DEVIATION, units_of
+from tmodes.simulation.vary.tables import Nominal, nominal_side
 from tmodes.study.optimize.gradient import Terms
-from tmodes.study.optimize.smooth import functional_of
+from tmodes.study.optimize.leaves import factor, formulas, leaves, numbers_of, restricted
+from tmodes.study.optimize.smooth import REFERENCED, reduced_series
 from tmodes.study.optimize.trials import Trials
-from tmodes.study.quantities.contract import Needs
 
 __all__ = ["Adjoint"]
 
@@ -25,22 +27,49 @@ Array = NDArray[np.float64]
 _STEP = 1e-6
 """Of a parameter's range, along which formulas are differentiated."""
 
+_FAR = 1e-4
+"""Of a parameter's range, along which numbers at rest and references are."""
+
+
+@dataclass(frozen=True, eq=False)
+class _Point:
+    """A design (k,) with its robot: by ``path`` its numbers at the design and at two neighbours for each parameter."""
+
+    design: Array
+    sheet: Robot
+    vary: Mapping[str, Array]
+
+    @property
+    def robot(self) -> Robot:
+        """The robot of the design."""
+        return self.sheet.with_({path: float(numbers[0]) for path, numbers in self.vary.items()})
+
+    def slopes(self) -> dict[str, Array]:
+        """Of the numbers by path, (k,) along the unit cube, but of those that stay."""
+        found = {path: _slopes(numbers, _FAR) for path, numbers in self.vary.items()}
+        return {path: slope for path, slope in found.items() if slope.any()}
+
 
 class Adjoint:
     """Terms at points of the unit cube, each by one run and one sweep for each simulated quantity in them.
 
-    ``runs``: how many runs with their sweep there were. Raises :class:`tmodes.errors.InputError` for a quantity whose
-    slope no adjoint gives.
+    ``functionals``: quantities by name that the study does not have. ``runs``: how many runs with their sweep there
+    were. Raises :class:`tmodes.errors.InputError` for a quantity whose slope no adjoint gives.
     """
 
     def __init__(self, trials: Trials, functionals: Mapping[str, Functional]) -> None:
         if len(trials.scenarios) > 1:
             hint = "leave worst_case out, or take --method tpe"
             raise InputError("--method gradient", "a worst case of simulated quantities", "one case a design", hint)
-        self.trials, self.runs = trials, 0
-        self._known: dict[bytes, Terms] = {}
+        self.trials, self.study, self.runs = trials, trials.study, 0
         self._given = functionals
-        self._functionals = {name: self._functional(name) for name in self._simulated()}
+        self._known: dict[bytes, Terms] = {}
+        goals = trials.goals
+        names = [name for term in (*goals.aims, *goals.limits) for name in term.term.names]
+        self._functionals = [name for name in dict.fromkeys(names) if name in functionals]
+        found = leaves(self.study, names)
+        self._at_rest = [name for name in found if self.study.sheet.quantities[name].needs().static]
+        self._series = [name for name in found if name not in self._at_rest]
 
     @property
     def start(self) -> Array:
@@ -57,80 +86,87 @@ class Adjoint:
 
     def _computed(self, shares: Array) -> Terms:
         design = self.trials.space.at(shares[None])[0]
-        values, slopes = self._values(design), {}
-        robot, paths = self._numbers(design)
-        for name, functional in self._functionals.items():
-            found = adjoint_gradient(robot, functional, list(paths))
-            self.runs += 1
-            values[name] = found.value
-            slopes[name] = sum(found.by[path] * slope for path, slope in paths.items())
-        whole = self._whole(values)
-        self.trials.add(design, whole)
+        cases = self._around(design)
+        sheet, vary = numbers_of(self.study, cases)
+        point = _Point(design, sheet, vary)
+        found = self._resting(cases)
+        found |= {name: self._measured(point, self._given[name]) for name in self._functionals}
+        found |= {name: self._of_series(point, name) for name in self._series}
+        own = dict(zip(self.study.names, cases[0].tolist(), strict=True))
+        ways = self.trials.space.high - self.trials.space.low
+        slopes = dict(zip(self.trials.space.names, np.diag(ways), strict=True))
+        values = own | {name: value for name, (value, _) in found.items()}
+        slopes |= {name: slope for name, (_, slope) in found.items()}
+        whole = formulas(self.study, {name: np.array([value]) for name, value in values.items()})
+        self.trials.add(design, {name: float(one[0]) for name, one in whole.items()})
         return self._terms(values, slopes)
 
-    def _values(self, design: Array) -> dict[str, float]:
-        """Values of all parameters."""
-        row = self.trials.scenarios[0].copy()
-        row[list(self.trials.space.columns)] = design
-        return dict(zip(self.trials.study.names, row.tolist(), strict=True))
+    def _around(self, design: Array) -> Array:
+        """The case of a design, and those of two neighbours for each parameter, (2 k + 1, d)."""
+        steps = _FAR * np.diag(self.trials.space.high - self.trials.space.low)
+        return self.trials.cases_of(np.concatenate([design[None], design + steps, design - steps]))
 
-    def _numbers(self, design: Array) -> tuple[Robot, dict[str, Array]]:
-        """The robot of a design, and by path the slopes (k,) of its numbers along the unit cube."""
-        study, space = self.trials.study, self.trials.space
-        middle = self.trials.cases_of(design[None])
-        steps = np.diag(space.high - space.low)
-        around = self.trials.cases_of(np.concatenate([design + steps, design - steps]))
-        robot, vary = study.numbers(np.concatenate([middle, around]))
-        here = {path: float(numbers[0]) for path, numbers in vary.items()}
-        k = len(space.names)
-        slopes = {path: (numbers[1 : k + 1] - numbers[k + 1 :]) / 2 for path, numbers in vary.items()}
-        return robot.with_(here), {path: slope for path, slope in slopes.items() if slope.any()}
+    def _resting(self, cases: Array) -> dict[str, tuple[float, Array]]:
+        """Numbers at rest, with slopes."""
+        if not self._at_rest:
+            return {}
+        rows = restricted(self.study, self._at_rest).evaluate(0, cases)
+        return {name: (float(one[0]), _slopes(one, _FAR)) for name, one in rows.quantities.items()}
+
+    def _measured(self, point: _Point, functional: Functional) -> tuple[float, Array]:
+        """A functional of the run, with slopes."""
+        paths = point.slopes()
+        found = adjoint_gradient(point.robot, functional, list(paths))
+        self.runs += 1
+        slope = sum((found.by[path] * along for path, along in paths.items()), np.zeros(len(point.design)))
+        return found.value, slope
+
+    def _of_series(self, point: _Point, name: str) -> tuple[float, Array]:
+        """A reduced series of the run, with slopes, in the unit of the quantity."""
+        quantity, which = self.study.sheet.quantities[name], f"quantities.{name}"
+        needs = quantity.needs()
+        if len(needs.reductions) != 1 or needs.result:
+            hint = "take --method tpe, or a series reduced by rms, mean or end"
+            raise InputError(which, "a number of the whole result", "a series of the run, for gradients", hint)
+        ((series, reduce),) = needs.reductions
+        references = self._references(point, series, which) if series in REFERENCED else None
+        weights: list[Array] = []
+        reference = None if references is None else references[0]
+        functional = reduced_series(point.robot, series, reduce, reference, weights, which)
+        value, slope = self._measured(point, functional)
+        if references is not None:
+            moved = _slopes(references, _FAR)
+            slope = slope - np.tensordot(moved, weights[0], axes=([0, 1], [0, 1]))
+        unit = units_of(run_setup(point.robot.pair().real))[series]
+        return value * factor(unit, quantity.unit), slope * factor(unit, quantity.unit)
+
+    def _references(self, point: _Point, series: str, which: str) -> Array:
+        """What the tip's distance is from, (2 k + 1, n, 3) at the design and its neighbours."""
+        own = [path for path in point.slopes() if not path.startswith("real.")]
+        if series == DEVIATION and own:
+            got = f"a distance from the nominal tip, which {own[0]} moves too"
+            hint = f"take the series {COMMANDED}, or vary real.{own[0]}"
+            raise InputError(f"{which}.series", got, "a distance from a tip that the design does not move", hint)
+        nominal = Nominal.of(point.sheet, point.vary, nominal_side(point.sheet), [series], lambda stage, share: None)
+        room = np.empty((len(next(iter(point.vary.values()))), len(nominal.lanes.times), 3))
+        numbers = nominal.table(room, 1, lambda share: None).numbers
+        return np.broadcast_to(numbers, room.shape)
 
     def _terms(self, values: Mapping[str, float], slopes: Mapping[str, Array]) -> Terms:
         """Objective and limits with their slopes: formulas by differences along each direction."""
-        goals, space = self.trials.goals, self.trials.space
-        unit = dict(zip(space.names, np.diag(space.high - space.low), strict=True)) | dict(slopes)
-        none = np.zeros(len(space.names))
-        ways = np.concatenate([none[None], _STEP * np.eye(len(none)), -_STEP * np.eye(len(none))])
-        moved = {name: value + ways @ unit.get(name, none) for name, value in values.items()}
-        whole = {name: one[:, None] for name, one in self._whole(moved).items()}
-        judged = goals.judged(whole)
+        goals, count = self.trials.goals, len(self.trials.space.names)
+        ways = np.concatenate([np.zeros((1, count)), _STEP * np.eye(count), -_STEP * np.eye(count)])
+        none = np.zeros(count)
+        moved = {name: value + ways @ slopes.get(name, none) for name, value in values.items()}
+        whole = formulas(self.study, moved)
+        judged = goals.judged({name: one[:, None] for name, one in whole.items()})
         terms = np.column_stack([judged.objectives[:, 0] * goals.signs[0], judged.excess])
-        k = len(none)
-        along = (terms[1 : k + 1] - terms[k + 1 :]).T / (2 * _STEP)
+        along = np.atleast_2d(_slopes(terms, _STEP))
         return Terms(float(terms[0, 0]), along[0], terms[0, 1:], along[1:])
 
-    def _whole(self, values: Mapping[str, Any]) -> dict[str, Any]:
-        """With the quantities that are formulas of these; those that are not asked for are not-a-number."""
-        flat = {name: np.atleast_1d(np.asarray(one, dtype=float)) for name, one in values.items()}
-        found = self.trials.study.formulas(flat)
-        return {name: one if np.ndim(next(iter(values.values()))) else float(one[0]) for name, one in found.items()}
 
-    def _simulated(self) -> list[str]:
-        """Names of the quantities in objectives and limits that are no formulas."""
-        quantities = self.trials.study.sheet.quantities
-        goals = self.trials.goals
-        left = [name for term in (*(aim.term for aim in goals.aims), *(one.term for one in goals.limits)) for name in term.names]
-        found: dict[str, None] = {}
-        while left:
-            name = left.pop()
-            needs = quantities[name].needs() if name in quantities else Needs()
-            left += needs.names
-            if name in self._given or needs.reductions or needs.static or needs.result:
-                found[name] = None
-        return list(found)
-
-    def _functional(self, name: str) -> Functional:
-        if name in self._given:
-            return self._given[name]
-        needs = self.trials.study.sheet.quantities[name].needs()
-        if len(needs.reductions) != 1 or needs.static or needs.result:
-            hint = "take --method tpe, or a series reduced by rms, mean or end"
-            raise InputError(f"quantities.{name}", "no series", "a series of the run, for gradients", hint)
-        (series, reduce), = needs.reductions
-        return functional_of(series, reduce, lambda: self._nominal_tip, f"quantities.{name}")
-
-    @cached_property
-    def _nominal_tip(self) -> Array:
-        """The nominal tip at the samples, (n, 3), which the design must not change."""
-        raise NotImplementedError
+def _slopes(values: Array | Sequence[float], step: float) -> Array:
+    """Central differences (..., k) of values (2 k + 1, ...) at a point, and at both neighbours along each parameter."""
+    values = np.asarray(values)
+    k = (len(values) - 1) // 2
+    return np.moveaxis(values[1 : k + 1] - values[k + 1 :], 0, -1) / (2 * step)

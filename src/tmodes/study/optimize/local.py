@@ -44,7 +44,6 @@ def _adjoint(trials: Trials, functionals: Mapping[str, Functional], units: dict[
 
     slopes = Adjoint(trials, functionals)
     end = descend(slopes, slopes.start, lambda steps: progress("runs with gradients", 0.0))
-    slopes.record()
     return found(trials, "gradient", units, gradients=slopes.runs, prices=_prices(trials.goals, end))
 
 

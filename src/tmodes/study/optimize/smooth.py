@@ -10,44 +10,67 @@ from numpy.typing import ArrayLike, NDArray
 
 from tmodes.errors import InputError
 from tmodes.sensitivity.quantities import Functional
+from tmodes.sheet import Robot
+from tmodes.simulation.start import run_setup
+from tmodes.simulation.vary.series import COMMANDED, DEVIATION
 
-__all__ = ["SMOOTH", "functional_of", "time_shares"]
+__all__ = ["REFERENCED", "reduced_series"]
 
 Array = NDArray[np.float64]
 
-SMOOTH = "rms, mean, end"
-"""Reductions with a slope everywhere but at zero."""
+REFERENCED = (COMMANDED, DEVIATION)
+"""Series that are distances of the tip from a reference."""
 
 _AXES = "xyz"
 
+Seen = Callable[[Array], tuple[Array, Array]]
+"""From what is observed (n, size) to the series (n,), and its slopes (n, size)."""
 
-def functional_of(series: str, reduce: str, nominal: Callable[[], Array], which: str) -> Functional:
+
+def reduced_series(
+    robot: Robot, series: str, reduce: str, reference: Array | None, weights: list[Array], which: str
+) -> Functional:
     """A series reduced by ``rms``, ``mean`` or ``end`` over the samples, by the trapezoidal rule.
 
-    ``deviation`` (of the tip from ``nominal`` (n, 3)) and the parts of the tip's position, ``tip.x``. Raises
-    :class:`tmodes.errors.InputError` for others.
+    ``reference`` (n, 3): what the tip's distance is from. ``weights``: gets the derivatives by the tip, (n, 3), each
+    time it is measured. Raises :class:`tmodes.errors.InputError` for what has no slope.
     """
     if reduce not in _REDUCED:
-        hint = "a largest value has no slope; take rms, or --method tpe"
-        raise InputError(which, f"the reduction {reduce}", f"one of {SMOOTH}, for gradients", hint)
-    seen = _seen(series, nominal, which)
-    return Functional(("tip",), lambda times, info: _measured(times, np.asarray(info["tip"]), seen, _REDUCED[reduce]))
+        hint = "a largest or least value has no slope everywhere; take rms, or --method tpe"
+        raise InputError(f"{which}.reduce", reduce, f"one of {', '.join(_REDUCED)} for gradients", hint)
+    name, seen = _seen(robot, series, reference, which)
+
+    def measure(times: Array, info: Mapping[str, Array]) -> tuple[float, Mapping[str, ArrayLike]]:
+        values, slopes = seen(np.asarray(info[name]))
+        value, shares = _REDUCED[reduce](_time_shares(times), values)
+        weights[:] = [shares[:, None] * slopes]
+        return value, {name: weights[0]}
+
+    return Functional((name,), measure)
 
 
-Seen = Callable[[Array], tuple[Array, Array]]
-"""From the tip (n, 3) to the series (n,), and its slopes (n, 3)."""
+def _seen(robot: Robot, series: str, reference: Array | None, which: str) -> tuple[str, Seen]:
+    """What is observed for a series, and how it follows."""
+    if reference is not None:
+        return "tip", lambda tip: _distance(tip - reference)
+    head, _, tail = series.rpartition(".")
+    if head == "tip" and tail in _AXES:
+        return "tip", _column(_AXES.index(tail))
+    model = run_setup(robot.pair().real).model
+    if head in model.coordinates and tail in ("position", "velocity"):
+        start = model.layout.q.start if tail == "position" else model.layout.v.start
+        return "state", _column(start + model.coordinates.index(head))
+    expected = f"one of {', '.join(REFERENCED)}, tip.x, tip.y, tip.z, a coordinate's position or velocity, for gradients"
+    raise InputError(f"{which}.series", series, expected, "take one of these, or --method tpe")
 
 
-def _seen(series: str, nominal: Callable[[], Array], which: str) -> Seen:
-    head, _, axis = series.partition(".")
-    if series == "deviation":
-        reference = nominal()
-        return lambda tip: _distance(tip - reference)
-    if head == "tip" and axis in _AXES and axis:
-        unit = np.eye(3)[_AXES.index(axis)]
-        return lambda tip: (tip @ unit, np.broadcast_to(unit, tip.shape))
-    expected = "deviation or tip.x, tip.y, tip.z, for gradients"
-    raise InputError(which, f"the series {series}", expected, "take one of these, or --method tpe")
+def _column(k: int) -> Seen:
+    def seen(values: Array) -> tuple[Array, Array]:
+        slopes = np.zeros_like(values)
+        slopes[:, k] = 1.0
+        return values[:, k], slopes
+
+    return seen
 
 
 def _distance(apart: Array) -> tuple[Array, Array]:
@@ -55,13 +78,7 @@ def _distance(apart: Array) -> tuple[Array, Array]:
     return size, apart / np.where(size > 0, size, np.inf)[:, None]
 
 
-def _measured(times: Array, tip: Array, seen: Seen, reduced: Any) -> tuple[float, Mapping[str, ArrayLike]]:
-    series, slopes = seen(tip)
-    value, weights = reduced(time_shares(times), series)
-    return value, {"tip": weights[:, None] * slopes}
-
-
-def time_shares(times: Array) -> Array:
+def _time_shares(times: Array) -> Array:
     """Weights of samples in a mean over time, (n,)."""
     steps = np.diff(times)
     return (np.append(steps, 0.0) + np.append(0.0, steps)) / (2 * (times[-1] - times[0]))
@@ -82,4 +99,4 @@ def _end(shares: Array, series: Array) -> tuple[float, Array]:
     return float(series[-1]), last
 
 
-_REDUCED = {"rms": _rms, "mean": _mean, "end": _end}
+_REDUCED: dict[str, Any] = {"rms": _rms, "mean": _mean, "end": _end}
