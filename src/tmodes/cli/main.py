@@ -25,6 +25,7 @@ from tmodes.cli.sheets import check, robots, schema
 from tmodes.cli.show import show, view
 from tmodes.cli.static import static
 from tmodes.cli.studio import studio
+from tmodes.cli.study import study
 from tmodes.errors import InputError, TmodesError
 
 __all__ = ["app", "main"]
@@ -45,7 +46,7 @@ app = typer.Typer(
 )
 for command, name in (
     (run, "run"), (robots, "robots"), (check, "check"), (describe, "describe"),
-    (batch, "batch"), (static, "static"), (ladder, "ladder"), (modes, "modes"), (evaluate, "eval"), (schema, "schema"),
+    (batch, "batch"), (study, "study"), (static, "static"), (ladder, "ladder"), (modes, "modes"), (evaluate, "eval"), (schema, "schema"),
     (show, "show"), (view, "view"), (figures, "figures"), (studio, "studio"), (export, "export"),
     (bench, "bench"), (cache, "cache"),
 ):  # fmt: skip

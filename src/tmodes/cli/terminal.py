@@ -166,8 +166,8 @@ class Stages:
             raise KeyboardInterrupt
         self._interrupted = True
 
-    def __call__(self, stage: str, share: float) -> None:
-        """Report that a share of a stage is done; raises KeyboardInterrupt where Ctrl-C was pressed."""
+    def __call__(self, stage: str, share: float, note: str = "") -> None:
+        """Report that a share of a stage is done, and a ``note`` on it; raises KeyboardInterrupt after Ctrl-C."""
         if self._interrupted:
             self._interrupted = False
             raise KeyboardInterrupt
@@ -177,10 +177,11 @@ class Stages:
         if now - self._started < PATIENCE:
             return
         if sys.stderr.isatty():
-            self._draw(stage, share)
+            self._draw(stage, share, note)
         elif now - self._last_line >= LINE_EVERY:
             self._last_line = now
-            print(f"{stage}: {share:.0%} after {now - self._started:.0f} s", file=sys.stderr, flush=True)
+            said = f", {note}" if note else ""
+            print(f"{stage}: {share:.0%} after {now - self._started:.0f} s{said}", file=sys.stderr, flush=True)
 
     def _take(self, stage: str) -> None:
         """End the stage before: its time is what passed since it began."""
@@ -190,7 +191,7 @@ class Stages:
             self.spent[self._stage] = [t + now - before for t, now, before in zip(times, mark, self._mark, strict=True)]
         self._stage, self._mark = stage, mark
 
-    def _draw(self, stage: str, share: float) -> None:
+    def _draw(self, stage: str, share: float, note: str = "") -> None:
         with self._drawing:
             if not stage:  # nothing has begun, or all has ended
                 return
@@ -205,7 +206,8 @@ class Stages:
                 for task in self._tasks.values():
                     self._bar.update(task, completed=1.0)
                 self._tasks[stage] = self._bar.add_task(stage, total=1.0)
-            self._bar.update(self._tasks[stage], completed=share)
+            text = f"{stage} ({note})" if note else stage
+            self._bar.update(self._tasks[stage], completed=share, description=text)
 
     def stop(self) -> None:
         """Remove what is drawn; the last stage ends."""

@@ -1,0 +1,210 @@
+"""Blocks: consecutive cases of a study as one record of bytes, checked whole whenever it is read.
+
+    magic (8) | format version (4) | length of the header (4) | length of the payload (8)
+    | SHA-256 of the header (32) | SHA-256 of the payload (32) | header, JSON | payload: the arrays, one after another
+
+The header names the arrays with their types and shapes, in order, and what the numbers depend on. It is a file of a
+study folder, and what a worker on another machine sends back.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import math
+import struct
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tmodes.errors import ResultFileError
+from tmodes.io.atomic import file_error
+from tmodes.study.addresses import canonical, cases_address
+from tmodes.study.rows import STATUS, Kept, Rows
+
+__all__ = ["BLOCK_FORMAT", "MOST_BLOCK", "PREFIX", "Block", "Label", "label_of", "pack", "unpack"]
+
+BLOCK_FORMAT = 1
+MAGIC = b"TMBLOCK\n"
+PREFIX = struct.Struct("<8sIIQ32s32s")
+MOST_HEADER, MOST_PAYLOAD = 1 << 24, 1 << 34
+MOST_BLOCK = 1_000_000
+"""Cases of one block."""
+
+_TYPES = ("<f8", "<i8", "<u4", "|u1")
+_KEPT = ("times", "states", "tip")
+
+
+@dataclass(frozen=True)
+class Label:
+    """What a block is of, as its header says: the cases from ``first``, ``count`` of them, at ``address``.
+
+    ``base``: digest of what a case is; ``engine``: version of what has computed it; ``keys``: a digest of each of its
+    quantities; ``failed``: cases of which a quantity failed; ``wall``: seconds that it took.
+    """
+
+    base: str
+    engine: str
+    address: str
+    first: int
+    count: int
+    keys: Mapping[str, str]
+    failed: int
+    wall: float
+
+    @property
+    def name(self) -> str:
+        """Name of its file: a digest of all that its numbers depend on."""
+        content = [self.base, self.engine, self.address, self.first, self.count, dict(self.keys)]
+        return hashlib.sha256(canonical(content)).hexdigest()[:40] + ".block"
+
+    @property
+    def end(self) -> int:
+        """The case after its last."""
+        return self.first + self.count
+
+
+@dataclass(frozen=True, eq=False)
+class Block:
+    """``rows``, and the ``label`` of what they depend on; ``asked``: the cases that were to keep their motion."""
+
+    label: Label
+    rows: Rows
+    asked: tuple[int, ...] = ()
+
+
+def label_of(base: str, engine: str, keys: Mapping[str, str], rows: Rows, wall: float = 0.0) -> Label:
+    """The label of rows that were just computed."""
+    values = np.column_stack(list(rows.parameters.values()))
+    address = cases_address(base, list(rows.parameters), values)
+    failed = sum(status == "failed" for status in rows.status)
+    return Label(base, engine, address, int(rows.case[0]), len(rows), dict(keys), failed, wall)
+
+
+def pack(block: Block) -> bytes:
+    """The block as bytes."""
+    rows = block.rows
+    words = list(dict.fromkeys([*rows.reason, *rows.method]))
+    place = {word: index for index, word in enumerate(words)}
+    arrays: dict[str, NDArray[Any]] = {
+        **{f"parameter/{name}": np.asarray(values, "<f8") for name, values in rows.parameters.items()},
+        **{f"quantity/{name}": np.asarray(values, "<f8") for name, values in rows.quantities.items()},
+        "status": np.array([STATUS.index(status) for status in rows.status], "|u1"),
+        "reason": np.array([place[word] for word in rows.reason], "<u4"),
+        "method": np.array([place[word] for word in rows.method], "<u4"),
+        "seconds": np.asarray(rows.seconds, "<f8"),
+        "words": np.frombuffer(canonical(words), "|u1"),
+        "asked": np.array(block.asked, "<i8"),
+    }
+    kept: dict[str, Any] = {}
+    for case, motion in rows.kept.items():
+        kept[str(case)] = list(motion.names)
+        arrays |= {f"kept/{case}/{part}": np.asarray(getattr(motion, part), "<f8") for part in _KEPT}
+    header = canonical(
+        {
+            "label": {**vars(block.label), "keys": dict(block.label.keys)}, "units": dict(rows.units), "kept": kept,
+            "arrays": [[name, array.dtype.str, list(array.shape)] for name, array in arrays.items()],
+        }
+    )  # fmt: skip
+    payload = b"".join(array.tobytes() for array in arrays.values())
+    digests = hashlib.sha256(header).digest(), hashlib.sha256(payload).digest()
+    return PREFIX.pack(MAGIC, BLOCK_FORMAT, len(header), len(payload), *digests) + header + payload
+
+
+def unpack(data: bytes | memoryview, which: object) -> Block:
+    """The block that bytes hold; ``which`` names them in messages.
+
+    Raises :class:`tmodes.errors.ResultFileError` for what is no whole block of this version: sizes are compared with
+    the length, digests with the content, and the address with the cases.
+    """
+    try:
+        header, payload = _parts(memoryview(data), which)
+        return _block(header, _arrays(header["arrays"], payload))
+    except ResultFileError:
+        raise
+    except (ValueError, KeyError, TypeError, IndexError, AttributeError, RecursionError, OverflowError) as error:
+        raise refused(which, f"a block whose parts do not fit together ({error})") from error
+
+
+def refused(which: object, got: str, expected: str = "a whole block of this study") -> ResultFileError:
+    """The error of a block that cannot be used."""
+    return file_error(which, got, expected, "delete this file to compute its cases again, or name another folder")
+
+
+def _parts(data: memoryview, which: object) -> tuple[Any, memoryview]:
+    if len(data) < PREFIX.size:
+        raise refused(which, f"{len(data)} bytes")
+    magic, version, head, body, head_digest, body_digest = PREFIX.unpack(data[: PREFIX.size])
+    if magic != MAGIC:
+        raise refused(which, "a file of another kind")
+    if version != BLOCK_FORMAT:
+        raise file_error(which, f"format version {version}", f"version {BLOCK_FORMAT}", "upgrade tmodes")
+    if head > MOST_HEADER or body > MOST_PAYLOAD or PREFIX.size + head + body != len(data):
+        raise refused(which, f"{len(data):,} bytes, where its start says {PREFIX.size + head + body:,}")
+    header, payload = data[PREFIX.size : PREFIX.size + head], data[PREFIX.size + head :]
+    if hashlib.sha256(header).digest() != head_digest or hashlib.sha256(payload).digest() != body_digest:
+        raise refused(which, "a content that does not match its checksum")
+    return json.loads(bytes(header)), payload
+
+
+def _arrays(index: list[Any], payload: memoryview) -> dict[str, NDArray[Any]]:
+    found: dict[str, NDArray[Any]] = {}
+    start = 0
+    for name, kind, shape in index:
+        if kind not in _TYPES or name in found or any(not isinstance(n, int) or n < 0 for n in shape):
+            raise ValueError(f"array {name!r}")
+        length = math.prod(shape) * np.dtype(kind).itemsize
+        if length > len(payload) - start:
+            raise ValueError(f"array {name!r} is longer than the file")
+        found[name] = np.frombuffer(payload[start : start + length], dtype=kind).reshape(shape)
+        start += length
+    if start != len(payload):
+        raise ValueError("bytes that belong to no array")
+    return found
+
+
+def _block(header: Any, arrays: dict[str, NDArray[Any]]) -> Block:
+    label = Label(**header["label"])
+    count = label.count
+    if not (0 < count <= MOST_BLOCK and label.first >= 0):
+        raise ValueError(f"{count} cases from {label.first}")
+    words = json.loads(bytes(arrays["words"]))
+    texts = {of: [words[index] for index in arrays[of].tolist()] for of in ("reason", "method")}
+    columns = {of: _columns(arrays, f"{of}/") for of in ("parameter", "quantity")}
+    kept = {
+        int(case): Kept(*(arrays[f"kept/{case}/{part}"] for part in _KEPT), names=tuple(names))
+        for case, names in header["kept"].items()
+    }
+    if any(_not_fitting(motion) for motion in kept.values()):
+        raise ValueError("a motion of the wrong shape")
+    case = np.arange(label.first, label.end, dtype=np.int64)
+    status = [STATUS[code] for code in arrays["status"].tolist()]
+    rows = Rows(
+        case, columns["parameter"], columns["quantity"], header["units"], status, **texts,
+        seconds=arrays["seconds"], kept=kept,
+    )  # fmt: skip
+    lengths = {len(part) for part in (*columns["parameter"].values(), *columns["quantity"].values(), status)}
+    if lengths | {len(rows.reason), len(rows.method), len(rows.seconds)} != {count}:
+        raise ValueError("columns of different lengths")
+    again = label_of(label.base, label.engine, label.keys, rows, label.wall)
+    if set(label.keys) != set(rows.quantities) or again != label:
+        raise ValueError("cases of another address")
+    return Block(label, rows, tuple(arrays["asked"].tolist()))
+
+
+def _not_fitting(motion: Kept) -> bool:
+    samples = motion.times.shape
+    return (
+        len(samples) != 1 or motion.tip.shape != (*samples, 3) or motion.states.shape != (*samples, len(motion.names))
+    )
+
+
+def _columns(arrays: Mapping[str, NDArray[Any]], start: str) -> dict[str, NDArray[np.float64]]:
+    """Columns by name, each of one dimension."""
+    found = {name.removeprefix(start): array for name, array in arrays.items() if name.startswith(start)}
+    if any(array.ndim != 1 or array.dtype != np.float64 for array in found.values()):
+        raise ValueError("a column of the wrong shape")
+    return found

@@ -1,0 +1,132 @@
+"""The job of one run: what is missing of a study, handed out in blocks, and taken back verified."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from tmodes.io.atomic import file_error
+from tmodes.study.blocks import Block, label_of, pack, unpack
+from tmodes.study.cover import Cover, Gap, Part
+from tmodes.study.derived import derivable, derived, is_formula
+from tmodes.study.pace import Pace
+from tmodes.study.parts import rows_of
+from tmodes.study.places.contract import Task
+from tmodes.study.remote import compute, order
+from tmodes.study.store import Folder
+from tmodes.study.study import Study
+
+__all__ = ["StudyJob", "kept_cases"]
+
+Progress = Callable[[str, float], None]
+
+
+def kept_cases(study: Study, first: int, end: int) -> tuple[int, ...]:
+    """The cases from ``first`` to before ``end`` whose motion is kept."""
+    keep = study.sheet.keep
+    found = {case for case in keep.cases if first <= case < end}
+    if keep.every:
+        found |= set(range(-(-first // keep.every) * keep.every, end, keep.every))
+    return tuple(sorted(found))
+
+
+class StudyJob:
+    """Tasks of what is missing: new cases, quantities that stored cases lack, motions that were not kept."""
+
+    def __init__(
+        self, folder: Folder, cover: Cover, tasks: list[Task], threads: int | None, progress: Progress
+    ) -> None:
+        self.folder, self.cover, self.study, self.threads = folder, cover, folder.study, threads
+        self._tasks, self._gaps, self._progress = tasks, list(cover.gaps), progress
+        self._total = len(folder.values) + sum(len(task.values) for task in tasks)
+        self._left = sum(len(task.values) for task in tasks) + sum(gap.end - gap.first for gap in cover.gaps)
+        kept = 0 if not self.study.sheet.keep.every else 1 << 16
+        self._pace = Pace(self.study.sheet.block, kept)
+
+    @classmethod
+    def of(cls, folder: Folder, threads: int | None, progress: Progress) -> StudyJob:
+        """What is missing in a folder."""
+        cover = folder.cover()
+        tasks = [_task(folder, part.first, part.end, asked) for part in cover.parts if (asked := _asked(folder, part))]
+        known = folder.keepers()
+        for part in cover.parts:
+            wanted = kept_cases(folder.study, part.first, part.end)
+            tasks += [_task(folder, case, case + 1, tuple(folder.keys)) for case in wanted if case not in known]
+        return cls(folder, cover, tasks, threads, progress)
+
+    def derive(self) -> None:
+        """Compute the formulas that follow from what is stored."""
+        folder = self.folder
+        for part in folder.cover().parts:
+            if names := derivable(self.study, part.missing):
+                rows = derived(self.study, rows_of(folder, part), names)
+                keys = {name: folder.keys[name] for name in names}
+                folder.write(Block(label_of(folder.base, folder.engine, keys, rows), rows))
+
+    @property
+    def finished(self) -> bool:
+        """Whether nothing is left to compute."""
+        return not self._left
+
+    def next(self, workers: int = 1) -> Task | None:
+        """The next task: what stored cases lack first, then new cases in order."""
+        if self._tasks:
+            return self._tasks.pop(0)
+        if not self._gaps:
+            return None
+        gap = self._gaps.pop(0)
+        end = gap.first + self._pace.size(gap.end - gap.first, workers)
+        if end < gap.end:
+            self._gaps.insert(0, Gap(end, gap.end))
+        return _task(self.folder, gap.first, end, tuple(self.folder.keys))
+
+    def again(self, task: Task) -> None:
+        """Put back a task that was lost."""
+        self._tasks.insert(0, task)
+
+    def order(self, task: Task, threads: int | None = None) -> bytes:
+        """The task as plain data."""
+        return order(self.study, task, threads)
+
+    def compute(self, task: Task) -> bytes:
+        """Compute a task in this process."""
+        return pack(compute(self.study, task, self.threads, self._share(len(task.values))))
+
+    def done(self, task: Task, block: bytes) -> None:
+        """Verify a block as if it were a file of anybody's, and store it."""
+        which = f"the block of cases {task.first} to {task.first + len(task.values) - 1}"
+        found = unpack(block, which)
+        label, folder = found.label, self.folder
+        expected = folder.address(task.first, task.first + len(task.values)), folder.base, folder.engine, task.first
+        if (label.address, label.base, label.engine, label.first) != expected or not set(task.quantities) <= set(
+            label.keys
+        ):
+            hint = "install the same tmodes on all machines"
+            raise file_error(which, "a block of something else", "what was asked for", hint)
+        folder.write(found)
+        self._pace.took(label.count, label.wall)
+        self._left -= label.count
+        self.report()
+
+    def report(self, share: float = 0.0) -> None:
+        """Progress: what is done of all cases, and ``share`` of one more."""
+        self._progress("cases", min(1.0, (self._total - self._left + share) / max(self._total, 1)))
+
+    def _share(self, cases: int) -> Progress:
+        """Progress of a block, as a part of the whole; what it compiles and plans is shown by its own words."""
+
+        def tell(stage: str, share: float) -> None:
+            del stage
+            self.report(cases * share)
+
+        return tell
+
+
+def _asked(folder: Folder, part: Part) -> tuple[str, ...]:
+    """What is to be computed of stored cases; formulas follow from it, and are derived."""
+    quantities = folder.study.sheet.quantities
+    left = [name for name in part.missing if name not in derivable(folder.study, part.missing)]
+    return tuple(name for name in left if not is_formula(quantities[name]))
+
+
+def _task(folder: Folder, first: int, end: int, quantities: tuple[str, ...]) -> Task:
+    return Task(first, folder.values[first:end], quantities, kept_cases(folder.study, first, end))

@@ -1,0 +1,39 @@
+"""How many cases a block has: by the sheet, or so many that it takes some seconds."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+__all__ = ["LEAST", "Pace"]
+
+LEAST, MOST = 64, 1 << 18
+"""Cases of a block that is chosen here."""
+
+SECONDS = 3.0
+"""What a block is to take."""
+
+GROWTH = 32
+"""A block has at most so many times more cases than the one before: its time may be that of the first compilation."""
+
+
+@dataclass
+class Pace:
+    """``fixed``: cases of a block by the sheet; ``heavy``: bytes that one case keeps, which bound a block in memory."""
+
+    fixed: int | None = None
+    heavy: int = 0
+    _size: int = LEAST
+
+    def size(self, left: int, workers: int = 1) -> int:
+        """Cases of the next block, when ``left`` remain for so many workers: at the end all have something to do."""
+        if self.fixed:
+            return min(left, self.fixed)
+        fair = max(LEAST, -(-left // (2 * workers))) if workers > 1 else left
+        return min(left, fair, self._size)
+
+    def took(self, cases: int, seconds: float) -> None:
+        """A block of so many cases took so long."""
+        bound = min(MOST, max(LEAST, (1 << 28) // max(self.heavy, 1)))
+        wanted = min(cases * SECONDS / max(seconds, 1e-6), GROWTH * max(cases, LEAST), bound)
+        if cases >= min(self._size, LEAST):  # the rest of a gap says little
+            self._size = max(LEAST, int(wanted) // LEAST * LEAST)

@@ -1,0 +1,88 @@
+"""Run a study into its folder: what is stored is not computed again, whatever has interrupted it."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
+from pathlib import Path
+
+from tmodes.errors import SimulationError
+from tmodes.io.atomic import file_error
+from tmodes.study.extra import needed
+from tmodes.study.job import StudyJob, kept_cases
+from tmodes.study.motions import write_motions
+from tmodes.study.places.contract import How, place_of
+from tmodes.study.result import StudyResult
+from tmodes.study.store import Folder, locked
+from tmodes.study.study import Study
+from tmodes.study.table import refuse_names, write_table
+
+__all__ = ["run_study"]
+
+Progress = Callable[[str, float], None]
+
+
+def run_study(
+    study: Study,
+    folder: str | os.PathLike[str],
+    on: str = "local",
+    *,
+    threads: int | None = None,
+    recompute: bool = False,
+    overwrite: bool = False,
+    insecure: bool = False,
+    tls: Path | None = None,
+    resources: Mapping[str, str] | None = None,
+    progress: Progress = lambda stage, share: None,
+    notice: Callable[[str], None] = lambda text: None,
+) -> StudyResult:
+    """Compute what is missing of a study in its folder, and write the table and the motions that it keeps.
+
+    ``on``: where: ``local``, ``dask://HOST:PORT``, ``dask+tls://HOST:PORT``, ``slurm`` or ``gpu``. ``recompute``: cases
+    that another version of the engine has computed are computed again; its blocks stay. ``overwrite``: what another
+    study left in the folder is removed. ``insecure``, ``tls``, ``resources``: see :class:`tmodes.study.places.How`.
+
+    Killed at any moment, the same call computes only what is missing. Raises :class:`tmodes.errors.ResultFileError`
+    for a folder that is damaged, foreign, in use, or without room; :class:`tmodes.errors.InputError` for a wrong place.
+    """
+    needed("pyarrow", "study")
+    refuse_names(study)
+    place = place_of(on, How(threads, insecure, tls, dict(resources or {})))
+    progress("planning", 0.0)
+    design = study.design()
+    with locked(Folder.of(Path(folder), study, design.values), overwrite=overwrite) as here:
+        job = StudyJob.of(here, threads, progress)
+        _refuse_older(job, recompute, notice)
+        with _disk(here.path):
+            here.begin()
+            place.run(job)
+            if not job.finished:
+                raise SimulationError(f"`{on}` has ended before all cases were computed; run the same command again")
+            job.derive()
+            write_motions(here, set(kept_cases(study, 0, len(design.values))), progress)
+            write_table(here, here.cover(), design.labels, progress)
+    return StudyResult(study, Path(folder), design, here)
+
+
+def _refuse_older(job: StudyJob, recompute: bool, notice: Callable[[str], None]) -> None:
+    """Blocks of another engine are never mixed with those of this one, and never replaced without a word."""
+    older = job.cover.older
+    if not older:
+        return
+    got = f"{older:,} cases of another version of the engine"
+    if not recompute:
+        hint = "compute them again (--recompute; the old blocks stay), or name another folder"
+        raise file_error(f"folder {job.folder.path}", got, f"those of {job.folder.engine}", hint)
+    notice(f"{got} are computed again; the old blocks stay in {job.folder.blocks}")
+
+
+@contextmanager
+def _disk(path: Path) -> Iterator[None]:
+    """What the system refuses while files are written becomes a sentence: what is there stays valid."""
+    try:
+        yield
+    except OSError as error:
+        hint = "free some space; the same command computes what is missing"
+        got = f"“{error.strerror or error}” when writing"
+        raise file_error(f"folder {path}", got, "a place that can be written", hint) from error

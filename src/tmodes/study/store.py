@@ -1,0 +1,205 @@
+"""A study folder: study.json, blocks/, the table and motions; whole at every moment, refused where it is not ours."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+import re
+import stat
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tmodes.errors import ResultFileError
+from tmodes.io.atomic import FolderLock, atomic_write, check_writable, file_error, remove_orphans
+from tmodes.study.addresses import base_of, canonical, cases_address, engine_of_blocks
+from tmodes.study.blocks import Block, Label, pack, refused, unpack
+from tmodes.study.cover import Cover, covered
+from tmodes.study.study import Study
+
+__all__ = ["BLOCKS", "MOTIONS", "STUDY_FILE", "TABLE", "Folder", "description", "locked"]
+
+FOLDER_FORMAT = 1
+STUDY_FILE, BLOCKS, TABLE, MOTIONS = "study.json", "blocks", "table.parquet", "trajectories"
+MOST_DESCRIPTION = 1 << 28
+MOST_BLOCK_FILE = 1 << 35
+_NAME = re.compile(r"[0-9a-f]{40}\.block")
+
+
+@dataclass(eq=False)
+class Folder:
+    """The folder of a study with all its ``values`` (k, d); ``keys``: a digest of each quantity."""
+
+    path: Path
+    study: Study
+    values: NDArray[np.float64]
+    base: str
+    engine: str
+    keys: Mapping[str, str]
+    asked: dict[str, tuple[int, ...]] = field(default_factory=dict)
+    known: dict[str, Label] | None = None
+
+    @classmethod
+    def of(cls, path: Path, study: Study, values: NDArray[np.float64]) -> Folder:
+        """The folder for a study, whether it is there or not."""
+        return cls(path, study, values, base_of(study), engine_of_blocks(), study.quantity_identities)
+
+    @property
+    def blocks(self) -> Path:
+        """Where the blocks are."""
+        return self.path / BLOCKS
+
+    def address(self, first: int, end: int) -> str:
+        """The address of consecutive cases."""
+        return cases_address(self.base, self.study.names, self.values[first:end])
+
+    def labels(self) -> list[Label]:
+        """Labels of all blocks, each read and verified whole, once; raises ResultFileError for one that is not ours."""
+        if self.known is None:
+            self.known = {}
+            for file in self._files():
+                self.known[file.name] = self.read(file).label
+        return list(self.known.values())
+
+    def _files(self) -> list[Path]:
+        if not os.path.lexists(self.blocks):
+            return []
+        if self.blocks.is_symlink() or not self.blocks.is_dir():
+            raise file_error(self.blocks, "a link or a file", "a folder", "name another folder for the study")
+        return sorted(file for file in self.blocks.iterdir() if not file.name.startswith(".tmodes-"))
+
+    def read(self, file: Path) -> Block:
+        """A block from its file, verified; its name is that of its content."""
+        if not _NAME.fullmatch(file.name):
+            raise refused(file, "a file that is no block")
+        block = unpack(plain_bytes(file, MOST_BLOCK_FILE), file)
+        if block.label.name != file.name:
+            raise refused(file, "a block under the name of another")
+        if block.label.base != self.base:
+            raise refused(file, "a block of another robot, or of other parameters")
+        self.asked[file.name] = block.asked
+        return block
+
+    def block(self, label: Label) -> Block:
+        """The block of a label."""
+        return self.read(self.blocks / label.name)
+
+    def write(self, block: Block) -> None:
+        """Store a block; when this returns, it is on the disk."""
+        with atomic_write(self.blocks / block.label.name) as path:
+            path.write_bytes(pack(block))
+        self.asked[block.label.name] = block.asked
+        if self.known is not None:
+            self.known[block.label.name] = block.label
+
+    def cover(self) -> Cover:
+        """Which cases are stored, and where."""
+        return covered(self.labels(), len(self.values), self.engine, self.keys, self.address)
+
+    def keepers(self) -> dict[int, Label]:
+        """The block that was to keep the motion of a case, by its number."""
+        found: dict[int, Label] = {}
+        for label in self.labels():
+            here = label.engine == self.engine and label.end <= len(self.values) and self.asked.get(label.name)
+            if here and label.address == self.address(label.first, label.end):
+                found |= dict.fromkeys(self.asked[label.name], label)
+        return found
+
+    def begin(self) -> None:
+        """Write study.json, all that is needed to read the folder, and make room for the blocks."""
+        info = {
+            "format": FOLDER_FORMAT, "kind": "study folder", "engine": self.engine, "base": self.base,
+            "cases": len(self.values), "data": dict(self.study.data),
+        }  # fmt: skip
+        with atomic_write(self.path / STUDY_FILE) as path:
+            path.write_bytes(canonical(info | {"digest": _digest(info)}) + b"\n")
+        self.blocks.mkdir(exist_ok=True)
+
+    def room(self) -> int:
+        """Bytes that blocks and table may take, without kept motions."""
+        columns = len(self.study.names) + 2 * len(self.keys) + 4
+        return 2 * 8 * columns * len(self.values) + 1_000_000
+
+
+def _digest(info: Mapping[str, Any]) -> str:
+    return hashlib.sha256(canonical(dict(info))).hexdigest()
+
+
+def plain_bytes(file: Path, most: int) -> bytes:
+    """Content of a file that is no link; raises ResultFileError where it is one, is too long, or cannot be read."""
+    try:
+        handle = os.open(file, os.O_RDONLY | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_BINARY", 0))
+        with open(handle, "rb") as opened:  # noqa: PTH123 - of a handle
+            info = os.fstat(handle)
+            if file.is_symlink() or not stat.S_ISREG(info.st_mode):
+                raise refused(file, "a link, or no file", "a file")
+            if info.st_size > most:
+                raise refused(file, f"{info.st_size:,} bytes", f"at most {most:,} bytes")
+            return opened.read(info.st_size)
+    except OSError as error:
+        link = " (a link)" if file.is_symlink() else ""
+        raise refused(file, f"“{error.strerror}” when reading{link}", "a file that can be read") from error
+
+
+def description(path: Path) -> dict[str, Any]:
+    """What study.json of a folder holds, verified. Raises ResultFileError for what is damaged, foreign or newer."""
+    file = path / STUDY_FILE
+    if not os.path.lexists(file):
+        raise file_error(f"folder {path}", f"no {STUDY_FILE} in it", "the folder of a study", "run a study into it")
+    hint = "name another folder, or run the study with --overwrite"
+    try:
+        info = json.loads(plain_bytes(file, MOST_DESCRIPTION))
+        digest = info.pop("digest", None)
+    except (ValueError, AttributeError, RecursionError) as error:
+        raise file_error(file, "no JSON of a study folder", "the description of a study", hint) from error
+    if info.get("kind") != "study folder":
+        raise file_error(file, "a file of another kind", "the description of a study", hint)
+    if info.get("format") != FOLDER_FORMAT:
+        raise file_error(file, f"format {info.get('format')!r}", f"format {FOLDER_FORMAT}", "upgrade tmodes")
+    if digest != _digest(info):
+        raise file_error(file, "a content that does not match its digest", "the description of a study", hint)
+    return info
+
+
+@contextmanager
+def locked(folder: Folder, *, overwrite: bool = False) -> Iterator[Folder]:
+    """The folder, locked for one writer, and checked; what does not belong to it is refused.
+
+    ``overwrite``: what an earlier study has left there is removed. Raises :class:`tmodes.errors.ResultFileError`.
+    """
+    path = folder.path
+    check_writable(path, folder.room())
+    with FolderLock(path):
+        if overwrite:
+            _remove_study(path)
+        if folder.blocks.is_symlink():
+            raise file_error(folder.blocks, "a link", "a folder", "name another folder for the study")
+        if os.path.lexists(path / STUDY_FILE):
+            if description(path)["base"] != folder.base:
+                hint = "name another folder (--out), or replace what is there (--overwrite)"
+                raise file_error(f"folder {path}", "a study of another robot or of other parameters", "this one", hint)
+        elif os.path.lexists(folder.blocks) and (not folder.blocks.is_dir() or any(folder.blocks.iterdir())):
+            raise file_error(f"folder {path}", f"blocks without {STUDY_FILE}", "the folder of a study", "name another")
+        if folder.blocks.is_dir():
+            remove_orphans(folder.blocks)
+        yield folder
+
+
+def _remove_study(path: Path) -> None:
+    """Remove the files of a study, and nothing else; its description last: what is left halfway is still known."""
+    hint = "remove it by hand, or name another folder"
+    if (path / BLOCKS).is_symlink():
+        raise file_error(path / BLOCKS, "a link", "a folder", hint)
+    found = [path / TABLE, path / "study.html", *(path / MOTIONS).glob("case_*.nc")]
+    found += [file for file in (path / BLOCKS).glob("*.block") if _NAME.fullmatch(file.name)]
+    try:
+        for file in [*found, path / STUDY_FILE]:
+            file.unlink(missing_ok=True)
+    except OSError as error:
+        raise ResultFileError(f"{path} cannot be emptied: {error.strerror}; {hint}") from error

@@ -1,0 +1,179 @@
+"""R23: a study folder that is tampered with, foreign, cut, or newer is refused before it is touched."""
+
+from __future__ import annotations
+
+import json
+import struct
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from study.store.fake import data, fake
+from tmodes.errors import InputError, ResultFileError
+from tmodes.study.blocks import PREFIX, pack, unpack
+from tmodes.study.runner import run_study
+from tmodes.study.store import BLOCKS, STUDY_FILE, description
+
+SHEET = data(100, ("peak", "sag"), block=50, keep={"cases": [3]})
+
+
+@pytest.fixture
+def folder(tmp_path):
+    run_study(fake(SHEET), tmp_path)
+    return tmp_path
+
+
+@pytest.fixture
+def block(folder):
+    return min((folder / BLOCKS).iterdir())
+
+
+def refused(folder, info, study=None):
+    study = study or fake(SHEET)
+    before = {file: file.read_bytes() for file in folder.rglob("*") if file.is_file()}
+    with pytest.raises(ResultFileError, match=info):
+        run_study(study, folder)
+    assert not study.calls
+    assert {file: file.read_bytes() for file in folder.rglob("*") if file.is_file()} == before
+
+
+def test_every_flipped_bit_is_found(block):
+    """Somewhere in the start, in the header, in the payload."""
+    whole = block.read_bytes()
+    for place in [*range(0, PREFIX.size, 3), *np.linspace(PREFIX.size, len(whole) - 1, 200).astype(int).tolist()]:
+        broken = bytearray(whole)
+        broken[place] ^= 1 << place % 8
+        with pytest.raises(ResultFileError):
+            unpack(bytes(broken), "block")
+
+
+def test_every_cut_is_found(block):
+    whole = block.read_bytes()
+    for length in [0, 1, PREFIX.size - 1, PREFIX.size, PREFIX.size + 10, len(whole) // 2, len(whole) - 1]:
+        with pytest.raises(ResultFileError):
+            unpack(whole[:length], "block")
+    with pytest.raises(ResultFileError, match="its start says"):
+        unpack(whole + b"\0", "block")
+
+
+def test_a_flipped_bit_in_the_folder_is_refused(folder, block):
+    content = bytearray(block.read_bytes())
+    content[-1] ^= 1
+    block.write_bytes(content)
+    refused(folder, "does not match its checksum; delete this file to compute its cases again")
+    block.unlink()
+    study = fake(SHEET)
+    assert run_study(study, folder).complete
+    assert len(study.calls) == 1
+
+
+def test_a_truncated_block_is_refused(folder, block):
+    block.write_bytes(block.read_bytes()[:-8])
+    refused(folder, "bytes, where its start says")
+
+
+def test_sizes_that_promise_too_much_take_no_memory(block):
+    """A header of 4 GB, a payload of 2^60 bytes: the file is shorter."""
+    for at, kind, size in ((12, "<I", 2**32 - 1), (16, "<Q", 2**60)):
+        broken = bytearray(block.read_bytes())
+        struct.pack_into(kind, broken, at, size)
+        with pytest.raises(ResultFileError, match="where its start says"):
+            unpack(bytes(broken), "block")
+
+
+def test_a_newer_block_is_refused(folder, block):
+    content = bytearray(block.read_bytes())
+    struct.pack_into("<I", content, 8, 2)
+    block.write_bytes(content)
+    refused(folder, "format version 2; upgrade|version 1, got format version 2; upgrade tmodes")
+
+
+def test_a_block_with_other_numbers_and_new_checksums_is_refused(block):
+    """Cases that are not those of its address: whoever has written it, they are not the cases of this study."""
+    found = unpack(block.read_bytes(), block)
+    values = dict(found.rows.parameters)
+    values["gear"] = values["gear"] + 1e-9
+    forged = pack(replace(found, rows=replace(found.rows, parameters=values)))
+    with pytest.raises(ResultFileError, match="another address"):
+        unpack(forged, "block")
+
+
+def test_a_linked_block_is_refused(folder, block, tmp_path_factory):
+    moved = tmp_path_factory.mktemp("elsewhere") / block.name
+    block.rename(moved)
+    block.symlink_to(moved)
+    refused(folder, "link")
+
+
+def test_linked_blocks_folder_is_refused(folder, tmp_path_factory):
+    moved = tmp_path_factory.mktemp("elsewhere") / "blocks"
+    (folder / BLOCKS).rename(moved)
+    (folder / BLOCKS).symlink_to(moved)
+    refused(folder, "got a link")
+    with pytest.raises(ResultFileError, match="got a link"):
+        run_study(fake(SHEET), folder, overwrite=True)
+    assert [*moved.iterdir()]
+
+
+def test_a_block_under_another_name_and_a_foreign_file_are_refused(folder, block):
+    renamed = block.with_name("0" * 40 + ".block")
+    block.rename(renamed)
+    refused(folder, "under the name of another")
+    renamed.rename(block)
+    (folder / BLOCKS / "notes.txt").write_text("mine")
+    refused(folder, "no block")
+
+
+def test_blocks_of_another_robot_are_refused(folder, tmp_path):
+    other = fake(SHEET | {"robot": "another"})
+    refused(folder, "another robot or of other parameters.*--overwrite", other)
+    run_study(other, tmp_path / "other")
+    foreign = min((tmp_path / "other" / BLOCKS).iterdir())
+    (folder / BLOCKS / foreign.name).write_bytes(foreign.read_bytes())
+    refused(folder, "a block of another robot")
+
+
+def test_overwrite_replaces_a_study_and_nothing_else(folder):
+    (folder / "notes.txt").write_text("mine")
+    other = fake(data(80, robot="another"))
+    assert run_study(other, folder, overwrite=True).complete
+    assert (folder / "notes.txt").read_text() == "mine"
+    assert not [*(folder / "trajectories").glob("*.nc")]
+
+
+DAMAGED = {
+    "no JSON": lambda info: "{",
+    "another kind": lambda info: json.dumps(info | {"kind": "recipe"}),
+    "format 2.*upgrade|got format 2; upgrade": lambda info: json.dumps(info | {"format": 2}),
+    "does not match its digest": lambda info: json.dumps(info | {"cases": 99}),
+    "no JSON of": lambda info: "[" * 100_000,
+}
+
+
+@pytest.mark.parametrize("info", list(DAMAGED))
+def test_a_damaged_description_is_refused(info, folder):
+    file = folder / STUDY_FILE
+    file.write_text(DAMAGED[info](json.loads(file.read_text())))
+    with pytest.raises(ResultFileError, match=info):
+        description(folder)
+    refused(folder, info)
+
+
+def test_blocks_without_a_description_are_refused(folder):
+    (folder / STUDY_FILE).unlink()
+    refused(folder, "blocks without study.json")
+
+
+def test_a_folder_in_which_nothing_can_be_written(tmp_path):
+    (tmp_path / "file").write_text("")
+    with pytest.raises(ResultFileError, match="which is a file"):
+        run_study(fake(SHEET), tmp_path / "file" / "study")
+
+
+def test_a_column_that_would_hide_another_is_refused_before_anything_runs(tmp_path):
+    study = fake(data(100))
+    study.data["study"]["parameters"]["status"] = study.data["study"]["parameters"].pop("payload")  # pyright: ignore[reportIndexIssue]
+    with pytest.raises(InputError, match="a name that the table has already"):
+        run_study(study, tmp_path)
+    assert not study.calls
