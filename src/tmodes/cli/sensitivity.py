@@ -63,9 +63,7 @@ def sensitivity(
 
     asked = read_study(study, roots=root or (), trust_paths=trust_paths)
     with working() as tell:
-        found = analyse(
-            asked, method, samples=samples, seed=seed, second_order=second_order, folder=out, progress=tell
-        )
+        found = analyse(asked, method, samples=samples, seed=seed, second_order=second_order, folder=out, progress=tell)
     if as_json:
         print_json(found.info())
         return

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.errors import InputError
+from tmodes.errors import InputError, SimulationError
 from tmodes.sensitivity.gradient import adjoint_gradient
 from tmodes.sensitivity.quantities import Functional
 from tmodes.sheet import Robot
@@ -18,6 +18,7 @@ from tmodes.simulation.vary.tables import Nominal, nominal_side
 from tmodes.study.optimize.gradient import Terms
 from tmodes.study.optimize.leaves import factor, formulas, leaves, numbers_of, restricted
 from tmodes.study.optimize.smooth import REFERENCED, reduced_series
+from tmodes.study.optimize.stencil import neighbours, slopes
 from tmodes.study.optimize.trials import Trials
 
 __all__ = ["Adjoint"]
@@ -27,15 +28,12 @@ Array = NDArray[np.float64]
 _STEP = 1e-6
 """Of a parameter's range, along which formulas are differentiated."""
 
-_FAR = 1e-4
-"""Of a parameter's range, along which numbers at rest and references are."""
-
 
 @dataclass(frozen=True, eq=False)
 class _Point:
-    """A design (k,) with its robot: by ``path`` its numbers at the design and at two neighbours for each parameter."""
+    """A point (k,) of the unit cube with its robot: by path its numbers there and at two neighbours along each way."""
 
-    design: Array
+    shares: Array
     sheet: Robot
     vary: Mapping[str, Array]
 
@@ -46,7 +44,7 @@ class _Point:
 
     def slopes(self) -> dict[str, Array]:
         """Of the numbers by path, (k,) along the unit cube, but of those that stay."""
-        found = {path: _slopes(numbers, _FAR) for path, numbers in self.vary.items()}
+        found = {path: slopes(numbers, self.shares) for path, numbers in self.vary.items()}
         return {path: slope for path, slope in found.items() if slope.any()}
 
 
@@ -64,9 +62,8 @@ class Adjoint:
         self.trials, self.study, self.runs = trials, trials.study, 0
         self._given = functionals
         self._known: dict[bytes, Terms] = {}
-        goals = trials.goals
-        names = [name for term in (*goals.aims, *goals.limits) for name in term.term.names]
-        self._functionals = [name for name in dict.fromkeys(names) if name in functionals]
+        names = trials.goals.names
+        self._functionals = [name for name in names if name in functionals]
         found = leaves(self.study, names)
         self._at_rest = [name for name in found if self.study.sheet.quantities[name].needs().static]
         self._series = [name for name in found if name not in self._at_rest]
@@ -86,39 +83,43 @@ class Adjoint:
 
     def _computed(self, shares: Array) -> Terms:
         design = self.trials.space.at(shares[None])[0]
-        cases = self._around(design)
+        cases = self.trials.cases_of(self.trials.space.at(neighbours(shares)))
         sheet, vary = numbers_of(self.study, cases)
-        point = _Point(design, sheet, vary)
-        found = self._resting(cases)
-        found |= {name: self._measured(point, self._given[name]) for name in self._functionals}
-        found |= {name: self._of_series(point, name) for name in self._series}
+        point = _Point(shares, sheet, vary)
+        try:
+            found = self._resting(cases, shares)
+            found |= {name: self._measured(point, self._given[name]) for name in self._functionals}
+            found |= {name: self._of_series(point, name) for name in self._series}
+        except SimulationError as error:
+            self.trials.add(design, {}, str(error))
+            return self._lost(len(shares))
         own = dict(zip(self.study.names, cases[0].tolist(), strict=True))
         ways = self.trials.space.high - self.trials.space.low
-        slopes = dict(zip(self.trials.space.names, np.diag(ways), strict=True))
+        along = dict(zip(self.trials.space.names, np.diag(ways), strict=True))
         values = own | {name: value for name, (value, _) in found.items()}
-        slopes |= {name: slope for name, (_, slope) in found.items()}
+        along |= {name: slope for name, (_, slope) in found.items()}
         whole = formulas(self.study, {name: np.array([value]) for name, value in values.items()})
         self.trials.add(design, {name: float(one[0]) for name, one in whole.items()})
-        return self._terms(values, slopes)
+        return self._terms(values, along)
 
-    def _around(self, design: Array) -> Array:
-        """The case of a design, and those of two neighbours for each parameter, (2 k + 1, d)."""
-        steps = _FAR * np.diag(self.trials.space.high - self.trials.space.low)
-        return self.trials.cases_of(np.concatenate([design[None], design + steps, design - steps]))
+    def _lost(self, count: int) -> Terms:
+        """Terms of a design that cannot run."""
+        limits = len(self.trials.goals.limits)
+        return Terms(np.nan, np.zeros(count), np.full(limits, np.nan), np.zeros((limits, count)))
 
-    def _resting(self, cases: Array) -> dict[str, tuple[float, Array]]:
+    def _resting(self, cases: Array, shares: Array) -> dict[str, tuple[float, Array]]:
         """Numbers at rest, with slopes."""
         if not self._at_rest:
             return {}
         rows = restricted(self.study, self._at_rest).evaluate(0, cases)
-        return {name: (float(one[0]), _slopes(one, _FAR)) for name, one in rows.quantities.items()}
+        return {name: (float(one[0]), slopes(one, shares)) for name, one in rows.quantities.items()}
 
     def _measured(self, point: _Point, functional: Functional) -> tuple[float, Array]:
         """A functional of the run, with slopes."""
         paths = point.slopes()
         found = adjoint_gradient(point.robot, functional, list(paths))
         self.runs += 1
-        slope = sum((found.by[path] * along for path, along in paths.items()), np.zeros(len(point.design)))
+        slope = sum((found.by[path] * along for path, along in paths.items()), np.zeros(len(point.shares)))
         return found.value, slope
 
     def _of_series(self, point: _Point, name: str) -> tuple[float, Array]:
@@ -135,7 +136,7 @@ class Adjoint:
         functional = reduced_series(point.robot, series, reduce, reference, weights, which)
         value, slope = self._measured(point, functional)
         if references is not None:
-            moved = _slopes(references, _FAR)
+            moved = slopes(references, point.shares)
             slope = slope - np.tensordot(moved, weights[0], axes=([0, 1], [0, 1]))
         unit = units_of(run_setup(point.robot.pair().real))[series]
         return value * factor(unit, quantity.unit), slope * factor(unit, quantity.unit)
@@ -152,21 +153,15 @@ class Adjoint:
         numbers = nominal.table(room, 1, lambda share: None).numbers
         return np.broadcast_to(numbers, room.shape)
 
-    def _terms(self, values: Mapping[str, float], slopes: Mapping[str, Array]) -> Terms:
+    def _terms(self, values: Mapping[str, float], slopes_of: Mapping[str, Array]) -> Terms:
         """Objective and limits with their slopes: formulas by differences along each direction."""
         goals, count = self.trials.goals, len(self.trials.space.names)
         ways = np.concatenate([np.zeros((1, count)), _STEP * np.eye(count), -_STEP * np.eye(count)])
         none = np.zeros(count)
-        moved = {name: value + ways @ slopes.get(name, none) for name, value in values.items()}
+        moved = {name: value + ways @ slopes_of.get(name, none) for name, value in values.items()}
         whole = formulas(self.study, moved)
         judged = goals.judged({name: one[:, None] for name, one in whole.items()})
         terms = np.column_stack([judged.objectives[:, 0] * goals.signs[0], judged.excess])
-        along = np.atleast_2d(_slopes(terms, _STEP))
+        along = ((terms[1 : count + 1] - terms[count + 1 :]) / (2 * _STEP)).T
         return Terms(float(terms[0, 0]), along[0], terms[0, 1:], along[1:])
 
-
-def _slopes(values: Array | Sequence[float], step: float) -> Array:
-    """Central differences (..., k) of values (2 k + 1, ...) at a point, and at both neighbours along each parameter."""
-    values = np.asarray(values)
-    k = (len(values) - 1) // 2
-    return np.moveaxis(values[1 : k + 1] - values[k + 1 :], 0, -1) / (2 * step)

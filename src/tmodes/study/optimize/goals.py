@@ -63,6 +63,12 @@ class Goals:
         """1 for each objective that is to be small, -1 for one that is to be large."""
         return np.array([aim.sign for aim in self.aims], dtype=float)
 
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Quantities and parameters of which they are made."""
+        terms = (*(aim.term for aim in self.aims), *(limit.term for limit in self.limits))
+        return tuple(dict.fromkeys(name for term in terms for name in term.names))
+
     def judged(self, values: Mapping[str, Array]) -> Judged:
         """Designs from the values (m, cases) of parameters and quantities."""
         objectives = np.stack([self._worst(aim.term.at(values), aim.sign) for aim in self.aims], axis=-1)

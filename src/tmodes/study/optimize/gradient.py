@@ -49,15 +49,20 @@ def descend(slopes: Slopes, start: Array, tell: Callable[[int], None] = lambda s
     from scipy.optimize import Bounds, minimize
 
     first = slopes.at(start)
+    if not np.isfinite(first.objective):
+        return Descent(start, first, np.zeros(len(first.excess)))
     scale = abs(first.objective) or 1.0
     steps = [0]
+
+    def at(x: Array) -> Terms:
+        return _passable(slopes.at(np.clip(x, 0.0, 1.0)), first)
 
     def count(_: Array) -> None:
         steps[0] += 1
         tell(steps[0])
 
     def objective(x: Array) -> tuple[float, Array]:
-        terms = slopes.at(np.clip(x, 0.0, 1.0))
+        terms = at(x)
         return terms.objective / scale, terms.slope / scale
 
     options = {"maxiter": MOST_STEPS, "ftol": _PRECISION}
@@ -68,8 +73,8 @@ def descend(slopes: Slopes, start: Array, tell: Callable[[int], None] = lambda s
     else:
         limits = {
             "type": "ineq",
-            "fun": lambda x: -slopes.at(np.clip(x, 0.0, 1.0)).excess - _WITHIN,
-            "jac": lambda x: -slopes.at(np.clip(x, 0.0, 1.0)).slopes,
+            "fun": lambda x: -at(x).excess - _WITHIN,
+            "jac": lambda x: -at(x).slopes,
         }
         end = minimize(
             objective, start, jac=True, method="SLSQP", bounds=bounds, constraints=limits, callback=count,
@@ -78,6 +83,14 @@ def descend(slopes: Slopes, start: Array, tell: Callable[[int], None] = lambda s
     shares = np.clip(end.x, 0.0, 1.0)
     terms = slopes.at(shares)
     return Descent(shares, terms, _multipliers(shares, terms))
+
+
+def _passable(terms: Terms, first: Terms) -> Terms:
+    """Terms of a design that failed are bad, so that the search turns back."""
+    if all(np.isfinite(one).all() for one in terms):
+        return terms
+    worse = first.objective + 10 * (abs(first.objective) or 1.0)
+    return Terms(worse, np.zeros_like(first.slope), np.ones_like(first.excess), np.zeros_like(first.slopes))
 
 
 def _multipliers(shares: Array, terms: Terms) -> Array:

@@ -16,7 +16,7 @@ from tmodes.study.order import ordered
 from tmodes.study.quantities import Asked, Needs
 from tmodes.study.study import Study
 
-__all__ = ["factor", "formulas", "leaves", "numbers_of", "restricted"]
+__all__ = ["cheap", "factor", "formulas", "leaves", "numbers_of", "restricted"]
 
 Array = NDArray[np.float64]
 
@@ -33,6 +33,11 @@ def leaves(study: Study, names: Iterable[str]) -> list[str]:
         if needs.reductions or needs.static or needs.result:
             found[name] = None
     return list(found)
+
+
+def cheap(study: Study) -> bool:
+    """Whether no quantity of a study needs a simulation."""
+    return not (study.needs.reductions or study.needs.result)
 
 
 def restricted(study: Study, names: Iterable[str]) -> Study:

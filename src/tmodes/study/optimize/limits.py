@@ -20,6 +20,7 @@ Array = NDArray[np.float64]
 _RELATION = re.compile(r"(<=|>=|=<|=>|<|>|≤|≥)")
 _PLAIN = {"=<": "<=", "=>": ">=", "≤": "<=", "≥": ">="}
 _MIRRORED = {"<=": ">=", ">=": "<=", "<": ">", ">": "<"}
+_ARITHMETIC = re.compile(r"[*/(]|[0-9a-z)][+-][a-z(]")
 _NUMBER = re.compile(r"[-+]?\.?[0-9]")
 
 ROUNDING = 1e-9
@@ -81,7 +82,7 @@ def _limits(text: str, units: Mapping[str, str | None]) -> list[Limit]:
 
 
 def _is_number(side: str) -> bool:
-    return bool(_NUMBER.match(side)) and not re.search(r"[*/+(]|[0-9] *-", side.split(" ")[0])
+    return bool(_NUMBER.match(side)) and not _ARITHMETIC.search(side.split(" ", maxsplit=1)[0])
 
 
 def _limit(text: str, left: str, relation: str, right: str, units: Mapping[str, str | None]) -> Limit:
@@ -100,7 +101,9 @@ def _bound(text: str, left: str, right: str, unit: str | None) -> float:
         which = f"optimize.limits: `{text}`"
         if unit is None:
             hint = "give the formula a name and a `unit` under `quantities`, and limit that"
-            raise InputError(which, error.got, f"a number without a unit: that of `{left}` is not known", hint) from None
+            raise InputError(
+                which, error.got, f"a number without a unit: that of `{left}` is not known", hint
+            ) from None
         expected = "a number without a unit" if unit == "-" else f"a number in {unit}, the unit of {left}"
         raise InputError(which, error.got, expected, error.hint) from None
     if not np.isfinite(bound):

@@ -12,8 +12,8 @@ from tmodes.sensitivity.quantities import Functional
 from tmodes.study.optimize.differences import Differences
 from tmodes.study.optimize.goals import Goals
 from tmodes.study.optimize.gradient import Descent, descend
+from tmodes.study.optimize.leaves import cheap
 from tmodes.study.optimize.result import Optimum
-from tmodes.study.optimize.scenarios import cheap
 from tmodes.study.optimize.summary import found
 from tmodes.study.optimize.trials import Trials
 
@@ -35,8 +35,7 @@ def by_gradient(
     slopes = Differences(trials, probes)
     ends = [descend(slopes, start, lambda steps: progress("steps", 0.0)) for start in _starts(trials, count, seed)]
     best = min(ends, key=lambda end: (end.terms.excess.max(initial=0.0) > 0, end.terms.objective))
-    optimum = found(trials, "gradient", units, prices=_prices(trials.goals, best))
-    return optimum
+    return found(trials, "gradient", units, prices=_prices(trials.goals, best))
 
 
 def _adjoint(trials: Trials, functionals: Mapping[str, Functional], units: dict[str, str], progress: Any) -> Optimum:
@@ -63,7 +62,7 @@ def _starts(trials: Trials, count: int, seed: int) -> list[Array]:
 def _prices(goals: Goals, end: Descent) -> dict[str, float]:
     """By how much the objective changes with the bound of each limit that is active."""
     return {
-        limit.text: -goals.signs[0] * limit.sign * float(multiplier) / limit.scale
+        limit.text: -float(goals.signs[0]) * limit.sign * float(multiplier) / limit.scale
         for limit, multiplier in zip(goals.limits, end.multipliers, strict=True)
         if multiplier
     }

@@ -10,11 +10,13 @@ import numpy as np
 
 from tmodes.errors import InputError
 from tmodes.sensitivity.quantities import Functional
-from tmodes.study.optimize.goals import goals_of
+from tmodes.study.optimize.goals import Goals, goals_of
+from tmodes.study.optimize.leaves import cheap, leaves
 from tmodes.study.optimize.local import by_gradient
 from tmodes.study.optimize.result import Optimum
 from tmodes.study.optimize.sampled import search
-from tmodes.study.optimize.scenarios import cheap, scenarios_of
+from tmodes.study.optimize.scenarios import scenarios_of
+from tmodes.study.optimize.smooth import has_slope
 from tmodes.study.optimize.space import DesignSpace, design_space
 from tmodes.study.optimize.summary import found
 from tmodes.study.optimize.trials import Trials
@@ -60,9 +62,9 @@ def optimize(
     asked = _asked(study)
     space = design_space(study, asked.design)
     _refuse_stuck(space)
-    chosen = _chosen(study, space, asked, method, functionals or {})
-    names = {*study.names, *study.sheet.quantities, *(functionals or {})}
-    goals_of(asked, dict.fromkeys(names))
+    names = (*study.names, *study.sheet.quantities, *(functionals or {}))
+    named = goals_of(asked, dict.fromkeys(names))
+    chosen = _chosen(study, space, named, method, functionals or {})
     scenarios = scenarios_of(study, space, asked.worst_case, seed)
     units = study.parameter_units | dict.fromkeys(functionals or {}, "-")
     units |= study.evaluate(0, scenarios[:1], progress).units
@@ -90,23 +92,23 @@ def _asked(study: Study) -> Optimize:
 def _refuse_stuck(space: DesignSpace) -> None:
     if space.count == 1:
         name = space.names[0]
-        raise InputError("optimize.design", f"`{name}` alone, which has one choice", "something to choose", "add another")
+        raise InputError(
+            "optimize.design", f"`{name}` alone, which has one choice", "something to choose", "add another"
+        )
 
 
-def _chosen(
-    study: Study, space: DesignSpace, asked: Optimize, method: str, functionals: Mapping[str, Functional]
-) -> str:
+def _chosen(study: Study, space: DesignSpace, goals: Goals, method: str, functionals: Mapping[str, Functional]) -> str:
     """The method; raises :class:`tmodes.errors.InputError` for one that does not fit."""
-    several = len(asked.objectives) > 1
+    several = len(goals.aims) > 1
     finite = space.count is not None and space.count <= MOST_DESIGNS
     smooth = space.continuous and not several
     if method == "auto":
-        local = smooth and (bool(functionals) or cheap(study))
+        local = smooth and _differentiable(study, goals, functionals)
         return "grid" if finite else "nsga2" if several else "gradient" if local else "tpe"
     refusals = {
         "grid": (not finite, _too_many(space), f"a list of at most {MOST_DESIGNS:,} designs", "take tpe or nsga2"),
-        "gradient": (not smooth, _not_smooth(space, several=several), "one objective of smooth parameters", "take tpe or nsga2"),
-        "tpe": (several, f"{len(asked.objectives)} objectives", "one objective", "take nsga2, or one objective and limits"),
+        "gradient": (not smooth, _not_smooth(space, several=several), "one objective of ranges", "take tpe or nsga2"),
+        "tpe": (several, f"{len(goals.aims)} objectives", "one objective", "take nsga2, or limits"),
         "nsga2": (False, "", "", ""),
     }  # fmt: skip
     if method not in refusals:
@@ -115,6 +117,15 @@ def _chosen(
     if wrong:
         raise InputError(f"--method {method}", got, f"used for {expected}", hint)
     return method
+
+
+def _differentiable(study: Study, goals: Goals, functionals: Mapping[str, Functional]) -> bool:
+    """Whether differences that cost no simulation, or the adjoint, give the slopes of all terms."""
+    worst = study.sheet.optimize is not None and study.sheet.optimize.worst_case
+    if cheap(study) and not functionals:
+        return True
+    needs = [study.sheet.quantities[name].needs() for name in leaves(study, goals.names)]
+    return not worst and all(one.static or has_slope(one.reductions) for one in needs)
 
 
 def _too_many(space: DesignSpace) -> str:

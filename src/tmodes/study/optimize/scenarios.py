@@ -10,7 +10,7 @@ from tmodes.study.optimize.space import DesignSpace
 from tmodes.study.sensitivity.run import with_plan
 from tmodes.study.study import Study
 
-__all__ = ["cheap", "scenarios_of"]
+__all__ = ["scenarios_of"]
 
 
 def scenarios_of(study: Study, space: DesignSpace, count: int, seed: int) -> NDArray[np.float64]:
@@ -22,11 +22,7 @@ def scenarios_of(study: Study, space: DesignSpace, count: int, seed: int) -> NDA
         return study.space.nominal[None].copy()
     if len(space.names) == len(study.names):
         hint = "name what is chosen under `optimize.design`; the other parameters are uncertain"
-        raise InputError("optimize.worst_case", f"{count} cases of nothing", "left out: all parameters are chosen", hint)
+        raise InputError(
+            "optimize.worst_case", f"{count} cases of nothing", "left out: all parameters are chosen", hint
+        )
     return with_plan(study, {"type": "latin_hypercube", "runs": count, "seed": seed}).design().values
-
-
-def cheap(study: Study) -> bool:
-    """Whether no quantity of a study needs a simulation."""
-    needs = [quantity.needs() for quantity in study.sheet.quantities.values()]
-    return not any(one.reductions or one.result for one in needs)

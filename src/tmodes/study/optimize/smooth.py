@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -14,7 +14,7 @@ from tmodes.sheet import Robot
 from tmodes.simulation.start import run_setup
 from tmodes.simulation.vary.series import COMMANDED, DEVIATION
 
-__all__ = ["REFERENCED", "reduced_series"]
+__all__ = ["REFERENCED", "has_slope", "reduced_series"]
 
 Array = NDArray[np.float64]
 
@@ -49,6 +49,11 @@ def reduced_series(
     return Functional((name,), measure)
 
 
+def has_slope(reductions: Sequence[tuple[str, str]]) -> bool:
+    """Whether a quantity that needs these reductions may have a slope by the adjoint."""
+    return len(reductions) == 1 and reductions[0][1] in _REDUCED
+
+
 def _seen(robot: Robot, series: str, reference: Array | None, which: str) -> tuple[str, Seen]:
     """What is observed for a series, and how it follows."""
     if reference is not None:
@@ -60,7 +65,9 @@ def _seen(robot: Robot, series: str, reference: Array | None, which: str) -> tup
     if head in model.coordinates and tail in ("position", "velocity"):
         start = model.layout.q.start if tail == "position" else model.layout.v.start
         return "state", _column(start + model.coordinates.index(head))
-    expected = f"one of {', '.join(REFERENCED)}, tip.x, tip.y, tip.z, a coordinate's position or velocity, for gradients"
+    expected = (
+        f"one of {', '.join(REFERENCED)}, tip.x, tip.y, tip.z, a coordinate's position or velocity, for gradients"
+    )
     raise InputError(f"{which}.series", series, expected, "take one of these, or --method tpe")
 
 

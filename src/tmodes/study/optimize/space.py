@@ -80,4 +80,3 @@ def _ends(parameter: Parameter, levels: int) -> tuple[float, float]:
     if parameter.distribution is None:
         return 0.0, max(levels - 1.0, 0.0)
     return parameter.distribution.ends
-

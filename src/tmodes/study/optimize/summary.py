@@ -48,7 +48,7 @@ def _apart(trials: Trials, order: NDArray[np.intp]) -> list[int]:
     shares = trials.space.shares(trials.designs)
     kept: list[int] = []
     for k in order.tolist():
-        if not len(kept) or (np.abs(shares[kept] - shares[k]).max(axis=1) > _SAME).all():
+        if not kept or (np.abs(shares[kept] - shares[k]).max(axis=1) > _SAME).all():
             kept.append(k)
         if len(kept) == MOST_RANKED:
             break

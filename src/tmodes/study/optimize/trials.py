@@ -61,13 +61,13 @@ class Trials:
         """Trials by their numbers, judged; all in order, where none are given."""
         return self.goals.judged({name: one[numbers] for name, one in self.values.items()})
 
-    def add(self, design: Array, values: dict[str, float]) -> None:
+    def add(self, design: Array, values: dict[str, float], reason: str = "") -> None:
         """A design (k,) that was computed elsewhere, in one case; what is not given of it is not-a-number."""
         self._number[(design + 0.0).tobytes()] = len(self)
         for name in {*self.study.names, *self.study.sheet.quantities, *values}:
             before = self.values.get(name, np.full((len(self), 1), np.nan))
             self.values[name] = np.concatenate([before, [[values.get(name, np.nan)]]])
-        self.reasons.append("")
+        self.reasons.append(reason)
         self.designs = np.concatenate([self.designs, design[None]])
 
     def _compute(self, designs: Array) -> None:

@@ -68,5 +68,3 @@ def _mixed(a: Array, b: Array, *, second_order: bool) -> Array:
         return [np.where(own[i], other, of) for i in range(dimension)]
 
     return np.stack([a, *swapped(a, b), *(swapped(b, a) if second_order else ()), b], axis=1)
-
-

@@ -20,8 +20,8 @@ Array = NDArray[np.float64]
 class Sensitivity:
     """Indices of q quantities by d parameters, not-a-number where a quantity has none.
 
-    ``method`` ``sobol``: ``first`` (q, d), the share of the variance that a parameter makes by itself; ``total`` (q, d),
-    with all that it makes together with others; ``second`` (q, d, d) or None, what pairs make beyond their own shares.
+    ``method`` ``sobol``: ``first`` (q, d), the share of the variance that a parameter makes by itself; ``total``
+    (q, d), with all that it makes together with others; ``second`` (q, d, d) or None, what pairs make beyond their own shares.
     ``method`` ``morris``: ``effect`` (q, d) mean, ``size`` (q, d) mean of the sizes (mu*) and ``spread`` (q, d)
     standard deviation (sigma) of the change of the quantity over a parameter's whole range, in the quantity's unit.
 
@@ -86,4 +86,3 @@ class Sensitivity:
         }  # fmt: skip
         bare = {index: values[k] for index, values in self.indices.items()}
         return one | bare | {f"{index}_interval": ends[k] for index, ends in self.intervals.items()}
-
