@@ -164,4 +164,3 @@ class Adjoint:
         terms = np.column_stack([judged.objectives[:, 0] * goals.signs[0], judged.excess])
         along = ((terms[1 : count + 1] - terms[count + 1 :]) / (2 * _STEP)).T
         return Terms(float(terms[0, 0]), along[0], terms[0, 1:], along[1:])
-

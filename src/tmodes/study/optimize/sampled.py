@@ -20,7 +20,8 @@ Array = NDArray[np.float64]
 BATCH = 16
 """Designs that are asked for, and computed, together."""
 
-_EXCESS = "excess"
+STARTS = 2 * BATCH
+"""Evenly spread designs at the start; not more for more trials, so that a search can be continued."""
 
 
 def search(trials: Trials, method: str, count: int, seed: int, progress: Callable[[str, float], None]) -> None:
@@ -35,7 +36,7 @@ def search(trials: Trials, method: str, count: int, seed: int, progress: Callabl
             sampler=_sampler(optuna, method, seed, count),
             directions=["minimize"] * len(trials.goals.aims),
         )
-        for start in _even(trials, min(count, _starts(count)), seed):
+        for start in _even(trials, min(count, STARTS), seed):
             study.enqueue_trial(start)
         done = 0
         while done < count:
@@ -43,22 +44,12 @@ def search(trials: Trials, method: str, count: int, seed: int, progress: Callabl
             progress("designs", done / count)
 
 
-def _starts(count: int) -> int:
-    """Designs of the start: a quarter of all, at most 64."""
-    return min(64, max(BATCH, count // 4))
-
-
 def _sampler(optuna: Any, method: str, seed: int, count: int) -> Any:
-    def excess(trial: Any) -> list[float]:
-        return trial.user_attrs[_EXCESS]
-
     samplers = optuna.samplers
     if method == "nsga2":
         size = max(BATCH, BATCH * round(count / 20 / BATCH))
-        return samplers.NSGAIISampler(population_size=size, seed=seed, constraints_func=excess)
-    return samplers.TPESampler(
-        seed=seed, n_startup_trials=0, multivariate=True, constant_liar=True, constraints_func=excess
-    )
+        return samplers.NSGAIISampler(population_size=size, seed=seed)
+    return samplers.TPESampler(seed=seed, n_startup_trials=0, multivariate=True, constant_liar=True)
 
 
 def _batch(optuna: Any, study: Any, trials: Trials, count: int) -> int:
@@ -69,10 +60,10 @@ def _batch(optuna: Any, study: Any, trials: Trials, count: int) -> int:
     signed = judged.objectives * trials.goals.signs
     for trial, values, excess in zip(asked, signed, judged.excess, strict=True):
         if np.isfinite(values).all() and np.isfinite(excess).all():
-            trial.set_user_attr(_EXCESS, excess.tolist())
+            for limit, over in enumerate(excess.tolist()):
+                trial.set_constraint(str(limit), over)
             study.tell(trial, values.tolist())
         else:
-            trial.set_user_attr(_EXCESS, [1e300] * excess.size)
             study.tell(trial, state=optuna.trial.TrialState.FAIL)
     return count
 
