@@ -145,7 +145,7 @@ class _Rows:
             distances.remove(COMMANDED)
         nominal, planned = None, [name for name in (DEVIATION, COMMANDED) if name in distances]
         if planned:
-            nominal = Nominal.of(self.sheet, values, nominal_side(self.sheet), planned, progress)
+            nominal = Nominal.of(self.sheet, values, nominal_side(self.sheet, values, planned), planned, progress)
         work = Reducing(lanes, self.reductions, own, nominal, self.threads)
         for places, runs, numbers in work.parts(progress):
             self._take(going[places], runs, numbers)
