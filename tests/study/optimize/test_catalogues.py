@@ -21,7 +21,7 @@ def pair() -> Optimum:
 
 
 def test_the_lightest_tube_is_that_of_the_closed_form() -> None:
-    found = optimize(read_study(EXAMPLES / "lightest_tube.yaml"))
+    found = optimize(read_study(EXAMPLES / "tube.yaml"))
     assert found.exact
     assert (found.designs, found.feasible, found.failed) == (14, 3, 0)
     assert [one.choices["tube"] for one in found.ranked] == ["A50x2", "S40x1", "A60x2"]

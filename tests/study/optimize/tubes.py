@@ -41,7 +41,7 @@ class Tube:
 def catalogue(path: Path) -> list[Tube]:
     """The tubes of a file."""
     rows = [*csv.reader(path.read_text().splitlines())][1:]
-    return [Tube(name, float(d) / 1e3, float(t) / 1e3, float(e) * 1e9, float(rho)) for name, d, t, e, rho in rows]
+    return [Tube(name, float(d) / 1e3, float(t) / 1e3, float(e) * 1e9, float(rho)) for name, d, t, e, _, rho in rows]
 
 
 def row_of_tubes(tubes: list[Tube], lengths: list[float], masses: list[float]) -> tuple[float, float, float]:
