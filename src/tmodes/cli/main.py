@@ -20,7 +20,9 @@ from tmodes.cli.export import export
 from tmodes.cli.figures import figures
 from tmodes.cli.memory import OUT_OF_MEMORY, lacks_memory, words
 from tmodes.cli.modes import modes
+from tmodes.cli.optimize import optimize
 from tmodes.cli.run import run
+from tmodes.cli.sensitivity import sensitivity
 from tmodes.cli.sheets import check, robots, schema
 from tmodes.cli.show import show, view
 from tmodes.cli.static import static
@@ -48,7 +50,7 @@ for command, name in (
     (run, "run"), (robots, "robots"), (check, "check"), (describe, "describe"),
     (batch, "batch"), (study, "study"), (static, "static"), (ladder, "ladder"), (modes, "modes"), (evaluate, "eval"), (schema, "schema"),
     (show, "show"), (view, "view"), (figures, "figures"), (studio, "studio"), (export, "export"),
-    (bench, "bench"), (cache, "cache"),
+    (sensitivity, "sensitivity"), (optimize, "optimize"), (bench, "bench"), (cache, "cache"),
 ):  # fmt: skip
     app.command(name)(command)
 

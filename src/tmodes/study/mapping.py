@@ -15,7 +15,6 @@ from tmodes.io.sheet_fields import place_of
 from tmodes.io.sheet_groups import is_grouped, path_of, real_entry, single_changes
 from tmodes.io.sheet_paths import steps_of
 from tmodes.io.sheet_words import at
-from tmodes.io.words import shown
 from tmodes.sheet import Robot
 
 __all__ = ["Group", "Target", "groups_of", "target_of"]

@@ -112,7 +112,7 @@ class Optimize(DataSheet):
     """Which parameters are chosen, for what, within which limits, and what is not known when they are.
 
     Parameters that are not chosen by the ``design`` stay uncertain: with ``worst_case`` each design is judged by the
-    worst of its cases.
+    worst of its cases, or by a ``percentile`` of them.
     """
 
     objectives: tuple[Objective, ...] = Field(strict=False, min_length=1, max_length=5, description="one, or several")
@@ -121,6 +121,7 @@ class Optimize(DataSheet):
     )
     design: tuple[str, ...] = Field(default=(), strict=False, description="names of what is chosen; else all")
     worst_case: int = count("n", "cases of what is uncertain, for each design", 100_000, least=0, default=0)
+    percentile: float = quantity("-", "p", "of these cases that counts; 100: the worst", above=0.0, at_most=100.0, default=100.0)
 
 
 class StudySheet(DataSheet):

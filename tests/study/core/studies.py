@@ -55,7 +55,7 @@ def short(quantities: dict[str, Any], parameters: dict[str, Any] | None = None, 
     """A study of a tenth of a second of the 2010 robot, with its gear varied."""
     gear = {"path": "gear.stiffness", "relative": True, "distribution": {"type": "uniform", "low": 0.8, "high": 1.2}}
     settings = {"integration.duration": 0.1, "integration.output_step": 0.01}
-    return study(parameters or {"gear": gear}, quantities, robot="filipovic2010", **{"set": settings, **more})
+    return study(parameters or {"gear": gear}, quantities, **{"robot": "filipovic2010", "set": settings, **more})
 
 
 def written(folder: Path, text: str, **files: str) -> Study:

@@ -140,7 +140,10 @@ def test_parameters_that_cannot_be(tmp_path, parameters, message):
         ("  a: {expression: __import__('os')}\n", "must be numbers, gear"),
         ("  f: {function: score}\n", "unknown function 'score'"),
         ("  s: {summary: setling.time_s}\n", "Did you mean `settling`?"),
-        ("  s: {unit: mm}\n", "quantities.s.type is missing, expected one of expression, function, series, static, summary"),
+        (
+            "  s: {unit: mm}\n",
+            "quantities.s.type is missing, expected one of expression, function, series, static, summary",
+        ),
     ],
 )
 def test_quantities_that_cannot_be(tmp_path, quantities, message):

@@ -41,9 +41,11 @@ def by_reductions(
         part = Part.of_all(size, "refused")
         part.reason = [refused[k] for k in range(size)]
         return part
+    ended = zip(found.status, found.message, strict=True)
+    words = ["" if status == "finished" else why for status, why in ended]
     motions = {case: Kept(one.times, one.states, one.tips, tuple(one.coordinates)) for case, one in found.kept.items()}
     return Part(
-        [*found.status], [*found.message], [*found.method], np.asarray(found.seconds, dtype=float),
+        [*found.status], words, [*found.method], np.asarray(found.seconds, dtype=float),
         {pair: found.values[one] for pair, one in asked.items()},
         {pair: found.units[one] for pair, one in asked.items()},
         kept=motions,

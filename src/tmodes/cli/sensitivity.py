@@ -1,0 +1,131 @@
+"""``tmodes sensitivity``: which parameters of a study make its quantities vary, and how sure that is."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import numpy as np
+import typer
+
+from tmodes.cli.options import AsJson, Roots, TrustPaths
+from tmodes.cli.terminal import notice, print_json, print_table, working
+
+if TYPE_CHECKING:
+    from tmodes.study.sensitivity import Sensitivity
+
+__all__ = ["StudyArgument", "sensitivity"]
+
+StudyArgument = Annotated[Path, typer.Argument(metavar="STUDY.yaml", help="A study file; see docs/studies.md.")]
+
+MOST_PAIRS = 20
+
+
+def sensitivity(
+    study: StudyArgument,
+    method: Annotated[
+        str, typer.Option(help="sobol: shares of the variance. morris: size of effects, from far fewer cases.")
+    ] = "sobol",
+    samples: Annotated[
+        int | None,
+        typer.Option(help="sobol: a power of two, 1024 if left out, times the parameters and 2 cases. morris: 64."),
+    ] = None,
+    seed: Annotated[int, typer.Option(min=0, help="Same seed, same cases.")] = 0,
+    second_order: Annotated[
+        bool, typer.Option("--second-order", help="sobol: also for pairs of parameters, from nearly twice as many.")
+    ] = False,
+    out: Annotated[
+        Path | None, typer.Option(help="A folder for all cases; the same command resumes what was interrupted.")
+    ] = None,
+    root: Roots = None,
+    trust_paths: TrustPaths = False,
+    as_json: AsJson = False,
+) -> None:
+    """Which parameters make a quantity vary, and how sure that is.
+
+    Each parameter has a share of the variance of each quantity: `first` is what it makes by itself, `total` what it
+    makes alone and together with others. A parameter whose total is near 0 may stay at any value; if the totals add up
+    to much more than 1, parameters act together. The numbers after ± are half of a 95 % confidence interval: four
+    times as many samples make it half as wide, or less.
+
+    With --method morris: the mean size of the change of a quantity when a parameter goes through its whole range, and
+    how much this change itself varies (spread): a quick way to find the few of many parameters that matter.
+
+    The plan in the study file is not used. Cases that fail are left out; the table says by how much this may change an
+    index. More than 5 % are refused. Parameters must not be correlated.
+
+    Example: tmodes sensitivity gear.yaml
+
+    Example, kept and resumable, four times as sure: tmodes sensitivity gear.yaml --samples 4096 --out gear-indices
+    """
+    from tmodes.study.read import read_study
+    from tmodes.study.sensitivity import sensitivity as analyse
+
+    asked = read_study(study, roots=root or (), trust_paths=trust_paths)
+    with working() as tell:
+        found = analyse(asked, method, samples=samples, seed=seed, second_order=second_order, folder=out, progress=tell)
+    if as_json:
+        print_json(found.info())
+        return
+    for name in found.quantities:
+        _print(found, name)
+    if out:
+        print(f"All cases are in {out}.")
+
+
+def _print(found: Sensitivity, name: str) -> None:
+    """The table of one quantity, the most important parameter first."""
+    k = found.quantities.index(name)
+    unit = found.units.get(name, "-")
+    unit_text = "" if unit == "-" else f" {unit}"
+    if note := found.notes.get(name):
+        notice(f"{name} has no indices: {note}")
+        return
+    print(
+        f"{name}: mean {found.mean[k]:.4g}{unit_text}, standard deviation {found.deviation[k]:.3g}{unit_text} "
+        f"({found.cases:,} cases)"
+    )
+    order = [found.names.index(one) for one in found.ranked(name)]
+    columns = ["parameter", *(_HEADINGS[index].format(unit=unit) for index in _shown(found))]
+    rows = [[found.names[i], *(_cell(found, index, (k, i)) for index in _shown(found))] for i in order]
+    print_table("", columns, rows)
+    if found.second is not None:
+        _print_pairs(found, k)
+    if found.failed[k]:
+        print(f"{found.failed[k]:,} cases have no value and are left out: this may change an index by up to "
+              f"{found.shift[k]:.2g}.\n")  # fmt: skip
+
+
+_HEADINGS = {
+    "first": "first", "total": "total", "size": "size of the effect [{unit}]", "effect": "mean effect [{unit}]",
+    "spread": "spread [{unit}]",
+}  # fmt: skip
+
+
+def _shown(found: Sensitivity) -> tuple[str, ...]:
+    return ("total", "first") if found.method == "sobol" else ("size", "effect", "spread")
+
+
+def _cell(found: Sensitivity, index: str, place: tuple[int, ...]) -> str:
+    """A number and half of its interval."""
+    value = found.indices[index][place]
+    if index not in found.intervals:
+        return f"{value:.3g}"
+    low, high = found.intervals[index][place]
+    half = (high - low) / 2
+    if found.method == "morris":
+        return f"{value:.3g} ± {half:.2g}"
+    places = int(np.clip(1 - np.floor(np.log10(half)), 2, 6)) if half > 0 else 6
+    return f"{value:.{places}f} ± {half:.{places}f}"
+
+
+def _print_pairs(found: Sensitivity, k: int) -> None:
+    """The pairs with the largest indices."""
+    second = found.indices["second"][k]
+    pairs = sorted(
+        ((i, j) for i in range(len(found.names)) for j in range(i)), key=lambda pair: -abs(float(second[pair]))
+    )
+    rows = [[f"{found.names[j]}, {found.names[i]}", _cell(found, "second", (k, i, j))] for i, j in pairs[:MOST_PAIRS]]
+    if rows:
+        print("Pairs: what two parameters make together, beyond each by itself")
+        print_table("", ["pair", "second"], rows)

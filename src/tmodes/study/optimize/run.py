@@ -1,0 +1,136 @@
+"""Optimize the design of a study's robot."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Mapping
+from typing import Any
+
+import numpy as np
+
+from tmodes.errors import InputError
+from tmodes.sensitivity.quantities import Functional
+from tmodes.study.optimize.goals import Goals, goals_of
+from tmodes.study.optimize.leaves import cheap, leaves
+from tmodes.study.optimize.local import by_gradient
+from tmodes.study.optimize.result import Optimum
+from tmodes.study.optimize.sampled import search
+from tmodes.study.optimize.scenarios import scenarios_of
+from tmodes.study.optimize.smooth import has_slope
+from tmodes.study.optimize.space import DesignSpace, design_space
+from tmodes.study.optimize.summary import found
+from tmodes.study.optimize.trials import Trials
+from tmodes.study.sheet import Optimize
+from tmodes.study.study import Study
+
+__all__ = ["METHODS", "optimize"]
+
+Progress = Callable[[str, float], None]
+
+METHODS = "auto", "grid", "gradient", "tpe", "nsga2"
+MOST_DESIGNS = 20_000
+"""Designs of a finite space that are all tried."""
+
+_TOGETHER = 100_000
+"""Cases that are computed together when all designs are tried."""
+
+TRIALS = {"tpe": 200, "nsga2": 1000, "gradient": 64}
+
+
+def optimize(
+    study: Study,
+    method: str = "auto",
+    *,
+    trials: int | None = None,
+    seed: int = 0,
+    folder: str | os.PathLike[str] | None = None,
+    functionals: Mapping[str, Functional] | None = None,
+    progress: Progress = lambda stage, share: None,
+    **where: Any,
+) -> Optimum:
+    """The best design of a study by the objectives and limits of its sheet's ``optimize``.
+
+    ``method``: ``grid`` tries every design of a finite space, whose optimum is exact; ``gradient`` descends, from the
+    sheet's own design where the adjoint gives the slopes of a simulated objective, from the best of ``trials`` evenly
+    spread designs where differences do (static numbers and formulas); ``tpe`` and ``nsga2`` try ``trials`` designs;
+    ``auto``: the first of these that fits. ``folder``: where finished cases are stored, so that the same call resumes.
+    ``functionals``: further quantities by name, measured on the run, for ``gradient``. ``where``: as of
+    :func:`tmodes.study.run_study`.
+
+    Raises :class:`tmodes.errors.InputError` for what is wrong in the sheet, before anything runs.
+    """
+    asked = _asked(study)
+    space = design_space(study, asked.design)
+    _refuse_stuck(space)
+    names = (*study.names, *study.sheet.quantities, *(functionals or {}))
+    named = goals_of(asked, dict.fromkeys(names))
+    chosen = _chosen(study, space, named, method, functionals or {})
+    scenarios = scenarios_of(study, space, asked.worst_case, seed)
+    units = study.parameter_units | dict.fromkeys(functionals or {}, "-")
+    units |= study.evaluate(0, scenarios[:1], progress).units
+    goals = goals_of(asked, units)
+    tried = Trials(study, space, goals, scenarios, folder, progress, where)
+    count = trials or TRIALS.get(chosen, 0)
+    if chosen == "grid":
+        designs = space.all()
+        for part in np.array_split(designs, -(-len(designs) * len(scenarios) // _TOGETHER)):
+            tried.at(part)
+        return found(tried, "grid", units, exact=True)
+    if chosen == "gradient":
+        return by_gradient(tried, functionals or {}, count, seed, units, progress)
+    search(tried, chosen, count, seed, progress)
+    return found(tried, chosen, units)
+
+
+def _asked(study: Study) -> Optimize:
+    if study.sheet.optimize is None:
+        hint = "write `optimize: {objectives: [{minimize: mass}], limits: [sag <= 1.5 mm], design: [tube]}`"
+        raise InputError("optimize", "nothing", "objectives, and limits where there are any", hint)
+    return study.sheet.optimize
+
+
+def _refuse_stuck(space: DesignSpace) -> None:
+    if space.count == 1:
+        name = space.names[0]
+        raise InputError(
+            "optimize.design", f"`{name}` alone, which has one choice", "something to choose", "add another"
+        )
+
+
+def _chosen(study: Study, space: DesignSpace, goals: Goals, method: str, functionals: Mapping[str, Functional]) -> str:
+    """The method; raises :class:`tmodes.errors.InputError` for one that does not fit."""
+    several = len(goals.aims) > 1
+    finite = space.count is not None and space.count <= MOST_DESIGNS
+    smooth = space.continuous and not several
+    if method == "auto":
+        local = smooth and _differentiable(study, goals, functionals)
+        return "grid" if finite else "nsga2" if several else "gradient" if local else "tpe"
+    refusals = {
+        "grid": (not finite, _too_many(space), f"a list of at most {MOST_DESIGNS:,} designs", "take tpe or nsga2"),
+        "gradient": (not smooth, _not_smooth(space, several=several), "one objective of ranges", "take tpe or nsga2"),
+        "tpe": (several, f"{len(goals.aims)} objectives", "one objective", "take nsga2, or limits"),
+        "nsga2": (False, "", "", ""),
+    }  # fmt: skip
+    if method not in refusals:
+        raise InputError("--method", repr(method), f"one of {', '.join(METHODS)}", "auto chooses by the study")
+    wrong, got, expected, hint = refusals[method]
+    if wrong:
+        raise InputError(f"--method {method}", got, f"used for {expected}", hint)
+    return method
+
+
+def _differentiable(study: Study, goals: Goals, functionals: Mapping[str, Functional]) -> bool:
+    """Whether differences that cost no simulation, or the adjoint, give the slopes of all terms."""
+    worst = study.sheet.optimize is not None and study.sheet.optimize.worst_case
+    if cheap(study) and not functionals:
+        return True
+    needs = [study.sheet.quantities[name].needs() for name in leaves(study, goals.names)]
+    return not worst and all(one.static or has_slope(one.reductions) for one in needs)
+
+
+def _too_many(space: DesignSpace) -> str:
+    return "a continuous range" if space.count is None else f"{space.count:,} designs"
+
+
+def _not_smooth(space: DesignSpace, *, several: bool) -> str:
+    return "several objectives" if several else f"a choice among {max(space.levels)} entries"

@@ -1,0 +1,102 @@
+"""From the trials to the optimum that is reported."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tmodes.study.optimize.goals import Judged
+from tmodes.study.optimize.pareto import pareto_front
+from tmodes.study.optimize.result import Candidate, Held, Optimum
+from tmodes.study.optimize.trials import Trials
+
+__all__ = ["candidate", "found"]
+
+MOST_RANKED = 100
+
+_SAME = 1e-3
+"""Of a parameter's range: what differs by less is one design."""
+
+
+def found(
+    trials: Trials, method: str, units: dict[str, str], *, exact: bool = False, gradients: int = 0,
+    prices: dict[str, float] | None = None,
+) -> Optimum:  # fmt: skip
+    """The optimum of what was tried."""
+    judged = trials.judged()
+    signed = judged.objectives * trials.goals.signs
+    feasible = np.flatnonzero(judged.feasible)
+    order = feasible[np.argsort(signed[feasible, 0], kind="stable")]
+    front = feasible[pareto_front(signed[feasible])] if signed.shape[1] > 1 else order[:0]
+    ranked = front if len(front) else order
+    limits = trials.goals.limits
+    return Optimum(
+        trials.study.sheet.name, method, exact, tuple(aim.text for aim in trials.goals.aims), units,
+        best=candidate(trials, judged, ranked[0]) if len(ranked) else None,
+        nearest=None if len(ranked) or not len(trials) else candidate(trials, judged, _nearest(judged)),
+        ranked=tuple(candidate(trials, judged, k) for k in _apart(trials, order)),
+        front=tuple(candidate(trials, judged, k) for k in front),
+        designs=len(trials), feasible=len(feasible), failed=int(_failed(judged).sum()), cases=trials.cases,
+        gradients=gradients, prices=prices or {},
+        lost_to={limit.text: int((judged.excess[:, k] > 0).sum()) for k, limit in enumerate(limits)},
+        history=_history(signed[:, 0], judged.feasible, trials.goals.signs[0]),
+    )  # fmt: skip
+
+
+def _apart(trials: Trials, order: NDArray[np.intp]) -> list[int]:
+    """The first of these designs, without those that hardly differ from a better one."""
+    shares = trials.space.shares(trials.designs)
+    kept: list[int] = []
+    for k in order.tolist():
+        if not kept or (np.abs(shares[kept] - shares[k]).max(axis=1) > _SAME).all():
+            kept.append(k)
+        if len(kept) == MOST_RANKED:
+            break
+    return kept
+
+
+def _failed(judged: Judged) -> NDArray[np.bool_]:
+    """Designs of which an objective or a limit has no value."""
+    return np.isnan(judged.objectives).any(axis=1) | np.isnan(judged.limits).any(axis=1)
+
+
+def _nearest(judged: Judged) -> int:
+    """The design that exceeds its limits least; one that failed only where all did."""
+    return int(np.argmin(np.where(_failed(judged), np.inf, judged.violation)))
+
+
+def _history(signed: NDArray[np.float64], feasible: NDArray[np.bool_], sign: float) -> tuple[tuple[int, float], ...]:
+    """Number and value of each design that was the best of those before it."""
+    best, rows = np.inf, []
+    for k, value in enumerate(np.where(feasible, signed, np.inf).tolist()):
+        if value < best:
+            best = value
+            rows.append((k, sign * value))
+    return tuple(rows)
+
+
+def candidate(trials: Trials, judged: Judged, number: int) -> Candidate:
+    """One of the trials in all its numbers."""
+    number = int(number)
+    limits = tuple(
+        Held(limit.text, float(judged.limits[number, k]), limit.bound, limit.unit, float(-judged.excess[number, k]))
+        for k, limit in enumerate(trials.goals.limits)
+    )
+    parameters = trials.study.sheet.parameters
+    values = dict(zip(trials.space.names, trials.designs[number].tolist(), strict=True))
+    choices = {
+        name: parameters[name].choices[int(values[name])].name
+        for name, levels in zip(trials.space.names, trials.space.levels, strict=True)
+        if levels
+    }
+    quantities = {name: _ends(trials.values[name][number]) for name in trials.study.sheet.quantities}
+    return Candidate(
+        number, values, choices, quantities, tuple(judged.objectives[number].tolist()), limits,
+        bool(judged.feasible[number]), float(judged.violation[number]), trials.reasons[number],
+    )  # fmt: skip
+
+
+def _ends(values: NDArray[np.float64]) -> tuple[float, float]:
+    """Least and largest of those that are numbers."""
+    known = values[np.isfinite(values)]
+    return (float(known.min()), float(known.max())) if len(known) else (float("nan"), float("nan"))

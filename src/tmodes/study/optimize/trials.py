@@ -1,0 +1,99 @@
+"""Trials: designs that were computed, each once; through a study folder they survive an interruption."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tmodes.study.optimize.goals import Goals, Judged
+from tmodes.study.optimize.space import DesignSpace
+from tmodes.study.rows import Rows
+from tmodes.study.study import Study
+
+__all__ = ["Trials"]
+
+Array = NDArray[np.float64]
+Progress = Callable[[str, float], None]
+
+
+class Trials:
+    """Designs in the order in which they were asked for, and what each has given.
+
+    ``scenarios`` (s, d): values of all parameters of a study, in which those of the design are replaced. ``folder``:
+    where finished cases are stored: a method that asks for the same designs again, being the same, finds them there.
+    """
+
+    def __init__(
+        self, study: Study, space: DesignSpace, goals: Goals, scenarios: Array,
+        folder: str | os.PathLike[str] | None, progress: Progress, where: dict[str, Any],
+    ) -> None:  # fmt: skip
+        self.study, self.space, self.goals, self.scenarios = study, space, goals, scenarios
+        self._folder, self._progress, self._where = folder, progress, where
+        self._number: dict[bytes, int] = {}
+        self.designs = np.empty((0, len(space.names)))
+        self.values: dict[str, Array] = {}
+        self.reasons: list[str] = []
+
+    def __len__(self) -> int:
+        return len(self.designs)
+
+    @property
+    def cases(self) -> int:
+        """Cases that were computed for them."""
+        return len(self) * len(self.scenarios)
+
+    def at(self, designs: Array) -> NDArray[np.intp]:
+        """The numbers (m,) of designs (m, k) among the trials; those that are new are computed together."""
+        designs = np.ascontiguousarray(designs, dtype=float) + 0.0  # no negative zeros
+        keys = [row.tobytes() for row in designs]
+        new = [k for k, key in enumerate(keys) if key not in self._number and key not in keys[:k]]
+        if new:
+            self._compute(designs[new])
+            for k in new:
+                self._number[keys[k]] = len(self._number)
+        return np.array([self._number[key] for key in keys], dtype=np.intp)
+
+    def judged(self, numbers: Any = slice(None)) -> Judged:
+        """Trials by their numbers, judged; all in order, where none are given."""
+        return self.goals.judged({name: one[numbers] for name, one in self.values.items()})
+
+    def add(self, design: Array, values: dict[str, float], reason: str = "") -> None:
+        """A design (k,) that was computed elsewhere, in one case; what is not given of it is not-a-number."""
+        self._number[(design + 0.0).tobytes()] = len(self)
+        for name in {*self.study.names, *self.study.sheet.quantities, *values}:
+            before = self.values.get(name, np.full((len(self), 1), np.nan))
+            self.values[name] = np.concatenate([before, [[values.get(name, np.nan)]]])
+        self.reasons.append(reason)
+        self.designs = np.concatenate([self.designs, design[None]])
+
+    def _compute(self, designs: Array) -> None:
+        first, cases = self.cases, self.cases_of(designs)
+        rows = self._rows(first, cases)
+        shape = len(designs), len(self.scenarios)
+        for name, one in {**rows.parameters, **rows.quantities}.items():
+            before = self.values.get(name, np.empty((0, shape[1])))
+            self.values[name] = np.concatenate([before, np.asarray(one, dtype=float).reshape(shape)])
+        reasons = np.array([reason or status for reason, status in zip(rows.reason, rows.status, strict=True)], object)
+        lost = ~np.isfinite(np.stack([*rows.quantities.values()])).all(axis=0)
+        for group, bad in zip(reasons.reshape(shape), lost.reshape(shape), strict=True):
+            self.reasons.append(str(group[bad][0]) if bad.any() else "")
+        self.designs = np.concatenate([self.designs, designs])
+
+    def cases_of(self, designs: Array) -> Array:
+        """All cases (m s, d) of designs (m, k)."""
+        cases = np.tile(self.scenarios, (len(designs), 1))
+        cases[:, self.space.columns] = np.repeat(designs, len(self.scenarios), axis=0)
+        return cases
+
+    def _rows(self, first: int, cases: Array) -> Rows:
+        if self._folder is None:
+            return self.study.evaluate(first, cases, self._progress)
+        from tmodes.study.optimize.stored import stored_rows
+
+        known = self.cases_of(self.designs)
+        every = np.concatenate([known, cases]) if len(self.designs) else cases
+        return stored_rows(self.study, every, first, self._folder, self._progress, self._where)
