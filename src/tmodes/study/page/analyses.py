@@ -1,0 +1,87 @@
+"""What a page shows of a sensitivity, and of an optimization: the designs that were tried as the rows of a study."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from tmodes.io.atomic import atomic_write
+from tmodes.study.optimize.result import Candidate, Optimum
+from tmodes.study.page.data import ColumnInfo, page_data
+from tmodes.study.page.document import study_document
+from tmodes.study.rows import Rows
+from tmodes.study.sensitivity.result import Sensitivity
+from tmodes.study.study import Study
+
+__all__ = ["indices_of", "write_designs"]
+
+_NO_REPORT = "Designs have no live report; `tmodes run` with the values shown simulates one."
+
+
+def indices_of(found: Sensitivity) -> list[dict[str, Any]]:
+    """Sobol' indices with their intervals, by quantity; none of elementary effects, or where a quantity has none."""
+    if found.method != "sobol":
+        return []
+    how = f"Sobol' indices, {found.samples:,} samples, {found.cases:,} cases"
+    return [
+        {"quantity": name, "how": how, "names": list(found.names), "first": _ends(found, "first", k),
+         "total": _ends(found, "total", k)}
+        for k, name in enumerate(found.quantities)
+        if np.isfinite(found.indices["first"][k]).all()
+    ]  # fmt: skip
+
+
+def _ends(found: Sensitivity, index: str, k: int) -> list[list[float]]:
+    """Value and both ends of the interval of each parameter."""
+    return np.column_stack([found.indices[index][k], found.intervals[index][k]]).tolist()
+
+
+def write_designs(found: Optimum, study: Study, path: Path | str) -> Path:
+    """Write the designs of an optimization as one self-contained HTML file: the feasible ones, and the front.
+
+    Raises :class:`tmodes.errors.ResultFileError` when the file cannot be written.
+    """
+    designs = [*found.ranked, *(one for one in found.front if one not in found.ranked)]
+    designs = designs or ([found.nearest] if found.nearest else [])
+    rows, labels = _rows(found, designs), {name: study.choice_names(name) for name in study.names}
+    units, titles = study.parameter_units, {name: one.title for name, one in study.sheet.parameters.items()}
+    info = {name: ColumnInfo(titles[name], units[name], labels[name]) for name in rows.parameters if name in titles} | {
+        name: ColumnInfo("", rows.units[name]) for name in rows.quantities
+    }
+    aims = [*map(_aim, found.objectives)]
+    front = [k for k, one in enumerate(designs) if one in found.front]
+    pareto = {"objectives": (aims[0], aims[1]), "front": front} if len(aims) > 1 else {}
+    data = page_data(found.name, rows, info, no_report=_NO_REPORT, **pareto)
+    lead = f"{found.designs:,} designs tried, {found.feasible:,} within all limits; by {found.method}"
+    provenance = [["robot", "none" if study.robot is None else study.robot.name], ["method", found.method],
+                  ["objectives", "; ".join(found.objectives)], ["cases", f"{found.cases:,}"]]  # fmt: skip
+    with atomic_write(path) as temporary:
+        temporary.write_text(
+            study_document(found.name, lead, rows, info, data, provenance), encoding="utf-8", newline="\n"
+        )
+    return Path(path)
+
+
+def _aim(text: str) -> str:
+    """The name of an objective: ``minimize mass`` is of ``mass``."""
+    return text.partition(" ")[2]
+
+
+def _rows(found: Optimum, designs: list[Candidate]) -> Rows:
+    """A row for each design: what is chosen; objectives, the worst value of quantities, and terms of limits."""
+    count = len(designs)
+    parameters = {name: np.array([one.values[name] for one in designs]) for name in designs[0].values}
+    quantities = {
+        _aim(text): np.array([one.objectives[k] for one in designs]) for k, text in enumerate(found.objectives)
+    }
+    units = {name: found.units.get(name, "-") for name in quantities}
+    for name in designs[0].quantities:
+        if name not in quantities:
+            quantities[name] = np.array([one.quantities[name][1] for one in designs])
+            units[name] = found.units.get(name, "-")
+    status = ["finished" if one.feasible else "stopped" for one in designs]
+    reason = [one.reason or ("" if one.feasible else "it exceeds a limit") for one in designs]
+    return Rows(np.array([one.number for one in designs]), parameters, quantities, units, status, reason, [""] * count,
+                np.zeros(count))  # fmt: skip
