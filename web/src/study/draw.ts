@@ -38,7 +38,7 @@ export function chart(
   const area = make("div", { class: "study-area" });
   const root = svg("svg", { role: "img", "aria-labelledby": id, width: "100%", height });
   area.append(root);
-  const head = make("h4", { text: title, id });
+  const head = make("h3", { text: title, id });
   const tools = make("span", { class: "tools" },
     button("SVG", () => save(standing(root), `${title.replace(/[^\w-]+/g, "_")}.svg`, "image/svg+xml"),
       { class: "tool", "aria-label": `Save ${title} as SVG` }));

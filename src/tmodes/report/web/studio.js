@@ -1,4 +1,4 @@
-/* tmodes, built from 9bd2d122e38ea5a9; BSD-3-Clause */
+/* tmodes, built from a70b2e0690dddb13; BSD-3-Clause */
 /* three
 The MIT License
 
