@@ -25,7 +25,7 @@ quantities:
   z: {expression: "2*y - a"}
 block: BLOCK
 """
-RUNS, BLOCK = 6000, 10
+RUNS, BLOCK = 3000, 10
 
 
 @pytest.fixture(scope="module")
@@ -49,7 +49,7 @@ def whole(sheet, tmp_path_factory):
 def test_killed_three_times(sheet, whole, tmp_path):
     """At most one block is computed again each time: what is stored before stays, byte by byte."""
     kept: dict[str, bytes] = {}
-    for at in (20, 150, 400):
+    for at in (20, 90, 200):
         process = command("study", sheet, "--out", tmp_path, "--no-page")
         until(lambda at=at: blocks_in(tmp_path) >= at, f"{at} blocks")
         process.kill()
@@ -70,7 +70,7 @@ def test_ctrl_c_ends_cleanly_and_says_how_to_resume(sheet, whole, tmp_path):
     process.send_signal(signal.SIGINT)
     code, _, errors = ended(process)
     assert code == 130
-    assert errors == "tmodes: interrupted; run the same command again to continue\n"
+    assert errors.endswith("tmodes: interrupted; run the same command again to continue\n")
     tmodes("study", sheet, "--out", tmp_path, "--no-page")
     assert table(tmp_path) == whole
 
