@@ -11,10 +11,10 @@ from tmodes.study.cover import Cover, Gap, Part
 from tmodes.study.derived import derivable, derived, is_formula
 from tmodes.study.pace import Pace
 from tmodes.study.parts import rows_of
-from tmodes.study.places.contract import Task
 from tmodes.study.remote import compute, order
 from tmodes.study.store import Folder
 from tmodes.study.study import Study
+from tmodes.study.task import Task
 
 __all__ = ["StudyJob", "kept_cases"]
 

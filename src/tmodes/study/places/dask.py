@@ -61,7 +61,7 @@ class Dask(Place):
 
         config.set({"distributed.admin.large-graph-warning-threshold": "1GB"})
         try:
-            client = Client(self.address, security=self.security, timeout=CONNECT, set_as_default=False)
+            client = Client(self.address, security=self.security, timeout=CONNECT)
         except (OSError, TimeoutError) as error:
             hint = "start it with `dask scheduler`, and check address and certificates"
             raise InputError("--on", f"no answer of {self.address}", "a scheduler that runs", hint) from error
