@@ -96,10 +96,8 @@ def _not_positive(sheet: StudySheet) -> Iterator[Issue]:
     lowest = float(np.linalg.eigvalsh(matrix)[0])
     if lowest < _LEAST:
         near = nearest_correlation(matrix, 1e-3)
-        values = [
-            f"{one.between[0]} and {one.between[1]} {near[names.index(one.between[0]), names.index(one.between[1])]:.3f}"
-            for one in sheet.correlations[:6]
-        ]
+        pairs = [one.between for one in sheet.correlations[:6]]
+        values = [f"{one} and {other} {near[names.index(one), names.index(other)]:.3f}" for one, other in pairs]
         got = f"correlations that exclude each other: their matrix has the eigenvalue {lowest:.3g}"
         expected = "a matrix with positive eigenvalues alone"
         yield Issue("correlations", got, expected, f"the nearest one has {', '.join(values)}")

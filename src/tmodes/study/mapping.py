@@ -15,7 +15,6 @@ from tmodes.io.sheet_fields import place_of
 from tmodes.io.sheet_groups import is_grouped, path_of, real_entry, single_changes
 from tmodes.io.sheet_paths import steps_of
 from tmodes.io.sheet_words import at
-from tmodes.io.words import shown
 from tmodes.sheet import Robot
 
 __all__ = ["Group", "Target", "groups_of", "target_of"]
@@ -59,21 +58,21 @@ def target_of(path: str, data: Mapping[str, Any], *, relative: bool) -> Target:
     if place is None or place.unit is None:
         expected, hint = "the path of a number", "take `choices` for words: each entry names what it sets"
         raise InputError(path, "a path that holds no number", expected, hint)
-    if value is None and (relative or isinstance(at(data, *steps), (list, dict))):
-        got = shown(at(data, *steps)) if at(data, *steps) is not None else "a number that the sheet leaves out"
-        raise InputError(
-            path, got, "the path of one number of the sheet", "name one number, or write values of its own"
-        )
+    several = isinstance(at(data, *steps), (list, dict)) and value is None
+    if value is None and relative and not several:
+        got, hint = "a number that the sheet leaves out", "write it in the sheet, or values without `relative`"
+        raise InputError(path, got, "the path of a number of the sheet", hint)
     own = path_of(steps, data)
     alone = own.partition(".")[0] == "integration"
     if relative:
-        return Target((own,), True, "-", 1.0, alone)
+        each = tuple(single_changes(f"{own}.*", 1.0, data)) if several else (own,)
+        return Target(each, True, "-", 1.0, alone)
     return Target((own,), False, place.unit, 1.0 if value is None and own.startswith("real.") else value, alone)
 
 
 def _number(value: Any) -> float | None:
-    """The one number of a value."""
-    if isinstance(value, (list, tuple)) and len(value) == 1:
+    """The one number of a value; of a list the number that all of it are."""
+    if isinstance(value, (list, tuple)) and value and all(one == value[0] for one in value):
         return _number(value[0])
     if isinstance(value, (int, float)) and not isinstance(value, bool):
         return float(value)
@@ -92,8 +91,8 @@ class Group:
 
 
 def groups_of(
-    robot: Robot, names: Sequence[str], targets: Mapping[str, Target], choices: Mapping[str, Sequence[Mapping[str, Any]]],
-    values: Array,
+    robot: Robot, names: Sequence[str], targets: Mapping[str, Target],
+    choices: Mapping[str, Sequence[Mapping[str, Any]]], values: Array,
 ) -> Iterator[Group]:  # fmt: skip
     """Cases (m, d) by what they set that cannot differ in a batch: words, whole structures, settings of integration.
 
@@ -124,7 +123,7 @@ def groups_of(
 
 
 def _numeric(entries: Sequence[Mapping[str, Any]]) -> dict[str, Array]:
-    """Numbers (n,) by path, where all entries set numbers at the same paths that may differ in a batch; else nothing."""
+    """Numbers (n,) by path, where all entries set those of paths that may differ in a batch; else nothing."""
     paths = entries[0].keys()
     plain = all(
         entry.keys() == paths and all(isinstance(value, float) for value in entry.values()) for entry in entries
@@ -154,6 +153,7 @@ def _varied(
             vary |= dict.fromkeys(target.paths, values)
     for values, target in varying:
         for path in target.paths if target.multiplies else ():
-            known = vary.get(path, _number(at(data, *steps_of(path, data))))
+            around = vary.get(path.rpartition(".")[0])  # one number for a whole list
+            known = vary.get(path, around if around is not None else _number(at(data, *steps_of(path, data))))
             vary[path] = values * known
     return vary

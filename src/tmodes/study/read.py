@@ -18,7 +18,7 @@ from tmodes.robots import names as published_names
 from tmodes.robots.load import load
 from tmodes.sheet import Robot
 from tmodes.study.filled import filled_places
-from tmodes.study.resolve import resolved_parameters, resolved_plan
+from tmodes.study.resolve import resolved_parameters, resolved_plan, words_of_path
 from tmodes.study.sheet import StudySheet
 from tmodes.study.shorthand import Shorthands, expanded
 from tmodes.study.study import Study, study_problems
@@ -78,9 +78,6 @@ def _study(
     plain = expanded(dict(data), found)
     changed, problems = _changed(robot, plain)
     problems += resolved_parameters(plain, changed, found) + resolved_plan(plain, found)
-    if found.errors and not problems:
-        raise InputErrors(found.errors)
-    study = None
     try:
         places = filled_places(plain, found.filled)
         study = _checked(plain, changed, positions, source, problems, places, functions, folder)
@@ -137,7 +134,6 @@ def _changed(robot: Robot | None, plain: Mapping[str, Any]) -> tuple[Robot | Non
         wrong = [error]
     except InputErrors as errors:
         wrong = [*errors.errors]
-    return robot, [
-        (("set", error.which) if error.which in changes else ("set",), InputError("", error.got, error.expected, error.hint))
-        for error in wrong
-    ]  # fmt: skip
+    places = [("set", error.which) if error.which in changes else ("set",) for error in wrong]
+    own = [InputError("", *words_of_path(error)) for error in wrong]
+    return robot, [*zip(places, own, strict=True)]

@@ -19,12 +19,14 @@ from tmodes.study.mapping import target_of
 from tmodes.study.shorthand import Shorthands
 from tmodes.study.tables import Table
 
-__all__ = ["resolved_parameters", "resolved_plan"]
+__all__ = ["resolved_parameters", "resolved_plan", "words_of_path"]
 
 _STANDS_IN = {"type": "uniform", "low": 0.0, "high": 1.0}
 """In place of a distribution whose unit is not known, because its path is wrong."""
 
-_NO_ROBOT = InputError("", "a path without a robot", "left out without a robot", "name the robot: `robot: NAME`")
+
+def _no_robot(path: str = "") -> InputError:
+    return InputError(path, "a path without a robot", "left out without a robot", "name the robot: `robot: NAME`")
 
 
 def resolved_parameters(plain: dict[str, Any], robot: Robot | None, found: Shorthands) -> list[Problem]:
@@ -49,13 +51,13 @@ def _parameter(name: str, group: dict[str, Any], data: Any, taken: dict[str, str
         return
     if data is None:
         group["distribution"] = _STANDS_IN
-        yield (*here, "path"), _NO_ROBOT
+        yield (*here, "path"), _no_robot()
         return
     try:
         target = target_of(path, data, relative=group.get("relative") is True)
     except InputError as error:
         group["distribution"] = _STANDS_IN
-        yield (*here, "path"), InputError("", *_of_path(error))
+        yield (*here, "path"), InputError("", *words_of_path(error))
         return
     for own in target.paths if not target.multiplies else ():
         if own in taken:
@@ -69,11 +71,10 @@ def _parameter(name: str, group: dict[str, Any], data: Any, taken: dict[str, str
         yield (*here, "unit"), InputError("", shown(unit), f"{target.unit}, that of the path", hint)
 
 
-def _of_path(error: InputError) -> tuple[str, str, str]:
-    """What a wrong path is, as the value of a key."""
-    if error.got.startswith("an unknown"):
-        return f"the unknown path {error.which!r}", error.expected, error.hint
-    return f"{error.which!r}, {error.got}", error.expected, error.hint
+def words_of_path(error: InputError) -> tuple[str, str, str]:
+    """What is wrong at a path, as the value of a key: got, expected, hint."""
+    got = f"the unknown path {error.which!r}" if error.got.startswith("an unknown") else error.got
+    return got, error.expected, error.hint
 
 
 def _choices(name: str, group: dict[str, Any], data: Any, found: Shorthands) -> Iterator[Problem]:
@@ -112,7 +113,7 @@ def _kept(
 def _set(path: str, value: Any, data: Any, known: dict[str, Any]) -> dict[str, Any]:
     """What one path of a choice sets, by its own path; raises InputError."""
     if data is None:
-        raise InputError(path, _NO_ROBOT.got, _NO_ROBOT.expected, _NO_ROBOT.hint)
+        raise _no_robot(path)
     if is_grouped(path):
         target_of(path, data, relative=False)
         return {path: _number(path, value, "-")}

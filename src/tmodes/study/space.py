@@ -85,7 +85,11 @@ class ParameterSpace:
         if self.correlation is not None:
             from scipy.special import ndtr, ndtri
 
-            shares = ndtr(ndtri(np.clip(shares, *_INSIDE)) @ np.linalg.cholesky(self.correlation).T)
+            lower = np.linalg.cholesky(self.correlation)
+            mixed = [k for k, row in enumerate(lower) if row[:k].any()]  # all others stay to the last digit
+            normals = ndtri(np.clip(shares, *_INSIDE))
+            shares = shares.copy()
+            shares[:, mixed] = ndtr(normals @ lower[mixed].T)
         return np.column_stack([one.at(shares[:, k]) for k, one in enumerate(self.dimensions)])
 
     def between(self, shares: Array) -> Array:

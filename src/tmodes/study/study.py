@@ -134,7 +134,7 @@ class Study:
 
     @cached_property
     def base_identity(self) -> str:
-        """Digest of all that the rows of a case depend on besides its values and the quantities: robot, paths, engine."""
+        """Digest of all that the rows of a case depend on besides its values and quantities: robot, paths, engine."""
         return base_digest(self.sheet, self.robot, self.choices)
 
     @cached_property

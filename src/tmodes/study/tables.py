@@ -53,7 +53,11 @@ def read_table(folders: Folders, name: str, which: str, place: str) -> Table:
     path = folders.find(name, which, place)
     if path is None or not path.is_file():
         raise InputError(which, f"{shown(name)}, where no file is", "a CSV file in the folder of the study", "", place)
-    rows = _rows(_text(read_bytes(path, MOST_BYTES), name), name)
+    try:
+        content = read_bytes(path, MOST_BYTES)
+    except InputError as error:
+        raise InputError(which, f"{shown(name)}, {error.got}", error.expected, error.hint, place) from None
+    rows = _rows(_text(content, name), name)
     if not rows:
         raise InputError(which, "a file without a header", "a line of names, then rows", "add them", name)
     (_, header), *body = rows

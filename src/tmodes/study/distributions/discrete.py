@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from functools import cached_property
 from typing import Annotated, Literal
 
 import numpy as np
@@ -35,7 +34,6 @@ class Discrete(Distribution):
             got = f"{len(self.weights)} weights for {len(self.values)} values"
             yield Issue("weights", got, "one for each value", "add or remove some, or leave them out")
 
-    @cached_property
     def _steps(self) -> Array:
         """The share up to each value."""
         weights = np.array(self.weights or [1.0] * len(self.values))
@@ -43,7 +41,7 @@ class Discrete(Distribution):
 
     def at(self, share: Array) -> Array:
         """The first value up to which the share lies."""
-        places = np.searchsorted(self._steps, np.asarray(share), side="left")
+        places = np.searchsorted(self._steps(), np.asarray(share), side="left")
         return np.array(self.values)[np.minimum(places, len(self.values) - 1)]
 
     @property

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from functools import cached_property
+from functools import lru_cache
 from typing import Literal
 
 import numpy as np
@@ -41,16 +41,18 @@ class Empirical(Distribution):
             hint = "leave the parameter out, and set the value"
             yield Issue("values", f"{self.values[0]!r} alone", "values that differ", hint)
 
-    @cached_property
-    def _sorted(self) -> Array:
-        return np.sort(np.array(self.values))
-
     def at(self, share: Array) -> Array:
         """The value that this share of all does not exceed."""
-        count = len(self._sorted)
-        return self._sorted[np.clip(np.ceil(np.asarray(share) * count).astype(int) - 1, 0, count - 1)]
+        known = _sorted(self.values)
+        count = len(known)
+        return known[np.clip(np.ceil(np.asarray(share) * count).astype(int) - 1, 0, count - 1)]
 
     @property
     def ends(self) -> tuple[float, float]:
         """Least and largest of the values."""
-        return float(self._sorted[0]), float(self._sorted[-1])
+        return min(self.values), max(self.values)
+
+
+@lru_cache(maxsize=32)
+def _sorted(values: tuple[float, ...]) -> Array:
+    return np.sort(np.array(values))

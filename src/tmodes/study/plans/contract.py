@@ -90,7 +90,7 @@ class Plan(Kind, family="plan", key="type"):
         """The cases, the same each time. Where the plan says so the first of a longer one are those of a shorter."""
         raise NotImplementedError
 
-    def issues(self, space: Space) -> Iterator[Issue]:
+    def issues(self, space: Space) -> Iterator[Issue]:  # noqa: ARG002
         """What is wrong with the plan for these parameters, by its own fields; nothing for most."""
         yield from ()
 

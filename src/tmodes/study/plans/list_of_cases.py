@@ -36,7 +36,7 @@ class ListOfCases(Plan):
             got = "both" if self.file else "neither"
             yield Issue("", got, "either rows or a file", "write `rows: [{gear: 0.8}, {gear: 1.2}]`, or `file`")
 
-    def cases(self, space: Space) -> int:
+    def cases(self, space: Space) -> int:  # noqa: ARG002
         """Those that are written."""
         return len(self.rows)
 

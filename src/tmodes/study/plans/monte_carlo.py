@@ -19,7 +19,7 @@ class MonteCarlo(Plan):
     runs: int = count("N", "number of cases")
     seed: int = seed_field()
 
-    def cases(self, space: Space) -> int:
+    def cases(self, space: Space) -> int:  # noqa: ARG002
         """As many as are asked for."""
         return self.runs
 

@@ -23,7 +23,7 @@ class Sobol(Plan):
     runs: int = count("N", "number of cases, best a power of two")
     seed: int = seed_field()
 
-    def cases(self, space: Space) -> int:
+    def cases(self, space: Space) -> int:  # noqa: ARG002
         """As many as are asked for."""
         return self.runs
 

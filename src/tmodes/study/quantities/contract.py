@@ -98,12 +98,12 @@ class Quantity(Kind, family="quantity of interest", key="type"):
         """What it needs of each case."""
         raise NotImplementedError
 
-    def own_unit(self, asked: Asked) -> str:
+    def own_unit(self, asked: Asked) -> str:  # noqa: ARG002
         """Its unit before it is converted to ``unit``; by default it has the one that is written."""
         return self.unit or "-"
 
     def values(self, asked: Asked) -> Found:
-        """Its values (m,) in its own unit, and why a case has none, by its index, where there is a reason of its own."""
+        """Its values (m,) in its own unit, and why a case has none, by its index, where it has a reason of its own."""
         raise NotImplementedError
 
     def of_result(self, result: Any) -> tuple[float, str]:

@@ -19,9 +19,11 @@ from __future__ import annotations
 import hashlib
 import inspect
 import signal
+import sys
 import threading
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
+from types import CodeType
 from typing import Any, ClassVar, Literal
 
 import numpy as np
@@ -117,15 +119,32 @@ def _limited(seconds: float) -> Iterator[None]:
 
 
 def code_digest(function: Own) -> str:
-    """Digest of a function's source, else of its byte code, and of the values that it closes over."""
+    """Digest of a function: of the source of its module, where it has one, of its byte code and what it closes over.
+
+    What it calls in other modules is not seen.
+    """
     try:
-        text = inspect.getsource(function)
-    except (OSError, TypeError):
-        code = getattr(function, "__code__", None)
-        text = repr((code.co_code, code.co_consts, code.co_names) if code else type(function).__qualname__)
-    held = getattr(function, "__closure__", None) or ()
-    text += repr([cell.cell_contents for cell in held]) + repr(getattr(function, "__defaults__", None))
-    return hashlib.sha256(text.encode()).hexdigest()
+        text = inspect.getsource(sys.modules[function.__module__])
+    except (OSError, TypeError, KeyError, AttributeError):
+        text = ""
+    held = [repr(cell.cell_contents) for cell in getattr(function, "__closure__", None) or ()]
+    code, name = getattr(function, "__code__", None), getattr(function, "__qualname__", type(function).__qualname__)
+    parts = [text, name, _plain_code(code), held, repr(getattr(function, "__defaults__", None))]
+    return hashlib.sha256(repr(parts).encode()).hexdigest()
+
+
+def _plain_code(code: Any) -> list[Any]:
+    """Byte code with its names and constants, those of inner functions too."""
+    if not isinstance(code, CodeType):
+        return []
+    return [code.co_code, code.co_names, [_plain_constant(one) for one in code.co_consts]]
+
+
+def _plain_constant(one: Any) -> Any:
+    """A constant by what it holds: no address in memory, no order of a set."""
+    if isinstance(one, frozenset):
+        return sorted(map(repr, one))
+    return _plain_code(one) if isinstance(one, CodeType) else repr(one)
 
 
 def function_of(name: str, given: Mapping[str, Own], which: str) -> Own:

@@ -31,7 +31,7 @@ class Series(Quantity):
         """One reduction."""
         return Needs(reductions=((self.series, self.reduce),))
 
-    def name_issues(self, names: Sequence[str]) -> Iterator[Issue]:
+    def name_issues(self, names: Sequence[str]) -> Iterator[Issue]:  # noqa: ARG002
         """A rule that is none; the series themselves depend on the robot."""
         try:
             refuse_unknown_rules([Reduction(self.series, self.reduce)])

@@ -39,7 +39,7 @@ class Summary(Quantity):
         first = self.path.partition(".")[0]
         return Needs(result=True, errors=frozenset({first} & {"error", "model_error"}))
 
-    def name_issues(self, names: Sequence[str]) -> Iterator[Issue]:
+    def name_issues(self, names: Sequence[str]) -> Iterator[Issue]:  # noqa: ARG002
         """A path whose first key no summary has; its further keys depend on the robot."""
         first = self.path.partition(".")[0]
         if first not in KEYS:
