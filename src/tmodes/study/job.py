@@ -11,10 +11,10 @@ from tmodes.study.cover import Cover, Gap, Part
 from tmodes.study.derived import derivable, derived, is_formula
 from tmodes.study.pace import Pace
 from tmodes.study.parts import rows_of
-from tmodes.study.places.contract import Task
 from tmodes.study.remote import compute, order
 from tmodes.study.store import Folder
 from tmodes.study.study import Study
+from tmodes.study.task import Task
 
 __all__ = ["StudyJob", "kept_cases"]
 
@@ -115,13 +115,19 @@ class StudyJob:
         self._progress("cases", min(1.0, (self._total - self._left + share) / max(self._total, 1)))
 
     def _share(self, cases: int) -> Progress:
-        """Progress of a block, as a part of the whole; what it compiles and plans is shown by its own words."""
+        """Progress of a block as a part of the whole: that of its cases; what prepares them is heard, and not counted."""
+        reached = [0.0]
 
         def tell(stage: str, share: float) -> None:
-            del stage
-            self.report(cases * share)
+            if stage in _COUNTED:
+                reached[0] = max(reached[0], share)
+            self.report(cases * reached[0])
 
         return tell
+
+
+_COUNTED = ("running", "results", "statics")
+"""Stages of :meth:`Study.evaluate` that go through the cases."""
 
 
 def _asked(folder: Folder, part: Part) -> tuple[str, ...]:
