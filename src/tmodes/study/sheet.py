@@ -121,7 +121,9 @@ class Optimize(DataSheet):
     )
     design: tuple[str, ...] = Field(default=(), strict=False, description="names of what is chosen; else all")
     worst_case: int = count("n", "cases of what is uncertain, for each design", 100_000, least=0, default=0)
-    percentile: float = quantity("-", "p", "of these cases that counts; 100: the worst", above=0.0, at_most=100.0, default=100.0)
+    percentile: float = quantity(
+        "-", "p", "of these cases that counts; 100: the worst", above=0.0, at_most=100.0, default=100.0
+    )
 
 
 class StudySheet(DataSheet):

@@ -61,17 +61,19 @@ async function documentOf(page: StudyPage): Promise<Blob> {
   return report;
 }
 
-/** The cases that are largest in the quantity that is looked at, and those that did not finish. */
+/** The cases that are largest (or least) in the quantity that is looked at, and those that did not finish. */
 export function mountTable(host: HTMLElement, store: Store): void {
   const place = make("div", { class: "scroll", role: "region", tabindex: "0", "aria-label": "Cases" });
   host.append(place);
   const show = () => {
-    const rows = ranked(store, store.shown).filter((row) => store.inside(row)).reverse().slice(0, MOST_ROWS);
+    const least = store.page.leastFirst && store.quantity === store.page.quantities[0].name;
+    const all = ranked(store, store.shown).filter((row) => store.inside(row));
+    const rows = (least ? all : all.reverse()).slice(0, MOST_ROWS);
     const lost = [...Array(store.size).keys()].filter((row) => !store.isGood(row)).slice(0, MOST_ROWS);
     const head = ["case", ...store.columns.map(({ title, name, unit }) => `${title || name}${pretty(unit) ? ` [${pretty(unit)}]` : ""}`), "ended"];
     const shown = store.shown.title || store.quantity;
     place.replaceChildren(make("table", {},
-      make("caption", { text: `Cases at the top: ${shown}${lost.length ? ", and some that did not finish" : ""}` }),
+      make("caption", { text: `Cases with the ${least ? "least" : "largest"} value: ${shown}${lost.length ? ", and some that did not finish" : ""}` }),
       make("thead", {}, make("tr", {}, ...head.map((text) => make("th", { scope: "col", text })))),
       make("tbody", {}, ...[...rows, ...lost].map((row) => line(store, row)))));
   };

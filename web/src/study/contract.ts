@@ -72,6 +72,8 @@ export interface StudyPage {
   indices: Indices[];
   bands: Band[];
   pareto: Pareto | null;
+  /** Whether the least values of the first quantity are the best: tables begin with them. */
+  leastFirst: boolean;
   /** A report that simulates again, compressed; empty where there is none, and why. */
   report: string;
   noReport: string;

@@ -1,4 +1,4 @@
-/* tmodes, built from a70b2e0690dddb13; BSD-3-Clause */
+/* tmodes, built from f8d964f2add60a57; BSD-3-Clause */
 /* three
 The MIT License
 

@@ -53,15 +53,34 @@ def write_designs(found: Optimum, study: Study, path: Path | str) -> Path:
     aims = [*map(_aim, found.objectives)]
     front = [k for k, one in enumerate(designs) if one in found.front]
     pareto = {"objectives": (aims[0], aims[1]), "front": front} if len(aims) > 1 else {}
-    data = page_data(found.name, rows, info, no_report=_NO_REPORT, **pareto)
+    least = found.objectives[0].startswith("minimize")
+    data = page_data(found.name, rows, info, no_report=_NO_REPORT, least_first=least, **pareto)
     lead = f"{found.designs:,} designs tried, {found.feasible:,} within all limits; by {found.method}"
     provenance = [["robot", "none" if study.robot is None else study.robot.name], ["method", found.method],
                   ["objectives", "; ".join(found.objectives)], ["cases", f"{found.cases:,}"]]  # fmt: skip
     with atomic_write(path) as temporary:
         temporary.write_text(
-            study_document(found.name, lead, rows, info, data, provenance), encoding="utf-8", newline="\n"
+            study_document(found.name, lead, rows, info, data, provenance, _sentence(found)),
+            encoding="utf-8",
+            newline="\n",
         )
     return Path(path)
+
+
+def _sentence(found: Optimum) -> str:
+    """The best design in words; where there is none the one that exceeds its limits least."""
+    one = found.best or found.nearest
+    if one is None:
+        return "No design could be computed."
+    chosen = ", ".join(f"{name} = {one.choices.get(name, f'{value:.5g}')}" for name, value in one.values.items())
+    if found.best is None:
+        return f"No design keeps all limits; the one that exceeds them least: {chosen}."
+    if found.front:
+        return f"{len(found.front)} designs of which none is better in all: {' and '.join(found.objectives)}."
+    unit = found.units.get(_aim(found.objectives[0]), "-")
+    reached = f"{one.objectives[0]:.5g}{'' if unit == '-' else f' {unit}'}"
+    limits = "; ".join(f"{limit.text}: {limit.value:.4g}" for limit in one.limits)
+    return f"Best design: {chosen}, {_aim(found.objectives[0])} {reached}{f' ({limits})' if limits else ''}."
 
 
 def _aim(text: str) -> str:

@@ -61,12 +61,14 @@ def page_data(
     bands: Sequence[Mapping[str, Any]] = (),
     objectives: tuple[str, str] | None = None,
     front: Sequence[int] = (),
+    least_first: bool = False,
     report: str = "",
     no_report: str = "",
 ) -> dict[str, Any]:
     """All that the page shows. ``labels``: how cases came about, by their index; ``front``: cases that no other beats.
 
-    ``indices``: Sobol' indices of quantities; ``report``: a packed report whose sliders are set to a case's numbers.
+    ``least_first``: whether the least values of the first quantity are the best. ``indices``: Sobol' indices of
+    quantities; ``report``: a packed report whose sliders are set to a case's numbers.
     """
     kept = shown_rows(rows)
     words = sorted(set(rows.status))
@@ -90,6 +92,7 @@ def page_data(
         "pareto": None if objectives is None else {
             "x": objectives[0], "y": objectives[1], "front": [place[k] for k in front if k in place],
         },
+        "leastFirst": least_first,
         "report": report,
         "noReport": no_report,
     }  # fmt: skip

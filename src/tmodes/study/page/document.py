@@ -49,9 +49,12 @@ def packed_report(html: str) -> str:
 
 def study_document(
     title: str, lead: str, rows: Rows, info: Mapping[str, ColumnInfo], data: Mapping[str, Any],
-    provenance: Sequence[Sequence[str]],
+    provenance: Sequence[Sequence[str]], sentence: str = "",
 ) -> str:  # fmt: skip
-    """The whole page. ``data``: of :func:`tmodes.study.page.data.page_data`; ``provenance``: rows of words."""
+    """The whole page. ``data``: of :func:`tmodes.study.page.data.page_data`; ``provenance``: rows of words.
+
+    ``sentence``: the result in words, where it is not the median and the range of the first quantity.
+    """
     styles = Markup(files("tmodes.report").joinpath("study.css").read_text(encoding="utf-8"))
     heading = tag("header", tag("h1", title), tag("p", lead, class_="lead"), class_="top")
     place = tag("section", tag("h2", "Charts", class_="offscreen"),
@@ -66,14 +69,16 @@ def study_document(
                 id="provenance")  # fmt: skip
     sections = {"charts": "Charts", "numbers": "Numbers", "provenance": "Provenance"}
     return document(
-        title, _policy(), sections, Markup(tag("style", styles)), heading, *_status(rows, info), place, script, numbers,
+        title, _policy(), sections, Markup(tag("style", styles)), heading, *_status(rows, info, sentence), place, script, numbers,
         about,
     )  # fmt: skip
 
 
-def _status(rows: Rows, info: Mapping[str, ColumnInfo]) -> list[Markup]:
+def _status(rows: Rows, info: Mapping[str, ColumnInfo], sentence: str) -> list[Markup]:
     """The study in a sentence: how many cases ended well, and the first quantity's median and 95 % range."""
     good = int(rows.good.sum())
+    if sentence:
+        return [tag("p", sentence, class_="status good" if good else "status bad")]
     name, values = next(iter(rows.quantities.items()))
     finite = values[rows.good & np.isfinite(values)]
     words = f"{good:,} of {len(rows):,} cases finished."

@@ -20,6 +20,7 @@ _FEWEST = 20
 """Good cases without which no tenth has two of them."""
 
 _TENTHS = "Median over the cases in the lowest (blue) and the highest (red) tenth of each parameter"
+_CHOICES = "; of what is chosen from a list: the choice with the least and that with the largest median"
 _ENDS = "Each parameter alone at its lowest (blue) and its highest (red) value, all others nominal"
 
 
@@ -64,4 +65,5 @@ def _of_tenths(rows: Rows, values: Array, chosen: Mapping[str, bool]) -> dict[st
             ends = np.percentile(own, [10, 90])
             low, high = (float(np.median(values[good][part])) for part in (own <= ends[0], own >= ends[1]))
         bars.append({"name": name, "low": low, "high": high})
-    return {"how": _TENTHS, "base": float(np.median(values[good])), "bars": bars} if bars else None
+    how = _TENTHS + (_CHOICES if any(chosen.get(bar["name"]) for bar in bars) else "")
+    return {"how": how, "base": float(np.median(values[good])), "bars": bars} if bars else None
