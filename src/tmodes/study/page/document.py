@@ -69,8 +69,8 @@ def study_document(
                 id="provenance")  # fmt: skip
     sections = {"charts": "Charts", "numbers": "Numbers", "provenance": "Provenance"}
     return document(
-        title, _policy(), sections, Markup(tag("style", styles)), heading, *_status(rows, info, sentence), place, script, numbers,
-        about,
+        title, _policy(), sections, Markup(tag("style", styles)), heading, *_status(rows, info, sentence), place,
+        script, numbers, about,
     )  # fmt: skip
 
 
