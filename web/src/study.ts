@@ -36,7 +36,8 @@ function mount(root: HTMLElement, page: StudyPage): void {
   top.append(first, second);
   root.classList.add("app-study");
   root.append(bar, top);
-  mountHistogram(first, store);
+  if (page.drawn) mountHistogram(first, store);
+  else mountResponses(first, store);
   mountBars(first, store);
   mountCase(second, store);
   mountParallel(root, store);
@@ -44,7 +45,7 @@ function mount(root: HTMLElement, page: StudyPage): void {
   if (page.pareto) mountPareto(wide, store, page.pareto);
   for (const band of page.bands) mountBand(wide, band);
   if (wide.childElementCount) root.append(wide);
-  mountResponses(root, store);
+  if (page.drawn) mountResponses(root, store);
   mountTable(root, store);
 }
 

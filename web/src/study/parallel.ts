@@ -19,7 +19,8 @@ export function mountParallel(host: HTMLElement, store: Store): void {
     const places = columns.map((_, k) => box.left + ((box.right - box.left) * k) / (columns.length - 1));
     const ways = columns.map((column) => scale(rangeOf(column.values.data, column.labels), [box.bottom, box.top], 5, column.labels));
     draw(root, store, columns, places, ways);
-    columns.forEach((column, k) => axis(root, store, column, places[k], ways[k], box, k));
+    const room = Math.floor((2 * (box.right - box.left)) / (columns.length - 1) / 6.6); // letters: every other name stands higher
+    columns.forEach((column, k) => axis(root, store, column, places[k], ways[k], box, k, room));
     grips(root, store, columns, places, ways, box, {
       start: (name, from) => (dragged = { name, from }),
       move: () => dragged,
@@ -68,11 +69,11 @@ function pathOf(row: number, columns: Column[], places: number[], ways: Scale[])
   return points.length > 1 ? line(points) : "";
 }
 
-function axis(root: SVGSVGElement, store: Store, column: Column, at: number, way: Scale, box: Box, place: number): void {
+function axis(root: SVGSVGElement, store: Store, column: Column, at: number, way: Scale, box: Box, place: number, room: number): void {
   const anchor = place === 0 ? "start" : at >= box.right ? "end" : "middle";
   const from = { start: box.left - 50, middle: at, end: box.right + 50 }[anchor];
   const words = named(column);
-  const most = Math.max(8, Math.floor((box.right - box.left) / 8 / 6));
+  const most = Math.max(8, room - 2);
   const short = words.length > most ? `${words.slice(0, most - 1)}…` : words;
   const group = svg("g", { class: column.name === store.quantity ? "axes shown" : "axes" },
     svg("path", { d: `M${at} ${box.top}V${box.bottom}`, class: "edge" }),

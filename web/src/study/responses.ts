@@ -9,8 +9,8 @@ import type { Store } from "./store";
 const [MOST_POINTS, BINS, MOST_LEVELS, NEAR, MOST_SHOWN] = [2500, 24, 60, 14, 12];
 
 export function mountResponses(host: HTMLElement, store: Store): void {
-  const place = make("div", { class: "study-grid" });
-  host.append(place);
+  const place = host.classList.contains("study-grid") ? host : make("div", { class: "study-grid" });
+  if (place !== host) host.append(place);
   const varied = store.page.parameters.filter(({ values }) => new Set(values.data.slice(0, 500)).size > 1);
   if (isGrid(varied, store.size)) surface(place, store, varied[0], varied[1]);
   for (const parameter of varied.slice(0, MOST_SHOWN)) response(place, store, parameter);

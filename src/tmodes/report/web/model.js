@@ -1,4 +1,4 @@
-/* tmodes, built from f8d964f2add60a57; BSD-3-Clause */
+/* tmodes, built from 5232b41bebf6754d; BSD-3-Clause */
 
 // src/live/engine_error.ts
 var EngineError = class extends Error {

@@ -62,13 +62,16 @@ def page_data(
     objectives: tuple[str, str] | None = None,
     front: Sequence[int] = (),
     least_first: bool = False,
+    drawn: bool = True,
     report: str = "",
     no_report: str = "",
 ) -> dict[str, Any]:
-    """All that the page shows. ``labels``: how cases came about, by their index; ``front``: cases that no other beats.
+    """All that the page shows.
 
-    ``least_first``: whether the least values of the first quantity are the best. ``indices``: Sobol' indices of
-    quantities; ``report``: a packed report whose sliders are set to a case's numbers.
+    ``labels``: how cases came about, by their index; ``front``: cases that no other beats; ``drawn``: whether cases
+    come as often as their distributions say; ``least_first``: whether the least values of the first quantity are the
+    best. ``indices``: Sobol' indices of quantities; ``report``: a packed report whose sliders are set to a case's
+    numbers.
     """
     kept = shown_rows(rows)
     words = sorted(set(rows.status))
@@ -93,6 +96,7 @@ def page_data(
             "x": objectives[0], "y": objectives[1], "front": [place[k] for k in front if k in place],
         },
         "leastFirst": least_first,
+        "drawn": drawn,
         "report": report,
         "noReport": no_report,
     }  # fmt: skip

@@ -6,6 +6,8 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from tmodes.errors import TmodesError
 from tmodes.io.atomic import atomic_write
 from tmodes.report.page import page
@@ -41,14 +43,40 @@ def write_page(
     settings = _settings(study)
     info = _columns(study, rows, settings)
     report, reason = _report(study, settings, progress)
+    drawn = study.sheet.plan.draws
+    bands = tip_bands(study, rows, progress) if drawn else []
     data = page_data(
-        study.sheet.name, rows, info, labels=result.design.labels, bands=tip_bands(study, rows, progress),
-        report=report, no_report=reason, **found,
+        study.sheet.name, rows, info, labels=result.design.labels, bands=bands, drawn=drawn, report=report,
+        no_report=reason, **found,
     )  # fmt: skip
-    text = study_document(study.sheet.name, study.sheet.title, rows, info, data, _provenance(result))
+    sentence = "" if drawn else _ends(rows, info)
+    text = study_document(study.sheet.name, study.sheet.title, rows, info, data, _provenance(result), sentence)
     with atomic_write(path) as temporary:
         temporary.write_text(text, encoding="utf-8", newline="\n")
     return Path(path)
+
+
+def _ends(rows: Rows, info: Mapping[str, ColumnInfo]) -> str:
+    """Of cases that were chosen: the least and the largest value of the first quantity, and where they are."""
+    name, values = next(iter(rows.quantities.items()))
+    if not np.isfinite(values).any():
+        return ""
+    unit = "" if rows.units[name] == "-" else f" {rows.units[name]}"
+    title = info[name].title or name
+    ends = [_at(rows, info, int(find(values))) for find in (np.nanargmin, np.nanargmax)]
+    low, high = (f"{value:.4g}{unit}" for value in (np.nanmin(values), np.nanmax(values)))
+    done = f"{int(rows.good.sum()):,} of {len(rows):,} cases finished."
+    return f"{done} {title[:1].upper()}{title[1:]}: from {low} ({ends[0]}) to {high} ({ends[1]})."
+
+
+def _at(rows: Rows, info: Mapping[str, ColumnInfo], row: int) -> str:
+    """The parameters of a case in words, at most three."""
+    words = []
+    for name, values in list(rows.parameters.items())[:3]:
+        own = info[name]
+        shown = own.labels[int(values[row])] if own.labels else f"{values[row]:.4g}"
+        words.append(f"{own.title or name} {shown}{'' if own.labels or own.unit == '-' else f' {own.unit}'}")
+    return ", ".join(words)
 
 
 def _settings(study: Study) -> dict[str, Setting]:

@@ -18,7 +18,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any, Protocol
+from typing import Any, ClassVar, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -81,6 +81,9 @@ class Design:
 
 class Plan(Kind, family="plan", key="type"):
     """Which cases a study runs."""
+
+    draws: ClassVar[bool] = False
+    """Whether its cases come as often as the distributions say, so that their percentiles are those of the robots."""
 
     def cases(self, space: Space) -> int:
         """How many cases it has: asked before anything is made, so that a plan that is too large allocates nothing."""

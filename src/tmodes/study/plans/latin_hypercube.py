@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import ClassVar, Literal
 
 from pydantic import Field
 
@@ -18,6 +18,8 @@ class LatinHypercube(Plan):
     McKay, Beckman, Conover, Technometrics 21, 1979. Not nested: a longer plan has other cases, none of which are those
     of a shorter one; take ``sobol`` or ``monte_carlo`` for a study that is extended.
     """
+
+    draws: ClassVar[bool] = True
 
     type: Literal["latin_hypercube"] = Field(description="kind of plan")
     runs: int = count("N", "number of cases")

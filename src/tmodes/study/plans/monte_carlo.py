@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import ClassVar, Literal
 
 from pydantic import Field
 
@@ -14,6 +14,8 @@ __all__ = ["MonteCarlo"]
 @PLANS.register
 class MonteCarlo(Plan):
     """``runs`` cases by the distributions of the parameters, correlated as asked; a longer plan extends a shorter."""
+
+    draws: ClassVar[bool] = True
 
     type: Literal["monte_carlo"] = Field(description="kind of plan")
     runs: int = count("N", "number of cases")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Literal
+from typing import ClassVar, Literal
 
 import numpy as np
 from pydantic import Field
@@ -25,6 +25,8 @@ class Saltelli(Plan):
     each sample come A, then A with each parameter of B, with ``second_order`` B with each parameter of A, then B: A.
     Saltelli, Making best use of model evaluations to compute sensitivity indices, Comput. Phys. Commun. 145 (2002).
     """
+
+    draws: ClassVar[bool] = True
 
     type: Literal["saltelli"] = Field(description="kind of plan")
     samples: int = count("N", "a power of two", 2**22, least=4 * REPLICATES, default=1024)

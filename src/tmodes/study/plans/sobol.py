@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import ClassVar, Literal
 
 from pydantic import Field
 
@@ -18,6 +18,8 @@ class Sobol(Plan):
     Sobol', USSR Computational Mathematics 7, 1967; scrambled after Owen, Journal of Complexity 14, 1998. It is balanced
     where ``runs`` is a power of two.
     """
+
+    draws: ClassVar[bool] = True
 
     type: Literal["sobol"] = Field(description="kind of plan")
     runs: int = count("N", "number of cases, best a power of two")
