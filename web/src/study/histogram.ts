@@ -7,9 +7,9 @@ import type { Store } from "./store";
 const MARKED = [5, 50, 95];
 
 export function mountHistogram(host: HTMLElement, store: Store): void {
-  const view = chart(host, "Distribution", 240, (root, width, height) => {
+  const view = chart(host, "Distribution", 252, (root, width, height) => {
     const column = store.shown;
-    const box: Box = { left: 52, top: 26, right: width - 10, bottom: height - 40 };
+    const box: Box = { left: 52, top: 38, right: width - 10, bottom: height - 40 };
     if (!column.edges || !column.counts) return;
     const [edges, counts] = [column.edges.data, column.counts.data];
     const x = scale(rangeOf(edges), [box.left, box.right], Math.max(3, width / 90));
@@ -20,15 +20,17 @@ export function mountHistogram(host: HTMLElement, store: Store): void {
       root.append(svg("rect", { x: left, y: top, width: Math.max(0.5, x.at(edges[k + 1]) - left - 1),
         height: box.bottom - top, class: "bar-area" }));
     }
-    let last = -Infinity;
+    const ends = [-Infinity, -Infinity]; // of the names in the lower and the upper row
     for (const [share, value] of column.percentiles.filter(([one]) => MARKED.includes(one))) {
       const at = x.at(value);
       root.append(svg("path", { d: `M${at} ${box.top}V${box.bottom}`, class: "percentile" }));
-      const words = `${share} %: ${plain(value)}`;
-      if (at - 3 * words.length > last) {
-        root.append(svg("text", { x: at, y: box.top - 8, "text-anchor": "middle", class: "name" }, words));
-        last = at + 3 * words.length;
-      }
+      const words = `${share} %: ${plain(Number(value.toPrecision(4)))}`;
+      const half = 3.3 * words.length;
+      const place = Math.min(Math.max(at, half), width - half);
+      const row = ends.findIndex((end) => place - half > end);
+      if (row < 0) continue;
+      root.append(svg("text", { x: place, y: box.top - 8 - 14 * row, "text-anchor": "middle", class: "name" }, words));
+      ends[row] = place + half;
     }
     const own = store.row === null ? NaN : column.values.data[store.row];
     if (Number.isFinite(own)) root.append(svg("path", { d: `M${x.at(own)} ${box.top}V${box.bottom}`, class: "chosen" }));

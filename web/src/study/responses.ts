@@ -101,6 +101,7 @@ function surface(host: HTMLElement, store: Store, one: Column, two: Column): voi
     const y = scale([top[0], top[ys.length]], [box.bottom, box.top], 5, two.labels);
     const values = column.values.data;
     const [low, high] = extremes(values);
+    axes(root, box, x, y, [named(one), named(two)]);
     for (let row = 0; row < store.size; row += 1) {
       const [i, j] = [xs.indexOf(one.values.data[row]), ys.indexOf(two.values.data[row])];
       const share = (values[row] - low) / (high - low || 1);
@@ -111,7 +112,6 @@ function surface(host: HTMLElement, store: Store, one: Column, two: Column): voi
       cell.onclick = () => store.pick(row);
       root.append(cell);
     }
-    axes(root, box, x, y, [named(one), named(two)]);
     for (let k = 0; k < 40; k += 1) {
       const at = box.bottom - ((k + 1) / 40) * (box.bottom - box.top);
       root.append(svg("rect", { x: box.right + 12, y: at, width: 12, height: (box.bottom - box.top) / 40 + 0.5, fill: shade(k / 39) }));

@@ -1,4 +1,4 @@
-/* tmodes, built from 5232b41bebf6754d; BSD-3-Clause */
+/* tmodes, built from 7d579f2575901051; BSD-3-Clause */
 /* three
 The MIT License
 

@@ -10,6 +10,7 @@ import numpy as np
 
 from tmodes.errors import TmodesError
 from tmodes.io.atomic import atomic_write
+from tmodes.plot.panels import pretty
 from tmodes.report.page import page
 from tmodes.result.run import run
 from tmodes.study.page.bands import tip_bands
@@ -61,7 +62,7 @@ def _ends(rows: Rows, info: Mapping[str, ColumnInfo]) -> str:
     name, values = next(iter(rows.quantities.items()))
     if not np.isfinite(values).any():
         return ""
-    unit = "" if rows.units[name] == "-" else f" {rows.units[name]}"
+    unit = _unit(rows.units[name])
     title = info[name].title or name
     ends = [_at(rows, info, int(find(values))) for find in (np.nanargmin, np.nanargmax)]
     low, high = (f"{value:.4g}{unit}" for value in (np.nanmin(values), np.nanmax(values)))
@@ -74,9 +75,14 @@ def _at(rows: Rows, info: Mapping[str, ColumnInfo], row: int) -> str:
     words = []
     for name, values in list(rows.parameters.items())[:3]:
         own = info[name]
-        shown = own.labels[int(values[row])] if own.labels else f"{values[row]:.4g}"
-        words.append(f"{own.title or name} {shown}{'' if own.labels or own.unit == '-' else f' {own.unit}'}")
+        shown = own.labels[int(values[row])] if own.labels else f"{values[row]:.6g}{_unit(own.unit)}"
+        words.append(f"{own.title or name} {shown}")
     return ", ".join(words)
+
+
+def _unit(unit: str) -> str:
+    """A unit as it stands after a number."""
+    return f" {pretty(unit)}".rstrip() if unit != "-" else ""
 
 
 def _settings(study: Study) -> dict[str, Setting]:
