@@ -65,9 +65,14 @@ function middles(store: Store, parameter: Column, column: Column): [number, numb
   }
   pairs.sort((a, b) => a[0] - b[0]);
   const levels = new Set(pairs.map(([value]) => value)).size;
+  if (levels === pairs.length && varying(store) === 1) return pairs; // a curve
   if (levels <= BINS) return groups(pairs, (pair, before) => pair[0] !== before[0]);
   const each = Math.max(8, Math.ceil(pairs.length / BINS));
   return groups(pairs, (_, __, k) => k % each === 0);
+}
+
+function varying({ page }: Store): number {
+  return page.parameters.filter(({ values }) => new Set(values.data.slice(0, 500)).size > 1).length;
 }
 
 function groups(

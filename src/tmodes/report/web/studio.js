@@ -1,4 +1,4 @@
-/* tmodes, built from 7d579f2575901051; BSD-3-Clause */
+/* tmodes, built from 86dd71a35b4c31eb; BSD-3-Clause */
 /* three
 The MIT License
 
