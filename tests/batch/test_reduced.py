@@ -23,12 +23,23 @@ ROBOTS = {
         {"real.gear.stiffness": [0.16, 0.2, 0.24, 0.21, 0.19], "payload.mass": [0.45, 0.5, 0.55, 0.52, 0.51]},
         "dormand_prince",
     ),
-    "spong1987": ({"integration.duration": 1.0}, {"joints.joint.gear.stiffness": [60.0, 80, 140, 120, 90]}, "dormand_prince"),
-    "flexarm1990": ({"integration.duration": 1.0}, {"real.links.forearm.beam.section.bending_stiffness": [0.9, 1.1, 1.0, 0.95, 1.05]}, "dormand_prince"),
-    "deluca_siciliano1991": (
-        {"integration.duration": 1.0}, {"links.forearm.bodies.payload.mass": [0.05, 0.07, 0.1, 0.2, 0.12]}, "extrapolation",
+    "spong1987": (
+        {"integration.duration": 1.0},
+        {"joints.joint.gear.stiffness": [60.0, 80.0, 140.0, 120.0, 90.0]},
+        "dormand_prince",
     ),
-}  # fmt: skip
+    "flexarm1990": (
+        {"integration.duration": 1.0},
+        {"real.links.forearm.beam.section.bending_stiffness": [0.9, 1.1, 1.0, 0.95, 1.05]},
+        "dormand_prince",
+    ),
+    "deluca_siciliano1991": (
+        {"integration.duration": 1.0},
+        {"links.forearm.bodies.payload.mass": [0.05, 0.07, 0.1, 0.2, 0.12]},
+        "extrapolation",
+    ),
+}
+"""Of each what is changed, what is varied, and the method that its stiffness asks for."""
 
 
 @pytest.fixture(autouse=True)
@@ -65,8 +76,9 @@ def test_the_numbers_of_a_summary():
     changes, vary, _ = ROBOTS["filipovic2010"]
     robot = tmodes.load("filipovic2010").with_(changes)
     asked = {
-        ("deviation", "max"): "m", ("deviation", "end"): "m", ("deviation", "time_of_max"): "s", ("tip_error", "max"): "m",
-        ("deformation.joint.gear", "max_abs"): "rad", ("joint.effort", "max_abs"): "N*m", ("contact.force", "mean"): "N",
+        ("deviation", "max"): "m", ("deviation", "end"): "m", ("deviation", "time_of_max"): "s",
+        ("tip_error", "max"): "m", ("deformation.joint.gear", "max_abs"): "rad", ("joint.effort", "max_abs"): "N*m",
+        ("contact.force", "mean"): "N",
     }  # fmt: skip
     reductions = [Reduction(*each) for each in asked]
     found = reduced(robot, vary, reductions)
@@ -101,7 +113,9 @@ def test_stiff_and_other_cases_mixed():
     found = reduced(swing(), vary, [speed])
     assert {*found.method} == {"dormand_prince", "extrapolation"}
     for k in (0, 4, 10):
-        assert found.values[speed][k] == pytest.approx(run_alone(swing(), case_of(vary, k), [speed], None).values[speed])
+        assert found.values[speed][k] == pytest.approx(
+            run_alone(swing(), case_of(vary, k), [speed], None).values[speed]
+        )
 
 
 def test_parts_do_not_matter(monkeypatch):
@@ -139,7 +153,7 @@ def test_wrong_cases_as_rows():
     masses = np.random.default_rng(3).permutation(np.linspace(-0.05, 0.5, 40))
     vary = {"payload.mass": masses, "real.gear.stiffness": np.full(40, 0.2)}
     asked = [Reduction("deviation", "max")]
-    with pytest.raises(InputErrors, match="payload.mass must be a number not less than 0"):
+    with pytest.raises(InputErrors, match=r"payload\.mass must be a number not less than 0"):
         reduced(robot, vary, asked)
     found = reduced(robot, vary, asked, wrong="row", kept=[0])
     bad = masses < 0

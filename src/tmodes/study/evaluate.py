@@ -72,14 +72,15 @@ def _of_group(study: Study, group: Group, first: int, progress: Progress, thread
     vary = {_SAME: np.array([robot.gravity[2]])} if alike else dict(group.vary)
     kept = [k for k, place in enumerate(group.places.tolist()) if _is_kept(study, first + place)]
     parts = []
-    if needs.reductions or (kept and not needs.static):
+    of_vary = [0] if alike and kept else kept
+    if needs.reductions:
         from tmodes.study.ways.reductions import by_reductions
 
-        parts.append(by_reductions(robot, vary, needs, [0] if alike and kept else kept, threads, progress))
+        parts.append(by_reductions(robot, vary, needs, of_vary, threads, progress))
     if needs.static:
         from tmodes.study.ways.static import by_statics
 
-        parts.append(by_statics(robot, vary, needs, progress))
+        parts.append(by_statics(robot, vary, needs, threads, progress))
     if needs.result:
         from tmodes.study.ways.results import by_results
 
@@ -87,6 +88,10 @@ def _of_group(study: Study, group: Group, first: int, progress: Progress, thread
     found = parts[0] if parts else Part.of_all(len(next(iter(vary.values()))), "finished")
     for other in parts[1:]:
         found = worst(found, other)
+    if of_vary and not needs.reductions:
+        from tmodes.study.ways.reductions import motions_of
+
+        found.kept |= motions_of(robot, vary, of_vary, found, threads, progress)
     return _repeated(found, size, kept) if alike else found
 
 

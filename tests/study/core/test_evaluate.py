@@ -11,6 +11,7 @@ import pytest
 import tmodes
 from study.core.studies import short, study
 from tmodes.errors import InputError
+from tmodes.kinds.registry import use
 from tmodes.study.quantities import function
 from tmodes.study.rows import joined
 
@@ -86,7 +87,8 @@ def test_choices_set_words_and_numbers_and_factors_act_on_what_they_set():
         "size": {"choices": choices},
         "law": {"choices": [{"name": "new", "set": {"equations": "consistent"}},
                             {"name": "old", "set": {"equations": "printed"}}]},
-        "share": {"path": "gear.stiffness", "relative": True, "distribution": {"type": "uniform", "low": 0.5, "high": 2}},
+        "share": {"path": "gear.stiffness", "relative": True,
+                  "distribution": {"type": "uniform", "low": 0.5, "high": 2}},
     }  # fmt: skip
     one = short({"peak": {"series": "deviation", "reduce": "max"}}, parameters)
     rows = one.evaluate(0, np.array([[0.0, 0.0, 1.25], [1.0, 0.0, 1.0], [0.0, 1.0, 1.25]]))
@@ -210,10 +212,35 @@ def test_registered_functions(monkeypatch):
     assert rows.quantities["a"].tolist() == [1.0]
 
 
+def test_functions_of_a_file_that_a_person_names(tmp_path, monkeypatch):
+    """Other processes load the file too."""
+    monkeypatch.setattr(function, "REGISTERED", {})
+    file = tmp_path / "quantities_of_mine.py"
+    file.write_text(
+        "from tmodes.study.quantities.function import quantity\n\n\n@quantity('mine')\ndef mine(result):\n"
+        "    return result.actual.joints[0].gear.stiffness[0]\n",
+        encoding="utf-8",
+    )
+    use(str(file))
+    rows = short({"a": {"function": "mine"}}).evaluate(0, np.array([[1.0], [0.9]]), threads=2)
+    np.testing.assert_allclose(rows.quantities["a"], [940.0, 846.0], rtol=1e-12)  # a fifth of the nominal gear
+
+
+def test_motions_are_kept_whatever_is_asked():
+    one = short({"sag": {"static": "sag"}}, keep={"cases": [1]})
+    rows = one.evaluate(0, np.array([[1.0], [0.9]]))
+    assert [*rows.kept] == [1]
+    alike = short({"sag": {"static": "sag"}}, {"law": {"choices": [{"name": "x", "set": {}}]}}, keep={"every": 1},
+                  plan={"type": "list", "rows": [{}, {}]})  # fmt: skip
+    rows = alike.evaluate(0, np.zeros((2, 1)))
+    assert sorted(rows.kept) == [0, 1]
+    assert rows.quantities["sag"][0] == rows.quantities["sag"][1]
+
+
 @pytest.mark.parametrize(
     ("quantity", "message"),
     [
-        ({"series": "deviatio", "reduce": "max"}, "did you mean `deviation`|Did you mean `deviation`"),
+        ({"series": "deviatio", "reduce": "max"}, r"[dD]id you mean `deviation`"),
         ({"series": "deviation", "reduce": "max", "unit": "kg"}, "which is of another dimension"),
         ({"summary": "deviation.max"}, "Did you mean `max_m`"),
         ({"summary": "deviation"}, "the path of a number: one of max_m"),
@@ -225,5 +252,5 @@ def test_what_is_wrong_with_the_study_itself_is_raised(quantity, message):
 
 
 def test_values_of_another_shape_are_refused():
-    with pytest.raises(InputError, match="take rows of Study.design"):
+    with pytest.raises(InputError, match=r"take rows of Study\.design"):
         study().evaluate(0, np.zeros((3, 2)))

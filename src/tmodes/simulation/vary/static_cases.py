@@ -29,6 +29,7 @@ from tmodes.model.passes import PointMotion, derivatives, evaluate
 from tmodes.sheet import Robot
 from tmodes.simulation.loop import whole
 from tmodes.simulation.vary.lots import Indices
+from tmodes.simulation.vary.rests import inverses
 
 __all__ = ["StaticCases", "Statics", "masses_of"]
 
@@ -166,7 +167,7 @@ class StaticCases:
         for round_ in range(_STEPS):
             new = going[stale[going]]
             if len(new):
-                inverse[new] = _inverses(self._slopes(chain[new], weight[new], q[new]))
+                inverse[new] = inverses(self._slopes(chain[new], weight[new], q[new]))
             step = (inverse[going] @ self._forces(chain[going], weight[going], q[going])[:, :, None])[..., 0]
             q[np.ix_(going, free)] -= step
             size = np.abs(step).max(axis=1)
@@ -231,16 +232,6 @@ class StaticCases:
         return _squares(mass, (stiffness + stiffness.swapaxes(1, 2)) / 2)
 
 
-def _inverses(slopes: Array) -> Array:
-    good = np.isfinite(slopes).all(axis=(1, 2))
-    slopes[~good] = np.eye(slopes.shape[1])
-    good &= np.linalg.det(slopes) != 0.0
-    slopes[~good] = np.eye(slopes.shape[1])
-    found = np.asarray(np.linalg.inv(slopes), dtype=float)
-    found[~good] = np.nan
-    return found
-
-
 def _squares(mass: Array, stiffness: Array) -> Array:
     """Eigenvalues (m, n) of K x = w^2 M x, rising, from 1/w^2: the low ones keep their digits.
 
@@ -248,8 +239,9 @@ def _squares(mass: Array, stiffness: Array) -> Array:
     """
     found = np.full(mass.shape[:2], np.nan)
     good = np.isfinite(stiffness).all(axis=(1, 2)) & np.isfinite(mass).all(axis=(1, 2))
-    good[good] = (np.linalg.eigvalsh(stiffness[good]) > 0).all(axis=1)
-    if good.any():
+    good = np.flatnonzero(good)
+    good = good[(np.linalg.eigvalsh(stiffness[good]) > 0).all(axis=1)]
+    if len(good):
         root = np.linalg.cholesky(stiffness[good])
         inner = np.linalg.solve(root, np.linalg.solve(root, mass[good]).swapaxes(1, 2))
         found[good] = 1 / np.linalg.eigvalsh((inner + inner.swapaxes(1, 2)) / 2)[:, ::-1]

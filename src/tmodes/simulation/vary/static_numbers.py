@@ -58,7 +58,7 @@ def static_numbers(
     progress: Callable[[str, float], None] = lambda stage, share: None,
     wrong: str = "error",
 ) -> StaticNumbers:
-    """Numbers of the actual robots of k cases; ``vary`` and ``wrong`` as of :func:`tmodes.simulation.vary.reduce.reduced`.
+    """Numbers of the actual robots of k cases; ``vary`` and ``wrong`` as of ``tmodes.simulation.vary.reduce.reduced``.
 
     ``sag``: how far the weight moves the tip, motors held at their first command, and along the world's axes ``sag.x``,
     ``sag.y``, ``sag.z`` [m]; ``frequency.locked.1`` and on: natural frequencies about the rest, motors locked, of mass

@@ -61,7 +61,10 @@ def nominal_side(sheet: Robot, paths: Collection[str], names: Collection[str]) -
     else:
         return Side.NOMINAL
     if why and DEVIATION in names:
-        expected, hint = "another series: there is no nominal run", f"`{COMMANDED}` is the distance to the commanded path"
+        expected, hint = (
+            "another series: there is no nominal run",
+            f"`{COMMANDED}` is the distance to the commanded path",
+        )
         raise InputError("reductions", f"`{DEVIATION}`, but {why}", expected, hint)
     return Side.ACTUAL if why else Side.PLANNED
 
@@ -101,7 +104,9 @@ class Nominal:
         cls, sheet: Robot, values: Mapping[str, Array], side: Side, names: Sequence[str], progress: Progress
     ) -> Nominal:
         """Prepare them; numbers under ``real`` are none of the nominal robot."""
-        own = {path: numbers for path, numbers in values.items() if side is Side.ACTUAL or path.partition(".")[0] != _REAL}
+        own = {
+            path: numbers for path, numbers in values.items() if side is Side.ACTUAL or path.partition(".")[0] != _REAL
+        }
         return cls(prepared(sheet, own or None, keep=False, progress=progress, side=side), tuple(names))
 
     @property

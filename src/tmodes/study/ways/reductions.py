@@ -9,13 +9,16 @@ from numpy.typing import NDArray
 
 from tmodes.errors import InputError, InputErrors, SimulationError
 from tmodes.sheet import Robot
+from tmodes.simulation.batch.simulate import thread_count
+from tmodes.simulation.vary.kept import Kept as KeptCase
+from tmodes.simulation.vary.kept import kept_cases
 from tmodes.simulation.vary.reduce import Reduction, reduced
 from tmodes.simulation.vary.refused import refused_cases
 from tmodes.study.quantities import Needs
 from tmodes.study.rows import Kept
 from tmodes.study.ways.part import Part
 
-__all__ = ["by_reductions"]
+__all__ = ["by_reductions", "motions_of"]
 
 Array = NDArray[np.float64]
 
@@ -43,10 +46,22 @@ def by_reductions(
         return part
     ended = zip(found.status, found.message, strict=True)
     words = ["" if status == "finished" else why for status, why in ended]
-    motions = {case: Kept(one.times, one.states, one.tips, tuple(one.coordinates)) for case, one in found.kept.items()}
     return Part(
         [*found.status], words, [*found.method], np.asarray(found.seconds, dtype=float),
         {pair: found.values[one] for pair, one in asked.items()},
         {pair: found.units[one] for pair, one in asked.items()},
-        kept=motions,
+        kept={case: _motion(one) for case, one in found.kept.items()},
     )  # fmt: skip
+
+
+def _motion(one: KeptCase) -> Kept:
+    return Kept(one.times, one.states, one.tips, tuple(one.coordinates))
+
+
+def motions_of(
+    robot: Robot, vary: Mapping[str, Array], kept: Collection[int], part: Part, threads: int | None,
+    progress: Callable[[str, float], None],
+) -> dict[int, Kept]:  # fmt: skip
+    """Motions of the cases ``kept``, by index, of those that can be run; ``part``: how each of them ended."""
+    found = kept_cases(robot, vary, kept, part.status, threads=thread_count(threads), progress=progress)
+    return {case: _motion(one) for case, one in found.items()}

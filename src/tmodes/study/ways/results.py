@@ -42,11 +42,10 @@ class _Case(NamedTuple):
 
 @dataclass(frozen=True)
 class _Task:
-    """What a process needs once: the robot, the quantities by name, functions, and which errors are estimated."""
+    """What a process needs once: the robot, the quantities by name, and which errors are estimated."""
 
     robot: dict[str, Any]
     quantities: dict[str, tuple[type[Quantity], dict[str, Any]]]
-    functions: dict[str, Callable[[Any], float]]
     errors: frozenset[str]
 
 
@@ -61,12 +60,12 @@ def by_results(
     """
     own = {name: function_of(one.name, functions, name) for name, one in _functions(quantities).items()}
     kinds = {name: (type(one), one.model_dump()) for name, one in quantities.items()}
-    task = _Task(sheet_data(robot), kinds, own, needs.errors)
+    task = _Task(sheet_data(robot), kinds, needs.errors)
     size = len(next(iter(vary.values())))
     changes = [{path: float(values[k]) for path, values in vary.items()} for k in range(size)]
     part = Part.of_all(size, "finished")
     part.numbers = {name: np.full(size, np.nan) for name in quantities}
-    with _mapped(task, min(size, threads or os.cpu_count() or 1)) as mapped:
+    with _mapped(task, own, min(size, threads or os.cpu_count() or 1)) as mapped:
         for k, case in enumerate(mapped(changes)):
             part.status[k], part.reason[k], part.method[k], part.seconds[k] = case[:4]
             for name, (value, unit, why) in case.numbers.items():
@@ -82,13 +81,16 @@ def _functions(quantities: Mapping[str, Quantity]) -> dict[str, Function]:
 
 
 @contextmanager
-def _mapped(task: _Task, workers: int) -> Iterator[Callable[[Sequence[dict[str, float]]], Iterator[_Case]]]:
+def _mapped(
+    task: _Task, functions: Functions, workers: int
+) -> Iterator[Callable[[Sequence[dict[str, float]]], Iterator[_Case]]]:
     """How cases are run: over processes, else one after the other here."""
-    if workers < 2 or not _can_be_sent(task):
-        yield lambda changes: (_ran(task, change) for change in changes)
+    sent = _to_send(functions)
+    if workers < 2 or sent is None:
+        yield lambda changes: (_ran(task, functions, change) for change in changes)
         return
     context = multiprocessing.get_context("spawn")
-    with ProcessPoolExecutor(workers, context, _begin, (task, tuple(USED))) as pool:
+    with ProcessPoolExecutor(workers, context, _begin, (task, sent, tuple(USED))) as pool:
         try:
             yield lambda changes: pool.map(_ran_there, changes)
         except BaseException:
@@ -96,48 +98,47 @@ def _mapped(task: _Task, workers: int) -> Iterator[Callable[[Sequence[dict[str, 
             raise
 
 
-def _can_be_sent(task: _Task) -> bool:
+def _to_send(functions: Functions) -> bytes | None:
+    """The functions as bytes; None where another process could not find one, such as one within another function."""
     try:
-        pickle.dumps(task)
+        return pickle.dumps(dict(functions))
     except (pickle.PicklingError, AttributeError, TypeError):
-        return False
-    return True
+        return None
 
 
-_TASK: list[_Task] = []
-"""The task of this process."""
+_HERE: list[tuple[_Task, Functions]] = []
+"""The task of this process, and its functions."""
 
 
-def _begin(task: _Task, used: Sequence[str]) -> None:
+def _begin(task: _Task, functions: bytes, used: Sequence[str]) -> None:
+    """Files that a person named are loaded first: functions may be of them."""
     if used:
         use(*used)
-    _TASK[:] = [task]
+    _HERE[:] = [(task, pickle.loads(functions))]  # noqa: S301  # of the process that has started this one
 
 
 def _ran_there(changes: dict[str, float]) -> _Case:
-    return _ran(_TASK[0], changes)
+    return _ran(*_HERE[0], changes)
 
 
-def _ran(task: _Task, changes: Mapping[str, float]) -> _Case:
+def _ran(task: _Task, functions: Functions, changes: Mapping[str, float]) -> _Case:
     """One case, run whole."""
     began = clock.process_time()
-    estimates = {
-        "integration.error_estimate": "error" in task.errors,
-        "integration.model_error": "model_error" in task.errors,
-    }
+    estimates = {f"integration.{name}": key in task.errors for key, name in _ESTIMATES.items()}
     try:
         result = run(Robot.from_data(task.robot).with_({**changes, **estimates}))
     except (InputError, InputErrors) as error:
         return _Case("refused", str(error), "", clock.process_time() - began, {})
     except SimulationError as error:
         return _Case("failed", str(error), "", clock.process_time() - began, {})
-    numbers: dict[str, tuple[float, str, str]] = {}
-    status, reason = result.status, "" if result.success else result.message
-    for name, (kind, data) in task.quantities.items() if result.success else ():
-        value, unit, why = _number(kind.of(data), task.functions.get(name), result)
-        numbers[name] = value, unit, why
-    method = result.actual.integration.method
-    return _Case(status, reason, method, clock.process_time() - began, numbers)
+    kinds = task.quantities.items() if result.success else ()
+    numbers = {name: _number(kind.of(data), functions.get(name), result) for name, (kind, data) in kinds}
+    reason = "" if result.status == "finished" else result.message
+    return _Case(result.status, reason, result.actual.integration.method, clock.process_time() - began, numbers)
+
+
+_ESTIMATES = {"error": "error_estimate", "model_error": "model_error"}
+"""Settings by the first key of a summary for which they are made."""
 
 
 def _number(quantity: Quantity, function: Callable[[Any], float] | None, result: Any) -> tuple[float, str, str]:
