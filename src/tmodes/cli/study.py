@@ -78,7 +78,7 @@ def study(
             from tmodes.study.page import write_page
 
             stages("page", 0.0)
-            written["page"] = str(write_page(result, place / "study.html"))
+            written["page"] = str(write_page(result, place / "study.html", progress=stages))
     info = study_info(result) | {"files": written}
     print_json(info) if as_json else print_study(info)
     warn(info["warnings"])

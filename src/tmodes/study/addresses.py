@@ -73,5 +73,7 @@ def restricted(study: Study, names: Sequence[str]) -> Study:
     if wanted == set(sheet["quantities"]):
         return study
     quantities = {name: entry for name, entry in sheet["quantities"].items() if name in wanted}
-    own = {key: value for key, value in sheet.items() if key != "optimize"}  # it may name the quantities that are left out
+    own = {
+        key: value for key, value in sheet.items() if key != "optimize"
+    }  # it may name the quantities that are left out
     return study.from_data({**study.data, "study": {**own, "quantities": quantities}}, functions=study.functions)

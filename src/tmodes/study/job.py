@@ -5,15 +5,16 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from tmodes.io.atomic import file_error
+from tmodes.simulation.batch.simulate import thread_count
 from tmodes.study.blocks import Block, label_of, pack, unpack
 from tmodes.study.cover import Cover, Gap, Part
 from tmodes.study.derived import derivable, derived, is_formula
 from tmodes.study.pace import Pace
 from tmodes.study.parts import rows_of
-from tmodes.study.places.contract import Task
 from tmodes.study.remote import compute, order
 from tmodes.study.store import Folder
 from tmodes.study.study import Study
+from tmodes.study.task import Task
 
 __all__ = ["StudyJob", "kept_cases"]
 
@@ -40,6 +41,7 @@ class StudyJob:
         self._total = len(folder.values) + sum(len(task.values) for task in tasks)
         self._left = sum(len(task.values) for task in tasks) + sum(gap.end - gap.first for gap in cover.gaps)
         kept = 0 if not self.study.sheet.keep.every else 1 << 16
+        self._own_threads = 1
         self._pace = Pace(self.study.sheet.block, kept)
 
     @classmethod
@@ -89,6 +91,7 @@ class StudyJob:
 
     def compute(self, task: Task) -> bytes:
         """Compute a task in this process."""
+        self._own_threads = thread_count(self.threads)
         return pack(compute(self.study, task, self.threads, self._share(len(task.values))))
 
     def done(self, task: Task, block: bytes) -> None:
@@ -103,7 +106,7 @@ class StudyJob:
             hint = "install the same tmodes on all machines"
             raise file_error(which, "a block of something else", "what was asked for", hint)
         folder.write(found)
-        self._pace.took(label.count, label.wall)
+        self._pace.took(label.count, label.wall, float(found.rows.seconds.sum()), self._own_threads)
         self._left -= label.count
         self.report()
 
@@ -112,13 +115,19 @@ class StudyJob:
         self._progress("cases", min(1.0, (self._total - self._left + share) / max(self._total, 1)))
 
     def _share(self, cases: int) -> Progress:
-        """Progress of a block, as a part of the whole; what it compiles and plans is shown by its own words."""
+        """Progress of a block as a part of the whole: that of its cases; what prepares them is heard, and not counted."""
+        reached = [0.0]
 
         def tell(stage: str, share: float) -> None:
-            del stage
-            self.report(cases * share)
+            if stage in _COUNTED:
+                reached[0] = max(reached[0], share)
+            self.report(cases * reached[0])
 
         return tell
+
+
+_COUNTED = ("running", "results", "statics")
+"""Stages of :meth:`Study.evaluate` that go through the cases."""
 
 
 def _asked(folder: Folder, part: Part) -> tuple[str, ...]:

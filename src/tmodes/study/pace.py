@@ -9,8 +9,11 @@ __all__ = ["LEAST", "Pace"]
 LEAST, MOST = 64, 1 << 18
 """Cases of a block that is chosen here."""
 
-SECONDS = 3.0
-"""What a block is to take."""
+SECONDS, LONGEST = 3.0, 30.0
+"""What the cases of a block are to take, and at most, where preparing it takes long."""
+
+OVERHEAD = 6.0
+"""Cases of a block take at least so many times longer than preparing it."""
 
 GROWTH = 32
 """A block has at most so many times more cases than the one before: its time may be that of the first compilation."""
@@ -31,9 +34,12 @@ class Pace:
         fair = max(LEAST, -(-left // (2 * workers))) if workers > 1 else left
         return min(left, fair, self._size)
 
-    def took(self, cases: int, seconds: float) -> None:
-        """A block of so many cases took so long."""
+    def took(self, cases: int, wall: float, work: float, threads: int = 1) -> None:
+        """A block of so many cases took ``wall`` seconds; its cases alone ``work`` seconds of some ``threads``."""
+        if cases < min(self._size, LEAST):  # the rest of a gap says little
+            return
+        computing = min(wall, work / threads) or wall
+        target = min(LONGEST, max(SECONDS, OVERHEAD * (wall - computing)))
         bound = min(MOST, max(LEAST, (1 << 28) // max(self.heavy, 1)))
-        wanted = min(cases * SECONDS / max(seconds, 1e-6), GROWTH * max(cases, LEAST), bound)
-        if cases >= min(self._size, LEAST):  # the rest of a gap says little
-            self._size = max(LEAST, int(wanted) // LEAST * LEAST)
+        wanted = min(cases * target / max(computing, 1e-6), GROWTH * cases, bound)
+        self._size = max(LEAST, int(wanted) // LEAST * LEAST)

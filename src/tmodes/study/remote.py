@@ -17,8 +17,8 @@ import numpy as np
 from tmodes.errors import InputError, SimulationError
 from tmodes.study.addresses import base_of, canonical, engine_of_blocks, restricted
 from tmodes.study.blocks import Block, label_of, pack
-from tmodes.study.places.contract import Task
 from tmodes.study.study import Study
+from tmodes.study.task import Task
 
 __all__ = ["compute", "compute_block", "order"]
 

@@ -13,7 +13,7 @@ from typing import Any
 from command import COMMAND
 from patience import until
 
-__all__ = ["Cluster", "blocks_in", "cluster", "command", "ended"]
+__all__ = ["Cluster", "blocks_in", "cluster", "command", "ended", "reached"]
 
 
 def command(*arguments: object, cwd: Path | None = None) -> subprocess.Popen[str]:
@@ -26,6 +26,12 @@ def ended(process: subprocess.Popen[str]) -> tuple[int, str, str]:
     """Its exit code, output and errors, once it has ended."""
     out, err = process.communicate()
     return process.returncode, out, err
+
+
+def reached(process: subprocess.Popen[str], folder: Path, blocks: int) -> None:
+    """Wait until so many blocks are stored, by a process that runs still."""
+    until(lambda: process.poll() is not None or blocks_in(folder) >= blocks, f"{blocks} blocks")
+    assert process.poll() is None, ended(process)
 
 
 def blocks_in(folder: Path) -> int:

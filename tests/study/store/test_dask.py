@@ -7,8 +7,7 @@ import subprocess
 import pytest
 
 from command import tmodes
-from patience import until
-from study.store.processes import blocks_in, cluster, command, ended
+from study.store.processes import cluster, command, ended, reached
 from study.store.test_killed import sheet, table, whole  # noqa: F401 - fixtures
 from tmodes.errors import InputError
 from tmodes.study.places import How, place_of
@@ -26,13 +25,13 @@ def test_workers_are_killed_and_added_and_the_table_is_the_same(sheet, whole, tm
     with cluster(tmp_path, 3) as found:
         process = command("study", sheet, "--on", address(found), "--out", out, "--no-page")
         first = found.processes[1]
-        until(lambda: blocks_in(out) >= 30, "30 blocks")
+        reached(process, out, 30)
         first.kill()
-        until(lambda: blocks_in(out) >= 90, "90 blocks")
+        reached(process, out, 90)
         again = found.worker()
-        until(lambda: blocks_in(out) >= 150, "150 blocks")
+        reached(process, out, 150)
         found.worker()
-        until(lambda: blocks_in(out) >= 250, "250 blocks")
+        reached(process, out, 220)
         again.kill()
         code, _, errors = ended(process)
         assert code == 0, errors
@@ -43,7 +42,7 @@ def test_a_scheduler_that_goes_ends_the_study_which_resumes(sheet, whole, tmp_pa
     out = tmp_path / "study"
     with cluster(tmp_path, 1) as found:
         process = command("study", sheet, "--on", address(found), "--out", out, "--no-page")
-        until(lambda: blocks_in(out) >= 20, "20 blocks")
+        reached(process, out, 20)
         found.end()
         code, _, errors = ended(process)
     assert code == 3

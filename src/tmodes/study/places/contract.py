@@ -23,27 +23,12 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import ClassVar, Protocol, Self
 
-import numpy as np
-from numpy.typing import NDArray
-
 from tmodes.errors import InputError
 from tmodes.kinds.registry import Registry
 from tmodes.study.study import Study
+from tmodes.study.task import Task
 
 __all__ = ["PLACES", "How", "Job", "Place", "Task", "place_of"]
-
-
-@dataclass(frozen=True, eq=False)
-class Task:
-    """Consecutive cases: ``values`` (m, d) of which the first has the number ``first``, and which quantities of them.
-
-    ``keep``: the cases among them whose whole motion is kept.
-    """
-
-    first: int
-    values: NDArray[np.float64]
-    quantities: tuple[str, ...]
-    keep: tuple[int, ...] = ()
 
 
 class Job(Protocol):

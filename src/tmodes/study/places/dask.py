@@ -9,6 +9,7 @@ back is bytes, which are verified as a file of anybody's.
 from __future__ import annotations
 
 import ipaddress
+from asyncio import CancelledError
 from contextlib import suppress
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -61,7 +62,7 @@ class Dask(Place):
 
         config.set({"distributed.admin.large-graph-warning-threshold": "1GB"})
         try:
-            client = Client(self.address, security=self.security, timeout=CONNECT, set_as_default=False)
+            client = Client(self.address, security=self.security, timeout=CONNECT)
         except (OSError, TimeoutError) as error:
             hint = "start it with `dask scheduler`, and check address and certificates"
             raise InputError("--on", f"no answer of {self.address}", "a scheduler that runs", hint) from error
@@ -96,27 +97,39 @@ def security(folder: Path | None) -> Any:
 
 def work_through(client: Any, job: Job) -> None:
     """Keep every worker busy with two blocks, and take back what is done; a block that was lost is given out again."""
+    pending: dict[Any, Task] = {}
+    try:
+        _work(client, job, pending)
+    except TmodesError:
+        raise
+    except (Exception, CancelledError) as error:
+        if client.status == "running":
+            raise
+        lost = "the connection to the scheduler is lost; the same command computes the rest"
+        raise SimulationError(lost) from error
+    finally:
+        if client.status == "running":
+            with suppress(OSError, RuntimeError):
+                client.cancel(list(pending), force=True)
+
+
+def _work(client: Any, job: Job, pending: dict[Any, Task]) -> None:
     from distributed import wait
 
-    pending: dict[Any, Task] = {}
     lost: dict[int, int] = {}
-    try:
-        while True:
-            workers = max(1, len(client.scheduler_info(n_workers=-1)["workers"]))
-            while len(pending) < 2 * workers and (task := job.next(workers)):
-                pending[client.submit(compute_block, job.order(task, job.threads), pure=False)] = task
-            if not pending:
-                return
-            with suppress(TimeoutError):
-                wait(list(pending), timeout=GLANCE, return_when="FIRST_COMPLETED")
-            job.report()
-            if client.status != "running":
-                raise SimulationError("the connection to the scheduler is lost; the same command computes the rest")
-            for future in [each for each in pending if each.status != "pending"]:
-                _take(future, pending.pop(future), job, lost)
-    finally:
-        with suppress(OSError, RuntimeError):
-            client.cancel(list(pending), force=True)
+    while True:
+        workers = max(1, len(client.scheduler_info(n_workers=-1)["workers"]))
+        while len(pending) < 2 * workers and (task := job.next(workers)):
+            pending[client.submit(compute_block, job.order(task, job.threads), pure=False)] = task
+        if not pending:
+            return
+        with suppress(TimeoutError):
+            wait(list(pending), timeout=GLANCE, return_when="FIRST_COMPLETED")
+        job.report()
+        if client.status != "running":
+            raise ConnectionError
+        for future in [each for each in pending if each.status != "pending"]:
+            _take(future, pending.pop(future), job, lost)
 
 
 def _take(future: Any, task: Task, job: Job, lost: dict[int, int]) -> None:

@@ -52,7 +52,7 @@ class Slurm(Place):
 
         with cluster_of(self.how) as cluster:
             cluster.adapt(minimum_jobs=1, maximum_jobs=resources_of(self.how).get("jobs", JOBS))
-            with Client(cluster, set_as_default=False) as client:
+            with Client(cluster) as client:
                 work_through(client, job)
 
 
