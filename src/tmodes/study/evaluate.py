@@ -80,7 +80,7 @@ def _of_group(study: Study, group: Group, first: int, progress: Progress, thread
     if needs.static:
         from tmodes.study.ways.static import by_statics
 
-        parts.append(by_statics(robot, vary, needs, progress))
+        parts.append(by_statics(robot, vary, needs, threads, progress))
     if needs.result:
         from tmodes.study.ways.results import by_results
 

@@ -87,7 +87,8 @@ def test_choices_set_words_and_numbers_and_factors_act_on_what_they_set():
         "size": {"choices": choices},
         "law": {"choices": [{"name": "new", "set": {"equations": "consistent"}},
                             {"name": "old", "set": {"equations": "printed"}}]},
-        "share": {"path": "gear.stiffness", "relative": True, "distribution": {"type": "uniform", "low": 0.5, "high": 2}},
+        "share": {"path": "gear.stiffness", "relative": True,
+                  "distribution": {"type": "uniform", "low": 0.5, "high": 2}},
     }  # fmt: skip
     one = short({"peak": {"series": "deviation", "reduce": "max"}}, parameters)
     rows = one.evaluate(0, np.array([[0.0, 0.0, 1.25], [1.0, 0.0, 1.0], [0.0, 1.0, 1.25]]))

@@ -106,7 +106,8 @@ def test_files_outside_are_not_read(tmp_path, name):
 
 def test_plain_data_name_no_files():
     data = {
-        "format": 1, "kind": "study", "name": "test", "plan": {"type": "grid"}, "quantities": {"y": {"expression": "x"}},
+        "format": 1, "kind": "study", "name": "test", "plan": {"type": "grid"},
+        "quantities": {"y": {"expression": "x"}},
         "parameters": {"x": {"catalogue": "/etc/passwd"}},
     }  # fmt: skip
     with pytest.raises(InputErrors, match="no file, in a study without a folder"):

@@ -55,8 +55,8 @@ def test_wilsons_interval():
 
 def test_correlations_of_parameters_with_quantities():
     parameters = {name: {"distribution": {"type": "uniform", "low": -1.0, "high": 1.0}} for name in ("x", "y")}
-    one = study(parameters, {"a": {"expression": "3*x + 1"}, "b": {"expression": "exp(5*y)"}, "c": {"expression": "1 + 0*x"}},
-                plan={"type": "sobol", "runs": 1024})  # fmt: skip
+    quantities = {"a": {"expression": "3*x + 1"}, "b": {"expression": "exp(5*y)"}, "c": {"expression": "1 + 0*x"}}
+    one = study(parameters, quantities, plan={"type": "sobol", "runs": 1024})
     found = correlations(one.evaluate(0, one.design().values))
     assert found["a"]["x"].linear == pytest.approx(1.0)
     assert found["b"]["y"].rank == pytest.approx(1.0)
