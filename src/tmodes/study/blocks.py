@@ -196,10 +196,9 @@ def _block(header: Any, arrays: dict[str, NDArray[Any]]) -> Block:
 
 
 def _not_fitting(motion: Kept) -> bool:
-    samples = motion.times.shape
-    return (
-        len(samples) != 1 or motion.tip.shape != (*samples, 3) or motion.states.shape != (*samples, len(motion.names))
-    )
+    samples, states = motion.times.shape, motion.states.shape
+    fitting = len(samples) == 1 and motion.tip.shape == (*samples, 3) and len(states) == 2 and states[:1] == samples
+    return not fitting or states[1] < len(motion.names)
 
 
 def _columns(arrays: Mapping[str, NDArray[Any]], start: str) -> dict[str, NDArray[np.float64]]:

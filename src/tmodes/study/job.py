@@ -6,9 +6,10 @@ from collections.abc import Callable
 
 from tmodes.io.atomic import file_error
 from tmodes.simulation.batch.simulate import thread_count
-from tmodes.study.blocks import Block, label_of, pack, unpack
+from tmodes.study.blocks import pack, unpack
 from tmodes.study.cover import Cover, Gap, Part
 from tmodes.study.derived import derivable, derived, is_formula
+from tmodes.study.kept_series import from_motions, in_motions
 from tmodes.study.pace import Pace
 from tmodes.study.parts import rows_of
 from tmodes.study.remote import compute, order
@@ -44,9 +45,27 @@ class StudyJob:
         self._own_threads = 1
         self._pace = Pace(self.study.sheet.block, kept)
 
+    @staticmethod
+    def _from_motions(folder: Folder) -> None:
+        """Store quantities that follow from motions that were kept of all cases that ended well."""
+        keepers = folder.keepers()
+        for part in folder.cover().parts:
+            if not part.missing or part.first not in keepers:
+                continue
+            rows = rows_of(folder, part)
+            cases = rows.case[rows.good].tolist()
+            if not cases or not set(cases) <= keepers.keys():
+                continue
+            labels = {keepers[case].name: keepers[case] for case in cases}
+            kept = {case: one for label in labels.values() for case, one in folder.block(label).rows.kept.items()}
+            names = in_motions(folder.study, part.missing, kept[cases[0]]) if set(cases) <= kept.keys() else []
+            if names:
+                folder.store(from_motions(folder.study, rows, kept, names))
+
     @classmethod
     def of(cls, folder: Folder, threads: int | None, progress: Progress) -> StudyJob:
-        """What is missing in a folder."""
+        """What is missing in a folder, once what follows from kept motions was added."""
+        cls._from_motions(folder)
         cover = folder.cover()
         tasks = [_task(folder, part.first, part.end, asked) for part in cover.parts if (asked := _asked(folder, part))]
         known = folder.keepers()
@@ -60,9 +79,7 @@ class StudyJob:
         folder = self.folder
         for part in folder.cover().parts:
             if names := derivable(self.study, part.missing):
-                rows = derived(self.study, rows_of(folder, part), names)
-                keys = {name: folder.keys[name] for name in names}
-                folder.write(Block(label_of(folder.base, folder.engine, keys, rows), rows))
+                folder.store(derived(self.study, rows_of(folder, part), names))
 
     @property
     def finished(self) -> bool:

@@ -54,6 +54,12 @@ def _block_of(file: Path) -> str | None:
         return None
 
 
+def _states(motion: Kept) -> list[str]:
+    """Names of all states: coordinates, their velocities, and what else is integrated by its number."""
+    names = [*motion.names, *(f"{name}.velocity" for name in motion.names)]
+    return [*names, *(f"state.{k}" for k in range(len(names), motion.states.shape[1]))][: motion.states.shape[1]]
+
+
 def _netcdf(study: str, case: int, motion: Kept, block: str) -> bytes:
     import xarray as xr
 
@@ -62,7 +68,7 @@ def _netcdf(study: str, case: int, motion: Kept, block: str) -> bytes:
             "states": (("time", "state"), motion.states, {"long_name": "coordinates and rates"}),
             "tip": (("time", "axis"), motion.tip, {"long_name": "position of the tip", "units": "m"}),
         },
-        {"time": ("time", motion.times, {"units": "s"}), "state": list(motion.names), "axis": ["x", "y", "z"]},
+        {"time": ("time", motion.times, {"units": "s"}), "state": _states(motion), "axis": ["x", "y", "z"]},
         {"study": study, "case": case, "block": block},
     )
     buffer = io.BytesIO()

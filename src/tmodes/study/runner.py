@@ -52,10 +52,10 @@ def run_study(
     progress("planning", 0.0)
     design = study.design()
     with locked(Folder.of(Path(folder), study, design.values), overwrite=overwrite) as here:
-        job = StudyJob.of(here, threads, progress)
-        _refuse_older(job, recompute, notice)
+        _refuse_older(here, recompute, notice)
         with _disk(here.path):
             here.begin()
+            job = StudyJob.of(here, threads, progress)
             place.run(job)
             if not job.finished:
                 raise SimulationError(f"`{on}` has ended before all cases were computed; run the same command again")
@@ -65,16 +65,16 @@ def run_study(
     return StudyResult(study, Path(folder), design, here)
 
 
-def _refuse_older(job: StudyJob, recompute: bool, notice: Callable[[str], None]) -> None:
+def _refuse_older(folder: Folder, recompute: bool, notice: Callable[[str], None]) -> None:
     """Blocks of another engine are never mixed with those of this one, and never replaced without a word."""
-    older = job.cover.older
+    older = folder.cover().older
     if not older:
         return
     got = f"{older:,} cases of another version of the engine"
     if not recompute:
         hint = "compute them again (--recompute; the old blocks stay), or name another folder"
-        raise file_error(f"folder {job.folder.path}", got, f"those of {job.folder.engine}", hint)
-    notice(f"{got} are computed again; the old blocks stay in {job.folder.blocks}")
+        raise file_error(f"folder {folder.path}", got, f"those of {folder.engine}", hint)
+    notice(f"{got} are computed again; the old blocks stay in {folder.blocks}")
 
 
 @contextmanager

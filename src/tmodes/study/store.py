@@ -19,8 +19,9 @@ from numpy.typing import NDArray
 from tmodes.errors import ResultFileError
 from tmodes.io.atomic import FolderLock, atomic_write, check_writable, file_error, remove_orphans
 from tmodes.study.addresses import base_of, canonical, cases_address, engine_of_blocks
-from tmodes.study.blocks import Block, Label, pack, refused, unpack
+from tmodes.study.blocks import Block, Label, label_of, pack, refused, unpack
 from tmodes.study.cover import Cover, covered
+from tmodes.study.rows import Rows
 from tmodes.study.study import Study
 
 __all__ = ["BLOCKS", "MOTIONS", "STUDY_FILE", "TABLE", "Folder", "description", "locked"]
@@ -97,6 +98,11 @@ class Folder:
         self.asked[block.label.name] = block.asked
         if self.known is not None:
             self.known[block.label.name] = block.label
+
+    def store(self, rows: Rows) -> None:
+        """Store rows of some quantities that were made here, of cases that are there."""
+        keys = {name: self.keys[name] for name in rows.quantities}
+        self.write(Block(label_of(self.base, self.engine, keys, rows), rows))
 
     def cover(self) -> Cover:
         """Which cases are stored, and where."""

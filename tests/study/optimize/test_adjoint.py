@@ -106,7 +106,9 @@ def test_a_functional_of_ones_own() -> None:
     robot = load("spong1987").with_({"joints.joint.gear.damping": 0.5, "integration.duration": 1.5})
     from tmodes.sensitivity.gradient import adjoint_gradient
 
-    asked = spong({"sag": {"static": "sag"}}, "apart", [], gear=uniform(GEAR, 60.0, 140.0), mass=uniform(MASS, 0.5, 2.0))
+    asked = spong(
+        {"sag": {"static": "sag"}}, "apart", [], gear=uniform(GEAR, 60.0, 140.0), mass=uniform(MASS, 0.5, 2.0)
+    )
     apart = tracking_error("tip", (0.3, 0.0, -0.9))
     found = optimize(asked, functionals={"apart": apart})
     assert found.method == "gradient"
