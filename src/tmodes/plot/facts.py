@@ -107,13 +107,23 @@ def move_end(data: Any) -> float | None:
 
 
 def instants(data: Any, most: int = len(INSTANTS)) -> NDArray[np.intp]:
-    """At most ``most`` samples spread evenly from the start until the links stay near where they are at the end."""
+    """At most ``most`` samples from the start until the links stay near where they are at the end, spread evenly.
+
+    The one nearest to the largest deflection is moved there, if it is neither the first nor the last.
+    """
     tip = data["tip"].transpose("time", "axis").values
     ends = data["line"].isel(s=-1).transpose("time", "link", "axis").values if "line" in data else tip[:, None]
     away = np.linalg.norm(ends - ends[-1], axis=-1).max(axis=1)
     moving = np.flatnonzero(away > _SETTLED * away.max()) if away.max() > 0 else np.zeros(1, dtype=int)
     last = min(int(moving[-1]) + 1, len(ends) - 1)
-    return np.unique(np.linspace(0, last, most).round().astype(int))
+    chosen = np.linspace(0, last, most).round().astype(int)
+    if "line_rigid" in data and most > 2:
+        bend = np.linalg.norm(
+            (data["line"] - data["line_rigid"]).transpose("time", "link", "s", "axis").values, axis=-1
+        )
+        largest_at = int(bend[: last + 1].max(axis=(1, 2)).argmax())
+        chosen[1 + int(np.argmin(np.abs(chosen[1:-1] - largest_at)))] = largest_at
+    return np.unique(chosen)
 
 
 def instant_looks(count: int) -> list[dict[str, Any]]:

@@ -9,28 +9,20 @@ from numpy.typing import NDArray
 
 from tmodes.plot.facts import instant_looks, instants, names_of
 from tmodes.plot.figure import Figure
-from tmodes.plot.figures.tip_path import PLANES, views
+from tmodes.plot.figures.tip_path import PLANES, VISIBLE, enlargement, round_factor, views
 from tmodes.plot.panels import Axes, AxesLike, letter, panels, shared_legend
 from tmodes.plot.style import QUIET
 
 __all__ = ["ElasticLine", "round_factor"]
 
-VISIBLE = 0.1
-"""The largest deflection is drawn about this large, as a share of the robot's reach."""
+WIDE, HEIGHTS = 5.4, (1.2, 3.2)
+"""Width that the panels of a row share, and the least and most height of one [in]."""
 
 _INSTANTS = 4
 _TOUCHING = 1e-6
 """Distance of two links over the robot's reach below which nothing need join them."""
 
 Array = NDArray[Any]
-
-
-def round_factor(wanted: float) -> float:
-    """The largest of 1, 2, 5, 10, 20, 50, ... that is not above ``wanted``; never below 1."""
-    if not 1.0 < wanted < 1e12:
-        return 1.0
-    power = 10.0 ** np.floor(np.log10(wanted))
-    return float(max(step * power for step in (1, 2, 5) if step * power <= wanted * (1 + 1e-9)))
 
 
 class ElasticLine(Figure):
@@ -56,10 +48,8 @@ class ElasticLine(Figure):
         dims = ("time", "link", "s", "axis")
         line, rigid = (data[name].transpose(*dims).values[chosen] for name in ("line", "line_rigid"))
         factor = _factor(rigid, line) if exaggerate is None else exaggerate
-        sides, factors = views(np.concatenate([rigid, line])), [1.0] if factor == 1 else [1.0, factor]
-        layout = [["".join(pair) + str(k) for k in range(len(factors))] for pair in sides]
-        axes = panels(ax, layout, 0.5 + 3.0 * len(sides))
-        shown = [(pair, size) for pair in sides for size in factors]
+        shown = _pictures(rigid, line, factor)
+        axes = panels(ax, *_layout(rigid + factor * (line - rigid), shown))
         joins = _joins(data, rigid[0])
         for panel, (pair, size) in zip(axes, shown, strict=True):
             columns = ["xyz".index(name) for name in pair]
@@ -69,12 +59,28 @@ class ElasticLine(Figure):
             panel.set_aspect("equal", adjustable="datalim")
             panel.locator_params(nbins=5)
         shared_legend(axes[0])
-        letter(axes, (f"{PLANES[pair].capitalize()}, {_scale(size)}" for pair, size in shown))
+        letter(axes, (f"{PLANES[pair].capitalize()}, {enlargement(size, 'deflection')}" for pair, size in shown))
         return axes
 
 
-def _scale(factor: float) -> str:
-    return "to scale" if factor == 1 else f"deflection × {factor:g}"
+def _pictures(rigid: Array, line: Array, factor: float) -> list[tuple[tuple[str, str], float]]:
+    """Sides and enlargements: to scale those that the motion needs, magnified those that the deflection needs too."""
+    plain_sides = views(np.concatenate([rigid, line]))
+    if factor == 1:
+        return [(pair, 1.0) for pair in plain_sides]
+    sides = dict.fromkeys([*plain_sides, *views(np.concatenate([rigid, rigid + factor * (line - rigid)]))])
+    return [(pair, size) for pair in sides for size in (1.0, factor) if size != 1 or pair in plain_sides]
+
+
+def _layout(points: Array, shown: list[tuple[tuple[str, str], float]]) -> tuple[list[list[str]], float]:
+    """A row for each side, as high as what is seen from there needs, and the height of the figure [in]."""
+    rows = {pair: [f"{''.join(pair)} {size:g}" for other, size in shown if other == pair] for pair, _ in shown}
+    extents = dict(zip("xyz", np.ptp(points.reshape(-1, 3), axis=0), strict=True))
+    height = 0.6
+    for (across, up), row in rows.items():
+        share = extents[up] / (extents[across] or 1.0)
+        height += 0.6 + float(np.clip(share * WIDE / len(row), *HEIGHTS))
+    return [row if len(row) == 2 else row * 2 for row in rows.values()], height
 
 
 def _factor(rigid: Array, bent: Array) -> float:
