@@ -12,7 +12,7 @@ from tmodes.plot.style import INSTANTS
 
 __all__ = [
     "MOST_ROWS", "command_of", "coordinate_names", "deformation_unit", "drive_unit", "drives_by", "effort_unit",
-    "instant_looks", "instants", "largest", "largest_coordinates", "motor_of", "move_end", "names_of", "plain",
+    "instant_looks", "instants", "largest", "largest_coordinates", "motor_of", "move_end", "names_of", "part_title", "plain",
     "rows_height", "spectral_part",
 ]  # fmt: skip
 
@@ -22,7 +22,7 @@ MOST_ROWS = 8
 
 def rows_height(rows: int) -> float:
     """Height of a figure of so many rows [in]: few rows are higher."""
-    return 0.8 + max(0.95, 1.7 - 0.2 * rows) * rows
+    return 0.8 + max(1.1, 1.7 - 0.2 * rows) * rows
 
 
 _SETTLED = 0.05
@@ -43,6 +43,12 @@ def plain(name: object) -> str:
     text = text if len(text) <= _LONGEST else f"{text[: _LONGEST - 3]}..."
     text = text.replace("$", r"\$")
     return f" {text}" if text.startswith("_") else text
+
+
+def part_title(name: object, part: str, most: int = 34) -> str:
+    """A title for a part of what has a name; without the name where both would not fit into so many letters."""
+    whole = f"{plain(name)}, {part}"
+    return whole if len(whole) <= most else part
 
 
 def names_of(data: Any, dimension: str) -> list[str]:

@@ -79,8 +79,9 @@ def limit_peaks(panel: Any, times: Array, values: Array, unit: Unit) -> None:
     room = high - low
     panel.set_ylim(unit.factor * (low - 0.2 * room), unit.factor * (high + 0.6 * room))
     curve, sample = np.unravel_index(int(np.argmax(np.abs(values))), values.shape)
-    peak = f"beyond the axis: {unit.factor * values[curve, sample]:.3g} {unit.name} at {times[sample]:.3g} s"
-    panel.text(0.98, 0.97, peak, ha="right", va="top", fontsize=7, transform=panel.transAxes)
+    peak = f"{unit.factor * values[curve, sample]:.3g}".replace("-", "−")
+    note = f"beyond the axis: {peak} {unit.name} at {times[sample]:.3g} s"
+    panel.text(0.98, 0.97, note, ha="right", va="top", fontsize=7, transform=panel.transAxes)
 
 
 def state_offset(panel: Any) -> None:
@@ -97,7 +98,7 @@ def state_offset(panel: Any) -> None:
     offset = float(np.trunc((low if low > 0 else high) / step) * step)
     panel.yaxis.set_major_formatter(FuncFormatter(lambda y, _: _written(y - offset, digits + 1)))
     sign = "−" if offset > 0 else "+"
-    panel.set_ylabel(f"{label[1]} {sign} {abs(offset):.{digits}f} {label[2]}\n[{label[2]}]")
+    panel.set_ylabel(f"{label[1]} {sign} {abs(offset):.{digits}f} {label[2]}\n[{label[2]}]", fontsize=7)
 
 
 def _written(value: float, digits: int) -> str:

@@ -6,7 +6,7 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from tmodes.plot.facts import coordinate_names, deformation_unit, largest_coordinates, plain, rows_height
+from tmodes.plot.facts import coordinate_names, deformation_unit, largest_coordinates, part_title, plain, rows_height
 from tmodes.plot.figure import Figure
 from tmodes.plot.panels import Axes, AxesLike, Unit, curves, last_times, letter, panels, shared_legend
 from tmodes.plot.ranges import common_unit, largest_shown, limit_peaks
@@ -57,8 +57,10 @@ def _row(name: str, titles: list[str]) -> list[str]:
 
 def _first_of_each(axes: list[Axes], labels: list[list[str]]) -> list[Axes]:
     """The first panel of the totals, and the first of the oscillatory parts."""
-    firsts = {tuple(names): panel for panel, names in zip(reversed(axes), reversed(labels), strict=True)}
-    return list(reversed(firsts.values()))
+    firsts: dict[tuple[str, ...], Axes] = {}
+    for panel, names in zip(axes, labels, strict=True):
+        firsts.setdefault(tuple(names), panel)
+    return list(firsts.values())
 
 
 def _parts(data: Any, name: str) -> list[tuple[str, Curves]]:
@@ -69,7 +71,7 @@ def _parts(data: Any, name: str) -> list[tuple[str, Curves]]:
     if 0 < share < SMALL:
         return [(f"{text} (oscillatory part at most {100 * share:.1g} %)", total)]
     look = {"color": COMPONENTS[2]["color"], "linewidth": 1.0}
-    return [(text, total), (f"{text}, oscillatory part", {"oscillatory $T_{to}$": (part, look)})]
+    return [(text, total), (part_title(name, "oscillatory part"), {"oscillatory $T_{to}$": (part, look)})]
 
 
 def _values(part: Curves) -> Any:

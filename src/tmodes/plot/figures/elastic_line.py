@@ -9,11 +9,14 @@ from numpy.typing import NDArray
 
 from tmodes.plot.facts import instant_looks, instants, names_of
 from tmodes.plot.figure import Figure
-from tmodes.plot.figures.tip_path import PLANES, VISIBLE, enlargement, round_factor, views
+from tmodes.plot.figures.tip_path import PLANES, views
 from tmodes.plot.panels import Axes, AxesLike, letter, panels, shared_legend
 from tmodes.plot.style import QUIET
 
 __all__ = ["ElasticLine", "round_factor"]
+
+VISIBLE = 0.1
+"""The largest deflection or deviation is drawn about this large, as a share of the robot's reach."""
 
 WIDE, HEIGHTS = 5.4, (1.2, 3.2)
 """Width that the panels of a row share, and the least and most height of one [in]."""
@@ -23,6 +26,14 @@ _TOUCHING = 1e-6
 """Distance of two links over the robot's reach below which nothing need join them."""
 
 Array = NDArray[Any]
+
+
+def round_factor(wanted: float) -> float:
+    """The largest of 1, 2, 5, 10, 20, 50, ... that is not above ``wanted``; never below 1."""
+    if not 1.0 < wanted < 1e12:
+        return 1.0
+    power = 10.0 ** np.floor(np.log10(wanted))
+    return float(max(step * power for step in (1, 2, 5) if step * power <= wanted * (1 + 1e-9)))
 
 
 class ElasticLine(Figure):
@@ -59,7 +70,7 @@ class ElasticLine(Figure):
             panel.set_aspect("equal", adjustable="datalim")
             panel.locator_params(nbins=5)
         shared_legend(axes[0])
-        letter(axes, (f"{PLANES[pair].capitalize()}, {enlargement(size, 'deflection')}" for pair, size in shown))
+        letter(axes, (f"{PLANES[pair].capitalize()}, {_scale(size)}" for pair, size in shown))
         return axes
 
 
@@ -68,7 +79,8 @@ def _pictures(rigid: Array, line: Array, factor: float) -> list[tuple[tuple[str,
     plain_sides = views(np.concatenate([rigid, line]))
     if factor == 1:
         return [(pair, 1.0) for pair in plain_sides]
-    sides = dict.fromkeys([*plain_sides, *views(np.concatenate([rigid, rigid + factor * (line - rigid)]))])
+    more = views(np.concatenate([rigid, rigid + factor * (line - rigid)])) if len(plain_sides) == 1 else []
+    sides = dict.fromkeys([*plain_sides, *more])
     return [(pair, size) for pair in sides for size in (1.0, factor) if size != 1 or pair in plain_sides]
 
 
@@ -81,6 +93,10 @@ def _layout(points: Array, shown: list[tuple[tuple[str, str], float]]) -> tuple[
         share = extents[up] / (extents[across] or 1.0)
         height += 0.6 + float(np.clip(share * WIDE / len(row), *HEIGHTS))
     return [row if len(row) == 2 else row * 2 for row in rows.values()], height
+
+
+def _scale(factor: float) -> str:
+    return "to scale" if factor == 1 else f"deflection × {factor:g}"
 
 
 def _factor(rigid: Array, bent: Array) -> float:

@@ -30,7 +30,7 @@ ELASTIC = "elastic"
 TINY = 0.005
 """Several kinds below this share of the largest are drawn as their sum."""
 
-WORK = "Work since the start: by motors, loads, base; lost in others"
+WORK = "Work since the start (motors, loads, base: supplied)"
 
 Curves = dict[str, tuple[Any, dict[str, Any]]]
 
@@ -46,7 +46,8 @@ class Energies(Figure):
     title = "Energy balance"
     caption = (
         "The residual (last, on a logarithmic axis) should stay many orders of magnitude below the energies and works; "
-        "springs are shown on their own axis."
+        "that "
+        "of springs has its own axis. Work of motors, loads, and the base is supplied, that of others dissipated."
     )
 
     def draw(self, result: Any, ax: AxesLike = None) -> list[Axes]:

@@ -7,7 +7,7 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from tmodes.plot.facts import drives_by, effort_unit, plain, rows_height
+from tmodes.plot.facts import drives_by, effort_unit, part_title, plain, rows_height
 from tmodes.plot.figure import Figure
 from tmodes.plot.panels import Axes, AxesLike, Unit, curves, last_times, letter, panels, widest_legend, zero_line
 from tmodes.plot.ranges import common_unit
@@ -42,7 +42,7 @@ class JointEfforts(Figure):
             _effort(next(row), data, name, units[effort_unit(data, name)])
             for one in electric:
                 _electric(next(row), data, name, *one)
-            titles += [plain(name), *(f"{plain(name)}, {series}" for series, _, _ in electric)]
+            titles += [plain(name), *(part_title(name, series, 20) for series, _, _ in electric)]
         last_times(axes, data["time"].values, 1 + len(shown[names[-1]]))
         widest_legend(axes)
         letter(axes, titles)

@@ -6,7 +6,7 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from tmodes.plot.facts import command_of, drive_unit, largest, motor_of, names_of, plain, rows_height
+from tmodes.plot.facts import command_of, drive_unit, largest, motor_of, names_of, part_title, plain, rows_height
 from tmodes.plot.figure import Figure
 from tmodes.plot.panels import Axes, AxesLike, Unit, curves, last_times, letter, pairs, panels, widest_legend
 from tmodes.plot.ranges import common_unit
@@ -43,7 +43,7 @@ class JointTracking(Figure):
             _right(axes[2 * k + 1], data, name, unit)
         last_times(axes, data["time"].values, 2)
         widest_legend(axes)
-        letter(axes, (title for name in names for title in (plain(name), f"{plain(name)}, {_right_title(data, name)}")))
+        letter(axes, (title for name in names for title in (plain(name), part_title(name, _right_title(data, name)))))
         return axes
 
 

@@ -7,33 +7,18 @@ from typing import Any
 import numpy as np
 
 from tmodes.plot.figure import Figure
-from tmodes.plot.panels import Axes, AxesLike, letter, panels, shared_legend
+from tmodes.plot.panels import Axes, AxesLike, letter, panels, readable, shared_legend
 from tmodes.plot.style import INK, QUIET, REAL, REFERENCE
 
-__all__ = ["PLANES", "VISIBLE", "TipPath", "enlargement", "round_factor", "views"]
+__all__ = ["PLANES", "TipPath", "views"]
 
 PLANES = {("x", "y"): "from above", ("x", "z"): "from the side", ("y", "z"): "from the front"}
 """Pairs of axes, and the direction of view in which they are seen."""
 
+INK_PATH = {"color": INK, "linewidth": 0.9}
+
 FLAT = 0.02
 """A robot that leaves a plane by less than this share of its reach is shown in that plane only."""
-
-
-VISIBLE = 0.1
-"""The largest deflection or deviation is drawn about this large, as a share of the robot's reach."""
-
-
-def round_factor(wanted: float) -> float:
-    """The largest of 1, 2, 5, 10, 20, 50, ... that is not above ``wanted``; never below 1."""
-    if not 1.0 < wanted < 1e12:
-        return 1.0
-    power = 10.0 ** np.floor(np.log10(wanted))
-    return float(max(step * power for step in (1, 2, 5) if step * power <= wanted * (1 + 1e-9)))
-
-
-def enlargement(factor: float, what: str) -> str:
-    """In words, how much the picture enlarges a deflection or deviation."""
-    return "to scale" if factor == 1 else f"{what} × {factor:g}"
 
 
 def views(points: Any) -> list[tuple[str, str]]:
@@ -49,8 +34,8 @@ def views(points: Any) -> list[tuple[str, str]]:
 class TipPath(Figure):
     """Paths of the tip [m], actual and nominal, to scale, with the robot at the start and at the end (thin).
 
-    From one side where the path stays in a plane, else from two. Seen from one side, a path that differs little from
-    the nominal one is shown with its deviation magnified too. ``ax``: so many axes, or None.
+    From one side where the path stays in a plane, else from two; with a nominal path from one side, the deviation from
+    it too. ``ax``: so many axes, or None.
     """
 
     name = "tip_path"
@@ -62,34 +47,45 @@ class TipPath(Figure):
         data = result.data
         tip = data["tip"].transpose("time", "axis").values
         planned = data["tip_nominal"].transpose("time", "axis").values if "tip_nominal" in data else None
-        chosen = [(pair, 1.0) for pair in views(tip if planned is None else np.concatenate([tip, planned]))]
-        factor = 1.0 if planned is None else _factor(tip, planned)
-        if len(chosen) == 1 and planned is not None and factor > 1:
-            chosen.append((chosen[0][0], factor))
-        axes = panels(ax, [[f"{''.join(pair)} {size:g}" for pair, size in chosen]], 3.4)
-        for panel, (pair, size) in zip(axes, chosen, strict=True):
+        chosen = views(tip if planned is None else np.concatenate([tip, planned]))
+        alone = len(chosen) == 1 and planned is not None
+        axes = panels(ax, [["".join(pair) for pair in chosen] + ["deviation"] * alone], 3.4)
+        for panel, pair in zip(axes, chosen, strict=False):
             columns = ["xyz".index(name) for name in pair]
             for pose in _poses(data):
                 panel.plot(*pose[:, columns].T, color=QUIET, linewidth=0.6, zorder=1)
-            actual = tip if planned is None else planned + size * (tip - planned)
-            panel.plot(*actual[:, columns].T, label="actual", **REAL)
+            _path(panel, tip[:, columns], "actual", REAL)
             if planned is not None:
                 panel.plot(*planned[:, columns].T, label="nominal", **REFERENCE)
-            panel.plot(*actual[0, columns], "o", color=INK, markersize=4, label="start")
-            panel.plot(*actual[-1, columns], "s", color=INK, markersize=4, label="end")
-            panel.set(xlabel=f"${pair[0]}$ [m]", ylabel=f"${pair[1]}$ [m]")
-            panel.set_aspect("equal", adjustable="datalim")
-            panel.locator_params(nbins=5)
-            panel.margins(0.08)
+            _scale(panel, pair, "")
+        if alone:
+            _deviation(axes[-1], tip - planned, chosen[0])
         shared_legend(axes[0])
-        letter(axes, (f"{PLANES[pair].capitalize()}, {enlargement(size, 'deviation')}" for pair, size in chosen))
+        titles = [f"Path of the tip, {PLANES[pair]}" for pair in chosen]
+        letter(axes, [*titles, *(["Deviation, actual − nominal"] if alone else [])])
         return axes
 
 
-def _factor(tip: Any, planned: Any) -> float:
-    """How much the deviation is magnified."""
-    largest = float(np.linalg.norm(tip - planned, axis=1).max())
-    return round_factor(VISIBLE * float(np.linalg.norm(np.ptp(planned, axis=0))) / largest) if largest > 0 else 1.0
+def _path(panel: Axes, points: Any, label: str, look: dict[str, Any]) -> None:
+    """A path with its start and its end."""
+    panel.plot(*points.T, label=label, **look)
+    panel.plot(*points[0], "o", color=INK, markersize=4, label="start")
+    panel.plot(*points[-1], "s", color=INK, markersize=4, label="end")
+
+
+def _scale(panel: Axes, pair: tuple[str, str], before: str, unit: str = "m") -> None:
+    panel.set(xlabel=f"{before}${pair[0]}$ [{unit}]", ylabel=f"{before}${pair[1]}$ [{unit}]")
+    panel.set_aspect("equal", adjustable="datalim")
+    panel.locator_params(nbins=5)
+    panel.margins(0.08)
+
+
+def _deviation(panel: Axes, difference: Any, pair: tuple[str, str]) -> None:
+    """The deviation [m] from the nominal path, seen from the same side."""
+    points = difference[:, ["xyz".index(name) for name in pair]]
+    unit = readable("m", points)
+    _path(panel, unit.of(points), "", INK_PATH)
+    _scale(panel, pair, "Δ", unit.name)
 
 
 def _poses(data: Any) -> list[Any]:
