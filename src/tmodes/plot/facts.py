@@ -12,8 +12,8 @@ from tmodes.plot.style import INSTANTS
 
 __all__ = [
     "MOST_ROWS", "command_of", "coordinate_names", "deformation_unit", "drive_unit", "drives_by", "effort_unit",
-    "instant_looks", "instants", "largest", "largest_coordinates", "motor_of", "move_end", "names_of", "part_title", "plain",
-    "rows_height", "spectral_part",
+    "instant_looks", "instants", "largest", "largest_coordinates", "motor_of", "move_end", "names_of",
+    "part_title", "plain", "rows_height", "spectral_part",
 ]  # fmt: skip
 
 MOST_ROWS = 8

@@ -67,7 +67,7 @@ def fill_from_zero(panel: Any) -> None:
     """Limits from zero, or up to it, with room on the other side."""
     low, high = min(0.0, panel.dataLim.y0), max(0.0, panel.dataLim.y1)
     room = 0.1 * (high - low) or 1.0
-    panel.set_ylim(low - room if low < 0 else 0.0, high + room if high > 0 else 0.0)
+    panel.set_ylim(low - room if low < 0 else 0.0, high + room if high > 0 or low == 0 else 0.0)
 
 
 def limit_peaks(panel: Any, times: Array, values: Array, unit: Unit) -> None:

@@ -52,11 +52,11 @@ class TipPath(Figure):
         axes = panels(ax, [["".join(pair) for pair in chosen] + ["deviation"] * alone], 3.4)
         for panel, pair in zip(axes, chosen, strict=False):
             columns = ["xyz".index(name) for name in pair]
-            for pose in _poses(data):
-                panel.plot(*pose[:, columns].T, color=QUIET, linewidth=0.6, zorder=1)
             _path(panel, tip[:, columns], "actual", REAL)
             if planned is not None:
                 panel.plot(*planned[:, columns].T, label="nominal", **REFERENCE)
+            for pose in _poses(data):
+                panel.plot(*pose[:, columns].T, color=QUIET, linewidth=0.6, zorder=1)
             _scale(panel, pair, "")
         if alone:
             _deviation(axes[-1], tip - planned, chosen[0])
