@@ -9,7 +9,7 @@ import typer
 from tmodes.cli.options import AsJson, FixInertia, Roots, Settings, SheetArgument, TrustPaths, chosen_sheet
 from tmodes.cli.static import PoseOption, pose_of
 from tmodes.cli.statics_text import numbers, print_stiffness
-from tmodes.cli.terminal import notice, print_json, print_table, warn, working
+from tmodes.cli.terminal import notice, print_json, print_known, print_table, warn, working
 
 if TYPE_CHECKING:
     from tmodes.simulation.hierarchy.hierarchy import Ladder, Rung
@@ -48,11 +48,11 @@ def _print(info: dict[str, Any]) -> None:
         print(f"note: {note}")
     joints = [[one["name"], one["type"], one["kind"], one["carries"], one["command"] or "held", _limits(one)]
               for one in info["joints"]]  # fmt: skip
-    print_table("Joints (A active, L locked; E elastic, R rigid gear)",
+    print_known("Joints (A active, L locked; E elastic, R rigid gear)",
                 ["joint", "type", "kind", "carries", "drive", "limits"], joints)  # fmt: skip
     columns = ["link", "model", "mass [kg]", "length [m]", "EI y, z [N*m^2]", "GJ [N*m^2]", "EA [N]",
-               "by itself y, z [Hz]"]  # fmt: skip
-    print_table("Links", columns, [_link(one) for one in info["links"]])
+               "alone y, z [Hz]"]  # fmt: skip
+    print_known("Links", columns, [_link(one) for one in info["links"]])
     for one in info["links"]:
         if "equivalent_mass_kg" in one:
             print(f"link {one['name']}: {one['equivalent_mass_kg']:.4g} kg in the equations, 33/140 of each mode's "
@@ -60,7 +60,7 @@ def _print(info: dict[str, Any]) -> None:
     if info["gears"]:
         gears = [[one["joint"], ", ".join(f"{k:.4g}" for k in one["stiffness"]), one["unit"],
                   _number(one["stiffness_over_EI_per_L"])] for one in info["gears"]]  # fmt: skip
-        print_table("Gears", ["joint", "stiffness", "unit", "over EI/L of the link"], gears)
+        print_known("Gears", ["joint", "stiffness", "unit", "over EI/L of the link"], gears)
     if info["sag"]:
         travel = ", ".join(numbers(info["sag"]["displacement_m"], 1e3, 1.0))
         print(f"Sag of the tip under weight: {travel} mm (x, y, z), turned by {info['sag']['rotation_rad']:.4g} rad\n")

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from tmodes.plot.ranges import seen
 from tmodes.plot.style import INSTANTS
 
 __all__ = [
@@ -45,10 +46,10 @@ def plain(name: object) -> str:
     return f" {text}" if text.startswith("_") else text
 
 
-def part_title(name: object, part: str, most: int = 34) -> str:
-    """A title for a part of what has a name; without the name where both would not fit into so many letters."""
-    whole = f"{plain(name)}, {part}"
-    return whole if len(whole) <= most else part
+def part_title(name: str, part: str, among: list[str], most: int = 34) -> str:
+    """A title for a part of what has a name; without the name where that of any ``among`` would need more letters."""
+    fits = all(len(f"{plain(one)}, {part}") <= most for one in among)
+    return f"{plain(name)}, {part}" if fits else part
 
 
 def names_of(data: Any, dimension: str) -> list[str]:
@@ -102,9 +103,14 @@ def coordinate_names(data: Any, *, gears: bool) -> list[str]:
 
 
 def largest_coordinates(data: Any, names: list[str], most: int) -> list[str]:
-    """At most so many of the named elastic coordinates, those that become largest, in their order."""
+    """At most so many of the named elastic coordinates, those that become largest, in their order.
+
+    Those that stay zero next to the others are left out, except where all do.
+    """
     values = data["deformation"].sel(deformation_kind=names).transpose("deformation_kind", "time").values
-    return largest(names, np.abs(values).max(axis=1), most)
+    sizes = np.abs(values).max(axis=1)
+    moving = [name for name, size in zip(names, sizes, strict=True) if seen(size, sizes.max())]
+    return [name for name in largest(names, sizes, most) if name in moving or not moving]
 
 
 def move_end(data: Any) -> float | None:

@@ -35,7 +35,7 @@ class _Decomposition(Figure):
         """Two axes for each coordinate: the total with its quasi-static part, the oscillatory part."""
         data = result.data
         names = largest_coordinates(data, coordinate_names(data, gears=self.gears), self.most)
-        shown = [(name, title, part) for name in names for title, part in _parts(data, name)]
+        shown = [(name, title, part) for name in names for title, part in _parts(data, name, names)]
         layout = [_row(name, [title for other, title, _ in shown if other == name]) for name in names]
         axes = panels(ax, layout, rows_height(len(names)), sharex=ax is None)
         units = _units(data, shown)
@@ -63,7 +63,7 @@ def _first_of_each(axes: list[Axes], labels: list[list[str]]) -> list[Axes]:
     return list(firsts.values())
 
 
-def _parts(data: Any, name: str) -> list[tuple[str, Curves]]:
+def _parts(data: Any, name: str, among: list[str]) -> list[tuple[str, Curves]]:
     """The titles and curves of a coordinate's panels; one panel where it hardly oscillates."""
     total, text = _stationary(data, name), plain(name)
     part = data["deformation_oscillatory"].sel(deformation_kind=name).values
@@ -71,7 +71,7 @@ def _parts(data: Any, name: str) -> list[tuple[str, Curves]]:
     if 0 < share < SMALL:
         return [(f"{text} (oscillatory part at most {100 * share:.1g} %)", total)]
     look = {"color": COMPONENTS[2]["color"], "linewidth": 1.0}
-    return [(text, total), (part_title(name, "oscillatory part"), {"oscillatory $T_{to}$": (part, look)})]
+    return [(text, total), (part_title(name, "oscillatory part", among), {"oscillatory $T_{to}$": (part, look)})]
 
 
 def _values(part: Curves) -> Any:

@@ -42,7 +42,7 @@ class JointEfforts(Figure):
             _effort(next(row), data, name, units[effort_unit(data, name)])
             for one in electric:
                 _electric(next(row), data, name, *one)
-            titles += [plain(name), *(part_title(name, series, 20) for series, _, _ in electric)]
+            titles += [plain(name), *(part_title(name, series, names, 20) for series, _, _ in electric)]
         last_times(axes, data["time"].values, 1 + len(shown[names[-1]]))
         widest_legend(axes)
         letter(axes, titles)

@@ -43,7 +43,10 @@ class JointTracking(Figure):
             _right(axes[2 * k + 1], data, name, unit)
         last_times(axes, data["time"].values, 2)
         widest_legend(axes)
-        letter(axes, (title for name in names for title in (plain(name), part_title(name, _right_title(data, name)))))
+        letter(
+            axes,
+            (title for name in names for title in (plain(name), part_title(name, _right_title(data, name), names))),
+        )
         return axes
 
 
