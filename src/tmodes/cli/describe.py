@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from tmodes.cli.options import AsJson, FixInertia, Roots, Settings, SheetArgument, TrustPaths, chosen_sheet
-from tmodes.cli.static import PoseOption, pose_of, print_stiffness
-from tmodes.cli.terminal import notice, print_json, print_table, warn, working
+from tmodes.cli.static import PoseOption, pose_of
+from tmodes.cli.statics_text import numbers, print_stiffness
+from tmodes.cli.terminal import notice, print_json, print_known, print_table, warn, working
 
 if TYPE_CHECKING:
     from tmodes.simulation.hierarchy.hierarchy import Ladder, Rung
@@ -25,7 +26,7 @@ def describe(
     fix_inertia: FixInertia = False,
     as_json: AsJson = False,
 ) -> None:
-    """Masses, lengths, stiffnesses, frequencies of each link by itself, sag under weight, what gives way at the tip."""
+    """Masses, lengths, stiffnesses, frequencies of each link by itself, sag under weight, stiffness at the tip."""
     from tmodes.analysis.describe.describe import describe as described
 
     sheet = chosen_sheet(robot, settings, roots=root, trust_paths=trust_paths, fix_inertia=fix_inertia)
@@ -47,11 +48,11 @@ def _print(info: dict[str, Any]) -> None:
         print(f"note: {note}")
     joints = [[one["name"], one["type"], one["kind"], one["carries"], one["command"] or "held", _limits(one)]
               for one in info["joints"]]  # fmt: skip
-    print_table("Joints (A active, L locked; E elastic, R rigid)",
+    print_known("Joints (A active, L locked; E elastic, R rigid gear)",
                 ["joint", "type", "kind", "carries", "drive", "limits"], joints)  # fmt: skip
     columns = ["link", "model", "mass [kg]", "length [m]", "EI y, z [N*m^2]", "GJ [N*m^2]", "EA [N]",
-               "bare y, z [Hz]"]  # fmt: skip
-    print_table("Links", columns, [_link(one) for one in info["links"]])
+               "alone y, z [Hz]"]  # fmt: skip
+    print_known("Links", columns, [_link(one) for one in info["links"]])
     for one in info["links"]:
         if "equivalent_mass_kg" in one:
             print(f"link {one['name']}: {one['equivalent_mass_kg']:.4g} kg in the equations, 33/140 of each mode's "
@@ -59,9 +60,9 @@ def _print(info: dict[str, Any]) -> None:
     if info["gears"]:
         gears = [[one["joint"], ", ".join(f"{k:.4g}" for k in one["stiffness"]), one["unit"],
                   _number(one["stiffness_over_EI_per_L"])] for one in info["gears"]]  # fmt: skip
-        print_table("Gears", ["joint", "stiffness", "unit", "over EI/L of its link"], gears)
+        print_known("Gears", ["joint", "stiffness", "unit", "over EI/L of the link"], gears)
     if info["sag"]:
-        travel = ", ".join(f"{1e3 * x:.5g}" for x in info["sag"]["displacement_m"])
+        travel = ", ".join(numbers(info["sag"]["displacement_m"], 1e3, 1.0))
         print(f"Sag of the tip under weight: {travel} mm (x, y, z), turned by {info['sag']['rotation_rad']:.4g} rad\n")
     print_stiffness(info["stiffness"])
 
@@ -133,11 +134,13 @@ def ladder(
 
 
 def _print_ladder(found: Ladder) -> None:
-    columns = ["model", "coordinates", "first [Hz]", "sag [mm]", "tip off by [mm]", "of deflection", "first off by",
-               "one step [us]", "fastest [1/s]", ""]  # fmt: skip
+    columns = ["model", "coordinates", "first mode [Hz]", "sag [mm]", "tip error [mm]", "of deflection",
+               "frequency error", "evaluation [us]", "fastest [1/s]", ""]  # fmt: skip
     title = f"{found.robot}: {found.move}; the tip deflects by up to {found.deflection_m * 1e3:.4g} mm"
     print_table(title, columns, [_rung_row(rung, found) for rung in found.rungs])
-    print(f"Within {found.tolerance:g} of {found.rungs[-1].model}, the cheapest is {found.recommended}.")
+    print(
+        f"Recommended: {found.recommended}, the cheapest within {_share(found.tolerance)} of {found.rungs[-1].model}."
+    )
     if not found.converged:
         info = f"{found.rungs[-2].model} is not within the tolerance of {found.rungs[-1].model}"
         notice(f"{info}: that itself may be off by more; add --finest {len(found.rungs) - 1}")
@@ -161,9 +164,9 @@ def _rung_row(rung: Rung, found: Ladder) -> list[str]:
         "-" if last else _share(rung.frequency_error),
         f"{rung.cost_us:.2f}",
         "-" if rung.highest_eigenvalue is None else f"{rung.highest_eigenvalue:.3g}",
-        "<- take this" if rung.model == found.recommended else "",
+        "<- recommended" if rung.model == found.recommended else "",
     ]
 
 
 def _share(error: float | None) -> str:
-    return "-" if error is None else f"{error:.1e}"
+    return "-" if error is None else f"{100 * error:.2g} %" if error < 1 else f"{100 * error:.0f} %"

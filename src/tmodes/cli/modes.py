@@ -17,7 +17,8 @@ from tmodes.cli.options import (
     TrustPaths,
     chosen_sheet,
 )
-from tmodes.cli.static import PoseOption, pose_of, print_links
+from tmodes.cli.static import PoseOption, pose_of
+from tmodes.cli.statics_text import print_links
 from tmodes.cli.terminal import print_json, print_table, warn, working
 from tmodes.errors import InputError
 
@@ -137,7 +138,7 @@ def _row(line: dict[str, Any]) -> list[str]:
     growth, damped, error = line["growth_time_s"], line["damped_frequency_Hz"], line["frequency_error"]
     checked = "-" if error is None else "yes" if line["converged"] else f"! {error:+.1%}"
     ringing = "-" if damped is None else f"{damped:.4g}"
-    ratio = f"{round(line['damping_ratio'], 4) + 0.0:.4f}" if growth is None else f"grows, x e in {growth:.3g} s"
+    ratio = f"{round(line['damping_ratio'], 4) + 0.0:.4f}" if growth is None else f"grows by e in {growth:.3g} s"
     natural = f"{line['frequency_Hz']:.4g}" if growth is None or line["frequency_Hz"] else "-"
     return [line["element"] + ("" if line["stable"] else " (UNSTABLE)"), f"{line['share']:.0%}", natural, ringing,
             ratio, checked]  # fmt: skip

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from tmodes.cli.options import AsJson, FixInertia, Roots, Settings, SheetArgument, TrustPaths, chosen_sheet
-from tmodes.cli.terminal import print_json, print_table, warn, working
+from tmodes.cli.statics_text import print_statics
+from tmodes.cli.terminal import print_json, warn, working
 from tmodes.errors import InputError
 from tmodes.io.words import meant, shown
 
@@ -17,7 +18,7 @@ if TYPE_CHECKING:
     from tmodes.analysis.statics.loads import Load
     from tmodes.sheet import Robot
 
-__all__ = ["PoseOption", "held_of", "load_of", "pose_of", "print_links", "print_stiffness", "static", "three_of"]
+__all__ = ["PoseOption", "held_of", "load_of", "pose_of", "static", "three_of"]
 
 UNITS = {
     "coordinates": "rad, m along prismatic joints and stretch",
@@ -79,7 +80,8 @@ def static(
     if force or moment:
         info = three_of("--force", force or "0,0,0", "N"), three_of("--moment", moment or "0,0,0", "N*m")
         loads.append(Load(point, *info))
-    model = Model(sheet.chain())
+    chain = sheet.chain()
+    model = Model(chain)
     index = point_index(model, point)
     held = pose_of(at, sheet) | dict(held_of(text, sheet) for text in hold or [])
     with working() as tell:
@@ -88,64 +90,8 @@ def static(
     if as_json:
         print_json({"robot": sheet.name, "units": UNITS, **info})
         return
-    _print(sheet, info)
+    print_statics(sheet, info, chain.sliding)
     warn(info["warnings"])
-
-
-def _print(sheet: Robot, info: dict[str, Any]) -> None:
-    lowest = info["lowest_frequency_Hz"]
-    stable = "stable" if info["stable"] else "NOT STABLE"
-    rates = ", ".join(f"{name} {rate:.4g}" for name, rate in info["moving"].items())
-    how = f"in motion at constant speed ({rates} rad/s, m/s)" if rates else "at rest"
-    print(f"{sheet.name} {how}: {stable}" + (f", lowest frequency {lowest:.4g} Hz" if lowest else ""))
-    if not info["coordinates"]:
-        print("It has no coordinates: nothing in it moves or bends.")
-    coordinates = [[name, f"{value:.6g}"] for name, value in info["coordinates"].items()]
-    if coordinates:
-        print_table("Pose", ["coordinate", "value [rad, m]"], coordinates)
-    sags = [[one["point"], *_numbers(one["position_m"], 1.0), *_numbers(one["displacement_m"], 1e3),
-             f"{one['rotation_rad']:.4g}"] for one in info["points"]]  # fmt: skip
-    print_table("Points", ["point", "x [m]", "y [m]", "z [m]", "dx [mm]", "dy [mm]", "dz [mm]", "turn [rad]"], sags)
-    print_links(info["links"])
-    if info["reactions"]:
-        rows = [[one["at"], *_numbers(one["force_N"], 1.0), *_numbers(one["moment_Nm"], 1.0)]
-                for one in info["reactions"]]  # fmt: skip
-        columns = ["at", *(f"F{axis} [N]" for axis in "xyz"), *(f"M{axis} [N*m]" for axis in "xyz")]
-        print_table("Reactions, world axes: what the base and each joint give to all beyond", columns, rows)
-    print_stiffness(info["stiffness"])
-
-
-def print_links(links: list[dict[str, Any]]) -> None:
-    """Print how far the flexible links bend, and whether the model of each holds."""
-    if links:
-        rows = [[link["link"], link["model"], f"{link['deflection_over_length']:.3%}", f"{link['slope_rad']:.4g}",
-                 _share(link["missing_share"]), link["verdict"]] for link in links]  # fmt: skip
-        print_table(
-            "Flexible links",
-            ["link", "model", "deflection / length", "slope [rad]", "missing shapes", "model holds"],
-            rows,
-        )
-
-
-def _share(share: float | None) -> str:
-    return "-" if share is None else f"{share:.1%}"
-
-
-def _numbers(values: list[float], factor: float) -> list[str]:
-    return [f"{factor * value + 0.0:.6g}" for value in values]
-
-
-def print_stiffness(info: dict[str, Any] | None) -> None:
-    """Print a table of stiffness by direction and the elements that give most."""
-    if info is None:
-        return
-    rows = []
-    for one in info["directions"]:
-        stiffness = "-" if one["why"] else "rigid" if one["stiffness"] is None else f"{one['stiffness']:.5g}"
-        largest = sorted(one["shares"].items(), key=lambda item: -abs(item[1]))[:4]
-        shares = ", ".join(f"{name} {share:.1%}" for name, share in largest if abs(share) >= 5e-4)
-        rows.append([one["direction"], stiffness, one["unit"], one["why"] or shares])
-    print_table(f"Stiffness at {info['point']}", ["direction", "stiffness", "unit", "what gives way"], rows)
 
 
 KEYS = ("point", "force", "moment", "frame")

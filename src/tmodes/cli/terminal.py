@@ -13,7 +13,17 @@ from contextlib import contextmanager
 from types import FrameType
 from typing import Any
 
-__all__ = ["TIMES", "Stages", "notice", "print_json", "print_json_list", "print_table", "warn", "working"]
+__all__ = [
+    "TIMES",
+    "Stages",
+    "notice",
+    "print_json",
+    "print_json_list",
+    "print_known",
+    "print_table",
+    "warn",
+    "working",
+]
 
 
 PIPE = 200
@@ -56,6 +66,12 @@ def print_table(title: str, columns: Sequence[str], rows: Sequence[Sequence[str]
         _print_grid(title, columns, rows, _shared(whole, words, room - frame), room)
     else:
         _print_blocks(title, columns, rows, room)
+
+
+def print_known(title: str, columns: Sequence[str], rows: Sequence[Sequence[str]]) -> None:
+    """Print a table without the columns that have nothing but ``-``."""
+    kept = [k for k in range(len(columns)) if any(row[k] != "-" for row in rows)]
+    print_table(title, [columns[k] for k in kept], [[row[k] for k in kept] for row in rows])
 
 
 def _widths(cells: Sequence[str]) -> tuple[int, int]:

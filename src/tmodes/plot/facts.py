@@ -8,12 +8,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from tmodes.plot.ranges import seen
 from tmodes.plot.style import INSTANTS
 
 __all__ = [
     "MOST_ROWS", "command_of", "coordinate_names", "deformation_unit", "drive_unit", "drives_by", "effort_unit",
-    "instant_looks", "instants", "largest", "largest_coordinates", "motor_of", "move_end", "names_of", "plain",
-    "rows_height", "spectral_part",
+    "instant_looks", "instants", "largest", "largest_coordinates", "motor_of", "move_end", "names_of",
+    "part_title", "plain", "rows_height", "spectral_part",
 ]  # fmt: skip
 
 MOST_ROWS = 8
@@ -22,7 +23,7 @@ MOST_ROWS = 8
 
 def rows_height(rows: int) -> float:
     """Height of a figure of so many rows [in]: few rows are higher."""
-    return 0.8 + max(0.95, 1.7 - 0.2 * rows) * rows
+    return 0.8 + max(1.1, 1.7 - 0.2 * rows) * rows
 
 
 _SETTLED = 0.05
@@ -43,6 +44,12 @@ def plain(name: object) -> str:
     text = text if len(text) <= _LONGEST else f"{text[: _LONGEST - 3]}..."
     text = text.replace("$", r"\$")
     return f" {text}" if text.startswith("_") else text
+
+
+def part_title(name: str, part: str, among: list[str], most: int = 34) -> str:
+    """A title for a part of what has a name; without the name where that of any ``among`` would need more letters."""
+    fits = all(len(f"{plain(one)}, {part}") <= most for one in among)
+    return f"{plain(name)}, {part}" if fits else part
 
 
 def names_of(data: Any, dimension: str) -> list[str]:
@@ -96,9 +103,14 @@ def coordinate_names(data: Any, *, gears: bool) -> list[str]:
 
 
 def largest_coordinates(data: Any, names: list[str], most: int) -> list[str]:
-    """At most so many of the named elastic coordinates, those that become largest, in their order."""
+    """At most so many of the named elastic coordinates, those that become largest, in their order.
+
+    Those that stay zero next to the others are left out, except where all do.
+    """
     values = data["deformation"].sel(deformation_kind=names).transpose("deformation_kind", "time").values
-    return largest(names, np.abs(values).max(axis=1), most)
+    sizes = np.abs(values).max(axis=1)
+    moving = [name for name, size in zip(names, sizes, strict=True) if seen(size, sizes.max())]
+    return [name for name in largest(names, sizes, most) if name in moving or not moving]
 
 
 def move_end(data: Any) -> float | None:
@@ -107,13 +119,23 @@ def move_end(data: Any) -> float | None:
 
 
 def instants(data: Any, most: int = len(INSTANTS)) -> NDArray[np.intp]:
-    """At most ``most`` samples spread evenly from the start until the links stay near where they are at the end."""
+    """At most ``most`` samples from the start until the links stay near where they are at the end, spread evenly.
+
+    The one nearest to the largest deflection is moved there, if it is neither the first nor the last.
+    """
     tip = data["tip"].transpose("time", "axis").values
     ends = data["line"].isel(s=-1).transpose("time", "link", "axis").values if "line" in data else tip[:, None]
     away = np.linalg.norm(ends - ends[-1], axis=-1).max(axis=1)
     moving = np.flatnonzero(away > _SETTLED * away.max()) if away.max() > 0 else np.zeros(1, dtype=int)
     last = min(int(moving[-1]) + 1, len(ends) - 1)
-    return np.unique(np.linspace(0, last, most).round().astype(int))
+    chosen = np.linspace(0, last, most).round().astype(int)
+    if "line_rigid" in data and most > 2:
+        bend = np.linalg.norm(
+            (data["line"] - data["line_rigid"]).transpose("time", "link", "s", "axis").values, axis=-1
+        )
+        largest_at = int(bend[: last + 1].max(axis=(1, 2)).argmax())
+        chosen[1 + int(np.argmin(np.abs(chosen[1:-1] - largest_at)))] = largest_at
+    return np.unique(chosen)
 
 
 def instant_looks(count: int) -> list[dict[str, Any]]:

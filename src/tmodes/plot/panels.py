@@ -1,16 +1,16 @@
-"""Axes of a figure: panels, letters, legends, time along x; and units in which values read well (mm, mrad, kN·m)."""
+"""Axes of a figure: panels, letters, legends, time along x."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
 
 from tmodes.errors import InputError
+from tmodes.plot.ranges import state_offset
 from tmodes.plot.style import INK, QUIET, new_figure
+from tmodes.plot.units import NEVER_LARGE, Unit, pretty, readable
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -18,8 +18,8 @@ else:
     Axes = Any  # matplotlib is loaded where a figure is drawn
 
 __all__ = [
-    "Axes", "AxesLike", "Unit", "curves", "last_times", "letter", "pairs", "panels", "pretty", "readable",
-    "shared_legend", "side_legend", "time_axis", "widest_legend", "zero_line",
+    "NEVER_LARGE", "Axes", "AxesLike", "Unit", "curves", "last_times", "letter", "pairs", "panels", "pretty",
+    "readable", "shared_legend", "side_legend", "time_axis", "widest_legend", "zero_line",
 ]  # fmt: skip
 
 
@@ -60,12 +60,19 @@ _QUANTITIES = {
 """What an axis shows where its figure gives no word, by unit."""
 
 
-def curves(panel: Axes, x: Any, shown: Mapping[str, tuple[Any, dict[str, Any]]], si: str, what: str = "") -> Unit:
+def curves(
+    panel: Axes,
+    x: Any,
+    shown: Mapping[str, tuple[Any, dict[str, Any]]],
+    si: str,
+    what: str = "",
+    unit: Unit | None = None,
+) -> Unit:
     """Draw labelled values [``si``] with their looks over ``x``, in one readable unit that the axis names.
 
-    ``what``: the quantity in a word; else that of the unit.
+    ``what``: the quantity in a word; else that of the unit. ``unit``: that of panels to be compared; else its own.
     """
-    unit = readable(si, *(values for values, _ in shown.values()))
+    unit = unit or readable(si, *(values for values, _ in shown.values()))
     for label, (values, look) in shown.items():
         panel.plot(x, unit.of(values), label=label or None, **look)
     panel.set_ylabel(f"{what or _QUANTITIES.get(si, '')} [{unit.name}]".lstrip())
@@ -82,6 +89,7 @@ def letter(axes: Iterable[Axes], titles: Iterable[str], pad: float | None = None
     for index, (panel, title) in enumerate(zip(axes, titles, strict=True)):
         panel.set_title(f"{chr(ord('a') + index)}) {title}", loc="left", pad=pad)
         _calm(panel)
+        state_offset(panel)
 
 
 def _calm(panel: Axes) -> None:
@@ -130,37 +138,3 @@ def shared_legend(*panels_: Axes, place: str = "upper left") -> None:
     handles, labels = zip(*entries, strict=True)
     where: Any = f"outside {place}"
     panels_[0].figure.legend(handles, labels, loc=where, ncols=len(labels))
-
-
-PREFIXES = ((1e4, 1e-3, "k"), (0.1, 1.0, ""), (1e-4, 1e3, "m"), (1e-7, 1e6, "µ"), (1e-11, 1e9, "n"))
-"""From this largest value on: the factor on the SI value, and the prefix of the unit."""
-
-NEVER_LARGE = ("m", "rad", "s", "-")
-"""Units that take no prefix for a thousand."""
-
-
-@dataclass(frozen=True)
-class Unit:
-    """A readable unit: ``name`` as labels write it, ``factor`` on the SI value."""
-
-    name: str
-    factor: float
-
-    def of(self, values: ArrayLike) -> NDArray[np.float64]:
-        """SI values, in this unit."""
-        return np.asarray(values, dtype=float) * self.factor
-
-
-def pretty(unit: str) -> str:
-    """``N*m`` and ``N m`` as ``N·m``, ``m/s^2`` as ``m/s²``, ``ohm`` as ``Ω``; no unit is ``–``."""
-    written = unit.strip().replace("*", "·").replace(" ", "·").replace("^2", "²").replace("^3", "³")
-    return "–" if written in ("", "-", "1") else written.replace("ohm", "Ω")
-
-
-def readable(unit: str, *values: ArrayLike) -> Unit:
-    """The unit in which the largest of ``values`` [``unit``, SI] reads well; all zero stays as it is."""
-    largest = max((float(np.max(np.abs(part), initial=0.0)) for part in map(np.asarray, values)), default=0.0)
-    for least, factor, prefix in PREFIXES:
-        if largest >= least and not (prefix == "k" and unit.split("/", maxsplit=1)[0] in NEVER_LARGE):
-            return Unit(prefix + pretty(unit), factor)
-    return Unit(pretty(unit), 1.0)

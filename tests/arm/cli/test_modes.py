@@ -82,7 +82,7 @@ def test_growth_is_reported_in_seconds(tmp_path):
     file.write_text(re.sub(r"(?m)^gravity:.*$", "gravity: [0, 0, 200]", text), encoding="utf-8")
     out = tmodes("modes", file).stdout
     assert "UNSTABLE" in out
-    assert "grows, x e in" in out
+    assert "grows by e in" in out
 
 
 @pytest.mark.parametrize("pose", ["joint1=0.3,joint2=-20deg,joint3=1.1", "joint3.motor=-0.5"])

@@ -29,6 +29,27 @@ def test_tables():
     assert "joint.gear" in out
 
 
+def test_each_value_of_the_pose_has_its_unit_and_rounding_is_zero():
+    """The gear of 2010 turns by 1e-29 rad under weight across its axis; the links sag by 1.29 mrad."""
+    rows = [line.split() for line in tmodes("static", "filipovic2010").stdout.splitlines() if line.strip()]
+    assert ["joint", "0", "rad"] in rows
+    assert ["link.elevation1", "-0.00129016", "rad"] in rows
+    assert not [cell for row in rows for cell in row if "e-" in cell]
+
+
+def test_a_slide_is_in_metres(tmp_path):
+    joint = {"name": "slide", "type": "prismatic", "parent": "base", "child": "cart", "axis": [0, 0, 1],
+             "motor": {"inertia": 1.0, "side": "joint"}, "gear": {"stiffness": 1e4, "damping": 1.0}}  # fmt: skip
+    cart = {"name": "cart", "bodies": [{"name": "body", "mass": 2.0, "center": [0, 0, 0]}]}
+    drive = {"joint": "slide", "command": "prescribed", "signal": {"type": "constant", "value": 0.0}}
+    file = tmp_path / "slide.yaml"
+    data = {"format": 1, "kind": "arm", "name": "slide", "gravity": 9.81, "joints": [joint], "links": [cart],
+            "drives": [drive]}  # fmt: skip
+    file.write_text(json.dumps(data), encoding="utf-8")
+    rows = [line.split() for line in tmodes("static", file).stdout.splitlines()]
+    assert ["slide", "-0.001962", "m"] in rows
+
+
 @pytest.mark.parametrize(
     ("arguments", "info"),
     [

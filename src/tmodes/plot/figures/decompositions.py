@@ -4,12 +4,20 @@ from __future__ import annotations
 
 from typing import Any, ClassVar
 
-from tmodes.plot.facts import coordinate_names, deformation_unit, largest_coordinates, plain, rows_height
+import numpy as np
+
+from tmodes.plot.facts import coordinate_names, deformation_unit, largest_coordinates, part_title, plain, rows_height
 from tmodes.plot.figure import Figure
-from tmodes.plot.panels import Axes, AxesLike, curves, last_times, letter, pairs, panels, shared_legend
+from tmodes.plot.panels import Axes, AxesLike, Unit, curves, last_times, letter, panels, shared_legend
+from tmodes.plot.ranges import common_unit, largest_shown, limit_peaks
 from tmodes.plot.style import COMPONENTS, QUIET, REFERENCE
 
 __all__ = ["GearDeflections", "LinkCoordinates"]
+
+SMALL = 1e-3
+"""An oscillation below this share of the coordinate has no panel; the title says how large it is."""
+
+Curves = dict[str, tuple[Any, dict[str, Any]]]
 
 
 class _Decomposition(Figure):
@@ -27,20 +35,58 @@ class _Decomposition(Figure):
         """Two axes for each coordinate: the total with its quasi-static part, the oscillatory part."""
         data = result.data
         names = largest_coordinates(data, coordinate_names(data, gears=self.gears), self.most)
-        axes = panels(ax, pairs(len(names)), rows_height(len(names)), sharex=ax is None)
-        for k, name in enumerate(names):
-            time, unit = data["time"].values, deformation_unit(data, name)
-            curves(axes[2 * k], time, _stationary(data, name), unit)
-            part = data["deformation_oscillatory"].sel(deformation_kind=name).values
-            look = {"color": COMPONENTS[2]["color"], "linewidth": 1.0}
-            curves(axes[2 * k + 1], time, {"oscillatory $T_{to}$": (part, look)}, unit)
-        last_times(axes, data["time"].values, 2)
-        shared_legend(axes[0], axes[1])
-        letter(axes, (plain(name) for name in names for _ in range(2)))
+        shown = [(name, title, part) for name in names for title, part in _parts(data, name, names)]
+        layout = [_row(name, [title for other, title, _ in shown if other == name]) for name in names]
+        axes = panels(ax, layout, rows_height(len(names)), sharex=ax is None)
+        units = _units(data, shown)
+        for panel, (name, _, part) in zip(axes, shown, strict=True):
+            unit = units[si := deformation_unit(data, name)]
+            curves(panel, data["time"].values, part, si, unit=unit)
+            limit_peaks(panel, data["time"].values, _values(part), unit)
+        last_times(axes, data["time"].values, len(set(layout[-1])))
+        shared_legend(*_first_of_each(axes, [list(part) for _, _, part in shown]))
+        letter(axes, [title for _, title, _ in shown])
         return axes
 
 
-def _stationary(data: Any, name: str) -> dict[str, tuple[Any, dict[str, Any]]]:
+def _row(name: str, titles: list[str]) -> list[str]:
+    """Two panels, or one across."""
+    places = [f"{name} {k}" for k in range(len(titles))]
+    return places if len(places) == 2 else places * 2
+
+
+def _first_of_each(axes: list[Axes], labels: list[list[str]]) -> list[Axes]:
+    """The first panel of the totals, and the first of the oscillatory parts."""
+    firsts: dict[tuple[str, ...], Axes] = {}
+    for panel, names in zip(axes, labels, strict=True):
+        firsts.setdefault(tuple(names), panel)
+    return list(firsts.values())
+
+
+def _parts(data: Any, name: str, among: list[str]) -> list[tuple[str, Curves]]:
+    """The titles and curves of a coordinate's panels; one panel where it hardly oscillates."""
+    total, text = _stationary(data, name), plain(name)
+    part = data["deformation_oscillatory"].sel(deformation_kind=name).values
+    share = largest_shown([part]) / (largest_shown([_values(total)]) or 1.0)
+    if 0 < share < SMALL:
+        return [(f"{text} (oscillatory part at most {100 * share:.1g} %)", total)]
+    look = {"color": COMPONENTS[2]["color"], "linewidth": 1.0}
+    return [(text, total), (part_title(name, "oscillatory part", among), {"oscillatory $T_{to}$": (part, look)})]
+
+
+def _values(part: Curves) -> Any:
+    return np.stack([values for values, _ in part.values()])
+
+
+def _units(data: Any, shown: list[tuple[str, str, Curves]]) -> dict[str, Unit]:
+    """One unit for all angles, and one for all displacements."""
+    kinds: dict[str, list[Any]] = {}
+    for name, _, part in shown:
+        kinds.setdefault(deformation_unit(data, name), []).append(_values(part))
+    return {si: common_unit(si, *values) for si, values in kinds.items()}
+
+
+def _stationary(data: Any, name: str) -> Curves:
     known = {
         "total": ("deformation", {"color": QUIET, "linewidth": 0.8}),
         "quasi-static $T_{st}$": ("deformation_stationary", COMPONENTS[0]),
@@ -56,7 +102,8 @@ def _stationary(data: Any, name: str) -> dict[str, tuple[Any, dict[str, Any]]]:
 class GearDeflections(_Decomposition):
     """Gear output − input [rad]: total with its quasi-static part (left), oscillatory part (right).
 
-    Of more than eight gears, those that deflect most. ``ax``: two axes for each, or None.
+    Of more than eight gears, those that deflect most. ``ax``: two axes for each that oscillates, else one, or
+    None.
     """
 
     name = "gear_deflections"
@@ -71,7 +118,7 @@ class GearDeflections(_Decomposition):
 class LinkCoordinates(_Decomposition):
     """The six largest elastic coordinates of the links [rad, m], decomposed as the deflections of the gears are.
 
-    ``ax``: two axes for each, or None.
+    ``ax``: two axes for each that oscillates, else one, or None.
     """
 
     name = "link_coordinates"

@@ -4,9 +4,12 @@ from __future__ import annotations
 
 from typing import Any, ClassVar
 
+import numpy as np
+
 from tmodes.plot.facts import coordinate_names, deformation_unit, largest_coordinates, plain
 from tmodes.plot.figure import Figure
-from tmodes.plot.panels import Axes, AxesLike, curves, letter, panels, shared_legend, time_axis
+from tmodes.plot.panels import Axes, AxesLike, Unit, curves, letter, panels, shared_legend, time_axis
+from tmodes.plot.ranges import common_unit
 from tmodes.plot.style import REAL, REFERENCE
 
 __all__ = ["Deformations"]
@@ -32,15 +35,26 @@ class Deformations(Figure):
         names += largest_coordinates(data, coordinate_names(data, gears=True), _MOST_GEARS)
         rows = [names[k : k + 2] for k in range(0, len(names), 2)]
         axes = panels(ax, [row if len(row) == 2 else row * 2 for row in rows], 0.8 + 1.6 * len(rows))
+        units = _units(data, names)
         for panel, name in zip(axes, names, strict=True):
-            _coordinate(panel, data, name)
+            _coordinate(panel, data, name, units)
         shared_legend(axes[0])
         letter(axes, map(plain, names))
         return axes
 
 
-def _coordinate(panel: Axes, data: Any, name: str) -> None:
+def _units(data: Any, names: list[str]) -> dict[str, Unit]:
+    """One unit for all angles, and one for all displacements."""
+    kinds: dict[str, list[Any]] = {}
+    for name in names:
+        own = (data[key].sel(deformation_kind=name).values for key in ("deformation", "deformation_nominal"))
+        kinds.setdefault(deformation_unit(data, name), []).append(np.stack(list(own)))
+    return {si: common_unit(si, *values) for si, values in kinds.items()}
+
+
+def _coordinate(panel: Axes, data: Any, name: str, units: dict[str, Unit]) -> None:
     actual, planned = (data[key].sel(deformation_kind=name).values for key in ("deformation", "deformation_nominal"))
     shown = {"actual": (actual, REAL), "nominal": (planned, REFERENCE)}
-    curves(panel, data["time"].values, shown, deformation_unit(data, name))
+    si = deformation_unit(data, name)
+    curves(panel, data["time"].values, shown, si, unit=units[si])
     time_axis(panel, data["time"].values)

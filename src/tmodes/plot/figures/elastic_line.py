@@ -16,7 +16,10 @@ from tmodes.plot.style import QUIET
 __all__ = ["ElasticLine", "round_factor"]
 
 VISIBLE = 0.1
-"""The largest deflection is drawn about this large, as a share of the robot's reach."""
+"""The largest deflection or deviation is drawn about this large, as a share of the robot's reach."""
+
+WIDE, HEIGHTS = 5.4, (1.2, 3.2)
+"""Width that the panels of a row share, and the least and most height of one [in]."""
 
 _INSTANTS = 4
 _TOUCHING = 1e-6
@@ -56,10 +59,8 @@ class ElasticLine(Figure):
         dims = ("time", "link", "s", "axis")
         line, rigid = (data[name].transpose(*dims).values[chosen] for name in ("line", "line_rigid"))
         factor = _factor(rigid, line) if exaggerate is None else exaggerate
-        sides, factors = views(np.concatenate([rigid, line])), [1.0] if factor == 1 else [1.0, factor]
-        layout = [["".join(pair) + str(k) for k in range(len(factors))] for pair in sides]
-        axes = panels(ax, layout, 0.5 + 3.0 * len(sides))
-        shown = [(pair, size) for pair in sides for size in factors]
+        shown = _pictures(rigid, line, factor)
+        axes = panels(ax, *_layout(rigid + factor * (line - rigid), shown))
         joins = _joins(data, rigid[0])
         for panel, (pair, size) in zip(axes, shown, strict=True):
             columns = ["xyz".index(name) for name in pair]
@@ -71,6 +72,27 @@ class ElasticLine(Figure):
         shared_legend(axes[0])
         letter(axes, (f"{PLANES[pair].capitalize()}, {_scale(size)}" for pair, size in shown))
         return axes
+
+
+def _pictures(rigid: Array, line: Array, factor: float) -> list[tuple[tuple[str, str], float]]:
+    """Sides and enlargements: to scale those that the motion needs, magnified those that the deflection needs too."""
+    plain_sides = views(np.concatenate([rigid, line]))
+    if factor == 1:
+        return [(pair, 1.0) for pair in plain_sides]
+    more = views(np.concatenate([rigid, rigid + factor * (line - rigid)])) if len(plain_sides) == 1 else []
+    sides = dict.fromkeys([*plain_sides, *more])
+    return [(pair, size) for pair in sides for size in (1.0, factor) if size != 1 or pair in plain_sides]
+
+
+def _layout(points: Array, shown: list[tuple[tuple[str, str], float]]) -> tuple[list[list[str]], float]:
+    """A row for each side, as high as what is seen from there needs, and the height of the figure [in]."""
+    rows = {pair: [f"{''.join(pair)} {size:g}" for other, size in shown if other == pair] for pair, _ in shown}
+    extents = dict(zip("xyz", np.ptp(points.reshape(-1, 3), axis=0), strict=True))
+    height = 0.6
+    for (across, up), row in rows.items():
+        share = extents[up] / (extents[across] or 1.0)
+        height += 0.6 + float(np.clip(share * WIDE / len(row), *HEIGHTS))
+    return [row if len(row) == 2 else row * 2 for row in rows.values()], height
 
 
 def _scale(factor: float) -> str:

@@ -8,7 +8,8 @@ import numpy as np
 
 from tmodes.plot.facts import names_of
 from tmodes.plot.figure import Figure
-from tmodes.plot.panels import Axes, AxesLike, curves, letter, panels, side_legend, time_axis
+from tmodes.plot.panels import Axes, AxesLike, Unit, curves, letter, panels, side_legend, time_axis
+from tmodes.plot.ranges import common_unit, largest_shown
 from tmodes.plot.style import COMPONENTS, INK, QUIET
 
 __all__ = ["Energies"]
@@ -23,39 +24,77 @@ DECADES = 6
 """The residual is shown down to so many decades below its largest value: where it changes sign its log has no floor."""
 
 
-class Energies(Figure):
-    """Energy by kind [J], work since the start by kind [J], and the size of the balance's residual [J], log scale.
+ELASTIC = "elastic"
+"""The kinds of energy that have their own axis begin with this."""
 
-    Kinds that are zero throughout are left out. ``ax``: three axes, or None.
+TINY = 0.005
+"""Several kinds below this share of the largest are drawn as their sum."""
+
+WORK = "Work since the start (motors, loads, base: supplied)"
+
+Curves = dict[str, tuple[Any, dict[str, Any]]]
+
+
+class Energies(Figure):
+    """Energy by kind [J], that of springs on its own axis, work since the start [J], the residual of the balance [J].
+
+    Kinds that are zero throughout are left out, several very small ones are added up. ``ax``: four axes, without
+    elastic energy three, or None.
     """
 
     name = "energies"
     title = "Energy balance"
-    caption = "The residual (c) should stay many orders of magnitude below the energies (a) and works (b)."
+    caption = (
+        "The residual (last, on a logarithmic axis) should stay many orders of magnitude below the energies and works; "
+        "that "
+        "of springs has its own axis. Work of motors, loads, and the base is supplied, that of others dissipated."
+    )
 
     def draw(self, result: Any, ax: AxesLike = None) -> list[Axes]:
         """Energies, works, residual."""
         data = result.data
-        axes = panels(ax, [["energy"], ["work"], ["balance"]], 6.0, sharex=ax is None)
-        for panel, name in zip(axes[:2], ("energy", "work"), strict=True):
-            _kinds(panel, data, name)
-        _residual(axes[2], data)
-        time_axis(axes[2], data["time"].values)
-        work = "Work since the start (motors, loads, base: supplied; others: dissipated)"
-        letter(axes, ("Energy", work, "Residual of the balance, absolute"))
+        energy, work = _kinds(data, "energy"), _kinds(data, "work")
+        springs = {label: one for label, one in energy.items() if label.startswith(ELASTIC)}
+        others = {label: one for label, one in energy.items() if label not in springs}
+        shown = {"Energy": others, "Elastic energy": springs, WORK: work}
+        shown = {title: one for title, one in shown.items() if one or title != "Elastic energy"}
+        layout = [[title] for title in shown] + [["balance"]]
+        axes = panels(ax, layout, 0.6 + 1.5 * len(layout), sharex=ax is None)
+        unit = common_unit("J", *(values for one in shown.values() for values in _sizes(one)))
+        for panel, title in zip(axes, shown, strict=False):
+            _draw(panel, data["time"].values, shown[title], "work" if title == WORK else "energy", unit)
+        _residual(axes[-1], data)
+        time_axis(axes[-1], data["time"].values)
+        letter(axes, (*shown, "Residual of the balance, absolute"))
         return axes
 
 
-def _kinds(panel: Axes, data: Any, name: str) -> None:
+def _sizes(shown: Curves) -> list[Any]:
+    """All values of a panel as one."""
+    return [np.stack([values for values, _ in shown.values()])] if shown else []
+
+
+def _kinds(data: Any, name: str) -> Curves:
+    """The kinds of energy or work that are not zero throughout; those that a panel cannot tell from zero as one sum."""
     kind = f"{name}_kind"
     found = {label: data[name].sel({kind: label}).values for label in names_of(data, kind)}
+    size = largest_shown(found.values())
+    small = [label for label, values in found.items() if np.any(values) and largest_shown([values]) < TINY * size]
+    small = [label for label in small if not label.startswith(ELASTIC)]
+    looks = dict(zip(found, LOOKS, strict=False))
     shown = {
-        label.replace("_", " "): (values, look)
-        for (label, values), look in zip(found.items(), LOOKS, strict=False)
-        if np.any(values)
+        label.replace("_", " "): (values, looks[label])
+        for label, values in found.items()
+        if np.any(values) and (label not in small or len(small) == 1)
     }
-    time = data["time"].values
-    curves(panel, time, shown, "J", name)
+    if len(small) > 1:
+        names = ",\n".join(label.replace("_", " ") for label in small)
+        shown[f"{names}\n(sum)"] = (sum(found[label] for label in small), looks[small[0]])
+    return shown
+
+
+def _draw(panel: Axes, time: Any, shown: Curves, what: str, unit: Unit) -> None:
+    curves(panel, time, shown, "J", what, unit)
     time_axis(panel, time, label=False)
     if shown:
         side_legend(panel)

@@ -6,9 +6,10 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from tmodes.plot.facts import command_of, drive_unit, largest, motor_of, names_of, plain, rows_height
+from tmodes.plot.facts import command_of, drive_unit, largest, motor_of, names_of, part_title, plain, rows_height
 from tmodes.plot.figure import Figure
-from tmodes.plot.panels import Axes, AxesLike, curves, last_times, letter, pairs, panels, widest_legend
+from tmodes.plot.panels import Axes, AxesLike, Unit, curves, last_times, letter, pairs, panels, widest_legend
+from tmodes.plot.ranges import common_unit
 from tmodes.plot.style import COMPONENTS, REAL
 
 __all__ = ["JointTracking"]
@@ -35,12 +36,17 @@ class JointTracking(Figure):
         names = _moving(data)
         layout = pairs(len(names))
         axes = panels(ax, layout, rows_height(len(names)), sharex=ax is None)
+        units = _units(data, names)
         for k, name in enumerate(names):
-            curves(axes[2 * k], data["time"].values, _positions(data, name), drive_unit(data, name))
-            _error(axes[2 * k + 1], data, name)
+            unit, si = units[drive_unit(data, name)], drive_unit(data, name)
+            curves(axes[2 * k], data["time"].values, _positions(data, name), si, unit=unit)
+            _right(axes[2 * k + 1], data, name, unit)
         last_times(axes, data["time"].values, 2)
         widest_legend(axes)
-        letter(axes, (title for name in names for title in (plain(name), _right_title(data, name))))
+        letter(
+            axes,
+            (title for name in names for title in (plain(name), part_title(name, _right_title(data, name), names))),
+        )
         return axes
 
 
@@ -62,11 +68,26 @@ def _positions(data: Any, name: str) -> dict[str, tuple[Any, dict[str, Any]]]:
     return found
 
 
-def _error(panel: Axes, data: Any, name: str) -> None:
-    shown, si = _positions(data, name), drive_unit(data, name)
-    if "setpoint" in shown:
-        setpoint, _ = shown.pop("setpoint")
-        shown = {label: (values - setpoint, look) for label, (values, look) in shown.items()}
+def _units(data: Any, names: list[str]) -> dict[str, Unit]:
+    """One unit for all angles and their errors, and one for all displacements."""
+    kinds: dict[str, list[Any]] = {}
+    for name in names:
+        for shown in (_positions(data, name), _errors(data, name)):
+            values = np.stack([values for values, _ in shown.values()] or [np.zeros(1)])
+            kinds.setdefault(drive_unit(data, name), []).append(values)
+    return {si: common_unit(si, *values) for si, values in kinds.items()}
+
+
+def _errors(data: Any, name: str) -> dict[str, tuple[Any, dict[str, Any]]]:
+    """The positions less their setpoint; none where there is no setpoint."""
+    shown = _positions(data, name)
+    setpoint = shown.pop("setpoint", None)
+    return {label: (values - setpoint[0], look) for label, (values, look) in shown.items()} if setpoint else {}
+
+
+def _right(panel: Axes, data: Any, name: str, unit: Unit) -> None:
+    time, si = data["time"].values, drive_unit(data, name)
+    if errors := _errors(data, name):
+        curves(panel, time, errors, si, "error", unit)
     else:
-        shown, si = {"joint": (data["v"].sel(coordinate=name).values, REAL)}, f"{si}/s"
-    curves(panel, data["time"].values, shown, si)
+        curves(panel, time, {"joint": (data["v"].sel(coordinate=name).values, REAL)}, f"{si}/s")

@@ -8,7 +8,8 @@ import numpy as np
 
 from tmodes.plot.facts import largest, names_of, plain
 from tmodes.plot.figure import Figure
-from tmodes.plot.panels import Axes, AxesLike, curves, last_times, letter, panels, shared_legend
+from tmodes.plot.panels import Axes, AxesLike, curves, last_times, letter, panels, widest_legend
+from tmodes.plot.ranges import common_unit, seen
 from tmodes.plot.style import COMPONENTS
 
 __all__ = ["LinkTips"]
@@ -32,11 +33,17 @@ class LinkTips(Figure):
         ends = data["deflection"].isel(s=-1).transpose("bending_link", "time", "plane")
         names = largest(names, np.abs(ends.values).max(axis=(1, 2)))
         axes = panels(ax, [[str(k)] for k in range(len(names))], 0.8 + 1.25 * len(names), sharex=ax is None)
+        unit = common_unit("m", *(ends.sel(bending_link=name).values for name in names))
         for panel, name in zip(axes, names, strict=True):
-            bent = ends.sel(bending_link=name)
-            shown = {f"along {one}": (bent.sel(plane=one), look) for one, look in zip("yz", COMPONENTS, strict=False)}
-            curves(panel, data["time"].values, shown, "m", "deflection")
+            curves(panel, data["time"].values, _planes(ends.sel(bending_link=name)), "m", "deflection", unit)
         last_times(axes, data["time"].values, 1)
-        shared_legend(axes[0])
+        widest_legend(axes)
         letter(axes, (f"End of {plain(name)}" for name in names))
         return axes
+
+
+def _planes(bent: Any) -> dict[str, tuple[Any, dict[str, Any]]]:
+    """The deflections in the planes in which the link bends; in both of one that stays straight."""
+    both = {f"along {one}": (bent.sel(plane=one), look) for one, look in zip("yz", COMPONENTS, strict=False)}
+    size = float(np.abs(bent.values).max())
+    return {label: one for label, one in both.items() if seen(one[0], size)} or both

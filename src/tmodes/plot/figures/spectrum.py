@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from tmodes.plot.facts import deformation_unit, largest, plain, spectral_part
 from tmodes.plot.figure import Figure
-from tmodes.plot.panels import Axes, AxesLike, letter, panels, readable
+from tmodes.plot.panels import Axes, AxesLike, Unit, letter, panels, readable, side_legend
 from tmodes.plot.style import COMPONENTS, QUIET
 
 __all__ = ["Spectrum", "amplitude_spectrum", "keep_apart", "mark_frequencies"]
@@ -64,12 +64,15 @@ class Spectrum(Figure):
         time = part["time"].values
         step = float(time[1] - time[0])
         groups = list(_groups(result, part))
+        found = [
+            {name: amplitude_spectrum(values, step) for name, values in signals.items()} for _, signals, *_ in groups
+        ]
+        scales = _scales(found, [unit for *_, unit, _ in groups], 0.5 / step)
         axes = panels(ax, [[str(k)] for k in range(len(groups))], 1.0 + 2.1 * len(groups))
         pads = []
-        for panel, (_, signals, unit, marks) in zip(axes, groups, strict=True):
-            curves = {name: amplitude_spectrum(values, step) for name, values in signals.items()}
-            highest = _highest(curves, 0.5 / step)
-            _draw(panel, curves, unit, highest)
+        for panel, curves, (*_, si, marks) in zip(axes, found, groups, strict=True):
+            unit, peak, highest = scales[si]
+            _draw(panel, curves, unit, peak, highest)
             panel.set_xlabel("frequency [Hz]")
             pads.append(mark_frequencies(panel, marks, highest))
         span = f"{time[0]:.3g} to {time[-1]:.3g} s"
@@ -110,7 +113,7 @@ def _coordinates(part: Any) -> dict[str, Array]:
 
 def _marked(modes: list[dict[str, Any]]) -> list[dict[str, Any]]:
     """The natural frequencies to mark, with names that may be wrapped at their dots."""
-    return [mode | {"element": plain(mode["element"]).replace(".", ". ")} for mode in modes]
+    return [mode | {"element": plain(mode["element"]).replace(".", ".\n")} for mode in modes]
 
 
 def _highest(curves: Curves, nyquist: float) -> float:
@@ -122,9 +125,17 @@ def _highest(curves: Curves, nyquist: float) -> float:
     return min(1.25 * end, nyquist)
 
 
-def _draw(panel: Axes, curves: Curves, si: str, highest: float) -> None:
-    peak = max(float(amplitude.max()) for _, amplitude in curves.values())
-    unit = readable(si, peak)
+def _scales(found: list[Curves], units: list[str], nyquist: float) -> dict[str, tuple[Unit, float, float]]:
+    """For each SI unit one readable unit, the highest peak, and the end of the frequency axis [Hz]: panels compare."""
+    scales: dict[str, tuple[Unit, float, float]] = {}
+    for si in dict.fromkeys(units):
+        same = [curves for curves, own in zip(found, units, strict=True) if own == si]
+        peak = max(float(amplitude.max()) for curves in same for _, amplitude in curves.values())
+        scales[si] = readable(si, peak), peak, max(_highest(curves, nyquist) for curves in same)
+    return scales
+
+
+def _draw(panel: Axes, curves: Curves, unit: Unit, peak: float, highest: float) -> None:
     for (name, (frequency, amplitude)), look in zip(curves.items(), COMPONENTS, strict=False):
         shown = (frequency <= highest) & (amplitude > 0)
         panel.plot(frequency[shown], unit.of(amplitude[shown]), label=plain(name), **look)
@@ -133,7 +144,7 @@ def _draw(panel: Axes, curves: Curves, si: str, highest: float) -> None:
         panel.set_yscale("log")
         panel.set_ylim(unit.factor * peak * 10**-DECADES, unit.factor * peak * 3)
     panel.set_ylabel(f"amplitude [{unit.name}]")
-    panel.legend(loc="upper right", frameon=True, facecolor="white", edgecolor="none", framealpha=0.9)  # over the marks
+    side_legend(panel)
 
 
 LABEL_WIDTH = 0.1
@@ -199,8 +210,11 @@ def mark_frequencies(panel: Axes, modes: Sequence[Mapping[str, Any]], highest: f
 
 
 def _wrapped(element: object) -> str:
-    """In short lines; names may be parted after an underscore."""
-    lines = textwrap.wrap(str(element).replace("_", "_ "), width=LABEL_LETTERS)
+    """In short lines; a name that is longer than a line may be parted after an underscore."""
+    lines: list[str] = []
+    for part in str(element).split("\n"):
+        text = part if len(part) <= LABEL_LETTERS else part.replace("_", "_ ")
+        lines += textwrap.wrap(text, width=LABEL_LETTERS)
     return "\n".join(line.rstrip(",").replace("_ ", "_") for line in lines)
 
 

@@ -8,7 +8,8 @@ import numpy as np
 
 from tmodes.frame import along
 from tmodes.plot.figure import Figure
-from tmodes.plot.panels import Axes, AxesLike, curves, last_times, letter, panels, shared_legend, zero_line
+from tmodes.plot.panels import Axes, AxesLike, curves, last_times, letter, panels, widest_legend, zero_line
+from tmodes.plot.ranges import seen
 from tmodes.plot.style import COMPONENTS, INK, QUIET
 
 __all__ = ["TipErrors"]
@@ -44,12 +45,16 @@ class TipErrors(Figure):
             values = np.where((size > _SMALL * size.max())[:, None], along(parts), np.nan)
             labels = [str(label) for label in data["error_part"].values]
             looks = [*COMPONENTS[:3], {"color": QUIET, "linestyle": ":"}]
-            named = {label: (values[:, k], looks[k]) for k, label in enumerate(labels)}
+            named = {
+                label: (values[:, k], looks[k])
+                for k, label in enumerate(labels)
+                if seen(np.nan_to_num(values[:, k]), size.max())
+            }
             curves(
                 panel, data["time"].values, {"error": (size, {"color": INK, "linewidth": 1.5})} | named, "m", "error"
             )
             zero_line(panel)
         last_times(axes, data["time"].values, 1)
-        shared_legend(axes[0])
+        widest_legend(axes)
         letter(axes, [_SERIES[name] for name in shown])
         return axes

@@ -4,8 +4,11 @@ from __future__ import annotations
 
 from typing import Any
 
+import numpy as np
+
 from tmodes.plot.figure import Figure
-from tmodes.plot.panels import Axes, AxesLike, curves, letter, panels, shared_legend, time_axis
+from tmodes.plot.panels import Axes, AxesLike, Unit, curves, letter, panels, shared_legend, time_axis
+from tmodes.plot.ranges import common_unit, largest_shown, seen
 from tmodes.plot.style import COMPONENTS, INK, QUIET, REAL, REFERENCE
 
 __all__ = ["TipTracking"]
@@ -17,7 +20,8 @@ _COMMANDED = {"color": QUIET, "linestyle": ":", "linewidth": 0.9}
 class TipTracking(Figure):
     """Tip x, y, z [m]; commanded and nominal too, and the deviation from the nominal one [m]: distance, components.
 
-    ``ax``: four axes, without a nominal run three, or None.
+    A coordinate that is zero throughout is left out. ``ax``: an axes for each other one and, with a nominal run, one
+    for the deviation, or None.
     """
 
     name = "tip_tracking"
@@ -31,32 +35,48 @@ class TipTracking(Figure):
         """One panel for each axis, and one of the deviation."""
         data = result.data
         planned = "tip_nominal" in data
+        shown = _moving(data)
         if planned:
-            axes = panels(ax, [["x", "y", "z"], ["deviation"] * 3], 4.4, height_ratios=[1, 1.25])
+            axes = panels(ax, [list(shown), ["deviation"] * len(shown)], 4.4, height_ratios=[1, 1.25])
         else:
-            axes = panels(ax, [["x", "y", "z"]], 2.3)
-        for panel, axis in zip(axes, "xyz", strict=False):
-            _coordinate(panel, data, axis)
+            axes = panels(ax, [list(shown)], 2.3)
+        unit = common_unit("m", *shown.values())
+        for panel, axis in zip(axes, shown, strict=False):
+            _coordinate(panel, data, axis, unit)
         if planned:
-            _deviation(axes[3], data)
-            shared_legend(axes[3], place="lower left")
+            _deviation(axes[-1], data, list(shown))
+            shared_legend(axes[-1], place="lower left")
         if planned or "tip_commanded" in data:
             shared_legend(axes[0])
-        titles = "Tip x", "Tip y", "Tip z", "Deviation, actual − nominal"
-        letter(axes, titles[: len(axes)])
+        letter(axes, [*(f"Tip {axis}" for axis in shown), *(["Deviation, actual − nominal"] if planned else [])])
         return axes
 
 
-def _coordinate(panel: Axes, data: Any, axis: str) -> None:
-    known = {"actual": ("tip", REAL), "nominal": ("tip_nominal", REFERENCE), "commanded": ("tip_commanded", _COMMANDED)}
-    shown = {label: (data[name].sel(axis=axis).values, look) for label, (name, look) in known.items() if name in data}
-    curves(panel, data["time"].values, shown, "m", axis)
+_SERIES = {"actual": ("tip", REAL), "nominal": ("tip_nominal", REFERENCE), "commanded": ("tip_commanded", _COMMANDED)}
+
+
+def _moving(data: Any) -> dict[str, Any]:
+    """The values of each coordinate of the tip that is not zero throughout; of a tip at the origin, of all."""
+    known = [name for name, _ in _SERIES.values() if name in data]
+    values = {axis: np.stack([data[name].sel(axis=axis).values for name in known]) for axis in "xyz"}
+    size = largest_shown(values.values())
+    return {axis: value for axis, value in values.items() if seen(value, size)} or values
+
+
+def _coordinate(panel: Axes, data: Any, axis: str, unit: Unit) -> None:
+    known = {label: (name, look) for label, (name, look) in _SERIES.items() if name in data}
+    shown = {label: (data[name].sel(axis=axis).values, look) for label, (name, look) in known.items()}
+    curves(panel, data["time"].values, shown, "m", axis, unit)
     time_axis(panel, data["time"].values)
 
 
-def _deviation(panel: Axes, data: Any) -> None:
+def _deviation(panel: Axes, data: Any, axes: list[str]) -> None:
     difference = data["tip"] - data["tip_nominal"]  # no component is larger than the distance
-    parts = {f"Δ{axis}": (difference.sel(axis=axis), look) for axis, look in zip("xyz", COMPONENTS, strict=False)}
+    parts = {
+        f"Δ{axis}": (difference.sel(axis=axis), look)
+        for axis, look in zip("xyz", COMPONENTS, strict=False)
+        if axis in axes
+    }
     shown = {"distance": (data["deviation"].values, {"color": INK, "linewidth": 1.5})} | parts
     curves(panel, data["time"].values, shown, "m", "deviation")
     time_axis(panel, data["time"].values)
