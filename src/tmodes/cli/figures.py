@@ -13,6 +13,9 @@ from tmodes.cli.terminal import working
 
 __all__ = ["figures"]
 
+STUDY = "study.json"
+"""What the folder of a study has, and that of a run has not."""
+
 
 def figures(
     result: ResultArgument,
@@ -28,13 +31,30 @@ def figures(
     """Draw the figures of a stored result for print: 16 cm wide, legible without colour. Files that exist are replaced.
 
     Example: tmodes figures results/spong1987 tip_tracking spectrum --pdf
+
+    Of a study, its folder: tmodes figures results/gear_known distribution tornado
     """
     from tmodes.plot import save_figures
 
-    stored, folder = stored_result(result), out or result_file(result).parent / "figures"
     formats = ["svg", *(["png"] if png else []), *(["pdf"] if pdf else [])]
+    if (result / STUDY).is_file():
+        _of_study(result, out or result / "figures", formats, names or None)
+        return
+    stored, folder = stored_result(result), out or result_file(result).parent / "figures"
     with working() as progress:
         written = save_figures(
             stored, folder, formats, progress=lambda k, n, _: progress("figures", k / n), names=names or None
         )
+    print(f"wrote   {len(written)} files to {folder}")
+
+
+def _of_study(place: Path, folder: Path, formats: list[str], names: list[str] | None) -> None:
+    from tmodes.plot.studies import save_study_figures
+    from tmodes.study.page import figure_data
+    from tmodes.study.result import load_study
+
+    with working() as progress:
+        progress("reading", 0.0)
+        data = figure_data(load_study(place), progress)
+        written = save_study_figures(data, folder, formats, names, lambda k, n, _: progress("figures", k / max(n, 1)))
     print(f"wrote   {len(written)} files to {folder}")

@@ -21,7 +21,7 @@ from tmodes.study.result import StudyResult
 from tmodes.study.rows import Rows
 from tmodes.study.study import Study
 
-__all__ = ["write_page"]
+__all__ = ["figure_data", "write_page"]
 
 Progress = Callable[[str, float], None]
 
@@ -55,6 +55,15 @@ def write_page(
     with atomic_write(path) as temporary:
         temporary.write_text(text, encoding="utf-8", newline="\n")
     return Path(path)
+
+
+def figure_data(result: StudyResult, progress: Progress = lambda stage, share: None) -> dict[str, Any]:
+    """What :func:`tmodes.plot.studies.save_study_figures` draws: the data of the page, without a report."""
+    study, rows = result.study, result.rows
+    drawn = study.sheet.plan.draws
+    bands = tip_bands(study, rows, progress) if drawn else []
+    info = _columns(study, rows, {})
+    return page_data(study.sheet.name, rows, info, labels=result.design.labels, bands=bands, drawn=drawn)
 
 
 def _ends(rows: Rows, info: Mapping[str, ColumnInfo]) -> str:

@@ -1,0 +1,18 @@
+"""Figures of studies, for print: one file for each; importing the package registers them."""
+
+from tmodes.plot.studies import (
+    bands,
+    cases,
+    distribution,
+    indices,
+    pareto,
+    responses,
+    surface,
+    swings,
+)
+from tmodes.plot.studies.contract import STUDY_FIGURES, StudyFigure, save_study_figures
+
+__all__ = [
+    "STUDY_FIGURES", "StudyFigure", "bands", "cases", "distribution", "indices", "pareto", "responses",
+    "save_study_figures", "surface", "swings",
+]  # fmt: skip

@@ -1,0 +1,46 @@
+"""Which parameter matters: a tornado."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from tmodes.plot.studies.contract import STUDY_FIGURES, Data, StudyFigure, axis_name, padded_figure
+from tmodes.plot.style import BLUE, INK, RED
+
+__all__ = ["Swings"]
+
+_MOST = 15
+
+
+@STUDY_FIGURES.register
+class Swings(StudyFigure):
+    """How far a quantity goes with each parameter by itself, the strongest on top."""
+
+    name = "tornado"
+    title = "What matters"
+
+    def missing(self, data: Data, quantity: Data) -> str:
+        """It needs cases at both ends of the parameters."""
+        return "" if _of(data, quantity) else "too few cases"
+
+    def draw(self, data: Data, quantity: Data) -> Any:
+        """Bars from the base to where a parameter is low (blue) and high (red)."""
+        found = _of(data, quantity)
+        assert found is not None  # noqa: S101
+        titles = {column["name"]: column["title"] or column["name"] for column in data["parameters"]}
+        bars = sorted(found["bars"], key=lambda bar: abs(bar["high"] - bar["low"]))[-_MOST:]
+        figure = padded_figure(1.2 + 0.26 * len(bars))
+        axes = figure.subplots()
+        for place, bar in enumerate(bars):
+            for end, colour in (("low", BLUE), ("high", RED)):
+                axes.barh(place, bar[end] - found["base"], left=found["base"], color=colour, height=0.6, linewidth=0)
+        axes.axvline(found["base"], color=INK, linewidth=0.8)
+        axes.set_yticks(range(len(bars)), [titles[bar["name"]] for bar in bars])
+        axes.grid(visible=False, axis="y")
+        axes.margins(x=0.05)
+        axes.set(xlabel=axis_name(quantity), title=f"{self.title} (blue: low, red: high)")
+        return figure
+
+
+def _of(data: Data, quantity: Data) -> Data | None:
+    return next((one for one in data["tornados"] if one["quantity"] == quantity["name"]), None)

@@ -1,0 +1,98 @@
+"""What every figure of a study keeps, one of a user's script among them: words on its axes, files for each quantity."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from tmodes.errors import InputError
+from tmodes.plot.studies import STUDY_FIGURES, StudyFigure, save_study_figures
+from tmodes.plot.style import house_style, new_figure
+from tmodes.study.page.data import ColumnInfo, page_data
+from tmodes.study.rows import Rows
+
+
+@STUDY_FIGURES.register
+class Bare(StudyFigure):
+    """A figure of a user's own."""
+
+    name = "bare"
+    title = "Sorted values"
+
+    def missing(self, data: Any, quantity: Any) -> str:
+        """Always there."""
+        return ""
+
+    def draw(self, data: Any, quantity: Any) -> Any:
+        """Values in order."""
+        figure = new_figure(2.0)
+        axes = figure.subplots()
+        axes.plot(np.sort(quantity["values"]))
+        axes.set(xlabel="case", ylabel=quantity["name"])
+        return figure
+
+
+def made(*, grid: bool = False, drawn: bool = True) -> dict[str, Any]:
+    """The data of a study of two parameters and a choice."""
+    if grid:
+        x, y = (axis.ravel() for axis in np.meshgrid(np.linspace(0, 1, 6), np.linspace(2, 3, 5)))
+        parameters = {"x": x, "y": y}
+    else:
+        draw = np.random.default_rng(0)
+        parameters = {"x": draw.uniform(0, 1, 80), "y": draw.normal(2, 0.1, 80), "z": draw.integers(0, 3, 80) * 1.0}
+    peak = 1e-3 * (parameters["x"] * parameters["y"] + 0.1 * parameters.get("z", 0.0))
+    size = len(peak)
+    status = ["finished"] * (size - 1) + ["diverged"]
+    peak[-1] = np.nan
+    rows = Rows(np.arange(size), parameters, {"peak": peak}, {"peak": "m"}, status, [""] * size, [""] * size,
+                np.zeros(size))  # fmt: skip
+    info = {"x": ColumnInfo("across", "N*m"), "z": ColumnInfo("size", "-", ("small", "large", "huge"))}
+    times = np.linspace(0, 1, 20)
+    band = {"title": "Tip x", "unit": "mm", "times": times, "shares": [5, 50, 95], "nominal": None, "cases": 80,
+            "values": np.array([times - 1, times, times + 1])}  # fmt: skip
+    index = {"quantity": "peak", "how": "", "names": ["x", "y"], "first": [[0.5, 0.4, 0.6], [0.4, 0.3, 0.5]],
+             "total": [[0.6, 0.5, 0.7], [0.5, 0.4, 0.6]]}  # fmt: skip
+    return page_data("made", rows, info, drawn=drawn, bands=[band] if drawn else [], indices=[index],
+                     objectives=("x", "peak"), front=[0, 1])  # fmt: skip
+
+
+@pytest.mark.parametrize("name", sorted(STUDY_FIGURES))
+def test_figure(name: str) -> None:
+    """A title, words and units on the axes, the width of the house; nothing beyond the edges."""
+    figure = STUDY_FIGURES[name]
+    data = made(grid=name == "surface")
+    quantity = data["quantities"][0]
+    assert figure.title
+    assert name.isidentifier()
+    assert figure.missing(data, quantity) == ""
+    with house_style():
+        drawn = figure.draw(data, quantity)
+        drawn.get_layout_engine().execute(drawn)
+    assert drawn.get_size_inches()[0] == pytest.approx(6.3)
+    words = [text for axes in drawn.axes for text in (axes.get_xlabel(), axes.get_ylabel()) if text]
+    assert words or name == "cases"
+    renderer = drawn.canvas.get_renderer()
+    width, height = drawn.canvas.get_width_height()
+    for axes in drawn.axes:
+        box = axes.get_tightbbox(renderer)
+        assert box.x0 > -3, name
+        assert box.x1 < width + 3, name
+        assert box.y0 > -3, name
+        assert box.y1 < height + 3, name
+
+
+def test_what_is_not_there_is_not_drawn(tmp_path: Path) -> None:
+    """Cases that were chosen have no distribution and no bands; a grid has a surface."""
+    files = {path.stem for path in save_study_figures(made(grid=True, drawn=False), tmp_path, ["svg"])}
+    assert {"surface_peak", "responses_peak", "pareto", "sobol_peak"} <= files
+    assert not {"distribution_peak", "bands"} & files
+    drawn = {path.name for path in save_study_figures(made(), tmp_path, ["png"], ["distribution", "bands"])}
+    assert drawn == {"distribution_peak.png", "bands.png"}
+
+
+def test_an_unknown_figure_is_refused(tmp_path: Path) -> None:
+    with pytest.raises(InputError, match="figures must be some of distribution, "):
+        save_study_figures(made(), tmp_path, names=["tornados"])
