@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from tmodes.compile.gpu.case_loop import CaseLoop
 from tmodes.compile.loops.loops import goes_side_by_side, lane_loop, schedule_loop
 from tmodes.compile.loops.switches import MOST_SWITCHES
 from tmodes.compile.native import Library
@@ -34,6 +35,11 @@ class Loops:
 
     def __getitem__(self, method: str) -> Any:
         """The function of a method; KeyError for a name that is none."""
+        schedule, guarded, more = self.stated(method)
+        return schedule_loop(schedule, guarded, method, **more)[method]
+
+    def stated(self, method: str) -> tuple[Any, int, dict[str, int]]:
+        """The schedule that a method integrates, how many of its first numbers are watched, and what more it takes."""
         loop, asks, more = self.loop, integrator(method).asks, {}
         count, rate = loop.parts.size, "rate"
         if asks != EXPLICIT:
@@ -42,7 +48,7 @@ class Loops:
             more["columns"] = loop.layout.works.start
         elif asks != EXPLICIT:
             rate = "euler_rate" if asks == EULER else "implicit_rate"
-        return schedule_loop(getattr(loop, rate), 2 * count, method, **more)[method]
+        return getattr(loop, rate), 2 * count, more
 
 
 @dataclass(frozen=True, eq=False)
@@ -86,6 +92,11 @@ class LoopModel:
     def lane_loop(self, method: str) -> Library:
         """The native loop over robots side by side of a method with a tableau."""
         return lane_loop(self.loop.rate, 2 * len(self.coordinates), method)
+
+    def case_loop(self, method: str) -> CaseLoop:
+        """The loop of a method over cases, one per thread of a GPU."""
+        schedule, guarded, more = self.loops.stated(method)
+        return CaseLoop(schedule, guarded, method, more)
 
     @property
     def batch_widths(self) -> dict[str, int]:

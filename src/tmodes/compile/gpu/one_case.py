@@ -15,7 +15,9 @@ from tmodes.compile.ir.builder import Builder
 from tmodes.compile.ir.emit import F64, I64, POINTER, VOID, at, counted, declare, load, number, scratch, store, whole
 from tmodes.compile.loops.time_loop import ARGUMENTS, CELLS, OPTIONS
 
-__all__ = ["BLOCK", "CASE_ARGUMENTS", "CASE_OPTIONS", "KERNEL", "LOOP", "case_module", "write_kernel"]
+__all__ = [
+    "BLOCK", "CASE", "CASE_ARGUMENTS", "CASE_OPTIONS", "KERNEL", "LOOP", "blocks", "case_module", "write_kernel",
+]  # fmt: skip
 
 LOOP, CASE, KERNEL = "tmodes_loop", "tmodes_case", "run"
 """Names of the loop of a single run, of the function of one case, and of the kernel."""
@@ -38,6 +40,11 @@ and ``k1`` number i of case k is at i cases + k; of ``p`` at i number_stride + k
 of a case begin a stride after those of the case before (0: the same for all), as does its number of ``segments``.
 ``out`` is (cases, samples, size).
 """
+
+
+def blocks(threads: int) -> int:
+    """Blocks of so many threads; those of the last one that are beyond do nothing."""
+    return -(-threads // BLOCK)
 
 
 def case_module(parameters: int, size: int) -> Any:

@@ -1,0 +1,98 @@
+"""Works of a batch on a GPU, one case per thread: blocks that fit its memory, in launches that are short.
+
+No bit of a case depends on its neighbours, on the blocks, or on how its steps are parted into launches.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Sequence
+
+import numpy as np
+
+from tmodes.compile.gpu.device import Device
+from tmodes.errors import SimulationError
+from tmodes.simulation.batch.work import Work
+from tmodes.simulation.gpu.block import Block, bytes_per_case
+from tmodes.simulation.parts import Trajectory
+
+__all__ = ["block_sizes", "run_on_gpu"]
+
+_FIRST, _SECONDS = 100, 0.05
+"""Steps of the first launch, and how long a launch is to take [s]: so long a wish to stop waits."""
+
+_SHARE = 0.9
+"""Of the memory that is free."""
+
+
+def run_on_gpu(
+    works: Sequence[Work],
+    progress: Callable[[float], None] = lambda share: None,
+    *,
+    device: Device | None = None,
+    clock: Callable[[], float] = time.monotonic,
+) -> dict[int, Trajectory]:
+    """Run all lanes of all works on a GPU, each with its place, as :func:`tmodes.simulation.batch.simulate.run_all`.
+
+    The samples go to ``states`` of the works; a run that cannot continue keeps what it had, and says why. ``progress``
+    is given the share of all lanes' time that is done; what it raises stops the batch. Ctrl-C ends all with what they
+    have (``interrupted``). ``device``: by default the first GPU. ``clock`` [s]: by which launches are kept short.
+
+    Raises :class:`tmodes.errors.SimulationError` where there is no GPU, or not the memory for one case, and
+    :class:`tmodes.errors.CompileError` for code that it refuses.
+    """
+    device = _first_gpu() if device is None else device
+    whole = sum(work.inputs.size * work.settings.duration for work in works)
+    done: dict[int, Trajectory] = {}
+    reached, stopped = 0.0, False
+    for work in works:
+        size, first = block_sizes(work, device), 0
+        while first < work.inputs.size:
+            block = Block(work, range(first, min(first + size, work.inputs.size)))
+            before, began = reached, clock()
+            if not stopped:
+                stopped = _run(block, device, clock, lambda t, before=before: progress((before + t) / whole))
+            reached += float(block.cell("t").sum())
+            places = work.places[block.lanes.start : block.lanes.stop].tolist()
+            done |= zip(places, block.ended(clock() - began), strict=True)
+            first += size
+    if stopped and not any(one.status == "interrupted" for one in done.values()):
+        raise KeyboardInterrupt  # all ended first: what comes next must not begin
+    return done
+
+
+def _first_gpu() -> Device:
+    from tmodes.compile.gpu.cuda import first_gpu
+
+    return first_gpu()
+
+
+def block_sizes(work: Work, device: Device) -> int:
+    """Cases of a work that are on a device at once."""
+    free, each = device.free(work.model.case_loop(work.settings.method)), bytes_per_case(work)
+    count = int(_SHARE * free) // each
+    if not count:
+        raise SimulationError(
+            f"{device.name} has {free / 1e6:.3g} MB free, and one case takes {each / 1e6:.3g} MB; lengthen "
+            "integration.output_step, or end other programs that use the GPU"
+        )
+    return min(count, work.inputs.size)
+
+
+def _run(block: Block, device: Device, clock: Callable[[], float], reached: Callable[[float], None]) -> bool:
+    """Run a block to its end, to its limit on time, or until Ctrl-C: whether that came."""
+    piece, began, limit, stopped = _FIRST, clock(), block.work.settings.max_wall_time, False
+    try:
+        block.begin(device, block.work.model.case_loop(block.work.settings.method))
+        try:
+            while len(block.going) and clock() - began < limit:
+                started = clock()
+                block.advance(piece)
+                piece = max(1, int(piece * min(4.0, _SECONDS / max(clock() - started, 1e-6))))
+                reached(float(block.cell("t").sum()))
+        except KeyboardInterrupt:
+            stopped = True
+        block.end()
+    finally:
+        block.release()
+    return stopped
