@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cache, cached_property
@@ -11,6 +12,7 @@ from typing import Any
 import llvmlite.binding as llvm
 
 from tmodes.compile import cache as disk
+from tmodes.compile.gpu.mathematics import write_mathematics
 from tmodes.compile.gpu.one_case import CASE, CASE_ARGUMENTS, KERNEL, LOOP, case_module, write_kernel
 from tmodes.compile.ir.kernels import library
 from tmodes.compile.native import Library, for_target, free
@@ -83,17 +85,26 @@ class CaseLoop:
         passes = builder.getModulePassManager()
         passes.run(whole, builder)
         free(passes)
-        return machine.emit_assembly(whole)
+        return re.sub(r"\s*//.*", "", machine.emit_assembly(whole))  # its remarks count calls of the whole process
 
-    def native(self) -> Library:
-        """The same for this machine's processor: ``tmodes_case(thread, *CASE_ARGUMENTS)``."""
+    def native(self, *, mathematics: bool = True) -> Library:
+        """The same for this machine's processor: ``tmodes_case(thread, *CASE_ARGUMENTS)``.
+
+        ``mathematics``: False takes the functions of the C library, as the loops of single runs do.
+        """
         functions = {CASE: 1 + len(CASE_ARGUMENTS)}
-        return library("cases", f"cases {self.key}", lambda: str(self._linked(None, kernel=False)), functions, 1)
 
-    def _linked(self, machine: Any, *, kernel: bool) -> Any:
+        def write() -> str:
+            return str(self._linked(None, kernel=False, mathematics=mathematics))
+
+        return library("cases", f"cases mathematics={mathematics} {self.key}", write, functions, 1)
+
+    def _linked(self, machine: Any, *, kernel: bool, mathematics: bool = True) -> Any:
         """All code in one module; only what is called from outside is seen there."""
         try:
             module = case_module(self.parameters, self.size)
+            if mathematics:
+                write_mathematics(module)
             if kernel:
                 write_kernel(module)
             texts = [str(module), *(str(part.write()) for part in self._parts())]

@@ -60,8 +60,9 @@ class HostDevice(Device):
 
     name = "this processor"
 
-    def __init__(self, memory: int = 2**30) -> None:
-        self.memory = memory
+    def __init__(self, memory: int = 2**30, *, mathematics: bool = True) -> None:
+        """``memory``: bytes of its arrays; ``mathematics``: as of :meth:`CaseLoop.native`."""
+        self.memory, self.mathematics = memory, mathematics
 
     def free(self, loop: CaseLoop) -> int:
         """So many bytes as it was given."""
@@ -81,7 +82,7 @@ class HostDevice(Device):
 
     def launch(self, loop: CaseLoop, arguments: Mapping[str, Any]) -> None:
         """Whole blocks of threads, as a GPU has them: some are beyond the last case."""
-        function = loop.native()[CASE]
+        function = loop.native(mathematics=self.mathematics)[CASE]
         given = [one if isinstance(one, int) else one.ctypes.data for one in (arguments[a] for a in CASE_ARGUMENTS)]
         for thread in range(blocks(arguments["threads"]) * BLOCK):
             function(thread, *given)

@@ -10,7 +10,6 @@ from typing import Any
 
 from llvmlite import ir
 
-from tmodes.compile.gpu.mathematics import write_mathematics
 from tmodes.compile.ir.builder import Builder
 from tmodes.compile.ir.emit import F64, I64, POINTER, VOID, at, counted, declare, load, number, scratch, store, whole
 from tmodes.compile.loops.time_loop import ARGUMENTS, CELLS, OPTIONS
@@ -48,13 +47,12 @@ def blocks(threads: int) -> int:
 
 
 def case_module(parameters: int, size: int) -> Any:
-    """The module of the function ``tmodes_case(thread, *CASE_ARGUMENTS)``, and of the mathematics of the loop it calls.
+    """The module of the function ``tmodes_case(thread, *CASE_ARGUMENTS)`` around the loop of a single run.
 
     ``parameters``: of a case; ``size``: of its state.
     """
     module = ir.Module(CASE)
     _OneCase(module, parameters, size).write()
-    write_mathematics(module)
     return module
 
 

@@ -52,13 +52,14 @@ class Block:
     def __init__(self, work: Work, lanes: range) -> None:
         self.work, self.lanes, size = work, lanes, len(lanes)
         self.starts = work.inputs.starts[lanes.start : lanes.stop]
-        self.memory, self.state = np.zeros((len(CELLS), size)), np.ascontiguousarray(self.starts.T)
+        self.memory, self.state = np.zeros((len(CELLS), size)), np.array(self.starts.T, order="C")
         for name, value in _FRESH.items():
             self.cell(name)[:] = value
         self.cell("status")[~np.isfinite(self.starts).all(axis=1)] = float(Status.DIVERGED)
         work.states[work.places[lanes.start : lanes.stop], 0] = self.starts
         self._asked = np.zeros(0, dtype=np.int64)
         self._given: dict[str, Any] = {}
+        self._begun = False
 
     def cell(self, name: str) -> Array:
         """A number of the loop's memory, of each case."""
@@ -77,13 +78,15 @@ class Block:
         inputs, settings = self.work.inputs, self.work.settings
         parameters = inputs.parameters[self.lanes.start : self.lanes.stop].T
         arrays = {"memory": self.memory, "y": self.state, "k1": np.zeros_like(self.state), "p": parameters}
-        arrays |= {"which": np.arange(size), "times": self.work.times, "options": _options(settings, 0)}
+        arrays |= {"times": self.work.times, "options": _options(settings, 0)}
         schedules, strides = self._schedules()
         whole = {"cases": size, "case_stride": 1, "number_stride": size, "samples": len(self.work.times)}
         self._given |= whole | strides
         for name, array in (arrays | schedules).items():
             self._given[name] = device.uploaded(array)
+        self._given["which"] = device.empty(8 * size)
         self._given["out"] = device.empty(8 * size * len(self.work.times) * len(self.state))
+        self._begun = True
 
     def _schedules(self) -> tuple[dict[str, NDArray[Any]], dict[str, int]]:
         """Knots and rows of the cases, padded to the longest; of one for all, all cases read the same."""
@@ -113,7 +116,9 @@ class Block:
             device.download(self._given["memory"], place * self.memory[0].nbytes, self.memory[place])
 
     def end(self) -> None:
-        """Bring back what the cases came to, and their samples."""
+        """Bring back what the cases came to, and their samples; where none was brought there, all is as it was."""
+        if not self._begun:
+            return
         self.device.download(self._given["memory"], 0, self.memory)
         self.device.download(self._given["y"], 0, self.state)
         for cases, places in self._pieces():

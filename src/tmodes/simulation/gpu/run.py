@@ -83,8 +83,8 @@ def _run(block: Block, device: Device, clock: Callable[[], float], reached: Call
     """Run a block to its end, to its limit on time, or until Ctrl-C: whether that came."""
     piece, began, limit, stopped = _FIRST, clock(), block.work.settings.max_wall_time, False
     try:
-        block.begin(device, block.work.model.case_loop(block.work.settings.method))
         try:
+            block.begin(device, block.work.model.case_loop(block.work.settings.method))
             while len(block.going) and clock() - began < limit:
                 started = clock()
                 block.advance(piece)
