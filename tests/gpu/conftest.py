@@ -58,6 +58,11 @@ def varied(setup: Any, settings: Integration, count: int, share: float) -> Cases
 @pytest.fixture(scope="session")
 def published() -> Cases:
     """The paper's robot over 5 ms, 100 times."""
+    return published_cases()
+
+
+def published_cases() -> Cases:
+    """The same, for programs that tests start."""
     robot = tmodes.load("filipovic2010")
     settings = robot.integration.model_copy(update={"duration": 0.005, "output_step": 2.5e-4, "step": 2e-5})
     return varied(run_setup(robot), settings, 100, 0.02)

@@ -25,12 +25,12 @@ class Watched(HostDevice):
         self.taken += 1
         return super().empty(size)
 
-    def launch(self, loop, arguments):
+    def launch(self, loop, rooms, whole):
         if len(self.launches) == self.stops_at:
             raise KeyboardInterrupt
-        options = arguments["options"].view(np.float64)
-        self.launches.append((arguments["threads"], options[3]))
-        super().launch(loop, arguments)
+        options = rooms["options"].view(np.float64)
+        self.launches.append((whole["threads"], options[3]))
+        super().launch(loop, rooms, whole)
 
     def release(self, rooms):
         self.taken -= len(rooms)
@@ -82,8 +82,8 @@ class Timed(Watched):
 
     now = 0.0
 
-    def launch(self, loop, arguments):
-        super().launch(loop, arguments)
+    def launch(self, loop, rooms, whole):
+        super().launch(loop, rooms, whole)
         self.now += 1e-3 * self.launches[-1][1]
 
 

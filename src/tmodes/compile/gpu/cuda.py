@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from tmodes.compile.gpu.case_loop import LEAST_TARGET, CaseLoop
 from tmodes.compile.gpu.device import Device
-from tmodes.compile.gpu.one_case import BLOCK, CASE_ARGUMENTS, KERNEL, blocks
+from tmodes.compile.gpu.one_case import ARRAYS, BLOCK, KERNEL, WHOLE, blocks
 from tmodes.errors import SimulationError
 
 __all__ = ["CudaDevice", "first_gpu", "unavailable"]
@@ -120,15 +120,14 @@ class CudaDevice(Device):
         _checked(copied, "a copy from it")
         self._wait()
 
-    def launch(self, loop: CaseLoop, arguments: Mapping[str, Any]) -> None:
+    def launch(self, loop: CaseLoop, rooms: Mapping[str, Any], whole: Mapping[str, int]) -> None:
         """Blocks of threads, until all are done."""
         from cuda.core import LaunchConfig, launch
 
-        given = [arguments[name] for name in CASE_ARGUMENTS]
-        given = [np.int64(one) if isinstance(one, int) else int(one) for one in given]
-        config = LaunchConfig(grid=blocks(arguments["threads"]), block=BLOCK)
+        pointers, numbers = [int(rooms[name]) for name in ARRAYS], [np.int64(whole[name]) for name in WHOLE]
+        config = LaunchConfig(grid=blocks(whole["threads"]), block=BLOCK)
         with self._stopping():
-            launch(self._stream, config, self._kernel(loop), *given)
+            launch(self._stream, config, self._kernel(loop), *pointers, *numbers)
         self._wait()
 
     def _wait(self) -> None:

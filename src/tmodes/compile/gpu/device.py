@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.compile.gpu.case_loop import CaseLoop
-from tmodes.compile.gpu.one_case import BLOCK, CASE, CASE_ARGUMENTS, blocks
+from tmodes.compile.gpu.one_case import ARRAYS, BLOCK, CASE, WHOLE, blocks
 
 __all__ = ["Device", "HostDevice"]
 
@@ -37,10 +37,10 @@ class Device(ABC):
         """Fill a C-ordered array from byte ``first`` of a room on."""
 
     @abstractmethod
-    def launch(self, loop: CaseLoop, arguments: Mapping[str, Any]) -> None:
+    def launch(self, loop: CaseLoop, rooms: Mapping[str, Any], whole: Mapping[str, int]) -> None:
         """One thread for each case in question; returns when all are done.
 
-        ``arguments``: rooms, or whole numbers, by ``CASE_ARGUMENTS``.
+        ``rooms``: by ``ARRAYS``, and whole numbers by ``WHOLE``, of the arguments of the code.
         """
 
     @abstractmethod
@@ -80,11 +80,11 @@ class HostDevice(Device):
         """A copy."""
         array[...] = room[first : first + array.nbytes].view(array.dtype).reshape(array.shape)
 
-    def launch(self, loop: CaseLoop, arguments: Mapping[str, Any]) -> None:
+    def launch(self, loop: CaseLoop, rooms: Mapping[str, Any], whole: Mapping[str, int]) -> None:
         """Whole blocks of threads, as a GPU has them: some are beyond the last case."""
         function = loop.native(mathematics=self.mathematics)[CASE]
-        given = [one if isinstance(one, int) else one.ctypes.data for one in (arguments[a] for a in CASE_ARGUMENTS)]
-        for thread in range(blocks(arguments["threads"]) * BLOCK):
+        given = [rooms[name].ctypes.data for name in ARRAYS] + [whole[name] for name in WHOLE]
+        for thread in range(blocks(whole["threads"]) * BLOCK):
             function(thread, *given)
 
     def release(self, rooms: list[Any]) -> None:

@@ -15,7 +15,8 @@ from tmodes.compile.ir.emit import F64, I64, POINTER, VOID, at, counted, declare
 from tmodes.compile.loops.time_loop import ARGUMENTS, CELLS, OPTIONS
 
 __all__ = [
-    "BLOCK", "CASE", "CASE_ARGUMENTS", "CASE_OPTIONS", "KERNEL", "LOOP", "blocks", "case_module", "write_kernel",
+    "ARRAYS", "BLOCK", "CASE", "CASE_ARGUMENTS", "CASE_OPTIONS", "KERNEL", "LOOP", "WHOLE", "blocks", "case_module",
+    "write_kernel",
 ]  # fmt: skip
 
 LOOP, CASE, KERNEL = "tmodes_loop", "tmodes_case", "run"
@@ -27,11 +28,11 @@ BLOCK = 64
 CASE_OPTIONS = (*OPTIONS, "most")
 """Settings, the same for all cases; ``most``: attempted steps of a case after which it is given up."""
 
-_WHOLE = ("threads", "cases", "case_stride", "number_stride", "knot_stride", "row_stride", "segment_stride", "samples")
+WHOLE = ("threads", "cases", "case_stride", "number_stride", "knot_stride", "row_stride", "segment_stride", "samples")
 
-CASE_ARGUMENTS = (
-    "which", "memory", "y", "k1", "p", "knots", "rows", "segments", "times", "out", "options", *_WHOLE,
-)  # fmt: skip
+ARRAYS = ("which", "memory", "y", "k1", "p", "knots", "rows", "segments", "times", "out", "options")
+
+CASE_ARGUMENTS = (*ARRAYS, *WHOLE)
 """Arguments, in order: pointers to global arrays, then int64.
 
 ``which`` (threads,): the case of each thread; it and ``segments`` hold int64, the others doubles. Of ``memory``, ``y``
@@ -78,7 +79,7 @@ def _index(b: Any, name: str) -> Any:
 
 
 def _kinds() -> list[tuple[str, Any]]:
-    return [(label, I64 if label in _WHOLE else POINTER) for label in CASE_ARGUMENTS]
+    return [(label, I64 if label in WHOLE else POINTER) for label in CASE_ARGUMENTS]
 
 
 class _OneCase:

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from tmodes.compile.gpu.case_loop import CaseLoop
 from tmodes.compile.gpu.device import Device
-from tmodes.compile.gpu.one_case import CASE_ARGUMENTS, CASE_OPTIONS
+from tmodes.compile.gpu.one_case import CASE_OPTIONS
 from tmodes.compile.loops.time_loop import CELLS, Status
 from tmodes.integrate.settings import Integration
 from tmodes.simulation import native_run
@@ -58,7 +58,7 @@ class Block:
         self.cell("status")[~np.isfinite(self.starts).all(axis=1)] = float(Status.DIVERGED)
         work.states[work.places[lanes.start : lanes.stop], 0] = self.starts
         self._asked = np.zeros(0, dtype=np.int64)
-        self._given: dict[str, Any] = {}
+        self._rooms: dict[str, Any] = {}
         self._begun = False
 
     def cell(self, name: str) -> Array:
@@ -80,12 +80,11 @@ class Block:
         arrays = {"memory": self.memory, "y": self.state, "k1": np.zeros_like(self.state), "p": parameters}
         arrays |= {"times": self.work.times, "options": _options(settings, 0)}
         schedules, strides = self._schedules()
-        whole = {"cases": size, "case_stride": 1, "number_stride": size, "samples": len(self.work.times)}
-        self._given |= whole | strides
+        self._whole = {"cases": size, "case_stride": 1, "number_stride": size, "samples": len(self.work.times)} | strides
         for name, array in (arrays | schedules).items():
-            self._given[name] = device.uploaded(array)
-        self._given["which"] = device.empty(8 * size)
-        self._given["out"] = device.empty(8 * size * len(self.work.times) * len(self.state))
+            self._rooms[name] = device.uploaded(array)
+        self._rooms["which"] = device.empty(8 * size)
+        self._rooms["out"] = device.empty(8 * size * len(self.work.times) * len(self.state))
         self._begun = True
 
     def _schedules(self) -> tuple[dict[str, NDArray[Any]], dict[str, int]]:
@@ -106,24 +105,23 @@ class Block:
         """One launch: at most so many steps of each case that may continue."""
         device, going = self.device, self.going
         if len(going) != len(self._asked):  # who is over never continues
-            device.upload(going, self._given["which"])
+            device.upload(going, self._rooms["which"])
             self._asked = going
-        device.upload(_options(self.work.settings, steps), self._given["options"])
-        given = self._given | {"threads": len(going)}
-        device.launch(self.loop, {name: given[name] for name in CASE_ARGUMENTS})
+        device.upload(_options(self.work.settings, steps), self._rooms["options"])
+        device.launch(self.loop, self._rooms, self._whole | {"threads": len(going)})
         for name in _READ:
             place = CELLS.index(name)
-            device.download(self._given["memory"], place * self.memory[0].nbytes, self.memory[place])
+            device.download(self._rooms["memory"], place * self.memory[0].nbytes, self.memory[place])
 
     def end(self) -> None:
         """Bring back what the cases came to, and their samples; where none was brought there, all is as it was."""
         if not self._begun:
             return
-        self.device.download(self._given["memory"], 0, self.memory)
-        self.device.download(self._given["y"], 0, self.state)
+        self.device.download(self._rooms["memory"], 0, self.memory)
+        self.device.download(self._rooms["y"], 0, self.state)
         for cases, places in self._pieces():
             samples = np.empty((len(places), *self.work.states.shape[1:]))
-            self.device.download(self._given["out"], cases.start * samples[0].nbytes, samples)
+            self.device.download(self._rooms["out"], cases.start * samples[0].nbytes, samples)
             samples[:, 0] = self.starts[cases]
             self.work.states[places] = samples
 
@@ -136,8 +134,8 @@ class Block:
 
     def release(self) -> None:
         """Give the memory of the device back."""
-        rooms = [room for room in self._given.values() if not isinstance(room, int)]
-        self._given.clear()
+        rooms = [*self._rooms.values()]
+        self._rooms.clear()
         if rooms:
             self.device.release(rooms)
 
