@@ -39,33 +39,33 @@ class FakeDriver(ModuleType):
         self.status, self.kind, self.memory = status, kind, memory
         self.rooms: dict[int, Any] = {}
 
-    def cuInit(self, flags: int) -> tuple[Any]:  # noqa: N802
+    def cuInit(self, flags: int) -> tuple[Any]:
         if self.status is None:
             raise RuntimeError('"cuda" is an NVIDIA driver library and can only be found via system search')
         return (self.status,)
 
-    def cuDeviceGetAttribute(self, which: int, device: int) -> tuple[Any, int]:  # noqa: N802
+    def cuDeviceGetAttribute(self, which: int, device: int) -> tuple[Any, int]:
         return Result.CUDA_SUCCESS, self.kind[which]
 
-    def cuMemGetInfo(self) -> tuple[Any, int, int]:  # noqa: N802
+    def cuMemGetInfo(self) -> tuple[Any, int, int]:
         return Result.CUDA_SUCCESS, self.memory, self.memory
 
-    def cuMemAlloc(self, size: int) -> tuple[Any, ...]:  # noqa: N802
+    def cuMemAlloc(self, size: int) -> tuple[Any, ...]:
         if size > self.memory:
             return (Result.CUDA_ERROR_OUT_OF_MEMORY, 0)
         room = ctypes.create_string_buffer(size)
         self.rooms[ctypes.addressof(room)] = room
         return Result.CUDA_SUCCESS, ctypes.addressof(room)
 
-    def cuMemFree(self, room: int) -> tuple[Any]:  # noqa: N802
+    def cuMemFree(self, room: int) -> tuple[Any]:
         del self.rooms[room]
         return (Result.CUDA_SUCCESS,)
 
-    def cuMemcpyHtoDAsync(self, room: int, source: int, size: int, stream: Any) -> tuple[Any]:  # noqa: N802
+    def cuMemcpyHtoDAsync(self, room: int, source: int, size: int, stream: Any) -> tuple[Any]:
         ctypes.memmove(room, source, size)
         return (Result.CUDA_SUCCESS,)
 
-    def cuMemcpyDtoHAsync(self, target: int, room: int, size: int, stream: Any) -> tuple[Any]:  # noqa: N802
+    def cuMemcpyDtoHAsync(self, target: int, room: int, size: int, stream: Any) -> tuple[Any]:
         ctypes.memmove(target, room, size)
         return (Result.CUDA_SUCCESS,)
 

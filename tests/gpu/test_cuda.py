@@ -1,4 +1,4 @@
-"""What is said where no GPU can be used, and how one is used: with a fake driver, and with the real cuda-core on one."""
+"""What is said where no GPU can be used, and how one is: by a fake of cuda-core, and by cuda-core on a fake driver."""
 
 from __future__ import annotations
 
@@ -87,7 +87,7 @@ def test_no_memory(monkeypatch, cases):
     driver = FakeDriver(memory=4 * 2048 * 8240 + 2**20)
     install(monkeypatch, driver, fake_core(cases.model.case_loop("dormand_prince")))
     gpu = first_gpu()
-    with pytest.raises(SimulationError, match="the GPU refuses 1e[+]03 MB of its memory: CUDA_ERROR_OUT_OF_MEMORY"):
+    with pytest.raises(SimulationError, match=r"the GPU refuses 1e[+]03 MB of its memory: CUDA_ERROR_OUT_OF_MEMORY"):
         gpu.empty(10**9)
 
 

@@ -9,9 +9,10 @@ import pytest
 
 from tmodes.compile.gpu.device import HostDevice
 from tmodes.errors import SimulationError
+from tmodes.integrate.registry import integrators
 from tmodes.simulation.batch.simulate import run_all
 from tmodes.simulation.gpu.block import bytes_per_case
-from tmodes.simulation.gpu.run import block_sizes, run_on_gpu
+from tmodes.simulation.gpu.run import block_size, run_on_gpu, suits_gpu
 
 
 class Watched(HostDevice):
@@ -102,7 +103,7 @@ def test_blocks_fit_the_memory_and_change_nothing(published):
     whole, _ = run(cases, Watched())
     each = bytes_per_case(cases.work())
     device = Watched(memory=int(3.5 * each / 0.9))
-    assert block_sizes(cases.work(), device) == 3
+    assert block_size(cases.work(), device) == 3
     parted, runs = run(cases, device)
     assert parted.tobytes() == whole.tobytes()
     assert sorted(runs) == [*range(7)]
@@ -111,7 +112,7 @@ def test_blocks_fit_the_memory_and_change_nothing(published):
 
 
 def test_too_little_memory_is_said_with_numbers(published):
-    with pytest.raises(SimulationError, match="this processor has 0.001 MB free, and one case takes"):
+    with pytest.raises(SimulationError, match=r"this processor has 0\.001 MB free, and one case takes"):
         run(published.by("rk4"), Watched(memory=1000))
 
 
@@ -223,3 +224,8 @@ def test_answer_is_of_the_same_shape_as_that_of_the_processor(published, swingin
         assert np.array_equal(other.times, one.times)
         assert np.abs(other.states - one.states).max() < 1e-9 * np.abs(one.states).max()
         assert {"steps", "rejected", "evaluations"} <= set(other.statistics)
+
+
+def test_explicit_methods_gain_from_a_gpu():
+    found = {name for name in integrators() if suits_gpu(name)}
+    assert found == {"dormand_prince", "dop853", "rk4"}

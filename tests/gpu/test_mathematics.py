@@ -49,10 +49,12 @@ def values(name, rows):
 def test_large_angles(name):
     """To a unit in the last place, from where near angles end to 2^40 rad, and next to multiples of pi/2."""
     rng = np.random.default_rng(5)
-    angles = np.concatenate([
-        rng.choice([-1, 1], 2000) * 2.0 ** rng.uniform(19, 40, 2000),
-        (rng.integers(2**20, 2**38, 500) * mpmath.mpf(1)).astype(float) * float(mpmath.pi / 2),
-    ])
+    angles = np.concatenate(
+        [
+            rng.choice([-1, 1], 2000) * 2.0 ** rng.uniform(19, 40, 2000),
+            (rng.integers(2**20, 2**38, 500) * mpmath.mpf(1)).astype(float) * float(mpmath.pi / 2),
+        ]
+    )
     found, exact = values(name, angles), getattr(mpmath, {"sine": "sin", "cosine": "cos"}[name])
     with mpmath.workprec(200):
         wrong = [abs(exact(mpmath.mpf(angle)) - mpmath.mpf(value)) for angle, value in zip(angles, found, strict=True)]

@@ -1,17 +1,16 @@
-"""The text of kernels: written for all kinds of robots, and assembled for three kinds of GPUs where that is possible."""
+"""The text of kernels: written for all kinds of robots, and assembled for three kinds of GPUs where that can be."""
 
 from __future__ import annotations
 
 import re
 
 import pytest
+from benchmarks.assembler import NONE, assembled
 
 import tmodes
 from tmodes.compile.gpu.case_loop import LEAST_TARGET
 from tmodes.compile.gpu.one_case import BLOCK, CASE_ARGUMENTS
 from tmodes.simulation.start import run_setup
-
-from .assembler import assembled
 
 ROBOTS = ("filipovic2010", "spong1987", "flexarm1990", "deluca_siciliano1991")
 """By energies; elastic joints; elastic links as modes; two links that bend, as beams."""
@@ -66,6 +65,8 @@ def test_the_text_is_the_same_each_time(loop):
 def test_an_assembler_takes_it(loop, robot, method, target, tmp_path_factory):
     """All that a thread needs is known beforehand and small: a GPU has 512 kB of local memory for a thread."""
     found = assembled(loop(robot, method).ptx(), target, tmp_path_factory.mktemp("ptx"))
+    if found is None:
+        pytest.skip(NONE.format(target))
     assert found.registers <= 255
     assert found.stack < 24_000
     assert found.spilled < 6_000

@@ -72,7 +72,9 @@ def test_implicit_methods_pass_through_unchanged(swinging, method):
 def test_kernels_that_are_called_are_linked_in(name):
     """A small schedule is one program; of a larger one each kernel is a function of its own."""
     robot = tmodes.load(name)
-    settings = robot.integration.model_copy(update={"method": "rk4", "duration": 2e-4, "output_step": 1e-4, "step": 2e-6})
+    settings = robot.integration.model_copy(
+        update={"method": "rk4", "duration": 2e-4, "output_step": 1e-4, "step": 2e-6}
+    )
     cases = varied(run_setup(robot), settings, 3, 1e-3)
     found, _ = states(cases)
     for case in range(3):

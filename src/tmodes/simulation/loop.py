@@ -9,7 +9,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tmodes.compile.gpu.case_loop import CaseLoop
 from tmodes.compile.loops.loops import goes_side_by_side, lane_loop, schedule_loop
 from tmodes.compile.loops.switches import MOST_SWITCHES
 from tmodes.compile.native import Library
@@ -93,8 +92,10 @@ class LoopModel:
         """The native loop over robots side by side of a method with a tableau."""
         return lane_loop(self.loop.rate, 2 * len(self.coordinates), method)
 
-    def case_loop(self, method: str) -> CaseLoop:
-        """The loop of a method over cases, one per thread of a GPU."""
+    def case_loop(self, method: str) -> Any:
+        """The :class:`tmodes.compile.gpu.case_loop.CaseLoop` of a method: over cases, one per thread of a GPU."""
+        from tmodes.compile.gpu.case_loop import CaseLoop
+
         schedule, guarded, more = self.loops.stated(method)
         return CaseLoop(schedule, guarded, method, more)
 

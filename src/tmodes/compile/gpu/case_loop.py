@@ -1,4 +1,4 @@
-"""The loop over cases of one structure by one method: as PTX for a GPU, and as native code to be checked without one."""
+"""The loop over cases of one structure by one method: PTX for a GPU, and native code to check it without one."""
 
 from __future__ import annotations
 
@@ -36,13 +36,15 @@ def _machine(target: str) -> Any:
     try:
         kind = llvm.Target.from_triple(TRIPLE)
     except RuntimeError as problem:
-        raise CompileError(f"this llvmlite cannot write code for NVIDIA GPUs: {problem}; install one that can") from None
+        raise CompileError(
+            f"this llvmlite cannot write code for NVIDIA GPUs: {problem}; install one that can"
+        ) from None
     return kind.create_target_machine(cpu=target, opt=_LEVEL)
 
 
 @dataclass(frozen=True, eq=False)
 class CaseLoop:
-    """A schedule of rates with the method that integrates it; ``guarded`` and ``more`` as of the loops of single runs."""
+    """A schedule of rates with the method that integrates it; ``guarded``, ``more``: as of the loops of single runs."""
 
     schedule: Any
     guarded: int
@@ -108,9 +110,7 @@ class CaseLoop:
             if kernel:
                 write_kernel(module)
             texts = [str(module), *(str(part.write()) for part in self._parts())]
-            whole, *others = (
-                llvm.parse_assembly(for_target(text, machine) if machine else text) for text in texts
-            )
+            whole, *others = (llvm.parse_assembly(for_target(text, machine) if machine else text) for text in texts)
             for other in others:
                 whole.link_in(other)
             whole.verify()

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
-from functools import cached_property
+from importlib import import_module
 from typing import Any
 
 import numpy as np
@@ -27,11 +27,9 @@ _LEAST = int(LEAST_TARGET.removeprefix("sm_"))
 def unavailable() -> str | None:
     """Why cases cannot run on a GPU of this machine, and what to do; None where they can."""
     try:
-        from cuda import core
-        from cuda.bindings import driver
+        driver, _ = _packages()
     except ImportError as problem:
         return f"the Python package cuda-core is missing ({problem}); install it: {_INSTALL}"
-    del core
     try:
         (status,) = driver.cuInit(0)
     except RuntimeError:
@@ -43,6 +41,11 @@ def unavailable() -> str | None:
     if status != driver.CUresult.CUDA_SUCCESS:
         return f"the NVIDIA driver does not start ({status.name}); restart the machine, or install the driver again"
     return _too_old(driver)
+
+
+def _packages() -> tuple[Any, Any]:
+    """The driver's functions, and cuda-core; raises ImportError."""
+    return import_module("cuda.bindings.driver"), import_module("cuda.core")
 
 
 def _too_old(driver: Any) -> str | None:
@@ -69,15 +72,13 @@ class CudaDevice(Device):
     """The first GPU, with one stream."""
 
     def __init__(self) -> None:
-        from cuda.bindings import driver
-        from cuda.core import Device as Card
-
-        self._driver, self._card = driver, Card(0)
+        self._driver, self._core = _packages()
+        self._card = self._core.Device(0)
         self._card.set_current()
         self._stream = self._card.create_stream()
         self._kernels: dict[str, Any] = {}
 
-    @cached_property
+    @property
     def name(self) -> str:
         """Name of the card."""
         return self._card.name
@@ -91,11 +92,9 @@ class CudaDevice(Device):
         return max(0, free - held)
 
     def _kernel(self, loop: CaseLoop) -> Any:
-        from cuda.core import ObjectCode
-
         if loop.key not in self._kernels:
             try:
-                code = ObjectCode.from_ptx(loop.ptx().encode())
+                code = self._core.ObjectCode.from_ptx(loop.ptx().encode())
                 self._kernels[loop.key] = code.get_kernel(KERNEL)
             except Exception as problem:
                 hint = "update its driver"
@@ -122,12 +121,10 @@ class CudaDevice(Device):
 
     def launch(self, loop: CaseLoop, rooms: Mapping[str, Any], whole: Mapping[str, int]) -> None:
         """Blocks of threads, until all are done."""
-        from cuda.core import LaunchConfig, launch
-
         pointers, numbers = [int(rooms[name]) for name in ARRAYS], [np.int64(whole[name]) for name in WHOLE]
-        config = LaunchConfig(grid=blocks(whole["threads"]), block=BLOCK)
+        config = self._core.LaunchConfig(grid=blocks(whole["threads"]), block=BLOCK)
         with self._stopping():
-            launch(self._stream, config, self._kernel(loop), *pointers, *numbers)
+            self._core.launch(self._stream, config, self._kernel(loop), *pointers, *numbers)
         self._wait()
 
     def _wait(self) -> None:

@@ -18,7 +18,10 @@ __all__ = ["Device", "HostDevice"]
 class Device(ABC):
     """Memory of its own, and launches of the code of cases. A room is a handle of memory, valid until it is freed."""
 
-    name: str
+    @property
+    @abstractmethod
+    def name(self) -> str:
+        """What it is called in messages."""
 
     @abstractmethod
     def free(self, loop: CaseLoop) -> int:
@@ -56,15 +59,18 @@ class Device(ABC):
 
 
 class HostDevice(Device):
-    """This machine's processor in place of a GPU, thread after thread: how the code is checked where there is none."""
-
-    name = "this processor"
+    """The processor of this machine in place of a GPU, thread after thread: to check the code where there is none."""
 
     def __init__(self, memory: int = 2**30, *, mathematics: bool = True) -> None:
         """``memory``: bytes of its arrays; ``mathematics``: as of :meth:`CaseLoop.native`."""
         self.memory, self.mathematics = memory, mathematics
 
-    def free(self, loop: CaseLoop) -> int:
+    @property
+    def name(self) -> str:
+        """No GPU."""
+        return "this processor"
+
+    def free(self, loop: CaseLoop) -> int:  # noqa: ARG002
         """So many bytes as it was given."""
         return self.memory
 

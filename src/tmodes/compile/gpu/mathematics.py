@@ -1,6 +1,6 @@
 """The functions of the C library that compiled code calls, as code of our own: a GPU has no C library.
 
-Powers control the length of steps alone, where an error of 1e-10 is nothing; sines are as exact as those of near angles.
+Powers only set the lengths of steps: an error of 1e-9 is nothing to them. Sines are as exact as those of near angles.
 """
 
 from __future__ import annotations

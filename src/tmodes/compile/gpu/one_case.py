@@ -1,7 +1,7 @@
 """The IR of one case of many: its numbers from global arrays to its own, the loop of a single run, and back.
 
-A case's numbers stand apart in global memory, so that neighbouring threads read neighbouring addresses. All that the loop
-works on is its own: of a GPU that is local memory, in which the hardware puts the same number of neighbours side by side.
+In global memory number i of all cases stand side by side, so that neighbouring threads read neighbouring addresses. All
+that the loop works on is its own: on a GPU local memory, where the hardware does the same.
 """
 
 from __future__ import annotations
@@ -85,7 +85,7 @@ def _kinds() -> list[tuple[str, Any]]:
 class _OneCase:
     def __init__(self, module: Any, parameters: int, size: int) -> None:
         self.function = declare(module, CASE, VOID, [("thread", I64), *_kinds()])
-        self.argument = dict(zip(("thread", *CASE_ARGUMENTS), self.function.args, strict=True))
+        self.argument: dict[str, Any] = dict(zip(("thread", *CASE_ARGUMENTS), self.function.args, strict=True))
         kinds = [(label, I64 if label in ("segments", "samples") else POINTER) for label in ARGUMENTS]
         self.loop = declare(module, LOOP, VOID, kinds)
         self.b = b = Builder(self.function.append_basic_block("entry"))

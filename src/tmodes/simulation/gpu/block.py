@@ -80,7 +80,12 @@ class Block:
         arrays = {"memory": self.memory, "y": self.state, "k1": np.zeros_like(self.state), "p": parameters}
         arrays |= {"times": self.work.times, "options": _options(settings, 0)}
         schedules, strides = self._schedules()
-        self._whole = {"cases": size, "case_stride": 1, "number_stride": size, "samples": len(self.work.times)} | strides
+        self._whole = {
+            "cases": size,
+            "case_stride": 1,
+            "number_stride": size,
+            "samples": len(self.work.times),
+        } | strides
         for name, array in (arrays | schedules).items():
             self._rooms[name] = device.uploaded(array)
         self._rooms["which"] = device.empty(8 * size)

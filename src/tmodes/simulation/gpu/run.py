@@ -8,21 +8,30 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Sequence
 
-import numpy as np
-
 from tmodes.compile.gpu.device import Device
 from tmodes.errors import SimulationError
+from tmodes.integrate.method import EXPLICIT
+from tmodes.integrate.registry import integrator
 from tmodes.simulation.batch.work import Work
 from tmodes.simulation.gpu.block import Block, bytes_per_case
 from tmodes.simulation.parts import Trajectory
 
-__all__ = ["block_sizes", "run_on_gpu"]
+__all__ = ["block_size", "run_on_gpu", "suits_gpu"]
 
 _FIRST, _SECONDS = 100, 0.05
 """Steps of the first launch, and how long a launch is to take [s]: so long a wish to stop waits."""
 
 _SHARE = 0.9
 """Of the memory that is free."""
+
+
+def suits_gpu(method: str) -> bool:
+    """Whether runs by a method gain from a GPU: explicit ones do.
+
+    The others give the same results there, but one thread computes one after the other what a processor computes in
+    vectors.
+    """
+    return integrator(method).asks == EXPLICIT
 
 
 def run_on_gpu(
@@ -46,7 +55,7 @@ def run_on_gpu(
     done: dict[int, Trajectory] = {}
     reached, stopped = 0.0, False
     for work in works:
-        size, first = block_sizes(work, device), 0
+        size, first = block_size(work, device), 0
         while first < work.inputs.size:
             block = Block(work, range(first, min(first + size, work.inputs.size)))
             before, began = reached, clock()
@@ -67,7 +76,7 @@ def _first_gpu() -> Device:
     return first_gpu()
 
 
-def block_sizes(work: Work, device: Device) -> int:
+def block_size(work: Work, device: Device) -> int:
     """Cases of a work that are on a device at once."""
     free, each = device.free(work.model.case_loop(work.settings.method)), bytes_per_case(work)
     count = int(_SHARE * free) // each
