@@ -8,7 +8,7 @@ import pytest
 from tmodes.compile.lanes.lanes_loop import WIDTH
 from tmodes.errors import InputError
 from tmodes.kinds.signals.schedule import Schedule
-from tmodes.simulation.batch.side_by_side import LINE, private
+from tmodes.simulation.batch.private import LINE, private
 from tmodes.simulation.batch.simulate import simulate_lanes, spans, thread_count
 from tmodes.simulation.batch.work import Work, inputs
 

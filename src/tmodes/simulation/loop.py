@@ -14,9 +14,11 @@ from tmodes.compile.loops.switches import MOST_SWITCHES
 from tmodes.compile.native import Library
 from tmodes.equations.loop.closed_loop import ClosedLoop
 from tmodes.equations.loop.layout import StateLayout
+from tmodes.equations.loop.lean import LeanLoop, Shown, series_schedule
 from tmodes.equations.loop.plan import LoopPlan
 from tmodes.integrate.method import EULER, EXPLICIT, JACOBIAN
 from tmodes.integrate.registry import integrator
+from tmodes.kinds.kernel.schedule import Schedule
 from tmodes.model.passes import derivatives, evaluate
 from tmodes.simulation.plan import Planned
 
@@ -98,6 +100,27 @@ class LoopModel:
 
         schedule, guarded, more = self.loops.stated(method)
         return CaseLoop(schedule, guarded, method, more)
+
+    @cached_property
+    def lean(self) -> LeanLoop:
+        """The same without works, for runs side by side of which only series are wanted."""
+        return LeanLoop(self.plan)
+
+    @cached_property
+    def _series(self) -> dict[Any, Schedule]:
+        return {}
+
+    def series(self, shown: tuple[Shown, ...], given: int, *, after: bool = False) -> Schedule:
+        """The schedule of some series at instants; see :func:`tmodes.equations.loop.lean.series_schedule`."""
+        key = shown, given, after
+        if key not in self._series:
+            self._series[key] = series_schedule(self.lean, shown, given, after=after)
+        return self._series[key]
+
+    def lean_lane_loop(self, method: str, shown: tuple[Shown, ...], given: int, *, folds: bool) -> Library:
+        """The native loop over robots side by side that writes some series, or reduces them (``folds``)."""
+        wanted = self.series(shown, given)
+        return lane_loop(self.lean.rate, 2 * len(self.coordinates), method, wanted, given=given, folds=folds)
 
     @property
     def batch_widths(self) -> dict[str, int]:

@@ -35,7 +35,7 @@ class Trajectory:
     ``status``: finished, stopped_by_condition (at its last time), diverged, step_too_small, not_converged, chattering,
     stopped (steps or time of computing are used up), interrupted.
     ``statistics``: steps, rejected, evaluations, ...; the same for the same run, whatever the machine. ``seconds``: of
-    computing in this process, for each simulated second; no part of a result.
+    computing in this process, for each simulated second, or of the run in a batch; no part of a result.
     """
 
     times: NDArray[np.float64]

@@ -16,7 +16,7 @@ from tmodes.simulation.plan import planned
 from tmodes.simulation.start import RunSetup
 from tmodes.simulation.stops import Instants, Quantity, Stop, Stops, resolved
 
-__all__ = ["refuse_wrong_stops", "run_quantities", "run_stops"]
+__all__ = ["coordinate_units", "refuse_wrong_stops", "run_quantities", "run_stops"]
 
 Array = NDArray[np.float64]
 
@@ -80,14 +80,14 @@ class _Seen:
 
 def _coordinates(setup: RunSetup) -> dict[str, Quantity]:
     layout, found = setup.model.layout, {}
-    for k, (name, unit) in enumerate(zip(setup.model.coordinates, _units(setup), strict=True)):
+    for k, (name, unit) in enumerate(zip(setup.model.coordinates, coordinate_units(setup), strict=True)):
         rate = "1/s" if unit == "-" else f"{unit}/s"
         for kind, of, block in (("position", unit, layout.q), ("velocity", rate, layout.v)):
             found[f"{name}.{kind}"] = Quantity(of, lambda at, column=block.start + k: at.states[:, column])
     return found
 
 
-def _units(setup: RunSetup) -> list[str]:
+def coordinate_units(setup: RunSetup) -> list[str]:
     """Unit of each coordinate: of a sliding joint m, of a link's stretch and shear none, of all others rad."""
     units = dict.fromkeys(setup.model.coordinates, "rad")
     units |= {name: "-" for name in units if name.rpartition(".")[2].startswith(("stretch", "shear"))}

@@ -15,8 +15,9 @@ from llvmlite import ir
 from tmodes.compile.ir.arithmetic import Lanes
 from tmodes.compile.ir.block import ScheduleRate
 from tmodes.compile.ir.emit import I64
-from tmodes.compile.lanes.lanes_loop import LanesLoop, due_samples, write_sample
+from tmodes.compile.lanes.lanes_loop import LanesLoop, Series, due_samples, write_sample
 from tmodes.compile.loops.explicit_loop import adaptive_control, error_of, hermite, interpolation, slopes, stages
+from tmodes.compile.loops.frame import MotionNorm
 from tmodes.compile.loops.gate import gate_change, gate_numbers
 from tmodes.compile.loops.step_control import StepControl, first_length, next_step
 from tmodes.compile.loops.time_loop import AdaptiveStep, Status
@@ -25,9 +26,14 @@ from tmodes.integrate.method import Tableau
 __all__ = ["exponential", "logarithm", "write_lanes_loop"]
 
 
-def write_lanes_loop(module: Any, name: str, rate: ScheduleRate, guarded: int, tableau: Tableau) -> None:
-    """Write the loop of a method: adaptive where it has an embedded error, else with the option ``step``."""
-    loop = LanesLoop(module, name, rate, (*slopes(tableau)[1:], "probe", "new"), guarded)
+def write_lanes_loop(
+    module: Any, name: str, rate: ScheduleRate, guarded: int, tableau: Tableau, series: Series | None = None
+) -> None:
+    """Write the loop of a method: adaptive where it has an embedded error, else with the option ``step``.
+
+    ``series``: what is wanted of each sample; steps are then as long as errors of the motion allow.
+    """
+    loop = LanesLoop(module, name, rate, (*slopes(tableau)[1:], "probe", "new"), guarded, series)
     (_write_fixed if tableau.error is None else _write_adaptive)(loop, tableau)
     loop.builder.branch(loop.again)
 
@@ -41,7 +47,7 @@ def _write_adaptive(loop: LanesLoop, tableau: Tableau) -> None:
     running = loop.running()
     stages(loop, tableau, step.time, step.h)
     loop.count("evaluations", running, float(tableau.own))
-    error = error_of(loop, tableau, step.h)
+    error = error_of(loop, tableau, step.h, MotionNorm(loop, loop.guarded // 2) if loop.series else None)
     size = _size(loop, error)
     good = b.fcmp_ordered("<=", error, loop.constant(1.0))
     _reject(loop, control, b.and_(running, b.not_(good)), step.h, size)
@@ -51,7 +57,7 @@ def _write_adaptive(loop: LanesLoop, tableau: Tableau) -> None:
     accepted = _meet_gate(loop, step.h, b.and_(good, inside))
     with due_samples(loop, accepted, step.time_after) as (due, wanted):
         weights = interpolation(loop, tableau, b.fdiv(b.fsub(wanted, step.time), step.h), step.h)
-        write_sample(loop, due, lambda i: loop.weighted(weights, i))
+        write_sample(loop, due, wanted, lambda i: loop.weighted(weights, i))
     _accept(loop, control, slopes(tableau)[-1], accepted, step, size)
 
 
@@ -144,7 +150,7 @@ def _write_fixed(loop: LanesLoop, tableau: Tableau) -> None:
             loop.evaluate(step.time_after, "new", end)
             loop.count("evaluations", b.and_(due, between))
         weights = hermite(loop, share, step.h, end)
-        write_sample(loop, due, lambda i: b.select(between, loop.weighted(weights, i), loop.load("new", i)))
+        write_sample(loop, due, wanted, lambda i: b.select(between, loop.weighted(weights, i), loop.load("new", i)))
     loop.put("index", b.select(step.last, loop.constant(0.0), step.count), taken)
     loop.take(taken, step.time_after, step.last)
 

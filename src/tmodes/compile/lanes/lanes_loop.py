@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
-from typing import Any
+from typing import Any, Protocol
 
 from llvmlite import ir
 
@@ -19,7 +19,10 @@ from tmodes.compile.ir.emit import F64, I64, POINTER, VOID, at, counted, declare
 from tmodes.compile.loops.frame import Frame
 from tmodes.compile.loops.time_loop import CELLS, Status
 
-__all__ = ["LANE_ARGUMENTS", "LANE_CELLS", "LANE_OPTIONS", "WIDTH", "LanesLoop", "due_samples", "write_sample"]
+__all__ = [
+    "LANE_ARGUMENTS", "LANE_CELLS", "LANE_OPTIONS", "WIDTH", "LanesLoop", "Series", "due_samples", "next_samples",
+    "write_rows", "write_sample",
+]  # fmt: skip
 
 WIDTH = Wide.stride
 """Runs side by side."""
@@ -31,24 +34,48 @@ LANE_OPTIONS = ("step", "rtol", "atol", "chunk", "bound", "most", "most_events",
 """Settings of a loop, the same for all lanes; ``most``: attempted steps of a run after which it is given up."""
 
 LANE_ARGUMENTS = (
-    "memory", "y", "k1", "p", "work", "knots", "rows", "segments", "times", "out", "places", "options",
-    "knot_stride", "row_stride", "samples",
+    "memory", "y", "k1", "p", "work", "knots", "rows", "segments", "times", "out", "places", "options", "table",
+    "weights", "sums", "knot_stride", "row_stride", "table_stride", "samples",
 )  # fmt: skip
-"""Arguments of a loop, in order; the last three are int64, the others point to doubles.
+"""Arguments of a loop, in order; the last four are int64, the others point to doubles.
 
 Of ``memory``, ``y``, ``k1``, ``p`` and ``segments`` the numbers of the lanes stand side by side; ``knots`` and ``rows``
 of a lane begin a stride after those of the lane before; ``out`` is (runs, samples, size), where ``places`` says which
-run is whose.
+run is whose. Where series are wanted, ``table`` has the numbers given for each sample, a stride apart from lane to
+lane, ``weights`` those of the samples in a mean over time, and ``sums`` what series are reduced to.
 """
 
-_INTEGERS = ("knot_stride", "row_stride", "samples")
+_INTEGERS = ("knot_stride", "row_stride", "table_stride", "samples")
+
+
+class Series(Protocol):
+    """What is wanted of each sample: ``rate`` gives it from the state and so many ``given`` numbers behind it."""
+
+    rate: ScheduleRate
+    given: int
+
+    def write(self, loop: LanesLoop, due: Any, time: Any) -> None:
+        """Take the sample in the array ``shown`` of the lanes ``due``, at their ``time``."""
+        ...
 
 
 class LanesLoop(Frame):
     """A vector for each cell, arrays in ``work``, and the blocks ``again`` and ``leave``."""
 
-    def __init__(self, module: Any, name: str, rate: ScheduleRate, scratch_arrays: Sequence[str], guarded: int) -> None:
-        """``guarded``: how many of the first components of the state are watched for divergence."""
+    def __init__(
+        self,
+        module: Any,
+        name: str,
+        rate: ScheduleRate,
+        scratch_arrays: Sequence[str],
+        guarded: int,
+        series: Series | None = None,
+    ) -> None:
+        """``guarded``: how many of the first components of the state are watched for divergence.
+
+        ``series``: what is wanted of each sample in place of the state.
+        """
+        self.series = series
         kinds = [(label, I64 if label in _INTEGERS else POINTER) for label in LANE_ARGUMENTS]
         self.lanes = Wide(module)
         super().__init__(name, rate, self.lanes, kinds, guarded)
@@ -61,6 +88,8 @@ class LanesLoop(Frame):
             self.put(label, self.numbers.load(b, self.argument["memory"], slot))
         if rate.sampled is not None:
             b.call(rate.sampled.prepare, [self.argument["p"], self.array["sampling"]])
+        if series is not None:
+            b.call(series.rate.prepare, [self.argument["p"], self.array["showing"]])
         b.store(number(0.0), self.done)
         self.enter_segments()
         self.again, self.leave = self.block("again"), self.block("leave")
@@ -88,6 +117,9 @@ class LanesLoop(Frame):
     def _lay_out(self, scratch_arrays: Sequence[str]) -> None:
         """The arrays inside ``work``; an exported function ``NAME.work`` says how many numbers they need."""
         sizes = {"held": self.rate.held_size, "row": self.rate.row, "shown": self.size}
+        if self.series is not None:
+            sizes["shown"] += self.series.given
+            sizes |= {"showing": self.series.rate.held_size, "series": self.series.rate.size}
         sizes |= dict.fromkeys(scratch_arrays, self.size)
         if self.rate.sampled is not None:
             sizes |= {"sampling": self.rate.sampled.held_size, "after": self.size}
@@ -154,6 +186,11 @@ class LanesLoop(Frame):
         """Times at which the present segment of each lane's input starts and ends."""
         return self.get("start"), self.get("end")
 
+    def in_last_segment(self) -> Any:
+        """Lanes in the last segment of their input."""
+        after = self.builder.fadd(self.get("segment"), self.constant(1.0))
+        return self.builder.fcmp_ordered(">=", after, self._segments())
+
     def _segments(self) -> Any:
         return self.numbers.load(self.builder, self.argument["segments"], 0)
 
@@ -204,8 +241,10 @@ def due_samples(loop: LanesLoop, who: Any, until: Any) -> Iterator[tuple[Any, An
     check, write, done = loop.block("sample_check"), loop.block("sample_write"), loop.block("sample_done")
     b.branch(check)
     b.position_at_end(check)
-    left, time = _next_samples(loop)
+    left, time = next_samples(loop)
     due = b.and_(b.and_(who, left), b.fcmp_ordered("<=", time, until))
+    if loop.series is not None:  # at a knot the next row is that of the sample
+        due = b.and_(due, b.or_(b.fcmp_ordered("<", time, loop.get("end")), loop.in_last_segment()))
     b.cbranch(loop.any(due), write, done)
     b.position_at_end(write)
     yield due, time
@@ -214,7 +253,7 @@ def due_samples(loop: LanesLoop, who: Any, until: Any) -> Iterator[tuple[Any, An
     b.position_at_end(done)
 
 
-def _next_samples(loop: LanesLoop) -> tuple[Any, Any]:
+def next_samples(loop: LanesLoop) -> tuple[Any, Any]:
     """In which lanes a sample is left, and its time; the last time where none is."""
     b: Any = loop.builder
     time = left = None
@@ -228,16 +267,24 @@ def _next_samples(loop: LanesLoop) -> tuple[Any, Any]:
     return left, time
 
 
-def write_sample(loop: LanesLoop, due: Any, value_of: Any) -> None:
-    """Write ``value_of(i)`` of all components into the next sample of the lanes ``due``."""
-    b: Any = loop.builder
-    with counted(b, loop.size) as i:
+def write_sample(loop: LanesLoop, due: Any, time: Any, value_of: Any) -> None:
+    """Write ``value_of(i)`` of all components, or the series of that state, as the next sample of the lanes ``due``."""
+    with counted(loop.builder, loop.size) as i:
         loop.store(value_of(i), "shown", i)
+    if loop.series is None:
+        write_rows(loop, due, "shown", loop.size)
+    else:
+        loop.series.write(loop, due, time)
+
+
+def write_rows(loop: LanesLoop, due: Any, label: str, size: int) -> None:
+    """Write the numbers of an array into the next samples of the lanes ``due``."""
+    b: Any = loop.builder
     for lane in range(WIDTH):
         with b.if_then(b.extract_element(due, whole(lane))):
             index = b.fptosi(b.extract_element(loop.get("sample"), whole(lane)), I64)
             place = b.fptosi(load(b, loop.argument["places"], lane), I64)
             index = b.add(index, b.mul(loop.argument["samples"], place))
-            target = at(b, loop.argument["out"], b.mul(index, whole(loop.size)))
-            with counted(b, loop.size) as i:
-                store(b, load(b, loop.array["shown"], b.add(b.mul(i, whole(WIDTH)), whole(lane))), target, i)
+            target = at(b, loop.argument["out"], b.mul(index, whole(size)))
+            with counted(b, size) as i:
+                store(b, load(b, loop.array[label], b.add(b.mul(i, whole(WIDTH)), whole(lane))), target, i)

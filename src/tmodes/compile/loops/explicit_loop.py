@@ -6,7 +6,7 @@ from typing import Any
 
 from tmodes.compile.ir.block import ScheduleRate
 from tmodes.compile.ir.emit import counted, number, store
-from tmodes.compile.loops.frame import Frame
+from tmodes.compile.loops.frame import Frame, MotionNorm
 from tmodes.compile.loops.step_control import ExplicitMethod, FixedGate, StepControl, next_step, take_step
 from tmodes.compile.loops.stiffness import StiffnessTest
 from tmodes.compile.loops.time_loop import Status, TimeLoop
@@ -47,8 +47,8 @@ def adaptive_control(tableau: Tableau) -> StepControl:
     return StepControl(order + 1.0, tableau.beta, 0.75, tableau.smallest, tableau.largest, tableau.safety)
 
 
-def error_of(loop: Frame, tableau: Tableau, h: Any) -> Any:
-    """The error of a step over its tolerance."""
+def error_of(loop: Frame, tableau: Tableau, h: Any, norm: MotionNorm | None = None) -> Any:
+    """The error of a step over its tolerance: component by component, or by a ``norm`` of motions."""
     b = loop.builder
 
     def difference(i: Any) -> Any:
@@ -58,7 +58,7 @@ def error_of(loop: Frame, tableau: Tableau, h: Any) -> Any:
                 total = b.fadd(total, b.fmul(loop.constant(weight), loop.load(stage, i)))
         return b.fmul(h, total)
 
-    return loop.mean_square(difference, "y", "new")
+    return norm.of_error(difference, "new", "y", h) if norm else loop.mean_square(difference, "y", "new")
 
 
 def interpolation(loop: Frame, tableau: Tableau, s: Any, h: Any) -> dict[str, Any]:

@@ -8,7 +8,7 @@ from typing import Any
 from tmodes.compile.ir.arithmetic import Double
 from tmodes.compile.ir.block import ScheduleRate
 from tmodes.compile.ir.builder import Builder
-from tmodes.compile.ir.emit import F64, VOID, at, counted, declare, number, whole
+from tmodes.compile.ir.emit import VOID, at, counted, declare, whole
 
 __all__ = ["Frame", "MotionNorm"]
 
@@ -127,7 +127,7 @@ class MotionNorm:
 
     def __init__(self, loop: Frame, pairs: int) -> None:
         self.loop, self.pairs, self.b = loop, pairs, loop.builder
-        self.total, self.largest = loop.local("norm"), loop.local("largest")
+        self.total, self.largest, self.zero = loop.local("norm"), loop.local("largest"), loop.constant(0.0)
 
     def of_difference(self, one: str, other: str, before: str, h: Any) -> Any:
         """Norm of ``one`` - ``other``; scales of ``one`` and ``before``."""
@@ -140,7 +140,7 @@ class MotionNorm:
         What stands behind the rates (works, currents) is measured by the largest among it.
         """
         b, n, rest = self.b, self.pairs, self.loop.size - 2 * self.pairs
-        b.store(number(0.0), self.total)
+        b.store(self.zero, self.total)
         with counted(b, n, "pair") as i:
             paired = b.add(i, whole(n))
             scale = self._scale(self._size(i, one, before))
@@ -148,13 +148,13 @@ class MotionNorm:
             rate = error(paired)
             shares = [b.fdiv(b.fmul(h, rate), scale), b.fdiv(rate, self._scale(self._size(paired, one, before)))]
             self._add(self.loop.intrinsic("minnum", *(self.loop.intrinsic("fabs", share) for share in shares)))
-        b.store(number(0.0), self.largest)
+        b.store(self.zero, self.largest)
         with counted(b, rest, "size") as i:
             size = self._size(b.add(i, whole(2 * n)), one, before)
-            b.store(self.loop.intrinsic("maxnum", b.load(self.largest, typ=F64), size), self.largest)
+            b.store(self.loop.intrinsic("maxnum", self._now(self.largest), size), self.largest)
         with counted(b, rest, "rest") as i:
-            self._add(b.fdiv(error(b.add(i, whole(2 * n))), self._scale(b.load(self.largest, typ=F64))))
-        mean = b.fdiv(b.load(self.total, typ=F64), number(float(max(self.loop.size, 1))))
+            self._add(b.fdiv(error(b.add(i, whole(2 * n))), self._scale(self._now(self.largest))))
+        mean = b.fdiv(self._now(self.total), self.loop.constant(float(max(self.loop.size, 1))))
         return self.loop.intrinsic("sqrt", mean)
 
     def _size(self, i: Any, one: str, before: str) -> Any:
@@ -167,4 +167,7 @@ class MotionNorm:
 
     def _add(self, ratio: Any) -> None:
         term = self.b.fmul(ratio, ratio)
-        self.b.store(self.b.fadd(self.b.load(self.total, typ=F64), term), self.total)
+        self.b.store(self.b.fadd(self._now(self.total), term), self.total)
+
+    def _now(self, local: Any) -> Any:
+        return self.b.load(local, typ=self.loop.numbers.kind)

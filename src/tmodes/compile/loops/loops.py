@@ -78,10 +78,11 @@ def goes_side_by_side(method: str) -> bool:
     return one is not None and one.tableau is not None
 
 
-def lane_loop(schedule: Any, guarded: int, method: str) -> Library:
+def lane_loop(schedule: Any, guarded: int, method: str, shown: Any = None, *, given: int = 0, folds: bool = False) -> Library:
     """As :func:`schedule_loop`, of an explicit method over runs side by side.
 
-    ``METHOD.work`` gives how many numbers the loop works on.
+    ``METHOD.work`` gives how many numbers the loop works on. ``shown``: a schedule of time, state and so many ``given``
+    numbers, and row, whose outputs are wanted of each sample: they are written, or with ``folds`` reduced at once.
     """
     from tmodes.compile.ir.arithmetic import Wide
     from tmodes.compile.lanes.lanes_loop import LANE_ARGUMENTS
@@ -91,14 +92,20 @@ def lane_loop(schedule: Any, guarded: int, method: str) -> Library:
 
         from tmodes.compile.ir.block import write_rate
         from tmodes.compile.lanes.lanes_explicit import write_lanes_loop
+        from tmodes.compile.lanes.series import Folded, Written
 
-        module, tableau = ir.Module(method), integrator(method).tableau
+        module, tableau, series = ir.Module(method), integrator(method).tableau, None
         assert tableau is not None  # noqa: S101
-        write_lanes_loop(module, method, write_rate(module, schedule, Wide(module), "rate"), guarded, tableau)
+        rate = write_rate(module, schedule, Wide(module), "rate")
+        if shown is not None:
+            series = (Folded if folds else Written)(write_rate(module, shown, Wide(module), "shown"), given)
+        write_lanes_loop(module, method, rate, guarded, tableau, series)
         return module
 
     def imports() -> dict[str, Library]:
-        return called(schedule, Wide.name) | called(schedule.sampled, Wide.name)
+        found = [called(each, Wide.name) for each in (schedule, schedule.sampled, shown)]
+        return {symbol: kernel for each in found for symbol, kernel in each.items()}
 
     functions = {method: len(LANE_ARGUMENTS), f"{method}.work": 1}
-    return library(f"lane loop {integrator(method).key}", schedule.key, write, functions, 3, imports)
+    kind = f"{shown.key} {given} {folds}" if shown else ""
+    return library(f"lane loop {kind} {integrator(method).key}", schedule.key, write, functions, 3, imports)

@@ -163,6 +163,8 @@ def _power_of_base(push: Any, rate: Any, pose: Any) -> list[list[Any]]:
 class ClosedLoop(LoopParts):
     """The schedules of a plan; every schedule reads the same parameters."""
 
+    keeps_works = True
+
     @cached_property
     def rate(self) -> Schedule:
         """(time, state, row, step) -> derivative of the state."""
@@ -189,7 +191,8 @@ class ClosedLoop(LoopParts):
         currents = [instant.change[k] for k in sorted(instant.change)]
         controls = [instant.controls[k] for k in sorted(instant.controls)]
         surface = instant.switching.surface_rate
-        works, still = Powers(instant).works, [self.parts.none[1]] * self.modes
+        works = Powers(instant).works if self.keeps_works else []
+        still = [self.parts.none[1]] * self.modes
         instant.schedule.often = True
         instant.schedule.sampled, instant.schedule.switched = self.sampled, self.switched
         instant.schedule.switches, instant.schedule.narrow = instant.switching.functions, narrow_rates(instant)

@@ -30,13 +30,24 @@ class Instant(Serving):
     ``dead``: wrenches on points but for the contact's. ``switching``: what sticks, and what slips.
     """
 
-    def __init__(self, loop: LoopParts, *, apart: bool = False, euler: bool = False, after: bool = False) -> None:
+    def __init__(
+        self,
+        loop: LoopParts,
+        *,
+        apart: bool = False,
+        euler: bool = False,
+        after: bool = False,
+        posed: bool = False,
+        given: int = 0,
+    ) -> None:
         """``apart``: springs, dampers and servos start from an input of their own, ``start`` (coordinates, rates).
 
         ``euler``: the state has the rates of the start, so that a surface can be taken at the end of the step too.
-        ``after``: controllers are shown as they are after the samples with which the row begins.
+        ``after``: controllers are shown as they are after the samples with which the row begins. ``posed``: poses are
+        asked for; ``given``: numbers behind the state that are compared with.
         """
-        super().__init__(loop, implicit=apart)
+        super().__init__(loop, implicit=apart, given=given)
+        self.posed = posed or bool(self.plan.loads or self.plan.touch)
         self.after = after
         self.way = self._outwards()
         self.apart, self.euler, self.start = apart, euler, self._start(apart=apart)
@@ -59,8 +70,7 @@ class Instant(Serving):
         base = self.loop.base
         if self.plan.base:
             base = self.call(base_kernel(), base, *(self.signals[k] for k in self.plan.base))[0]
-        posed = bool(self.plan.loads or self.plan.touch)
-        return self.loop.mechanics.way(Blocks(self.schedule, q, rates, base), posed=posed)
+        return self.loop.mechanics.way(Blocks(self.schedule, q, rates, base), posed=self.posed)
 
     def _start(self, *, apart: bool) -> tuple[Divisible, Slot]:
         """Coordinates and rates that springs start from: an input of implicit steps, else those of the state."""

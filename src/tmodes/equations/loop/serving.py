@@ -23,13 +23,14 @@ class Serving:
     mass_step: Slot
     mode: Slot
 
-    def __init__(self, loop: LoopParts, *, implicit: bool = False) -> None:
-        """``implicit``: the input ``step`` may be other than zero."""
+    def __init__(self, loop: LoopParts, *, implicit: bool = False, given: int = 0) -> None:
+        """``implicit``: the input ``step`` may be other than zero; ``given``: so many numbers stand behind the state."""
         self.loop, self.plan, self.parts = loop, loop.plan, loop.parts
         self.none = loop.parts.none
         self.schedule = Schedule(loop.parts.numbers.size, zeros=loop.mechanics.zeros)
         self.time = self.schedule.input("time", 1)
-        self.state = self.schedule.input("state", loop.layout.size)
+        whole = self.schedule.input("state", loop.layout.size + given)
+        self.state, self.given = whole.part(0, loop.layout.size), whole.part(loop.layout.size, given)
         self.row = self.schedule.input("row", loop.plan.row_size)
         self.step = self.schedule.input("step", 1)
         if not implicit:  # always zero then: what it multiplies folds away

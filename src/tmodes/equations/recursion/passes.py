@@ -9,7 +9,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.chain.chain import Chain
-from tmodes.equations.recursion.body_kernels import body_inertia_kernel, body_kernel, push_kernel, sum_kernel
+from tmodes.equations.recursion.body_kernels import (
+    body_inertia_kernel,
+    body_kernel,
+    point_kernel,
+    push_kernel,
+    sum_kernel,
+)
 from tmodes.equations.recursion.driven import Coordinates
 from tmodes.equations.recursion.general_joint import GeneralJoint
 from tmodes.equations.recursion.hinge import POSE, Hinge
@@ -203,6 +209,18 @@ class Passes(Coordinates):
         if station is None:
             return way.tip_pose, way.root_pose, way.tip_rate
         return way.section_poses[station], way.root_pose, way.sections[station].part(12, 3)
+
+    def pose(self, k: int) -> tuple[Slot, Slot]:
+        """Pose and velocity of a point, and its rate, in world axes."""
+        point = self.parts.points[k]
+        here, station = self.ways[point.node], self.parts.station(point)
+        pose, section = here.tip_pose, here.tip
+        if station is not None:
+            pose, section = here.section_poses[station], here.sections[station]
+        assert pose is not None  # noqa: S101
+        rate = section.part(12, 3) if section else here.tip_rate
+        still, kernel = self.none[FORCE], point_kernel(on_section=section is not None)
+        return self.schedule.call(kernel, pose, self.frame(section), rate, still, self.parts.offsets[k])[:2]
 
     def offset(self, k: int) -> Slot:
         """Placement of a point in the frame of :meth:`frame_of`."""

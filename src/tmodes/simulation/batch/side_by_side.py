@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
-from math import prod
 from typing import Any
 
 import numpy as np
@@ -14,14 +13,19 @@ from tmodes.compile.lanes.lanes_loop import LANE_ARGUMENTS, LANE_CELLS, LANE_OPT
 from tmodes.compile.loops.time_loop import CELLS, Status
 from tmodes.integrate.settings import Integration
 from tmodes.simulation import native_run
+from tmodes.simulation.batch.private import private
 from tmodes.simulation.batch.result import COUNTS
+from tmodes.simulation.batch.wanted import Given
 from tmodes.simulation.batch.work import Work
 from tmodes.simulation.native_run import BOUND, NativeRun
 from tmodes.simulation.parts import Trajectory
 
-__all__ = ["LINE", "Alone", "Room", "SideBySide", "info", "lane_run", "private"]
+__all__ = ["Alone", "Room", "SideBySide", "info", "lane_run"]
 
 Array = NDArray[np.float64]
+
+NOTHING = np.zeros(1)
+SERIES_ARGUMENTS = ("table", "weights", "sums")
 
 _FRESH = {"sample": 1.0, "fresh": 1.0, "old_error": math.log2(1e-4)}
 
@@ -30,9 +34,12 @@ class Room:
     """What the native loop of one thread works on, and what is the same for all groups of lanes that go through it."""
 
     def __init__(self, work: Work) -> None:
-        method, size = work.settings.method, work.inputs.starts.shape[1]
-        library = work.model.lane_loop(method)
+        method, size, wanted = work.settings.method, work.inputs.starts.shape[1], work.wanted
+        library = work.model.lane_loop(method) if wanted is None else wanted.library(work.model, method)
+        if wanted is not None:
+            size = work.model.lean.layout.size
         self.loop, self.work = library[method], work
+        self.given = None if wanted is None else Given(wanted)
         self.memory, self.options = private(len(LANE_CELLS), WIDTH), private(len(LANE_OPTIONS))
         self.state, self.slope = private(size, WIDTH), private(size, WIDTH)
         self.parameters = private(work.inputs.parameters.shape[1], WIDTH)
@@ -44,11 +51,14 @@ class Room:
     def take(self, which: list[int]) -> None:
         """The numbers of these lanes."""
         inputs = self.work.inputs
-        self.state[:], self.parameters[:] = inputs.starts[which].T, inputs.parameters[which].T
+        self.state[:], self.parameters[:] = inputs.starts[which, : len(self.state)].T, inputs.parameters[which].T
         self.slope[:], self.memory[:] = 0.0, 0.0
         self.places[:] = self.work.places[which]
         for name, value in _FRESH.items():
             self.cell(name)[:] = value
+        if self.given is not None:
+            self.cell("sample")[:] = 0.0  # the start is a sample like any other
+            self.given.take(self.work.places[which])
         if len(inputs.schedules) > 1:
             self._take_schedules(which)
         if len(inputs.schedules) > 1 or not self._given:
@@ -83,11 +93,13 @@ class Room:
             "memory": self.memory, "y": self.state, "k1": self.slope, "p": self.parameters, "work": self.scratch,
             "knots": self.knots, "rows": self.rows, "segments": self.segments, "times": self.work.times,
             "out": self.work.states, "places": self.places, "options": self.options,
-        }  # fmt: skip
+        } | {name: NOTHING for name in SERIES_ARGUMENTS}  # fmt: skip
+        if self.given is not None:
+            arrays |= self.given.arrays
         given: dict[str, int] = {name: array.ctypes.data for name, array in arrays.items()}
         apart = len(self.knots) > 1
         given |= {"knot_stride": apart * self.knots.shape[1], "row_stride": apart * self.rows[0].size}
-        given |= {"samples": len(self.work.times)}
+        given |= {"table_stride": self.given.stride if self.given else 0, "samples": len(self.work.times)}
         return {name: given[name] for name in LANE_ARGUMENTS}
 
 
@@ -100,7 +112,8 @@ class SideBySide:
         room.take([min(lane, lanes.stop - 1) for lane in range(lanes.start, lanes.start + WIDTH)])
         status[: len(lanes)][~np.isfinite(starts).all(axis=1)] = float(Status.DIVERGED)
         status[len(lanes) :] = float(Status.FINISHED)
-        self.work.states[self.work.places[lanes.start : lanes.stop], 0] = starts
+        if self.work.wanted is None:
+            self.work.states[self.work.places[lanes.start : lanes.stop], 0] = starts
 
     def advance(self, steps: int) -> None:
         """Do at most so many steps."""
@@ -120,26 +133,35 @@ class SideBySide:
 
     def ended(self, seconds: float) -> list[Trajectory]:
         """Each run as it stands, after so much time of computing [s]."""
+        if self.room.given is not None:
+            self.room.given.keep(self.work.places[self.lanes.start : self.lanes.stop])
         finished = (self.room.cell("status") == float(Status.FINISHED)).tolist()
         counts = dict(zip(COUNTS, (self.room.cell(name).tolist() for name in COUNTS), strict=True))
         like: Trajectory | None = None
         runs = []
         for place, lane in enumerate(self.lanes):
             if like is not None and finished[place]:
-                runs.append(self._finished(lane, like, {name: values[place] for name, values in counts.items()}))
+                own = {name: values[place] for name, values in counts.items()}
+                runs.append(self._finished(lane, like, own))
                 continue
-            runs.append(info(self._run(place, lane), seconds))
+            share = seconds / len(self.lanes)
+            runs.append(self._without_samples(replace(info(self._run(place, lane), seconds), seconds=share)))
             like = runs[-1] if finished[place] else like
         return runs
 
+    def _without_samples(self, run: Trajectory) -> Trajectory:
+        """A run without samples, where series are wanted in place of them."""
+        return run if self.work.wanted is None else replace(run, states=run.states[:0].copy())
+
     def _finished(self, lane: int, like: Trajectory, counts: dict[str, float]) -> Trajectory:
         """What most lanes come to, in short: all the same words."""
-        return Trajectory(like.times, self.work.states[self.work.places[lane]], like.status, like.message, counts)
+        states = like.states if self.work.wanted else self.work.states[self.work.places[lane]]
+        return Trajectory(like.times, states, like.status, like.message, counts, like.seconds)
 
     def _run(self, place: int, lane: int) -> NativeRun:
         run = lane_run(self.work, lane)
         run.memory[:] = self.room.memory[: len(CELLS), place]
-        run.state[:] = self.room.state[:, place]
+        run.state[: len(self.room.state)] = self.room.state[:, place]
         return run
 
 
@@ -156,27 +178,11 @@ def _scratch_size(library: Any, method: str) -> int:
     return int(size[0])
 
 
-LINE = 128
-"""Bytes that processors fetch together: a line of the cache and its neighbour."""
-
-
-def private(*shape: int) -> NDArray[np.float64]:
-    """Zeros that begin on such a line and have their last one for themselves.
-
-    Vectors across two lines are slow to load, and a line that two threads write wanders between their cores.
-    """
-    item = np.dtype(np.float64).itemsize
-    lines = -(-prod(shape) * item // LINE) + 1
-    room = np.zeros(lines * LINE // item)
-    start = -(room.ctypes.data // item) % (LINE // item)
-    return room[start : start + prod(shape)].reshape(shape)
-
-
 class Alone:
     """A lane by itself, advanced piece by piece."""
 
     def __init__(self, work: Work, lane: int) -> None:
-        self.run = lane_run(work, lane)
+        self.run, self.work, self.lane = lane_run(work, lane), work, lane
         if not np.isfinite(work.inputs.starts[lane]).all():
             self.run.memory[CELLS.index("status")] = float(Status.DIVERGED)
 
@@ -197,16 +203,19 @@ class Alone:
 
     def ended(self, seconds: float) -> list[Trajectory]:
         """The run as it stands, after so much time of computing [s]."""
-        return [info(self.run, seconds)]
+        done, work = replace(info(self.run, seconds), seconds=seconds), self.work
+        if work.wanted is None:
+            return [done]
+        work.wanted.take(work.model, self.run.parameters, work.inputs.schedule(self.lane), done, work.places[self.lane])
+        return [replace(done, states=done.states[:0].copy())]
 
 
 def lane_run(work: Work, lane: int) -> NativeRun:
     """A lane as a run by itself, before its first step; its samples are those of the batch."""
     inputs = work.inputs
     numbers = inputs.parameters[lane]
-    return NativeRun(
-        work.model, numbers, inputs.schedule(lane), inputs.starts[lane], work.settings, work.states[work.places[lane]]
-    )
+    samples = None if work.wanted else work.states[work.places[lane]]
+    return NativeRun(work.model, numbers, inputs.schedule(lane), inputs.starts[lane], work.settings, samples)
 
 
 def info(run: NativeRun, seconds: float) -> Trajectory:

@@ -22,6 +22,7 @@ from tmodes.integrate.settings import Integration, refuse_stops
 from tmodes.kinds.signals.schedule import Schedule
 from tmodes.simulation.batch.result import BatchRun, gathered, room_for, stored
 from tmodes.simulation.batch.side_by_side import Alone, Room, SideBySide
+from tmodes.simulation.batch.wanted import Wanted
 from tmodes.simulation.batch.work import Work, inputs
 from tmodes.simulation.loop import LoopModel
 from tmodes.simulation.parts import Trajectory, sample_times
@@ -169,9 +170,9 @@ def simulate_lanes(
     return stored(batch, folder)
 
 
-def prepare_loops(model: LoopModel, method: str) -> None:
+def prepare_loops(model: LoopModel, method: str, wanted: Wanted | None = None) -> None:
     """Compile once, before the threads want the loop."""
     if model.goes_side_by_side(method):
-        model.lane_loop(method)
+        wanted.library(model, method) if wanted else model.lane_loop(method)
     else:
         model.loops[method]

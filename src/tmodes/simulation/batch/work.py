@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from tmodes.errors import InputError
 from tmodes.integrate.settings import Integration
 from tmodes.kinds.signals.schedule import Schedule
+from tmodes.simulation.batch.wanted import Wanted
 from tmodes.simulation.loop import LoopModel
 
 __all__ = ["Inputs", "Work", "inputs"]
@@ -44,6 +45,7 @@ class Work:
     """Runs of one structure before they go.
 
     ``states`` (all, samples, nx): where the samples of all runs are written; ``places`` (k,): which are these lanes'.
+    ``wanted``: series in place of the samples; ``states`` is then (all, 0, nx).
     """
 
     model: LoopModel
@@ -52,6 +54,7 @@ class Work:
     times: Array
     states: Array
     places: NDArray[np.int64]
+    wanted: Wanted | None = None
 
 
 def inputs(

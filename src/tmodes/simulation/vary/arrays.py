@@ -15,6 +15,7 @@ from tmodes.model.forms import Unfit
 from tmodes.sheet import Robot
 from tmodes.simulation.start import RunSetup
 from tmodes.simulation.vary.cases import Cases
+from tmodes.simulation.vary.lanes import Side
 from tmodes.simulation.vary.lots import Lot
 
 __all__ = ["array_lots"]
@@ -29,7 +30,11 @@ _SAME_START = 1e-9
 
 
 def array_lots(
-    sheet: Robot, values: Mapping[str, Array], one: Callable[[int], RunSetup | str], progress: Callable[[float], None]
+    sheet: Robot,
+    values: Mapping[str, Array],
+    one: Callable[[int], RunSetup | str],
+    progress: Callable[[float], None],
+    side: Side = Side.ACTUAL,
 ) -> list[Lot]:
     """Lots of the cases that can be prepared as arrays; ``one`` prepares a case by itself, as most others are to be.
 
@@ -45,7 +50,7 @@ def array_lots(
     if not setups:
         return []
     try:
-        cases = Cases(sheet, dict(zip(values, whole_of[:, plain], strict=True)), next(iter(setups.values())))
+        cases = Cases(sheet, dict(zip(values, whole_of[:, plain], strict=True)), next(iter(setups.values())), side)
         starts = cases.starts(progress)
     except Unfit:
         return []

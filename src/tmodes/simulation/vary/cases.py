@@ -21,6 +21,7 @@ from tmodes.sheet import Robot
 from tmodes.simulation.loop import LoopModel, loop_numbers, whole
 from tmodes.simulation.plan import Follow, planned, starts_at_rest
 from tmodes.simulation.start import RunSetup, held_at_start, placed_state, slipping, undeformed
+from tmodes.simulation.vary.lanes import Side
 from tmodes.simulation.vary.lots import Indices, LaneNumbers, Lot
 from tmodes.simulation.vary.rests import rests
 
@@ -45,11 +46,12 @@ _SURELY = 2.0
 
 @dataclass(frozen=True, eq=False)
 class Cases:
-    """k cases of a sheet: ``values`` (k,) of each path; ``like``: one of them."""
+    """k cases of a sheet: ``values`` (k,) of each path; ``like``: one of them; ``side``: which of its robots runs."""
 
     sheet: Robot
     values: Mapping[str, Array]
     like: RunSetup
+    side: Side = Side.ACTUAL
 
     @cached_property
     def ranges(self) -> tuple[Range, ...]:
@@ -87,13 +89,13 @@ class Cases:
     def _at(self, point: Mapping[int, float]) -> tuple[Array, Any]:
         at = [point.get(k, one.start) for k, one in enumerate(self.ranges)]
         try:
-            return self._of(self.sheet.with_(dict(zip(self.values, at, strict=True))).pair().real)
+            return self._of(self.side.of(self.sheet.with_(dict(zip(self.values, at, strict=True))).pair()))
         except (InputError, InputErrors) as error:
             raise Unfit({max(point, default=0): f"the sheet refuses it: {error}"}) from error
 
     def _of(self, robot: Robot) -> tuple[Array, Any]:
         """The numbers of a robot, and all that must be the same for all cases."""
-        plan, rest = planned(robot), planned(robot, Follow.HELD)
+        plan, rest = planned(robot, self.side.follow), planned(robot, Follow.HELD)
         model, chain, held = LoopModel(plan.plan), Model(plan.chain, trials=True), LoopModel(rest.plan)
         at_start, at_rest = held_at_start(robot, model), starts_at_rest(robot)
         pose = np.full(chain.nq, np.nan) if at_rest else undeformed(model.coordinates, at_start)

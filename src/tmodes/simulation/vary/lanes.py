@@ -4,16 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Hashable, Mapping, Sequence
 from dataclasses import dataclass
+from enum import Enum
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.errors import InputError, InputErrors
-from tmodes.sheet import Robot
+from tmodes.sheet import Robot, RobotPair
+from tmodes.simulation.plan import Follow
 from tmodes.simulation.start import RunSetup
 
-__all__ = ["Columns", "changed_sheet", "structure_of"]
+__all__ = ["Columns", "Side", "changed_sheet", "structure_of"]
 
 Array = NDArray[np.float64]
 
@@ -81,10 +83,27 @@ class Columns:
         return found
 
 
-def changed_sheet(sheet: Robot, changes: Mapping[str, Any], lane: int) -> Robot:
-    """The checked sheet of a lane as it really is; errors say which lane they are of."""
+class Side(Enum):
+    """Which of the two robots of a case runs, and what its motors do."""
+
+    ACTUAL = "actual"
+    NOMINAL = "nominal"
+    PLANNED = "planned"  # the nominal robot, its motors where they should be
+
+    def of(self, pair: RobotPair) -> Robot:
+        """The robot."""
+        return pair.real if self is Side.ACTUAL else pair.nominal
+
+    @property
+    def follow(self) -> Follow:
+        """What its motors do."""
+        return Follow.WANTED if self is Side.PLANNED else Follow.SHEET
+
+
+def changed_sheet(sheet: Robot, changes: Mapping[str, Any], lane: int, side: Side = Side.ACTUAL) -> Robot:
+    """The checked sheet of a lane as it really is, or as it is known; errors say which lane they are of."""
     try:
-        return sheet.with_(changes).pair().real
+        return side.of(sheet.with_(changes).pair())
     except InputErrors as wrong:
         raise InputErrors([_placed(error, lane) for error in wrong.errors]) from None
     except InputError as error:

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from tmodes.kinds.signals.schedule import Schedule
 from tmodes.simulation.batch.simulate import prepare_loops
+from tmodes.simulation.batch.wanted import Wanted
 from tmodes.simulation.batch.work import Work, inputs
 from tmodes.simulation.start import RunSetup
 from tmodes.simulation.vary.lanes import structure_of
@@ -51,12 +52,12 @@ class Lot:
         places, starts = self.places[start:end] - first, self.starts[start:end]
         return Lot(self.like, places, starts, lambda which: self.numbers(start + which))
 
-    def work(self, times: Array, room: Array) -> Work:
-        """What is to run, its samples in a ``room`` (all, n, nx)."""
+    def work(self, times: Array, room: Array, wanted: Wanted | None = None) -> Work:
+        """What is to run, its samples in a ``room`` (all, n, nx); or series that are ``wanted`` in their place."""
         model, settings, found = self.like.model, self.like.robot.integration, self.numbers(np.arange(len(self.places)))
-        prepare_loops(model, settings.method)
+        prepare_loops(model, settings.method, wanted)
         info = inputs(found.parameters, found.schedules, self.starts, settings.duration, model.batch_widths)
-        return Work(model, info, settings, times, room, self.places)
+        return Work(model, info, settings, times, room, self.places, wanted)
 
     def tips(self, which: Indices, times: Array, states: Sequence[Array]) -> Array:
         """Where the tips of m lanes are in the world, (m, n, 3) [m], in ``states`` (n, nx) of this structure each."""

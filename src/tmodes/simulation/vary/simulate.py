@@ -21,10 +21,10 @@ from tmodes.simulation.batch.simulate import run_all, thread_count
 from tmodes.simulation.parts import Trajectory, sample_times
 from tmodes.simulation.start import RunSetup, run_setup
 from tmodes.simulation.vary.arrays import array_lots
-from tmodes.simulation.vary.lanes import Columns, changed_sheet
+from tmodes.simulation.vary.lanes import Columns, Side, changed_sheet
 from tmodes.simulation.vary.lots import Indices, Lot, lots_of
 
-__all__ = ["Prepared", "prepared", "run_prepared", "simulate_batch"]
+__all__ = ["Prepared", "changes_of", "checked", "prepared", "run_prepared", "simulate_batch"]
 
 Array = NDArray[np.float64]
 Progress = Callable[[str, float], None]
@@ -98,14 +98,15 @@ def prepared(
     out: str | os.PathLike[str] | None = None,
     keep: bool = True,
     progress: Progress = lambda stage, share: None,
+    side: Side = Side.ACTUAL,
 ) -> Prepared:
     """All that can be wrong with a batch is reported here, before anything runs; see :func:`simulate_batch`.
 
     ``vary`` None: the sheet as it stands, as a batch of one lane. The room of samples to ``keep`` is asked for as soon
-    as the size of a state is known.
+    as the size of a state is known. ``side``: which robot runs.
     """
     refuse_other(sheet)
-    values, folder = {} if vary is None else _checked(vary), None if out is None else Path(out)
+    values, folder = {} if vary is None else checked(vary), None if out is None else Path(out)
     size = len(next(iter(values.values()))) if values else 1
     refuse_stops(sheet.integration, "all lanes of a batch run")
     if sheet.integration.energy_stop:
@@ -117,15 +118,14 @@ def prepared(
     def one(index: int) -> RunSetup | str:
         nonlocal columns
         if index not in lanes:
-            changes = {path: _plain(numbers[index]) for path, numbers in values.items()}
-            lanes[index] = lane = _lane(sheet, changes, index)
+            lanes[index] = lane = _lane(sheet, changes_of(values, index), side, index)
             if isinstance(lane, RunSetup) and (columns is None or not columns.have(lane)):
                 columns = Columns.of_all([lane for lane in lanes.values() if isinstance(lane, RunSetup)], index)
                 check_room((size if keep else 1, len(times), columns.width), folder)
         return lanes[index]
 
     one(0)
-    lots = array_lots(sheet, values, one, lambda share: progress("preparing", share)) if values else []
+    lots = array_lots(sheet, values, one, lambda share: progress("preparing", share), side) if values else []
     done = np.zeros(size, dtype=bool)
     for lot in lots:
         done[lot.places] = True
@@ -215,7 +215,7 @@ def _tips(batch: Prepared, room: Array, threads: int, progress: Progress) -> Arr
     return tips
 
 
-def _checked(vary: Mapping[str, ArrayLike]) -> dict[str, Array]:
+def checked(vary: Mapping[str, ArrayLike]) -> dict[str, Array]:
     """The numbers of each path, (k,)."""
     if not vary:
         raise InputError("vary", "no path", "paths, each with its numbers", 'write vary={"payload.mass": [0.4, 0.5]}')
@@ -241,10 +241,15 @@ def _plain(value: np.float64) -> float | int:
     return int(number) if number.is_integer() and abs(number) < 2**53 else number
 
 
-def _lane(sheet: Robot, changes: Mapping[str, float | int], index: int) -> RunSetup | str:
+def changes_of(values: Mapping[str, Array], index: int) -> dict[str, float | int]:
+    """What differs in the sheet of one case."""
+    return {path: _plain(numbers[index]) for path, numbers in values.items()}
+
+
+def _lane(sheet: Robot, changes: Mapping[str, float | int], side: Side, index: int) -> RunSetup | str:
     """A lane, or why it cannot start."""
-    real = changed_sheet(sheet, changes, index)
+    robot = changed_sheet(sheet, changes, index, side)
     try:
-        return run_setup(real).chosen()
+        return run_setup(robot, side.follow).chosen()
     except SimulationError as error:
         return str(error)

@@ -1,0 +1,152 @@
+"""What the tips of cases are compared with: the nominal tip, the tip of the sheet's own run, the commanded path."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tmodes.analysis.error_parts import straight
+from tmodes.equations.loop.lean import Shown
+from tmodes.errors import InputError
+from tmodes.sheet import Robot
+from tmodes.sheet.parts import Command
+from tmodes.simulation.batch.simulate import run_all
+from tmodes.simulation.batch.wanted import Wanted
+from tmodes.simulation.parts import Trajectory
+from tmodes.simulation.plan import Follow
+from tmodes.simulation.start import RunSetup, run_setup
+from tmodes.simulation.vary.lanes import Side
+from tmodes.simulation.vary.lots import Lot
+from tmodes.simulation.vary.series import DEVIATION
+from tmodes.simulation.vary.simulate import Prepared, prepared, run_prepared
+from tmodes.simulation.warnings import jumps
+
+__all__ = ["Nominal", "Table", "nominal_side", "own_tip", "setpoints"]
+
+Array = NDArray[np.float64]
+Progress = Callable[[str, float], None]
+
+_TIP = tuple(Shown("point", (0, axis)) for axis in range(3))
+
+
+class Table(NamedTuple):
+    """What is given for each sample: ``numbers`` (1 or k, n, 3 for each of the names).
+
+    ``lost``: why the nominal run of a case did not come to its end; ``seconds`` (1 or k,) that the runs took.
+    """
+
+    numbers: Array
+    lost: dict[int, str]
+    seconds: Array
+    interrupted: bool = False
+
+
+def nominal_side(sheet: Robot) -> Side:
+    """How the nominal robot runs in a run of this sheet.
+
+    Raises :class:`tmodes.errors.InputError` where there is no nominal run to be compared with.
+    """
+    nominal = sheet.pair().nominal
+    if not any(drive.command is Command.POSITION for drive in nominal.drives):
+        return Side.NOMINAL
+    if jumping := jumps(run_setup(nominal, Follow.WANTED)):
+        expected = "a series of a robot that has a nominal run"
+        raise InputError("reductions", f"`{DEVIATION}`, where {jumping}", expected, "take another series, or a ramp")
+    return Side.PLANNED
+
+
+def own_tip(sheet: Robot, threads: int) -> Array:
+    """The tip of the sheet's own run, (1, n, 3) [m]; not-a-number where it does not finish."""
+    own = run_prepared(prepared(sheet, None), tips=True, threads=threads)
+    assert own.tips is not None  # noqa: S101
+    return own.tips
+
+
+def setpoints(setup: RunSetup) -> dict[int, int] | None:
+    """The signal of each coordinate that a drive keeps, or moves, where it should be; None where some joint has none.
+
+    Then the commanded path depends on how the other joints move.
+    """
+    motion = {drive.joint for drive in setup.robot.drives if drive.command.is_motion}
+    known = {
+        driver.coordinate: driver.plan.signal
+        for driver in setup.model.loop.drivers
+        if driver.plan.servo is None or driver.plan.joint in motion
+    }
+    moved = {axis.angle: axis.motor for axis in setup.mechanics.parts.axes}
+    apart = [place for place, motor in moved.items() if (motor if motor >= 0 else place) not in known]
+    return None if apart or not motion else known
+
+
+@dataclass(frozen=True, eq=False)
+class Nominal:
+    """The nominal robots of cases: one for all, or one each; ``names``: of the distances for which they are needed."""
+
+    lanes: Prepared
+    names: tuple[str, ...]
+
+    @classmethod
+    def of(
+        cls, sheet: Robot, values: Mapping[str, Array], side: Side, names: Sequence[str], progress: Progress
+    ) -> Nominal:
+        """Prepare them; numbers under ``real`` are none of the nominal robot."""
+        own = {path: numbers for path, numbers in values.items() if path.partition(".")[0] != "real"}
+        return cls(prepared(sheet, own or None, keep=False, progress=progress, side=side), tuple(names))
+
+    @property
+    def same(self) -> bool:
+        """Whether one stands for all cases."""
+        return not self.lanes.values
+
+    def part(self, first: int, stop: int) -> Nominal:
+        """Those of some cases."""
+        return self if self.same else Nominal(self.lanes.part(first, stop), self.names)
+
+    def table(self, room: Array, threads: int, progress: Callable[[float], None]) -> Table:
+        """The tips (k, n, 3 for each name) in a room of their own."""
+        lost, interrupted = dict(self.lanes.failed), False
+        found, seconds = room[: self.lanes.size], np.zeros(self.lanes.size)
+        found[list(lost)] = np.nan
+        for k, name in enumerate(self.names):
+            part = np.empty((*found.shape[:2], 3)) if len(self.names) > 1 else found
+            if name == DEVIATION:
+                for place, run in self._run(part, threads, progress).items():
+                    seconds[place] = run.seconds
+                    interrupted |= run.status == "interrupted"
+                    if run.status != "finished":
+                        part[place, len(run.times) :] = np.nan
+                        lost[place] = run.message
+            else:
+                for lot in self.lanes.lots:
+                    part[lot.places] = _commanded(lot, self.lanes.times)
+            if part is not found:
+                found[:, :, 3 * k : 3 * k + 3] = part
+        return Table(found, lost, seconds, interrupted)
+
+    def _run(self, out: Array, threads: int, progress: Callable[[float], None]) -> dict[int, Trajectory]:
+        wanted = Wanted(_TIP, np.zeros((1, out.shape[1], 0)), self.lanes.times, out, folds=False)
+        empty = np.empty((self.lanes.size, 0, 0))
+        works = [lot.work(self.lanes.times, empty, wanted) for lot in self.lanes.lots]
+        return run_all(works, threads, progress)
+
+
+def _commanded(lot: Lot, times: Array) -> Array:
+    """The tips (k, n, 3) [m] of undeformed robots whose drives are where they should be."""
+    setup, every = lot.like, np.arange(len(lot.places))
+    known, schedules = setpoints(setup), lot.numbers(every).schedules
+    assert known is not None  # noqa: S101
+    width, shapes = setup.planned.plan.degree + 1, []
+    for schedule in schedules:
+        rows = schedule.rows_at(times)
+        tau, shape = times - rows[:, 0], np.zeros((len(times), len(setup.model.coordinates)))
+        for coordinate, signal in known.items():
+            powers = rows[:, 1 + signal * width : 1 + (signal + 1) * width]
+            shape[:, coordinate] = np.sum(powers * tau[:, None] ** np.arange(width), axis=1)
+        states = np.zeros((len(times), setup.model.layout.size))
+        states[:, setup.model.layout.q] = straight(setup.mechanics, shape)
+        shapes.append(states)
+    return lot.tips(every, times, [shapes[k % len(shapes)] for k in every])
