@@ -11,8 +11,8 @@ from tmodes.compile.gpu.device import HostDevice
 from tmodes.errors import SimulationError
 from tmodes.integrate.registry import integrators
 from tmodes.simulation.batch.simulate import run_all
-from tmodes.simulation.gpu.block import bytes_per_case
-from tmodes.simulation.gpu.run import block_size, run_on_gpu, suits_gpu
+from tmodes.simulation.gpu.block import bytes_per_case, loop_of, suits_gpu
+from tmodes.simulation.gpu.run import block_size, run_on_gpu
 
 
 class Watched(HostDevice):
@@ -101,9 +101,9 @@ def test_launches_take_as_long_as_they_should(published):
 def test_blocks_fit_the_memory_and_change_nothing(published):
     cases = some(published.by("rk4"), 7)
     whole, _ = run(cases, Watched())
-    each = bytes_per_case(cases.work())
+    each = bytes_per_case(cases.work(), loop_of(cases.work()))
     device = Watched(memory=int(3.5 * each / 0.9))
-    assert block_size(cases.work(), device) == 3
+    assert block_size(cases.work(), loop_of(cases.work()), device) == 3
     parted, runs = run(cases, device)
     assert parted.tobytes() == whole.tobytes()
     assert sorted(runs) == [*range(7)]
@@ -166,7 +166,7 @@ def test_interrupted_cases_keep_what_they_have(published):
     """Ctrl-C in the third launch of the second of three blocks."""
     cases = some(published.by("rk4"), 6)
     whole, _ = run(cases, Watched())
-    memory = int(2.5 * bytes_per_case(cases.work()) / 0.9)
+    memory = int(2.5 * bytes_per_case(cases.work(), loop_of(cases.work())) / 0.9)
     before = Watched(memory)
     run(some(cases, 2), before, clock=ticking(0.3))
     device = Watched(memory, stops_at=len(before.launches) + 2)

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from llvmlite import ir
 
-from tmodes.compile.gpu.mathematics import write_mathematics
+from tmodes.compile.gpu.mathematics import mathematics_module
 from tmodes.compile.ir.builder import Builder
 from tmodes.compile.ir.emit import F64, I64, POINTER, VOID, counted, declare, load, store
 from tmodes.compile.ir.kernels import native_functions
@@ -19,8 +19,7 @@ CALLED = {"sine": (FAR_SINE, 1), "cosine": (FAR_COSINE, 1), "power": (POWER, 2)}
 
 def _module():
     """Functions ``NAME(n, in, out)`` of n rows of arguments."""
-    module = ir.Module("mathematics")
-    write_mathematics(module)
+    module = mathematics_module()
     for name, (symbol, count) in CALLED.items():
         function = declare(module, name, VOID, [("n", I64), ("in", POINTER), ("out", POINTER)])
         b = Builder(function.append_basic_block("entry"))

@@ -101,6 +101,15 @@ class LoopModel:
         schedule, guarded, more = self.loops.stated(method)
         return CaseLoop(schedule, guarded, method, more)
 
+    def lean_case_loop(self, method: str, shown: tuple[Shown, ...], given: int, *, folds: bool) -> Any:
+        """The same of an explicit method, where nothing sticks, that writes some series or reduces them (``folds``)."""
+        from tmodes.compile.gpu.case_loop import CaseLoop
+        from tmodes.compile.gpu.case_series import CaseSeries
+
+        more = {"motion": True} if goes_side_by_side(method) else {}
+        wanted = CaseSeries(self.series(shown, given, after=self.plan.is_sampled), given, folds)
+        return CaseLoop(self.lean.rate, 2 * len(self.coordinates), method, more, wanted)
+
     @cached_property
     def lean(self) -> LeanLoop:
         """The same without works, for runs side by side of which only series are wanted."""

@@ -12,7 +12,8 @@ from typing import Any
 import llvmlite.binding as llvm
 
 from tmodes.compile import cache as disk
-from tmodes.compile.gpu.mathematics import write_mathematics
+from tmodes.compile.gpu.case_series import CaseSeries, kernels_of_series
+from tmodes.compile.gpu.mathematics import mathematics_module
 from tmodes.compile.gpu.one_case import CASE, CASE_ARGUMENTS, KERNEL, LOOP, case_module, write_kernel
 from tmodes.compile.ir.kernels import library
 from tmodes.compile.native import Library, for_target, free
@@ -44,12 +45,16 @@ def _machine(target: str) -> Any:
 
 @dataclass(frozen=True, eq=False)
 class CaseLoop:
-    """A schedule of rates with the method that integrates it; ``guarded``, ``more``: as of the loops of single runs."""
+    """A schedule of rates with the method that integrates it; ``guarded``, ``more``: as of the loops of single runs.
+
+    ``series``: what is wanted of the samples; None: the samples.
+    """
 
     schedule: Any
     guarded: int
     method: str
     more: Mapping[str, Any] = field(default_factory=dict)
+    series: CaseSeries | None = None
 
     @property
     def parameters(self) -> int:
@@ -64,7 +69,8 @@ class CaseLoop:
     @cached_property
     def key(self) -> str:
         """What identifies the code."""
-        return f"{self.method} {self.guarded} {dict(self.more)} {self.schedule.key}"
+        wanted = self.series.key if self.series else ""
+        return f"{self.method} {self.guarded} {dict(self.more)} {self.schedule.key} {wanted}"
 
     def ptx(self, target: str = LEAST_TARGET) -> str:
         """The text of the kernel ``run(*CASE_ARGUMENTS)``, from the cache or made and kept.
@@ -104,12 +110,11 @@ class CaseLoop:
     def _linked(self, machine: Any, *, kernel: bool, mathematics: bool = True) -> Any:
         """All code in one module; only what is called from outside is seen there."""
         try:
-            module = case_module(self.parameters, self.size)
-            if mathematics:
-                write_mathematics(module)
+            module = case_module(self.parameters, self.size, self.series)
             if kernel:
                 write_kernel(module)
-            texts = [str(module), *(str(part.write()) for part in self._parts())]
+            texts = [str(module), *self._texts()]
+            texts += [str(mathematics_module())] if mathematics else []
             whole, *others = (llvm.parse_assembly(for_target(text, machine) if machine else text) for text in texts)
             for other in others:
                 whole.link_in(other)
@@ -121,5 +126,9 @@ class CaseLoop:
                 function.linkage = llvm.Linkage.internal
         return whole
 
-    def _parts(self) -> Any:
-        return schedule_loop(LOOP, self.schedule, self.guarded, self.method, **self.more)
+    def _texts(self) -> list[str]:
+        """The loop of single runs and all kernels, each once."""
+        parts = schedule_loop(LOOP, self.schedule, self.guarded, self.method, **self.more)
+        known = {symbol for part in parts for symbol in part.symbols}
+        more = [code for symbol, code in kernels_of_series(self.series).items() if symbol not in known]
+        return [str(part.write()) for part in parts] + [str(code) for code in more]

@@ -16,7 +16,7 @@ from tmodes.compile.ir.trigonometry import FAR_COSINE, FAR_SINE, of_quarter_turn
 from tmodes.compile.lanes.lanes_explicit import exponential, logarithm
 from tmodes.compile.native import POWER
 
-__all__ = ["write_mathematics"]
+__all__ = ["mathematics_module"]
 
 _LARGEST = 1e300
 _REACH = 2.0**40
@@ -32,11 +32,13 @@ class _One(Lanes):
     kind: Any = ir.VectorType(F64, 1)
 
 
-def write_mathematics(module: Any) -> None:
-    """The powers of positive numbers, and sine and cosine of large angles, under the names that the loops call."""
+def mathematics_module() -> Any:
+    """The powers of positive numbers, and sine and cosine of large angles, under the names that compiled code calls."""
+    module = ir.Module("mathematics")
     _write_power(module)
     for name, which in ((FAR_SINE, 0), (FAR_COSINE, 1)):
         _write_far(module, name, which)
+    return module
 
 
 def _write_power(module: Any) -> None:

@@ -10,6 +10,7 @@ from typing import Any
 
 from llvmlite import ir
 
+from tmodes.compile.gpu.case_series import CaseSeries, SeriesWriter
 from tmodes.compile.ir.builder import Builder
 from tmodes.compile.ir.emit import F64, I64, POINTER, VOID, at, counted, declare, load, number, scratch, store, whole
 from tmodes.compile.loops.time_loop import ARGUMENTS, CELLS, OPTIONS
@@ -28,9 +29,15 @@ BLOCK = 64
 CASE_OPTIONS = (*OPTIONS, "most")
 """Settings, the same for all cases; ``most``: attempted steps of a case after which it is given up."""
 
-WHOLE = ("threads", "cases", "case_stride", "number_stride", "knot_stride", "row_stride", "segment_stride", "samples")
+WHOLE = (
+    "threads", "cases", "case_stride", "number_stride", "knot_stride", "row_stride", "segment_stride", "table_stride",
+    "samples",
+)  # fmt: skip
 
-ARRAYS = ("which", "memory", "y", "k1", "p", "knots", "rows", "segments", "times", "out", "options")
+ARRAYS = (
+    "which", "memory", "y", "k1", "p", "knots", "rows", "segments", "times", "out", "options", "table", "weights",
+    "series",
+)  # fmt: skip
 
 CASE_ARGUMENTS = (*ARRAYS, *WHOLE)
 """Arguments, in order: pointers to global arrays, then int64.
@@ -38,7 +45,9 @@ CASE_ARGUMENTS = (*ARRAYS, *WHOLE)
 ``which`` (threads,): the case of each thread; it and ``segments`` hold int64, the others doubles. Of ``memory``, ``y``
 and ``k1`` number i of case k is at i cases + k; of ``p`` at i number_stride + k case_stride. ``knots`` and ``rows``
 of a case begin a stride after those of the case before (0: the same for all), as does its number of ``segments``.
-``out`` is (cases, samples, size).
+``out`` is (cases, samples, size). Where series are wanted, ``table`` has the numbers given for each sample, a stride
+apart from case to case (0: the same for all), ``weights`` those of the samples in a mean over time, and ``series`` is
+what they come to: (cases, samples, series), or of sums number i of case k at i cases + k.
 """
 
 
@@ -47,13 +56,13 @@ def blocks(threads: int) -> int:
     return -(-threads // BLOCK)
 
 
-def case_module(parameters: int, size: int) -> Any:
+def case_module(parameters: int, size: int, series: CaseSeries | None = None) -> Any:
     """The module of the function ``tmodes_case(thread, *CASE_ARGUMENTS)`` around the loop of a single run.
 
-    ``parameters``: of a case; ``size``: of its state.
+    ``parameters``: of a case; ``size``: of its state; ``series``: what is wanted of its samples.
     """
     module = ir.Module(CASE)
-    _OneCase(module, parameters, size).write()
+    _OneCase(module, parameters, size, series).write()
     return module
 
 
@@ -83,7 +92,7 @@ def _kinds() -> list[tuple[str, Any]]:
 
 
 class _OneCase:
-    def __init__(self, module: Any, parameters: int, size: int) -> None:
+    def __init__(self, module: Any, parameters: int, size: int, series: CaseSeries | None) -> None:
         self.function = declare(module, CASE, VOID, [("thread", I64), *_kinds()])
         self.argument: dict[str, Any] = dict(zip(("thread", *CASE_ARGUMENTS), self.function.args, strict=True))
         kinds = [(label, I64 if label in ("segments", "samples") else POINTER) for label in ARGUMENTS]
@@ -94,6 +103,7 @@ class _OneCase:
         sizes = self.kept | {"p": parameters, "options": len(OPTIONS), "seen": 1}
         self.own = {label: scratch(b, count, label) for label, count in sizes.items()}
         self.parameters = parameters
+        self.series = None if series is None else SeriesWriter(series, b, self.argument, size)
 
     def write(self) -> None:
         """All of the function; threads beyond the last do nothing."""
@@ -106,7 +116,11 @@ class _OneCase:
             self._take("p", self.parameters, start, self.argument["number_stride"])
             self._take_options()
             store(b, number(0.0), self.own["seen"], 0)
-            b.call(self.loop, [self._given(label, case) for label in ARGUMENTS])
+            given = {label: self._given(label, case) for label in ARGUMENTS}
+            piece, first = self._cell("segment"), self._cell("sample")
+            b.call(self.loop, [given[label] for label in ARGUMENTS])
+            if self.series is not None:
+                self.series.write(case, given, piece, first, self._cell("sample"))
             for label, count in self.kept.items():
                 self._give(label, count, case)
         b.ret_void()
@@ -123,6 +137,10 @@ class _OneCase:
         with counted(self.b, count, label) as i:
             value = load(self.b, self.own[label], i)
             self.b.store(value, self._place(label, i, case, self.argument["cases"]))
+
+    def _cell(self, name: str) -> Any:
+        """A number of the loop's memory as an int64."""
+        return self.b.fptosi(load(self.b, self.own["memory"], CELLS.index(name)), I64)
 
     def _take_options(self) -> None:
         """The options of all, but for the steps of this call: no more than are left to this case."""

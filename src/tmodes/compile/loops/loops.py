@@ -78,7 +78,9 @@ def goes_side_by_side(method: str) -> bool:
     return one is not None and one.tableau is not None
 
 
-def lane_loop(schedule: Any, guarded: int, method: str, shown: Any = None, *, given: int = 0, folds: bool = False) -> Library:
+def lane_loop(
+    schedule: Any, guarded: int, method: str, shown: Any = None, *, given: int = 0, folds: bool = False
+) -> Library:
     """As :func:`schedule_loop`, of an explicit method over runs side by side.
 
     ``METHOD.work`` gives how many numbers the loop works on. ``shown``: a schedule of time, state and so many ``given``

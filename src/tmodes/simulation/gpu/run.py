@@ -8,30 +8,20 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Sequence
 
+from tmodes.compile.gpu.case_loop import CaseLoop
 from tmodes.compile.gpu.device import Device
 from tmodes.errors import SimulationError
-from tmodes.integrate.method import EXPLICIT
-from tmodes.integrate.registry import integrator
 from tmodes.simulation.batch.work import Work
-from tmodes.simulation.gpu.block import Block, bytes_per_case
+from tmodes.simulation.gpu.block import Block, bytes_per_case, loop_of
 from tmodes.simulation.parts import Trajectory
 
-__all__ = ["block_size", "run_on_gpu", "suits_gpu"]
+__all__ = ["block_size", "run_on_gpu"]
 
 _FIRST, _SECONDS = 100, 0.05
 """Steps of the first launch, and how long a launch is to take [s]: so long a wish to stop waits."""
 
 _SHARE = 0.9
 """Of the memory that is free."""
-
-
-def suits_gpu(method: str) -> bool:
-    """Whether runs by a method gain from a GPU: explicit ones do.
-
-    The others give the same results there, but one thread computes one after the other what a processor computes in
-    vectors.
-    """
-    return integrator(method).asks == EXPLICIT
 
 
 def run_on_gpu(
@@ -43,7 +33,7 @@ def run_on_gpu(
 ) -> dict[int, Trajectory]:
     """Run all lanes of all works on a GPU, each with its place, as :func:`tmodes.simulation.batch.simulate.run_all`.
 
-    The samples go to ``states`` of the works; a run that cannot continue keeps what it had, and says why. ``progress``
+    The samples go to ``states`` of the works, or what is ``wanted`` of them to its place; a run that cannot continue keeps what it had, and says why. ``progress``
     is given the share of all lanes' time that is done; what it raises stops the batch. Ctrl-C ends all with what they
     have (``interrupted``). ``device``: by default the first GPU. ``clock`` [s]: by which launches are kept short.
 
@@ -55,15 +45,15 @@ def run_on_gpu(
     done: dict[int, Trajectory] = {}
     reached, stopped = 0.0, False
     for work in works:
-        size, first = block_size(work, device), 0
+        loop, first = loop_of(work), 0
+        size = block_size(work, loop, device)
         while first < work.inputs.size:
-            block = Block(work, range(first, min(first + size, work.inputs.size)))
+            block = Block(work, loop, range(first, min(first + size, work.inputs.size)))
             before, began = reached, clock()
             if not stopped:
                 stopped = _run(block, device, clock, lambda t, before=before: progress((before + t) / whole))
             reached += float(block.cell("t").sum())
-            places = work.places[block.lanes.start : block.lanes.stop].tolist()
-            done |= zip(places, block.ended(clock() - began), strict=True)
+            done |= zip(block.places.tolist(), block.ended(clock() - began), strict=True)
             first += size
     if stopped and not any(one.status == "interrupted" for one in done.values()):
         raise KeyboardInterrupt  # all ended first: what comes next must not begin
@@ -76,9 +66,9 @@ def _first_gpu() -> Device:
     return first_gpu()
 
 
-def block_size(work: Work, device: Device) -> int:
+def block_size(work: Work, loop: CaseLoop, device: Device) -> int:
     """Cases of a work that are on a device at once."""
-    free, each = device.free(work.model.case_loop(work.settings.method)), bytes_per_case(work)
+    free, each = device.free(loop), bytes_per_case(work, loop)
     count = int(_SHARE * free) // each
     if not count:
         raise SimulationError(
@@ -93,7 +83,7 @@ def _run(block: Block, device: Device, clock: Callable[[], float], reached: Call
     piece, began, limit, stopped = _FIRST, clock(), block.work.settings.max_wall_time, False
     try:
         try:
-            block.begin(device, block.work.model.case_loop(block.work.settings.method))
+            block.begin(device)
             while len(block.going) and clock() - began < limit:
                 started = clock()
                 block.advance(piece)

@@ -127,7 +127,9 @@ class _Rows:
         """Run all that are not refused."""
         going = np.array([k for k, status in enumerate(self.status) if not status], dtype=np.int64)
         if not len(going):
-            raise InputError("vary", f"{len(self.status)} cases that are all refused", "some that can run", self.message[0])
+            raise InputError(
+                "vary", f"{len(self.status)} cases that are all refused", "some that can run", self.message[0]
+            )
         values = {path: numbers[going] for path, numbers in self.values.items()}
         names = list(dict.fromkeys(one.series for one in self.reductions))
         settings = self.sheet.integration
@@ -162,9 +164,7 @@ class _Rows:
             raise SimulationError(f"no case can start; case 0: {first}")
         refuse_unknown_series(names, list(self.units))
 
-    def _take(
-        self, places: NDArray[np.int64], runs: Sequence[Trajectory], numbers: Mapping[Reduction, Array]
-    ) -> None:
+    def _take(self, places: NDArray[np.int64], runs: Sequence[Trajectory], numbers: Mapping[Reduction, Array]) -> None:
         for one, found in numbers.items():
             self.columns[one][places] = found
         for index, run in zip(places.tolist(), runs, strict=True):
