@@ -20,6 +20,7 @@ import numpy as np
 from benchmarks.assembler import NONE, assembled
 
 from tmodes.compile.gpu.cuda import unavailable
+from tmodes.equations.loop.lean import Shown
 from tmodes.robots.load import load
 from tmodes.simulation.batch.simulate import run_all, thread_count
 from tmodes.simulation.batch.work import Work
@@ -29,7 +30,10 @@ from tmodes.simulation.start import run_setup
 from tmodes.simulation.vary.simulate import prepared
 
 ROBOTS = ("filipovic2010", "spong1987", "flexarm1990", "deluca_siciliano1991")
-METHODS = ("dormand_prince", "dop853", "rk4")
+METHODS = ("dormand_prince", "dop853", "rk4", "reduced")
+"""The last one: dormand_prince with four series that are reduced in place of samples that are kept."""
+
+SHOWN = (Shown("point", (0, 0)), Shown("speed", (0,)), Shown("drive", (0, 0)), Shown("apart", (0,)))
 VARIED = {"gear.stiffness": 0.2, "payload.mass": 0.1, "link.modes.1.bending_stiffness": 0.05}
 """Paths, and by which share they differ at most."""
 
@@ -41,7 +45,9 @@ def table(target: str) -> None:
         for robot in ROBOTS:
             model = run_setup(load(robot)).model
             for method in METHODS:
-                ptx = model.case_loop(method).ptx()
+                reduced = method == "reduced"
+                loop = model.lean_case_loop(METHODS[0], SHOWN, 3, folds=True) if reduced else model.case_loop(method)
+                ptx = loop.ptx()
                 found = assembled(ptx, target, Path(folder))
                 if found is None:
                     print(NONE.format(target))

@@ -1,6 +1,6 @@
 /* The calls of NVIDIA's driver that cuda-core makes here, on the memory and the processor of this machine.
 
-   A launch calls the function at the address STAND_IN_CASE for each thread, with the kernel's 19 arguments of 8 bytes.
+   A launch calls the function at the address STAND_IN_CASE for each thread, with the kernel's 23 arguments of 8 bytes.
    Numbers of attributes: compute capability 75 and 76, multiprocessors 16, threads of each 39; local memory 3. */
 
 #define _GNU_SOURCE
@@ -11,7 +11,7 @@
 #include <string.h>
 
 typedef uint64_t W;
-typedef void (*Case)(W, W, W, W, W, W, W, W, W, W, W, W, W, W, W, W, W, W, W, W);
+typedef void (*Case)(W, W, W, W, W, W, W, W, W, W, W, W, W, W, W, W, W, W, W, W, W, W, W, W);
 
 static int launches, taken;
 int stand_in_launches(void) { return launches; }
@@ -58,11 +58,11 @@ int cuGetErrorString(int error, const char **text) { *text = "an error"; return 
 
 static int run(unsigned grid, unsigned block, void **given) {
   Case one = (Case)strtoull(getenv("STAND_IN_CASE"), 0, 10);
-  W a[19];
-  for (int k = 0; k < 19; k++) memcpy(&a[k], given[k], 8);
+  W a[23];
+  for (int k = 0; k < 23; k++) memcpy(&a[k], given[k], 8);
   for (W thread = 0; thread < (W)grid * block; thread++)
     one(thread, a[0], a[1], a[2], a[3], a[4], a[5], a[6], a[7], a[8], a[9], a[10], a[11], a[12], a[13], a[14], a[15],
-        a[16], a[17], a[18]);
+        a[16], a[17], a[18], a[19], a[20], a[21], a[22]);
   launches++;
   return 0;
 }

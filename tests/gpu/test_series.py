@@ -76,7 +76,8 @@ def test_reductions_of_all_series(on_device, name, written):
         size = 1.0 if one.how == "time_of_max" else size
         if one.how == "time_of_max" and name != "spong1987":
             continue  # of what is flat any sample may be the largest by rounding
-        assert here.values[one] == pytest.approx(there.values[one], abs=1e-7 * size), one
+        error = (4e-6 if name == "deluca_siciliano1991" else 1e-7) * size
+        assert here.values[one] == pytest.approx(there.values[one], abs=error), one
     for count in ("steps", "rejected"):
         assert np.abs(here.statistics[count] - there.statistics[count]).max() <= 2
 

@@ -64,7 +64,7 @@ class SeriesWriter:
         self.piece = builder.alloca(I64, name="piece")
 
     def write(self, case: Any, given: dict[str, Any], piece: Any, first: Any, last: Any) -> None:
-        """Take samples ``first`` to ``last`` (int64, without it) of a case whose loop began in a ``piece`` of its input.
+        """Take samples ``first`` to ``last`` (int64, exclusive) of a case whose loop began in a ``piece`` of its input.
 
         ``given``: arguments of its loop.
         """

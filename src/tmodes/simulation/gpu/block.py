@@ -49,7 +49,7 @@ def suits_gpu(method: str) -> bool:
 
 
 def loop_of(work: Work) -> CaseLoop:
-    """The code of the cases of a work; series are made on the device where the method is explicit and nothing sticks."""
+    """The code of a work's cases; series are made on the device where the method is explicit and nothing sticks."""
     model, method, wanted = work.model, work.settings.method, work.wanted
     if wanted is None or model.loop.modes or not suits_gpu(method):
         return model.case_loop(method)

@@ -31,14 +31,15 @@ def run_on_gpu(
     device: Device | None = None,
     clock: Callable[[], float] = time.monotonic,
 ) -> dict[int, Trajectory]:
-    """Run all lanes of all works on a GPU, each with its place, as :func:`tmodes.simulation.batch.simulate.run_all`.
+    """Run all cases of all works on a GPU, each with its place, as :func:`tmodes.simulation.batch.simulate.run_all`.
 
-    The samples go to ``states`` of the works, or what is ``wanted`` of them to its place; a run that cannot continue keeps what it had, and says why. ``progress``
-    is given the share of all lanes' time that is done; what it raises stops the batch. Ctrl-C ends all with what they
-    have (``interrupted``). ``device``: by default the first GPU. ``clock`` [s]: by which launches are kept short.
+    The samples go to ``states`` of the works, or what is ``wanted`` in place of them to its arrays; a run that cannot
+    continue keeps what it had, and says why. ``progress`` is given the share of all cases' time that is done; what it
+    raises stops the batch. Ctrl-C ends all with what they have (``interrupted``). ``device``: by default the first GPU.
+    ``clock`` [s]: by which launches are kept short.
 
     Raises :class:`tmodes.errors.SimulationError` where there is no GPU, or not the memory for one case, and
-    :class:`tmodes.errors.CompileError` for code that it refuses.
+    :class:`tmodes.errors.CompileError` for code that LLVM refuses.
     """
     device = _first_gpu() if device is None else device
     whole = sum(work.inputs.size * work.settings.duration for work in works)
