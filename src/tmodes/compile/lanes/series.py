@@ -10,7 +10,8 @@ from typing import Any
 
 from tmodes.compile.ir.block import ScheduleRate
 from tmodes.compile.ir.emit import I64, at, counted, load, whole
-from tmodes.compile.lanes.lanes_loop import WIDTH, LanesLoop, write_rows
+from tmodes.compile.lanes.due import write_rows
+from tmodes.compile.lanes.lanes_loop import WIDTH, LanesLoop
 
 __all__ = ["SUMS", "Folded", "Written", "fold"]
 

@@ -24,7 +24,7 @@ class Serving:
     mode: Slot
 
     def __init__(self, loop: LoopParts, *, implicit: bool = False, given: int = 0) -> None:
-        """``implicit``: the input ``step`` may be other than zero; ``given``: so many numbers stand behind the state."""
+        """``implicit``: the input ``step`` may be other than zero; ``given``: how many numbers are behind the state."""
         self.loop, self.plan, self.parts = loop, loop.plan, loop.parts
         self.none = loop.parts.none
         self.schedule = Schedule(loop.parts.numbers.size, zeros=loop.mechanics.zeros)

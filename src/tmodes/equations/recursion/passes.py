@@ -219,8 +219,9 @@ class Passes(Coordinates):
             pose, section = here.section_poses[station], here.sections[station]
         assert pose is not None  # noqa: S101
         rate = section.part(12, 3) if section else here.tip_rate
-        still, kernel = self.none[FORCE], point_kernel(on_section=section is not None)
-        return self.schedule.call(kernel, pose, self.frame(section), rate, still, self.parts.offsets[k])[:2]
+        blocks = (pose, self.frame(section), rate, self.none[FORCE], self.parts.offsets[k])
+        found = self.schedule.call(point_kernel(on_section=section is not None), *blocks)
+        return found[0], found[1]
 
     def offset(self, k: int) -> Slot:
         """Placement of a point in the frame of :meth:`frame_of`."""

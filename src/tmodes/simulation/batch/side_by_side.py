@@ -93,7 +93,7 @@ class Room:
             "memory": self.memory, "y": self.state, "k1": self.slope, "p": self.parameters, "work": self.scratch,
             "knots": self.knots, "rows": self.rows, "segments": self.segments, "times": self.work.times,
             "out": self.work.states, "places": self.places, "options": self.options,
-        } | {name: NOTHING for name in SERIES_ARGUMENTS}  # fmt: skip
+        } | dict.fromkeys(SERIES_ARGUMENTS, NOTHING)  # fmt: skip
         if self.given is not None:
             arrays |= self.given.arrays
         given: dict[str, int] = {name: array.ctypes.data for name, array in arrays.items()}

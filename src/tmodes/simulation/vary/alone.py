@@ -1,4 +1,4 @@
-"""A case by itself, as :func:`tmodes.run` runs it: where stop conditions end runs, and for series that no loop gives."""
+"""A case by itself, as :func:`tmodes.run` runs it: where conditions end runs, and for series that no loop gives."""
 
 from __future__ import annotations
 

@@ -145,7 +145,7 @@ class _Rows:
             distances.remove(COMMANDED)
         nominal, planned = None, [name for name in (DEVIATION, COMMANDED) if name in distances]
         if planned:
-            nominal = Nominal.of(self.sheet, values, nominal_side(self.sheet), planned, progress)
+            nominal = Nominal.of(self.sheet, values, nominal_side(self.sheet, values, planned), planned, progress)
         work = Reducing(lanes, self.reductions, own, nominal, self.threads)
         for places, runs, numbers in work.parts(progress):
             self._take(going[places], runs, numbers)
@@ -153,15 +153,15 @@ class _Rows:
 
     def _learn(self, values: Mapping[str, Array], names: Sequence[str]) -> None:
         """Units of the series, from the first case that can start."""
+        first = ""
         for index in range(len(next(iter(values.values())))):
             try:
                 self.units = units_of(run_setup(self.sheet.with_(changes_of(values, index)).pair().real))
                 break
             except SimulationError as error:
-                if not index:
-                    first = str(error)
+                first = first or str(error)
         else:
-            raise SimulationError(f"no case can start; case 0: {first}")
+            raise SimulationError(f"no case can start; the first one: {first}")
         refuse_unknown_series(names, list(self.units))
 
     def _take(self, places: NDArray[np.int64], runs: Sequence[Trajectory], numbers: Mapping[Reduction, Array]) -> None:

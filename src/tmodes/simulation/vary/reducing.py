@@ -136,7 +136,7 @@ class Reducing:
         wanted = [self._wanted(tuple(shown.values()), lanes, table) for _, shown in going]
         empty = np.empty((lanes.size, 0, 0))
         works = [lot.work(lanes.times, empty, one) for (lot, _), one in zip(going, wanted, strict=True)]
-        done = run_all(works, self.threads, progress)
+        done = run_all(works, self.threads, progress) if works else {}
         runs = {index: not_begun(empty[index], why) for index, why in lanes.failed.items()}
         numbers = {one: np.full(lanes.size, np.nan) for one in self.reductions}
         for (lot, shown), one in zip(going, wanted, strict=True):

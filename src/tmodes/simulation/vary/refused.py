@@ -45,7 +45,7 @@ def refused_cases(sheet: Robot, values: Mapping[str, Array]) -> dict[int, str]:
         if not wrong:
             break
         for k in wrong:
-            _look_beyond(numbers, k, lambda place: refuses(int(left[place])))
+            _look_beyond(numbers, k, lambda place, left=left: refuses(int(left[place])))
         left = left[[index not in messages for index in left.tolist()]]
     return dict(sorted(messages.items()))
 

@@ -9,7 +9,7 @@ from tmodes.analysis.statics.path import STRAY
 from tmodes.analysis.statics.system import ROUNDING, SETTLED
 from tmodes.simulation.loop import LoopModel
 
-__all__ = ["rests"]
+__all__ = ["inverses", "rests"]
 
 Array = NDArray[np.float64]
 
@@ -71,12 +71,16 @@ def _accelerations(loop: LoopModel, numbers: Array, rows: Array, q: Array) -> Ar
 
 def _inverses(loop: LoopModel, numbers: Array, rows: Array, q: Array, free: NDArray[np.intp]) -> Array:
     """Of the derivatives of the accelerations of the free coordinates by them, (k, free, free)."""
-    n = len(free)
-    slopes = loop.slopes(0.0, _states(loop, q), rows, numbers, free)[:, loop.layout.v][:, free]
+    return inverses(loop.slopes(0.0, _states(loop, q), rows, numbers, free)[:, loop.layout.v][:, free])
+
+
+def inverses(slopes: Array) -> Array:
+    """Of matrices (k, n, n), which are overwritten; not-a-number where there is none."""
+    unit = np.eye(slopes.shape[1])
     bad = ~np.isfinite(slopes).all(axis=(1, 2))
-    slopes[bad] = np.eye(n)
+    slopes[bad] = unit
     singular = np.linalg.det(slopes) == 0.0
-    slopes[singular] = np.eye(n)
+    slopes[singular] = unit
     found = np.asarray(np.linalg.inv(slopes), dtype=float)
     found[bad | singular] = np.nan
     return found

@@ -16,7 +16,7 @@ __all__ = ["COMMANDED", "DEVIATION", "DISTANCES", "OWN", "compiled_series", "ref
 DEVIATION, OWN, COMMANDED = "deviation", "tip_difference", "tip_error"
 
 DISTANCES = (DEVIATION, OWN, COMMANDED)
-"""Distances of the tip [m]: from the nominal tip of the same case, from the sheet's own run, from the commanded path."""
+"""Distances of the tip [m]: from the nominal tip of the same case, the sheet's own run, and the commanded path."""
 
 _DRIVEN = ("effort", "voltage", "current")
 _TOUCH = {"force": Shown("contact", (3,)), "penetration": Shown("contact", (4,)), "fold": Shown("fold")}

@@ -23,8 +23,9 @@ from tmodes.simulation.start import RunSetup, run_setup
 from tmodes.simulation.vary.arrays import array_lots
 from tmodes.simulation.vary.lanes import Columns, Side, changed_sheet
 from tmodes.simulation.vary.lots import Indices, Lot, lots_of
+from tmodes.simulation.vary.values import changes_of, checked
 
-__all__ = ["Prepared", "changes_of", "checked", "prepared", "run_prepared", "simulate_batch"]
+__all__ = ["Prepared", "prepared", "run_prepared", "simulate_batch"]
 
 Array = NDArray[np.float64]
 Progress = Callable[[str, float], None]
@@ -213,37 +214,6 @@ def _tips(batch: Prepared, room: Array, threads: int, progress: Progress) -> Arr
         for done in accumulate(pool.map(lambda piece: fill(*piece), pieces)):
             progress("tips", done / batch.size)
     return tips
-
-
-def checked(vary: Mapping[str, ArrayLike]) -> dict[str, Array]:
-    """The numbers of each path, (k,)."""
-    if not vary:
-        raise InputError("vary", "no path", "paths, each with its numbers", 'write vary={"payload.mass": [0.4, 0.5]}')
-    values: dict[str, Array] = {}
-    for path, given in vary.items():
-        try:
-            values[path] = np.array(given, dtype=float)
-        except (TypeError, ValueError):
-            raise InputError(f"vary: {path}", repr(given)[:60], "numbers", "give one number for each lane") from None
-        if path.partition(".")[0] == "integration":
-            hint = "set it in the sheet"
-            raise InputError(f"vary: {path}", "settings that differ", "one integration for all lanes", hint)
-    lengths = {path: numbers.shape for path, numbers in values.items()}
-    first = next(iter(lengths.values()))
-    if any(shape != first or len(shape) != 1 or not shape[0] for shape in lengths.values()):
-        raise InputError("vary", f"shapes {lengths}", "lists of the same length", "give one number for each lane")
-    return values
-
-
-def _plain(value: np.float64) -> float | int:
-    """A number as a sheet has it; where it is whole, it may also stand for a count."""
-    number = float(value)
-    return int(number) if number.is_integer() and abs(number) < 2**53 else number
-
-
-def changes_of(values: Mapping[str, Array], index: int) -> dict[str, float | int]:
-    """What differs in the sheet of one case."""
-    return {path: _plain(numbers[index]) for path, numbers in values.items()}
 
 
 def _lane(sheet: Robot, changes: Mapping[str, float | int], side: Side, index: int) -> RunSetup | str:

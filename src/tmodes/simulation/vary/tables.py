@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -21,7 +21,7 @@ from tmodes.simulation.plan import Follow
 from tmodes.simulation.start import RunSetup, run_setup
 from tmodes.simulation.vary.lanes import Side
 from tmodes.simulation.vary.lots import Lot
-from tmodes.simulation.vary.series import DEVIATION
+from tmodes.simulation.vary.series import COMMANDED, DEVIATION
 from tmodes.simulation.vary.simulate import Prepared, prepared, run_prepared
 from tmodes.simulation.warnings import jumps
 
@@ -29,6 +29,9 @@ __all__ = ["Nominal", "Table", "nominal_side", "own_tip", "setpoints"]
 
 Array = NDArray[np.float64]
 Progress = Callable[[str, float], None]
+
+_REAL = "real"
+"""Numbers below this path are those of the actual robot alone."""
 
 _TIP = tuple(Shown("point", (0, axis)) for axis in range(3))
 
@@ -45,18 +48,25 @@ class Table(NamedTuple):
     interrupted: bool = False
 
 
-def nominal_side(sheet: Robot) -> Side:
-    """How the nominal robot runs in a run of this sheet.
+def nominal_side(sheet: Robot, paths: Collection[str], names: Collection[str]) -> Side:
+    """Which robot plans the motion in runs of this sheet with numbers of some ``paths`` varied, and how it runs.
 
-    Raises :class:`tmodes.errors.InputError` where there is no nominal run to be compared with.
+    Raises :class:`tmodes.errors.InputError` where it does not run, and one of the ``names`` needs that.
     """
-    nominal = sheet.pair().nominal
-    if not any(drive.command is Command.POSITION for drive in nominal.drives):
+    nominal, why = sheet.pair().nominal, ""
+    if any(drive.command is Command.POSITION for drive in nominal.drives):
+        why = jumps(run_setup(nominal, Follow.WANTED))
+    elif not sheet.real and not any(path.startswith(f"{_REAL}.") for path in paths):
+        why = "nominal and actual robot are the same"
+    else:
         return Side.NOMINAL
-    if jumping := jumps(run_setup(nominal, Follow.WANTED)):
-        expected = "a series of a robot that has a nominal run"
-        raise InputError("reductions", f"`{DEVIATION}`, where {jumping}", expected, "take another series, or a ramp")
-    return Side.PLANNED
+    if why and DEVIATION in names:
+        expected, hint = (
+            "another series: there is no nominal run",
+            f"`{COMMANDED}` is the distance to the commanded path",
+        )
+        raise InputError("reductions", f"`{DEVIATION}`, but {why}", expected, hint)
+    return Side.ACTUAL if why else Side.PLANNED
 
 
 def own_tip(sheet: Robot, threads: int) -> Array:
@@ -94,7 +104,9 @@ class Nominal:
         cls, sheet: Robot, values: Mapping[str, Array], side: Side, names: Sequence[str], progress: Progress
     ) -> Nominal:
         """Prepare them; numbers under ``real`` are none of the nominal robot."""
-        own = {path: numbers for path, numbers in values.items() if path.partition(".")[0] != "real"}
+        own = {
+            path: numbers for path, numbers in values.items() if side is Side.ACTUAL or path.partition(".")[0] != _REAL
+        }
         return cls(prepared(sheet, own or None, keep=False, progress=progress, side=side), tuple(names))
 
     @property

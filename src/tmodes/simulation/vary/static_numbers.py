@@ -1,0 +1,189 @@
+"""Numbers of many cases of one sheet that need no simulation: sag, natural frequencies, masses."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from tmodes.analysis.modes.of_sheet import sheet_frequencies
+from tmodes.analysis.statics.equilibrium import robot_rest
+from tmodes.analysis.statics.steady import base_spin, steady_rates
+from tmodes.errors import InputError, SimulationError
+from tmodes.io.words import nearest
+from tmodes.model.forms import Unfit
+from tmodes.model.model import Model
+from tmodes.sheet import Robot
+from tmodes.sheet.robot import refuse_other
+from tmodes.simulation.batch.simulate import thread_count
+from tmodes.simulation.vary.lanes import changed_sheet
+from tmodes.simulation.vary.refused import refused_cases
+from tmodes.simulation.vary.simulate import changes_of, checked
+from tmodes.simulation.vary.static_cases import StaticCases, masses_of
+
+__all__ = ["StaticNumbers", "static_numbers"]
+
+Array = NDArray[np.float64]
+
+_SAG = ("sag", "sag.x", "sag.y", "sag.z")
+_FREQUENCY = re.compile(r"frequency\.locked\.([1-9][0-9]?)")
+_BLOCK = 512
+_FEW = 24
+"""Cases up to which each is a sheet of its own."""
+
+
+@dataclass(frozen=True, eq=False)
+class StaticNumbers:
+    """Numbers of k cases: ``values`` (k,) by name, not-a-number where a case has none, and their ``units``.
+
+    ``status``: finished, failed (there is no rest), refused (the sheet takes no such number), and ``message`` why.
+    """
+
+    values: dict[str, Array]
+    units: dict[str, str]
+    status: tuple[str, ...]
+    message: tuple[str, ...]
+
+
+def static_numbers(
+    sheet: Robot,
+    vary: Mapping[str, ArrayLike],
+    names: Sequence[str],
+    *,
+    threads: int | None = None,
+    progress: Callable[[str, float], None] = lambda stage, share: None,
+    wrong: str = "error",
+) -> StaticNumbers:
+    """Numbers of the actual robots of k cases; ``vary`` and ``wrong`` as of ``tmodes.simulation.vary.reduce.reduced``.
+
+    ``sag``: how far the weight moves the tip, motors held at their first command, and along the world's axes ``sag.x``,
+    ``sag.y``, ``sag.z`` [m]; ``frequency.locked.1`` and on: natural frequencies about the rest, motors locked, of mass
+    and stiffness alone, rising, damped or not [Hz]; ``mass``: of all that moves, ``mass.links``: of the beams, and
+    ``mass.NAME`` of a link [kg]. Frequencies are those with the loads and the contact of the sheet.
+
+    All cases at once where their numbers follow from the varied ones by a form, and, for frequencies, without loads,
+    contact or steady motion; else sheet by sheet, which is slow.
+
+    Raises :class:`tmodes.errors.InputError` or :class:`tmodes.errors.InputErrors` for wrong numbers and unknown names.
+    """
+    refuse_other(sheet)
+    if wrong not in ("error", "row"):
+        raise InputError("wrong", repr(wrong), "`error` or `row`", "leave it out")
+    values = checked(vary)
+    refused = refused_cases(sheet, values)
+    if refused and wrong == "error":
+        first = next(iter(refused))
+        changed_sheet(sheet, changes_of(values, first), first)
+    rows = _Rows(sheet, values, tuple(dict.fromkeys(names)), refused, thread_count(threads))
+    rows.run(lambda share: progress("statics", share))
+    units = {name: "m" if name in _SAG else "Hz" if _FREQUENCY.fullmatch(name) else "kg" for name in rows.names}
+    return StaticNumbers(rows.values, units, tuple(rows.status), tuple(rows.message))
+
+
+class _Rows:
+    """The rows of all cases, filled as they come."""
+
+    def __init__(
+        self,
+        sheet: Robot,
+        given: Mapping[str, Array],
+        names: tuple[str, ...],
+        refused: Mapping[int, str],
+        threads: int,
+    ) -> None:
+        self.sheet, self.given, self.names, self.threads = sheet, given, names, threads
+        size = len(next(iter(given.values())))
+        self.values = {name: np.full(size, np.nan) for name in names}
+        self.status, self.message = ["finished"] * size, [""] * size
+        for index, why in refused.items():
+            self.status[index], self.message[index] = "refused", why
+        self.going = np.array([k for k in range(size) if k not in refused], dtype=np.int64)
+
+    def _robot(self, index: int) -> Robot:
+        return self.sheet.with_(changes_of(self.given, index)).pair().real
+
+    def run(self, progress: Callable[[float], None]) -> None:
+        """Fill all rows that are not refused."""
+        if not len(self.going):
+            return
+        first = self._robot(int(self.going[0]))
+        _refuse_unknown(self.names, masses_of(first))
+        whole = np.array([*self.given.values()])[:, self.going]
+        usual = self.going[np.isfinite(whole).all(axis=0) & (whole != 0).all(axis=0)]
+        done = self._at_once(usual, progress) if len(usual) > _FEW else np.zeros(0, dtype=np.int64)
+        left = np.setdiff1d(self.going, done).tolist()
+        for count, index in enumerate(left, 1):
+            self._one(index)
+            progress((len(done) + count) / len(self.going))
+
+    def _at_once(self, usual: NDArray[np.int64], progress: Callable[[float], None]) -> NDArray[np.int64]:
+        """Fill the rows that have forms; which they are."""
+        first = self._robot(int(usual[0]))
+        if any(_FREQUENCY.fullmatch(name) for name in self.names) and _is_moved(first):
+            return np.zeros(0, dtype=np.int64)
+        cases = StaticCases(self.sheet, {path: values[usual] for path, values in self.given.items()}, first)
+        rests = any(name in _SAG or _FREQUENCY.fullmatch(name) for name in self.names)
+        blocks = [np.arange(k, min(k + _BLOCK, len(usual))) for k in range(0, len(usual), _BLOCK)]
+        try:
+            done = [self._fill(cases, blocks[0], usual, rests=rests)]  # by which all code is made
+            with ThreadPoolExecutor(self.threads, "tmodes-statics") as pool:
+                for places in pool.map(lambda which: self._fill(cases, which, usual, rests=rests), blocks[1:]):
+                    done.append(places)
+                    progress(sum(map(len, done)) / len(self.going))
+        except (Unfit, SimulationError):
+            return np.zeros(0, dtype=np.int64)
+        return np.concatenate(done)
+
+    def _fill(
+        self, cases: StaticCases, which: NDArray[np.int64], usual: NDArray[np.int64], *, rests: bool
+    ) -> NDArray[np.int64]:
+        """Fill the rows of some cases; those that have numbers."""
+        found = cases.found(which, rests=rests)
+        modes = np.sqrt(np.maximum(found.squares, 0.0)) / (2 * np.pi)
+        columns = dict(zip(cases.mass_names, found.masses.T, strict=True))
+        columns |= dict(zip(_SAG, (np.linalg.norm(found.sag, axis=1), *found.sag.T), strict=True))
+        columns |= {f"frequency.locked.{k + 1}": modes[:, k] for k in range(modes.shape[1])}
+        good = np.ones(len(which), dtype=bool) if not rests else np.isfinite(found.sag).all(axis=1)
+        if any(_FREQUENCY.fullmatch(name) for name in self.names):
+            good &= np.isfinite(modes).all(axis=1)
+        places = usual[which[good]]
+        for name in self.names:
+            self.values[name][places] = columns[name][good] if name in columns else np.nan
+        return places
+
+    def _one(self, index: int) -> None:
+        """Fill the row of one case by its sheet."""
+        robot = self._robot(index)
+        found = masses_of(robot)
+        try:
+            if any(name in _SAG for name in self.names):
+                travel = robot_rest(robot, sheet=False, contact=False).displacement()[0]
+                found |= dict(zip(_SAG, (float(np.linalg.norm(travel)), *travel.tolist()), strict=True))
+            if any(_FREQUENCY.fullmatch(name) for name in self.names):
+                modes = sheet_frequencies(robot)["locked"]
+                found |= {f"frequency.locked.{k + 1}": float(mode["frequency_Hz"]) for k, mode in enumerate(modes)}
+        except SimulationError as error:
+            self.status[index], self.message[index] = "failed", str(error)
+        for name in self.names:
+            self.values[name][index] = found.get(name, np.nan)
+
+
+def _is_moved(robot: Robot) -> bool:
+    """Whether more than weight acts on a robot about whose rest frequencies are."""
+    moves = steady_rates(robot, Model(robot.chain())) or base_spin(robot) is not None
+    return bool(robot.loads or robot.contact or moves)
+
+
+def _refuse_unknown(names: Sequence[str], masses: Mapping[str, float]) -> None:
+    if not names:
+        raise InputError("names", "none", "at least one", "write `sag`")
+    known = [*_SAG, "frequency.locked.1", *masses]
+    for name in names:
+        if name not in known and not _FREQUENCY.fullmatch(name):
+            close = nearest(name, known)
+            hint = f"did you mean `{close}`?" if close else "write one of these names"
+            raise InputError("names", f"the unknown number {name!r}", f"one of {', '.join(known)}", hint)

@@ -1,0 +1,45 @@
+"""The numbers of the cases of a sheet, by path."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from tmodes.errors import InputError
+
+__all__ = ["changes_of", "checked"]
+
+Array = NDArray[np.float64]
+
+
+def checked(vary: Mapping[str, ArrayLike]) -> dict[str, Array]:
+    """The numbers of each path, (k,)."""
+    if not vary:
+        raise InputError("vary", "no path", "paths, each with its numbers", 'write vary={"payload.mass": [0.4, 0.5]}')
+    values: dict[str, Array] = {}
+    for path, given in vary.items():
+        try:
+            values[path] = np.array(given, dtype=float)
+        except (TypeError, ValueError):
+            raise InputError(f"vary: {path}", repr(given)[:60], "numbers", "give one number for each lane") from None
+        if path.partition(".")[0] == "integration":
+            hint = "set it in the sheet"
+            raise InputError(f"vary: {path}", "settings that differ", "one integration for all lanes", hint)
+    lengths = {path: numbers.shape for path, numbers in values.items()}
+    first = next(iter(lengths.values()))
+    if any(shape != first or len(shape) != 1 or not shape[0] for shape in lengths.values()):
+        raise InputError("vary", f"shapes {lengths}", "lists of the same length", "give one number for each lane")
+    return values
+
+
+def _plain(value: np.float64) -> float | int:
+    """A number as a sheet has it; where it is whole, it may also stand for a count."""
+    number = float(value)
+    return int(number) if number.is_integer() and abs(number) < 2**53 else number
+
+
+def changes_of(values: Mapping[str, Array], index: int) -> dict[str, float | int]:
+    """What differs in the sheet of one case."""
+    return {path: _plain(numbers[index]) for path, numbers in values.items()}
