@@ -229,3 +229,36 @@ def test_answer_is_of_the_same_shape_as_that_of_the_processor(published, swingin
 def test_explicit_methods_gain_from_a_gpu():
     found = {name for name in integrators() if suits_gpu(name)}
     assert found == {"dormand_prince", "dop853", "rk4"}
+
+
+def mixed(published, swinging):
+    """A work that does not suit a GPU between two that do, and their places in one batch."""
+    given = [published.by("rk4"), swinging.by("rosenbrock"), swinging.by("dormand_prince")]
+    works = [some(one, 2).work() for one in given]
+    rooms = [np.full((6, *work.states.shape[1:]), np.nan) for work in works]
+    return [
+        replace(work, states=room, places=2 * k + np.arange(2))
+        for k, (work, room) in enumerate(zip(works, rooms, strict=True))
+    ]
+
+
+def test_stiff_works_run_on_the_processor(published, swinging):
+    device, shares = Watched(), []
+    works = mixed(published, swinging)
+    runs = run_on_gpu(works, shares.append, threads=1, device=device)
+    assert {run.status for run in runs.values()} == {"finished"}
+    assert sorted(runs) == [*range(6)]
+    assert shares == sorted(shares)
+    assert shares[-1] == pytest.approx(1.0)
+    alone = swinging.by("rosenbrock")
+    for case in range(2):
+        assert works[1].states[2 + case].tobytes() == alone.alone(case).states.tobytes()
+    again = Watched()
+    run_on_gpu(mixed(published, swinging), device=again)
+    assert len(again.launches) > len(device.launches)
+
+
+def test_after_an_interruption_the_processor_begins_nothing(published, swinging):
+    runs = run_on_gpu(mixed(published, swinging), threads=1, device=Watched(stops_at=1), clock=ticking(0.3))
+    assert {run.status for run in runs.values()} == {"interrupted"}
+    assert [len(runs[place].times) for place in (2, 3, 4, 5)] == [1] * 4
