@@ -36,6 +36,11 @@ class Loops:
 
     def __getitem__(self, method: str) -> Any:
         """The function of a method; KeyError for a name that is none."""
+        schedule, guarded, more = self.stated(method)
+        return schedule_loop(schedule, guarded, method, **more)[method]
+
+    def stated(self, method: str) -> tuple[Any, int, dict[str, int]]:
+        """The schedule that a method integrates, how many of its first numbers are watched, and what more it takes."""
         loop, asks, more = self.loop, integrator(method).asks, {}
         count, rate = loop.parts.size, "rate"
         if asks != EXPLICIT:
@@ -44,7 +49,7 @@ class Loops:
             more["columns"] = loop.layout.works.start
         elif asks != EXPLICIT:
             rate = "euler_rate" if asks == EULER else "implicit_rate"
-        return schedule_loop(getattr(loop, rate), 2 * count, method, **more)[method]
+        return getattr(loop, rate), 2 * count, more
 
 
 @dataclass(frozen=True, eq=False)
@@ -88,6 +93,22 @@ class LoopModel:
     def lane_loop(self, method: str) -> Library:
         """The native loop over robots side by side of a method with a tableau."""
         return lane_loop(self.loop.rate, 2 * len(self.coordinates), method)
+
+    def case_loop(self, method: str) -> Any:
+        """The :class:`tmodes.compile.gpu.case_loop.CaseLoop` of a method: over cases, one per thread of a GPU."""
+        from tmodes.compile.gpu.case_loop import CaseLoop
+
+        schedule, guarded, more = self.loops.stated(method)
+        return CaseLoop(schedule, guarded, method, more)
+
+    def lean_case_loop(self, method: str, shown: tuple[Shown, ...], given: int, *, folds: bool) -> Any:
+        """The same of an explicit method, where nothing sticks, that writes some series or reduces them (``folds``)."""
+        from tmodes.compile.gpu.case_loop import CaseLoop
+        from tmodes.compile.gpu.case_series import CaseSeries
+
+        more = {"motion": True} if goes_side_by_side(method) else {}
+        wanted = CaseSeries(self.series(shown, given, after=self.plan.is_sampled), given, folds)
+        return CaseLoop(self.lean.rate, 2 * len(self.coordinates), method, more, wanted)
 
     @cached_property
     def lean(self) -> LeanLoop:

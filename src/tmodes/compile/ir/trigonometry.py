@@ -16,7 +16,7 @@ from llvmlite import ir
 from tmodes.compile.ir.builder import Builder
 from tmodes.compile.ir.emit import F64, I64, POINTER, counted, declare, load, number, store
 
-__all__ = ["FAR_COSINE", "FAR_SINE", "sine_and_cosine", "sines_and_cosines"]
+__all__ = ["FAR_COSINE", "FAR_SINE", "of_quarter_turns", "sine_and_cosine", "sines_and_cosines"]
 
 FAR_SINE, FAR_COSINE = "tmodes_far_sin", "tmodes_far_cos"
 """Symbols bound to the C library's sin and cos."""
@@ -135,6 +135,15 @@ def _near(b: Any, width: _Width, x: Any) -> tuple[Any, Any]:
     third = b.fsub(b.fmul(turns, width.number(_HALF_PI[2])), lost)
     head = b.fsub(rest, third)
     tail = b.fsub(b.fsub(rest, head), third)
+    return _turned(b, width, turns, head, tail)
+
+
+def of_quarter_turns(b: Any, module: Any, turns: Any, head: Any, tail: Any) -> tuple[Any, Any]:
+    """Sine and cosine of ``turns`` pi/2 + (head + tail), of doubles: a whole number below 2^51 and a rest to pi/4."""
+    return _turned(b, _Width(module), turns, head, tail)
+
+
+def _turned(b: Any, width: _Width, turns: Any, head: Any, tail: Any) -> tuple[Any, Any]:
     sine, cosine = _sine(b, width, head, tail), _cosine(b, width, head, tail)
     quadrant = b.bitcast(b.fadd(turns, width.number(_TO_INTEGER)), width.integer)
     odd = b.icmp_signed("!=", b.and_(quadrant, width.whole(1)), width.whole(0))

@@ -13,7 +13,7 @@ from tmodes.compile.ir.emit import I64, at, counted, load, whole
 from tmodes.compile.lanes.due import write_rows
 from tmodes.compile.lanes.lanes_loop import WIDTH, LanesLoop
 
-__all__ = ["SUMS", "Folded", "Written"]
+__all__ = ["SUMS", "Folded", "Written", "fold"]
 
 SUMS = ("largest", "least", "sum", "squares", "end", "time")
 """What a series is reduced to: its largest and least value, the sums of its values and of their squares by the weights
@@ -46,10 +46,10 @@ class Folded:
         weight = _of_sample(loop, lambda lane, sample: at(loop.builder, loop.argument["weights"], sample))
         loop.array["sums"] = loop.argument["sums"]
         with counted(loop.builder, self.rate.size, "series") as i:
-            _fold(loop, i, due, time, weight)
+            fold(loop, i, due, time, weight)
 
 
-def _fold(loop: LanesLoop, i: Any, due: Any, time: Any, weight: Any) -> None:
+def fold(loop: Any, i: Any, due: Any, time: Any, weight: Any) -> None:
     """Take the value of series ``i`` in the lanes ``due``."""
     b: Any = loop.builder
     value, first = loop.load("series", i), b.mul(i, whole(len(SUMS)))

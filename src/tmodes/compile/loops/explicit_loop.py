@@ -15,9 +15,17 @@ from tmodes.integrate.method import Tableau
 __all__ = ["adaptive_control", "error_of", "hermite", "interpolation", "slopes", "stages", "write_explicit_loop"]
 
 
-def write_explicit_loop(module: Any, name: str, lowered: ScheduleRate, guarded: int, tableau: Tableau) -> None:
-    """Write the loop of a method: adaptive where it has an embedded error, else with the option ``step``."""
-    (_write_fixed if tableau.error is None else _write_adaptive)(module, name, lowered, guarded, tableau)
+def write_explicit_loop(
+    module: Any, name: str, lowered: ScheduleRate, guarded: int, tableau: Tableau, *, motion: bool = False
+) -> None:
+    """Write the loop of a method: adaptive where it has an embedded error, else with the option ``step``.
+
+    ``motion``: steps are as long as errors of the motion allow.
+    """
+    if tableau.error is None:
+        _write_fixed(module, name, lowered, guarded, tableau)
+    else:
+        _write_adaptive(module, name, lowered, guarded, tableau, motion=motion)
 
 
 def slopes(tableau: Tableau) -> tuple[str, ...]:
@@ -90,7 +98,9 @@ def hermite(loop: Frame, s: Any, h: Any, end: str) -> dict[str, Any]:
     }
 
 
-def _write_adaptive(module: Any, name: str, lowered: ScheduleRate, guarded: int, tableau: Tableau) -> None:
+def _write_adaptive(
+    module: Any, name: str, lowered: ScheduleRate, guarded: int, tableau: Tableau, *, motion: bool
+) -> None:
     """Steps end exactly on the knots, where the first stage is evaluated again."""
     names = slopes(tableau)
     loop = TimeLoop(module, name, lowered, (*names[1:], "probe", "new"), guarded)
@@ -98,7 +108,8 @@ def _write_adaptive(module: Any, name: str, lowered: ScheduleRate, guarded: int,
     method = ExplicitMethod(adaptive_control(tableau), test, names[-1])
     gate, step = method.begin(loop)
     stages(loop, tableau, step.time, step.h)
-    b, error = loop.builder, error_of(loop, tableau, step.h)
+    norm = MotionNorm(loop, guarded // 2) if motion else None
+    b, error = loop.builder, error_of(loop, tableau, step.h, norm)
 
     def write() -> None:
         with loop.due_samples(step.time_after) as target:

@@ -1,0 +1,76 @@
+"""Works of a batch with random numbers, and programs that need more than Python: an assembler, a compiler."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import pytest
+
+import tmodes
+from arm.run.sheets import pendulum, torque
+from tmodes.integrate.settings import Integration
+from tmodes.kinds.signals.schedule import Schedule
+from tmodes.simulation.batch.work import Work, inputs
+from tmodes.simulation.loop import LoopModel
+from tmodes.simulation.parts import sample_times
+from tmodes.simulation.start import run_setup
+from tmodes.simulation.trajectory import integrate
+
+
+@dataclass(frozen=True)
+class Cases:
+    """Cases of one structure: what moves them, where they start, and settings of a short run."""
+
+    model: LoopModel
+    schedules: tuple[Schedule, ...]
+    starts: np.ndarray
+    settings: Integration
+    numbers: np.ndarray
+
+    def by(self, method: str, **settings: Any) -> Cases:
+        """The same by another method."""
+        chosen = self.settings.model_copy(update={"method": method, **settings})
+        return Cases(self.model, self.schedules, self.starts, chosen, self.numbers)
+
+    def work(self) -> Work:
+        """As a work whose states are not filled yet."""
+        given = inputs(self.numbers, self.schedules, self.starts, self.settings.duration, self.model.batch_widths)
+        times = sample_times(self.settings)
+        states = np.full((given.size, len(times), given.starts.shape[1]), np.nan)
+        return Work(self.model, given, self.settings, times, states, np.arange(given.size))
+
+    def alone(self, case: int) -> Any:
+        """A case by the native loop of single runs."""
+        schedule = self.schedules[case if len(self.schedules) > 1 else 0]
+        start = self.starts[case if len(self.starts) > 1 else 0]
+        return integrate(self.model, self.numbers[case], schedule, start, self.settings)
+
+
+def varied(setup: Any, settings: Integration, count: int, share: float) -> Cases:
+    """Cases whose numbers are off by a share at most, each by its own."""
+    numbers = setup.model.numbers
+    factors = 1 + share * np.random.default_rng(15).uniform(-1, 1, size=(count, len(numbers)))
+    return Cases(setup.model, (setup.planned.schedule,), setup.start[None], settings, numbers * factors)
+
+
+@pytest.fixture(scope="session")
+def published() -> Cases:
+    """The paper's robot over 5 ms, 100 times."""
+    return published_cases()
+
+
+def published_cases() -> Cases:
+    """The same, for programs that tests start."""
+    robot = tmodes.load("filipovic2010")
+    settings = robot.integration.model_copy(update={"duration": 0.005, "output_step": 2.5e-4, "step": 2e-5})
+    return varied(run_setup(robot), settings, 100, 0.02)
+
+
+@pytest.fixture(scope="session")
+def swinging() -> Cases:
+    """An elastic pendulum over 0.3 s, 100 times; samples lie between the steps."""
+    settings = {"duration": 0.3, "output_step": 0.013, "relative_tolerance": 1e-9, "absolute_tolerance": 1e-11}
+    robot = pendulum({"inertia": 0.3}, {"stiffness": 100.0}, torque(2.0), integration=settings)
+    return varied(run_setup(robot), robot.integration.model_copy(update={"step": 1e-3}), 100, 0.05)

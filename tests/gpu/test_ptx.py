@@ -1,0 +1,78 @@
+"""The text of kernels: written for all kinds of robots, and assembled for three kinds of GPUs where that can be."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+from benchmarks.assembler import NONE, assembled
+
+import tmodes
+from tmodes.compile.gpu.case_loop import LEAST_TARGET
+from tmodes.compile.gpu.one_case import BLOCK, CASE_ARGUMENTS
+from tmodes.equations.loop.lean import Shown
+from tmodes.simulation.start import run_setup
+
+ROBOTS = ("filipovic2010", "spong1987", "flexarm1990", "deluca_siciliano1991")
+"""By energies; elastic joints; elastic links as modes; two links that bend, as beams."""
+
+METHODS = ("dormand_prince", "rk4", "reduced")
+"""The last one: dormand_prince with series that are reduced."""
+
+SHOWN = (Shown("point", (0, 0)), Shown("speed", (0,)), Shown("drive", (0, 0)), Shown("apart", (0,)))
+
+
+@pytest.fixture(scope="module")
+def loop():
+    models = {}
+
+    def found(robot, method):
+        if robot not in models:
+            models[robot] = run_setup(tmodes.load(robot)).model
+        if method == "reduced":
+            return models[robot].lean_case_loop("dormand_prince", SHOWN, 3, folds=True)
+        return models[robot].case_loop(method)
+
+    return found
+
+
+@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("robot", ROBOTS)
+def test_a_kernel_needs_nothing_but_itself(loop, robot, method):
+    """No function of the C library, no indirect call, no arithmetic in single precision, no shared memory."""
+    ptx = loop(robot, method).ptx()
+    assert f".target {LEAST_TARGET}\n" in ptx
+    assert re.findall(r"\.visible .*", ptx) == [".visible .entry run("]
+    assert f".maxntid {BLOCK}" in ptx
+    assert ".extern" not in ptx
+    assert ".callprototype" not in ptx
+    assert ".f32" not in ptx
+    assert ".shared" not in ptx
+    assert len(re.findall(r"\.param \.u?b?64 (?:\.ptr[^,]* )?run_param_\d+", ptx)) == len(CASE_ARGUMENTS)
+
+
+def test_only_what_may_be_fused_is(loop):
+    """Sums and products that LLVM must not fuse are rounded each by itself; the assembler leaves these alone, too."""
+    ptx = loop("filipovic2010", "rk4").ptx()
+    for operation in ("add", "sub", "mul"):
+        assert f"{operation}.rn.f64" in ptx
+    assert "fma.rn.f64" in ptx
+    assert not re.search(r"(sqrt|div|rcp)\.(approx|full)", ptx)
+
+
+def test_the_text_is_the_same_each_time(loop):
+    one = loop("spong1987", "rk4")
+    assert one._ptx(LEAST_TARGET) == one._ptx(LEAST_TARGET) == one.ptx()
+
+
+@pytest.mark.parametrize("target", ["sm_70", "sm_80", "sm_90"])
+@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("robot", ROBOTS)
+def test_an_assembler_takes_it(loop, robot, method, target, tmp_path_factory):
+    """All that a thread needs is known beforehand and small: a GPU has 512 kB of local memory for a thread."""
+    found = assembled(loop(robot, method).ptx(), target, tmp_path_factory.mktemp("ptx"))
+    if found is None:
+        pytest.skip(NONE.format(target))
+    assert found.registers <= 255
+    assert found.stack < 32_000
+    assert found.spilled < 6_000

@@ -1,0 +1,96 @@
+"""Series of cases on a device: what is made of them is what the processor makes of runs side by side."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import tmodes
+from tmodes.compile.gpu.device import HostDevice
+from tmodes.simulation.gpu.block import loop_of
+from tmodes.simulation.gpu.run import run_on_gpu
+from tmodes.simulation.start import run_setup
+from tmodes.simulation.vary import arrays
+from tmodes.simulation.vary.reduce import Reduction, reduced
+from tmodes.simulation.vary.series import units_of
+
+HOWS = ("max", "min", "max_abs", "mean", "rms", "end", "range", "time_of_max")
+
+ROBOTS = {
+    "filipovic2010": (
+        {"integration.duration": 0.3, "integration.output_step": 0.013},
+        {"real.gear.stiffness": [0.16, 0.2, 0.24, 0.21, 0.19], "payload.mass": [0.45, 0.5, 0.55, 0.52, 0.51]},
+    ),
+    "spong1987": ({"integration.duration": 0.3}, {"joints.joint.gear.stiffness": [60.0, 80, 140, 120, 90]}),
+    "flexarm1990": (
+        {"integration.duration": 0.2},
+        {"real.links.forearm.beam.section.bending_stiffness": [0.9, 1.1, 1.0, 0.95, 1.05]},
+    ),
+    "deluca_siciliano1991": (
+        {"integration.duration": 1.0}, {"links.forearm.bodies.payload.mass": [0.05, 0.07, 0.1, 0.2, 0.12]},
+    ),
+}  # fmt: skip
+"""The last one is stiff: its method has no series on a device, and they are made of its samples."""
+
+
+@pytest.fixture(autouse=True)
+def as_arrays(monkeypatch):
+    """Also few cases are prepared as arrays."""
+    monkeypatch.setattr(arrays, "_FEW", 2)
+
+
+@pytest.fixture
+def on_device(monkeypatch):
+    """Reduced cases run on a device; how many of their works had series there."""
+    used = []
+
+    def run(works, threads, progress):
+        used.extend(loop_of(work).series is not None for work in works)
+        return run_on_gpu(works, progress, device=HostDevice())
+
+    def switch():
+        monkeypatch.setattr("tmodes.simulation.vary.reducing.run_all", run)
+        return used
+
+    return switch
+
+
+@pytest.mark.parametrize("written", [False, True])
+@pytest.mark.parametrize("name", list(ROBOTS))
+def test_reductions_of_all_series(on_device, name, written):
+    """Reduced after each launch, or written for percentiles; distances from a nominal tip are among them."""
+    changes, vary = ROBOTS[name]
+    robot = tmodes.load(name).with_(changes)
+    names = [each for each in units_of(run_setup(robot.pair().real)) if not each.startswith("energy.")]
+    wanted = [Reduction(series, how) for series in names for how in HOWS]
+    wanted += [Reduction(series, "percentile:90") for series in names if written]
+    there = reduced(robot, vary, wanted, threads=1)
+    used = on_device()
+    here = reduced(robot, vary, wanted, threads=1)
+    assert used
+    assert set(used) == {name != "deluca_siciliano1991"}
+    assert here.status == there.status == ("finished",) * 5
+    assert here.method == there.method
+    for one in wanted:
+        size = max(np.abs(there.values[Reduction(one.series, "max_abs")]).max(), 1e-5)
+        size = 1.0 if one.how == "time_of_max" else size
+        if one.how == "time_of_max" and name != "spong1987":
+            continue  # of what is flat any sample may be the largest by rounding
+        error = (4e-6 if name == "deluca_siciliano1991" else 1e-7) * size
+        assert here.values[one] == pytest.approx(there.values[one], abs=error), one
+    for count in ("steps", "rejected"):
+        assert np.abs(here.statistics[count] - there.statistics[count]).max() <= 2
+
+
+def test_launches_and_blocks_change_no_bit_of_a_reduction(monkeypatch, on_device):
+    changes, vary = ROBOTS["filipovic2010"]
+    robot = tmodes.load("filipovic2010").with_(changes)
+    wanted = [Reduction("tip.speed", how) for how in HOWS] + [Reduction("deviation", "rms")]
+    on_device()
+    whole = reduced(robot, vary, wanted, threads=1)
+    monkeypatch.setattr("tmodes.simulation.gpu.run._FIRST", 3)
+    monkeypatch.setattr("tmodes.simulation.gpu.run._SECONDS", 0.0)
+    monkeypatch.setattr("tmodes.simulation.gpu.run.block_size", lambda work, loop, device: 2)
+    parted = reduced(robot, vary, wanted, threads=1)
+    for one in wanted:
+        assert parted.values[one].tobytes() == whole.values[one].tobytes()
