@@ -94,5 +94,5 @@ def test_what_is_not_there_is_not_drawn(tmp_path: Path) -> None:
 
 
 def test_an_unknown_figure_is_refused(tmp_path: Path) -> None:
-    with pytest.raises(InputError, match="figures must be some of distribution, "):
+    with pytest.raises(InputError, match=r"figures must be some of .*Did you mean `tornado`"):
         save_study_figures(made(), tmp_path, names=["tornados"])

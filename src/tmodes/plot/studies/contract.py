@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from tmodes.errors import InputError
 from tmodes.io.atomic import atomic_write, check_writable
+from tmodes.io.words import meant
 from tmodes.kinds.registry import Registry
 from tmodes.plot.figure import FORMATS, ROOM, rendered
 from tmodes.plot.style import house_style, new_figure
@@ -96,7 +97,8 @@ def save_study_figures(
     check_writable(folder, ROOM)
     for name in names or ():
         if name not in STUDY_FIGURES:
-            raise InputError("figures", repr(name), f"some of {', '.join(STUDY_FIGURES)}", "choose among these")
+            hint = meant(name, STUDY_FIGURES, "choose among these")
+            raise InputError("figures", repr(name), f"some of {', '.join(STUDY_FIGURES)}", hint)
     for unknown in sorted(set(formats) - set(FORMATS)):
         raise InputError("formats", repr(unknown), f"some of {', '.join(FORMATS)}", "choose one of these")
     wanted = [
