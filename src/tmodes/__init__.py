@@ -69,6 +69,8 @@ _UPWARD = {
     "Robot.pair": "tmodes.io.sheet_check.real_robot",
     "Robot.show": "tmodes.notebook.show",
     "Robot.with_": "tmodes.io.sheet_check.changed_robot",
+    "Study.evaluate": "tmodes.study.evaluate.evaluated",
+    "Study.from_data": "tmodes.study.read.study_from_data",
 }
 """Methods whose work is done by an upper package, and by what: the only imports that run upward (at most 12)."""
 

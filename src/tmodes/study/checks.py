@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
+from typing import Any
 
 import numpy as np
 
@@ -13,9 +13,6 @@ from tmodes.kinds.schema.quantity import Issue, plain_texts
 from tmodes.kinds.signals.formula_grammar import CHOICES, CONSTANTS, FUNCTIONS, SEVERAL
 from tmodes.study.order import circle
 from tmodes.study.space import correlation_matrix, nearest_correlation
-
-if TYPE_CHECKING:
-    from tmodes.study.sheet import StudySheet
 
 __all__ = ["study_issues"]
 
@@ -27,7 +24,7 @@ _COLUMNS = {"case", "status", "reason", "method", "seconds"}
 """Columns of the table of a study."""
 
 
-def study_issues(sheet: StudySheet) -> Iterator[Issue]:
+def study_issues(sheet: Any) -> Iterator[Issue]:
     """All that is wrong with a study without its robot."""
     yield from plain_texts({key: getattr(sheet, key) for key in ("name", "title")})
     yield from _names(sheet)
@@ -36,7 +33,7 @@ def study_issues(sheet: StudySheet) -> Iterator[Issue]:
     yield from _optimized(sheet)
 
 
-def _names(sheet: StudySheet) -> Iterator[Issue]:
+def _names(sheet: Any) -> Iterator[Issue]:
     for group in ("parameters", "quantities"):
         for name, one in getattr(sheet, group).items():
             yield from plain_texts({f"{group}.{name}.title": one.title})
@@ -51,7 +48,7 @@ def _names(sheet: StudySheet) -> Iterator[Issue]:
         yield Issue(f"quantities.{name}", got, "a name of its own", "rename one of the two")
 
 
-def _expressions(sheet: StudySheet) -> Iterator[Issue]:
+def _expressions(sheet: Any) -> Iterator[Issue]:
     names = (*sheet.parameters, *sheet.quantities)
     needs = {name: one.needs().names for name, one in sheet.quantities.items()}
     wrong = False
@@ -64,7 +61,7 @@ def _expressions(sheet: StudySheet) -> Iterator[Issue]:
         yield Issue(f"quantities.{names_around[0]}", got, "quantities that follow from others", "break the circle")
 
 
-def _correlations(sheet: StudySheet) -> Iterator[Issue]:
+def _correlations(sheet: Any) -> Iterator[Issue]:
     known, pairs, wrong = list(sheet.parameters), [], False
     for k, one in enumerate(sheet.correlations):
         for place, name in enumerate(one.between):
@@ -90,7 +87,7 @@ _LEAST = 1e-9
 """Smallest eigenvalue of a correlation matrix that is taken for positive."""
 
 
-def _not_positive(sheet: StudySheet) -> Iterator[Issue]:
+def _not_positive(sheet: Any) -> Iterator[Issue]:
     names = list(sheet.parameters)
     matrix = correlation_matrix(names, [(*one.between, one.value) for one in sheet.correlations])
     lowest = float(np.linalg.eigvalsh(matrix)[0])
@@ -103,7 +100,7 @@ def _not_positive(sheet: StudySheet) -> Iterator[Issue]:
         yield Issue("correlations", got, expected, f"the nearest one has {', '.join(values)}")
 
 
-def _optimized(sheet: StudySheet) -> Iterator[Issue]:
+def _optimized(sheet: Any) -> Iterator[Issue]:
     for k, name in enumerate(sheet.optimize.design if sheet.optimize else ()):
         if name not in sheet.parameters:
             hint = meant(name, sheet.parameters, "write the name of a parameter")

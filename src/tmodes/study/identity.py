@@ -5,18 +5,16 @@ from __future__ import annotations
 import hashlib
 import json
 from collections.abc import Callable, Mapping
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import tmodes
 from tmodes.compile.cache import source_digest
 from tmodes.io.sheet_check import sheet_data
 from tmodes.kinds.registry import outside_digest
+from tmodes.sheet import Robot
 from tmodes.study.order import ordered
 from tmodes.study.quantities.function import function_digest
-
-if TYPE_CHECKING:
-    from tmodes.sheet import Robot
-    from tmodes.study.sheet import StudySheet
+from tmodes.study.sheet import StudySheet
 
 __all__ = ["base_digest", "engine_version", "quantity_digests", "whole_digest"]
 

@@ -12,6 +12,7 @@ from typing import Any, Self
 import numpy as np
 from numpy.typing import NDArray
 
+from tmodes import upward
 from tmodes.errors import InputError
 from tmodes.io.sheet_check import sheet_data
 from tmodes.io.sheet_problems import Problem
@@ -52,9 +53,7 @@ class Study:
     @classmethod
     def from_data(cls, data: Mapping[str, Any], functions: Mapping[str, Callable[[Any], float]] | None = None) -> Self:
         """The study of :attr:`data`; raises :class:`tmodes.errors.InputErrors` for what is none."""
-        from tmodes.study.read import study_from_data
-
-        return study_from_data(data, functions=functions)  # pyright: ignore[reportReturnType]
+        return upward("Study.from_data")(data, functions=functions)
 
     def __reduce__(self) -> tuple[Any, ...]:
         """What was pickled is read again as data, and checked."""
@@ -128,9 +127,7 @@ class Study:
         :class:`tmodes.errors.InputError` for what is wrong with the study itself: a series, a number or a key of the
         summary that its robot does not have, a unit to which a quantity cannot be converted.
         """
-        from tmodes.study.evaluate import evaluated
-
-        return evaluated(self, first, np.asarray(values, dtype=float), progress, threads)
+        return upward("Study.evaluate")(self, first, np.asarray(values, dtype=float), progress, threads)
 
     @cached_property
     def base_identity(self) -> str:
