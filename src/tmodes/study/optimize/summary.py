@@ -57,7 +57,7 @@ def _apart(trials: Trials, order: NDArray[np.intp]) -> list[int]:
 
 def _failed(judged: Judged) -> NDArray[np.bool_]:
     """Designs of which an objective or a limit has no value."""
-    return np.isnan(judged.objectives).any(axis=1) | np.isnan(judged.limits).any(axis=1)
+    return np.isnan(np.hstack([judged.objectives, judged.limits])).any(axis=1)
 
 
 def _nearest(judged: Judged) -> int:
