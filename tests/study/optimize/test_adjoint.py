@@ -26,7 +26,7 @@ def trials_of(asked: Study) -> Trials:
     """Trials of a study at its own values."""
     assert asked.sheet.optimize is not None
     nominal = asked.space.nominal[None]
-    units = asked.parameter_units | asked.evaluate(0, nominal).units
+    units = {**asked.parameter_units, **asked.evaluate(0, nominal).units}
     goals = goals_of(asked.sheet.optimize, units)
     return Trials(asked, design_space(asked, asked.sheet.optimize.design), goals, nominal, None, lambda *_: None, {})
 

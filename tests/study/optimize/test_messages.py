@@ -54,7 +54,7 @@ def test_limits_in_other_units_and_on_both_sides() -> None:
     ],
 )
 def test_what_does_not_fit_the_study(method: str, more: dict[str, Any], words: str) -> None:
-    given = {"objectives": [{"minimize": "mass"}]} | more
+    given: dict[str, Any] = {"objectives": [{"minimize": "mass"}], **more}
     with pytest.raises(InputError, match=words):
         optimize(design_study(QUANTITIES, RANGES, **given), method)
 

@@ -71,7 +71,7 @@ def lognormals(*deviations: float) -> Known:
     variance = np.prod(1 + own) - 1
     names = [f"x{k}" for k in range(len(deviations))]
     formula = "*".join(f"exp({s}*{name})" for name, s in zip(names, deviations, strict=True))
-    inputs = dict.fromkeys(names, {"type": "normal", "mean": 0.0, "deviation": 1.0})
+    inputs = {name: {"type": "normal", "mean": 0.0, "deviation": 1.0} for name in names}
     return Known(formula, inputs, tuple(own / variance), tuple(own * np.prod(1 + own) / (1 + own) / variance))
 
 

@@ -14,7 +14,7 @@ from tmodes.sensitivity.quantities import Functional
 from tmodes.sheet import Robot
 from tmodes.simulation.start import run_setup
 from tmodes.simulation.vary.series import COMMANDED, DEVIATION, units_of
-from tmodes.simulation.vary.tables import Nominal, nominal_side
+from tmodes.simulation.vary.tables import Nominal, nominal_side, setpoints
 from tmodes.study.optimize.gradient import Terms
 from tmodes.study.optimize.leaves import factor, formulas, leaves, numbers_of, restricted
 from tmodes.study.optimize.smooth import REFERENCED, reduced_series
@@ -148,7 +148,11 @@ class Adjoint:
             got = f"a distance from the nominal tip, which {own[0]} moves too"
             hint = f"take the series {COMMANDED}, or vary real.{own[0]}"
             raise InputError(f"{which}.series", got, "a distance from a tip that the design does not move", hint)
-        nominal = Nominal.of(point.sheet, point.vary, nominal_side(point.sheet), [series], lambda stage, share: None)
+        side = nominal_side(point.sheet, point.vary, [series])
+        nominal = Nominal.of(point.sheet, point.vary, side, [series], lambda stage, share: None)
+        if series == COMMANDED and any(setpoints(lot.like) is None for lot in nominal.lanes.lots):
+            got, hint = "a path that depends on how other joints move", "take --method tpe"
+            raise InputError(f"{which}.series", got, "a commanded path that the drives alone give", hint)
         room = np.empty((len(next(iter(point.vary.values()))), len(nominal.lanes.times), 3))
         numbers = nominal.table(room, 1, lambda share: None).numbers
         return np.broadcast_to(numbers, room.shape)

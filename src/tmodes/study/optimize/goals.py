@@ -76,7 +76,8 @@ class Goals:
         terms = [self._worst(limit.term.at(values), limit.sign) for limit in self.limits]
         kept = [limit.kept(one) for limit, one in zip(self.limits, terms, strict=True)]
         excess = [limit.excess(one) for limit, one in zip(self.limits, terms, strict=True)]
-        feasible = np.isfinite(objectives).all(axis=1) & np.array(kept, dtype=bool).reshape(-1, count).all(axis=0)
+        held = np.array([*np.isfinite(objectives).T, *kept], dtype=bool)
+        feasible: NDArray[np.bool_] = np.logical_and.reduce(held, axis=0)
         return Judged(objectives, _columns(terms, count), _columns(excess, count), feasible)
 
     def _worst(self, values: Array, sign: int) -> Array:

@@ -66,7 +66,7 @@ def descend(slopes: Slopes, start: Array, tell: Callable[[int], None] = lambda s
         return terms.objective / scale, terms.slope / scale
 
     options = {"maxiter": MOST_STEPS, "ftol": _PRECISION}
-    bounds = Bounds(np.zeros(len(start)), np.ones(len(start)))
+    bounds = Bounds(0.0, 1.0)
     if not first.excess.size:
         options |= {"gtol": 1e-9}
         end = minimize(objective, start, jac=True, method="L-BFGS-B", bounds=bounds, callback=count, options=options)

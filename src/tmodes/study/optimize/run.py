@@ -66,7 +66,7 @@ def optimize(
     named = goals_of(asked, dict.fromkeys(names))
     chosen = _chosen(study, space, named, method, functionals or {})
     scenarios = scenarios_of(study, space, asked.worst_case, seed)
-    units = study.parameter_units | dict.fromkeys(functionals or {}, "-")
+    units = dict(study.parameter_units) | dict.fromkeys(functionals or {}, "-")
     units |= study.evaluate(0, scenarios[:1], progress).units
     goals = goals_of(asked, units)
     tried = Trials(study, space, goals, scenarios, folder, progress, where)

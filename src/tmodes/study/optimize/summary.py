@@ -57,7 +57,7 @@ def _apart(trials: Trials, order: NDArray[np.intp]) -> list[int]:
 
 def _failed(judged: Judged) -> NDArray[np.bool_]:
     """Designs of which an objective or a limit has no value."""
-    return np.isnan(judged.objectives).any(axis=1) | np.isnan(judged.limits).any(axis=1)
+    return np.logical_or.reduce(np.isnan(np.hstack([judged.objectives, judged.limits])), axis=1)
 
 
 def _nearest(judged: Judged) -> int:
@@ -71,7 +71,7 @@ def _history(signed: NDArray[np.float64], feasible: NDArray[np.bool_], sign: flo
     for k, value in enumerate(np.where(feasible, signed, np.inf).tolist()):
         if value < best:
             best = value
-            rows.append((k, sign * value))
+            rows.append((k, float(sign) * value))
     return tuple(rows)
 
 

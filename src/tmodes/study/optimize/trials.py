@@ -78,8 +78,9 @@ class Trials:
             before = self.values.get(name, np.empty((0, shape[1])))
             self.values[name] = np.concatenate([before, np.asarray(one, dtype=float).reshape(shape)])
         reasons = np.array([reason or status for reason, status in zip(rows.reason, rows.status, strict=True)], object)
-        lost = ~np.isfinite(np.stack([*rows.quantities.values()])).all(axis=0)
-        for group, bad in zip(reasons.reshape(shape), lost.reshape(shape), strict=True):
+        sums = np.sum([*rows.quantities.values()], axis=0)
+        lost: NDArray[np.bool_] = ~np.isfinite(np.asarray(sums, dtype=float)).reshape(shape)
+        for group, bad in zip(reasons.reshape(shape), lost, strict=True):
             self.reasons.append(str(group[bad][0]) if bad.any() else "")
         self.designs = np.concatenate([self.designs, designs])
 

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from typing import Literal
 
 import numpy as np
+from numpy.typing import NDArray
 from pydantic import Field
 
 from tmodes.kinds.schema.quantity import Issue
@@ -48,7 +49,7 @@ class Morris(Plan):
         info = {"samples": self.trajectories, "order": order.tolist(), "steps": steps.tolist()}
         return Design(space.drawn(shares.reshape(-1, dimension)), info)
 
-    def _trajectory(self, number: int, dimension: int) -> tuple[Array, Array, Array]:
+    def _trajectory(self, number: int, dimension: int) -> tuple[Array, NDArray[np.int64], Array]:
         """Shares (d + 1, d) of one trajectory, the order (d,) in which the parameters step, and their steps (d,)."""
         random = np.random.default_rng([self.seed, number])
         half = self.levels // 2
@@ -59,4 +60,4 @@ class Morris(Plan):
         for done, which in enumerate(order, start=1):
             level[done:, which] += steps[which]
         unit = (1 - 2 * _EDGE) / (self.levels - 1)
-        return _EDGE + unit * level, order, unit * steps
+        return _EDGE + unit * level.astype(float), order, unit * steps.astype(float)

@@ -90,7 +90,7 @@ def _one(values: Array, of: Callable[[Array], Indices | None], samples: int, row
 
 def _why(rows: Rows, lost: NDArray[np.bool_]) -> str:
     """The most frequent reason."""
-    reasons = Counter(rows.reason[k] or rows.status[k] for k in np.flatnonzero(lost))
+    reasons = Counter(rows.reason[k] or rows.status[k] for k in np.flatnonzero(lost).tolist())
     reason, count = reasons.most_common(1)[0]
     return f"{count:,} of them: {reason}; narrow the distributions, or choose a quantity that every case has"
 

@@ -21,7 +21,8 @@ class Sensitivity:
     """Indices of q quantities by d parameters, not-a-number where a quantity has none.
 
     ``method`` ``sobol``: ``first`` (q, d), the share of the variance that a parameter makes by itself; ``total``
-    (q, d), with all that it makes together with others; ``second`` (q, d, d) or None, what pairs make beyond their own shares.
+    (q, d), with all that it makes together with others; ``second`` (q, d, d) or None, what pairs make beyond their own
+    shares.
     ``method`` ``morris``: ``effect`` (q, d) mean, ``size`` (q, d) mean of the sizes (mu*) and ``spread`` (q, d)
     standard deviation (sigma) of the change of the quantity over a parameter's whole range, in the quantity's unit.
 
