@@ -13,7 +13,7 @@ from tmodes.analysis.statics.equilibrium import robot_rest
 from tmodes.model.model import Model
 from tmodes.sheet import Robot
 
-__all__ = ["DAMPING_TIME", "falling_arm", "stiff_arm"]
+__all__ = ["DAMPING_TIME", "falling_arm", "stiff_arm", "two_beams"]
 
 DAMPING_TIME = 3e-5
 """Kelvin-Voigt damping of the links [s]."""
@@ -83,4 +83,17 @@ def falling_arm(**integration: Any) -> Robot:
         "format": 1, "kind": "arm", "name": "falling", "gravity": 9.81, "joints": joints,
         "links": [_link(k, DAMPING_TIME) for k in range(6)], "initial": {"state": "zero"},
         "integration": {"duration": 1.0, "output_step": 0.01, **integration},
+    })  # fmt: skip
+
+
+def two_beams(**integration: Any) -> Robot:
+    """The first two joints and links alone, with four functions for each way of bending: 22 coordinates."""
+    links = [_link(k, DAMPING_TIME) for k in range(2)]
+    for link in links:
+        link["beam"]["functions"] = {"twist": 1, "bend_y": 4, "bend_z": 4}
+    links[1]["bodies"] = [{"name": "load", "mass": 2.0, "inertia": {"xx": 4e-3, "yy": 4e-3, "zz": 4e-3}, "at": 1.0}]
+    return Robot.from_data({
+        "format": 1, "kind": "arm", "name": "two_beams", "gravity": 9.81,
+        "joints": [_joint(k) for k in range(2)], "links": links, "drives": [_drive(k) for k in range(2)],
+        "integration": {"duration": 0.5, "output_step": 5e-3, "relative_tolerance": 1e-6, **integration},
     })  # fmt: skip

@@ -13,7 +13,7 @@ GUIDE = Path(__file__).parents[2] / "docs" / "batches.md"
 def test_the_examples_of_the_guide():
     guide, known = GUIDE.read_text(encoding="utf-8"), {}
     examples = re.findall(r"```python\n(.*?)```\n\n((?:    [^\n]*\n)+)", guide, re.DOTALL)
-    assert len(examples) == 2
+    assert len(examples) == 4
     for code, info in examples:
         printed = io.StringIO()
         with redirect_stdout(printed):

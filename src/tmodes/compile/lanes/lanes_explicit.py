@@ -11,10 +11,10 @@ from typing import Any
 
 from tmodes.compile.ir.block import ScheduleRate
 from tmodes.compile.lanes.due import due_samples, write_sample
+from tmodes.compile.lanes.lane_norm import LaneNorm
 from tmodes.compile.lanes.lanes_loop import LanesLoop, Series
 from tmodes.compile.lanes.powers import exponential, logarithm
 from tmodes.compile.loops.explicit_loop import adaptive_control, error_of, hermite, interpolation, slopes, stages
-from tmodes.compile.loops.frame import MotionNorm
 from tmodes.compile.loops.gate import gate_change, gate_numbers
 from tmodes.compile.loops.step_control import StepControl, first_length, next_step
 from tmodes.compile.loops.time_loop import AdaptiveStep, Status
@@ -44,7 +44,7 @@ def _write_adaptive(loop: LanesLoop, tableau: Tableau) -> None:
     running = loop.running()
     stages(loop, tableau, step.time, step.h)
     loop.count("evaluations", running, float(tableau.own))
-    error = error_of(loop, tableau, step.h, MotionNorm(loop, loop.guarded // 2) if loop.series else None)
+    error = error_of(loop, tableau, step.h, LaneNorm(loop, loop.guarded // 2) if loop.series else None)
     size = _size(loop, error)
     good = b.fcmp_ordered("<=", error, loop.constant(1.0))
     _reject(loop, control, b.and_(running, b.not_(good)), step.h, size)

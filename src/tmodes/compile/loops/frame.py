@@ -141,13 +141,7 @@ class MotionNorm:
         """
         b, n, rest = self.b, self.pairs, self.loop.size - 2 * self.pairs
         b.store(self.zero, self.total)
-        with counted(b, n, "pair") as i:
-            paired = b.add(i, whole(n))
-            scale = self._scale(self._size(i, one, before))
-            self._add(b.fdiv(error(i), scale))
-            rate = error(paired)
-            shares = [b.fdiv(b.fmul(h, rate), scale), b.fdiv(rate, self._scale(self._size(paired, one, before)))]
-            self._add(self.loop.intrinsic("minnum", *(self.loop.intrinsic("fabs", share) for share in shares)))
+        self._add_pairs(error, one, before, h)
         b.store(self.zero, self.largest)
         with counted(b, rest, "size") as i:
             size = self._size(b.add(i, whole(2 * n)), one, before)
@@ -156,6 +150,17 @@ class MotionNorm:
             self._add(b.fdiv(error(b.add(i, whole(2 * n))), self._scale(self._now(self.largest))))
         mean = b.fdiv(self._now(self.total), self.loop.constant(float(max(self.loop.size, 1))))
         return self.loop.intrinsic("sqrt", mean)
+
+    def _add_pairs(self, error: Callable[[Any], Any], one: str, before: str, h: Any) -> None:
+        """Of a rate what counts less: its own error, or what it moves the coordinate by in a step."""
+        b = self.b
+        with counted(b, self.pairs, "pair") as i:
+            paired = b.add(i, whole(self.pairs))
+            scale = self._scale(self._size(i, one, before))
+            self._add(b.fdiv(error(i), scale))
+            rate = error(paired)
+            shares = [b.fdiv(b.fmul(h, rate), scale), b.fdiv(rate, self._scale(self._size(paired, one, before)))]
+            self._add(self.loop.intrinsic("minnum", *(self.loop.intrinsic("fabs", share) for share in shares)))
 
     def _size(self, i: Any, one: str, before: str) -> Any:
         return self.loop.intrinsic(

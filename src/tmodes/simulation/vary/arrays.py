@@ -35,6 +35,7 @@ def array_lots(
     one: Callable[[int], RunSetup | str],
     progress: Callable[[float], None],
     side: Side = Side.ACTUAL,
+    threads: int = 1,
 ) -> list[Lot]:
     """Lots of the cases that can be prepared as arrays; ``one`` prepares a case by itself, as most others are to be.
 
@@ -51,7 +52,7 @@ def array_lots(
         return []
     try:
         cases = Cases(sheet, dict(zip(values, whole_of[:, plain], strict=True)), next(iter(setups.values())), side)
-        starts = cases.starts(progress)
+        starts = cases.starts(progress, threads)
     except Unfit:
         return []
     if any(np.isfinite(starts[k]).all() for k in tried if k not in setups):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -136,12 +137,13 @@ class Cases:
             for given, right in zip((found.parameters, found.chain), true, strict=True)
         )
 
-    def starts(self, progress: Callable[[float], None]) -> Array:
+    def starts(self, progress: Callable[[float], None], threads: int = 1) -> Array:
         """The first states (k, nx); not-a-number where none is found."""
-        found = []
-        for which in self._blocks:
-            found.append(self._starts(which))
-            progress((which[-1] + 1) / (self._blocks[-1][-1] + 1))
+        found = [self._starts(self._blocks[0])]  # by which all code is made
+        with ThreadPoolExecutor(threads, "tmodes-starts") as pool:
+            for states in pool.map(self._starts, self._blocks[1:]):
+                found.append(states)
+                progress(len(found) / len(self._blocks))
         return np.concatenate(found)
 
     @cached_property

@@ -139,13 +139,15 @@ class _Rows:
         if watched:
             self._alone(going, own, progress)
             return
-        lanes = prepared(self.sheet, values, keep=False, progress=progress)
+        lanes = prepared(self.sheet, values, keep=False, progress=progress, threads=self.threads)
         distances = [name for name in DISTANCES if name in names]
         if COMMANDED in names and any(setpoints(lot.like) is None for lot in lanes.lots):
             distances.remove(COMMANDED)
         nominal, planned = None, [name for name in (DEVIATION, COMMANDED) if name in distances]
         if planned:
-            nominal = Nominal.of(self.sheet, values, nominal_side(self.sheet, values, planned), planned, progress)
+            nominal = Nominal.of(
+                self.sheet, values, nominal_side(self.sheet, values, planned), planned, self.threads, progress
+            )
         work = Reducing(lanes, self.reductions, own, nominal, self.threads)
         for places, runs, numbers in work.parts(progress):
             self._take(going[places], runs, numbers)

@@ -65,7 +65,7 @@ def simulate_batch(
     """
     if figures and out is not None:
         raise InputError("out", "a folder", "no folder where figures are asked for", "leave out one of the two")
-    lanes = prepared(sheet, vary, out=out, keep=figures is None, progress=progress)
+    lanes = prepared(sheet, vary, out=out, keep=figures is None, progress=progress, threads=threads)
     return run_prepared(lanes, tips=tips, threads=threads, figures=figures, progress=progress)
 
 
@@ -100,6 +100,7 @@ def prepared(
     keep: bool = True,
     progress: Progress = lambda stage, share: None,
     side: Side = Side.ACTUAL,
+    threads: int | None = None,
 ) -> Prepared:
     """All that can be wrong with a batch is reported here, before anything runs; see :func:`simulate_batch`.
 
@@ -108,6 +109,7 @@ def prepared(
     """
     refuse_other(sheet)
     values, folder = {} if vary is None else checked(vary), None if out is None else Path(out)
+    count = thread_count(threads)
     size = len(next(iter(values.values()))) if values else 1
     refuse_stops(sheet.integration, "all lanes of a batch run")
     if sheet.integration.energy_stop:
@@ -126,7 +128,7 @@ def prepared(
         return lanes[index]
 
     one(0)
-    lots = array_lots(sheet, values, one, lambda share: progress("preparing", share), side) if values else []
+    lots = array_lots(sheet, values, one, lambda share: progress("preparing", share), side, count) if values else []
     done = np.zeros(size, dtype=bool)
     for lot in lots:
         done[lot.places] = True

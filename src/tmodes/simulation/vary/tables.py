@@ -101,13 +101,21 @@ class Nominal:
 
     @classmethod
     def of(
-        cls, sheet: Robot, values: Mapping[str, Array], side: Side, names: Sequence[str], progress: Progress
+        cls,
+        sheet: Robot,
+        values: Mapping[str, Array],
+        side: Side,
+        names: Sequence[str],
+        threads: int,
+        progress: Progress,
     ) -> Nominal:
         """Prepare them; numbers under ``real`` are none of the nominal robot."""
         own = {
             path: numbers for path, numbers in values.items() if side is Side.ACTUAL or path.partition(".")[0] != _REAL
         }
-        return cls(prepared(sheet, own or None, keep=False, progress=progress, side=side), tuple(names))
+        return cls(
+            prepared(sheet, own or None, keep=False, progress=progress, side=side, threads=threads), tuple(names)
+        )
 
     @property
     def same(self) -> bool:
