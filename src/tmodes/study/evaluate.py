@@ -76,7 +76,8 @@ def _of_group(study: Study, group: Group, first: int, progress: Progress, thread
     if needs.reductions:
         from tmodes.study.ways.reductions import by_reductions
 
-        parts.append(by_reductions(robot, vary, needs, of_vary, threads, progress))
+        spans = None if alike or size >= study.cases else study.spans.get(group.kind)
+        parts.append(by_reductions(robot, vary, needs, of_vary, threads, progress, spans))
     if needs.static:
         from tmodes.study.ways.static import by_statics
 

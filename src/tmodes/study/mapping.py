@@ -81,11 +81,15 @@ def _number(value: Any) -> float | None:
 
 @dataclass(frozen=True, eq=False)
 class Group:
-    """Cases that share a robot: their ``places`` (m,) among all, what is ``set`` for all, ``vary`` (m,) by path."""
+    """Cases that share a robot: their ``places`` (m,) among all, ``vary`` (m,) by path.
+
+    ``kind``: the values of the parameters that cannot differ between them.
+    """
 
     places: NDArray[np.intp]
     robot: Robot | None
     vary: Mapping[str, Array]
+    kind: tuple[float, ...] = ()
     wrong: str = field(default="")
     """Why there is no such robot."""
 
@@ -117,9 +121,10 @@ def groups_of(
             )
         try:
             base = robot.with_(changes) if changes else robot
-            yield Group(places, base, _varied(base, own, targets, {n: arrays[n] for n in choices if n not in apart}))
+            varied = _varied(base, own, targets, {n: arrays[n] for n in choices if n not in apart})
+            yield Group(places, base, varied, tuple(kind.tolist()))
         except (InputError, InputErrors) as error:
-            yield Group(places, None, {}, str(error))
+            yield Group(places, None, {}, tuple(kind.tolist()), str(error))
 
 
 def _numeric(entries: Sequence[Mapping[str, Any]]) -> dict[str, Array]:

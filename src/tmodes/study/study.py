@@ -114,6 +114,21 @@ class Study:
         return self.sheet.plan.design(self.space)
 
     @cached_property
+    def spans(self) -> dict[tuple[float, ...], dict[str, tuple[float, float]]]:
+        """Least and largest value of each path over all cases that share a robot, by the kind of their group.
+
+        What is found once for all cases depends on the plan, and not on how its cases are cut into blocks. Cases that
+        the sheet refuses are left out.
+        """
+        from tmodes.study.mapping import groups_of
+        from tmodes.study.spans import spans_of
+
+        if self.robot is None:
+            return {}
+        groups = groups_of(self.robot, self.names, self.targets, self.choices, self.design().values)
+        return {group.kind: found for group in groups if (found := spans_of(group))}
+
+    @cached_property
     def needs(self) -> Needs:
         """What all quantities need of each case."""
         return reduce(or_, (one.needs() for one in self.sheet.quantities.values()))

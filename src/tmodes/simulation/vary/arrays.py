@@ -15,6 +15,7 @@ from tmodes.model.forms import Unfit
 from tmodes.sheet import Robot
 from tmodes.simulation.start import RunSetup
 from tmodes.simulation.vary.cases import Cases
+from tmodes.simulation.vary.families import Family, agree
 from tmodes.simulation.vary.lanes import Side
 from tmodes.simulation.vary.lots import Lot
 
@@ -25,9 +26,6 @@ Array = NDArray[np.float64]
 _FEW = 12
 """Cases for each varied path, and one more, that are prepared one by one sooner than a form is found."""
 
-_SAME_START = 1e-9
-"""Difference over the largest number of a start up to which it is the same as that of its sheet: rounding."""
-
 
 def array_lots(
     sheet: Robot,
@@ -36,12 +34,19 @@ def array_lots(
     progress: Callable[[float], None],
     side: Side = Side.ACTUAL,
     threads: int = 1,
+    family: Family | None = None,
 ) -> list[Lot]:
     """Lots of the cases that can be prepared as arrays; ``one`` prepares a case by itself, as most others are to be.
 
     None are where there are too few cases, or the numbers of the varied paths act in no simple way, or where starts
     or numbers that were found differ from those of their sheets. ``progress`` is given the share that is done.
+    ``family``: what was found and verified before for values among which these are.
     """
+    if family is not None:
+        cases = family.cases(values)
+        return list(
+            cases.lots(cases.starts(progress, threads), np.arange(len(next(iter(values.values())))), family.setups)
+        )
     whole_of = np.array([*values.values()])
     plain = np.flatnonzero(np.isfinite(whole_of).all(axis=0) & (whole_of != 0).all(axis=0))
     if len(plain) < _FEW * (len(values) + 1):
@@ -57,8 +62,7 @@ def array_lots(
         return []
     if any(np.isfinite(starts[k]).all() for k in tried if k not in setups):
         return []
-    same = all(_same(starts[k], setup.start) and cases.has_numbers(k, setup) for k, setup in setups.items())
-    return list(cases.lots(starts, plain, [*setups.values()])) if same else []
+    return list(cases.lots(starts, plain, [*setups.values()])) if agree(cases, starts, setups) else []
 
 
 def _extremes(values: Array, one: Callable[[int], RunSetup | str]) -> dict[int, RunSetup | str]:
@@ -102,8 +106,3 @@ def _first_refused(values: Array, wrong: int, one: Callable[[int], RunSetup | st
         found = int(order[bad:].min())
         first = min(first, found) if refused(found) else first
     one(first)
-
-
-def _same(found: Array, true: Array) -> bool:
-    """Whether a start, where one was found, is that of its sheet but for rounding."""
-    return not np.abs(found - true).max(initial=0.0) > _SAME_START * np.abs(true).max(initial=1.0)

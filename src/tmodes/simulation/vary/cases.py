@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
@@ -45,19 +45,34 @@ _SURELY = 2.0
 """Stiffness of a few cases over that of any other: the method of all is then known from these few."""
 
 
+_COMMON = ("ranges", "held", "_structure", "forms", "_moves")
+"""What does not depend on the values themselves."""
+
+
 @dataclass(frozen=True, eq=False)
 class Cases:
-    """k cases of a sheet: ``values`` (k,) of each path; ``like``: one of them; ``side``: which of its robots runs."""
+    """k cases of a sheet: ``values`` (k,) of each path; ``like``: one of them; ``side``: which of its robots runs.
+
+    ``spans``: the least and the largest value of each path for which forms are found; None: those of the values.
+    """
 
     sheet: Robot
     values: Mapping[str, Array]
     like: RunSetup
     side: Side = Side.ACTUAL
+    spans: Mapping[str, tuple[float, float]] | None = None
+
+    def others(self, values: Mapping[str, Array]) -> Cases:
+        """Other cases within the same spans, by the same forms."""
+        made = replace(self, values={path: values[path] for path in self.values})
+        made.__dict__.update({name: self.__dict__[name] for name in _COMMON if name in self.__dict__})
+        return made
 
     @cached_property
     def ranges(self) -> tuple[Range, ...]:
         """From the least to the largest value of each path."""
-        ends = [(float(values.min()), float(values.max())) for values in self.values.values()]
+        own = {path: (float(values.min()), float(values.max())) for path, values in self.values.items()}
+        ends = (own if self.spans is None else {path: self.spans[path] for path in own}).values()
         return tuple(Range(low, low, high) for low, high in ends)
 
     @cached_property

@@ -18,10 +18,11 @@ from tmodes.simulation.batch.simulate import thread_count
 from tmodes.simulation.parts import Trajectory
 from tmodes.simulation.start import run_setup
 from tmodes.simulation.vary.alone import run_alone
+from tmodes.simulation.vary.families import Spans
 from tmodes.simulation.vary.kept import Kept, kept_cases
 from tmodes.simulation.vary.reducing import Reducing
 from tmodes.simulation.vary.reductions import Reduction, refuse_unknown_rules
-from tmodes.simulation.vary.refused import refused_cases
+from tmodes.simulation.vary.refused import accepted, refused_cases
 from tmodes.simulation.vary.series import COMMANDED, DEVIATION, DISTANCES, OWN, refuse_unknown_series, units_of
 from tmodes.simulation.vary.simulate import changes_of, checked, prepared
 from tmodes.simulation.vary.tables import Nominal, nominal_side, own_tip, setpoints
@@ -67,6 +68,7 @@ def reduced(
     progress: Progress = lambda stage, share: None,
     kept: Collection[int] = (),
     wrong: str = "error",
+    spans: Spans | None = None,
 ) -> Reduced:
     """Run k cases of one sheet and reduce their series to numbers; ``vary`` as of :func:`tmodes.simulate_batch`.
 
@@ -78,7 +80,9 @@ def reduced(
     Cases run side by side, or by themselves where they are stiff; each is run as :func:`tmodes.run` does where stop
     conditions or the energy may end it, and for series that compiled code does not give (energies, gears that share
     motors), which is slow. ``kept``: indices of cases whose motions are kept. ``wrong``: what becomes of cases that the
-    sheet refuses: an ``error`` before anything runs, or a ``row`` with the status ``refused``.
+    sheet refuses: an ``error`` before anything runs, or a ``row`` with the status ``refused``. ``spans``: where these
+    cases are part of more, the least and the largest value of each path over all of them; what can be found once for
+    all is then kept, and no case within is refused where those at the ends are not.
 
     Raises :class:`tmodes.errors.InputError` or :class:`tmodes.errors.InputErrors` for wrong numbers and unknown names,
     :class:`tmodes.errors.SimulationError` where no case can start.
@@ -90,8 +94,8 @@ def reduced(
     values, count = checked(vary), thread_count(threads)
     size = len(next(iter(values.values())))
     _refuse_absent(kept, size)
-    rows = _Rows(sheet, values, size, tuple(dict.fromkeys(reductions)), count)
-    if wrong == "row":
+    rows = _Rows(sheet, values, size, tuple(dict.fromkeys(reductions)), count, spans)
+    if wrong == "row" and not accepted(sheet, values, spans):
         rows.refuse(refused_cases(sheet, values))
     rows.run(progress)
     found = rows.found()
@@ -109,9 +113,11 @@ class _Rows:
     """The rows of all cases, filled as they come."""
 
     def __init__(
-        self, sheet: Robot, values: dict[str, Array], size: int, reductions: tuple[Reduction, ...], threads: int
-    ) -> None:
+        self, sheet: Robot, values: dict[str, Array], size: int, reductions: tuple[Reduction, ...], threads: int,
+        spans: Spans | None,
+    ) -> None:  # fmt: skip
         self.sheet, self.values, self.reductions, self.threads = sheet, values, reductions, threads
+        self.spans = spans
         self.columns = {one: np.full(size, np.nan) for one in reductions}
         self.status, self.message, self.method = ([""] * size for _ in range(3))
         self.counts = {name: np.zeros(size, dtype=np.int64) for name in COUNTS}
@@ -139,15 +145,16 @@ class _Rows:
         if watched:
             self._alone(going, own, progress)
             return
-        lanes = prepared(self.sheet, values, keep=False, progress=progress, threads=self.threads)
+        lanes = prepared(self.sheet, values, keep=False, progress=progress, threads=self.threads, spans=self.spans)
         distances = [name for name in DISTANCES if name in names]
         if COMMANDED in names and any(setpoints(lot.like) is None for lot in lanes.lots):
             distances.remove(COMMANDED)
         nominal, planned = None, [name for name in (DEVIATION, COMMANDED) if name in distances]
         if planned:
             nominal = Nominal.of(
-                self.sheet, values, nominal_side(self.sheet, values, planned), planned, self.threads, progress
-            )
+                self.sheet, values, nominal_side(self.sheet, values, planned), planned, self.threads, progress,
+                self.spans,
+            )  # fmt: skip
         work = Reducing(lanes, self.reductions, own, nominal, self.threads)
         for places, runs, numbers in work.parts(progress):
             self._take(going[places], runs, numbers)

@@ -9,11 +9,27 @@ from numpy.typing import NDArray
 
 from tmodes.errors import InputError, InputErrors
 from tmodes.sheet import Robot
+from tmodes.simulation.vary.families import Spans, within
 from tmodes.simulation.vary.simulate import changes_of
 
-__all__ = ["refused_cases"]
+__all__ = ["accepted", "refused_cases"]
 
 Array = NDArray[np.float64]
+
+
+_ACCEPTED: dict[object, bool] = {}
+
+
+def accepted(sheet: Robot, values: Mapping[str, Array], spans: Spans | None) -> bool:
+    """Whether no case can be refused: all values lie within ``spans`` whose ends the sheet takes, one at a time."""
+    if spans is None or not within(values, spans):
+        return False
+    key = sheet.model_dump_json(), tuple(spans.items())
+    if key not in _ACCEPTED:
+        middle = {path: (low + high) / 2 for path, (low, high) in spans.items()}
+        corners = [{**middle, path: end} for path, ends in spans.items() for end in ends]
+        _ACCEPTED[key] = not refused_cases(sheet, {path: np.array([one[path] for one in corners]) for path in spans})
+    return _ACCEPTED[key]
 
 
 def refused_cases(sheet: Robot, values: Mapping[str, Array]) -> dict[int, str]:

@@ -6,6 +6,7 @@ import os
 from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
+from functools import partial
 from itertools import accumulate
 from pathlib import Path
 
@@ -21,6 +22,7 @@ from tmodes.simulation.batch.simulate import run_all, thread_count
 from tmodes.simulation.parts import Trajectory, sample_times
 from tmodes.simulation.start import RunSetup, run_setup
 from tmodes.simulation.vary.arrays import array_lots
+from tmodes.simulation.vary.families import Spans, family_of, within
 from tmodes.simulation.vary.lanes import Columns, Side, changed_sheet
 from tmodes.simulation.vary.lots import Indices, Lot, lots_of
 from tmodes.simulation.vary.values import changes_of, checked
@@ -101,11 +103,13 @@ def prepared(
     progress: Progress = lambda stage, share: None,
     side: Side = Side.ACTUAL,
     threads: int | None = None,
+    spans: Spans | None = None,
 ) -> Prepared:
     """All that can be wrong with a batch is reported here, before anything runs; see :func:`simulate_batch`.
 
     ``vary`` None: the sheet as it stands, as a batch of one lane. The room of samples to ``keep`` is asked for as soon
-    as the size of a state is known. ``side``: which robot runs.
+    as the size of a state is known. ``side``: which robot runs. ``spans``: least and largest value of each path over
+    all batches of which this is one, for which forms are found once.
     """
     refuse_other(sheet)
     values, folder = {} if vary is None else checked(vary), None if out is None else Path(out)
@@ -128,7 +132,12 @@ def prepared(
         return lanes[index]
 
     one(0)
-    lots = array_lots(sheet, values, one, lambda share: progress("preparing", share), side, count) if values else []
+    family = None
+    if spans and within(values, spans):
+        own = {path: spans[path] for path in values}
+        family = family_of(sheet, side, own, lambda changes: _lane(sheet, _plain_all(changes), side, 0))
+    tell = partial(progress, "preparing")
+    lots = array_lots(sheet, values, one, tell, side, count, family) if values else []
     done = np.zeros(size, dtype=bool)
     for lot in lots:
         done[lot.places] = True
@@ -216,6 +225,10 @@ def _tips(batch: Prepared, room: Array, threads: int, progress: Progress) -> Arr
         for done in accumulate(pool.map(lambda piece: fill(*piece), pieces)):
             progress("tips", done / batch.size)
     return tips
+
+
+def _plain_all(changes: Mapping[str, float]) -> dict[str, float | int]:
+    return changes_of({path: np.array([value]) for path, value in changes.items()}, 0)
 
 
 def _lane(sheet: Robot, changes: Mapping[str, float | int], side: Side, index: int) -> RunSetup | str:

@@ -19,6 +19,7 @@ from tmodes.simulation.batch.wanted import Wanted
 from tmodes.simulation.parts import Trajectory
 from tmodes.simulation.plan import Follow
 from tmodes.simulation.start import RunSetup, run_setup
+from tmodes.simulation.vary.families import Spans
 from tmodes.simulation.vary.lanes import Side
 from tmodes.simulation.vary.lots import Lot
 from tmodes.simulation.vary.series import COMMANDED, DEVIATION
@@ -108,14 +109,14 @@ class Nominal:
         names: Sequence[str],
         threads: int,
         progress: Progress,
+        spans: Spans | None = None,
     ) -> Nominal:
         """Prepare them; numbers under ``real`` are none of the nominal robot."""
         own = {
             path: numbers for path, numbers in values.items() if side is Side.ACTUAL or path.partition(".")[0] != _REAL
         }
-        return cls(
-            prepared(sheet, own or None, keep=False, progress=progress, side=side, threads=threads), tuple(names)
-        )
+        lanes = prepared(sheet, own or None, keep=False, progress=progress, side=side, threads=threads, spans=spans)
+        return cls(lanes, tuple(names))
 
     @property
     def same(self) -> bool:

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from tmodes.errors import InputError, InputErrors, SimulationError
 from tmodes.sheet import Robot
 from tmodes.simulation.batch.simulate import thread_count
+from tmodes.simulation.vary.families import Spans
 from tmodes.simulation.vary.kept import Kept as KeptCase
 from tmodes.simulation.vary.kept import kept_cases
 from tmodes.simulation.vary.reduce import Reduction, reduced
@@ -25,7 +26,7 @@ Array = NDArray[np.float64]
 
 def by_reductions(
     robot: Robot, vary: Mapping[str, Array], needs: Needs, kept: Collection[int],
-    threads: int | None, progress: Callable[[str, float], None],
+    threads: int | None, progress: Callable[[str, float], None], spans: Spans | None = None,
 ) -> Part:  # fmt: skip
     """Reductions of the cases ``vary`` (m,) of one robot, and the motions of those ``kept``, by index.
 
@@ -34,7 +35,9 @@ def by_reductions(
     asked = {pair: Reduction(*pair) for pair in needs.reductions}
     size = len(next(iter(vary.values())))
     try:
-        found = reduced(robot, vary, [*asked.values()], threads=threads, progress=progress, kept=kept, wrong="row")
+        found = reduced(
+            robot, vary, [*asked.values()], threads=threads, progress=progress, kept=kept, wrong="row", spans=spans
+        )
     except SimulationError as error:
         return Part.of_all(size, "failed", str(error))
     except (InputError, InputErrors):
