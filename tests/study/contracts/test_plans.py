@@ -47,7 +47,7 @@ EXAMPLES: dict[str, dict[str, Any]] = {
     "tolerance": {},
     "list": {"rows": [{"a": 0.5, "b": 3.0}, {"c": 2.0}]},
     "corners": {},
-    "saltelli": {"runs": 16},
+    "saltelli": {"samples": 64},
     "morris": {"trajectories": 8},
 }
 """One of each plan; one without an entry fails."""
