@@ -46,7 +46,8 @@ app = typer.Typer(
 )
 for command, name in (
     (run, "run"), (robots, "robots"), (check, "check"), (describe, "describe"),
-    (batch, "batch"), (study, "study"), (static, "static"), (ladder, "ladder"), (modes, "modes"), (evaluate, "eval"), (schema, "schema"),
+    (batch, "batch"), (study, "study"),
+    (static, "static"), (ladder, "ladder"), (modes, "modes"), (evaluate, "eval"), (schema, "schema"),
     (show, "show"), (view, "view"), (figures, "figures"), (studio, "studio"), (export, "export"),
     (bench, "bench"), (cache, "cache"),
 ):  # fmt: skip
