@@ -132,7 +132,7 @@ class StudyJob:
         self._progress("cases", min(1.0, (self._total - self._left + share) / max(self._total, 1)))
 
     def _share(self, cases: int) -> Progress:
-        """Progress of a block as a part of the whole: that of its cases; what prepares them is heard, and not counted."""
+        """Progress of a block as a part of the whole: that of its cases; preparing them is heard, not counted."""
         reached = [0.0]
 
         def tell(stage: str, share: float) -> None:

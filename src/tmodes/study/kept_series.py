@@ -27,7 +27,7 @@ _TIP = ("tip.x", "tip.y", "tip.z")
 
 def series_of(motion: Kept) -> dict[str, Array]:
     """The series (n,) that a motion holds, by the names of :mod:`tmodes.simulation.vary.series`."""
-    found = dict(zip(_TIP, motion.tip.T, strict=True))
+    found: dict[str, Array] = dict(zip(_TIP, motion.tip.T, strict=True))
     for k, name in enumerate(motion.names):
         found |= {f"{name}.position": motion.states[:, k], f"{name}.velocity": motion.states[:, len(motion.names) + k]}
     return found

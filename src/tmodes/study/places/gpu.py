@@ -1,4 +1,4 @@
-"""An NVIDIA GPU of this machine, through :mod:`tmodes.simulation.gpu`: one case per thread."""
+"""An NVIDIA GPU of this machine: refused, until the cases of a study are reduced there."""
 
 from __future__ import annotations
 
@@ -12,18 +12,17 @@ __all__ = ["Gpu"]
 
 @PLACES.register
 class Gpu(Place):
-    """One case per thread of the GPU."""
+    """Known by name, so that it is refused with a sentence."""
 
     name = "gpu"
 
     @classmethod
     def at(cls, address: str, how: How) -> Self:
-        """The first GPU."""
-        raise InputError(
-            "--on", "gpu", "local, dask or slurm: this version of tmodes has no loop for GPUs", "use local"
-        )
+        """Always refused."""
+        del address, how
+        hint = "write --on local, which takes all cores"
+        raise InputError("--on", "gpu, on which this version of tmodes runs no studies", "local, dask or slurm", hint)
 
     def run(self, job: Job) -> None:
-        """Block by block."""
-        while task := job.next():
-            job.done(task, job.compute(task))
+        """Never reached: there is no such place."""
+        raise NotImplementedError
