@@ -42,7 +42,7 @@ _EXACT = 1e-11
 """Relative error of a number that is rounding."""
 
 _SURELY = 2.0
-"""Share of the limit up to which, or beyond which, the stiffness of a few cases tells the method of all."""
+"""Share of the limit up to which, or beyond which, the stiffness of a few cases decides the method of all."""
 
 
 _COMMON = ("ranges", "held", "_structure", "forms", "_moves")
