@@ -103,7 +103,7 @@ def test_numbers_of_the_robot_before_never_stand_next_to_another(tab: Any) -> No
     """Also where the new one is wrong, and nothing of it can be shown."""
     assert tab.page.locator("[data-fact]").count() > 3
     wrong = copy.deepcopy(still()) | {"name": "other", "drives": SPONG["drives"]}
-    wrong["integration"] = wrong.get("integration", {}) | {"duration": 1e7, "output_step": 1e-6}
+    wrong["integration"] = wrong.get("integration", {}) | {"duration": 1000.0, "output_step": 1e-3}
     open_study(tab, "wrong.yaml", wrong)
     tab.page.locator(".errors p").wait_for()
     assert tab.page.input_value(".sheet input") == "other"

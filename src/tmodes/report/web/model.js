@@ -1,4 +1,4 @@
-/* tmodes, built from 584deeacfa013b59; BSD-3-Clause */
+/* tmodes, built from 505f535677f6a266; BSD-3-Clause */
 
 // src/live/engine_error.ts
 var EngineError = class extends Error {
