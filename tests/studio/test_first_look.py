@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import copy
 import json
 from typing import Any
 
@@ -100,13 +99,14 @@ def test_a_robot_that_nothing_moves_is_drawn_at_rest_and_a_move_is_offered(tab: 
 
 
 def test_numbers_of_the_robot_before_never_stand_next_to_another(tab: Any) -> None:
-    """Also where the new one is wrong, and nothing of it can be shown."""
+    """Also where nothing of the new one can be shown."""
     assert tab.page.locator("[data-fact]").count() > 3
-    wrong = copy.deepcopy(still()) | {"name": "other", "drives": SPONG["drives"]}
-    wrong["integration"] = wrong.get("integration", {}) | {"duration": 1000.0, "output_step": 1e-3}
-    open_study(tab, "wrong.yaml", wrong)
-    tab.page.locator(".errors p").wait_for()
-    assert tab.page.input_value(".sheet input") == "other"
+    wrong = {"path": "integration.output_step", "message": "too fine", "got": "", "expected": "", "hint": "",
+             "where": "", "steps": ["integration", "output_step"]}  # fmt: skip
+    tab.page.route("**/api/jobs", lambda route: route.fulfill(status=422, json={"errors": [wrong]}))
+    tab.page.get_by_label("Robot", exact=True).select_option("spong1987")
+    tab.page.locator(".errors p", has_text="too fine").wait_for()
+    assert tab.page.input_value(".sheet input") == "spong1987"
     assert tab.page.locator("[data-fact], .chart, .view canvas").count() == 0
     assert "Nothing is shown yet" in tab.page.inner_text(".view")
 

@@ -103,7 +103,7 @@ def from_root(robot: Robot, mesh: Kept) -> NDArray[Any]:
     mounts = [link.beam.root_mount for link in robot.links if link.name == mesh.link and link.beam]
     if not mounts or mounts[0] is None:
         return mesh.vertices
-    return (mesh.vertices - np.asarray(mounts[0].position)) @ mounts[0].rotation
+    return (mesh.vertices - np.asarray(mounts[0].position)) @ mounts[0].rotation()
 
 
 def _surface(mesh: Kept, link: int, vertices: NDArray[Any]) -> dict[str, Any]:
