@@ -81,7 +81,7 @@ def meshes_in(data: Any, robot: Robot, chain: Chain, shown: list[str]) -> list[d
         elif along := [k for k, name in enumerate(shown) if name not in rigid and _is_of(name, mesh.link)]:
             if _is_curved(robot, mesh.link):
                 continue
-            found.append(_surface(mesh, along[0], from_root(robot, mesh)) | {"along": along})
+            found.append(_surface(mesh, along[0], _from_root(robot, mesh)) | {"along": along})
         elif mesh.link == BASE:
             found.append(_surface(mesh, -1, mesh.vertices @ chain.base.rotation.T + chain.base.position))
     return found
@@ -98,9 +98,9 @@ def _is_curved(robot: Robot, name: str) -> bool:
     return any(np.any(getattr(beam, "rest_curvature", None) or 0.0) for beam in beams)
 
 
-def from_root(robot: Robot, mesh: Kept) -> NDArray[Any]:
+def _from_root(robot: Robot, mesh: Kept) -> NDArray[Any]:
     """The vertices of a link's surface in the frame of its beam's root."""
-    mounts = [link.beam.root_mount for link in robot.links if link.name == mesh.link and link.beam]
+    mounts = [getattr(link.beam, "root_mount", None) for link in robot.links if link.name == mesh.link]
     if not mounts or mounts[0] is None:
         return mesh.vertices
     return (mesh.vertices - np.asarray(mounts[0].position)) @ mounts[0].rotation()
