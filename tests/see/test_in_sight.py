@@ -7,6 +7,7 @@ from typing import Any
 
 import pytest
 
+from patience import until
 from see.looking import look
 
 SIZES = ((1280, 800), (1280, 1000), (390, 844))
@@ -64,10 +65,10 @@ def test_a_chart_that_comes_back_into_sight_shows_the_time(browser: Any, reports
     page.locator(".scrub").fill("0")
     assert page.evaluate(LINE) == "translateX(0px)"
     page.evaluate("scrollTo(0, document.documentElement.scrollHeight)")
-    page.wait_for_function("document.querySelector('[data-chart=tip_deviation]').getBoundingClientRect().bottom < -200")
+    assert page.locator("[data-chart=tip_deviation]").evaluate("(one) => one.getBoundingClientRect().bottom") < -200
     page.evaluate("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => done())))")
     page.locator(".scrub").fill("500")
     page.evaluate("scrollTo(0, 0)")
-    page.wait_for_function(f"{LINE} !== 'translateX(0px)'")
+    until(lambda: page.evaluate(LINE) != "translateX(0px)", "the chart's time")
     assert page.locator("[data-chart=tip_deviation] .toggle .value").first.inner_text() != "0"
     page.context.close()
