@@ -36,7 +36,8 @@ HERE = Path(__file__).resolve().parents[1] / "src"
 
 def spent(command: Sequence[str], source: Path, cache: Path) -> tuple[float, float]:
     """Wall and processor time [s] of a command, with its children; it must end with 0."""
-    environment = os.environ | {"PYTHONPATH": str(source), "TMODES_CACHE": str(cache)}
+    path = os.pathsep.join(filter(None, (str(source), os.environ.get("PYTHONPATH"))))
+    environment = os.environ | {"PYTHONPATH": path, "TMODES_CACHE": str(cache)}
     environment.pop("PYTHONDONTWRITEBYTECODE", None)  # an installed package has its bytecode
     before, start = resource.getrusage(resource.RUSAGE_CHILDREN), time.perf_counter()
     done = subprocess.run(command, env=environment, capture_output=True, text=True, check=False)
