@@ -131,13 +131,12 @@ def main() -> None:
     print(
         f"{'command':28} {'cache':6} "
         + " ".join(f"{name + ' wall':>11} {name + ' cpu':>10}" for name in versions)
-        + "   ratio  to imports"
+        + "      ratio to imports"
     )
     for row in rows:
         times = " ".join(f"{row[name]['wall']:11.2f} {row[name]['cpu']:10.2f}" for name in versions if name in row)
-        print(
-            f"{row['command']:28} {row['cache']:6} {times}   {row.get('ratio', float('nan')):5.2f} {row.get('imports', float('nan')):11.2f}"
-        )
+        ratios = " ".join(f"{row.get(name, float('nan')):10.2f}" for name in ("ratio", "imports"))
+        print(f"{row['command']:28} {row['cache']:6} {times} {ratios}")
     if given.json:
         given.json.write_text(json.dumps(rows, indent=1), encoding="utf-8")
 
