@@ -28,6 +28,7 @@ from .page_robots import long_arm
 
 ROBOTS = ("filipovic2010", "spong1987", "flexarm1990", "ur5_elastic", "60 coordinates")
 READING = ("check", "modes", "describe", "show")
+IMPORTS = "import xarray, h5netcdf"
 NEWER = "error_estimate:", "model_error:"
 """Keys at their defaults that an earlier version does not know."""
 
@@ -36,7 +37,8 @@ HERE = Path(__file__).resolve().parents[1] / "src"
 
 def spent(command: Sequence[str], source: Path, cache: Path) -> tuple[float, float]:
     """Wall and processor time [s] of a command, with its children; it must end with 0."""
-    environment = os.environ | {"PYTHONPATH": str(source), "TMODES_CACHE": str(cache)}
+    path = os.pathsep.join(filter(None, (str(source), os.environ.get("PYTHONPATH"))))
+    environment = os.environ | {"PYTHONPATH": path, "TMODES_CACHE": str(cache)}
     environment.pop("PYTHONDONTWRITEBYTECODE", None)  # an installed package has its bytecode
     before, start = resource.getrusage(resource.RUSAGE_CHILDREN), time.perf_counter()
     done = subprocess.run(command, env=environment, capture_output=True, text=True, check=False)
@@ -75,7 +77,7 @@ class Race:
                 what = stored if name == "show" else "spong1987"
                 self.lap(f"{name} spong1987", version, "full", *tmodes, name, what)
             self.lap("run --help", version, "full", *tmodes, "run", "--help")
-            self.lap("import xarray, h5netcdf", version, "full", sys.executable, "-c", "import xarray, h5netcdf")
+            self.lap(IMPORTS, version, "full", sys.executable, "-c", IMPORTS)
 
     def sheet(self, robot: str) -> str:
         if robot != "60 coordinates":
@@ -89,6 +91,10 @@ class Race:
             path.write_text("\n".join(known), encoding="utf-8")
         return str(path)
 
+    def _imports(self) -> float:
+        """Processor time [s] of importing xarray and h5netcdf with the sources of this version."""
+        return statistics.median(cpu for _, cpu in self.found[IMPORTS, "full"]["this"])
+
     def rows(self) -> list[dict[str, Any]]:
         """Medians by command and cache."""
         found = []
@@ -101,6 +107,8 @@ class Race:
                 }
             if len(times) == 2:
                 row["ratio"] = row["this"]["cpu"] / row["other"]["cpu"]
+            if name.split()[0] in READING or name == "run --help":
+                row["imports"] = row["this"]["cpu"] / self._imports()
             found.append(row)
         return found
 
@@ -123,11 +131,12 @@ def main() -> None:
     print(
         f"{'command':28} {'cache':6} "
         + " ".join(f"{name + ' wall':>11} {name + ' cpu':>10}" for name in versions)
-        + "   ratio"
+        + "      ratio to imports"
     )
     for row in rows:
         times = " ".join(f"{row[name]['wall']:11.2f} {row[name]['cpu']:10.2f}" for name in versions if name in row)
-        print(f"{row['command']:28} {row['cache']:6} {times}   {row.get('ratio', float('nan')):.2f}")
+        ratios = " ".join(f"{row.get(name, float('nan')):10.2f}" for name in ("ratio", "imports"))
+        print(f"{row['command']:28} {row['cache']:6} {times} {ratios}")
     if given.json:
         given.json.write_text(json.dumps(rows, indent=1), encoding="utf-8")
 

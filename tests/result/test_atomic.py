@@ -132,7 +132,7 @@ path = Path(sys.argv[1])
 results = [synthetic_result(samples=100 + 50 * k) for k in (0, 1)]
 for result in results:
     result.data.attrs["message"] = f"{result.data.sizes['time']} samples"
-bodies = {result.data.sizes["time"]: bytes(resultfile._body(result.data)) for result in results}
+bodies = {result.data.sizes["time"]: bytes(resultfile._body(result.record)) for result in results}
 resultfile._body = lambda data: memoryview(bodies[data.sizes["time"]])  # so that nearly all the time goes into writing
 results[0].save(path)
 

@@ -11,10 +11,10 @@ import pytest
 
 from patience import steady, until
 from see.test_small import PAPER
-from studio import test_browser as page
-from studio.test_browser import Tab
+from studio import tabs
+from studio.tabs import Tab
 
-address, browser, tab = page.address, page.browser, page.tab
+address, browser, tab = tabs.address, tabs.browser, tabs.tab
 """Fixtures that are those of the studio's page."""
 
 

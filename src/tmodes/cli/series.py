@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 if TYPE_CHECKING:
-    from xarray import DataArray, Dataset
+    from tmodes.io.labelled import Labelled, Record
 
 __all__ = ["ASCII", "BLOCKS", "Series", "first_series", "series_of_result", "sparkline", "steps_for"]
 
@@ -41,14 +41,14 @@ class Series:
         return f"{self.variable} {self.of}".rstrip()
 
 
-def series_of_result(data: Dataset) -> Iterator[Series]:
+def series_of_result(data: Record) -> Iterator[Series]:
     """Every series; of what is known along a link the value of the largest size at each instant, with its sign."""
     for name, variable in data.data_vars.items():
         if variable.dims[:1] == ("time",) and np.issubdtype(variable.dtype, np.floating):
-            yield from _parts(str(name), _farthest(variable), _coordinate_units(data))
+            yield from _parts(data, str(name), variable, _coordinate_units(data))
 
 
-def first_series(data: Dataset) -> list[Series]:
+def first_series(data: Record) -> list[Series]:
     """Those of the variables that a reader asks first, of each variable the ones with the widest range."""
     found = list(series_of_result(data))
     shown: list[Series] = []
@@ -59,16 +59,17 @@ def first_series(data: Dataset) -> list[Series]:
     return shown[:MOST]
 
 
-def _farthest(variable: DataArray) -> DataArray:
-    if "s" not in variable.dims:
-        return variable
-    axis = variable.get_axis_num("s")
-    places = np.abs(variable.values).argmax(axis=axis)
-    values = np.take_along_axis(variable.values, np.expand_dims(places, axis), axis=axis).squeeze(axis)
-    return variable.isel(s=0, drop=True).copy(data=values)
+def _farthest(variable: Labelled) -> tuple[list[str], NDArray[np.float64]]:
+    """Dimensions and values; of those along a link the one of the largest size at each instant."""
+    values, dims = np.asarray(variable.values, dtype=float), [str(dim) for dim in variable.dims]
+    if "s" not in dims:
+        return dims, values
+    axis = dims.index("s")
+    places = np.expand_dims(np.abs(values).argmax(axis=axis), axis)
+    return [dim for dim in dims if dim != "s"], np.take_along_axis(values, places, axis=axis).squeeze(axis)
 
 
-def _coordinate_units(data: Dataset) -> dict[str, str]:
+def _coordinate_units(data: Record) -> dict[str, str]:
     """Unit of each coordinate of a robot; a gear's deflection has that of its joint."""
     if "coordinate_unit" not in data.coords:
         return {}
@@ -86,12 +87,12 @@ def _own_unit(info: str, word: str, units: dict[str, str]) -> str:
     return choices[min(place, len(choices) - 1)].partition(" along ")[0].partition(" of ")[0] + per
 
 
-def _parts(name: str, variable: DataArray, units: dict[str, str]) -> Iterator[Series]:
+def _parts(data: Record, name: str, variable: Labelled, units: dict[str, str]) -> Iterator[Series]:
+    dims, values = _farthest(variable)
     labels = [
-        list(map(str, variable[dim].values)) if dim in variable.coords else list(map(str, range(variable.sizes[dim])))
-        for dim in map(str, variable.dims[1:])
+        [str(one) for one in (data[dim].values if dim in data.coords else range(data.sizes[dim]))] for dim in dims[1:]
     ]
-    values = np.asarray(variable.values, dtype=float).reshape(len(variable), -1)
+    values = values.reshape(len(values), -1)
     unit = str(variable.attrs.get("units", ""))
     for column, words in enumerate(product(*labels)):
         yield Series(name, " ".join(words), _own_unit(unit, words[0] if words else "", units), values[:, column])

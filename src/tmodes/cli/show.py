@@ -47,7 +47,7 @@ def show(
     from tmodes.cli.series import first_series, series_of_result
 
     stored = stored_result(result)
-    data = stored.data
+    data = stored.record
     chosen = list(series_of_result(data)) if everything or as_json else first_series(data)
     if as_json:
         series = [{"variable": one.variable, "of": one.of, "unit": one.unit} | _extremes(one) for one in chosen]
@@ -67,7 +67,7 @@ def _show(stored: Result, file: Path, chosen: list[Series], total: int) -> None:
         print(line)
     if modes := list(_modes(stored.frequencies)):
         print_table("frequencies", ["motors", "dominant element", "frequency [Hz]", "damping ratio"], modes)
-    columns = ["series", "min", "max", "at end", f"0 ... {float(stored.data['time'][-1]):.4g} s"]
+    columns = ["series", "min", "max", "at end", f"0 ... {float(stored.record['time'][-1]):.4g} s"]
     print_table("series", columns, [_row(one) for one in chosen])
     if len(chosen) < total:
         print(f"{total - len(chosen)} more series: --all")

@@ -16,16 +16,19 @@ import os
 import stat
 import struct
 import zlib
+from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from tmodes.errors import ResultFileError
 from tmodes.io.atomic import atomic_write, check_writable, file_error, real_path
+from tmodes.io.labelled import Labelled, Record
+from tmodes.io.netcdf import decoded, encoded
 
 if TYPE_CHECKING:
-    from xarray import Dataset, Variable
+    from xarray import Dataset
 
-__all__ = ["FORMAT_VERSION", "MAX_BYTES", "SEAL_BYTES", "read_sealed", "write_sealed"]
+__all__ = ["FORMAT_VERSION", "MAX_BYTES", "SEAL_BYTES", "read_record", "read_sealed", "write_sealed"]
 
 FORMAT_VERSION = 1
 MAX_BYTES = 8 * 2**30
@@ -42,14 +45,15 @@ PLAIN_BYTES = 2**25
 """Numbers up to so many bytes are not compressed: that takes longer than the run, and saves two fifths of the file."""
 
 
-def write_sealed(dataset: Dataset, path: str | os.PathLike[str], *, overwrite: bool = True) -> None:
-    """Write a dataset as a sealed file, atomically; the same dataset gives the same bytes.
+def write_sealed(dataset: Dataset | Record, path: str | os.PathLike[str], *, overwrite: bool = True) -> None:
+    """Write a dataset or a record as a sealed file, atomically; the same one gives the same bytes.
 
     Numbers and text only: no Python objects. Raises :class:`ResultFileError` when the dataset holds anything else,
     or when the file cannot be written; an old file of that name is then untouched.
     """
-    _check_storable(dataset)
-    body = _body(dataset)
+    record = dataset if isinstance(dataset, Record) else Record.of(dataset)
+    _check_storable(record)
+    body = _body(record)
     check_writable(real_path(path).parent, len(body) + SEAL_BYTES)
     with atomic_write(path, overwrite=overwrite) as temporary, temporary.open("wb") as file:
         file.write(body)
@@ -57,6 +61,11 @@ def write_sealed(dataset: Dataset, path: str | os.PathLike[str], *, overwrite: b
 
 
 def read_sealed(path: str | os.PathLike[str], *, max_bytes: int = MAX_BYTES) -> Dataset:
+    """A sealed file as a dataset; see :func:`read_record`."""
+    return read_record(path, max_bytes=max_bytes).dataset()
+
+
+def read_record(path: str | os.PathLike[str], *, max_bytes: int = MAX_BYTES) -> Record:
     """Read a sealed file whole into memory, and close it.
 
     Raises :class:`ResultFileError` with the reason when the file is not a result, is damaged in a single bit, cut
@@ -65,7 +74,7 @@ def read_sealed(path: str | os.PathLike[str], *, max_bytes: int = MAX_BYTES) -> 
     body = _believed(Path(path), max_bytes)
     try:
         _check_plain(path, body, max_bytes)
-        return _dataset(body)
+        return decoded(body)
     except ResultFileError:
         raise
     except Exception as error:  # the libraries raise many kinds; the seal matched, so the content is at fault
@@ -118,15 +127,15 @@ def _content(path: Path, max_bytes: int) -> memoryview:
         ) from error
 
 
-def _check_storable(dataset: Dataset) -> None:
+def _check_storable(record: Record) -> None:
     """Refuse what would need pickle, or would come back as something else."""
     hint = "store numbers and text; anything else as JSON text in an attribute"
-    for name, variable in dataset.variables.items():
+    for name, variable in record.variables.items():
         if variable.dtype.str[1] not in "fiuU" or variable.size == 0:
             got = f"{variable.dtype} of shape {variable.shape}"
             raise file_error(f"variable {name}", got, "numbers or text, at least one", hint)
-    places: dict[str, dict[Any, Any]] = {"the result": dataset.attrs}
-    places |= {f"variable {name}": variable.attrs for name, variable in dataset.variables.items()}
+    places: dict[str, dict[Any, Any]] = {"the result": record.attrs}
+    places |= {f"variable {name}": variable.attrs for name, variable in record.variables.items()}
     for place, attributes in places.items():
         for name, value in attributes.items():
             if type(value) not in (str, int, float) or (type(value) is str and not _is_plain_text(value)):
@@ -139,24 +148,23 @@ def _is_plain_text(text: str) -> bool:
     return "\0" not in text and not any("\ud800" <= letter <= "\udfff" for letter in text)
 
 
-def _body(dataset: Dataset) -> memoryview:
-    """The NetCDF-4 file in memory: nothing in it depends on time, place, or what the dataset was read from."""
-    packed = dataset.nbytes > PLAIN_BYTES
-    encoding = {str(name): _encoding(variable, packed=packed) for name, variable in dataset.variables.items()}
-    buffer = io.BytesIO()
-    dataset.drop_encoding().to_netcdf(buffer, engine="h5netcdf", encoding=encoding)
-    return buffer.getbuffer()
+def _body(record: Record) -> memoryview:
+    """The NetCDF-4 file in memory: nothing in it depends on time, place, or what the record was read from."""
+    return encoded(record, _storage(record))
 
 
-def _encoding(variable: Variable, *, packed: bool) -> dict[str, Any]:
-    """Text as UTF-8 of fixed width; numbers as they are or, ``packed``, compressed in chunks of about a megabyte."""
-    if variable.dtype.str[1] == "U":
-        return {"dtype": "S1"}
-    if not (variable.ndim and packed):
-        return {"_FillValue": None}
-    row = variable.dtype.itemsize * math.prod(variable.shape[1:])
-    chunks = (max(1, min(variable.shape[0], CHUNK_BYTES // row)), *variable.shape[1:])
-    return {"zlib": True, "shuffle": True, "complevel": 4, "chunksizes": chunks, "_FillValue": None}
+def _storage(record: Record) -> Callable[[Labelled], dict[str, Any]]:
+    """Numbers as they are or, where there are many, compressed in chunks of about a megabyte."""
+    packed = record.nbytes > PLAIN_BYTES
+
+    def stored(variable: Labelled) -> dict[str, Any]:
+        if not packed or variable.dtype.str[1] == "U":
+            return {}
+        row = variable.dtype.itemsize * math.prod(variable.shape[1:])
+        chunks = (max(1, min(variable.shape[0], CHUNK_BYTES // row)), *variable.shape[1:])
+        return {"compression": "gzip", "shuffle": True, "compression_opts": 4, "chunks": chunks}
+
+    return stored
 
 
 def _check_plain(path: object, body: memoryview, max_bytes: int) -> None:
@@ -180,21 +188,3 @@ def _check_plain(path: object, body: memoryview, max_bytes: int) -> None:
             size += data.nbytes
     if size > max_bytes:
         raise file_error(path, f"{size:,} bytes when unpacked", f"at most {max_bytes:,}", "allow more with max_bytes")
-
-
-def _dataset(body: memoryview) -> Dataset:
-    import xarray as xr
-
-    with xr.open_dataset(io.BytesIO(body), engine="h5netcdf", decode_times=False, mask_and_scale=False) as lazy:
-        dataset = lazy.load().drop_encoding()
-    for name, variable in dataset.variables.items():
-        if variable.dtype.str[1] == "O":
-            dataset[name] = dataset[name].astype(str)
-        dataset[name].attrs = _plain(variable.attrs)
-    dataset.attrs = _plain(dataset.attrs)
-    return dataset
-
-
-def _plain(attributes: dict[Any, Any]) -> dict[Any, Any]:
-    """Attributes as text and Python numbers, as they were written."""
-    return {name: getattr(value, "item", lambda value=value: value)() for name, value in attributes.items()}

@@ -47,7 +47,7 @@ def why_not_live(result: Result) -> str:
     settings = result.robot.integration
     if settings.stop or settings.energy_stop or settings.stop_at_limits:
         return "it ends by a condition, which is detected natively"
-    if json.loads(result.data.attrs["robot_real"])["real"]:
+    if json.loads(result.record.attrs["robot_real"])["real"]:
         return "its actual robot has factors of its own"
     return why_not_mechanics(result.robot)
 
@@ -63,22 +63,22 @@ def live_bundle(result: Result, ahead: Ahead | None = None) -> dict[str, Any] | 
     settings = pair.real.integration
     places = load_places(pair.real.chain(), settings.line_points)
     stations = tuple(places[evenly(len(places), _MOST_STATIONS)].tolist())
-    compared, surfaces = "tip_nominal" in result.data, _with_surfaces(result)
-    place = dict(zip(map(str, result.data["coordinate"].values), result.data["q"].values[-1].tolist(), strict=True))
-    ended = held_at(pair.real, float(result.data["time"].values[-1]), place)
+    compared, surfaces = "tip_nominal" in result.record, _with_surfaces(result)
+    place = dict(zip(map(str, result.record["coordinate"].values), result.record["q"].values[-1].tolist(), strict=True))
+    ended = held_at(pair.real, float(result.record["time"].values[-1]), place)
     own = mechanics(pair, ended, stations, method, compared=compared, surfaces=surfaces)
-    own["errorParts"] = [*map(str, result.data["error_part"].values)] if "tip_error" in result.data else None
+    own["errorParts"] = [*map(str, result.record["error_part"].values)] if "tip_error" in result.record else None
     return {**_common(result, pair, live_map(pair, stations, ahead), method), **own, "stations": np.array(stations)}
 
 
 def _with_surfaces(result: Result) -> list[str]:
     """The links whose surfaces the result keeps, in their order."""
-    return list(dict.fromkeys(info["link"] for info in json.loads(result.data.attrs.get("meshes", "[]"))))
+    return list(dict.fromkeys(info["link"] for info in json.loads(result.record.attrs.get("meshes", "[]"))))
 
 
 def _common(result: Result, pair: RobotPair, live: LiveMap, method: str) -> dict[str, Any]:
     settings = pair.real.integration
-    times = np.asarray(result.data["time"].values, dtype=float)
+    times = np.asarray(result.record["time"].values, dtype=float)
     return {
         "sliders": [slider.info() for slider in live.sliders],
         "leftOut": [{"path": path, "reason": reason} for path, reason in live.left_out.items()],

@@ -42,7 +42,7 @@ def drafts_of(result: Result) -> list[Draft]:
 
 
 def _drafts(result: Result) -> Iterator[Draft]:
-    data = result.data
+    data = result.record
     yield from _causes(data)
     yield from tip_charts(data)
     yield from _contact(data)

@@ -74,15 +74,15 @@ def live_page(result: Result, *, live: bool = True, ahead: Ahead | None = None) 
 
 def robot_name(result: Result) -> str:
     """The name of the robot that ran."""
-    return str(json.loads(result.data.attrs["robot"]).get("name") or "robot")
+    return str(json.loads(result.record.attrs["robot"]).get("name") or "robot")
 
 
 def _title(result: Result) -> str:
-    return str(json.loads(result.data.attrs["robot"]).get("title") or "")
+    return str(json.loads(result.record.attrs["robot"]).get("title") or "")
 
 
 def _run(result: Result, name: str, charts: list[dict[str, Any]], *, light: bool) -> dict[str, Any]:
-    data = result.data
+    data = result.record
     times, missing = np.asarray(data["time"].values, dtype=float), actual(result).missing
     unknown = [f"shown by what the result holds alone, because its robot cannot be rebuilt: {missing}"]
     unknown = unknown if missing and not any(missing in one for one in result.warnings) else []

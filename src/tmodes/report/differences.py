@@ -36,7 +36,7 @@ class Difference(NamedTuple):
 
 def differences(results: Sequence[Result]) -> list[Difference]:
     """All values that differ between the sheets of several runs, in the order of the sheets."""
-    sheets = [json.loads(result.data.attrs["robot"]) for result in results]
+    sheets = [json.loads(result.record.attrs["robot"]) for result in results]
     flat = [{path_of(steps, sheet): (steps, value) for steps, value in _leaves(sheet, ())} for sheet in sheets]
     paths = dict.fromkeys(path for one in flat for path in one)
     found = []

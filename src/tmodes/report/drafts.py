@@ -155,7 +155,7 @@ _FLOOR = 1e-3
 
 def run_spectra(result: Result) -> Iterator[Draft]:
     """Of the part of a run that :func:`tmodes.plot.facts.spectral_part` gives."""
-    data, units = result.data, []
+    data, units = result.record, []
     if "deformation_kind" in data.dims:
         units = [deformation_unit(data, str(name)) for name in data["deformation_kind"].values]
     yield from _spectra(result, spectral_part(data, LEAST_SAMPLES), units)

@@ -20,12 +20,12 @@ _MARKED = ("tip_error.commanded", "deviation.max", "deflection.max", "gear.max")
 
 def events_of(result: Result, facts: Iterable[Fact]) -> list[dict[str, Any]]:
     """Times [s] and words in their order, a dozen at most."""
-    end = float(result.data["time"][-1])
+    end = float(result.record["time"][-1])
     known = {fact.id: fact for fact in facts if fact.time is not None}
     found = [(known[name].time, f"largest: {known[name].name.lower()}") for name in _MARKED if name in known]
     if result.move_end is not None:
         found.append((result.move_end, "end of the move"))
-    found += [*_contact(result.data), *_limits(result)]
+    found += [*_contact(result.record), *_limits(result)]
     inside = sorted((float(time), words) for time, words in found if time is not None and 0 < time <= end)
     return [{"time": time, "label": words} for time, words in dict.fromkeys(inside)][:_MOST]
 
@@ -38,7 +38,7 @@ def _contact(data: Any) -> Iterator[tuple[float, str]]:
 
 
 def _limits(result: Result) -> Iterator[tuple[float, str]]:
-    data, time = result.data, result.data["time"].values
+    data, time = result.record, result.record["time"].values
     try:
         joints = result.robot.joints
     except TmodesError:
@@ -47,6 +47,6 @@ def _limits(result: Result) -> Iterator[tuple[float, str]]:
         for name in joint.coordinates:
             for series, dim, words in (("v", "coordinate", "speed"), ("effort", "drive", "effort")):
                 if (bound := getattr(joint.limits, words, None)) and dim in data.dims and name in data[dim].values:
-                    past = np.flatnonzero(np.abs(data[series].sel({dim: name}).values) > bound)
+                    past = np.flatnonzero(np.abs(data[series].sel(**{dim: name}).values) > bound)
                     if len(past):
                         yield float(time[past[0]]), f"{name} passes its limit of {words}"

@@ -119,7 +119,7 @@ _ROUNDING = 1e-15
 
 def run_facts(result: Result, summary: dict[str, Any]) -> Iterator[Fact]:
     """From a result and its summary; what there is not is left out."""
-    data, robot = result.data, result.robot
+    data, robot = result.record, result.robot
     yield from tracking_facts(summary)
     yield from _worst(summary["links"], "deflection", "max_m", "m", "Largest deflection of a link")
     yield from _worst(summary["links"], "bending_moment", "max_Nm", "N m", "Largest bending moment", "moment.max")

@@ -87,7 +87,7 @@ def with_few_shapes(result: Result, few: Sequence[LinkShape]) -> Result:
     if not few:
         return result
     surfaces = [shape.surface for shape in few]
-    data = result.data.assign(
+    data = result.record.assign(
         mesh_vertices=(("mesh_vertex", "axis"), _joined([surface.vertices for surface in surfaces], np.float32),
                        {"units": "m", "long_name": "vertices of the links' surfaces, in the frame of each link"}),
         mesh_faces=(("mesh_face", "corner"), _joined([surface.faces for surface in surfaces], np.int32),

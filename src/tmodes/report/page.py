@@ -55,7 +55,7 @@ def page(
 
 
 def _header(result: Result, robot: Robot) -> Markup:
-    data = result.data
+    data = result.record
     space = "in contact with a surface" if "contact_force" in data else "in free space"
     bending = sum(link.beam is not None and link.beam.coordinate_count > 0 for link in robot.links)
     driven = len(data["drive"]) if "drive" in data.dims else 0
@@ -103,7 +103,7 @@ def _sheet(robot: Robot) -> tuple[Markup | None, ...]:
 
 
 def _provenance(result: Result, robot: Robot, spent: Mapping[str, Sequence[float]]) -> Markup:
-    attributes = result.data.attrs
+    attributes = result.record.attrs
     method = {"method": attributes["method"], "end": result.message}
     times = [[stage, *(f"{time:.2f}" for time in each)] for stage, each in spent.items()]
     return section(

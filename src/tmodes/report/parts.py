@@ -67,7 +67,7 @@ def status(result: Result) -> Markup:
     if result.success:
         stopped = "" if result.status == "finished" else f" Ended by a stop condition: {message}"
         return tag("p", result_sentence(result.summary()), stopped, class_="status good")
-    data = result.data
+    data = result.record
     wanted = json.loads(data.attrs["robot"]).get("integration", {}).get("duration")
     of_wanted = f" of {wanted:g} s" if isinstance(wanted, (int, float)) else ""
     end = f"What follows ends at {float(data['time'][-1]):g} s{of_wanted} and is not a complete result."

@@ -41,7 +41,7 @@ def scene_of(result: Result, frames: Frames | None = None) -> dict[str, Any]:
     rebuilt only the lines that the result holds.
     """
     frames = _frames(result) if frames is None else frames
-    known, data = actual(result), result.data
+    known, data = actual(result), result.record
     names, drawn = known.names, known.drawn
     data = data.isel(time=frames, s=stations_shown(data.sizes["s"], len(frames), len(names)))
     if known.missing:
@@ -69,7 +69,7 @@ def scene_of(result: Result, frames: Frames | None = None) -> dict[str, Any]:
         "roots": quaternions(turned[:, :, 0]),
         "contact": _contact(data, robot),
         "joints": list(_joints(model, names)),
-        "meshes": meshes_in(result.data, robot, model.chain, names),
+        "meshes": meshes_in(result.record, robot, model.chain, names),
     }
 
 
@@ -103,10 +103,10 @@ def _stored(data: Any, drawn: list[str]) -> dict[str, Any]:
 def line_of(result: Result, frames: Frames | None = None) -> dict[str, Any] | None:
     """Deflection, slope, moment and shear along each elastic link at ``frames``; None where there is none."""
     frames = _frames(result) if frames is None else frames
-    if "bending_link" not in result.data.dims or actual(result).missing:
+    if "bending_link" not in result.record.dims or actual(result).missing:
         return None
-    links = names_of(result.data, "bending_link")
-    data = result.data.isel(time=frames, s=stations_shown(result.data.sizes["s"], len(frames), 3 * len(links)))
+    links = names_of(result.record, "bending_link")
+    data = result.record.isel(time=frames, s=stations_shown(result.record.sizes["s"], len(frames), 3 * len(links)))
     model = actual(result).model
     lines = elastic_line(model, np.zeros(model.nq), stations=[0.0, 1.0])
     lengths = np.array([lines[name].length for name in links])
@@ -119,7 +119,7 @@ def line_of(result: Result, frames: Frames | None = None) -> dict[str, Any] | No
 
 
 def _frames(result: Result) -> Frames:
-    data = result.data
+    data = result.record
     return scene_frames(data["time"].values, int(np.prod(data["line"].shape[1:])) if "line" in data else 0)
 
 

@@ -31,7 +31,7 @@ class Actual:
     """
 
     def __init__(self, result: Result) -> None:
-        self.missing, data = "", result.data
+        self.missing, data = "", result.record
         self.drawn = names_of(data, "link")
         try:
             self.robot: Robot = result.actual

@@ -7,7 +7,7 @@ import platform
 from collections.abc import Callable
 from functools import cached_property
 from importlib.metadata import version
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,6 +18,7 @@ from tmodes.analysis.modes.of_sheet import frequencies_about, sheet_frequencies
 from tmodes.analysis.quasistatic import elastic_names
 from tmodes.analysis.statics.steady import steady_rates
 from tmodes.errors import SimulationError
+from tmodes.io.labelled import Record
 from tmodes.io.sheet_plausible import implausible_numbers, reading_notices
 from tmodes.result.elements import element_errors
 from tmodes.result.end_modes import end_modes, with_elements
@@ -28,9 +29,6 @@ from tmodes.result.series import Variables, coordinates_of, line_series, motion_
 from tmodes.result.settling import BAND, AfterMove, after_move, move_end, plain_vibration
 from tmodes.sheet import Robot
 from tmodes.simulation.motion_run import RunData
-
-if TYPE_CHECKING:
-    from xarray import Dataset
 
 __all__ = ["Assembly"]
 
@@ -86,9 +84,9 @@ class Assembly:
         return line_series(self.run, self.stations, self.count)
 
     @cached_property
-    def motion(self) -> Dataset:
+    def motion(self) -> Record:
         """Motion, drives, points, contact and energies, without the elastic lines."""
-        return _dataset(self._motion, coordinates_of(self.run, self.count, {}, self.stations))
+        return _record(self._motion, coordinates_of(self.run, self.count, {}, self.stations))
 
     @cached_property
     def move_end(self) -> float | None:
@@ -185,7 +183,7 @@ class Assembly:
             info[_STORED_AS.get(name, name)] = json.dumps(getattr(self, name))
         return info
 
-    def whole(self, progress: Progress = lambda stage, share: None) -> Dataset:
+    def whole(self, progress: Progress = lambda stage, share: None) -> Record:
         """The whole record; ``progress`` receives the stages.
 
         Raises :class:`tmodes.errors.SimulationError` for lines that memory does not hold.
@@ -194,10 +192,10 @@ class Assembly:
         return self.all_series.assign_attrs(self.attributes(progress))
 
     @cached_property
-    def all_series(self) -> Dataset:
+    def all_series(self) -> Record:
         """The whole record without its attributes."""
         lines, names, _ = self._lines
-        return _dataset(self._motion | lines, coordinates_of(self.run, self.count, names, self.stations))
+        return _record(self._motion | lines, coordinates_of(self.run, self.count, names, self.stations))
 
 
 _KEPT = {
@@ -236,11 +234,10 @@ def provenance(run: RunData, known: Robot) -> dict[str, Any]:
     }
 
 
-def _dataset(variables: Variables, coordinates: dict[str, Any]) -> Dataset:
-    import xarray as xr
-
+def _record(variables: Variables, coordinates: dict[str, Any]) -> Record:
     series = {
         name: (dims, values, {"units": unit, "long_name": text})
         for name, (dims, values, unit, text) in variables.items()
     }
-    return xr.Dataset(series, coords=coordinates)
+    labels = {name: ((dim,), np.asarray(values), info) for name, (dim, values, info) in coordinates.items()}
+    return Record(series | labels, labels)

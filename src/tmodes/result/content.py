@@ -19,7 +19,7 @@ from tmodes.io.atomic import file_error
 from tmodes.sheet.robot import RECURSION
 
 if TYPE_CHECKING:
-    from xarray import Dataset
+    from tmodes.io.labelled import Record
 
 __all__ = ["AGAIN", "refuse_not_finite", "refuse_wrong_content"]
 
@@ -136,7 +136,7 @@ _LABELLED = ("axis", "bending_link", "coordinate", "deformation_kind", "drive", 
              "moment_kind", "plane", "point", "s", "stressed_link", "work_kind")  # fmt: skip
 
 
-def refuse_wrong_content(data: Dataset, path: object, *, whole: bool) -> None:
+def refuse_wrong_content(data: Record, path: object, *, whole: bool) -> None:
     """Refuse a record that no run wrote; ``path`` names it; ``whole``: its series and their names too.
 
     Raises :class:`tmodes.errors.ResultFileError`.
@@ -148,7 +148,7 @@ def refuse_wrong_content(data: Dataset, path: object, *, whole: bool) -> None:
 
 
 def refuse_not_finite(
-    data: Dataset, path: str = "", hint: str = "keep only what is before it: result.data.isel(time=slice(None, n))"
+    data: Record, path: str = "", hint: str = "keep only what is before it: result.data.isel(time=slice(None, n))"
 ) -> None:
     """Refuse numbers that are not finite; raises :class:`tmodes.errors.ResultFileError`."""
     for name, variable in data.variables.items():
@@ -165,7 +165,7 @@ def _adapter(name: str) -> TypeAdapter[Any]:
     return TypeAdapter(_JSON[name])
 
 
-def _attributes(data: Dataset) -> Wrong:
+def _attributes(data: Record) -> Wrong:
     for name in _TEXTS:
         if name in data.attrs and not isinstance(data.attrs[name], str):
             yield f"attribute {name}", f"{data.attrs[name]!r:.60}", "text"
@@ -180,7 +180,7 @@ def _attributes(data: Dataset) -> Wrong:
             yield f"attribute {name}", "no JSON text", "JSON text"
 
 
-def _times(data: Dataset) -> Wrong:
+def _times(data: Record) -> Wrong:
     time, expected = data["time"], "numbers that increase from sample to sample"
     if time.dims != ("time",) or not np.issubdtype(time.dtype, np.floating):
         yield "time", f"{time.dtype} along {time.dims}", expected
@@ -191,7 +191,7 @@ def _times(data: Dataset) -> Wrong:
         yield "time", f"{time.values[k]:g} s after {time.values[k - 1]:g} s at sample {k}", expected
 
 
-def _series(data: Dataset) -> Wrong:
+def _series(data: Record) -> Wrong:
     asked = [(_SERIES, True), (_REFERENCE, "deviation" in data or "tip_nominal" in data), (_SOMETIMES, False)]
     for table, needed in asked:
         for dims, names in ((tuple(key.split()), names.split()) for key, names in table.items()):
@@ -205,7 +205,7 @@ def _series(data: Dataset) -> Wrong:
                     yield name, got, expected
 
 
-def _labels(data: Dataset) -> Wrong:
+def _labels(data: Record) -> Wrong:
     """Each named dimension has a name for each of its places, none twice, which fit together and the robot."""
     names = {name: [*map(str, data[name].values)] for name in _LABELLED if name in data.coords}
     for name in _LABELLED:
@@ -226,5 +226,7 @@ def _labels(data: Dataset) -> Wrong:
         "coordinate_unit" in data.coords and {*map(str, data["coordinate_unit"].values)} <= {"rad", "m", "1"}
     ):
         yield "coordinate_unit", "a unit that is missing or unknown", "rad, m or 1 for each coordinate"
-    if "s" in data.coords and not (np.issubdtype(data["s"].dtype, np.floating) and abs(data["s"] - 0.5).max() <= 0.5):
+    if "s" in data.coords and not (
+        np.issubdtype(data["s"].dtype, np.floating) and np.abs(data["s"].values - 0.5).max() <= 0.5
+    ):
         yield "s", "a place off the links", "numbers from 0 to 1"

@@ -13,18 +13,21 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from tmodes.equations.loop.layout import WORKS
+from tmodes.errors import InputError, InputErrors
+from tmodes.io.atomic import file_error
 from tmodes.io.filipovic2010.importer import COORDINATES, to_robot
 from tmodes.io.sheet_check import sheet_from_data
 from tmodes.result.assemble import Assembly
+from tmodes.result.content import AGAIN
 from tmodes.simulation.motion_run import RunData, gathered
 from tmodes.simulation.parts import Trajectory
 from tmodes.simulation.plan import Follow
 from tmodes.simulation.start import RunSetup, run_setup
 
 if TYPE_CHECKING:
-    from xarray import Dataset
+    from tmodes.io.labelled import Record
 
-__all__ = ["NOTICE", "assembly_2010"]
+__all__ = ["NOTICE", "earlier_assembly"]
 
 NOTICE = (
     "this result was written by an earlier version: its motion is shown in the coordinates joint.motor, joint, "
@@ -35,11 +38,19 @@ _WORKS = {"motor_friction": "friction"}
 """Kinds of works by the names that they have now."""
 
 
-def assembly_2010(data: Dataset) -> Assembly:
-    """What an earlier record shows, as of any run.
+def earlier_assembly(data: Record, path: object) -> Assembly:
+    """What an earlier record shows, as of any run; ``path`` names it.
 
-    Raises :class:`tmodes.errors.InputErrors` for a data sheet in it that is wrong.
+    Raises :class:`tmodes.errors.ResultFileError` for one whose parts do not fit together.
     """
+    try:
+        return _assembly(data)
+    except (InputError, InputErrors, KeyError, TypeError, ValueError) as error:
+        got = f"content that does not fit together ({error})"
+        raise file_error(path, got, "a result of the 2010 robot", AGAIN) from error
+
+
+def _assembly(data: Record) -> Assembly:
     known, actual = (sheet_from_data(json.loads(data.attrs[name])) for name in ("robot", "robot_real"))
     real, nominal = run_setup(actual), run_setup(known, Follow.WANTED)
     run = replace(_run(real, data, "", "real"), reference=_run(nominal, data, "_reference", "reference"))
@@ -53,7 +64,7 @@ def assembly_2010(data: Dataset) -> Assembly:
     return made
 
 
-def _run(setup: RunSetup, data: Dataset, ending: str, which: str) -> RunData:
+def _run(setup: RunSetup, data: Record, ending: str, which: str) -> RunData:
     """A run as its states are in the record; works are known of the actual robot alone."""
     layout, times = setup.model.layout, np.asarray(data["time"].values, dtype=float)
     own = to_robot(setup.model.coordinates)

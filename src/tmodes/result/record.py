@@ -24,7 +24,7 @@ from tmodes.sheet.robot import RECURSION
 if TYPE_CHECKING:
     from pathlib import Path
 
-    from xarray import Dataset
+    from tmodes.io.labelled import Record
 
 __all__ = ["RESULT_FORMAT", "STATUSES", "absent_kinds", "text_of"]
 
@@ -46,14 +46,14 @@ _NEEDED = {
 """Attributes and series of a record by its kind; ``robot`` is one of the 2010 robot that an earlier version wrote."""
 
 
-def read_record(path: str | os.PathLike[str]) -> Dataset:
-    """The dataset of a result file, whole, of the version that is known here.
+def read_record(path: str | os.PathLike[str]) -> Record:
+    """The record of a result file, whole, of the version that is known here.
 
     Raises :class:`tmodes.errors.ResultFileError` as :meth:`tmodes.result.result.Result.load`.
     """
-    from tmodes.io.resultfile import read_sealed
+    from tmodes.io import resultfile
 
-    data = read_sealed(path)
+    data = resultfile.read_record(path)
     version = data.attrs.get("tmodes_format")
     if version != RESULT_FORMAT:
         hint = "read it with the tmodes that wrote it, or run the robot again"
@@ -61,8 +61,8 @@ def read_record(path: str | os.PathLike[str]) -> Dataset:
     return data
 
 
-def write_record(data: Dataset, path: Path, *, overwrite: bool) -> Path:
-    """Store a dataset as a result file; raises as :meth:`tmodes.result.result.Result.save`."""
+def write_record(data: Record, path: Path, *, overwrite: bool) -> Path:
+    """Store a record as a result file; raises as :meth:`tmodes.result.result.Result.save`."""
     from tmodes.io.resultfile import write_sealed
 
     if os.path.lexists(path) and not overwrite:
@@ -77,7 +77,7 @@ _NOMINAL = ("q", "v", "deformation", "gear_torque", "tip", "contact_force_normal
 RENAMED = "an earlier version wrote this result: its series *_reference, of the nominal run, are shown as *_nominal"
 
 
-def with_present_names(data: Dataset) -> Dataset:
+def with_present_names(data: Record) -> Record:
     """The same with the series of the nominal run under the names that they have now, and a notice of that."""
     old = {f"{name}_reference": f"{name}_nominal" for name in _NOMINAL}
     old = {before: now for before, now in old.items() if before in data and now not in data}
@@ -90,16 +90,16 @@ def with_present_names(data: Dataset) -> Dataset:
         return data
 
 
-def is_earlier(data: Dataset) -> bool:
+def is_earlier(data: Record) -> bool:
     """Whether it is a record of the 2010 robot by an earlier version, in the paper's coordinates."""
     return _kind(data) == "robot"
 
 
-def _kind(data: Dataset) -> str:
+def _kind(data: Record) -> str:
     return str(data.attrs.get("kind", "robot"))
 
 
-def refuse_incomplete(data: Dataset, path: object) -> None:
+def refuse_incomplete(data: Record, path: object) -> None:
     """Refuse what is no whole record of a run, or what no run wrote; ``path`` names it.
 
     Raises :class:`tmodes.errors.ResultFileError`.
@@ -117,20 +117,24 @@ def refuse_incomplete(data: Dataset, path: object) -> None:
     refuse_wrong_content(data, path, whole=kind == "arm")
 
 
-def text_of(data: Dataset, name: str) -> str:
+def text_of(data: Record, name: str) -> str:
     """An attribute; raises :class:`tmodes.errors.ResultFileError` where there is none."""
     if name not in data.attrs:
         raise file_error(f"result, attribute {name}", "nothing", "text", "run the robot again")
     return str(data.attrs[name])
 
 
-def from_json(data: Dataset, name: str) -> Any:
+def from_json(data: Record, name: str) -> Any:
     """What the JSON text of an attribute says; raises :class:`tmodes.errors.ResultFileError` where it is none."""
     try:
         return json.loads(text_of(data, name))
     except (ValueError, RecursionError) as error:
         raise file_error(f"result, attribute {name}", "no JSON text", "JSON text", "run the robot again") from error
 
+
+NOTICE = "{}; until then the series are shown without what needs the robot's model"
+
+OLDER = "written by an earlier version: without the tip's error by cause; settling and vibration are of its samples"
 
 _HINT = "register it before: tmodes --use FILE ..., or import the script that defines it"
 

@@ -13,11 +13,12 @@ import os
 from collections.abc import Callable
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Self
+from typing import TYPE_CHECKING, Any, Self, cast
 
 from tmodes import upward
 from tmodes.errors import InputError, InputErrors
 from tmodes.io.atomic import file_error
+from tmodes.io.labelled import Record
 from tmodes.result import record
 from tmodes.result.content import AGAIN
 from tmodes.result.record import absent_kinds
@@ -34,10 +35,6 @@ if TYPE_CHECKING:
 
 __all__ = ["Result", "assemble_result"]
 
-_NOTICE = "{}; until then the series are shown without what needs the robot's model"
-
-_OLDER = "written by an earlier version: without the tip's error by cause; settling and vibration are of its samples"
-
 
 class Result:
     """What a run gave: ``result.data["tip"].sel(axis="z")``, ``result.data["q"].sel(coordinate="elbow")``.
@@ -50,12 +47,12 @@ class Result:
     """
 
     def __init__(
-        self, data: Dataset | None = None, timing: dict[str, float] | None = None, assembly: Assembly | None = None
+        self, data: Dataset | Record | None = None, timing: dict[str, float] | None = None, made: Assembly | None = None
     ) -> None:
-        if data is not None:
+        self._record = data if isinstance(data, Record) else None
+        if data is not None and self._record is None:
             self.__dict__["data"] = data
-        self.timing = timing or {}
-        self._assembly = assembly
+        self.timing, self._assembly = timing or {}, made
 
     def __reduce__(self) -> tuple[Any, ...]:
         """A copy, and what was pickled, holds the whole record; nothing of the compiled code of the run."""
@@ -64,24 +61,32 @@ class Result:
     @cached_property
     def data(self) -> Dataset:
         """The whole record: all series with their units, and as attributes where they come from and what they show."""
-        assert self._assembly is not None  # noqa: S101
-        return self._assembly.whole()
+        return self.record.dataset()
+
+    @property
+    def record(self) -> Record:
+        """The same as this package reads it itself: of :attr:`data`, once that was asked for and may be changed."""
+        if "data" in self.__dict__:
+            return cast("Record", self.data)
+        if self._record is None and self._assembly:
+            self._record = self._assembly.whole()
+        return cast("Record", self._record)
 
     def complete(self, progress: Callable[[str, float], None]) -> Self:
         """Compute all that is stored of it, which :attr:`data` else does, and report the stages; returns itself."""
-        if self._assembly and "data" not in self.__dict__:
-            self.__dict__["data"] = self._assembly.whole(progress)
+        if live := self.assembly:
+            self._record = live.whole(progress)
         return self
 
     @property
     def motion(self) -> Dataset:
-        """The series of motion, drives, points, contact and energies; elastic lines are not computed for it."""
-        return live.motion if (live := self.assembly) else self.data
+        """The series of motion, drives, points, contact and energies, without computing the elastic lines."""
+        return live.motion.dataset() if (live := self.assembly) else self.data
 
     @property
     def status(self) -> str:
         """How the run ended: one of :data:`tmodes.result.record.STATUSES`."""
-        return live.ending[0] if (live := self.assembly) else record.text_of(self.data, "status")
+        return live.ending[0] if (live := self.assembly) else record.text_of(self.record, "status")
 
     @property
     def success(self) -> bool:
@@ -91,12 +96,14 @@ class Result:
     @property
     def message(self) -> str:
         """How the run ended, in a sentence."""
-        return live.ending[1] if (live := self.assembly) else record.text_of(self.data, "message")
+        return live.ending[1] if (live := self.assembly) else record.text_of(self.record, "message")
 
     @property
     def name(self) -> str:
         """The name of the robot that ran."""
-        return live.known.name if (live := self.assembly) else str(record.from_json(self.data, "robot").get("name", ""))
+        return (
+            live.known.name if (live := self.assembly) else str(record.from_json(self.record, "robot").get("name", ""))
+        )
 
     @cached_property
     def robot(self) -> Robot:
@@ -120,14 +127,14 @@ class Result:
         """
         if live := self.assembly:
             return live.frequencies
-        return record.from_json(self.data, name) if (name := "frequencies") in self.data.attrs else self._again
+        return record.from_json(self.record, name) if (name := "frequencies") in self.record.attrs else self._again
 
     @property
     def end_frequencies(self) -> dict[str, list[dict[str, Any]]]:
         """Modes about the pose at the end of the ``actual`` and ``nominal`` robot; empty where they are not known."""
         if live := self.assembly:
             return live.end_frequencies
-        return record.from_json(self.data, name) if (name := "end_frequencies") in self.data.attrs else {}
+        return record.from_json(self.record, name) if (name := "end_frequencies") in self.record.attrs else {}
 
     @cached_property
     def _again(self) -> dict[str, list[dict[str, Any]]]:
@@ -143,43 +150,45 @@ class Result:
         """
         if live := self.assembly:
             return live.settling
-        known = record.from_json(self.data, "settling") if "settling" in self.data.attrs else None
+        known = record.from_json(self.record, "settling") if "settling" in self.record.attrs else None
         return known if known and "move_m" in known else None
 
     @property
     def vibration(self) -> dict[str, Any]:
         """Residual vibration of the ``actual`` and the ``nominal`` tip at the end of the move, by mode [Hz, m]."""
-        return live.vibration if (live := self.assembly) else vibrations(self.data)
+        return live.vibration if (live := self.assembly) else vibrations(self.record)
 
     @property
     def warnings(self) -> tuple[str, ...]:
         """What the run has to say about itself, as sentences; of a file also which of its kinds are absent here."""
         if live := self.assembly:
             return tuple(live.warnings)
-        older = [] if "vibration" in self.data.attrs else [_OLDER]
-        return (*record.from_json(self.data, "warnings"), *(_NOTICE.format(one) for one in self._absent), *older)
+        kept = self.record
+        older = [] if "vibration" in kept.attrs else [record.OLDER]
+        return (*record.from_json(kept, "warnings"), *(record.NOTICE.format(one) for one in self._absent), *older)
 
     @cached_property
     def _absent(self) -> list[UnknownKindError]:
         """Kinds that the robot names and that are not registered in this process."""
-        return absent_kinds(record.from_json(self.data, "robot_real" if "robot_real" in self.data.attrs else "robot"))
+        kept = self.record
+        return absent_kinds(record.from_json(kept, "robot_real" if "robot_real" in kept.attrs else "robot"))
 
     @property
     def statistics(self) -> dict[str, Any]:
         """What the integration took: steps, rejected steps, evaluations, dt times the highest frequency."""
-        return record.from_json(self.data, "statistics")
+        return record.from_json(self.record, "statistics")
 
     @property
     def move_end(self) -> float | None:
         """When the last signal stops changing [s]; None where one never does."""
-        return live.move_end if (live := self.assembly) else record.from_json(self.data, "move_end")
+        return live.move_end if (live := self.assembly) else record.from_json(self.record, "move_end")
 
     def summary(self, band: float = BAND) -> dict[str, Any]:
         """The numbers a reader asks first; see :func:`tmodes.result.summary.summarise_result`.
 
         Raises :class:`tmodes.errors.InputError` for a ``band`` that is not between 0 and 1.
         """
-        return summarise_result(self.data, band, self._assembly and self._assembly.settled)
+        return summarise_result(self.record, band, self._assembly and self._assembly.settled)
 
     def save(self, path: str | os.PathLike[str], *, overwrite: bool = False) -> Path:
         """Store the result as one sealed NetCDF-4 file; the same result gives the same bytes.
@@ -187,30 +196,25 @@ class Result:
         Whatever happens meanwhile, the path holds the old file or the new one, whole. Raises
         :class:`tmodes.errors.ResultFileError` when the file exists, cannot be written, or a number is not finite.
         """
-        return record.write_record(self.data, Path(path), overwrite=overwrite)
+        return record.write_record(self.record, Path(path), overwrite=overwrite)
 
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> Self:
-        """Read a result back, whole and checked.
+        """Read a result back, whole and checked; a kind that is not registered here gives a warning that names it.
 
-        A result whose robot names a kind that is not registered here opens, with a warning that names it.
         Raises :class:`tmodes.errors.ResultFileError` when the file is damaged, foreign, or of another version.
         """
         return cls.of(record.read_record(path), path)
 
     @classmethod
-    def of(cls, data: Dataset, path: object) -> Self:
-        """The result that a dataset holds; ``path`` names it in errors, which are those of :meth:`load`."""
+    def of(cls, data: Record, path: object) -> Self:
+        """The result that a record or a dataset holds; ``path`` names it in errors, which are those of :meth:`load`."""
         record.refuse_incomplete(data := record.with_present_names(data), path)
         if not record.is_earlier(data):
             return cls(data)
-        from tmodes.result.earlier import assembly_2010
+        from tmodes.result import earlier
 
-        try:
-            return cls(assembly=assembly_2010(data))
-        except (InputError, InputErrors, KeyError, TypeError, ValueError) as error:
-            got = f"content that does not fit together ({error})"
-            raise file_error(path, got, "a result of the 2010 robot", AGAIN) from error
+        return cls(made=earlier.earlier_assembly(data, path))
 
     def show(self, height: int = 760) -> Any:
         """The viewer of this run for a notebook: the robot in 3D, linked charts, numbers; ``height`` in pixels."""
@@ -226,15 +230,15 @@ class Result:
     @property
     def assembly(self) -> Assembly | None:
         """The run that was made just now, until its whole record was put together."""
-        return None if "data" in self.__dict__ else self._assembly
+        return None if self._record is not None or "data" in self.__dict__ else self._assembly
 
     def _sheet(self, name: str) -> Robot:
         from tmodes.io.sheet_check import sheet_from_data
 
-        if absent := absent_kinds(record.from_json(self.data, name)):
+        if absent := absent_kinds(record.from_json(self.record, name)):
             raise absent[0]
         try:
-            return sheet_from_data(record.from_json(self.data, name))
+            return sheet_from_data(record.from_json(self.record, name))
         except (InputError, InputErrors) as error:
             got = f"a data sheet that is wrong ({error})"
             raise file_error(f"result, attribute {name}", got, "that of the robot that ran", AGAIN) from error
@@ -245,4 +249,4 @@ def assemble_result(run: RunData, known: Robot | None = None) -> Result:
     from tmodes.result.assemble import Assembly
 
     timing = {"real": run.seconds} | ({"reference": run.reference.seconds} if run.reference else {})
-    return Result(timing=timing, assembly=Assembly(run, known or run.robot))
+    return Result(timing=timing, made=Assembly(run, known or run.robot))

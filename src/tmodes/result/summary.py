@@ -15,7 +15,7 @@ from tmodes.frame import along
 from tmodes.result.settling import BAND, plain_vibration, settling, vibration
 
 if TYPE_CHECKING:
-    from xarray import Dataset
+    from tmodes.io.labelled import Record
 
 __all__ = ["largest_elements", "mean_over_time", "summarise_result", "tip_errors", "vibrations"]
 
@@ -26,7 +26,7 @@ MOST_ENTRIES = 40
 
 
 def summarise_result(
-    data: Dataset, band: float = BAND, settled: Callable[[float], dict[str, Any]] | None = None
+    data: Record, band: float = BAND, settled: Callable[[float], dict[str, Any]] | None = None
 ) -> dict[str, Any]:
     """A plain dictionary of floats and words, ready for JSON; units are in the keys. What is missing is None.
 
@@ -56,7 +56,7 @@ def summarise_result(
 
 
 def _settling(
-    data: Dataset, time: Array, band: float, settled: Callable[[float], dict[str, Any]] | None
+    data: Record, time: Array, band: float, settled: Callable[[float], dict[str, Any]] | None
 ) -> dict[str, Any]:
     known = json.loads(data.attrs.get("settling", "null"))
     if known and known["band"] == band and "move_m" in known:  # an earlier version had another rule
@@ -66,11 +66,11 @@ def _settling(
     return settling(time, _path(data, "tip"), json.loads(data.attrs["move_end"]), float(time[-1]), band)
 
 
-def _path(data: Dataset, name: str) -> Array:
+def _path(data: Record, name: str) -> Array:
     return data[name].transpose("time", "axis").values
 
 
-def vibrations(data: Dataset) -> dict[str, Any]:
+def vibrations(data: Record) -> dict[str, Any]:
     """Residual vibration of the ``actual`` and ``nominal`` tip; of a file of an earlier version, from its samples."""
     if "vibration" in data.attrs:
         return json.loads(data.attrs["vibration"])
@@ -81,7 +81,7 @@ def vibrations(data: Dataset) -> dict[str, Any]:
     }
 
 
-def _joints(data: Dataset, time: Array) -> dict[str, dict[str, Any]]:
+def _joints(data: Record, time: Array) -> dict[str, dict[str, Any]]:
     """Per driven joint: its unit, range, fastest rate, largest effort and when, largest torque of its gear."""
     if "drive" not in data.dims:
         return {}
@@ -102,7 +102,7 @@ def _joints(data: Dataset, time: Array) -> dict[str, dict[str, Any]]:
     return info
 
 
-def _deformations(data: Dataset, time: Array) -> dict[str, dict[str, Any]]:
+def _deformations(data: Record, time: Array) -> dict[str, dict[str, Any]]:
     """Per elastic coordinate, the largest ones: largest size, of T_st and T_to (where known), of the nominal run."""
     if "deformation" not in data:
         return {}
@@ -131,12 +131,12 @@ _PARTS = {
 }
 
 
-def _deformation_units(data: Dataset, names: list[str]) -> list[str]:
+def _deformation_units(data: Record, names: list[str]) -> list[str]:
     units = dict(zip(map(str, data["coordinate"].values), map(str, data["coordinate_unit"].values), strict=True))
     return [units.get(name, units.get(name.removesuffix(".gear"), "rad")) for name in names]
 
 
-def _links(data: Dataset, time: Array) -> dict[str, dict[str, Any]]:
+def _links(data: Record, time: Array) -> dict[str, dict[str, Any]]:
     """Per link that bends: largest deflection of its end, moment (bending) and stress, with when and where."""
     if "deflection" not in data:
         return {}
@@ -161,7 +161,7 @@ def _worst(values: Array, time: Array, s: Array, key: str) -> dict[str, float]:
     return {key: float(values[k, place]), "time_s": float(time[k]), "s": float(s[place])}
 
 
-def _contact(data: Dataset, time: Array) -> dict[str, float] | None:
+def _contact(data: Record, time: Array) -> dict[str, float] | None:
     """Least, largest and mean force into the surface [N], share of the time in touch; None in free space."""
     if "contact_force_normal" not in data:
         return None
@@ -174,7 +174,7 @@ def _contact(data: Dataset, time: Array) -> dict[str, float] | None:
     }
 
 
-def _first_frequencies(data: Dataset) -> dict[str, float | None]:
+def _first_frequencies(data: Record) -> dict[str, float | None]:
     """The natural frequency [Hz] of the lowest mode that rings, with the motor locked and controlled."""
     info = json.loads(data.attrs["frequencies"])
     ringing = {case: [line for line in info.get(case, []) if line["damped_frequency_Hz"]] for case in _CASES}
@@ -184,21 +184,21 @@ def _first_frequencies(data: Dataset) -> dict[str, float | None]:
 _CASES = ("locked", "controlled")
 
 
-def _deviation(data: Dataset, time: Array) -> dict[str, float]:
+def _deviation(data: Record, time: Array) -> dict[str, float]:
     """The largest distance of the actual tip from the nominal one [m], when it is reached [s], and that at the end."""
     deviation = data["deviation"].values
     worst = int(np.argmax(deviation))
     return {"max_m": float(deviation[worst]), "time_of_max_s": float(time[worst]), "end_m": float(deviation[-1])}
 
 
-def _energy(data: Dataset) -> dict[str, float | None]:
+def _energy(data: Record) -> dict[str, float | None]:
     """Energy moved (the largest change of one energy, or one work), and the worst residual of the balance over it."""
     moved = largest_flow(data["energy"].values, data["work"].values)
     worst = float(np.abs(data["energy_balance"].values).max())
     return {"moved_J": moved, "worst_residual_J": worst, "worst_residual_over_moved": worst / moved if moved else None}
 
 
-def _errors(data: Dataset, which: str) -> dict[str, Any] | None:
+def _errors(data: Record, which: str) -> dict[str, Any] | None:
     """How the error of integration or model was estimated, and that of each figure by its path; None where unknown.
 
     ``approximate``: which of them are no bounds; of the integration all that an earlier version wrote.
@@ -212,7 +212,7 @@ def mean_over_time(time: Array, values: Array) -> float:
     return float(np.trapezoid(values, time) / (time[-1] - time[0])) if len(time) > 1 else float(values[0])
 
 
-def tip_errors(data: Dataset) -> dict[str, dict[str, Any]]:
+def tip_errors(data: Record) -> dict[str, dict[str, Any]]:
     """Of the error against the ``commanded`` and the ``nominal`` path: the largest, when, at the end, and its parts.
 
     ``parts_m``: components along the largest error, which add up to it and may be negative; ``vectors_m`` [m].

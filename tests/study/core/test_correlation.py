@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import pytest
 import scipy.stats
@@ -26,7 +28,8 @@ def correlated(*pairs, **more):
 def test_ranks_are_correlated_as_those_of_the_normals():
     """Spearman's correlation is 6/pi asin(rho/2); each parameter alone keeps its distribution."""
     values = correlated(("a", "b", 0.7), ("c", "b", -0.4)).design().values
-    ranks = scipy.stats.spearmanr(values).statistic
+    found: Any = scipy.stats.spearmanr(values)
+    ranks = found.statistic
     for (i, j), rho in {(0, 1): 0.7, (1, 2): -0.4, (0, 2): 0.0}.items():
         assert ranks[i, j] == pytest.approx(6 / np.pi * np.arcsin(rho / 2), abs=0.03)
     assert np.corrcoef(values[:, 0], scipy.stats.norm.ppf(values[:, 1]))[0, 1] == pytest.approx(0.7, abs=0.02)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import pytest
 
 from study.core.studies import LUMPED, study, written
@@ -32,7 +34,8 @@ def test_numbers_with_units_are_those_of_the_path(tmp_path):
         "  free: {unit: rad, distribution: {type: discrete, values: [10 deg, 0.5]}}\n"
     )  # fmt: skip
     one = written(tmp_path, text)
-    payload, gear, free = (one.sheet.parameters[name] for name in ("payload", "gear", "free"))
+    parameters: Any = one.sheet.parameters
+    payload, gear, free = (parameters[name] for name in ("payload", "gear", "free"))
     assert (payload.distribution.mean, payload.distribution.deviation) == (0.5, 0.02)
     assert (gear.distribution.low, gear.distribution.distribution.mean) == (4000.0, 4700.0)
     assert free.distribution.values == (pytest.approx(0.17453292519943295), 0.5)

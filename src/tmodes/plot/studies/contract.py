@@ -56,7 +56,8 @@ STUDY_FIGURES: Registry[StudyFigure] = Registry("study figure", StudyFigure, mad
 def padded_figure(height: float) -> Any:
     """A new figure [in] with room for long names, which are wider on paper than where they were measured."""
     figure = new_figure(height)
-    figure.get_layout_engine().set(w_pad=0.1)  # pyright: ignore[reportOptionalMemberAccess]
+    engine: Any = figure.get_layout_engine()
+    engine.set(w_pad=0.1)
     return figure
 
 

@@ -149,7 +149,7 @@ class Adjoint:
             hint = f"take the series {COMMANDED}, or vary real.{own[0]}"
             raise InputError(f"{which}.series", got, "a distance from a tip that the design does not move", hint)
         side = nominal_side(point.sheet, point.vary, [series])
-        nominal = Nominal.of(point.sheet, point.vary, side, [series], lambda stage, share: None)
+        nominal = Nominal.of(point.sheet, point.vary, side, [series], 1, lambda stage, share: None)
         if series == COMMANDED and any(setpoints(lot.like) is None for lot in nominal.lanes.lots):
             got, hint = "a path that depends on how other joints move", "take --method tpe"
             raise InputError(f"{which}.series", got, "a commanded path that the drives alone give", hint)

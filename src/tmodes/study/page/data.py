@@ -74,7 +74,7 @@ def page_data(
     numbers.
     """
     kept = shown_rows(rows)
-    words = sorted(set(rows.status))
+    words = sorted({str(status) for status in rows.status})
     place = {int(row): k for k, row in enumerate(kept)}
     return {
         "name": name,
@@ -85,7 +85,7 @@ def page_data(
             _column(key, values, kept, info.get(key) or ColumnInfo(unit=rows.units.get(key, "-")))
             for key, values in rows.quantities.items()
         ],
-        "status": np.array([words.index(rows.status[k]) for k in kept], dtype=np.uint8),
+        "status": np.array([words.index(str(rows.status[k])) for k in kept], dtype=np.uint8),
         "words": words,
         "good": [word in GOOD for word in words],
         "reasons": {str(place[int(k)]): rows.reason[k][:300] for k in kept if rows.reason[k] and not rows.good[k]},
