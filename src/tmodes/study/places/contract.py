@@ -25,6 +25,7 @@ from typing import ClassVar, Protocol, Self
 
 from tmodes.errors import InputError
 from tmodes.kinds.registry import Registry
+from tmodes.simulation.batch.runner import PROCESSOR, Runner
 from tmodes.study.study import Study
 from tmodes.study.task import Task
 
@@ -49,12 +50,16 @@ class Job(Protocol):
         """The task with the study as plain data, for another process or machine."""
         ...
 
-    def compute(self, task: Task) -> bytes:
-        """Compute a task here; its block as bytes."""
+    def compute(self, task: Task, runner: Runner = PROCESSOR) -> bytes:
+        """Compute a task here, its cases by a runner; its block as bytes."""
         ...
 
     def done(self, task: Task, block: bytes) -> None:
         """Verify and store the block of a task. Raises ResultFileError for bytes that are not its block."""
+        ...
+
+    def notice(self, text: str) -> None:
+        """Say something about what was computed."""
         ...
 
     def report(self, share: float = 0.0) -> None:
@@ -86,7 +91,11 @@ class Place(ABC):
     @classmethod
     @abstractmethod
     def at(cls, address: str, how: How) -> Self:
-        """The place at an address, checked before anything runs; raises :class:`tmodes.errors.InputError`."""
+        """The place at an address, checked before anything runs.
+
+        Raises :class:`tmodes.errors.InputError`, and :class:`tmodes.errors.SimulationError` where this machine has no
+        such device.
+        """
 
     @abstractmethod
     def run(self, job: Job) -> None:
