@@ -21,6 +21,12 @@ if TYPE_CHECKING:
     from tmodes.sensitivity.quantities import Functional, tracking_error
     from tmodes.sheet.robot import Robot
     from tmodes.simulation.vary.simulate import simulate_batch
+    from tmodes.study.optimize import optimize
+    from tmodes.study.read import read_study
+    from tmodes.study.result import load_study
+    from tmodes.study.runner import run_study
+    from tmodes.study.sensitivity import sensitivity
+    from tmodes.study.study import Study
 
 __version__ = "0.1.0"
 
@@ -29,12 +35,18 @@ __all__ = [
     "Model",
     "Result",
     "Robot",
+    "Study",
     "System",
     "TmodesError",
     "adjoint_gradient",
     "forward_sensitivities",
     "load",
+    "load_study",
+    "optimize",
+    "read_study",
     "run",
+    "run_study",
+    "sensitivity",
     "show",
     "simulate_batch",
     "tracking_error",
@@ -46,12 +58,18 @@ _HOMES = {
     "Model": "tmodes.model.model.Model",
     "Result": "tmodes.result.result.Result",
     "Robot": "tmodes.sheet.robot.Robot",
+    "Study": "tmodes.study.study.Study",
     "System": "tmodes.equations.lagrange.system.System",
     "TmodesError": "tmodes.errors.TmodesError",
     "adjoint_gradient": "tmodes.sensitivity.gradient.adjoint_gradient",
     "forward_sensitivities": "tmodes.sensitivity.gradient.forward_sensitivities",
     "load": "tmodes.robots.load.load",
+    "load_study": "tmodes.study.result.load_study",
+    "optimize": "tmodes.study.optimize.optimize",
+    "read_study": "tmodes.study.read.read_study",
     "run": "tmodes.result.run.run",
+    "run_study": "tmodes.study.runner.run_study",
+    "sensitivity": "tmodes.study.sensitivity.sensitivity",
     "show": "tmodes.notebook.show",
     "simulate_batch": "tmodes.simulation.vary.simulate.simulate_batch",
     "tracking_error": "tmodes.sensitivity.quantities.tracking_error",

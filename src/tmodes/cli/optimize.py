@@ -60,12 +60,17 @@ def optimize(
     asked = read_study(study, roots=root or (), trust_paths=trust_paths)
     with working() as tell:
         found = best_design(asked, method, trials=trials, seed=seed, folder=out, progress=tell)
+    page = None
+    if out and (found.best or found.nearest):
+        from tmodes.study.page.analyses import write_designs
+
+        page = write_designs(found, asked, out / "designs.html")
     if as_json:
-        print_json(found.info())
+        print_json(found.info() | ({"files": {"page": str(page)}} if page else {}))
     else:
         _print(found)
         if out:
-            print(f"All cases are in {out}.")
+            print(f"All cases are in {out}." + (f"\nPage: {page}" if page else ""))
     if found.best is None:
         raise typer.Exit(NOTHING_FEASIBLE)
 

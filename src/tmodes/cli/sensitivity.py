@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -64,13 +65,23 @@ def sensitivity(
     asked = read_study(study, roots=root or (), trust_paths=trust_paths)
     with working() as tell:
         found = analyse(asked, method, samples=samples, seed=seed, second_order=second_order, folder=out, progress=tell)
+        page = _page(found, out, tell) if out else None
     if as_json:
-        print_json(found.info())
+        print_json(found.info() | ({"files": {"page": str(page)}} if page else {}))
         return
     for name in found.quantities:
         _print(found, name)
-    if out:
-        print(f"All cases are in {out}.")
+    if page:
+        print(f"All cases are in {out}.\nPage: {page}")
+
+
+def _page(found: Sensitivity, folder: Path, tell: Callable[[str, float], None]) -> Path:
+    """The page of the study in the folder, with the indices."""
+    from tmodes.study.page import write_page
+    from tmodes.study.page.analyses import indices_of
+    from tmodes.study.result import load_study
+
+    return write_page(load_study(folder), folder / "study.html", progress=tell, indices=indices_of(found))
 
 
 def _print(found: Sensitivity, name: str) -> None:

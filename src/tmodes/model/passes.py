@@ -20,7 +20,7 @@ from tmodes.equations.recursion.passes import BASE, resting_base
 from tmodes.kinds.kernel.schedule import Schedule, Slot
 from tmodes.model.rows import Rows
 
-__all__ = ["ChainPasses", "PointMotion", "derivatives", "evaluate", "packed", "split"]
+__all__ = ["ChainPasses", "PointMotion", "derivatives", "evaluate", "evaluate_wide", "packed", "split"]
 
 Array = NDArray[np.float64]
 Blocks = dict[str, Array]
@@ -41,6 +41,16 @@ def evaluate(parameters: Array, schedule: Any, blocks: Blocks, count: int) -> Bl
     out, workspace = np.empty((count, schedule.output_size)), np.zeros(schedule.workspace)
     _call(library, count, parameters, workspace, inputs, out)
     return split(out, schedule.outputs)
+
+
+def evaluate_wide(parameters: Array, schedule: Any, blocks: Blocks, count: int) -> Blocks:
+    """The same as :func:`evaluate` for one set of ``parameters`` (numbers,), vectors of samples at once."""
+    library, groups = kernels.schedule_function("arm", schedule, f"wide{WIDTH}"), -(-count // WIDTH)
+    inputs, out = np.zeros((groups * WIDTH, schedule.input_size)), np.empty((groups * WIDTH, schedule.output_size))
+    inputs[:count] = packed(schedule, blocks)
+    inputs[count:] = inputs[count - 1]
+    _call(library, groups, parameters, np.zeros(WIDTH * schedule.workspace), inputs, out)
+    return split(out[:count], schedule.outputs)
 
 
 def _call(library: Library, count: int, parameters: Array, *arrays: Array) -> None:

@@ -33,8 +33,8 @@ class Rows:
     """m cases: their numbers in the study ``case`` (m,), ``parameters`` and ``quantities`` (m,) each, by name.
 
     Quantities are in the units of ``units``, not-a-number where a case has none. ``status`` and ``reason`` (m,) words;
-    ``method``: integrator, empty where nothing was simulated; ``seconds`` (m,): processor time of each. ``kept``: whole
-    motions, by the number of the case.
+    ``method``: integrator, empty where nothing was simulated; ``seconds`` (m,): of computing, a share of those of the
+    cases that ran at once. ``kept``: whole motions, by the number of the case.
     """
 
     case: NDArray[np.int64]

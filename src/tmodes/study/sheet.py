@@ -28,7 +28,7 @@ Plain = float | int | str | bool
 
 
 class Choice(DataSheet):
-    """One entry of a catalogue: its name, and what it sets in the robot's sheet."""
+    """One entry of a catalogue: its name, and what it changes in the robot's sheet."""
 
     name: str = Field(min_length=1, max_length=100, description="name in tables and figures")
     set: dict[str, Plain] = Field(description="values by path of the robot's sheet")

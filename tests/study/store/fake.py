@@ -77,7 +77,7 @@ class FakeStudy:
         self.calls.append((first, len(values), tuple(self._own["quantities"])))
         count = len(values)
         found = {name: FORMULAS[name](values) for name in self._own["quantities"]}
-        good: list[bool] = np.isfinite(np.column_stack(list(found.values()))).all(axis=1).tolist()
+        good: Any = np.isfinite(np.column_stack(list(found.values()))).all(axis=1).tolist()
         every, cases = self.sheet.keep.every, self.sheet.keep.cases
         kept = {
             case: Kept(np.arange(3.0), np.full((3, 2), float(case)), np.zeros((3, 3)), ("q", "dq"))

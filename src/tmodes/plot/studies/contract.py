@@ -54,7 +54,7 @@ STUDY_FIGURES: Registry[StudyFigure] = Registry("study figure", StudyFigure, mad
 
 
 def padded_figure(height: float) -> Any:
-    """A new figure [in] with room beside long names, which are wider on paper than where they were measured."""
+    """A new figure [in] with room for long names, which are wider on paper than where they were measured."""
     figure = new_figure(height)
     figure.get_layout_engine().set(w_pad=0.1)  # pyright: ignore[reportOptionalMemberAccess]
     return figure

@@ -12,7 +12,7 @@ from tmodes.compile.lanes.series import SUMS
 from tmodes.compile.native import Library
 from tmodes.equations.loop.lean import Shown
 from tmodes.kinds.signals.schedule import Schedule
-from tmodes.model.passes import evaluate
+from tmodes.model.passes import evaluate_wide
 from tmodes.simulation.batch.private import private
 from tmodes.simulation.loop import LoopModel
 from tmodes.simulation.parts import Trajectory
@@ -49,12 +49,15 @@ class Wanted:
         """The series of one run from its samples."""
         times, table = run.times, self.table[place if len(self.table) > 1 else 0]
         count, size = len(times), model.lean.layout.size
+        if not count:
+            self.out[place] = np.nan
+            return
         wanted = model.series(self.shown, self.given, after=model.plan.is_sampled)
         blocks = {
             "time": times[:, None], "state": np.hstack([run.states[:, :size], table[:count]]),
             "row": schedule.rows_at(times), "step": np.zeros((count, 1)),
         }  # fmt: skip
-        found = evaluate(parameters, wanted, blocks, count)["series"]
+        found = evaluate_wide(parameters, wanted, blocks, count)["series"]
         if self.folds:
             self.out[place] = folded(found, times)
         else:

@@ -42,7 +42,7 @@ _EXACT = 1e-11
 """Relative error of a number that is rounding."""
 
 _SURELY = 2.0
-"""Stiffness of a few cases over that of any other: the method of all is then known from these few."""
+"""Share of the limit up to which, or beyond which, the stiffness of a few cases decides the method of all."""
 
 
 _COMMON = ("ranges", "held", "_structure", "forms", "_moves")
@@ -219,10 +219,10 @@ class Cases:
     def _methods(self, starts: Array, tried: list[RunSetup]) -> NDArray[np.str_]:
         """The method of each case: that of a few where it is surely the same, else by the eigenvalues of each."""
         given, few = self.sheet.integration, sorted({setup.robot.integration.method for setup in tried})
-        bounds = STIFF * (integrator(few[0]).reach or 1.0) / given.duration
-        if given.method != AUTO or (
-            len(few) == 1 and max(setup.spectrum.highest for setup in tried) * _SURELY <= bounds
-        ):
+        bounds = STIFF * (integrator("dormand_prince").reach or 1.0) / given.duration
+        fastest = [setup.spectrum.highest for setup in tried]
+        sure = max(fastest) * _SURELY <= bounds or min(fastest) >= bounds * _SURELY
+        if given.method != AUTO or (len(few) == 1 and sure):
             return np.full(len(starts), few[0])
         model, found = self.like.model, []
         for which in self._blocks:

@@ -97,6 +97,9 @@ def reduced(
     values, count = checked(vary), thread_count(threads)
     size = len(next(iter(values.values())))
     _refuse_absent(kept, size)
+    if kept and _watched(sheet):
+        expected = "no kept motions where stop conditions or the energy may end a run"
+        raise InputError("kept", f"{len(kept)} cases", expected, "run these cases by themselves")
     rows = _Rows(sheet, values, size, tuple(dict.fromkeys(reductions)), count, spans, runner)
     if wrong == "row" and not accepted(sheet, values, spans):
         rows.refuse(refused_cases(sheet, values))
@@ -141,11 +144,9 @@ class _Rows:
             )
         values = {path: numbers[going] for path, numbers in self.values.items()}
         names = list(dict.fromkeys(one.series for one in self.reductions))
-        settings = self.sheet.integration
-        watched = bool(settings.stop or settings.stop_at_limits or settings.energy_stop)
         self._learn(values, names)
         own = own_tip(_unwatched(self.sheet), self.threads) if OWN in names else None
-        if watched:
+        if _watched(self.sheet):
             self._alone(going, own, progress)
             return
         lanes = prepared(self.sheet, values, keep=False, progress=progress, threads=self.threads, spans=self.spans)
@@ -210,6 +211,12 @@ class _Rows:
         units = {one: one.unit_of(self.units[one.series]) for one in self.reductions}
         info = tuple(self.status), tuple(self.message), self.counts, tuple(self.method), self.seconds
         return Reduced(self.columns, units, *info)
+
+
+def _watched(sheet: Robot) -> bool:
+    """Whether something may end a run early."""
+    settings = sheet.integration
+    return bool(settings.stop or settings.stop_at_limits or settings.energy_stop)
 
 
 def _unwatched(sheet: Robot) -> Robot:

@@ -145,6 +145,6 @@ def _provenance(result: StudyResult) -> list[list[str]]:
         ["plan", words],
         ["cases", f"{len(rows):,}"],
         ["integrators", methods],
-        ["processor time of all cases", f"{float(rows.seconds.sum()):.3g} s"],
+        ["seconds of computing, summed over cases", f"{float(rows.seconds.sum()):.3g} s"],
         ["engine", str(result.stored.engine)],
     ]

@@ -108,8 +108,6 @@ PLACES: Registry[type[Place]] = Registry("place", Place, names=lambda member: (m
 
 def place_of(on: str, how: How) -> Place:
     """The place that ``on`` names: ``local``, ``dask://HOST:PORT``, ``dask+tls://HOST:PORT``, ``slurm``, ``gpu``."""
-    import tmodes.study.places  # noqa: F401 - registers those of tmodes
-
     word, _, address = on.partition("://")
     if word not in PLACES:
         hint = "write --on local, --on dask://HOST:PORT, --on slurm or --on gpu"
