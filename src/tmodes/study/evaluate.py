@@ -30,9 +30,7 @@ _SAME = "gravity.2"
 """A number that every robot has: set to its own value it makes a batch of cases that are all alike."""
 
 
-def evaluated(
-    study: Study, first: int, values: Array, progress: Progress, threads: int | None, runner: Runner
-) -> Rows:
+def evaluated(study: Study, first: int, values: Array, progress: Progress, threads: int | None, runner: Runner) -> Rows:
     """The rows of cases (m, d), as :meth:`Study.evaluate`."""
     if values.ndim != 2 or values.shape[1] != len(study.names):
         expected = f"an array (cases, {len(study.names)})"
@@ -48,9 +46,7 @@ def evaluated(
     )  # fmt: skip
 
 
-def _computed(
-    study: Study, first: int, values: Array, progress: Progress, threads: int | None, runner: Runner
-) -> Part:
+def _computed(study: Study, first: int, values: Array, progress: Progress, threads: int | None, runner: Runner) -> Part:
     """What the robots of all cases gave, group by group."""
     needs, found, done = study.needs, Part.of_all(len(values), "finished"), 0
     asked = dict.fromkeys([*needs.reductions, *needs.static, *_of_results(study)], "")
@@ -70,9 +66,7 @@ def _of_results(study: Study) -> dict[str, Quantity]:
     return {name: one for name, one in study.sheet.quantities.items() if one.needs().result}
 
 
-def _of_group(
-    study: Study, group: Group, first: int, progress: Progress, threads: int | None, runner: Runner
-) -> Part:
+def _of_group(study: Study, group: Group, first: int, progress: Progress, threads: int | None, runner: Runner) -> Part:
     """What the cases of one group gave; those that are all alike are computed once."""
     needs, robot, size = study.needs, group.robot, len(group.places)
     if robot is None:

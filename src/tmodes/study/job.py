@@ -65,9 +65,7 @@ class StudyJob:
                 folder.store(from_motions(folder.study, rows, kept, names))
 
     @classmethod
-    def of(
-        cls, folder: Folder, threads: int | None, progress: Progress, notice: Callable[[str], None]
-    ) -> StudyJob:
+    def of(cls, folder: Folder, threads: int | None, progress: Progress, notice: Callable[[str], None]) -> StudyJob:
         """What is missing in a folder, once what follows from kept motions was added."""
         cls._from_motions(folder)
         cover = folder.cover()

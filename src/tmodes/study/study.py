@@ -141,8 +141,9 @@ class Study:
         """Compute the cases ``values`` (m, d), of which the first has the number ``first``.
 
         ``threads``: at once, None for one on each core. ``runner``: what runs cases whose series are reduced. A case
-        that fails is a row with its reason. Raises :class:`tmodes.errors.InputError` for what is wrong with the study itself: a series, a number or a key of the
-        summary that its robot does not have, a unit to which a quantity cannot be converted.
+        that fails is a row with its reason. Raises :class:`tmodes.errors.InputError` for what is wrong with the study
+        itself: a series, a number or a key of the summary that its robot does not have, a unit to which a quantity
+        cannot be converted.
         """
         return upward("Study.evaluate")(self, first, np.asarray(values, dtype=float), progress, threads, runner)
 

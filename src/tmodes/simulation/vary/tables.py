@@ -127,9 +127,7 @@ class Nominal:
         """Those of some cases."""
         return self if self.same else Nominal(self.lanes.part(first, stop), self.names)
 
-    def table(
-        self, room: Array, threads: int, progress: Callable[[float], None], runner: Runner = PROCESSOR
-    ) -> Table:
+    def table(self, room: Array, threads: int, progress: Callable[[float], None], runner: Runner = PROCESSOR) -> Table:
         """The tips (k, n, 3 for each name) in a room of their own; one that stands for all runs on the processor."""
         runner = PROCESSOR if self.same else runner
         lost, interrupted = dict(self.lanes.failed), False

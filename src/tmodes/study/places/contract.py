@@ -18,7 +18,7 @@ A place of a user's own is a class with the word by which ``--on`` knows it, and
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import ClassVar, Protocol, Self
@@ -33,10 +33,11 @@ __all__ = ["PLACES", "How", "Job", "Place", "Task", "place_of"]
 
 
 class Job(Protocol):
-    """What is to be computed, as places see it."""
+    """What is to be computed, as places see it; ``notice`` is given sentences for the user."""
 
     study: Study
     threads: int | None
+    notice: Callable[[str], None]
 
     def next(self, workers: int = 1) -> Task | None:
         """The next task, of a size for so many that work at once; None when none is left."""
@@ -56,10 +57,6 @@ class Job(Protocol):
 
     def done(self, task: Task, block: bytes) -> None:
         """Verify and store the block of a task. Raises ResultFileError for bytes that are not its block."""
-        ...
-
-    def notice(self, text: str) -> None:
-        """Say something about what was computed."""
         ...
 
     def report(self, share: float = 0.0) -> None:
