@@ -7,9 +7,14 @@ from __future__ import annotations
 
 import argparse
 import copy
+import os
 import statistics
 import time
 from typing import Any
+
+from tmodes.studio.pool import ONE_THREAD
+
+os.environ.update(ONE_THREAD)  # as its workers have it, before anything loads NumPy
 
 from tmodes import load
 from tmodes.studio.sheets import plain_sheet, slider_records

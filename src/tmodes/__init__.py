@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from tmodes.errors import TmodesError
     from tmodes.kinds.registry import use
     from tmodes.model.model import Model
-    from tmodes.notebook import show
+    from tmodes.report.notebook import show
     from tmodes.result.result import Result
     from tmodes.result.run import run
     from tmodes.robots.load import load
@@ -70,7 +70,7 @@ _HOMES = {
     "run": "tmodes.result.run.run",
     "run_study": "tmodes.study.runner.run_study",
     "sensitivity": "tmodes.study.sensitivity.sensitivity",
-    "show": "tmodes.notebook.show",
+    "show": "tmodes.report.notebook.show",
     "simulate_batch": "tmodes.simulation.vary.simulate.simulate_batch",
     "tracking_error": "tmodes.sensitivity.quantities.tracking_error",
     "use": "tmodes.kinds.registry.use",
@@ -80,12 +80,12 @@ _HOMES = {
 _UPWARD = {
     "Model.static": "tmodes.analysis.statics.equilibrium.equilibrium",
     "Result.figures": "tmodes.plot.figure.all_figures",
-    "Result.show": "tmodes.notebook.show",
+    "Result.show": "tmodes.report.notebook.show",
     "Robot.chain": "tmodes.chain.lowering.lowered",
     "Robot.from_data": "tmodes.io.sheet_check.sheet_from_data",
     "Robot.mass_issues": "tmodes.chain.mass.massless_issues",
     "Robot.pair": "tmodes.io.sheet_check.real_robot",
-    "Robot.show": "tmodes.notebook.show",
+    "Robot.show": "tmodes.report.notebook.show",
     "Robot.with_": "tmodes.io.sheet_check.changed_robot",
     "Study.evaluate": "tmodes.study.evaluate.evaluated",
     "Study.from_data": "tmodes.study.read.study_from_data",

@@ -18,8 +18,8 @@ from arm.see.runs import result_of
 from command import tmodes as command
 from tmodes.cli.show import names_apart
 from tmodes.errors import InputError, ResultFileError
-from tmodes.notebook import rest_page, show
 from tmodes.report.differences import differences, names_by_difference
+from tmodes.report.notebook import rest_page, show
 from tmodes.result import Result
 
 

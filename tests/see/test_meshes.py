@@ -221,9 +221,11 @@ def test_shapes_go_with_the_result_into_its_file_and_its_scene(tmp_path: Path) -
     result = shaped_result()
     path = result.save(tmp_path / "result.nc")
     meshes = scene_of(Result.load(path))["meshes"]
-    assert [(mesh["link"], mesh["colour"]) for mesh in meshes] == [(1, "#102030"), (-1, "#102030")]
+    assert [(mesh["link"], mesh.get("along"), mesh["colour"]) for mesh in meshes] == [
+        (1, None, "#102030"), (0, [0], "#102030"), (-1, None, "#102030")]  # fmt: skip
     assert middle(meshes[0]) == pytest.approx([0.25, 0, 0], abs=1e-6)
-    assert middle(meshes[1]) == pytest.approx([0.1, 0.2, 0.3], abs=1e-6)
+    assert middle(meshes[1]) == pytest.approx([0, 0, 0], abs=1e-6)
+    assert middle(meshes[2]) == pytest.approx([0.1, 0.2, 0.3], abs=1e-6)
     assert "mesh_vertices" not in arm_result().data
 
 

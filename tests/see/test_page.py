@@ -114,6 +114,7 @@ def test_keys_move_the_time(window: Any) -> None:
     assert shown(window) == pytest.approx(1.0)
     seek(window, 0.0)
     window.page.evaluate("document.activeElement.blur()")
+    window.page.locator("[data-chart=tip_deviation]").scroll_into_view_if_needed()  # others are not drawn
     window.page.keyboard.press(" ")
     assert window.page.locator(PLAY).get_attribute("aria-label") == "Pause"
     window.page.wait_for_selector("[data-chart=tip_deviation] .time-line:not([style*='translateX(0px)'])")

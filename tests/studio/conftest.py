@@ -15,11 +15,14 @@ import pytest
 import uvicorn
 
 from patience import LONG, until
+from studio.tabs import address, browser, tab
 from tmodes import load
 from tmodes.studio.folders import WorkingFolder
 from tmodes.studio.serve import configured
 from tmodes.studio.server import application
 from tmodes.studio.sheets import plain_sheet
+
+__all__ = ["address", "browser", "tab"]
 
 TOKEN = "of-tests"  # noqa: S105
 

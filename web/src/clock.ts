@@ -27,7 +27,8 @@ export function makeClock(duration: number): Clock {
   const tell = () => listeners.forEach((listener) => listener(clock));
   const state = { time: 0, duration, playing: false };
   const step = (now: number) => {
-    const passed = Math.min(0.25, (now - before) / 1000);
+    // the first frame may have begun before it was asked for
+    const passed = Math.min(0.25, Math.max(0, (now - before) / 1000));
     before = now;
     state.time += passed * clock.speed;
     if (state.time >= state.duration) {

@@ -172,6 +172,8 @@ export interface SceneContact {
  */
 export interface SceneMesh {
   link: number;
+  /** Of a link that bends: the links whose lines bend it, its vertices being in the frame of the root of the first. */
+  along?: number[];
   colour: string;
   vertices: Numbers;
   faces: Numbers;

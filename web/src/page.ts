@@ -2,7 +2,7 @@
 
 import { makeClock, type Clock } from "./clock";
 import { mountCharts } from "./charts/charts";
-import type { Mode, Page } from "./contract";
+import type { Mode, Page, Run } from "./contract";
 import type { LiveRun, SceneView } from "./contract_parts";
 import { make } from "./dom";
 import { openLive } from "./live/live";
@@ -26,6 +26,8 @@ export interface PageView {
   show(live: LiveRun | null): void;
   /** Tell other modes of the first run's robot in place of the page's own. */
   showModes(found: Mode[]): void;
+  /** What takes longer of the page's own first run: its other numbers, its modes and their marks. */
+  complete(run: Run): void;
   dispose(): void;
 }
 
@@ -59,7 +61,7 @@ export function mountPage(root: HTMLElement, page: Page): PageView {
   clock.seek(scene.opensAt);
   const transportView = mountTransport(transport, clock);
   const parts: { dispose(): void }[] = [scene, transportView];
-  const factsView = mountFacts(facts, page, clock);
+  let factsView = mountFacts(facts, page, clock);
   const chartsView = mountCharts(charts, page, clock);
   const lineView = page.runs[0].line ? mountLine(line.body, page, clock) : null;
   let modesView = page.runs[0].modes.length ? mountModes(modes.body, page, scene, clock) : null;
@@ -107,19 +109,30 @@ export function mountPage(root: HTMLElement, page: Page): PageView {
   addEventListener("hashchange", goBack);
   goBack();
 
+  function showModes(found: Mode[]): void {
+    modesView?.dispose();
+    modes.body.replaceChildren();
+    modes.element.hidden = found.length === 0;
+    const [first, ...others] = page.runs;
+    modesView = found.length
+      ? mountModes(modes.body, { ...page, runs: [{ ...first, modes: found }, ...others] }, scene, clock)
+      : null;
+  }
+
   return {
     clock,
     side: sliders,
     scene,
     show,
-    showModes(found) {
-      modesView?.dispose();
-      modes.body.replaceChildren();
-      modes.element.hidden = found.length === 0;
-      const [first, ...others] = page.runs;
-      modesView = found.length
-        ? mountModes(modes.body, { ...page, runs: [{ ...first, modes: found }, ...others] }, scene, clock)
-        : null;
+    showModes,
+    complete(run) {
+      const [first] = page.runs;
+      [first.facts, first.modes] = [run.facts, run.modes];
+      for (const chart of first.charts) chart.marks = run.charts.find(({ id }) => id === chart.id)?.marks ?? [];
+      facts.replaceChildren();
+      factsView = mountFacts(facts, page, clock);
+      chartsView.renew();
+      showModes(run.modes);
     },
     dispose() {
       clock.pause();

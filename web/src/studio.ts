@@ -40,8 +40,10 @@ async function main(): Promise<void> {
     done(page, job, milliseconds) {
       clearTimeout(slow);
       info.done(page, job, milliseconds);
-      form?.mark([], job.info.unseen);
+      mark([], job.info.unseen);
       info.unseen(job.info.unseen ?? [], go);
+      const drives = job.info.offer ?? [];
+      info.offer(drives.length ? button("Add a move", () => form?.give(["drives"], drives)) : null);
       shown.show(page, job);
       view.classList.remove("stale");
     },
@@ -49,7 +51,7 @@ async function main(): Promise<void> {
     wrong,
     cancelled() {
       clearTimeout(slow);
-      info.say("Cancelled: what is shown is the run before.");
+      info.say(shown.empty ? "Cancelled: nothing is shown yet." : "Cancelled: what is shown is the run before.");
       view.classList.add("stale");
     },
   });
@@ -61,15 +63,24 @@ async function main(): Promise<void> {
   /** A run was refused: what is shown is that of another sheet. */
   function wrong(errors: Wrong[]): void {
     clearTimeout(slow);
+    info.offer(null);
     info.wrong(errors, go);
-    form?.mark(errors);
+    mark(errors);
     view.classList.add("stale");
+    const first = errors.find((one) => one.steps)?.steps;
+    const typing = document.activeElement?.getAttribute("aria-invalid") === "true";
+    if (first && !typing) form?.reveal(first);
+  }
+
+  function mark(errors: Wrong[], unseen?: Wrong[]): void {
+    form?.mark(errors, unseen);
+    sliders?.mark(errors);
   }
 
   /** A file or a robot was refused: what is shown is still the run of the sheet. */
   function refused(errors: Wrong[]): void {
     info.wrong(errors, go);
-    if (errors.some((one) => one.steps)) form?.mark(errors);
+    if (errors.some((one) => one.steps)) mark(errors);
   }
 
   function changed(structure: boolean): void {
@@ -102,6 +113,8 @@ async function main(): Promise<void> {
     shown.forget();
     form = new Form(formPlace, new Forms(schema), loaded.sheet, loaded.units, changed);
     sliders = slidersOf(loaded);
+    info.offer(null);
+    view.classList.remove("stale");
     document.title = `${loaded.name} – tmodes studio`;
     info.loaded(from, loaded.warnings);
     runner.want(loaded);
@@ -142,11 +155,13 @@ async function main(): Promise<void> {
     button("Keep as ghost", () => shown.keep(), { title: "Compare the runs to come with the one that is shown" }),
     cancel,
   );
+  const head = make("div", { class: "head" }, bar, info.element);
+  const measure = () => document.documentElement.style.setProperty("--head", `${head.offsetHeight}px`);
+  new ResizeObserver(measure).observe(head);
   const skip = make("a", { href: "#main", class: "skip", text: "Skip to the view" });
   document.body.append(
     skip,
-    bar,
-    info.element,
+    head,
     make(
       "div",
       { class: "studio" },

@@ -81,8 +81,9 @@ def residual_vibration(times: Array, values: Array, since: float | None = None) 
     size = float(np.abs(y).max())
     if size <= 1e-12:
         return Residual(0.0)
+    windows = _shapes(y)
     for rank in _RANKS:
-        poles = _poles(y, float(t[1] - t[0]), rank)
+        poles = _poles(*windows, float(t[1] - t[0]), rank)
         if poles is not None and (found := _checked(t, y, size, poles)):
             return found
     return Residual(None, (), "the motion after the move is not a sum of decaying vibrations")
@@ -99,12 +100,16 @@ def _stride(times: Array, values: Array) -> int:
     return max(1, min(-(-count // _MOST_SAMPLES), int(1.0 / (4.0 * highest * step))))
 
 
-def _poles(values: Array, step: float, rank: float) -> Complex | None:
-    """The rates [1/s] of the exponentials in samples (n, k); None where there are too many for the samples."""
-    count = len(values)
-    width = count // 3
+def _shapes(values: Array) -> tuple[Array, Array, int]:
+    """Singular values and vectors of all windows of samples (n, k), and the length of a window."""
+    width = len(values) // 3
     windows = np.lib.stride_tricks.sliding_window_view(values, width, axis=0)  # (n - width + 1, k, width)
     _, sizes, shapes = np.linalg.svd(windows.reshape(len(windows), -1), full_matrices=False)
+    return sizes, shapes, width
+
+
+def _poles(sizes: Array, shapes: Array, width: int, step: float, rank: float) -> Complex | None:
+    """The rates [1/s] of the exponentials; None where there are too many for the samples."""
     terms = int((sizes > rank * sizes[0]).sum())
     if not 0 < terms <= min(_MOST_TERMS, width - 1):
         return None

@@ -24,6 +24,7 @@ from tmodes.report.scene import line_of, lines_at, scene_of
 from tmodes.report.scene_parts import actual
 from tmodes.report.sentence import result_sentence
 from tmodes.result import Result
+from tmodes.result.early import LATER
 
 __all__ = ["facts_of", "live_page", "modes_of", "page_data", "robot_name", "sheet_of"]
 
@@ -41,7 +42,7 @@ def page_data(
     ``names`` tell the runs apart, None takes what differs, or the robots' names; ``live`` is the bundle of the first
     run's equations, from :func:`tmodes.live.bundle.live_bundle`, None where the page shall not simulate; ``not_live``
     says why, where it could be expected to. ``light``: without modes and sheet, for a picture that changes while
-    somebody drags.
+    somebody drags; of an early result (:func:`tmodes.result.early.early_result`) without the numbers it lacks.
     """
     names = names or names_by_difference(results) or [robot_name(result) for result in results]
     charts = charts_of(results)
@@ -85,14 +86,14 @@ def _run(result: Result, name: str, charts: list[dict[str, Any]], *, light: bool
     times, missing = np.asarray(data["time"].values, dtype=float), actual(result).missing
     unknown = [f"shown by what the result holds alone, because its robot cannot be rebuilt: {missing}"]
     unknown = unknown if missing and not any(missing in one for one in result.warnings) else []
-    facts = facts_of(result)
+    facts = [fact for fact in facts_of(result) if not (light and fact.id.startswith(LATER))]
     frames = scene_frames(times, int(np.prod(data["line"].shape[1:])) if "line" in data else 0)
     return {
         "name": name,
         "status": result.status,
         "success": result.success,
         "message": result.message,
-        "sentence": result_sentence(result.summary()) if result.status == "finished" else "",
+        "sentence": result_sentence(result.summary()) if result.status == "finished" and not light else "",
         "warnings": [*result.warnings, *unknown],
         "duration": float(times[-1]),
         "facts": [asdict(fact) for fact in facts],

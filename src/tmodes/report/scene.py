@@ -69,7 +69,7 @@ def scene_of(result: Result, frames: Frames | None = None) -> dict[str, Any]:
         "roots": quaternions(turned[:, :, 0]),
         "contact": _contact(data, robot),
         "joints": list(_joints(model, names)),
-        "meshes": meshes_in(result.data, model.chain, names),
+        "meshes": meshes_in(result.data, robot, model.chain, names),
     }
 
 

@@ -67,16 +67,43 @@ def nearest_drawn(chain: Chain, name: str, drawn: list[str]) -> int:
     return -1 if parent is None else drawn.index(parent)
 
 
-def meshes_in(data: Any, chain: Chain, shown: list[str]) -> list[dict[str, Any]]:
-    """The surfaces of rigid links among ``shown`` and of a base that stands; a link that bends is swept instead."""
+def meshes_in(data: Any, robot: Robot, chain: Chain, shown: list[str]) -> list[dict[str, Any]]:
+    """The surfaces of links among ``shown`` and of a base that stands.
+
+    Of a link that bends in the frame of its root, ``along`` its line or those of its elements, which bend it; one that
+    is curved at rest is swept instead.
+    """
     rigid = [node.name for node in chain.nodes if not node.link.bends]
     found = []
     for mesh in kept_meshes(data):
         if mesh.link in shown and mesh.link in rigid:
             found.append(_surface(mesh, shown.index(mesh.link), mesh.vertices))
+        elif along := [k for k, name in enumerate(shown) if name not in rigid and _is_of(name, mesh.link)]:
+            if _is_curved(robot, mesh.link):
+                continue
+            found.append(_surface(mesh, along[0], _from_root(robot, mesh)) | {"along": along})
         elif mesh.link == BASE:
             found.append(_surface(mesh, -1, mesh.vertices @ chain.base.rotation.T + chain.base.position))
     return found
+
+
+def _is_of(node: str, link: str) -> bool:
+    """Whether a node of the chain is the link or one of its elements."""
+    name, _, number = node.rpartition(".")
+    return node == link or (name == link and number.isdigit())
+
+
+def _is_curved(robot: Robot, name: str) -> bool:
+    beams = [link.beam for link in robot.links if link.name == name]
+    return any(np.any(getattr(beam, "rest_curvature", None) or 0.0) for beam in beams)
+
+
+def _from_root(robot: Robot, mesh: Kept) -> NDArray[Any]:
+    """The vertices of a link's surface in the frame of its beam's root."""
+    mounts = [getattr(link.beam, "root_mount", None) for link in robot.links if link.name == mesh.link]
+    if not mounts or mounts[0] is None:
+        return mesh.vertices
+    return (mesh.vertices - np.asarray(mounts[0].position)) @ mounts[0].rotation()
 
 
 def _surface(mesh: Kept, link: int, vertices: NDArray[Any]) -> dict[str, Any]:

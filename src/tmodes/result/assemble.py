@@ -191,10 +191,13 @@ class Assembly:
         Raises :class:`tmodes.errors.SimulationError` for lines that memory does not hold.
         """
         progress("lines", 0.0)
+        return self.all_series.assign_attrs(self.attributes(progress))
+
+    @cached_property
+    def all_series(self) -> Dataset:
+        """The whole record without its attributes."""
         lines, names, _ = self._lines
-        data = _dataset(self._motion | lines, coordinates_of(self.run, self.count, names, self.stations))
-        data.attrs = self.attributes(progress)
-        return data
+        return _dataset(self._motion | lines, coordinates_of(self.run, self.count, names, self.stations))
 
 
 _KEPT = {

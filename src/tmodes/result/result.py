@@ -76,12 +76,12 @@ class Result:
     @property
     def motion(self) -> Dataset:
         """The series of motion, drives, points, contact and energies; elastic lines are not computed for it."""
-        return live.motion if (live := self._live) else self.data
+        return live.motion if (live := self.assembly) else self.data
 
     @property
     def status(self) -> str:
         """How the run ended: one of :data:`tmodes.result.record.STATUSES`."""
-        return live.ending[0] if (live := self._live) else record.text_of(self.data, "status")
+        return live.ending[0] if (live := self.assembly) else record.text_of(self.data, "status")
 
     @property
     def success(self) -> bool:
@@ -91,12 +91,12 @@ class Result:
     @property
     def message(self) -> str:
         """How the run ended, in a sentence."""
-        return live.ending[1] if (live := self._live) else record.text_of(self.data, "message")
+        return live.ending[1] if (live := self.assembly) else record.text_of(self.data, "message")
 
     @property
     def name(self) -> str:
         """The name of the robot that ran."""
-        return live.known.name if (live := self._live) else str(record.from_json(self.data, "robot").get("name", ""))
+        return live.known.name if (live := self.assembly) else str(record.from_json(self.data, "robot").get("name", ""))
 
     @cached_property
     def robot(self) -> Robot:
@@ -105,12 +105,12 @@ class Result:
         Raises :class:`tmodes.kinds.registry.UnknownKindError` where it names a kind that is not registered here; all
         series and the figures that need no model are there without it.
         """
-        return live.known if (live := self._live) else self._sheet("robot")
+        return live.known if (live := self.assembly) else self._sheet("robot")
 
     @cached_property
     def actual(self) -> Robot:
         """The robot as it really ran, its ``real`` factors taken; raises as :attr:`robot`."""
-        return live.run.robot if (live := self._live) else self._sheet("robot_real")
+        return live.run.robot if (live := self.assembly) else self._sheet("robot_real")
 
     @property
     def frequencies(self) -> dict[str, list[dict[str, Any]]]:
@@ -118,14 +118,14 @@ class Result:
 
         Of the actual robot about its rest, in contact where it is.
         """
-        if live := self._live:
+        if live := self.assembly:
             return live.frequencies
         return record.from_json(self.data, name) if (name := "frequencies") in self.data.attrs else self._again
 
     @property
     def end_frequencies(self) -> dict[str, list[dict[str, Any]]]:
         """Modes about the pose at the end of the ``actual`` and ``nominal`` robot; empty where they are not known."""
-        if live := self._live:
+        if live := self.assembly:
             return live.end_frequencies
         return record.from_json(self.data, name) if (name := "end_frequencies") in self.data.attrs else {}
 
@@ -141,7 +141,7 @@ class Result:
 
         Of a file of an earlier version None: then the summary looks at its samples alone.
         """
-        if live := self._live:
+        if live := self.assembly:
             return live.settling
         known = record.from_json(self.data, "settling") if "settling" in self.data.attrs else None
         return known if known and "move_m" in known else None
@@ -149,12 +149,12 @@ class Result:
     @property
     def vibration(self) -> dict[str, Any]:
         """Residual vibration of the ``actual`` and the ``nominal`` tip at the end of the move, by mode [Hz, m]."""
-        return live.vibration if (live := self._live) else vibrations(self.data)
+        return live.vibration if (live := self.assembly) else vibrations(self.data)
 
     @property
     def warnings(self) -> tuple[str, ...]:
         """What the run has to say about itself, as sentences; of a file also which of its kinds are absent here."""
-        if live := self._live:
+        if live := self.assembly:
             return tuple(live.warnings)
         older = [] if "vibration" in self.data.attrs else [_OLDER]
         return (*record.from_json(self.data, "warnings"), *(_NOTICE.format(one) for one in self._absent), *older)
@@ -172,7 +172,7 @@ class Result:
     @property
     def move_end(self) -> float | None:
         """When the last signal stops changing [s]; None where one never does."""
-        return live.move_end if (live := self._live) else record.from_json(self.data, "move_end")
+        return live.move_end if (live := self.assembly) else record.from_json(self.data, "move_end")
 
     def summary(self, band: float = BAND) -> dict[str, Any]:
         """The numbers a reader asks first; see :func:`tmodes.result.summary.summarise_result`.
@@ -224,7 +224,7 @@ class Result:
         return upward("Result.figures")(self)
 
     @property
-    def _live(self) -> Assembly | None:
+    def assembly(self) -> Assembly | None:
         """The run that was made just now, until its whole record was put together."""
         return None if "data" in self.__dict__ else self._assembly
 

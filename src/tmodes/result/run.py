@@ -16,7 +16,7 @@ from tmodes.simulation.parts import Journal, sample_times
 from tmodes.simulation.plan import free_drive
 from tmodes.simulation.simulate import simulate_motion
 
-__all__ = ["movable_joints", "ready_to_run", "result_bytes", "run"]
+__all__ = ["movable_joints", "ready_to_run", "result_bytes", "run", "stands_still"]
 
 
 def run(
@@ -73,7 +73,7 @@ def ready_to_run(robot: Robot) -> Robot:
     movable = list(movable_joints(robot.chain()))
     if not movable or robot.base_motion or any(load.signal for load in robot.loads):
         return robot
-    if not (robot.initial.coordinates or robot.initial.rates):
+    if stands_still(robot):
         name, has_motor = movable[0]
         command = Command.TORQUE if has_motor else Command.EFFORT
         shown = _EXAMPLE.format(name=name, command=Command.PRESCRIBED)
@@ -86,6 +86,13 @@ def ready_to_run(robot: Robot) -> Robot:
         )
     drives = tuple(free_drive(name, has_motor=has_motor) for name, has_motor in movable)
     return robot.model_copy(update={"drives": drives})
+
+
+def stands_still(robot: Robot) -> bool:
+    """Whether nothing moves a robot whose joints could move: no drive, no base motion, no load, no initial state."""
+    moved = robot.drives or robot.base_motion or any(load.signal for load in robot.loads)
+    moved = moved or robot.initial.coordinates or robot.initial.rates
+    return not moved and any(movable_joints(robot.chain()))
 
 
 def movable_joints(chain: Chain) -> Iterator[tuple[str, bool]]:

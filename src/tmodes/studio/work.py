@@ -45,29 +45,35 @@ class Workshop:
         """The ``product`` (one of :data:`PRODUCTS`) of a sheet's plain data; ``seconds`` tell what each part took.
 
         ``looks``: where the shapes of its links are, as :class:`tmodes.studio.looks.Source`; ``unseen`` says which of
-        them cannot be shown.
+        them cannot be shown. A page of a robot that nothing moves shows it at rest; ``offer``: drives that move it.
         Raises :class:`tmodes.errors.TmodesError` for a sheet that is wrong or cannot run.
         """
+        from tmodes.result.early import early_result
+        from tmodes.result.run import stands_still
+
         laps = _Laps()
         sheet = sheet_from_data(dict(data))
+        still = product in {"curves", "page"} and stands_still(sheet)
         laps.take("check")
-        result = self._result(sheet, progress)
+        result = self._result(sheet, progress, still=still)
         laps.take("simulate")
         progress("shapes", 0.0)
         self._shapes.look(looks)
-        result = self._shapes.on(result)
+        result = self._shapes.on(early_result(result) if product == "curves" else result)
         laps.take("shapes")
-        content = PRODUCTS[product](result, sheet.name, laps)
+        light = product == "curves"
+        content = _at_rest(result, sheet, laps, light=light) if still else PRODUCTS[product](result, sheet.name, laps)
         info = {"status": result.status, "success": result.success, "message": result.message, "name": sheet.name}
+        info["offer"] = _offer(sheet) if still else []
         info["unseen"] = self._shapes.unseen(data)
         info["seconds"] = laps.info | {"loops": _loop_seconds(result)}
         return Answer(content, info)
 
-    def _result(self, sheet: Robot, progress: Progress) -> Result:
-        key = json.dumps(plain_sheet(sheet), sort_keys=True)
+    def _result(self, sheet: Robot, progress: Progress, *, still: bool = False) -> Result:
+        key = f"{still} {json.dumps(plain_sheet(sheet), sort_keys=True)}"
         if self._last is None or self._last[0] != key:
             self._last = None  # two results at once may be more than the memory holds
-            self._last = (key, _simulated(sheet, progress))
+            self._last = (key, _standing(sheet) if still else _simulated(sheet, progress))
         return self._last[1]
 
 
@@ -90,6 +96,18 @@ def _simulated(sheet: Robot, progress: Progress) -> Result:
     return run(robot, progress=progress)
 
 
+def _standing(sheet: Robot) -> Result:
+    from tmodes.report.rest import standing
+
+    return standing(sheet)
+
+
+def _offer(sheet: Robot) -> list[dict[str, Any]]:
+    from tmodes.report.rest import first_move
+
+    return first_move(sheet)
+
+
 def _refuse_large(size: int) -> None:
     if size > MOST_BYTES:
         got, expected = f"a result of {size / 1e6:,.0f} MB", f"at most {MOST_BYTES / 1e6:,.0f} MB in the studio"
@@ -104,9 +122,19 @@ def _loop_seconds(result: Result) -> float:
 
 def _page(result: Result, name: str, laps: _Laps, *, light: bool = False) -> bytes:
     from tmodes.report.data import page_data
+
+    return _packed(page_data([result], [name], light=light), result, laps)
+
+
+def _at_rest(result: Result, sheet: Robot, laps: _Laps, *, light: bool) -> bytes:
+    from tmodes.report.rest import rest_page
+
+    return _packed(rest_page(sheet, result, light=light), result, laps)
+
+
+def _packed(page: dict[str, Any], result: Result, laps: _Laps) -> bytes:
     from tmodes.report.pack import pack
 
-    page = page_data([result], [name], light=light)
     page |= {"times": result.data["time"].values, "series": _series(result, page)}
     laps.take("page")
     content = pack(page)

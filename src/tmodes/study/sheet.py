@@ -141,7 +141,7 @@ class StudySheet(DataSheet):
     correlations: tuple[Correlation, ...] = Field(
         default=(), strict=False, max_length=MOST_PARAMETERS**2, description="pairs that vary together"
     )
-    plan: Plan = Field(description="which cases are run")
+    plan: Plan = Field(description="which cases are run; in a file it may be left out")
     quantities: dict[str, Quantity] = Field(min_length=1, max_length=MOST_QUANTITIES, description="what is asked")
     keep: Keep = Field(default_factory=Keep, description="cases that keep their whole motion")
     optimize: Optimize | None = Field(default=None, description="for `tmodes optimize`")

@@ -14,6 +14,9 @@ from tmodes.study.tables import Table, read_table
 
 __all__ = ["Shorthands", "expanded"]
 
+USUAL_RUNS = 1000
+"""Cases of a study that does not say which."""
+
 
 @dataclass
 class Shorthands:
@@ -51,9 +54,16 @@ def expanded(data: dict[str, Any], found: Shorthands) -> dict[str, Any]:
         plain["quantities"] = {name: _typed(name, group, found.positions) for name, group in groups.items()}
     if isinstance(groups := data.get("parameters"), Mapping):
         plain["parameters"] = {name: _with_table(name, group, found) for name, group in groups.items()}
-    if isinstance(plan := data.get("plan"), Mapping):
+    if isinstance(plan := data.get("plan", _usual_plan(groups)), Mapping):
         plain["plan"] = _with_cases(plan, found)
     return plain
+
+
+def _usual_plan(parameters: Any) -> dict[str, Any]:
+    """The plan of a study without one: all combinations where all is chosen, else cases as they are distributed."""
+    varied = [*parameters.values()] if isinstance(parameters, Mapping) else []
+    chosen = [isinstance(group, Mapping) and ("choices" in group or "catalogue" in group) for group in varied]
+    return {"type": "grid"} if varied and all(chosen) else {"type": "monte_carlo", "runs": USUAL_RUNS}
 
 
 def _typed(name: str, group: Any, positions: dict[str, int]) -> Any:

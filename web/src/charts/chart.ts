@@ -198,8 +198,9 @@ export function mountChart(set: ChartSet, clock: Clock, zoom: Zoom): ChartView {
 
   const watch = new IntersectionObserver((found) => {
     seen = found.some((one) => one.isIntersecting);
-    if (seen) draw();
-    if (seen) tell();
+    if (!seen) return;
+    draw();
+    follow(); // the time may have moved meanwhile
   }, { rootMargin: "120px" });
   const resized = new ResizeObserver(() => {
     width = place.clientWidth;

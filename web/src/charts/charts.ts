@@ -12,6 +12,8 @@ import { makeZoom } from "./zoom";
 export interface ChartsView {
   /** Draw the live model's run of the first run's robot; null: the page's own alone. */
   show(live: LiveRun | null): void;
+  /** Other marks are known. */
+  renew(): void;
   dispose(): void;
 }
 
@@ -87,6 +89,7 @@ export function mountCharts(element: HTMLElement, page: Page, clock: Clock): Cha
   element.append(make("div", { class: "tab-bar" }, tabs), grid, whole, hint);
   open("overview");
   return {
+    renew: () => open(opened),
     show(run) {
       const before = live;
       live = run;

@@ -22,6 +22,7 @@ const MAIN = 7; // numbers that are shown at first
 
 export function mountFacts(element: HTMLElement, page: Page, clock: Clock): FactsView {
   const known: Info[] = [];
+  element.hidden = page.runs.every((run) => run.facts.length === 0);
   element.append(page.runs.length > 1 ? compared(page, known) : single(page.runs[0].facts, known, clock));
   let last: LiveRun | null = null;
   const late = patience(() => known.forEach((tell) => tell(last, true)));

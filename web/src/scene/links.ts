@@ -5,6 +5,7 @@ import {
 } from "three"; // prettier-ignore
 import { toCreasedNormals } from "three/examples/jsm/utils/BufferGeometryUtils.js";
 import type { Scene, SceneJoint, SceneLink, SceneMesh } from "../contract";
+import { Bent, distances } from "./bent";
 import type { Motion } from "./motion";
 import { SCALE, step } from "./palette";
 import type { Painted } from "./shown";
@@ -44,6 +45,7 @@ const CREASE = 0.6;
 export class RobotView {
   readonly group = new Group();
   private readonly sweeps: (Sweep | null)[];
+  private readonly bents: Bent[] = [];
   private readonly placed: { object: Mesh; link: number; turn: Quaternion | null }[] = [];
   private readonly tinted: { material: Coloured; link: number }[] = [];
   private readonly rods: { object: Mesh; link: number; parent: number; place: number }[] = [];
@@ -62,14 +64,16 @@ export class RobotView {
   ) {
     const plain = this.material(look.link, false);
     const painted = look.painted === "none" ? plain : this.material("#ffffff", true);
-    const meshed = new Set(body.meshes.map((mesh) => mesh.link));
+    const meshed = new Set(body.meshes.flatMap((mesh) => mesh.along ?? [mesh.link]));
     this.sweeps = body.links.map((link, k) => {
-      if (k >= motion.links || (!link.bends && meshed.has(k))) return null;
+      if (k >= motion.links || meshed.has(k)) return null;
       const sweep = new Sweep(motion.stations, sizes(link, motion.stations, widths), look.fine ? 24 : 10);
       this.add(new Mesh(sweep.geometry, link.bends || look.painted === "all" ? painted : plain));
       return sweep;
     });
-    body.meshes.filter(({ link }) => link < motion.links).forEach((mesh) => this.surface(mesh, body.links));
+    body.meshes
+      .filter(({ link }) => link < motion.links)
+      .forEach((mesh) => (mesh.along ? this.bend(mesh, mesh.along, motion, painted) : this.surface(mesh)));
     if (look.opacity < 1) return;
     body.joints
       .filter(({ link }) => link < motion.links)
@@ -87,6 +91,10 @@ export class RobotView {
       sweep?.shape(line, k * size, roots, 4 * k);
       if (this.look.painted !== "none") sweep?.paint(values, k * stations, low, high);
     });
+    for (const bent of this.bents) {
+      bent.shape(line, roots);
+      if (this.look.painted !== "none") bent.paint(values, low, high);
+    }
     for (const { object, link, turn } of this.placed) {
       if (link < 0) continue;
       object.position.fromArray(line, link * size);
@@ -146,8 +154,17 @@ export class RobotView {
     this.placed.push({ object, link: joint.link, turn: new Quaternion().setFromUnitVectors(UP, axis) });
   }
 
-  private surface(mesh: SceneMesh, links: SceneLink[]): void {
-    if (links[mesh.link]?.bends) return; // it would not bend: the link is swept instead
+  private bend(mesh: SceneMesh, along: number[], motion: Motion, painted: Coloured): void {
+    const surface = { vertices: Float32Array.from(mesh.vertices.data), faces: Uint32Array.from(mesh.faces.data) };
+    const at = distances(Float32Array.from(motion.arrays.line.data), motion.stations, along);
+    const bent = new Bent(surface, along, motion.stations, at, CREASE);
+    this.kept(bent.geometry);
+    this.bents.push(bent);
+    const own = this.look.painted === "none" && this.look.opacity >= 1;
+    this.add(new Mesh(bent.geometry, own ? this.material(mesh.colour, false) : painted));
+  }
+
+  private surface(mesh: SceneMesh): void {
     const plain = new BufferGeometry();
     plain.setAttribute("position", new BufferAttribute(Float32Array.from(mesh.vertices.data), 3));
     plain.setIndex(new BufferAttribute(Uint32Array.from(mesh.faces.data), 1));

@@ -4,7 +4,7 @@ import { unpack } from "../pack";
 import type { Page } from "../contract";
 import type { Numbers } from "../pack";
 import type { Schema } from "./schema";
-import type { Sheet, Step } from "./sheet";
+import type { Json, Sheet, Step } from "./sheet";
 
 /** One wrong value: where, what was got, what is expected, how to hint it. */
 export interface Wrong {
@@ -57,8 +57,11 @@ export interface Job {
   state: "waiting" | "running" | "done" | "error" | "cancelled";
   stage: string;
   share: number;
-  /** `unseen`: shapes of links that cannot be shown. */
-  info: { status?: string; success?: boolean; message?: string; seconds?: Record<string, number>; unseen?: Wrong[] };
+  /** `unseen`: shapes of links that cannot be shown; `offer`: drives that would move a robot that nothing moves. */
+  info: {
+    status?: string; success?: boolean; message?: string; seconds?: Record<string, number>; unseen?: Wrong[];
+    offer?: Json[];
+  };
   errors: Wrong[];
 }
 

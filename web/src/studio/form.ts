@@ -61,9 +61,20 @@ export class Form {
     this.marks.show(errors, notices);
   }
 
-  focus(steps: Step[]): void {
+  /** Bring the field at steps into sight, without the focus. */
+  reveal(steps: Step[]): HTMLElement | null {
     const input = this.find(steps);
     input?.scrollIntoView({ block: "center" });
+    return input;
+  }
+
+  /** Set a part of the sheet, and show its fields. */
+  give(steps: Step[], value: Json): void {
+    this.set(steps, value, true);
+  }
+
+  focus(steps: Step[]): void {
+    const input = this.reveal(steps);
     (input?.matches("details") ? input.querySelector<HTMLElement>("summary") : input)?.focus();
   }
 

@@ -18,6 +18,8 @@ export interface Messages {
   right(): void;
   /** The button that ends a run: it is there while one takes long. */
   cancel(button: HTMLElement): void;
+  /** What can be done about what the line says; null: nothing. */
+  offer(button: HTMLElement | null): void;
 }
 
 export function messages(): Messages {
@@ -25,8 +27,9 @@ export function messages(): Messages {
   const bar = make("progress", { max: "1", "aria-label": "Progress of the run", hidden: true });
   const errors = make("div", { class: "errors", role: "alert", hidden: true });
   const notices = make("div", { class: "notices", hidden: true });
+  const offered = make("span", {});
   const gone = make("p", { class: "gone", role: "alert", hidden: true });
-  const element = make("div", { class: "messages" }, make("div", { class: "now" }, bar, line), gone, errors, notices);
+  const element = make("div", { class: "messages" }, make("div", { class: "now" }, bar, line, offered), gone, errors, notices);
   let stop: HTMLElement | null = null;
   let odd: HTMLElement[] = [];
   let atFields = false;
@@ -57,6 +60,7 @@ export function messages(): Messages {
     element,
     say,
     cancel: (button) => { stop = button; },
+    offer: (button) => offered.replaceChildren(...(button ? [button] : [])),
     loaded(from, warnings) {
       say(`${from}: loaded.`);
       errors.hidden = true;
@@ -76,6 +80,7 @@ export function messages(): Messages {
       const warnings = run.warnings.length
         ? ` ${run.warnings.length === 1 ? "One warning" : `${run.warnings.length} warnings`}: ${run.warnings.join(" ")}`
         : "";
+      if (job.info.offer?.length) return say("At rest: nothing moves this robot yet.");
       say(
         `${run.success ? "" : `${run.status}: ${run.message} `}New curves after ${Math.round(milliseconds)} ms, ` +
           `of which the server took ${Math.round(1000 * server)} ms.${warnings}`,

@@ -2,7 +2,7 @@
 
 import { make, ownId } from "../dom";
 import { digits, pretty } from "../format";
-import type { Knob } from "./api";
+import type { Knob, Wrong } from "./api";
 import { read } from "./field";
 import { at, put, type Sheet } from "./sheet";
 
@@ -11,6 +11,8 @@ const STEPS = 1000;
 export interface SlidersView {
   /** Show what the sheet says now. */
   refresh(): void;
+  /** Mark the sliders of what is wrong, and no others. */
+  mark(errors: Wrong[]): void;
 }
 
 /** `changed` is called after each move. */
@@ -18,7 +20,14 @@ export function mountSliders(element: HTMLElement, knobs: Knob[], sheet: Sheet, 
   const rows = knobs.map((knob) => slider(knob, sheet, changed));
   element.replaceChildren(...rows.map((row) => row.element));
   element.hidden = rows.length === 0;
-  return { refresh: () => rows.forEach((row) => row.refresh()) };
+  return {
+    refresh: () => rows.forEach((row) => row.refresh()),
+    mark: (errors) => {
+      const wrong = new Set(errors.flatMap(({ steps }) => (steps ? [steps.join(".")] : [])));
+      for (const { element: row } of rows)
+        row.querySelector(".number")?.setAttribute("aria-invalid", String(wrong.has(row.dataset.slider ?? "")));
+    },
+  };
 }
 
 function slider(knob: Knob, sheet: Sheet, changed: () => void): { element: HTMLElement; refresh(): void } {

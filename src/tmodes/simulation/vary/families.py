@@ -49,9 +49,13 @@ _LOCK = Lock()
 
 def within(values: Mapping[str, Array], spans: Spans | None) -> bool:
     """Whether all values are in their spans, and none is zero, where structure may hang on it."""
-    return spans is not None and bool(values) and all(
-        path in spans and spans[path][0] <= own.min() and own.max() <= spans[path][1] and bool((own != 0).all())
-        for path, own in values.items()
+    return (
+        spans is not None
+        and bool(values)
+        and all(
+            path in spans and spans[path][0] <= own.min() and own.max() <= spans[path][1] and bool((own != 0).all())
+            for path, own in values.items()
+        )
     )
 
 

@@ -21,7 +21,7 @@ BATCH = 16
 """Designs that are asked for, and computed, together."""
 
 STARTS = 2 * BATCH
-"""Evenly spread designs at the start; not more for more trials, so that a search can be continued."""
+"""Most evenly spread designs at the start; not more for more trials, so that a search can be continued."""
 
 
 def search(trials: Trials, method: str, count: int, seed: int, progress: Callable[[str, float], None]) -> None:
@@ -36,12 +36,17 @@ def search(trials: Trials, method: str, count: int, seed: int, progress: Callabl
             sampler=_sampler(optuna, method, seed, count),
             directions=["minimize"] * len(trials.goals.aims),
         )
-        for start in _even(trials, min(count, STARTS), seed):
+        for start in _even(trials, _starts(count), seed):
             study.enqueue_trial(start)
         done = 0
         while done < count:
             done += _batch(optuna, study, trials, min(BATCH, count - done))
             progress("designs", done / count)
+
+
+def _starts(count: int) -> int:
+    """Evenly spread designs at the start of a search of so many: whole batches, and at most half where it has two."""
+    return min(count, STARTS, BATCH * max(1, count // (2 * BATCH)))
 
 
 def _sampler(optuna: Any, method: str, seed: int, count: int) -> Any:

@@ -15,17 +15,14 @@ from tmodes.io.atomic import atomic_write
 from tmodes.report.data import live_page, page_data, robot_name
 from tmodes.report.differences import names_by_difference
 from tmodes.report.parts import viewer_document
+from tmodes.report.rest import rest_page
 from tmodes.result import Result
-from tmodes.result.run import movable_joints, run
 from tmodes.sheet import Robot
 
-__all__ = ["Shown", "rest_page", "show"]
+__all__ = ["Shown", "show"]
 
 HEIGHT = 760
 """Height of the frame in a notebook [pixels]."""
-
-STILL = 1e-6
-"""Length of the run of a robot that is only looked at [s]."""
 
 
 class Shown:
@@ -82,28 +79,3 @@ def _numbered(results: list[Result]) -> list[str] | None:
         return found
     names = [robot_name(result) for result in results]
     return None if len(set(names)) == len(names) else [f"{name} {k}" for k, name in enumerate(names, 1)]
-
-
-def rest_page(robot: Robot) -> dict[str, Any]:
-    """The data of a page on a robot at rest: its shape and its modes, without a run."""
-    page = page_data([_standing(robot)], [robot.name])
-    page["subtitle"] = f"{robot.title or robot.name}: at rest, with its modes of vibration"
-    page["runs"][0] |= {"charts": [], "facts": [], "line": None}
-    page["runs"][0] |= {"status": "at rest", "message": "nothing was simulated"}
-    return page
-
-
-def _standing(robot: Robot) -> Result:
-    """A run too short for anything to move."""
-    still = {"integration.duration": STILL, "integration.output_step": STILL, "integration.stop": []}
-    still |= {"integration.method": "auto"}  # a fixed step may be longer than that
-    return run((robot if robot.drives else _held(robot)).with_(still))
-
-
-def _held(arm: Robot) -> Robot:
-    """An arm whose joints stand still, where its sheet moves none."""
-    if arm.initial.coordinates or arm.initial.rates:
-        return arm
-    hold = {"type": "constant", "value": 0.0}
-    names = [name for name, _ in movable_joints(arm.chain())]
-    return arm.with_({"drives": [{"joint": name, "command": "prescribed", "signal": hold} for name in names]})

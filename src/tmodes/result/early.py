@@ -1,0 +1,39 @@
+"""What a run shows at once: its series and warnings, without what takes longer than the run itself."""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+from tmodes.result.assemble import provenance
+from tmodes.result.result import Result
+from tmodes.result.settling import BAND
+
+__all__ = ["LATER", "early_result"]
+
+LATER = ("settling", "vibration", "frequency")
+"""Beginnings of the names of numbers that an early result does not know."""
+
+_NOT_YET: dict[str, Any] = {
+    "frequencies": {},
+    "vibration": {},
+    "settling": {"time_s": None, "band": BAND, "limit_m": None, "move_m": None, "reason": "not yet known"},
+}
+
+
+def early_result(result: Result) -> Result:
+    """The result of a run that was just made, for a picture that changes while somebody drags; not to be stored.
+
+    It has no modes, settling, residual vibration and estimated errors; the parts of the tip's largest error are those
+    by cause, without those of single gears and links. A result that is whole already stays as it is.
+    """
+    assembly = result.assembly
+    if assembly is None:
+        return result
+    status, message = assembly.ending
+    attributes = provenance(assembly.run, assembly.known) | {"status": status, "message": message}
+    computed = {"warnings": assembly.warnings, "move_end": assembly.move_end, **_NOT_YET}
+    attributes |= {name: json.dumps(value) for name, value in computed.items()}
+    found = Result(assembly.all_series.assign_attrs(attributes), result.timing)
+    vars(found).update(robot=assembly.known, actual=assembly.run.robot)  # which are there already
+    return found
