@@ -19,7 +19,7 @@ from pathlib import Path
 import numpy as np
 from benchmarks.assembler import NONE, assembled
 
-from tmodes.compile.gpu.cuda import unavailable
+from tmodes.compile.gpu.cuda import first_gpu, unavailable
 from tmodes.equations.loop.lean import Shown
 from tmodes.robots.load import load
 from tmodes.simulation.batch.simulate import run_all, thread_count
@@ -77,9 +77,10 @@ def timed(what: Callable[[], object]) -> float:
 def speed(count: int) -> None:
     """Runs a second here and there."""
     few = max(count // 1000, 1000)
-    given, same, some = works(count), works(few), works(few)
-    run_on_gpu(same)  # its code is made here
-    there = timed(lambda: run_on_gpu(given))
+    given, same, some, device = works(count), works(few), works(few), first_gpu()
+    run_on_gpu(same, device=device)  # its code is made here, that of the processor in the next line
+    run_all(works(1), 1, lambda share: None)
+    there = timed(lambda: run_on_gpu(given, device=device))
     here = timed(lambda: run_all(some, thread_count(None), lambda share: None))
     print(f"GPU: {count} cases in {there:.3g} s, {count / there:.3g} a second")
     print(f"processor: {few} cases in {here:.3g} s, {few / here:.3g} a second; ratio {count / there * here / few:.3g}")

@@ -9,7 +9,7 @@ import tmodes
 from arm.run.sheets import pendulum, torque
 from tmodes.errors import InputError, InputErrors
 from tmodes.simulation.start import run_setup
-from tmodes.simulation.vary import arrays, reducing
+from tmodes.simulation.vary import arrays
 from tmodes.simulation.vary.alone import run_alone
 from tmodes.simulation.vary.reduce import Reduced, Reduction, reduced
 from tmodes.simulation.vary.series import units_of
@@ -124,7 +124,7 @@ def test_parts_do_not_matter(monkeypatch):
     many = {path: np.linspace(min(values), max(values), 150) for path, values in vary.items()}
     asked = [Reduction("deviation", "rms"), Reduction("joint.effort", "max")]
     whole = reduced(robot, many, asked)
-    monkeypatch.setattr(reducing, "ROOM", 1)
+    monkeypatch.setattr("tmodes.simulation.batch.runner.Runner.room", 1)
     parts = reduced(robot, many, asked, threads=1)
     for one in asked:
         assert parts.values[one].tobytes() == whole.values[one].tobytes()

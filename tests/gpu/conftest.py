@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from dataclasses import dataclass
 from typing import Any
 
@@ -17,6 +18,12 @@ from tmodes.simulation.loop import LoopModel
 from tmodes.simulation.parts import sample_times
 from tmodes.simulation.start import run_setup
 from tmodes.simulation.trajectory import integrate
+
+EVERY = "TMODES_EVERY_KERNEL"
+
+NIGHTLY = pytest.mark.skipif(
+    not os.environ.get(EVERY), reason=f"the same claim for one more robot, method or GPU: runs with {EVERY}=1"
+)
 
 
 @dataclass(frozen=True)

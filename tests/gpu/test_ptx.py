@@ -1,4 +1,7 @@
-"""The text of kernels: written for all kinds of robots, and assembled for three kinds of GPUs where that can be."""
+"""The text of kernels: written for all kinds of robots, and assembled for three kinds of GPUs where that can be.
+
+Each night all of them; with each change one program and one of kernels, each method, each kind of GPU.
+"""
 
 from __future__ import annotations
 
@@ -13,6 +16,8 @@ from tmodes.compile.gpu.one_case import BLOCK, CASE_ARGUMENTS
 from tmodes.equations.loop.lean import Shown
 from tmodes.simulation.start import run_setup
 
+from .conftest import NIGHTLY
+
 ROBOTS = ("filipovic2010", "spong1987", "flexarm1990", "deluca_siciliano1991")
 """By energies; elastic joints; elastic links as modes; two links that bend, as beams."""
 
@@ -20,6 +25,28 @@ METHODS = ("dormand_prince", "rk4", "reduced")
 """The last one: dormand_prince with series that are reduced."""
 
 SHOWN = (Shown("point", (0, 0)), Shown("speed", (0,)), Shown("drive", (0, 0)), Shown("apart", (0,)))
+
+
+TARGETS = ("sm_70", "sm_80", "sm_90")
+
+DAILY = {
+    ("filipovic2010", "rk4"): "sm_80", ("spong1987", "dormand_prince"): "sm_90", ("spong1987", "reduced"): "sm_80",
+    ("deluca_siciliano1991", "rk4"): "sm_90",
+}  # fmt: skip
+"""What is written with each change, and for which GPU it is assembled then."""
+
+WRITTEN = [
+    pytest.param(robot, method, marks=[] if (robot, method) in DAILY else NIGHTLY)
+    for robot in ROBOTS
+    for method in METHODS
+]
+
+ASSEMBLED = [
+    pytest.param(robot, method, target, marks=[] if DAILY.get((robot, method)) == target else NIGHTLY)
+    for robot in ROBOTS
+    for method in METHODS
+    for target in TARGETS
+]
 
 
 @pytest.fixture(scope="module")
@@ -36,8 +63,7 @@ def loop():
     return found
 
 
-@pytest.mark.parametrize("method", METHODS)
-@pytest.mark.parametrize("robot", ROBOTS)
+@pytest.mark.parametrize(("robot", "method"), WRITTEN)
 def test_a_kernel_needs_nothing_but_itself(loop, robot, method):
     """No function of the C library, no indirect call, no arithmetic in single precision, no shared memory."""
     ptx = loop(robot, method).ptx()
@@ -65,9 +91,7 @@ def test_the_text_is_the_same_each_time(loop):
     assert one._ptx(LEAST_TARGET) == one._ptx(LEAST_TARGET) == one.ptx()
 
 
-@pytest.mark.parametrize("target", ["sm_70", "sm_80", "sm_90"])
-@pytest.mark.parametrize("method", METHODS)
-@pytest.mark.parametrize("robot", ROBOTS)
+@pytest.mark.parametrize(("robot", "method", "target"), ASSEMBLED)
 def test_an_assembler_takes_it(loop, robot, method, target, tmp_path_factory):
     """All that a thread needs is known beforehand and small: a GPU has 512 kB of local memory for a thread."""
     found = assembled(loop(robot, method).ptx(), target, tmp_path_factory.mktemp("ptx"))

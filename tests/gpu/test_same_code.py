@@ -13,9 +13,15 @@ from tmodes.kinds.signals.schedule import Schedule
 from tmodes.simulation.gpu.run import run_on_gpu
 from tmodes.simulation.start import run_setup
 
-from .conftest import varied
+from .conftest import NIGHTLY, varied
 
-BOTH = pytest.mark.parametrize("name", ["published", "swinging"])
+
+def both(first, second):
+    """Two methods of a kind; the second one of the paper's robot each night."""
+    late = pytest.param("published", second, marks=NIGHTLY)
+    return pytest.mark.parametrize(
+        ("name", "method"), [("published", first), late, ("swinging", first), ("swinging", second)]
+    )
 
 
 @pytest.fixture
@@ -30,8 +36,7 @@ def states(cases, **how):
     return work.states, runs
 
 
-@BOTH
-@pytest.mark.parametrize("method", ["rk4", "midpoint"])
+@both("rk4", "midpoint")
 def test_fixed_steps_are_those_of_single_runs_bit_by_bit(cases, method):
     cases = cases.by(method)
     found, runs = states(cases)
@@ -44,8 +49,7 @@ def test_fixed_steps_are_those_of_single_runs_bit_by_bit(cases, method):
     assert len({state.tobytes() for state in found}) == len(found)
 
 
-@BOTH
-@pytest.mark.parametrize("method", ["dormand_prince", "dop853"])
+@both("dormand_prince", "dop853")
 def test_adaptive_steps_differ_by_powers_alone(cases, method):
     """Powers of our own set the lengths of steps: with those of the C library, every bit is that of the single run."""
     cases = cases.by(method)

@@ -7,12 +7,16 @@ import pytest
 
 import tmodes
 from tmodes.compile.gpu.device import HostDevice
+from tmodes.simulation.batch.runner import Runner
 from tmodes.simulation.gpu.block import loop_of
 from tmodes.simulation.gpu.run import run_on_gpu
+from tmodes.simulation.gpu.runner import OnDevice
 from tmodes.simulation.start import run_setup
 from tmodes.simulation.vary import arrays
 from tmodes.simulation.vary.reduce import Reduction, reduced
 from tmodes.simulation.vary.series import units_of
+
+from .conftest import NIGHTLY
 
 HOWS = ("max", "min", "max_abs", "mean", "rms", "end", "range", "time_of_max")
 
@@ -39,36 +43,38 @@ def as_arrays(monkeypatch):
     monkeypatch.setattr(arrays, "_FEW", 2)
 
 
-@pytest.fixture
-def on_device(monkeypatch):
-    """Reduced cases run on a device; how many of their works had series there."""
-    used = []
+class Everything(Runner):
+    """Runs all methods on a device; ``used``: which of the works had series there."""
 
-    def run(works, threads, progress):
-        used.extend(loop_of(work).series is not None for work in works)
+    def __init__(self):
+        self.used = []
+
+    def run(self, works, threads, progress):
+        self.used.extend(loop_of(work).series is not None for work in works)
         return run_on_gpu(works, progress, device=HostDevice())
 
-    def switch():
-        monkeypatch.setattr("tmodes.simulation.vary.reducing.run_all", run)
-        return used
 
-    return switch
+def asked(robot):
+    """All reductions of all series that are compiled."""
+    names = [each for each in units_of(run_setup(robot.pair().real)) if not each.startswith("energy.")]
+    return [Reduction(series, how) for series in names for how in HOWS]
 
 
-@pytest.mark.parametrize("written", [False, True])
-@pytest.mark.parametrize("name", list(ROBOTS))
-def test_reductions_of_all_series(on_device, name, written):
+@pytest.mark.parametrize(("name", "written"), [
+    ("filipovic2010", False), pytest.param("filipovic2010", True, marks=NIGHTLY),
+    pytest.param("spong1987", False, marks=NIGHTLY), ("spong1987", True),
+    ("flexarm1990", False), pytest.param("flexarm1990", True, marks=NIGHTLY),
+    pytest.param("deluca_siciliano1991", False, marks=NIGHTLY), ("deluca_siciliano1991", True),
+])  # fmt: skip
+def test_reductions_of_all_series(name, written):
     """Reduced after each launch, or written for percentiles; distances from a nominal tip are among them."""
     changes, vary = ROBOTS[name]
     robot = tmodes.load(name).with_(changes)
-    names = [each for each in units_of(run_setup(robot.pair().real)) if not each.startswith("energy.")]
-    wanted = [Reduction(series, how) for series in names for how in HOWS]
-    wanted += [Reduction(series, "percentile:90") for series in names if written]
+    wanted, device = asked(robot), Everything()
+    wanted += [Reduction(one.series, "percentile:90") for one in wanted[:: len(HOWS)] if written]
     there = reduced(robot, vary, wanted, threads=1)
-    used = on_device()
-    here = reduced(robot, vary, wanted, threads=1)
-    assert used
-    assert set(used) == {name != "deluca_siciliano1991"}
+    here = reduced(robot, vary, wanted, threads=1, runner=device)
+    assert device.used[-1] == (name != "deluca_siciliano1991")  # after those of nominal robots
     assert here.status == there.status == ("finished",) * 5
     assert here.method == there.method
     for one in wanted:
@@ -82,15 +88,39 @@ def test_reductions_of_all_series(on_device, name, written):
         assert np.abs(here.statistics[count] - there.statistics[count]).max() <= 2
 
 
-def test_launches_and_blocks_change_no_bit_of_a_reduction(monkeypatch, on_device):
+def test_launches_and_blocks_change_no_bit_of_a_reduction(monkeypatch):
     changes, vary = ROBOTS["filipovic2010"]
     robot = tmodes.load("filipovic2010").with_(changes)
-    wanted = [Reduction("tip.speed", how) for how in HOWS] + [Reduction("deviation", "rms")]
-    on_device()
-    whole = reduced(robot, vary, wanted, threads=1)
+    wanted = asked(robot)
+    whole = reduced(robot, vary, wanted, threads=1, runner=Everything())
     monkeypatch.setattr("tmodes.simulation.gpu.run._FIRST", 3)
     monkeypatch.setattr("tmodes.simulation.gpu.run._SECONDS", 0.0)
     monkeypatch.setattr("tmodes.simulation.gpu.run.block_size", lambda work, loop, device: 2)
-    parted = reduced(robot, vary, wanted, threads=1)
+    parted = reduced(robot, vary, wanted, threads=1, runner=Everything())
     for one in wanted:
         assert parted.values[one].tobytes() == whole.values[one].tobytes()
+
+
+class Counting(OnDevice):
+    """Knows how many cases each call had."""
+
+    def __init__(self):
+        super().__init__(HostDevice())
+        self.cases = []
+
+    def run(self, works, threads, progress):
+        self.cases.append(sum(work.inputs.size for work in works))
+        return super().run(works, threads, progress)
+
+
+@pytest.mark.parametrize(("vary", "calls"), [
+    ({"real.gear.stiffness": [0.16, 0.2, 0.24]}, [3]), ({"gear.stiffness": [0.16, 0.2, 0.24]}, [3, 3]),
+])  # fmt: skip
+def test_a_nominal_run_that_stands_for_all_is_on_the_processor(vary, calls):
+    """One thread of a GPU is slower than a core; of nominal robots that differ each is a case."""
+    robot = tmodes.load("filipovic2010").with_({"integration.duration": 0.01, "integration.method": "rk4"})
+    device = Counting()
+    found = reduced(robot, vary, [Reduction("deviation", "max")], threads=1, runner=device)
+    assert found.status == ("finished",) * 3
+    assert device.cases == calls
+    assert device.there == sum(calls)

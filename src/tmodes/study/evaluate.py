@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from tmodes.errors import InputError
 from tmodes.io.units import NotANumber, number
+from tmodes.simulation.batch.runner import Runner
 from tmodes.study.mapping import Group, groups_of
 from tmodes.study.order import ordered
 from tmodes.study.quantities import Asked, Needs, Quantity
@@ -29,12 +30,14 @@ _SAME = "gravity.2"
 """A number that every robot has: set to its own value it makes a batch of cases that are all alike."""
 
 
-def evaluated(study: Study, first: int, values: Array, progress: Progress, threads: int | None) -> Rows:
+def evaluated(study: Study, first: int, values: Array, progress: Progress, threads: int | None, runner: Runner) -> Rows:
     """The rows of cases (m, d), as :meth:`Study.evaluate`."""
     if values.ndim != 2 or values.shape[1] != len(study.names):
         expected = f"an array (cases, {len(study.names)})"
         raise InputError("values", f"an array of shape {values.shape}", expected, "take rows of Study.design().values")
-    part = _computed(study, first, values, progress, threads) if study.robot else Part.of_all(len(values), "finished")
+    part = Part.of_all(len(values), "finished")
+    if study.robot:
+        part = _computed(study, first, values, progress, threads, runner)
     parameters = {name: values[:, k].copy() for k, name in enumerate(study.names)}
     quantities, units = _quantities(study, parameters, part)
     return Rows(
@@ -43,7 +46,7 @@ def evaluated(study: Study, first: int, values: Array, progress: Progress, threa
     )  # fmt: skip
 
 
-def _computed(study: Study, first: int, values: Array, progress: Progress, threads: int | None) -> Part:
+def _computed(study: Study, first: int, values: Array, progress: Progress, threads: int | None, runner: Runner) -> Part:
     """What the robots of all cases gave, group by group."""
     needs, found, done = study.needs, Part.of_all(len(values), "finished"), 0
     asked = dict.fromkeys([*needs.reductions, *needs.static, *_of_results(study)], "")
@@ -54,7 +57,7 @@ def _computed(study: Study, first: int, values: Array, progress: Progress, threa
         def tell(stage: str, share: float, before: int = done, size: int = size) -> None:
             progress(stage, (before + share * size) / len(values))
 
-        found.take(group.places, _of_group(study, group, first, tell, threads), asked)
+        found.take(group.places, _of_group(study, group, first, tell, threads, runner), asked)
         done += size
     return found
 
@@ -63,7 +66,7 @@ def _of_results(study: Study) -> dict[str, Quantity]:
     return {name: one for name, one in study.sheet.quantities.items() if one.needs().result}
 
 
-def _of_group(study: Study, group: Group, first: int, progress: Progress, threads: int | None) -> Part:
+def _of_group(study: Study, group: Group, first: int, progress: Progress, threads: int | None, runner: Runner) -> Part:
     """What the cases of one group gave; those that are all alike are computed once."""
     needs, robot, size = study.needs, group.robot, len(group.places)
     if robot is None:
@@ -77,7 +80,7 @@ def _of_group(study: Study, group: Group, first: int, progress: Progress, thread
         from tmodes.study.ways.reductions import by_reductions
 
         spans = None if alike or size >= study.cases else study.spans.get(group.kind)
-        parts.append(by_reductions(robot, vary, needs, of_vary, threads, progress, spans))
+        parts.append(by_reductions(robot, vary, needs, of_vary, threads, progress, spans, runner))
     if needs.static:
         from tmodes.study.ways.static import by_statics
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from tmodes.io.atomic import file_error
+from tmodes.simulation.batch.runner import PROCESSOR, Runner
 from tmodes.simulation.batch.simulate import thread_count
 from tmodes.study.blocks import pack, unpack
 from tmodes.study.cover import Cover, Gap, Part
@@ -35,14 +36,15 @@ class StudyJob:
     """Tasks of what is missing: new cases, quantities that stored cases lack, motions that were not kept."""
 
     def __init__(
-        self, folder: Folder, cover: Cover, tasks: list[Task], threads: int | None, progress: Progress
-    ) -> None:
+        self, folder: Folder, cover: Cover, tasks: list[Task], threads: int | None, progress: Progress,
+        notice: Callable[[str], None],
+    ) -> None:  # fmt: skip
         self.folder, self.cover, self.study, self.threads = folder, cover, folder.study, threads
         self._tasks, self._gaps, self._progress = tasks, list(cover.gaps), progress
         self._total = len(folder.values) + sum(len(task.values) for task in tasks)
         self._left = sum(len(task.values) for task in tasks) + sum(gap.end - gap.first for gap in cover.gaps)
         kept = 0 if not self.study.sheet.keep.every else 1 << 16
-        self._own_threads = 1
+        self._own_threads, self.notice = 1, notice
         self._pace = Pace(self.study.sheet.block, kept)
 
     @staticmethod
@@ -63,7 +65,7 @@ class StudyJob:
                 folder.store(from_motions(folder.study, rows, kept, names))
 
     @classmethod
-    def of(cls, folder: Folder, threads: int | None, progress: Progress) -> StudyJob:
+    def of(cls, folder: Folder, threads: int | None, progress: Progress, notice: Callable[[str], None]) -> StudyJob:
         """What is missing in a folder, once what follows from kept motions was added."""
         cls._from_motions(folder)
         cover = folder.cover()
@@ -72,7 +74,7 @@ class StudyJob:
         for part in cover.parts:
             wanted = kept_cases(folder.study, part.first, part.end)
             tasks += [_task(folder, case, case + 1, tuple(folder.keys)) for case in wanted if case not in known]
-        return cls(folder, cover, tasks, threads, progress)
+        return cls(folder, cover, tasks, threads, progress, notice)
 
     def derive(self) -> None:
         """Compute the formulas that follow from what is stored."""
@@ -106,10 +108,10 @@ class StudyJob:
         """The task as plain data."""
         return order(self.study, task, threads)
 
-    def compute(self, task: Task) -> bytes:
-        """Compute a task in this process."""
+    def compute(self, task: Task, runner: Runner = PROCESSOR) -> bytes:
+        """Compute a task in this process, its cases by a runner."""
         self._own_threads = thread_count(self.threads)
-        return pack(compute(self.study, task, self.threads, self._share(len(task.values))))
+        return pack(compute(self.study, task, self.threads, self._share(len(task.values)), runner))
 
     def done(self, task: Task, block: bytes) -> None:
         """Verify a block as if it were a file of anybody's, and store it."""

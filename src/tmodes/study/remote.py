@@ -15,6 +15,7 @@ from threading import Lock
 import numpy as np
 
 from tmodes.errors import InputError, SimulationError
+from tmodes.simulation.batch.runner import PROCESSOR, Runner
 from tmodes.study.addresses import base_of, canonical, engine_of_blocks, restricted
 from tmodes.study.blocks import Block, label_of, pack
 from tmodes.study.study import Study
@@ -26,12 +27,13 @@ Progress = Callable[[str, float], None]
 
 
 def compute(
-    study: Study, task: Task, threads: int | None = None, progress: Progress = lambda stage, share: None
-) -> Block:
+    study: Study, task: Task, threads: int | None = None, progress: Progress = lambda stage, share: None,
+    runner: Runner = PROCESSOR,
+) -> Block:  # fmt: skip
     """Compute the cases of a task; raises KeyboardInterrupt where it was interrupted, so that no half is stored."""
     part = restricted(study, task.quantities)
     began = clock.perf_counter()
-    rows = part.evaluate(task.first, task.values, progress, threads=threads)
+    rows = part.evaluate(task.first, task.values, progress, threads=threads, runner=runner)
     if "interrupted" in rows.status:
         raise KeyboardInterrupt
     keys = part.quantity_identities

@@ -55,7 +55,7 @@ def run_study(
         _refuse_older(here, recompute, notice)
         with _disk(here.path):
             here.begin()
-            job = StudyJob.of(here, threads, progress)
+            job = StudyJob.of(here, threads, progress, notice)
             place.run(job)
             if not job.finished:
                 raise SimulationError(f"`{on}` has ended before all cases were computed; run the same command again")

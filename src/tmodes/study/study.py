@@ -17,6 +17,7 @@ from tmodes.errors import InputError
 from tmodes.io.sheet_check import sheet_data
 from tmodes.io.sheet_problems import Problem
 from tmodes.sheet import Robot
+from tmodes.simulation.batch.runner import PROCESSOR, Runner
 from tmodes.study.identity import base_digest, quantity_digests, whole_digest
 from tmodes.study.mapping import Target, target_of
 from tmodes.study.plans import Design
@@ -134,15 +135,17 @@ class Study:
         return reduce(or_, (one.needs() for one in self.sheet.quantities.values()))
 
     def evaluate(
-        self, first: int, values: Array, progress: Progress = lambda stage, share: None, *, threads: int | None = None
-    ) -> Rows:
+        self, first: int, values: Array, progress: Progress = lambda stage, share: None, *,
+        threads: int | None = None, runner: Runner = PROCESSOR,
+    ) -> Rows:  # fmt: skip
         """Compute the cases ``values`` (m, d), of which the first has the number ``first``.
 
-        ``threads``: at once, None for one on each core. A case that fails is a row with its reason. Raises
-        :class:`tmodes.errors.InputError` for what is wrong with the study itself: a series, a number or a key of the
-        summary that its robot does not have, a unit to which a quantity cannot be converted.
+        ``threads``: at once, None for one on each core. ``runner``: what runs cases whose series are reduced. A case
+        that fails is a row with its reason. Raises :class:`tmodes.errors.InputError` for what is wrong with the study
+        itself: a series, a number or a key of the summary that its robot does not have, a unit to which a quantity
+        cannot be converted.
         """
-        return upward("Study.evaluate")(self, first, np.asarray(values, dtype=float), progress, threads)
+        return upward("Study.evaluate")(self, first, np.asarray(values, dtype=float), progress, threads, runner)
 
     @cached_property
     def base_identity(self) -> str:

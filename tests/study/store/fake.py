@@ -72,7 +72,7 @@ class FakeStudy:
     def design(self) -> Design:
         return Design(np.random.default_rng(0).random((self._own["plan"]["runs"], 2)))
 
-    def evaluate(self, first: int, values: Any, progress: Any = lambda stage, share: None, threads: Any = None) -> Rows:
+    def evaluate(self, first: int, values: Any, progress: Any = lambda stage, share: None, **more: Any) -> Rows:
         self.before(first)
         self.calls.append((first, len(values), tuple(self._own["quantities"])))
         count = len(values)

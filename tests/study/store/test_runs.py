@@ -166,7 +166,7 @@ def test_blocks_grow_until_they_take_seconds(tmp_path):
 
 def test_rows_of_an_interrupted_block_are_not_stored(tmp_path):
     class Interrupted(FakeStudy):
-        def evaluate(self, first, values, progress=None, threads=None) -> Rows:
+        def evaluate(self, first, values, progress=None, **more) -> Rows:
             rows = super().evaluate(first, values)
             rows.status[-1] = "interrupted"  # pyright: ignore[reportIndexIssue]
             return rows

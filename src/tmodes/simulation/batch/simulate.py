@@ -57,6 +57,8 @@ def run_all(works: Sequence[Work], threads: int, progress: Callable[[float], Non
 
     ``progress`` is given the share of all lanes' time that is done; what it raises stops the batch.
     """
+    for work in works:
+        prepare_loops(work.model, work.settings.method, work.wanted)
     lanes = [(work, span) for work in works for span in spans(work, threads)]
     reached, stop = np.zeros(len(works[0].states) if works else 0), Event()
     whole = sum(work.inputs.size * work.settings.duration for work in works)
@@ -161,7 +163,6 @@ def simulate_lanes(
     refuse_stops(settings, "all lanes of a batch run")
     lanes = inputs(parameters, schedules, states, settings.duration, model.batch_widths)
     count, times = thread_count(threads), sample_times(settings)
-    prepare_loops(model, settings.method)
     folder = None if out is None else Path(out)
     with room_for((lanes.size, len(times), lanes.starts.shape[1]), folder) as room:
         work = Work(model, lanes, settings, times, room, np.arange(lanes.size))

@@ -10,7 +10,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.kinds.signals.schedule import Schedule
-from tmodes.simulation.batch.simulate import prepare_loops
 from tmodes.simulation.batch.wanted import Wanted
 from tmodes.simulation.batch.work import Work, inputs
 from tmodes.simulation.start import RunSetup
@@ -55,7 +54,6 @@ class Lot:
     def work(self, times: Array, room: Array, wanted: Wanted | None = None) -> Work:
         """What is to run, its samples in a ``room`` (all, n, nx); or series that are ``wanted`` in their place."""
         model, settings, found = self.like.model, self.like.robot.integration, self.numbers(np.arange(len(self.places)))
-        prepare_loops(model, settings.method, wanted)
         info = inputs(found.parameters, found.schedules, self.starts, settings.duration, model.batch_widths)
         return Work(model, info, settings, times, room, self.places, wanted)
 

@@ -14,6 +14,7 @@ from tmodes.errors import InputError, SimulationError
 from tmodes.sheet import Robot
 from tmodes.sheet.robot import refuse_other
 from tmodes.simulation.batch.result import COUNTS
+from tmodes.simulation.batch.runner import PROCESSOR, Runner
 from tmodes.simulation.batch.simulate import thread_count
 from tmodes.simulation.parts import Trajectory
 from tmodes.simulation.start import run_setup
@@ -69,6 +70,7 @@ def reduced(
     kept: Collection[int] = (),
     wrong: str = "error",
     spans: Spans | None = None,
+    runner: Runner = PROCESSOR,
 ) -> Reduced:
     """Run k cases of one sheet and reduce their series to numbers; ``vary`` as of :func:`tmodes.simulate_batch`.
 
@@ -83,6 +85,7 @@ def reduced(
     sheet refuses: an ``error`` before anything runs, or a ``row`` with the status ``refused``. ``spans``: where these
     cases are part of more, the least and the largest value of each path over all of them; what can be found once for
     all is then kept, and no case within is refused where those at the ends are not.
+    ``runner``: what runs the cases, but for those that run by themselves and the sheet's own.
 
     Raises :class:`tmodes.errors.InputError` or :class:`tmodes.errors.InputErrors` for wrong numbers and unknown names,
     :class:`tmodes.errors.SimulationError` where no case can start.
@@ -97,7 +100,7 @@ def reduced(
     if kept and _watched(sheet):
         expected = "no kept motions where stop conditions or the energy may end a run"
         raise InputError("kept", f"{len(kept)} cases", expected, "run these cases by themselves")
-    rows = _Rows(sheet, values, size, tuple(dict.fromkeys(reductions)), count, spans)
+    rows = _Rows(sheet, values, size, tuple(dict.fromkeys(reductions)), count, spans, runner)
     if wrong == "row" and not accepted(sheet, values, spans):
         rows.refuse(refused_cases(sheet, values))
     rows.run(progress)
@@ -117,10 +120,10 @@ class _Rows:
 
     def __init__(
         self, sheet: Robot, values: dict[str, Array], size: int, reductions: tuple[Reduction, ...], threads: int,
-        spans: Spans | None,
+        spans: Spans | None, runner: Runner,
     ) -> None:  # fmt: skip
         self.sheet, self.values, self.reductions, self.threads = sheet, values, reductions, threads
-        self.spans = spans
+        self.spans, self.runner = spans, runner
         self.columns = {one: np.full(size, np.nan) for one in reductions}
         self.status, self.message, self.method = ([""] * size for _ in range(3))
         self.counts = {name: np.zeros(size, dtype=np.int64) for name in COUNTS}
@@ -156,7 +159,7 @@ class _Rows:
                 self.sheet, values, nominal_side(self.sheet, values, planned), planned, self.threads, progress,
                 self.spans,
             )  # fmt: skip
-        work = Reducing(lanes, self.reductions, own, nominal, self.threads)
+        work = Reducing(lanes, self.reductions, own, nominal, self.threads, self.runner)
         for places, runs, numbers in work.parts(progress):
             self._take(going[places], runs, numbers)
         self._alone(going[work.left], own, progress)

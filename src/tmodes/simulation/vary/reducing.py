@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from tmodes.compile.lanes.series import SUMS
 from tmodes.equations.loop.lean import Shown
 from tmodes.simulation.batch.result import not_begun
-from tmodes.simulation.batch.simulate import run_all
+from tmodes.simulation.batch.runner import Runner
 from tmodes.simulation.batch.wanted import Wanted
 from tmodes.simulation.parts import Trajectory
 from tmodes.simulation.vary.lots import Indices, Lot
@@ -22,16 +22,10 @@ from tmodes.simulation.vary.series import DEVIATION, OWN, compiled_series, units
 from tmodes.simulation.vary.simulate import Prepared
 from tmodes.simulation.vary.tables import Nominal, Table
 
-__all__ = ["ROOM", "Part", "Reducing"]
+__all__ = ["Part", "Reducing"]
 
 Array = NDArray[np.float64]
 Progress = Callable[[str, float], None]
-
-ROOM = 128_000_000
-"""Bytes of the samples, of tips that cases are compared with or of series that percentiles are of, at once."""
-
-_LONGEST = 8192
-"""Cases of the longest part."""
 
 _WHOLE = 64
 """Parts have a multiple of so many cases."""
@@ -50,6 +44,7 @@ class Reducing:
     """Prepared cases and what is wanted of them.
 
     ``own`` (1, n, 3): tip of the sheet's own run; ``nominal``: the nominal robots, where they are asked for.
+    ``runner``: what runs the cases.
     """
 
     lanes: Prepared
@@ -57,6 +52,7 @@ class Reducing:
     own: Array | None
     nominal: Nominal | None
     threads: int
+    runner: Runner
 
     @cached_property
     def _names(self) -> list[str]:
@@ -98,8 +94,9 @@ class Reducing:
     def _at_once(self) -> int:
         """Cases of a part."""
         numbers = (0 if self._common else 3 * len(self._given)) + (0 if self._folds else len(self._names))
-        most = ROOM // (8 * len(self.lanes.times) * numbers) if numbers else _LONGEST
-        return min(max(most // _WHOLE, 1) * _WHOLE, _LONGEST, self.lanes.size)
+        longest = self.runner.longest
+        most = self.runner.room // (8 * len(self.lanes.times) * numbers) if numbers else longest
+        return min(max(most // _WHOLE, 1) * _WHOLE, longest, self.lanes.size)
 
     def parts(self, progress: Progress) -> Iterator[Part]:
         """Part after part, in the same room; those after an interruption are not begun."""
@@ -125,7 +122,7 @@ class Reducing:
     def _table(self, room: Array, first: int, size: int, progress: Callable[[float], None]) -> Table:
         table = Table(room[:1], {}, np.zeros(1))
         if self.nominal is not None:
-            table = self.nominal.part(first, first + size).table(room, self.threads, progress)
+            table = self.nominal.part(first, first + size).table(room, self.threads, progress, self.runner)
         if self.own is not None:
             shape = (len(table.numbers), *self.own.shape[1:])
             table = table._replace(numbers=np.concatenate([table.numbers, np.broadcast_to(self.own, shape)], axis=2))
@@ -136,7 +133,7 @@ class Reducing:
         wanted = [self._wanted(tuple(shown.values()), lanes, table) for _, shown in going]
         empty = np.empty((lanes.size, 0, 0))
         works = [lot.work(lanes.times, empty, one) for (lot, _), one in zip(going, wanted, strict=True)]
-        done = run_all(works, self.threads, progress) if works else {}
+        done = self.runner.run(works, self.threads, progress) if works else {}
         runs = {index: not_begun(empty[index], why) for index, why in lanes.failed.items()}
         numbers = {one: np.full(lanes.size, np.nan) for one in self.reductions}
         for (lot, shown), one in zip(going, wanted, strict=True):

@@ -14,9 +14,9 @@ from tmodes.equations.loop.lean import Shown
 from tmodes.errors import InputError
 from tmodes.sheet import Robot
 from tmodes.sheet.parts import Command
-from tmodes.simulation.batch.simulate import run_all
+from tmodes.simulation.batch.runner import PROCESSOR, Runner
 from tmodes.simulation.batch.wanted import Wanted
-from tmodes.simulation.parts import Trajectory
+from tmodes.simulation.batch.work import Work
 from tmodes.simulation.plan import Follow
 from tmodes.simulation.start import RunSetup, run_setup
 from tmodes.simulation.vary.families import Spans
@@ -127,15 +127,16 @@ class Nominal:
         """Those of some cases."""
         return self if self.same else Nominal(self.lanes.part(first, stop), self.names)
 
-    def table(self, room: Array, threads: int, progress: Callable[[float], None]) -> Table:
-        """The tips (k, n, 3 for each name) in a room of their own."""
+    def table(self, room: Array, threads: int, progress: Callable[[float], None], runner: Runner = PROCESSOR) -> Table:
+        """The tips (k, n, 3 for each name) in a room of their own; one that stands for all runs on the processor."""
+        runner = PROCESSOR if self.same else runner
         lost, interrupted = dict(self.lanes.failed), False
         found, seconds = room[: self.lanes.size], np.zeros(self.lanes.size)
         found[list(lost)] = np.nan
         for k, name in enumerate(self.names):
             part = np.empty((*found.shape[:2], 3)) if len(self.names) > 1 else found
             if name == DEVIATION:
-                for place, run in self._run(part, threads, progress).items():
+                for place, run in runner.run(self._works(part), threads, progress).items():
                     seconds[place] = run.seconds
                     interrupted |= run.status == "interrupted"
                     if run.status != "finished":
@@ -148,11 +149,11 @@ class Nominal:
                 found[:, :, 3 * k : 3 * k + 3] = part
         return Table(found, lost, seconds, interrupted)
 
-    def _run(self, out: Array, threads: int, progress: Callable[[float], None]) -> dict[int, Trajectory]:
+    def _works(self, out: Array) -> list[Work]:
+        """Runs whose tips are written into ``out`` (k, n, 3)."""
         wanted = Wanted(_TIP, np.zeros((1, out.shape[1], 0)), self.lanes.times, out, folds=False)
         empty = np.empty((self.lanes.size, 0, 0))
-        works = [lot.work(self.lanes.times, empty, wanted) for lot in self.lanes.lots]
-        return run_all(works, threads, progress)
+        return [lot.work(self.lanes.times, empty, wanted) for lot in self.lanes.lots]
 
 
 def _commanded(lot: Lot, times: Array) -> Array:

@@ -18,13 +18,14 @@ A place of a user's own is a class with the word by which ``--on`` knows it, and
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import ClassVar, Protocol, Self
 
 from tmodes.errors import InputError
 from tmodes.kinds.registry import Registry
+from tmodes.simulation.batch.runner import PROCESSOR, Runner
 from tmodes.study.study import Study
 from tmodes.study.task import Task
 
@@ -32,10 +33,11 @@ __all__ = ["PLACES", "How", "Job", "Place", "Task", "place_of"]
 
 
 class Job(Protocol):
-    """What is to be computed, as places see it."""
+    """What is to be computed, as places see it; ``notice`` is given sentences for the user."""
 
     study: Study
     threads: int | None
+    notice: Callable[[str], None]
 
     def next(self, workers: int = 1) -> Task | None:
         """The next task, of a size for so many that work at once; None when none is left."""
@@ -49,8 +51,8 @@ class Job(Protocol):
         """The task with the study as plain data, for another process or machine."""
         ...
 
-    def compute(self, task: Task) -> bytes:
-        """Compute a task here; its block as bytes."""
+    def compute(self, task: Task, runner: Runner = PROCESSOR) -> bytes:
+        """Compute a task here, its cases by a runner; its block as bytes."""
         ...
 
     def done(self, task: Task, block: bytes) -> None:
@@ -86,7 +88,11 @@ class Place(ABC):
     @classmethod
     @abstractmethod
     def at(cls, address: str, how: How) -> Self:
-        """The place at an address, checked before anything runs; raises :class:`tmodes.errors.InputError`."""
+        """The place at an address, checked before anything runs.
+
+        Raises :class:`tmodes.errors.InputError`, and :class:`tmodes.errors.SimulationError` where this machine has no
+        such device.
+        """
 
     @abstractmethod
     def run(self, job: Job) -> None:

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from tmodes.errors import InputError, InputErrors, SimulationError
 from tmodes.sheet import Robot
+from tmodes.simulation.batch.runner import Runner
 from tmodes.simulation.batch.simulate import thread_count
 from tmodes.simulation.vary.families import Spans
 from tmodes.simulation.vary.kept import Kept as KeptCase
@@ -26,7 +27,7 @@ Array = NDArray[np.float64]
 
 def by_reductions(
     robot: Robot, vary: Mapping[str, Array], needs: Needs, kept: Collection[int],
-    threads: int | None, progress: Callable[[str, float], None], spans: Spans | None = None,
+    threads: int | None, progress: Callable[[str, float], None], spans: Spans | None, runner: Runner,
 ) -> Part:  # fmt: skip
     """Reductions of the cases ``vary`` (m,) of one robot, and the motions of those ``kept``, by index.
 
@@ -36,8 +37,9 @@ def by_reductions(
     size = len(next(iter(vary.values())))
     try:
         found = reduced(
-            robot, vary, [*asked.values()], threads=threads, progress=progress, kept=kept, wrong="row", spans=spans
-        )
+            robot, vary, [*asked.values()], threads=threads, progress=progress, kept=kept, wrong="row", spans=spans,
+            runner=runner,
+        )  # fmt: skip
     except SimulationError as error:
         return Part.of_all(size, "failed", str(error))
     except (InputError, InputErrors):
