@@ -66,7 +66,7 @@ class Summary(Quantity):
         """The number at the path; not-a-number where a summary says that there is none.
 
         What is computed of the run for one group of the summary alone is computed for that alone: the whole summary
-        may take longer than the run. Raises :class:`tmodes.errors.InputError` for a path that the summary does not have.
+        may take longer than the run. Raises :class:`tmodes.errors.InputError` for a path that it does not have.
         """
         first = self.path.partition(".")[0]
         own = _ALONE[first](result) if first in _ALONE else None
