@@ -86,7 +86,7 @@ def test_a_function_that_raises_is_the_reason_of_its_row(sheet, tmp_path):
     """R24; and it is not sent to other machines."""
 
     def fragile(result):
-        if sheet_data(result.robot)["payload"]["mass"] > 0.5:
+        if sheet_data(result.robot)["links"][0]["bodies"][0]["mass"] > 0.5:
             raise ValueError("too heavy for me")
         return 1.0
 
