@@ -45,7 +45,7 @@ def search(trials: Trials, method: str, count: int, seed: int, progress: Callabl
 
 
 def _starts(count: int) -> int:
-    """Evenly spread designs at the start of a search of so many; of a short one fewer, so that it is a search at all."""
+    """Evenly spread designs at the start of a search of so many; of a short one fewer, so that it searches at all."""
     return min(count, STARTS if count > STARTS + BATCH // 2 else BATCH)
 
 
