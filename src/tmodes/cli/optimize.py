@@ -9,6 +9,7 @@ import typer
 
 from tmodes.cli.options import AsJson, Roots, TrustPaths
 from tmodes.cli.sensitivity import StudyArgument
+from tmodes.cli.study_text import notice_slow
 from tmodes.cli.terminal import notice, print_json, print_table, working
 
 if TYPE_CHECKING:
@@ -58,6 +59,7 @@ def optimize(
     from tmodes.study.read import read_study
 
     asked = read_study(study, roots=root or (), trust_paths=trust_paths)
+    notice_slow(asked)
     with working() as tell:
         found = best_design(asked, method, trials=trials, seed=seed, folder=out, progress=tell)
     page = None

@@ -10,6 +10,7 @@ import numpy as np
 import typer
 
 from tmodes.cli.options import AsJson, Roots, TrustPaths
+from tmodes.cli.study_text import notice_slow
 from tmodes.cli.terminal import notice, print_json, print_table, working
 
 if TYPE_CHECKING:
@@ -63,6 +64,7 @@ def sensitivity(
     from tmodes.study.sensitivity import sensitivity as analyse
 
     asked = read_study(study, roots=root or (), trust_paths=trust_paths)
+    notice_slow(asked)
     with working() as tell:
         found = analyse(asked, method, samples=samples, seed=seed, second_order=second_order, folder=out, progress=tell)
         page = _page(found, out, tell) if out else None

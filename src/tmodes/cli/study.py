@@ -11,7 +11,7 @@ import typer
 
 from tmodes.cli import options
 from tmodes.cli.run import folder_name
-from tmodes.cli.study_text import print_study, study_info
+from tmodes.cli.study_text import notice_slow, print_study, study_info
 from tmodes.cli.terminal import notice, print_json, warn, working
 from tmodes.errors import InputError
 
@@ -68,6 +68,7 @@ def study(
     with working() as stages:
         stages("reading", 0.0)
         asked = changed(read_study(sheet, roots=root or (), trust_paths=trust_paths), settings or [], runs)
+        notice_slow(asked)
         place = out or Path("results") / folder_name(asked.sheet.name)
         result = run_study(
             asked, place, on, threads=threads, recompute=recompute, overwrite=overwrite, insecure=insecure, tls=tls,

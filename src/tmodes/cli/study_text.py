@@ -7,17 +7,29 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from tmodes.cli.terminal import print_table
+from tmodes.cli.terminal import notice, print_table
 from tmodes.study.rows import GOOD
 
 if TYPE_CHECKING:
     from tmodes.study.result import StudyResult
+    from tmodes.study.study import Study
 
-__all__ = ["print_study", "study_info"]
+__all__ = ["notice_slow", "print_study", "study_info"]
 
-PERCENTILES = (5, 50, 95)
+PERCENTILES = (1, 5, 25, 50, 75, 95, 99)
+SHOWN = (5, 50, 95)
+"""Percentiles of the plain data, and those that the table shows."""
+
 MOST_REPORTED = 5
 """Cases that did not finish, reported one by one."""
+
+
+def notice_slow(study: Study) -> None:
+    """Say which quantities make a study slow."""
+    slow = [name for name, one in study.sheet.quantities.items() if one.needs().result]
+    if slow:
+        names, verb = ", ".join(slow), "needs" if len(slow) == 1 else "need"
+        notice(f"{names} {verb} the whole result of each case, which is run by itself: slow")
 
 
 def study_info(result: StudyResult) -> dict[str, Any]:
@@ -42,9 +54,11 @@ def study_info(result: StudyResult) -> dict[str, Any]:
 
 def _spread(values: Any, unit: str) -> dict[str, Any]:
     known = values[np.isfinite(values)]
-    numbers: dict[str, float | None] = dict.fromkeys(("min", *(f"p{p}" for p in PERCENTILES), "max", "mean"))
+    keys = "min", *(f"p{p}" for p in PERCENTILES), "max", "mean", "deviation"
+    numbers: dict[str, float | None] = dict.fromkeys(keys)
     if len(known):
-        found = [known.min(), *np.percentile(known, PERCENTILES), known.max(), known.mean()]
+        spread = known.std(ddof=1) if len(known) > 1 else 0.0
+        found = [known.min(), *np.percentile(known, PERCENTILES), known.max(), known.mean(), spread]
         numbers = dict(zip(numbers, map(float, found), strict=True))
     return {"unit": unit, "known": len(known), **numbers}
 
@@ -52,9 +66,9 @@ def _spread(values: Any, unit: str) -> dict[str, Any]:
 def print_study(info: dict[str, Any]) -> None:
     """The counts as a sentence, the quantities as a table, and where the files are."""
     counts = ", ".join(f"{count:,} {status.replace('_', ' ')}" for status, count in info["status"].items())
-    head = ["quantity", "unit", "least", *(f"{p} %" for p in PERCENTILES), "largest", "mean"]
+    head = ["quantity", "unit", "least", *(f"{p} %" for p in SHOWN), "largest", "mean"]
     rows = [
-        [name, found["unit"], *(_number(found[key]) for key in ("min", *(f"p{p}" for p in PERCENTILES), "max", "mean"))]
+        [name, found["unit"], *(_number(found[key]) for key in ("min", *(f"p{p}" for p in SHOWN), "max", "mean"))]
         for name, found in info["quantities"].items()
     ]
     print_table(f"{info['study']}: {info['cases']:,} cases: {counts}", head, rows)

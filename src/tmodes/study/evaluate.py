@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -68,18 +69,43 @@ def _of_results(study: Study) -> dict[str, Quantity]:
 
 def _of_group(study: Study, group: Group, first: int, progress: Progress, threads: int | None, runner: Runner) -> Part:
     """What the cases of one group gave; those that are all alike are computed once."""
-    needs, robot, size = study.needs, group.robot, len(group.places)
+    robot, size = group.robot, len(group.places)
     if robot is None:
         return Part.of_all(size, "refused", group.wrong)
     alike = not group.vary
     vary = {_SAME: np.array([robot.gravity[2]])} if alike else dict(group.vary)
     kept = [k for k, place in enumerate(group.places.tolist()) if _is_kept(study, first + place)]
-    parts = []
     of_vary = [0] if alike and kept else kept
+    with _named(study):
+        found = _found(study, group, vary, of_vary, threads, progress, runner)
+    return _repeated(found, size, kept) if alike else found
+
+
+@contextmanager
+def _named(study: Study) -> Iterator[None]:
+    """What a robot does not have is said of the quantity that asks for it."""
+    try:
+        yield
+    except InputError as error:
+        for name, one in study.sheet.quantities.items():
+            asked = getattr(one, type(one).named, None)
+            if asked and (error.which == asked or error.got.endswith(repr(asked))):
+                which = f"quantities.{name}.{one.name_of_kind()}"
+                raise InputError(which, error.got, error.expected, error.hint) from None
+        raise
+
+
+def _found(
+    study: Study, group: Group, vary: Mapping[str, Array], of_vary: list[int], threads: int | None,
+    progress: Progress, runner: Runner,
+) -> Part:  # fmt: skip
+    """What the cases ``vary`` (m,) of one robot gave, by all ways that the quantities need."""
+    needs, robot, parts = study.needs, group.robot, []
+    assert robot is not None  # noqa: S101
     if needs.reductions:
         from tmodes.study.ways.reductions import by_reductions
 
-        spans = None if alike or size >= study.cases else study.spans.get(group.kind)
+        spans = None if not group.vary or len(group.places) >= study.cases else study.spans.get(group.kind)
         parts.append(by_reductions(robot, vary, needs, of_vary, threads, progress, spans, runner))
     if needs.static:
         from tmodes.study.ways.static import by_statics
@@ -96,7 +122,7 @@ def _of_group(study: Study, group: Group, first: int, progress: Progress, thread
         from tmodes.study.ways.reductions import motions_of
 
         found.kept |= motions_of(robot, vary, of_vary, found, threads, progress)
-    return _repeated(found, size, kept) if alike else found
+    return found
 
 
 def _is_kept(study: Study, case: int) -> bool:

@@ -4,17 +4,17 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterator, Mapping
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 
-from tmodes.errors import SimulationError
+from tmodes.errors import InputError, InputErrors, SimulationError
 from tmodes.io.atomic import file_error
 from tmodes.study.extra import needed
 from tmodes.study.job import StudyJob, kept_cases
 from tmodes.study.motions import write_motions
 from tmodes.study.places.contract import How, place_of
 from tmodes.study.result import StudyResult
-from tmodes.study.store import Folder, locked
+from tmodes.study.store import BLOCKS, STUDY_FILE, Folder, locked
 from tmodes.study.study import Study
 from tmodes.study.table import refuse_names, write_table
 
@@ -51,7 +51,10 @@ def run_study(
     place = place_of(on, How(threads, insecure, tls, dict(resources or {})))
     progress("planning", 0.0)
     design = study.design()
-    with locked(Folder.of(Path(folder), study, design.values), overwrite=overwrite) as here:
+    with (
+        _nothing_left(Path(folder)),
+        locked(Folder.of(Path(folder), study, design.values), overwrite=overwrite) as here,
+    ):
         _refuse_older(here, recompute, notice)
         with _disk(here.path):
             here.begin()
@@ -63,6 +66,21 @@ def run_study(
             write_motions(here, set(kept_cases(study, 0, len(design.values))), progress)
             write_table(here, here.cover(), design.labels, progress)
     return StudyResult(study, Path(folder), design, here)
+
+
+@contextmanager
+def _nothing_left(path: Path) -> Iterator[None]:
+    """A study that is refused before anything of it was computed leaves no folder that was not there."""
+    made = [place for place in (path.absolute(), *path.absolute().parents) if not os.path.lexists(place)]
+    try:
+        yield
+    except (InputError, InputErrors):
+        if made and not any((path / BLOCKS).glob("*")):
+            (path / STUDY_FILE).unlink(missing_ok=True)
+            with suppress(OSError):
+                for place in [path / BLOCKS, *made]:
+                    place.rmdir()
+        raise
 
 
 def _refuse_older(folder: Folder, recompute: bool, notice: Callable[[str], None]) -> None:

@@ -189,7 +189,9 @@ def locked(folder: Folder, *, overwrite: bool = False) -> Iterator[Folder]:
         if os.path.lexists(path / STUDY_FILE):
             if description(path)["base"] != folder.base:
                 hint = "name another folder (--out), or replace what is there (--overwrite)"
-                raise file_error(f"folder {path}", "a study of another robot or of other parameters", "this one", hint)
+                raise file_error(
+                    f"folder {path}", "a study of another robot or of other parameters", "a folder of this study", hint
+                )
         elif os.path.lexists(folder.blocks) and (not folder.blocks.is_dir() or any(folder.blocks.iterdir())):
             raise file_error(f"folder {path}", f"blocks without {STUDY_FILE}", "the folder of a study", "name another")
         if folder.blocks.is_dir():

@@ -47,7 +47,7 @@ def study(parameters: dict[str, Any] | None = None, quantities: dict[str, Any] |
         "format": 1, "kind": "study", "name": "test",
         "parameters": parameters or {"x": {"distribution": UNIFORM}},
         "quantities": quantities or {"y": {"expression": next(iter(parameters or {"x": 0}))}},
-        "plan": plan, **more,
+        **({"plan": plan} if plan else {}), **more,
     }, functions=functions)  # fmt: skip
 
 

@@ -45,8 +45,8 @@ def search(trials: Trials, method: str, count: int, seed: int, progress: Callabl
 
 
 def _starts(count: int) -> int:
-    """Evenly spread designs at the start of a search of so many: whole batches, and at most half where it has two."""
-    return min(count, STARTS, BATCH * max(1, count // (2 * BATCH)))
+    """Evenly spread designs at the start of a search of so many; of a short one fewer, so that it searches at all."""
+    return min(count, STARTS if count > STARTS + BATCH // 2 else BATCH)
 
 
 def _sampler(optuna: Any, method: str, seed: int, count: int) -> Any:

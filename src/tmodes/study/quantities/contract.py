@@ -106,8 +106,8 @@ class Quantity(Kind, family="quantity of interest", key="type"):
         """Its values (m,) in its own unit, and why a case has none, by its index, where it has a reason of its own."""
         raise NotImplementedError
 
-    def of_result(self, result: Any) -> tuple[float, str]:
-        """Of a kind that needs the ``result``: the number that one gives and its unit; raise for one without."""
+    def of_result(self, result: Any) -> tuple[float, str, str]:
+        """Of a kind that needs the ``result``: the number that one gives, its unit, and why there is none, if so."""
         raise NotImplementedError
 
     def name_issues(self, names: Sequence[str]) -> Iterator[Issue]:

@@ -1,7 +1,7 @@
 """A Python function of the result of each case.
 
 A function is given from Python, ``read_study(path, functions={"score": f})``, or registered by a file that a person
-names (``--use my.py``)::
+names (``tmodes --use my.py study gear.yaml``)::
 
     from tmodes.study.quantities.function import quantity
 
@@ -88,7 +88,7 @@ def called(function: Own, result: Any, timeout: float) -> float:
     try:
         with _limited(timeout):
             value = function(result)
-    except Exception as error:
+    except (Exception, SystemExit) as error:
         raise TmodesError(f"{type(error).__name__}: {error}"[:500]) from error
     found = np.asarray(value)
     if found.shape or found.dtype.kind not in "fiu":
@@ -153,7 +153,7 @@ def function_of(name: str, given: Mapping[str, Own], which: str) -> Own:
     if name not in known:
         names: Sequence[str] = tuple(known)
         expected = f"one of {', '.join(names)}" if names else "a function that was given or registered"
-        hint = "register it in a Python file and name that by --use, or give functions={...}"
+        hint = "register it in a Python file and name that: `tmodes --use my.py study ...`, or give functions={...}"
         raise InputError(which, f"the unknown function {name!r}", expected, hint)
     return known[name]
 

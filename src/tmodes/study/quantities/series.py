@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import ClassVar, Literal
 
+import numpy as np
 from pydantic import Field
 
 from tmodes.errors import InputError
@@ -43,5 +44,6 @@ class Series(Quantity):
         return asked.units[self.series, self.reduce]
 
     def values(self, asked: Asked) -> Found:
-        """As the loop has folded it."""
-        return asked.reductions[self.series, self.reduce], {}
+        """As the loop has folded it; a robot without drives has no commanded path, and so no error against it."""
+        values = asked.reductions[self.series, self.reduce]
+        return values, dict.fromkeys(np.flatnonzero(np.isnan(values)).tolist(), f"the run has no {self.series}")

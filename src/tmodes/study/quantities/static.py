@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import ClassVar, Literal
 
+import numpy as np
 from pydantic import Field
 
 from tmodes.study.quantities.contract import QUANTITIES, Asked, Found, Needs, Quantity
@@ -29,5 +30,6 @@ class Static(Quantity):
         return asked.units[self.name]
 
     def values(self, asked: Asked) -> Found:
-        """As it was found for all cases."""
-        return asked.static[self.name], {}
+        """As it was found for all cases; a robot may have fewer frequencies."""
+        values = asked.static[self.name]
+        return values, dict.fromkeys(np.flatnonzero(np.isnan(values)).tolist(), f"the robot has no {self.name}")

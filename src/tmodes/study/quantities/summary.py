@@ -62,23 +62,23 @@ class Summary(Quantity):
         assert asked.own is not None  # noqa: S101
         return asked.own, asked.own_reasons
 
-    def of_result(self, result: Any) -> tuple[float, str]:
-        """The number at the path; not-a-number where a summary says that there is none.
+    def of_result(self, result: Any) -> tuple[float, str, str]:
+        """The number at the path; not-a-number, and why, where a summary says that there is none.
 
-        What is computed of the run for one group of the summary alone is computed for that alone: the whole summary
-        may take longer than the run. Raises :class:`tmodes.errors.InputError` for a path that it does not have.
+        What one group of the summary needs is computed for it alone, where that is known: the whole summary may take
+        longer than the run. Raises :class:`tmodes.errors.InputError` for a path that it does not have.
         """
         first = self.path.partition(".")[0]
         own = _ALONE[first](result) if first in _ALONE else None
         return summary_number(result.summary() if own is None else {first: own}, self.path)
 
 
-def summary_number(summary: Mapping[str, Any], path: str) -> tuple[float, str]:
-    """The number at a path of a summary, and its unit; raises as :meth:`Summary.of_result`."""
+def summary_number(summary: Mapping[str, Any], path: str) -> tuple[float, str, str]:
+    """The number at a path of a summary, its unit, and why there is none; raises as :meth:`Summary.of_result`."""
     value, words, group, unit = summary, path.split("."), {}, "-"
     while words:
         if value is None:
-            return math.nan, unit
+            return math.nan, unit, f"the summary has no {path}"
         key, used = _key(value, words)
         if key is None:
             known = ", ".join(map(str, value)) if isinstance(value, Mapping) else "nothing below it"
@@ -89,11 +89,12 @@ def summary_number(summary: Mapping[str, Any], path: str) -> tuple[float, str]:
         unit = _UNITS.get(ending, unit) if "_" in str(key) else unit
         words = words[used:]
     if value is None:
-        return math.nan, unit
+        why = group.get("reason") if isinstance(group, Mapping) else ""
+        return math.nan, unit, str(why or f"the summary has no {path}")
     if isinstance(value, bool) or not isinstance(value, (int, float)):
         inner = f": one of {', '.join(map(str, value))}" if isinstance(value, Mapping) else ""
         raise InputError(path, shown(value), f"the path of a number{inner}", "write the whole path")
-    return float(value), str(group.get("unit", unit)) if isinstance(group, Mapping) and unit == "-" else unit
+    return float(value), str(group.get("unit", unit)) if isinstance(group, Mapping) and unit == "-" else unit, ""
 
 
 def _key(value: Any, words: Sequence[str]) -> tuple[Any, int]:

@@ -144,7 +144,7 @@ _ESTIMATES = {"error": "error_estimate", "model_error": "model_error"}
 def _number(quantity: Quantity, function: Callable[[Any], float] | None, result: Any) -> tuple[float, str, str]:
     """The number of a quantity, its unit, and why there is none."""
     if function is None or not isinstance(quantity, Function):
-        return *quantity.of_result(result), ""
+        return quantity.of_result(result)
     try:
         return called(function, result, quantity.timeout), quantity.unit or "-", ""
     except TmodesError as error:
