@@ -13,9 +13,9 @@ const SAME = 1e-12; // m between two commanded tips up to which both robots have
 
 /** Of the actual robot, and of the nominal one where there is one, the first `count` samples. */
 export function causesOf(
-  engine: Engine, bundle: Bundle, [real, nominal]: Regime[], [own, planned]: (Seen | undefined)[], count: number,
+  engine: Engine, bundle: Bundle, [real, nominal]: (Regime | undefined)[], [own, planned]: (Seen | undefined)[], count: number,
 ): SeriesOf {
-  if (!bundle.errorParts || !own) return {};
+  if (!bundle.errorParts || !own || !real) return {};
   const wanted = (planned ?? own).model.q.slice();
   const width = wanted.length / count;
   for (const [coordinate, signal] of [...real.info.commanded, ...real.info.exact]) {
@@ -23,7 +23,7 @@ export function causesOf(
       wanted[k * width + coordinate] = valueAt(real.schedule, signal, real.run.times[k]);
   }
   const actual = steps(engine, bundle, real, own, wanted, count);
-  const known = planned ? steps(engine, bundle, nominal, planned, wanted, count) : actual;
+  const known = planned && nominal ? steps(engine, bundle, nominal, planned, wanted, count) : actual;
   const parts = parted(actual);
   const geometry = difference(actual[0], known[0]);
   const expected = parted(known);
@@ -65,7 +65,7 @@ function steps(
   for (const shape of [joints, straight(moved), straight(wanted)]) {
     if (!shape.every((value, k) => value === before[k])) {
       const inputs = { q: shape, v: still, a: still, base: doubles(bundle.base) };
-      tip = tips(engine.sample("inertia", mover.blocks.chain, inputs, count).points);
+      tip = tips(engine.sample("inertia", mover.blocks.chain, inputs, count, ["points"]).points);
     }
     before = shape;
     found.unshift(tip);
