@@ -41,7 +41,7 @@ window.requestAnimationFrame = (act) => ask.call(window, (now) => {
   window.script += performance.now() - began;
 });
 """
-"""Notes when the worker has answered what curves and picture need, and how long the page's own work of each picture takes."""
+"""Notes when the worker has answered what curves and picture need, and how long the page works on each frame."""
 
 CHANGE = """async (share) => {
   const input = document.querySelector(".sliders-panel input[type=range]");
