@@ -47,8 +47,10 @@ def found(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]:
     """What is heard of one run, and of one that a newer one ends as its curves are there."""
     folder, node = tmp_path_factory.mktemp("order"), shutil.which("node")
     built_live(folder)
+    bundle = live_bundle(run(short_robot()))
     assert node is not None
-    (folder / "bundle.tmpk").write_bytes(pack(live_bundle(run(short_robot()))))
+    assert bundle is not None
+    (folder / "bundle.tmpk").write_bytes(pack(bundle))
     (folder / "program.mjs").write_text(PROGRAM)
     done = subprocess.run([node, "program.mjs"], cwd=folder, capture_output=True, text=True, check=False, timeout=LONG)
     assert done.returncode == 0, done.stderr
