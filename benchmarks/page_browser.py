@@ -21,12 +21,16 @@ LINES = ("--no-sandbox", "--disable-gpu", "--disable-3d-apis")
 
 WATCH = """
 window.answered = 0;
+window.pictured = 0;
 window.script = 0;
+let last = -1;
 window.Worker = class extends Worker {
   constructor(...given) {
     super(...given);
     this.addEventListener("message", ({ data }) => {
-      if (data.kind === "early") window.answered = performance.now();
+      if (data.kind !== "early") return;
+      if (data.id !== last) [last, window.answered] = [data.id, performance.now()];
+      if (data.run.scene) window.pictured = performance.now();
     });
   }
 };
@@ -37,7 +41,7 @@ window.requestAnimationFrame = (act) => ask.call(window, (now) => {
   window.script += performance.now() - began;
 });
 """
-"""Notes when the worker has answered what the curves need, and how long the page's own work of each picture takes."""
+"""Notes when the worker has answered what curves and picture need, and how long the page works on each frame."""
 
 CHANGE = """async (share) => {
   const input = document.querySelector(".sliders-panel input[type=range]");
@@ -52,11 +56,12 @@ CHANGE = """async (share) => {
   input.value = String(Number(input.min) + share * (Number(input.max) - Number(input.min)));
   input.dispatchEvent(new Event("input", { bubbles: true }));
   const curves = await reported;
-  await new Promise((done) => requestAnimationFrame(() => {
+  const drawn = () => new Promise((done) => requestAnimationFrame(() => {
     const { port1, port2 } = new MessageChannel();
     port1.onmessage = done;
     port2.postMessage(0);
   }));
+  do await drawn(); while (window.pictured < began);
   const [answer, picture] = [window.answered, performance.now()];
   return { text: status.textContent, answer: answer - began, curves: curves - began, picture: picture - began };
 }"""

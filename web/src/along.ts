@@ -4,9 +4,14 @@
 export function alongSum(
   { data, shape: [, parts] }: { data: ArrayLike<number>; shape: number[] }, k: number, index: number,
 ): number {
-  const total = [0, 0, 0];
-  for (let j = 0; j < 3 * parts; j += 1) total[j % 3] += data[3 * parts * k + j];
-  const size = Math.hypot(...total);
+  let [x, y, z] = [0, 0, 0];
+  for (let j = 3 * parts * k; j < 3 * parts * (k + 1); j += 3) {
+    x += data[j];
+    y += data[j + 1];
+    z += data[j + 2];
+  }
+  const size = Math.hypot(x, y, z);
   if (index < 0 || size === 0) return size;
-  return total.reduce((sum, value, j) => sum + value * data[3 * (parts * k + index) + j], 0) / size;
+  const own = 3 * (parts * k + index);
+  return (x * data[own] + y * data[own + 1] + z * data[own + 2]) / size;
 }

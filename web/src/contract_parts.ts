@@ -2,6 +2,8 @@
 
 import type { Chart, LinePanel, Mode, Scene, SceneContact, Slider } from "./contract";
 
+export type LiveScene = NonNullable<LiveRun["scene"]>;
+
 /** What the live model gives: the same names as the result's variables, at the run's own samples. */
 export interface LiveRun {
   status: string;
@@ -11,13 +13,17 @@ export interface LiveRun {
   times: Float64Array;
   /** By the result's variable names, [n, ...]. */
   series: Record<string, { data: Float64Array; shape: number[] }>;
-  /** New arrays for the scene's fields, at its own display times; links, joints and meshes stay. */
-  scene: Pick<Scene, "times" | "line" | "rigid" | "reference" | "referenceRigid" | "roots" | "tip" | "tipReference"> & {
+  /**
+   * New arrays for the scene's fields, at its own display times; links, joints and meshes stay. Not there as long as
+   * only the curves are known.
+   */
+  scene?: Pick<Scene, "times" | "line" | "rigid" | "reference" | "referenceRigid" | "roots" | "tip" | "tipReference"> & {
     colours: Scene["colours"];
     /** `surface`: where it is, if that changed. */
     contact: (Pick<SceneContact, "force" | "at"> & Partial<Pick<SceneContact, "surface">>) | null;
   };
-  line: LinePanel | null;
+  /** Of its links; comes with the scene. */
+  line?: LinePanel | null;
   /** First and last time [s] of what its spectra are of; without it those of the charts serve. */
   span?: [number, number];
   /** Headline numbers by the ids of the facts; those that cannot be computed are absent. */
@@ -36,7 +42,7 @@ export interface Vibration {
 export interface Live {
   sliders: Slider[];
   /** Simulate with these values; a newer call ends an older one, whose promise is then rejected with `Superseded`. */
-  /** `early` hears the curves where more of the run takes longer; the promise gives all of it. */
+  /** `early` hears the curves, and again when their picture is known; the promise gives all of the run. */
   run(values: number[], progress?: (share: number) => void, early?: (run: LiveRun) => void): Promise<LiveRun>;
   /** The data sheet as YAML with these values. */
   sheet(values: number[]): string;
@@ -52,7 +58,7 @@ export interface SceneView {
   /** The picture as it is now, with the words that it needs; drawn on `canvas` again where one is given. */
   picture(canvas?: HTMLCanvasElement): HTMLCanvasElement;
   /** Show other arrays for a run (of the live model); null: those of the page. The page's own stay as a ghost. */
-  replace(run: number, scene: LiveRun["scene"] | null): void;
+  replace(run: number, scene: LiveScene | null): void;
   /**
    * Show a mode instead of the motion; null: the motion. `amplitude`: largest displacement, share of the robot's size.
    */

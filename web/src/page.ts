@@ -3,7 +3,7 @@
 import { makeClock, type Clock } from "./clock";
 import { mountCharts } from "./charts/charts";
 import type { Mode, Page, Run } from "./contract";
-import type { LiveRun, SceneView } from "./contract_parts";
+import type { LiveRun, LiveScene, SceneView } from "./contract_parts";
 import { make } from "./dom";
 import { openLive } from "./live/live";
 import { mountFacts } from "./panels/facts";
@@ -79,12 +79,13 @@ export function mountPage(root: HTMLElement, page: Page): PageView {
     transportView.show(live ? changed.sort((one, other) => one.time - other.time) : page.runs[0].events, times);
   };
   mark(null);
-  let drawn: LiveRun | null = null; // picture and curves are there before all of a run
+  let pictured: LiveScene | null = null; // curves come before the picture, and both before all of a run
 
   function show(live: LiveRun | null): void {
     clock.setDuration(Math.max(live ? live.times[live.times.length - 1] : 0, duration));
-    if (live?.scene !== drawn?.scene) {
-      scene.replace(0, live && live.scene);
+    if ((!live || live.scene) && pictured !== (live?.scene ?? null)) {
+      pictured = live?.scene ?? null;
+      scene.replace(0, pictured);
       lineView?.show(live);
     }
     chartsView.show(live);
@@ -92,7 +93,6 @@ export function mountPage(root: HTMLElement, page: Page): PageView {
     modesView?.show(live);
     mark(live);
     document.querySelector("main > .status.good")?.classList.toggle("before", live !== null);
-    drawn = live;
   }
 
   const own = fileName(page.runs[0].name);

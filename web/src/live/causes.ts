@@ -13,9 +13,9 @@ const SAME = 1e-12; // m between two commanded tips up to which both robots have
 
 /** Of the actual robot, and of the nominal one where there is one, the first `count` samples. */
 export function causesOf(
-  engine: Engine, bundle: Bundle, [real, nominal]: Regime[], [own, planned]: (Seen | undefined)[], count: number,
+  engine: Engine, bundle: Bundle, [real, nominal]: (Regime | undefined)[], [own, planned]: (Seen | undefined)[], count: number,
 ): SeriesOf {
-  if (!bundle.errorParts || !own) return {};
+  if (!bundle.errorParts || !own || !real) return {};
   const wanted = (planned ?? own).model.q.slice();
   const width = wanted.length / count;
   for (const [coordinate, signal] of [...real.info.commanded, ...real.info.exact]) {
@@ -23,7 +23,8 @@ export function causesOf(
       wanted[k * width + coordinate] = valueAt(real.schedule, signal, real.run.times[k]);
   }
   const actual = steps(engine, bundle, real, own, wanted, count);
-  const known = planned ? steps(engine, bundle, nominal, planned, wanted, count) : actual;
+  const alike = nominal && same(nominal.blocks.chain, real.blocks.chain) ? actual[0] : undefined;
+  const known = planned && nominal ? steps(engine, bundle, nominal, planned, wanted, count, alike) : actual;
   const parts = parted(actual);
   const geometry = difference(actual[0], known[0]);
   const expected = parted(known);
@@ -33,9 +34,10 @@ export function causesOf(
   }
   const series = (each: Float64Array[]) => {
     const data = new Float64Array(3 * count * each.length);
-    each.forEach((part, j) => part.forEach((value, k) => {
-      data[3 * (Math.floor(k / 3) * each.length + j) + (k % 3)] = value;
-    }));
+    each.forEach((part, j) => {
+      for (let k = 0; k < count; k += 1)
+        for (let i = 0; i < 3; i += 1) data[3 * (k * each.length + j) + i] = part[3 * k + i];
+    });
     return shaped(data, count, each.length, 3);
   };
   const found: SeriesOf = { tip_commanded: shaped(known[0], count, 3), tip_error: series(parts) };
@@ -47,9 +49,17 @@ function parted(tips: Float64Array[]): Float64Array[] {
   return tips.slice(1).map((tip, k) => difference(tip, tips[k]));
 }
 
-/** The tip [n, 3] commanded, with the motors where they are, with the joints where they are, and as it is. */
+function same(a: Float64Array, b: Float64Array): boolean {
+  return a.every((value, k) => value === b[k]);
+}
+
+/**
+ * The tip [n, 3] commanded (`known`: of a robot of the same dimensions and loads), with the motors where they are, with
+ * the joints where they are, and as it is.
+ */
 function steps(
   engine: Engine, bundle: Bundle, mover: Regime, { model: { q }, points }: Seen, wanted: Float64Array, count: number,
+  known?: Float64Array,
 ): Float64Array[] {
   const width = q.length / count;
   const [moved, joints] = [wanted.slice(), q.slice()];
@@ -62,10 +72,12 @@ function steps(
   let [before, tip] = [q, tips(points)];
   const found = [tip];
   const straight = (shape: Float64Array) => affine(bundle.straight, shape, count);
-  for (const shape of [joints, straight(moved), straight(wanted)]) {
-    if (!shape.every((value, k) => value === before[k])) {
+  const shapes = [joints, straight(moved), straight(wanted)];
+  for (const shape of shapes) {
+    if (known && shape === shapes[2]) tip = known;
+    else if (!same(shape, before)) {
       const inputs = { q: shape, v: still, a: still, base: doubles(bundle.base) };
-      tip = tips(engine.sample("inertia", mover.blocks.chain, inputs, count).points);
+      tip = tips(engine.sample("inertia", mover.blocks.chain, inputs, count, ["points"]).points);
     }
     before = shape;
     found.unshift(tip);

@@ -62,8 +62,6 @@ type Compiled = (...values: (number | bigint)[]) => void;
 
 /** One module at work. A call is given copies and gives copies: nothing stays in its memory from call to call. */
 export class Engine {
-  private outputs = new Float64Array();
-
   private constructor(
     readonly layout: Layout,
     private readonly functions: Record<string, Compiled>,
@@ -80,12 +78,12 @@ export class Engine {
     return new Engine(layout, functions as Record<string, Compiled>, memory as WebAssembly.Memory, free);
   }
 
-  /** Outputs of a function at `count` samples, by name, each [count, size]. */
-  sample(name: string, parameters: Float64Array, inputs: Samples, count: number): Samples {
+  /** Outputs of a function at `count` samples, by name, each [count, size]; `wanted`: which of them, else all. */
+  sample(name: string, parameters: Float64Array, inputs: Samples, count: number, wanted?: readonly string[]): Samples {
     const info = known(this.layout.samples, name, "function");
     expect(`${name}: parameters`, parameters.length, info.parameters);
     const out = this.schedule(info, parameters, [inputs], count);
-    return parted(info.outputs, out, count, 1);
+    return parted(info.outputs, out, count, 1, wanted);
   }
 
   /**
@@ -135,18 +133,20 @@ export class Engine {
     });
   }
 
+  /** What it gives [count, sides, outputs], in the module's memory until the next call. */
   private schedule(info: SampleLayout, parameters: Float64Array, sides: Samples[], count: number): Float64Array {
-    const packed = packedRows(info.inputs, sides, count);
-    const out = this.room(count * sides.length * total(info.outputs));
-    const workspace = new Float64Array(info.workspace);
-    this.call(info.export, [count, 0, parameters, workspace, packed, { into: out }]);
-    return out;
-  }
-
-  /** Room for outputs until the next call: a page that runs again and again asks for no new memory each time. */
-  private room(size: number): Float64Array {
-    if (this.outputs.length < size) this.outputs = new Float64Array(size);
-    return this.outputs.subarray(0, size);
+    const rows = count * sides.length;
+    const [wide, high] = [total(info.inputs), total(info.outputs)];
+    const workspace = this.free + parameters.byteLength;
+    const packed = workspace + 8 * info.workspace;
+    const out = packed + 8 * rows * wide;
+    this.reserve(out + 8 * rows * high);
+    const whole = new Float64Array(this.memory.buffer);
+    whole.set(parameters, this.free / 8);
+    whole.fill(0, workspace / 8, packed / 8);
+    packRows(whole.subarray(packed / 8, out / 8), info.inputs, sides, count);
+    this.functions[info.export](BigInt(count), BigInt(0), this.free, workspace, packed, out);
+    return whole.subarray(out / 8, out / 8 + rows * high);
   }
 
   private reserve(end: number): void {
@@ -176,39 +176,40 @@ function total(sizes: Record<string, number>): number {
   return Object.values(sizes).reduce((sum, size) => sum + size, 0);
 }
 
-function filled(label: string, size: number, given: Float64Array | undefined, count: number): Float64Array {
+/** How far rows of an input are apart: not at all where one row stands for all samples. */
+function stride(label: string, size: number, given: Float64Array | undefined, count: number): number {
   if (given === undefined) throw new EngineError(`${label}: got nothing; expected ${size} numbers for each sample`);
-  if (given.length === count * size) return given;
+  if (given.length === count * size) return size;
   expect(label, given.length, size);
-  const rows = new Float64Array(count * size);
-  copied(given, 0, 0, rows, size, 0, size, count);
-  return rows;
+  return 0;
 }
 
 /** Rows of all inputs one after the other; of several sides: the rows of a sample follow each other. */
-function packedRows(sizes: Record<string, number>, sides: Samples[], count: number): Float64Array {
+function packRows(into: Float64Array, sizes: Record<string, number>, sides: Samples[], count: number): void {
   const width = total(sizes);
-  const packed = new Float64Array(count * sides.length * width);
   sides.forEach((side, s) => {
     let start = s * width;
     for (const [label, size] of Object.entries(sizes)) {
-      const rows = filled(label, size, side[label], count);
-      copied(rows, size, 0, packed, sides.length * width, start, size, count);
+      const apart = stride(label, size, side[label], count);
+      copied(side[label], apart, 0, into, sides.length * width, start, size, count);
       start += size;
     }
   });
-  return packed;
 }
 
 /** Parts of rows by name; `every`: how many rows each sample has, of which the first is taken. */
-function parted(sizes: Record<string, number>, out: Float64Array, count: number, every: number): Samples {
+function parted(
+  sizes: Record<string, number>, out: Float64Array, count: number, every: number,
+  wanted: readonly string[] = Object.keys(sizes),
+): Samples {
   const width = every * total(sizes);
   const parts: Samples = {};
   let start = 0;
   for (const [label, size] of Object.entries(sizes)) {
-    const part = new Float64Array(count * size);
-    copied(out, width, start, part, size, 0, size, count);
-    parts[label] = part;
+    if (wanted.includes(label)) {
+      parts[label] = new Float64Array(count * size);
+      copied(out, width, start, parts[label], size, 0, size, count);
+    }
     start += size;
   }
   return parts;

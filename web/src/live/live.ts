@@ -108,7 +108,7 @@ function hired(worker: Worker): Doer {
   worker.onmessage = ({ data }: MessageEvent<Answered>) => {
     if (!("id" in data) || data.id !== latest || !waiting) return;
     if (data.kind === "progress") waiting.progress(data.share);
-    else if (data.kind === "early") waiting.early((info = data.run));
+    else if (data.kind === "early") waiting.early((info = together(info, data.run)));
     else if (data.kind === "error") ended(new Error(data.message));
     else if (data.kind === "done") {
       waiting.resolve(together(info, data.run));

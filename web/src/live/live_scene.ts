@@ -1,7 +1,7 @@
 // The picture of the robot at the display frames: where its links are, bent, without elasticity, and as planned.
 
 import type { SceneContact } from "../contract";
-import type { LiveRun } from "../contract_parts";
+import type { LiveScene } from "../contract_parts";
 import type { Numbers } from "../pack";
 import { doubles, type Affine, type Bundle } from "./bundle";
 import type { Engine } from "./engine";
@@ -39,8 +39,8 @@ export function sceneOf(
   series: SeriesOf,
   times: Float64Array,
   frames: number[],
-  loads: LiveRun["scene"]["colours"],
-): LiveRun["scene"] {
+  loads: LiveScene["colours"],
+): LiveScene {
   const at = (name: string) =>
     rowsOf(
       series[name].data,

@@ -9,8 +9,8 @@ export type Answered =
   | { kind: "ready" }
   | { kind: "failed"; message: string }
   | { kind: "progress"; id: number; share: number }
-  | { kind: "early"; id: number; run: LiveRun }
-  /** What was not reported early. */
+  /** First the curves, then the picture; each time what was not reported before. */
+  | { kind: "early"; id: number; run: Partial<LiveRun> }
   | { kind: "done"; id: number; run: Partial<LiveRun> }
   | { kind: "error"; id: number; cancelled: boolean; message: string };
 

@@ -7,11 +7,11 @@ import type { Engine, Samples } from "./engine";
 import { columns, difference, energyBalance, range, shaped, sizes, type SeriesOf } from "./series";
 import { rowsAt } from "./signals";
 
-/** What is known of the samples of a regime: what its model reports, and the motion and energies of its chain. */
+/** What is known of the samples of a regime: what its model reports, and the motion of its chain. */
 export interface Seen {
+  regime: Regime;
   model: Samples;
   points: Float64Array; // [n, points, 24]
-  energy: Float64Array; // [n, 4]
 }
 
 const POINT = 24;
@@ -25,24 +25,18 @@ export function seenOf(engine: Engine, bundle: Bundle, regime: Regime, count: nu
   const model = engine.sample(`${regime.name}.observe`, regime.blocks.parameters, inputs, count);
   const { q, v, a } = model;
   const base = doubles(bundle.base);
-  const { chain, rotors } = regime.blocks;
-  const { points } = engine.sample("inertia", chain, { q, v, a, base }, count);
-  const still = new Float64Array(rotors.length);
-  const momentum = engine.sample("inertia", chain, { q, v: still, a: v, base }, count);
-  const elastic = engine.sample("elastic", chain, { q, v, base }, count).energies;
-  return { model, points, energy: energiesOf(bundle, v, rotors, momentum, elastic, count) };
+  const { points } = engine.sample("inertia", regime.blocks.chain, { q, v, a, base }, count, ["points"]);
+  return { regime, model, points };
 }
 
 /** Kinetic, of gravity, of gears, of links [n, 4]. */
-function energiesOf(
-  bundle: Bundle,
-  v: Float64Array,
-  rotors: Float64Array,
-  momentum: Samples,
-  elastic: Float64Array,
-  count: number,
-): Float64Array {
+function energiesOf(engine: Engine, bundle: Bundle, { regime, model: { q, v } }: Seen, count: number): Float64Array {
+  const { chain, rotors } = regime.blocks;
   const n = rotors.length;
+  const base = doubles(bundle.base);
+  const still = new Float64Array(n);
+  const momentum = engine.sample("inertia", chain, { q, v: still, a: v, base }, count, ["forces", "moment"]);
+  const elastic = engine.sample("elastic", chain, { q, v, base }, count, ["energies"]).energies;
   const each = elastic.length / count;
   const energy = new Float64Array(4 * count);
   for (let k = 0; k < count; k += 1) {
@@ -57,7 +51,9 @@ function energiesOf(
 }
 
 /** The series that the actual robot has by itself. */
-export function seriesOf(bundle: Bundle, real: Regime, { model, points, energy }: Seen, count: number): SeriesOf {
+export function seriesOf(engine: Engine, bundle: Bundle, real: Regime, own: Seen, count: number): SeriesOf {
+  const { model, points } = own;
+  const energy = energiesOf(engine, bundle, own, count);
   const n = model.q.length / count;
   const drives = model.gear.length / count;
   const places = points.length / count / POINT;
@@ -95,8 +91,8 @@ export function seriesOf(bundle: Bundle, real: Regime, { model, points, energy }
   if (drives && bundle.electric) Object.assign(series, { voltage: drive(1), current: drive(2) });
   const states = range(...real.info.state.controls);
   if (states.length) {
-    const own = columns(real.run.states.subarray(0, count * width), width, states);
-    series.controller_states = shaped(own, count, states.length);
+    const controls = columns(real.run.states.subarray(0, count * width), width, states);
+    series.controller_states = shaped(controls, count, states.length);
   }
   if (bundle.contactPoint < 0) return series;
   const contact = (which: number[]) => columns(model.contact, 6, which);

@@ -57,21 +57,22 @@ export function valueAt(one: Schedule, signal: number, time: number): number {
 
 /** What compiled loops read: of each piece its start and all coefficients. */
 export function rowsOf(one: Schedule): Float64Array {
-  return rowsAtPieces(one, Array.from({ length: one.knots.length - 1 }, (_, k) => k));
+  return rowsAtPieces(one, one.knots.length - 1, (k) => k);
 }
 
 /** The same of the piece at each time [s]. */
 export function rowsAt(one: Schedule, times: Float64Array): Float64Array {
-  return rowsAtPieces(one, Array.from(times, (time) => pieceAt(one.knots, time)));
+  return rowsAtPieces(one, times.length, (k) => pieceAt(one.knots, times[k]));
 }
 
-function rowsAtPieces(one: Schedule, pieces: number[]): Float64Array {
+function rowsAtPieces(one: Schedule, count: number, pieceOf: (k: number) => number): Float64Array {
   const width = one.signals * (one.degree + 1);
-  const rows = new Float64Array(pieces.length * (width + 1));
-  pieces.forEach((piece, k) => {
-    rows[k * (width + 1)] = one.knots[piece];
-    rows.set(one.coefficients.subarray(piece * width, (piece + 1) * width), k * (width + 1) + 1);
-  });
+  const rows = new Float64Array(count * (width + 1));
+  for (let k = 0, place = 0; k < count; k += 1) {
+    const piece = pieceOf(k);
+    rows[place++] = one.knots[piece];
+    for (let j = piece * width; j < (piece + 1) * width; j += 1) rows[place++] = one.coefficients[j];
+  }
   return rows;
 }
 

@@ -39,13 +39,14 @@ async function made(id: number, values: number[]): Promise<void> {
     await new Promise((resolve) => setTimeout(resolve, 0));
     if (cancelled()) throw new Cancelled("a newer run began");
     const watch = { cancelled, progress: (share: number) => scope.postMessage({ kind: "progress", id, share }) };
-    let early: LiveRun | null = null;
+    let known: LiveRun | null = null;
     const run = await runner.run(values, watch, (info, needed) => {
-      early = info;
+      const more = beyond(info, known);
+      known = info;
       const kept = new Set(buffersIn(needed));
-      scope.postMessage({ kind: "early", id, run: info }, buffersIn(info).filter((buffer) => !kept.has(buffer)));
+      scope.postMessage({ kind: "early", id, run: more }, buffersIn(more).filter((buffer) => !kept.has(buffer)));
     });
-    const more = beyond(run, early);
+    const more = beyond(run, known);
     scope.postMessage({ kind: "done", id, run: more }, buffersIn(more));
   } catch (problem) {
     const message = problem instanceof Error ? problem.message : String(problem);

@@ -5,6 +5,7 @@ import type { Live, LiveRun } from "../contract_parts";
 import type { SliderRow } from "./slider";
 
 const LEADING = ["tip_error.commanded", "deviation.max", "deflection.max", "gear.max"];
+const FIRST = LEADING.slice(0, 2); // those that come with the curves, before which none counts
 const STEP = 0.01;
 const PATIENCE = 6000; // ms that all runs may take
 
@@ -28,7 +29,7 @@ export async function effects(
 ): Promise<{ number: string; shares: number[] } | string | null> {
   const own = rows.map((row) => row.slider.value);
   const began = performance.now();
-  const facts = await early(live, own);
+  const facts = await early(live, own, FIRST);
   const id = LEADING.find((name) => facts[name]?.value);
   if (!id) return "no number of this run tells it";
   const whole = Number(facts[id].value);
@@ -39,16 +40,19 @@ export async function effects(
     const more = slider.value * (1 + STEP);
     const step = more <= slider.max && more >= slider.min ? STEP : -STEP;
     const values = own.map((value, j) => (j === k ? value * (1 + step) : value));
-    const found = slider.value === 0 ? whole : ((await early(live, values))[id]?.value ?? whole);
+    const found = slider.value === 0 ? whole : ((await early(live, values, [id]))[id]?.value ?? whole);
     shares.push(Math.abs(found - whole) / Math.abs(whole));
   }
   return { number: id, shares };
 }
 
-/** The facts that a run tells first. */
-async function early(live: Live, values: number[]): Promise<LiveRun["facts"]> {
+/** The facts that a run tells first, if one of those named is among them, else those that it tells with its picture. */
+async function early(live: Live, values: number[], named: string[]): Promise<LiveRun["facts"]> {
   return new Promise((resolve, reject) => {
-    live.run(values, undefined, (run) => resolve(run.facts)).then((run) => resolve(run.facts), reject);
+    const heard = (run: LiveRun) => {
+      if (run.scene || named.some((id) => run.facts[id]?.value)) resolve(run.facts);
+    };
+    live.run(values, undefined, heard).then((run) => resolve(run.facts), reject);
   });
 }
 

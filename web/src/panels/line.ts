@@ -87,8 +87,8 @@ export function mountLine(element: HTMLElement, page: Page, clock: Clock): LineV
   build();
   return {
     show(live) {
-      panel = live ? live.line : page.runs[0].line;
-      times = live ? live.scene.times.data : page.runs[0].scene.times.data;
+      panel = live ? (live.line ?? null) : page.runs[0].line;
+      times = (live?.scene ?? page.runs[0].scene).times.data;
       stale = true;
       if (seen) build();
     },

@@ -21,6 +21,7 @@ export interface SlidersOptions {
 
 const LEADING = 5; // settings that are shown at first
 const PATIENCE = 300; // ms after which a bar shows how far a run is
+const PICTURES = 250; // ms that a picture may wait for newer curves
 
 export function mountSliders(
   element: HTMLElement, bundle: LiveBundle, options: SlidersOptions,
@@ -44,7 +45,8 @@ export function mountSliders(
   let patience = 0;
   let busy = false;
   let began = 0; // when the run that is under way was asked for [ms]
-  let heard = false; // whether its curves are shown
+  let heard = false; // whether its curves are shown, and its picture where the last one is old
+  let pictured = 0; // when a run's picture was shown last [ms]
 
   const values = () => rows.map((row) => row.value);
   const unchanged = () => rows.every((row) => row.value === row.slider.value);
@@ -55,7 +57,7 @@ export function mountSliders(
     else if (!scheduled) scheduled = requestAnimationFrame(again);
   }
 
-  /** A newer run ends an older one, but not before its curves were seen, unless they are long in coming. */
+  /** A newer run ends an older one, but not before it was seen, unless it is long in coming. */
   function again(): void {
     if (busy && !heard && performance.now() - began < PATIENCE) scheduled = requestAnimationFrame(again);
     else void simulate();
@@ -97,7 +99,9 @@ export function mountSliders(
   /** Shows a run, all of it or what is known early, if it is still the one that is wanted. */
   function shown(run: LiveRun, own: number): boolean {
     if (own !== asked || closed) return false;
-    heard = true;
+    const now = performance.now();
+    if (run.scene) pictured = now;
+    heard = now - pictured < PICTURES;
     options.show(run);
     const how = run.status === "finished" ? "Simulated" : `${run.status}: ${run.message}; simulated`;
     status.textContent = `${how} in ${info(run.seconds, "s")}; the run as it was is pale.`;

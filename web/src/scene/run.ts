@@ -94,9 +94,14 @@ export class RunView extends ShownRun {
     if (!contact) return;
     const { extent, colours } = this.shared;
     const { surface, at } = { ...contact, ...this.motion.arrays.contact };
-    this.dropSurface();
-    this.surface = surfaceMesh(surface ?? contact.surface, at.data, 0.12 * extent.reach, colours.surface);
-    this.group.add(this.surface);
+    const placed = surfaceMesh(surface ?? contact.surface, at.data, 0.12 * extent.reach, colours.surface);
+    if (!this.surface) {
+      this.group.add((this.surface = placed));
+      return;
+    }
+    this.surface.geometry.dispose(); // its material stays: a new one needs a new program
+    this.surface.geometry = placed.geometry;
+    (placed.material as Material).dispose();
   }
 
   private dropSurface(): void {

@@ -1,7 +1,7 @@
 // The robot in space: `mountScene` puts it into an element of the page, where it follows the page's clock.
 import type { Clock } from "../clock";
 import type { Mode, Page } from "../contract";
-import type { LiveRun, SceneView } from "../contract_parts";
+import type { LiveScene, SceneView } from "../contract_parts";
 import { framed } from "./framed";
 import { make, makeControls } from "./controls";
 import { extentOf } from "./extent";
@@ -28,7 +28,7 @@ export function mountScene(element: HTMLElement, page: Page, clock: Clock, bent 
 class Mounted implements SceneView {
   private readonly settings: Settings;
   private readonly notes: Notes;
-  private readonly replaced: (LiveRun["scene"] | null)[];
+  private readonly replaced: (LiveScene | null)[];
   private readonly ends: (() => void)[] = [];
   private readonly dark = window.matchMedia("(prefers-color-scheme: dark)");
   private readonly still = window.matchMedia("(prefers-reduced-motion: reduce)");
@@ -78,7 +78,7 @@ class Mounted implements SceneView {
     this.world.look("iso", false);
   }
 
-  replace(run: number, scene: LiveRun["scene"] | null): void {
+  replace(run: number, scene: LiveScene | null): void {
     this.replaced[run] = scene;
     this.world.replace(run, scene);
     this.refresh();

@@ -1,7 +1,7 @@
 // What all ways to draw a scene have in common: the runs, the camera, what colours mean, what the notes over it say.
 import type { PerspectiveCamera } from "three";
 import type { Mode, Page } from "../contract";
-import type { LiveRun } from "../contract_parts";
+import type { LiveScene } from "../contract_parts";
 import { Cameras, type View } from "./cameras";
 import { placesOf, type Extent } from "./extent";
 import type { Entry, Notes } from "./notes";
@@ -45,7 +45,7 @@ export abstract class Sight<Kind extends ShownRun = ShownRun> {
 
   abstract resize(width: number, height: number): void;
 
-  replace(run: number, scene: LiveRun["scene"] | null): void {
+  replace(run: number, scene: LiveScene | null): void {
     this.runs[run]?.replace(scene);
   }
 

@@ -1,4 +1,4 @@
-/* tmodes, built from c5e003b85f57ba28; BSD-3-Clause */
+/* tmodes, built from 5af592a6419ec72a; BSD-3-Clause */
 
 // src/live/engine_error.ts
 var EngineError = class extends Error {
@@ -33,7 +33,6 @@ var Engine = class _Engine {
   functions;
   memory;
   free;
-  outputs = new Float64Array();
   /** Compile and instantiate; raises an EngineError for another format, and where WebAssembly is refused. */
   static async open(wasm, layout) {
     if (layout.format !== FORMAT) throw new EngineError(`layout: got format ${layout.format}; expected ${FORMAT}`);
@@ -42,12 +41,12 @@ var Engine = class _Engine {
     const free = base.value;
     return new _Engine(layout, functions, memory, free);
   }
-  /** Outputs of a function at `count` samples, by name, each [count, size]. */
-  sample(name, parameters, inputs, count) {
+  /** Outputs of a function at `count` samples, by name, each [count, size]; `wanted`: which of them, else all. */
+  sample(name, parameters, inputs, count, wanted) {
     const info = known(this.layout.samples, name, "function");
     expect(`${name}: parameters`, parameters.length, info.parameters);
     const out = this.schedule(info, parameters, [inputs], count);
-    return parted(info.outputs, out, count, 1);
+    return parted(info.outputs, out, count, 1, wanted);
   }
   /**
    * The same with exact derivatives along `directions` of the inputs (zero where none is given): of a function that has
@@ -88,17 +87,20 @@ var Engine = class _Engine {
       value.into.set(whole.subarray(start + from, start + to), from);
     });
   }
+  /** What it gives [count, sides, outputs], in the module's memory until the next call. */
   schedule(info, parameters, sides, count) {
-    const packed = packedRows(info.inputs, sides, count);
-    const out = this.room(count * sides.length * total(info.outputs));
-    const workspace = new Float64Array(info.workspace);
-    this.call(info.export, [count, 0, parameters, workspace, packed, { into: out }]);
-    return out;
-  }
-  /** Room for outputs until the next call: a page that runs again and again asks for no new memory each time. */
-  room(size) {
-    if (this.outputs.length < size) this.outputs = new Float64Array(size);
-    return this.outputs.subarray(0, size);
+    const rows = count * sides.length;
+    const [wide, high] = [total(info.inputs), total(info.outputs)];
+    const workspace = this.free + parameters.byteLength;
+    const packed = workspace + 8 * info.workspace;
+    const out = packed + 8 * rows * wide;
+    this.reserve(out + 8 * rows * high);
+    const whole = new Float64Array(this.memory.buffer);
+    whole.set(parameters, this.free / 8);
+    whole.fill(0, workspace / 8, packed / 8);
+    packRows(whole.subarray(packed / 8, out / 8), info.inputs, sides, count);
+    this.functions[info.export](BigInt(count), BigInt(0), this.free, workspace, packed, out);
+    return whole.subarray(out / 8, out / 8 + rows * high);
   }
   reserve(end) {
     const missing = end - this.memory.buffer.byteLength;
@@ -123,35 +125,32 @@ async function instantiated(wasm, layout) {
 function total(sizes) {
   return Object.values(sizes).reduce((sum, size) => sum + size, 0);
 }
-function filled(label, size, given, count) {
+function stride(label, size, given, count) {
   if (given === void 0) throw new EngineError(`${label}: got nothing; expected ${size} numbers for each sample`);
-  if (given.length === count * size) return given;
+  if (given.length === count * size) return size;
   expect(label, given.length, size);
-  const rows = new Float64Array(count * size);
-  copied(given, 0, 0, rows, size, 0, size, count);
-  return rows;
+  return 0;
 }
-function packedRows(sizes, sides, count) {
+function packRows(into, sizes, sides, count) {
   const width = total(sizes);
-  const packed = new Float64Array(count * sides.length * width);
   sides.forEach((side, s) => {
     let start = s * width;
     for (const [label, size] of Object.entries(sizes)) {
-      const rows = filled(label, size, side[label], count);
-      copied(rows, size, 0, packed, sides.length * width, start, size, count);
+      const apart = stride(label, size, side[label], count);
+      copied(side[label], apart, 0, into, sides.length * width, start, size, count);
       start += size;
     }
   });
-  return packed;
 }
-function parted(sizes, out, count, every) {
+function parted(sizes, out, count, every, wanted = Object.keys(sizes)) {
   const width = every * total(sizes);
   const parts = {};
   let start = 0;
   for (const [label, size] of Object.entries(sizes)) {
-    const part = new Float64Array(count * size);
-    copied(out, width, start, part, size, 0, size, count);
-    parts[label] = part;
+    if (wanted.includes(label)) {
+      parts[label] = new Float64Array(count * size);
+      copied(out, width, start, parts[label], size, 0, size, count);
+    }
     start += size;
   }
   return parts;

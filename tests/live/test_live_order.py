@@ -1,0 +1,78 @@
+"""What a changed slider shows first: the curves with their numbers, then the picture, then what takes longer."""
+
+from __future__ import annotations
+
+import json
+import shutil
+import subprocess
+from typing import Any
+
+import pytest
+
+from patience import LONG
+from see.scenes import short_robot
+from tmodes import run
+from tmodes.live.bundle import live_bundle
+from tmodes.report.pack import pack
+
+from .node import built_live
+
+PROGRAM = """
+import { readFileSync } from "node:fs";
+import { openLive, unpack } from "./live.mjs";
+const live = await openLive(unpack(new Uint8Array(readFileSync("bundle.tmpk"))));
+const values = live.sliders.map(({ value }) => value);
+const seen = (run) => ({
+  scene: Boolean(run.scene), line: Boolean(run.line), modes: Boolean(run.vibration),
+  series: Object.keys(run.series), facts: run.facts,
+});
+const heard = [];
+const whole = await live.run(values, undefined, (run) => heard.push(run));
+let pictures = 0;
+let second = null;
+const first = live.run(values, undefined, (run) => {
+  if (run.scene) pictures += 1;
+  second ??= live.run(values);
+}).then(() => "done", (problem) => problem.name);
+const names = [...heard, whole].map(seen);
+const kept = Object.keys(heard[0].series).every((name) => heard[0].series[name] === whole.series[name]);
+console.log(JSON.stringify({ stages: names, kept, first: await first, second: (await second).status, pictures }));
+"""
+
+LATER = {"deformation_stationary", "deformation_oscillatory"}
+
+
+@pytest.fixture(scope="module")
+def found(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]:
+    """What is heard of one run, and of one that a newer one ends as its curves are there."""
+    folder, node = tmp_path_factory.mktemp("order"), shutil.which("node")
+    built_live(folder)
+    bundle = live_bundle(run(short_robot()))
+    assert node is not None
+    assert bundle is not None
+    (folder / "bundle.tmpk").write_bytes(pack(bundle))
+    (folder / "program.mjs").write_text(PROGRAM)
+    done = subprocess.run([node, "program.mjs"], cwd=folder, capture_output=True, text=True, check=False, timeout=LONG)
+    assert done.returncode == 0, done.stderr
+    return json.loads(done.stdout)
+
+
+def test_curves_come_first_then_the_picture_then_the_modes(found: dict[str, Any]) -> None:
+    stages = found["stages"]
+    assert [(one["scene"], one["line"], one["modes"]) for one in stages] == [
+        (False, False, False), (True, True, False), (True, True, True),
+    ]  # fmt: skip
+    assert set(stages[0]["series"]) == set(stages[1]["series"]) == set(stages[2]["series"]) - LATER
+    assert found["kept"]  # no curve is drawn again where nothing of it changed
+
+
+def test_a_number_that_is_there_stays_as_it_is(found: dict[str, Any]) -> None:
+    curves, picture, whole = (one["facts"] for one in found["stages"])
+    assert {"tip_error.commanded", "deviation.max", "energy.residual"} <= set(curves)
+    assert {"deflection.max", "moment.max"} <= set(picture) - set(curves)
+    assert picture == {**picture, **curves}
+    assert whole == {**whole, **picture}
+
+
+def test_no_picture_is_made_where_a_newer_run_was_asked_for(found: dict[str, Any]) -> None:
+    assert (found["first"], found["second"], found["pictures"]) == ("Superseded", "finished", 0)
