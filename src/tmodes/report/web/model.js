@@ -1,4 +1,4 @@
-/* tmodes, built from c5e003b85f57ba28; BSD-3-Clause */
+/* tmodes, built from c8f786a71aa97bee; BSD-3-Clause */
 
 // src/live/engine_error.ts
 var EngineError = class extends Error {
