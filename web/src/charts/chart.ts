@@ -201,9 +201,8 @@ export function mountChart(set: ChartSet, clock: Clock, zoom: Zoom): ChartView {
 
   const watch = new IntersectionObserver((found) => {
     seen = found.some((one) => one.isIntersecting);
-    if (!seen) return;
-    draw();
-    follow(); // the time may have moved meanwhile
+    if (seen) draw();
+    if (seen) follow(); // the time may have moved meanwhile
   }, { rootMargin: "120px" });
   const resized = new ResizeObserver(() => {
     width = place.clientWidth;

@@ -6,9 +6,9 @@ import { colour, lookOf } from "../charts/look";
 import type { LinePanel, Page } from "../contract";
 import type { LiveRun } from "../contract_parts";
 import { make, put, swatch } from "../dom";
-import { spare } from "../spare";
 import { digits, plain, readable } from "../format";
 import type { Numbers } from "../pack";
+import { spare } from "../spare";
 
 export interface LineView {
   /** The live model's lines of the first run; null: the page's own. */
@@ -41,7 +41,6 @@ export function mountLine(element: HTMLElement, page: Page, clock: Clock): LineV
   element.append(heading, grid);
 
   const later = spare(() => (stale ? build() : show(true)));
-
   function build(): void {
     stale = false;
     const kind = panel === null ? "" : kindOf(panel);

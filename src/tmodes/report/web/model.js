@@ -1,4 +1,4 @@
-/* tmodes, built from c8f786a71aa97bee; BSD-3-Clause */
+/* tmodes, built from d478a7c45873f417; BSD-3-Clause */
 
 // src/live/engine_error.ts
 var EngineError = class extends Error {
