@@ -1,4 +1,4 @@
-/* tmodes, built from 5af592a6419ec72a; BSD-3-Clause */
+/* tmodes, built from bcc0fa7bea4377ce; BSD-3-Clause */
 /* three
 The MIT License
 
