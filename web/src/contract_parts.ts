@@ -2,6 +2,7 @@
 
 import type { Chart, LinePanel, Mode, Scene, SceneContact, Slider } from "./contract";
 
+/** A picture that is known. */
 export type LiveScene = NonNullable<LiveRun["scene"]>;
 
 /** What the live model gives: the same names as the result's variables, at the run's own samples. */
@@ -17,7 +18,8 @@ export interface LiveRun {
    * New arrays for the scene's fields, at its own display times; links, joints and meshes stay. Not there as long as
    * only the curves are known.
    */
-  scene?: Pick<Scene, "times" | "line" | "rigid" | "reference" | "referenceRigid" | "roots" | "tip" | "tipReference"> & {
+  scene?: Pick<Scene, "times" | "line" | "rigid" | "roots" | "reference" | "referenceRigid" | "tip" | "tipReference">
+  & {
     colours: Scene["colours"];
     /** `surface`: where it is, if that changed. */
     contact: (Pick<SceneContact, "force" | "at"> & Partial<Pick<SceneContact, "surface">>) | null;

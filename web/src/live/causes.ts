@@ -13,7 +13,8 @@ const SAME = 1e-12; // m between two commanded tips up to which both robots have
 
 /** Of the actual robot, and of the nominal one where there is one, the first `count` samples. */
 export function causesOf(
-  engine: Engine, bundle: Bundle, [real, nominal]: (Regime | undefined)[], [own, planned]: (Seen | undefined)[], count: number,
+  engine: Engine, bundle: Bundle, [real, nominal]: (Regime | undefined)[], [own, planned]: (Seen | undefined)[],
+  count: number,
 ): SeriesOf {
   if (!bundle.errorParts || !own || !real) return {};
   const wanted = (planned ?? own).model.q.slice();

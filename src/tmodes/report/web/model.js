@@ -1,4 +1,4 @@
-/* tmodes, built from f8b2ce00b91fac34; BSD-3-Clause */
+/* tmodes, built from bcc0fa7bea4377ce; BSD-3-Clause */
 
 // src/live/engine_error.ts
 var EngineError = class extends Error {
