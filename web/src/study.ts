@@ -25,7 +25,8 @@ async function main(): Promise<void> {
 
 function mount(root: HTMLElement, page: StudyPage): void {
   const store = new Store(page);
-  const choice = make("select", {}, ...page.quantities.map(({ name, title }) => make("option", { value: name, text: title || name })));
+  const choice = make("select", {}, ...page.quantities.map(({ name, title }) => make("option", { value: name,
+    text: title || name })));
   choice.addEventListener("change", () => store.look(choice.value));
   const label = make("label", { text: "Quantity " });
   label.append(choice);

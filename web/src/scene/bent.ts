@@ -32,7 +32,10 @@ export class Bent {
   private readonly frames: Float32Array;
   private readonly axes = new Float32Array(9);
 
-  /** `surface`: in the frame of the root of the first of `links`, whose x runs along the line; `at`: of its stations. */
+  /**
+   * `surface`: in the frame of the root of the first of `links`, whose x runs along the line; `at`: of its
+   * stations.
+   */
   constructor(surface: Triangles, private readonly links: number[], private readonly stations: number,
     at: Float32Array, crease: number) {
     const { vertices, faces } = finer(surface, at[at.length - 1] / PIECES);

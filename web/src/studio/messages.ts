@@ -29,7 +29,8 @@ export function messages(): Messages {
   const notices = make("div", { class: "notices", hidden: true });
   const offered = make("span", {});
   const gone = make("p", { class: "gone", role: "alert", hidden: true });
-  const element = make("div", { class: "messages" }, make("div", { class: "now" }, bar, line, offered), gone, errors, notices);
+  const element = make("div", { class: "messages" }, make("div", { class: "now" }, bar, line, offered), gone, errors,
+    notices);
   let stop: HTMLElement | null = null;
   let odd: HTMLElement[] = [];
   let atFields = false;

@@ -11,10 +11,12 @@ export function mountBand(host: HTMLElement, band: Band): void {
     const [times, count] = [band.times.data, band.times.data.length];
     const row = (k: number) => band.values.data.subarray(k * count, (k + 1) * count) as Float32Array;
     const x = scale([times[0], times[count - 1]], [box.left, box.right], Math.max(3, width / 90));
-    const y = scale(rangeOf(band.values.data, null, band.nominal ? [...band.nominal.data] : []), [box.bottom, box.top], 5);
+    const y = scale(rangeOf(band.values.data, null, band.nominal ? [...band.nominal.data] : []), [box.bottom,
+      box.top], 5);
     axes(root, box, x, y, ["time [s]", `[${band.unit}]`]);
     const points = (values: ArrayLike<number>): [number, number][] =>
-      Array.from(times, (time, j) => [x.at(time), y.at(values[j])] as [number, number]).filter(([, at]) => Number.isFinite(at));
+      Array.from(times, (time, j) => [x.at(time), y.at(values[j])] as [number, number]).filter(([, at]) =>
+        Number.isFinite(at));
     for (let k = 0; 2 * k < band.shares.length - 1; k += 1) {
       const [low, high] = [points(row(k)), points(row(band.shares.length - 1 - k)).reverse()];
       root.append(svg("path", { d: `${line([...low, ...high])}Z`, class: `band band${k}` }));
@@ -22,7 +24,8 @@ export function mountBand(host: HTMLElement, band: Band): void {
     if (band.shares.length % 2)
       root.append(svg("path", { d: line(points(row((band.shares.length - 1) / 2))), class: "middle" }));
     if (band.nominal) root.append(svg("path", { d: line(points(band.nominal.data)), class: "nominal" }));
-  }, `Bands: ${pairs(band.shares)} of ${band.cases} cases; line: median${band.nominal ? "; dashed: the sheet's own run" : ""}.`);
+  },
+    `Bands: ${pairs(band.shares)} of ${band.cases} cases; line: median${band.nominal ? "; dashed: the sheet's own run" : ""}.`);
 }
 
 function pairs(shares: number[]): string {
@@ -46,7 +49,8 @@ export function mountPareto(host: HTMLElement, store: Store, pareto: Pareto): vo
     for (const row of front) {
       const [left, top] = at(row);
       const mark = svg("circle", { cx: left, cy: top, r: store.row === row ? 7 : 5, class: "front-point" },
-        svg("title", {}, `case ${store.page.case.data[row]}: ${plain(one.values.data[row])}, ${plain(two.values.data[row])}`));
+        svg("title", {},
+          `case ${store.page.case.data[row]}: ${plain(one.values.data[row])}, ${plain(two.values.data[row])}`));
       mark.onclick = () => store.pick(row);
       root.append(mark);
     }

@@ -53,7 +53,8 @@ function swings(host: HTMLElement, store: Store, found: Tornado): void {
       const at = box.top + ROW * (k + 0.5);
       for (const [end, kind] of [[bar.low, "low"], [bar.high, "high"]] as const) {
         const [from, to] = [x.at(found.base), x.at(end)].sort((a, b) => a - b);
-        root.append(svg("rect", { x: from, y: at - 8, width: Math.max(to - from, 1), height: 16, class: `swing ${kind}` },
+        root.append(svg("rect", { x: from, y: at - 8, width: Math.max(to - from, 1), height: 16,
+          class: `swing ${kind}` },
           svg("title", {}, `${names[k]} ${kind}: ${plain(end)} ${unit}`)));
       }
       label(root, box, names[k], at);
@@ -76,7 +77,8 @@ function sobol(host: HTMLElement, store: Store, found: Indices): void {
       for (const [values, offset, kind] of [[found.first[of], -8, "first"], [found.total[of], 2, "total"]] as const) {
         const [value, low, high] = values;
         const [from, to] = [x.at(0), x.at(value)].sort((a, b) => a - b);
-        root.append(svg("rect", { x: from, y: at + offset, width: Math.max(to - from, 1), height: 9, class: `index ${kind}` },
+        root.append(svg("rect", { x: from, y: at + offset, width: Math.max(to - from, 1), height: 9,
+          class: `index ${kind}` },
           svg("title", {}, `${names[k]} ${kind}: ${plain(value)}, 95 %: ${plain(low)} to ${plain(high)}`)),
         svg("path", { d: `M${x.at(low)} ${at + offset + 4.5}H${x.at(high)}`, class: "interval" }));
       }

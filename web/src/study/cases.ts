@@ -15,14 +15,16 @@ export function mountCase(host: HTMLElement, store: Store): void {
     const rows = ranked(store, store.shown).filter((row) => store.inside(row));
     store.pick(rows.length ? rows[Math.round(share * (rows.length - 1))] : null);
   };
-  const ways = make("div", { class: "bar" }, button("least", at(0)), button("median", at(0.5)), button("largest", at(1)), open);
+  const ways = make("div", { class: "bar" }, button("least", at(0)), button("median", at(0.5)), button("largest",
+    at(1)), open);
   host.append(make("section", { class: "panel case-panel" }, title, ways, said, body));
   const show = () => {
     const { row, page } = store;
     put(title, row === null ? "Choose a case" : `Case ${page.case.data[row]}: ${page.words[page.status.data[row]]}`);
     open.hidden = row === null;
     open.disabled = !page.report;
-    said.textContent = row === null ? "Click a point or a line, or:" : page.reasons[String(row)] ?? (page.report ? "" : page.noReport);
+    said.textContent = row === null ? "Click a point or a line, or:" : page.reasons[String(row)] ?? (page.report
+      ? "" : page.noReport);
     body.replaceChildren(...(row === null ? [] : store.columns.map((column) => fact(column, row))));
   };
   store.listen((change) => change === "case" && show());
@@ -48,7 +50,8 @@ async function openReport(store: Store, said: HTMLElement): Promise<void> {
   const address = URL.createObjectURL(await documentOf(page));
   const parts = new URLSearchParams({ t: "0" });
   for (const { path, factor, values, labels } of page.parameters)
-    if (path && !labels && Number.isFinite(values.data[row])) parts.append("set", `${path}=${factor * values.data[row]}`);
+    if (path && !labels && Number.isFinite(values.data[row])) parts.append("set",
+      `${path}=${factor * values.data[row]}`);
   if (open(`${address}#${parts.toString()}`, "_blank") === null)
     said.textContent = "The browser did not open another window: allow this page to open one.";
 }
@@ -70,10 +73,12 @@ export function mountTable(host: HTMLElement, store: Store): void {
     const all = ranked(store, store.shown).filter((row) => store.inside(row));
     const rows = (least ? all : all.reverse()).slice(0, MOST_ROWS);
     const lost = [...Array(store.size).keys()].filter((row) => !store.isGood(row)).slice(0, MOST_ROWS);
-    const head = ["case", ...store.columns.map(({ title, name, unit }) => `${title || name}${pretty(unit) ? ` [${pretty(unit)}]` : ""}`), "ended"];
+    const head = ["case", ...store.columns.map(({ title, name, unit }) =>
+      `${title || name}${pretty(unit) ? ` [${pretty(unit)}]` : ""}`), "ended"];
     const shown = store.shown.title || store.quantity;
     place.replaceChildren(make("table", {},
-      make("caption", { text: `Cases with the ${least ? "least" : "largest"} value: ${shown}${lost.length ? ", and some that did not finish" : ""}` }),
+      make("caption",
+        { text: `Cases with the ${least ? "least" : "largest"} value: ${shown}${lost.length ? ", and some that did not finish" : ""}` }),
       make("thead", {}, make("tr", {}, ...head.map((text) => make("th", { scope: "col", text })))),
       make("tbody", {}, ...[...rows, ...lost].map((row) => line(store, row)))));
   };

@@ -74,7 +74,10 @@ export interface StudyPage {
   pareto: Pareto | null;
   /** Whether the least values of the first quantity are the best: tables begin with them. */
   leastFirst: boolean;
-  /** Whether cases come as often as their distributions say; else they were chosen, and their percentiles say nothing. */
+  /**
+   * Whether cases come as often as their distributions say; else they were chosen, and their percentiles say
+   * nothing.
+   */
   drawn: boolean;
   /** A report that simulates again, compressed; empty where there is none, and why. */
   report: string;

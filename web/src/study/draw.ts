@@ -75,7 +75,8 @@ export function axes(root: SVGSVGElement, box: Box, x: Scale | null, y: Scale | 
       svg("text", { x: at, y: box.bottom + 16, "text-anchor": "middle" }, word));
   }
   group.append(svg("path", { d: `M${box.left} ${box.top}V${box.bottom}H${box.right}`, class: "edge" }),
-    svg("text", { x: (box.left + box.right) / 2, y: box.bottom + 33, "text-anchor": "middle", class: "name" }, words[0]),
+    svg("text", { x: (box.left + box.right) / 2, y: box.bottom + 33, "text-anchor": "middle", class: "name" },
+      words[0]),
     svg("text", { x: 12, y: (box.top + box.bottom) / 2, "text-anchor": "middle", class: "name",
       transform: `rotate(-90 12 ${(box.top + box.bottom) / 2})` }, words[1]));
   root.append(group);
@@ -101,7 +102,8 @@ export function line(points: [number, number][]): string {
   return points.length ? `M${points.map(([x, y]) => `${x.toFixed(1)} ${y.toFixed(1)}`).join("L")}` : "";
 }
 
-const KEPT = ["fill", "stroke", "stroke-width", "stroke-dasharray", "stroke-linecap", "opacity", "font-size", "font-weight"];
+const KEPT = ["fill", "stroke", "stroke-width", "stroke-dasharray", "stroke-linecap", "opacity", "font-size",
+  "font-weight"];
 
 /** The graphic by itself, with the colours that it has in the page. */
 function standing(root: SVGSVGElement): string {

@@ -33,7 +33,8 @@ export function mountHistogram(host: HTMLElement, store: Store): void {
       ends[row] = place + half;
     }
     const own = store.row === null ? NaN : column.values.data[store.row];
-    if (Number.isFinite(own)) root.append(svg("path", { d: `M${x.at(own)} ${box.top}V${box.bottom}`, class: "chosen" }));
+    if (Number.isFinite(own)) root.append(svg("path", { d: `M${x.at(own)} ${box.top}V${box.bottom}`,
+      class: "chosen" }));
   }, "Dashed: percentiles of all cases.");
   store.listen((change) => change !== "brush" && view.redraw());
 }

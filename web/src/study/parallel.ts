@@ -17,7 +17,8 @@ export function mountParallel(host: HTMLElement, store: Store): void {
   const view = chart(host, "All cases", 320, (root, width, height) => {
     const box: Box = { left: 60, top: 40, right: width - 60, bottom: height - 16 };
     const places = columns.map((_, k) => box.left + ((box.right - box.left) * k) / (columns.length - 1));
-    const ways = columns.map((column) => scale(rangeOf(column.values.data, column.labels), [box.bottom, box.top], 5, column.labels));
+    const ways = columns.map((column) => scale(rangeOf(column.values.data, column.labels), [box.bottom, box.top], 5,
+      column.labels));
     draw(root, store, columns, places, ways);
     const room = Math.floor((2 * (box.right - box.left)) / (columns.length - 1) / 6.6); // letters: every other name stands higher
     columns.forEach((column, k) => axis(root, store, column, places[k], ways[k], box, k, room));
@@ -69,7 +70,8 @@ function pathOf(row: number, columns: Column[], places: number[], ways: Scale[])
   return points.length > 1 ? line(points) : "";
 }
 
-function axis(root: SVGSVGElement, store: Store, column: Column, at: number, way: Scale, box: Box, place: number, room: number): void {
+function axis(root: SVGSVGElement, store: Store, column: Column, at: number, way: Scale, box: Box, place: number,
+  room: number): void {
   const anchor = place === 0 ? "start" : at >= box.right ? "end" : "middle";
   const from = { start: box.left - 50, middle: at, end: box.right + 50 }[anchor];
   const words = named(column);
@@ -77,7 +79,8 @@ function axis(root: SVGSVGElement, store: Store, column: Column, at: number, way
   const short = words.length > most ? `${words.slice(0, most - 1)}…` : words;
   const group = svg("g", { class: column.name === store.quantity ? "axes shown" : "axes" },
     svg("path", { d: `M${at} ${box.top}V${box.bottom}`, class: "edge" }),
-    svg("text", { x: from, y: box.top - (place % 2 ? 10 : 24), "text-anchor": anchor, class: "name" }, svg("title", {}, words), short));
+    svg("text", { x: from, y: box.top - (place % 2 ? 10 : 24), "text-anchor": anchor, class: "name" }, svg("title",
+      {}, words), short));
   for (const [value, word] of way.ticks)
     group.append(svg("text", { x: at + 5, y: way.at(value) + 4 }, word.length > 12 ? `${word.slice(0, 11)}…` : word));
   const range = store.brushes.get(column.name);

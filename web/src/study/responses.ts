@@ -32,10 +32,13 @@ function response(host: HTMLElement, store: Store, parameter: Column): void {
         (store.inside(row) ? near : far).push([x.at(given[row]), y.at(found[row])]);
     }
     root.append(svg("path", { d: dots(far), class: "points faint" }), svg("path", { d: dots(near), class: "points" }));
-    root.append(svg("path", { d: line(middles(store, parameter, column).map(([a, b]) => [x.at(a), y.at(b)])), class: "middle" }));
-    if (lost.length) root.append(svg("path", { d: dots(lost), class: "points lost" }, svg("title", {}, "cases that did not finish")));
+    root.append(svg("path", { d: line(middles(store, parameter, column).map(([a, b]) => [x.at(a), y.at(b)])),
+      class: "middle" }));
+    if (lost.length) root.append(svg("path", { d: dots(lost), class: "points lost" }, svg("title", {},
+      "cases that did not finish")));
     if (store.row !== null && Number.isFinite(found[store.row]))
-      root.append(svg("path", { d: dots([[x.at(given[store.row]), y.at(found[store.row])]]), class: "points chosen-point" }));
+      root.append(svg("path", { d: dots([[x.at(given[store.row]), y.at(found[store.row])]]),
+        class: "points chosen-point" }));
     root.onclick = (event) => {
       const frame = root.getBoundingClientRect();
       pickNear(store, parameter, column, x.at, y.at, event.clientX - frame.left, event.clientY - frame.top);
@@ -79,7 +82,8 @@ function groups(
   pairs: [number, number][], begins: (pair: [number, number], before: [number, number], k: number) => boolean,
 ): [number, number][] {
   const parts: [number, number][][] = [];
-  pairs.forEach((pair, k) => (k === 0 || begins(pair, pairs[k - 1], k) ? parts.push([pair]) : parts[parts.length - 1].push(pair)));
+  pairs.forEach((pair, k) => (k === 0 || begins(pair, pairs[k - 1], k)
+    ? parts.push([pair]) : parts[parts.length - 1].push(pair)));
   return parts.map((part) => [median(part.map(([a]) => a)), median(part.map(([, b]) => b))]);
 }
 
@@ -97,7 +101,8 @@ function isGrid(varied: Column[], size: number): boolean {
 }
 
 function surface(host: HTMLElement, store: Store, one: Column, two: Column): void {
-  const view = chart(host, `Response to ${one.title || one.name} and ${two.title || two.name}`, 300, (root, width, height) => {
+  const view = chart(host, `Response to ${one.title || one.name} and ${two.title || two.name}`, 300, (root, width,
+    height) => {
     const column = store.shown;
     const box: Box = { left: 62, top: 10, right: width - 84, bottom: height - 40 };
     const [xs, ys] = [one, two].map(({ values }) => [...new Set(values.data)].sort((a, b) => a - b));
@@ -119,7 +124,8 @@ function surface(host: HTMLElement, store: Store, one: Column, two: Column): voi
     }
     for (let k = 0; k < 40; k += 1) {
       const at = box.bottom - ((k + 1) / 40) * (box.bottom - box.top);
-      root.append(svg("rect", { x: box.right + 12, y: at, width: 12, height: (box.bottom - box.top) / 40 + 0.5, fill: shade(k / 39) }));
+      root.append(svg("rect", { x: box.right + 12, y: at, width: 12, height: (box.bottom - box.top) / 40 + 0.5,
+        fill: shade(k / 39) }));
     }
     for (const [value, at] of [[low, box.bottom], [(low + high) / 2, (box.top + box.bottom) / 2], [high, box.top + 8]])
       root.append(svg("text", { x: box.right + 28, y: at, class: "name" }, plain(Number(value.toPrecision(3)))));

@@ -24,7 +24,8 @@ export function scale(
 }
 
 /** The range of finite values, a little wider; of one value about it. */
-export function rangeOf(values: ArrayLike<number>, labels: string[] | null = null, more: number[] = []): [number, number] {
+export function rangeOf(values: ArrayLike<number>, labels: string[] | null = null, more: number[] = []): [number,
+  number] {
   if (labels) return [-0.5, labels.length - 0.5];
   let [low, high] = [Infinity, -Infinity];
   for (const list of [values, more])

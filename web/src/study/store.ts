@@ -77,5 +77,6 @@ export class Store {
 /** Rows in the order of a column's values, without those that have none. */
 export function ranked(store: Store, column: Column): number[] {
   const { data } = column.values;
-  return [...data.keys()].filter((row) => Number.isFinite(data[row]) && store.isGood(row)).sort((a, b) => data[a] - data[b]);
+  return [...data.keys()].filter((row) => Number.isFinite(data[row]) && store.isGood(row)).sort((a, b) =>
+    data[a] - data[b]);
 }

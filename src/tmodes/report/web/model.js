@@ -1,4 +1,4 @@
-/* tmodes, built from bcc0fa7bea4377ce; BSD-3-Clause */
+/* tmodes, built from 8d786e22f5eff303; BSD-3-Clause */
 
 // src/live/engine_error.ts
 var EngineError = class extends Error {
