@@ -25,7 +25,8 @@ export function mountBand(host: HTMLElement, band: Band): void {
       root.append(svg("path", { d: line(points(row((band.shares.length - 1) / 2))), class: "middle" }));
     if (band.nominal) root.append(svg("path", { d: line(points(band.nominal.data)), class: "nominal" }));
   },
-    `Bands: ${pairs(band.shares)} of ${band.cases} cases; line: median${band.nominal ? "; dashed: the sheet's own run" : ""}.`);
+    `Bands: ${pairs(band.shares)} of ${band.cases} cases; line: median` +
+    `${band.nominal ? "; dashed: the sheet's own run" : ""}.`);
 }
 
 function pairs(shares: number[]): string {

@@ -15,8 +15,8 @@ export function mountCase(host: HTMLElement, store: Store): void {
     const rows = ranked(store, store.shown).filter((row) => store.inside(row));
     store.pick(rows.length ? rows[Math.round(share * (rows.length - 1))] : null);
   };
-  const ways = make("div", { class: "bar" }, button("least", at(0)), button("median", at(0.5)), button("largest",
-    at(1)), open);
+  const ways = make("div", { class: "bar" }, button("least", at(0)), button("median", at(0.5)), button("largest", at(1)),
+    open);
   host.append(make("section", { class: "panel case-panel" }, title, ways, said, body));
   const show = () => {
     const { row, page } = store;
@@ -78,7 +78,8 @@ export function mountTable(host: HTMLElement, store: Store): void {
     const shown = store.shown.title || store.quantity;
     place.replaceChildren(make("table", {},
       make("caption",
-        { text: `Cases with the ${least ? "least" : "largest"} value: ${shown}${lost.length ? ", and some that did not finish" : ""}` }),
+        { text: `Cases with the ${least ? "least" : "largest"} value: ${shown}` +
+          (lost.length ? ", and some that did not finish" : "") }),
       make("thead", {}, make("tr", {}, ...head.map((text) => make("th", { scope: "col", text })))),
       make("tbody", {}, ...[...rows, ...lost].map((row) => line(store, row)))));
   };

@@ -20,7 +20,7 @@ export function mountParallel(host: HTMLElement, store: Store): void {
     const ways = columns.map((column) => scale(rangeOf(column.values.data, column.labels), [box.bottom, box.top], 5,
       column.labels));
     draw(root, store, columns, places, ways);
-    const room = Math.floor((2 * (box.right - box.left)) / (columns.length - 1) / 6.6); // letters: every other name stands higher
+    const room = Math.floor((2 * (box.right - box.left)) / (columns.length - 1) / 6.6); // letters
     columns.forEach((column, k) => axis(root, store, column, places[k], ways[k], box, k, room));
     grips(root, store, columns, places, ways, box, {
       start: (name, from) => (dragged = { name, from }),
