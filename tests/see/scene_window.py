@@ -89,7 +89,7 @@ def look(browser: Any, path: Path, **how: Any) -> Window:
     window.page.on("pageerror", lambda error: window.said.append(str(error)))
     window.page.on("request", lambda request: window.asked.append(request.url))
     window.page.goto(path.as_uri())
-    window.page.wait_for_function("() => window.ready")
+    window.page.wait_for_function("window.ready")
     window.do("0")
     return window
 
