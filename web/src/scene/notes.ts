@@ -1,7 +1,6 @@
 // What is written over the picture: the legend, the colour scale with its unit, the enlargement, the grid.
 import { make } from "./controls";
 import { gradient } from "./palette";
-import { roomsBetween, type Room } from "./room";
 import { digits, readable } from "./units";
 
 const TICKS = 5;
@@ -20,20 +19,9 @@ export class Notes {
   private readonly live = make("span");
   private shown = "";
 
-  private readonly foot: HTMLElement;
-
-  constructor(private readonly place: HTMLElement) {
+  constructor(place: HTMLElement) {
     const below = make("div", { className: "scene-below" }, this.way, this.grid);
-    this.foot = make("div", { className: "scene-foot" }, below, this.factor);
-    place.append(this.legend, this.scale, this.foot);
-  }
-
-  /** The parts of the picture that no note covers. */
-  rooms(): Room[] {
-    const [place, left, right, below] = [this.place, this.legend, this.scale, this.foot].map((element) =>
-      element.getBoundingClientRect(),
-    );
-    return roomsBetween(place, left, right, below);
+    place.append(this.legend, this.scale, make("div", { className: "scene-foot" }, below, this.factor));
   }
 
   /** The entries of the legend, and a line whose words change with time. */
@@ -43,13 +31,11 @@ export class Notes {
     this.legend.hidden = entries.length === 0 && !changing;
   }
 
-  /** The line of the legend that changes with time; whether it came or went. */
-  tell(words: string): boolean {
-    if (words === this.shown) return false;
-    const came = (words === "") !== (this.shown === "");
+  /** The line of the legend that changes with time. */
+  tell(words: string): void {
+    if (words === this.shown) return;
     this.shown = words;
     this.live.textContent = words;
-    return came;
   }
 
   /** The colours' range, in the quantity's unit; null: nothing is coloured by a quantity. */
@@ -58,14 +44,14 @@ export class Notes {
     if (info === null) return;
     const unit = readable(info.unit, info.high);
     const low = Math.abs(info.low) < 1e-6 * Math.abs(info.high) ? 0 : info.low; // what rounding leaves is nothing
-    const ticks = Array.from({ length: TICKS }, (_, k) => low + ((info.high - low) * k) / (TICKS - 1));
+    const ticks = Array.from({ length: TICKS }, (_, k) => info.high + ((low - info.high) * k) / (TICKS - 1));
     const bar = swatch(gradient());
     const name = unit.name.replaceAll(" ", "\u00a0");
     const title = make("b", {}, name ? `${info.label} [${name}]` : info.label);
     this.scale.replaceChildren(
       title,
-      bar,
       make("ol", {}, ...ticks.map((tick) => make("li", {}, digits(unit.factor * tick)))),
+      bar,
     );
   }
 

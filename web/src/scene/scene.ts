@@ -55,7 +55,7 @@ class Mounted implements SceneView {
     this.settings = {
       colour: many ? "run" : (runs[0].scene.colours[0]?.id ?? "run"),
       factor: enlarges ? this.extent.opening.factor : 1,
-      reference: !many && !enlarges && runs[0].charts.length > 0, // at rest it is in the same place
+      reference: !many && !enlarges,
       rigid: enlarges && !many,
       traces: true,
       force: true,
@@ -119,7 +119,6 @@ class Mounted implements SceneView {
 
   resize(): void {
     this.world.resize(this.place.clientWidth, this.place.clientHeight);
-    if (this.world.cameras.preset) this.world.cameras.refit();
     this.ask();
   }
 
@@ -163,7 +162,6 @@ class Mounted implements SceneView {
     const { quality } = settings;
     const solid = quality === "lines" ? null : this.best && (quality === "auto" ? this.best : quality);
     const world = (solid && inSpace(given, solid)) ?? new FlatWorld(given, quality === "lines");
-    world.cameras.rooms = () => this.notes.rooms();
     world.canvas.addEventListener("webglcontextlost", this.lost);
     world.canvas.addEventListener("webglcontextrestored", this.found);
     this.place.prepend(world.canvas);
@@ -211,8 +209,7 @@ class Mounted implements SceneView {
   private readonly draw = (now: number) => {
     this.asked = 0;
     this.world.draw(this.clock.time, this.still.matches ? 0 : now / 1000);
-    const first = this.notes.tell(this.world.words());
-    if (first && this.world.cameras.preset) this.world.cameras.refit(); // they take room
+    this.notes.tell(this.world.words());
     if (this.mode && !this.still.matches) this.ask();
   };
 }

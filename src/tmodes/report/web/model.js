@@ -1,4 +1,4 @@
-/* tmodes, built from 0810cbaa13cc724c; BSD-3-Clause */
+/* tmodes, built from d8fa69efd67a869e; BSD-3-Clause */
 
 // src/live/engine_error.ts
 var EngineError = class extends Error {
