@@ -15,7 +15,8 @@ export function mountCase(host: HTMLElement, store: Store): void {
     const rows = ranked(store, store.shown).filter((row) => store.inside(row));
     store.pick(rows.length ? rows[Math.round(share * (rows.length - 1))] : null);
   };
-  const ways = make("div", { class: "bar" }, button("least", at(0)), button("median", at(0.5)), button("largest", at(1)),
+  const ways = make("div", { class: "bar" }, button("least", at(0)), button("median", at(0.5)),
+    button("largest", at(1)),
     open);
   host.append(make("section", { class: "panel case-panel" }, title, ways, said, body));
   const show = () => {
