@@ -42,7 +42,7 @@ def encoded(record: Record, storage: Storage) -> memoryview:
         for name, variable in record.variables.items():
             options = storage(variable) if variable.dims else {}
             data = file.create_dataset(name, data=_plain(variable.values), track_order=True, **options)
-            text = {"_Encoding": "utf-8"} if variable.dtype.kind == "U" else {}
+            text = {"_Encoding": "utf-8"} if np.issubdtype(variable.dtype, np.str_) else {}
             _describe(data.attrs, variable.attrs | text)
             if dims[name]:
                 data.attrs[_DIMENSIONS] = np.array([numbers[dim] for dim in dims[name]], dtype=np.int32)
@@ -72,7 +72,7 @@ def _attach(file: Any, dims: Mapping[str, Mapping[str, int]]) -> None:
 
 def _dimensions(variable: Labelled) -> dict[str, int]:
     """Dimensions in the file and their sizes; of text one more."""
-    if variable.dtype.kind != "U":
+    if not np.issubdtype(variable.dtype, np.str_):
         return variable.sizes
     width = _plain(variable.values).shape[-1]
     return variable.sizes | {f"string{width}": width}
@@ -80,7 +80,7 @@ def _dimensions(variable: Labelled) -> dict[str, int]:
 
 def _plain(values: Array) -> Array:
     """Numbers as they are, text as its letters in UTF-8."""
-    if values.dtype.kind != "U":
+    if not np.issubdtype(values.dtype, np.str_):
         return values
     words = np.char.encode(values, "utf-8")
     return words[..., None].view("S1").reshape(*words.shape, words.dtype.itemsize)
@@ -124,7 +124,7 @@ def _read(name: str, data: Any, ids: Mapping[int, str]) -> tuple[tuple[str, ...]
     dims, values = _dims(name, data, ids), np.asarray(data[()])
     if len(dims) != values.ndim:
         raise ValueError(f"{name} has {len(dims)} names of dimensions and {values.ndim} dimensions")
-    if values.dtype.kind == "S":
+    if np.issubdtype(values.dtype, np.bytes_):
         letters = values.dtype.itemsize == 1 and values.ndim > 0
         words = np.ascontiguousarray(values).view(f"S{values.shape[-1]}")[..., 0] if letters else values
         dims, values = dims[: words.ndim], np.char.decode(words, "utf-8")

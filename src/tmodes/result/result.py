@@ -101,16 +101,14 @@ class Result:
     @property
     def name(self) -> str:
         """The name of the robot that ran."""
-        return (
-            live.known.name if (live := self.assembly) else str(record.from_json(self.record, "robot").get("name", ""))
-        )
+        live = self.assembly
+        return live.known.name if live else str(record.from_json(self.record, "robot").get("name", ""))
 
     @cached_property
     def robot(self) -> Robot:
         """The robot that ran, as it is known; from a file, rebuilt from its data sheet and checked again.
 
-        Raises :class:`tmodes.kinds.registry.UnknownKindError` where it names a kind that is not registered here; all
-        series and the figures that need no model are there without it.
+        Raises :class:`tmodes.kinds.registry.UnknownKindError` where it names a kind that is not registered here.
         """
         return live.known if (live := self.assembly) else self._sheet("robot")
 

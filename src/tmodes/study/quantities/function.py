@@ -91,7 +91,7 @@ def called(function: Own, result: Any, timeout: float) -> float:
     except (Exception, SystemExit) as error:
         raise TmodesError(f"{type(error).__name__}: {error}"[:500]) from error
     found = np.asarray(value)
-    if found.shape or found.dtype.kind not in "fiu":
+    if found.shape or not (np.issubdtype(found.dtype, np.integer) or np.issubdtype(found.dtype, np.floating)):
         what = f"an array of shape {found.shape}" if found.shape else f"a {type(value).__name__}"
         raise TmodesError(f"the function must return one number, got {what}")
     if not np.isfinite(found):
