@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import pytest
 
 
 @pytest.fixture(autouse=True)
-def no_kinds_of_other_tests(monkeypatch: pytest.MonkeyPatch) -> None:
+def no_kinds_of_other_tests() -> Iterator[None]:
     """Kinds that other tests have registered in this process are none of the engine that a study is continued with."""
-    for module in ("addresses", "identity"):
-        monkeypatch.setattr(f"tmodes.study.{module}.outside_digest", lambda: "")
+    with pytest.MonkeyPatch.context() as patch:
+        for module in ("addresses", "identity"):
+            patch.setattr(f"tmodes.study.{module}.outside_digest", lambda: "")
+        yield

@@ -85,4 +85,4 @@ def cluster_of(how: How) -> Any:
     elif not how.insecure:
         needed("cryptography", "cluster")
         asked["security"] = True
-    return SLURMCluster(**asked)
+    return SLURMCluster(**asked, scheduler_options={"dashboard_address": ":0"})  # whatever else has the usual port
