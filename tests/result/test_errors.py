@@ -140,7 +140,7 @@ def test_errors_that_are_large_are_estimates() -> None:
 def test_errors_of_an_earlier_version_are_estimates() -> None:
     """Its sums of local errors were printed as bounds, and were passed."""
     result = tmodes.run(turning(MOVE))
-    data = result.data.copy()
+    data: Any = result.data.copy()
     data.attrs["errors"] = json.dumps({"how": "sum of the local errors", "figures": {"tip_m": 1e-9}})
     info = summarise_result(data)
     assert error_of(info, "tip_m", 1e3, "mm") == "≈ 1.0e-06 mm"

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import pytest
 
@@ -47,7 +49,7 @@ def test_a_function_that_exits_is_the_reason_of_its_row():
 
 
 def test_a_plan_may_be_left_out():
-    cases = study(plan=None).sheet.plan
+    cases: Any = study(plan=None).sheet.plan
     assert (cases.name_of_kind(), cases.runs) == ("monte_carlo", 1000)
     choices = {"x": {"choices": [{"name": "a", "set": {}}, {"name": "b", "set": {}}]}}
     assert study(choices, {"y": {"expression": "x"}}, plan=None).design().values.tolist() == [[0.0], [1.0]]
