@@ -44,13 +44,8 @@ def write_page(
     settings = _settings(study)
     info = _columns(study, rows, settings)
     report, reason = _report(study, settings, progress)
-    drawn = study.sheet.plan.draws
-    bands = tip_bands(study, rows, progress) if drawn else []
-    data = page_data(
-        study.sheet.name, rows, info, labels=result.design.labels, bands=bands, drawn=drawn, report=report,
-        no_report=reason, **found,
-    )  # fmt: skip
-    sentence = "" if drawn else _ends(rows, info)
+    data = _shown(result, info, progress, report=report, no_report=reason, **found)
+    sentence = "" if study.sheet.plan.draws else _ends(rows, info)
     text = study_document(study.sheet.name, study.sheet.title, rows, info, data, _provenance(result), sentence)
     with atomic_write(path) as temporary:
         temporary.write_text(text, encoding="utf-8", newline="\n")
@@ -59,11 +54,15 @@ def write_page(
 
 def figure_data(result: StudyResult, progress: Progress = lambda stage, share: None) -> dict[str, Any]:
     """What :func:`tmodes.plot.studies.save_study_figures` draws: the data of the page, without a report."""
+    return _shown(result, _columns(result.study, result.rows, {}), progress)
+
+
+def _shown(result: StudyResult, info: Mapping[str, ColumnInfo], progress: Progress, **more: Any) -> dict[str, Any]:
+    """The data of the page; the motion of the tip only where cases come as often as their distributions say."""
     study, rows = result.study, result.rows
     drawn = study.sheet.plan.draws
     bands = tip_bands(study, rows, progress) if drawn else []
-    info = _columns(study, rows, {})
-    return page_data(study.sheet.name, rows, info, labels=result.design.labels, bands=bands, drawn=drawn)
+    return page_data(study.sheet.name, rows, info, labels=result.design.labels, bands=bands, drawn=drawn, **more)
 
 
 def _ends(rows: Rows, info: Mapping[str, ColumnInfo]) -> str:
