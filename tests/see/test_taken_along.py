@@ -47,16 +47,20 @@ def test_an_address_leads_back(window: Any, browser: Any) -> None:
     page = window.page
     page.wait_for_selector(".sliders-panel [role=status]:text('Move a slider')")
     seek(window, 0.25)
-    page.locator(".leading input[type=number]").first.fill("0.6")
+    place = page.locator(".leading [data-path]").first.get_attribute("data-path")  # by effect, once that is known
+    number = f"[data-path='{place}'] input[type=number]"
+    least, most = (float(page.locator(number).get_attribute(bound)) for bound in ("min", "max"))
+    wanted = f"{0.75 * least + 0.25 * most:.4g}"
+    page.locator(number).fill(wanted)
     page.get_by_label("View", exact=True).select_option("top")
     page.locator(".save-menu summary").click()
     page.locator(".copy-link").click()
-    address, place = page.url, page.locator(".leading [data-path]").first.get_attribute("data-path")
+    address = page.url
     other = page.context.new_page()
     other.goto(address)
     other.wait_for_selector("html.running")
     assert other.locator(".time").inner_text().startswith("0.500 s")
-    assert other.locator(f"[data-path='{place}'] input[type=number]").input_value() == "0.6"
+    assert other.locator(number).input_value() == wanted
     view = "document.querySelector('.copy-link').click(); location.hash"
     cameras = [one.evaluate(f"() => {{ {view.replace('; ', '; return ')} }}") for one in (page, other)]
     assert cameras[0] == cameras[1]
