@@ -15,15 +15,20 @@ from tmodes.kinds.registry import outside_digest
 if TYPE_CHECKING:
     from tmodes.study.study import Study
 
-__all__ = ["base_of", "canonical", "cases_address", "engine_of_blocks", "restricted"]
+__all__ = ["base_of", "canonical", "cases_address", "engine_of_blocks", "in_order", "restricted"]
 
 _NOT_OF_A_CASE = ("distribution", "title")
 """Keys of a parameter that say which values it has, or what it is called: not what a value means."""
 
 
 def canonical(data: Any) -> bytes:
-    """Plain data as bytes, the same for the same data."""
+    """Plain data as bytes, the same for the same data: for digests."""
     return json.dumps(data, sort_keys=True, separators=(",", ":")).encode()
+
+
+def in_order(data: Any) -> bytes:
+    """Plain data as bytes with their order, which is that of a study's parameters, and so of the columns of values."""
+    return json.dumps(data, separators=(",", ":")).encode()
 
 
 def _digest(*parts: bytes) -> str:
