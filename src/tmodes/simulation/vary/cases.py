@@ -91,7 +91,7 @@ class Cases:
         if other and starts_at_rest(self.like.robot):
             raise Unfit({0: "its rest is found by other equations"})
         places = self._structure[-1]
-        form = fitted(self._vector, self.ranges, np.random.default_rng(_SEED))
+        form = fitted(self._vector, self.ranges, np.random.default_rng(_SEED), curves=True)
         ends = {name: place["start"] + int(np.prod(place["shape"])) for name, place in places.items()}
         return {name: form.part(place["start"], ends[name]) for name, place in places.items()}
 

@@ -96,7 +96,7 @@ class StaticCases:
     def forms(self) -> dict[str, Form]:
         """The form of each block of numbers. Raises :class:`tmodes.model.forms.Unfit` where there is none."""
         places = self._structure[-1]
-        form = fitted(self._vector, self._ranges, np.random.default_rng(_SEED))
+        form = fitted(self._vector, self._ranges, np.random.default_rng(_SEED), curves=True)
         ends = {name: place["start"] + int(np.prod(place["shape"])) for name, place in places.items()}
         return {name: form.part(place["start"], ends[name]) for name, place in places.items()}
 
