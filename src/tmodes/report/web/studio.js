@@ -1,4 +1,4 @@
-/* tmodes, built from 26d04c8dd178e29c; BSD-3-Clause */
+/* tmodes, built from 3202e85b7a26df9c; BSD-3-Clause */
 /* three
 The MIT License
 
