@@ -30,12 +30,11 @@ const RULES = `
 .scene-legend { top: 8px; left: 8px; display: grid; gap: 2px; max-width: 46%; }
 .scene-legend span { display: flex; align-items: center; gap: 6px; }
 .scene-legend i { flex: none; width: 16px; height: 8px; border-radius: 2px; }
-.scene-scale { top: 8px; right: 8px; display: grid; grid-template-columns: auto 12px; gap: 4px 6px; max-width: 40%; }
-.scene-scale b { grid-column: 1 / 3; font-weight: 600; text-align: right; max-width: 15em; }
-.scene-scale ol { list-style: none; margin: 0; padding: 0; display: flex; flex-direction: column;
-  justify-content: space-between;
-  height: 110px; text-align: right; font-variant-numeric: tabular-nums; line-height: 1; }
-.scene-scale i { border-radius: 2px; }
+.scene-scale { top: 8px; right: 8px; display: grid; gap: 2px; max-width: 46%; min-width: 11em; }
+.scene-scale b { font-weight: 600; }
+.scene-scale ol { list-style: none; margin: 0; padding: 0; display: flex; justify-content: space-between; gap: 6px;
+  font-variant-numeric: tabular-nums; line-height: 1.2; }
+.scene-scale i { height: 8px; border-radius: 2px; }
 .scene-foot { position: absolute; inset: auto 8px 8px; display: flex; align-items: flex-end; gap: 8px;
   pointer-events: none; }
 .scene-foot .scene-note { position: static; }
@@ -57,12 +56,11 @@ const RULES = `
   .scene-bar > .scene-factor-row { order: 2; flex: 1 1 60%; }
   .scene-bar > button { order: 3; }
   .scene-bar input[type=range] { flex: 1 1 64px; min-width: 64px; }
-  .scene-view { min-height: 300px; }
+  .scene-view { min-height: 160px; }
   .scene-note { font-size: 11px; padding: 2px 5px; }
-  .scene-legend { max-width: 58%; }
+  .scene-legend { max-width: 58%; display: flex; flex-wrap: wrap; gap: 1px 8px; }
   .scene-legend i { width: 10px; }
-  .scene-scale b { max-width: 9em; }
-  .scene-scale ol { height: 64px; }
+  .scene-scale { max-width: 40%; min-width: 8em; }
   .scene-scale li:nth-child(even) { display: none; }
 }
 @media (pointer: coarse), (max-width: 40rem) {

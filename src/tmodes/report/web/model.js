@@ -1,4 +1,4 @@
-/* tmodes, built from 26d04c8dd178e29c; BSD-3-Clause */
+/* tmodes, built from 4ad56cc0c84fab01; BSD-3-Clause */
 
 // src/live/engine_error.ts
 var EngineError = class extends Error {
