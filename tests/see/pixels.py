@@ -12,7 +12,7 @@ from patience import steady
 
 __all__ = ["drawn_under", "notes_of", "robot_pixels"]
 
-NOTES = ".scene-legend, .scene-scale, .scene-below, .scene-factor"
+NOTES = ".scene-legend, .scene-scale, .scene-grid, .scene-flat, .scene-factor"
 HIDDEN = ("floor", "surface", "traces")
 
 
@@ -32,8 +32,15 @@ def notes_of(frame: Any) -> dict[str, tuple[float, float, float, float]]:
     }  # fmt: skip
 
 
+KEEP = """document.querySelectorAll('.scene-note').forEach((one) => {
+  const { width, height } = one.getBoundingClientRect();
+  if (height) one.style.cssText = `width: ${width}px; height: ${height}px; display: block !important` })"""
+"""Notes take the room that they take with all things shown, from which the camera stands where it stands."""
+
+
 def robot_pixels(frame: Any) -> np.ndarray:
-    """The view [h, w, 3] in parts of one, and where the robot is in it [h, w]: without notes, floor and paths."""
+    """The view [h, w, 3] in parts of one, with the robot in it: without notes, floor and paths."""
+    frame.evaluate(KEEP)
     frame.evaluate(
         f"""for (const name of {list(HIDDEN)}) {{ const box = document.querySelector(`[data-scene=${{name}}]`);
         if (box && box.checked) box.click() }}

@@ -42,6 +42,7 @@ def pages(tmp_path_factory: pytest.TempPathFactory, reports: dict[str, Path]) ->
         "same": show(first, first, names=["one", "other"]).save(folder / "same.html"),
         "bent": show(result_of("pendulum")).save(folder / "bent.html"),
         "rest": show(load("spong1987")).save(folder / "rest.html"),
+        "long": show(load("flexarm1990")).save(folder / "long.html"),
     }
 
 
@@ -120,8 +121,10 @@ def test_at_rest_nothing_is_said_of_what_is_not_there(browser: Any, pages: dict[
     page.context.close()
 
 
-def test_on_a_phone_modes_can_be_shown(browser: Any, pages: dict[str, Path]) -> None:
-    page = look(browser, pages["rest"], PHONE).page
+@pytest.mark.parametrize("kind", ["rest", "long"])
+def test_on_a_phone_modes_can_be_shown(browser: Any, pages: dict[str, Path], kind: str) -> None:
+    """Also where elements have long names."""
+    page = look(browser, pages[kind], PHONE).page
     boxes = [one.bounding_box() for one in page.locator(".panel td button").all()]
     assert boxes
     assert all(box["x"] + box["width"] <= PHONE[0] - 16 for box in boxes)

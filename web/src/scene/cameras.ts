@@ -1,8 +1,8 @@
 // Where one looks from: presets that fit all that moves into the picture, turning by mouse, touch and keys.
 import { MathUtils, PerspectiveCamera, Spherical, Vector3 } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
-import { Aim } from "./aim";
-import { WHOLE, type Room } from "./room";
+import { aimed } from "./aim";
+import { WHOLE, type Rooms } from "./room";
 
 export const VIEWS = ["iso", "front", "side", "top", "tip"] as const;
 export type View = (typeof VIEWS)[number];
@@ -18,7 +18,7 @@ export class Cameras {
   /** What presets fit into the picture, places [k, 3]. */
   places: number[] = [0, 0, 0];
   /** The parts of the picture of which one holds all of that. */
-  rooms: () => Room[] = () => [WHOLE];
+  rooms: () => Rooms = () => WHOLE;
   /** Whether one looks from a preset, not from where somebody turned to. */
   preset = false;
   private readonly controls: OrbitControls;
@@ -167,7 +167,7 @@ export class Cameras {
     this.changed();
   }
 
-  /** Aim so, from the least distance, that all places are in one of the rooms; in which is chosen by that distance. */
+  /** Aim so, from the least distance, that all places are in the picture and off its notes. */
   private fit(direction: Vector3): void {
     const { camera, places, targetEnd } = this;
     const tall = Math.tan(MathUtils.degToRad(camera.fov / 2));
@@ -182,14 +182,10 @@ export class Cameras {
     const [least, most] = [Math.min, Math.max].map((best) => along[2].reduce((one, other) => best(one, other)));
     const near = Math.max(0.3 * this.reach, 0.6 * (most - least));
     const middle = (least + most) / 2;
-    const depths = along[2].map((depth) => depth - middle);
-    const fits = this.rooms().map(([a, b, c, d]) => {
-      const aims = [new Aim(along[0], depths, tall * camera.aspect, a, b), new Aim(along[1], depths, tall, c, d)];
-      return { aims, distance: Math.max(near, ...aims.map((aim) => aim.distance)) };
-    });
-    const { aims, distance } = fits.reduce((one, other) => (other.distance < one.distance ? other : one));
+    along[2].forEach((depth, k) => (along[2][k] = depth - middle));
+    const { distance, at } = aimed({ along, tangents: [tall * camera.aspect, tall] }, this.rooms(), near);
     targetEnd.copy(direction).multiplyScalar(middle);
-    aims.forEach((aim, k) => targetEnd.addScaledVector(axes[k], aim.from(distance)));
+    at.forEach((found, k) => targetEnd.addScaledVector(axes[k], found));
     this.end.copy(targetEnd).addScaledVector(direction, distance);
   }
 

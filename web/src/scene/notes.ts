@@ -1,7 +1,7 @@
 // What is written over the picture: the legend, the colour scale with its unit, the enlargement, the grid.
 import { make } from "./controls";
 import { gradient } from "./palette";
-import { roomsBetween, type Room } from "./room";
+import { roomsBetween, type Rooms } from "./room";
 import { digits, readable } from "./units";
 
 const TICKS = 5;
@@ -20,22 +20,18 @@ export class Notes {
   private readonly live = make("span");
   private shown = "";
 
-  private readonly foot: HTMLElement;
-
   constructor(private readonly place: HTMLElement) {
-    const below = make("div", { className: "scene-below" }, this.way, this.grid);
-    this.foot = make("div", { className: "scene-foot" }, below, this.factor);
-    place.append(this.legend, this.scale, this.foot);
+    const below = make("div", { className: "scene-below" }, this.grid, this.way);
+    place.append(this.legend, this.scale, make("div", { className: "scene-foot" }, below, this.factor));
   }
 
-  /** The parts of the picture that no note covers, whatever number the line that changes now shows. */
-  rooms(): Room[] {
+  /** What the notes leave free of the picture, whatever number the line that changes now shows. */
+  rooms(): Rooms {
     this.live.textContent = this.shown.replace(/[\d.]+(?= N[, ])/g, "88.8");
-    const [place, left, right, below] = [this.place, this.legend, this.scale, this.foot].map((element) =>
-      element.getBoundingClientRect(),
-    );
+    const notes = [this.legend, this.scale, this.factor, this.way, this.grid];
+    const [place, ...boxes] = [this.place, ...notes].map((element) => element.getBoundingClientRect());
     this.live.textContent = this.shown;
-    return roomsBetween(place, left, right, below);
+    return roomsBetween(place, boxes);
   }
 
   /** Which notes there are, and all of their words on which their size depends. */

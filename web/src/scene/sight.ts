@@ -147,7 +147,7 @@ export abstract class Sight<Kind extends ShownRun = ShownRun> {
   }
 
   /** What is drawn thicker than it is, or of a thickness that nobody reported. */
-  private thick(): string {
+  protected thick(): string {
     const { least } = this.given.extent;
     const sections = this.runs.flatMap(({ run }) => run.scene.links.map(({ section }) => section));
     const thin = sections.some((section) => section && Math.min(...section.sizes.data) < least);

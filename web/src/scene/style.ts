@@ -25,7 +25,7 @@ const RULES = `
 .scene-view { position: relative; flex: 1 1 auto; min-height: 220px; overflow: hidden; border-radius: 6px;
   background: linear-gradient(var(--sky), var(--earth)); }
 .scene-view canvas { position: absolute; inset: 0; width: 100%; height: 100%; display: block; touch-action: none; }
-.scene-note { position: absolute; pointer-events: none; background: var(--chip); border-radius: 5px; padding: 4px 8px; }
+.scene-note { box-sizing: border-box; position: absolute; pointer-events: none; background: var(--chip); border-radius: 5px; padding: 4px 8px; }
 .scene-note[hidden] { display: none; }
 .scene-legend { top: 8px; left: 8px; display: grid; gap: 2px; max-width: 46%; }
 .scene-legend span { display: flex; align-items: center; gap: 6px; }
@@ -38,7 +38,7 @@ const RULES = `
 .scene-foot { position: absolute; inset: auto 8px 8px; display: flex; align-items: flex-end; gap: 8px;
   pointer-events: none; }
 .scene-foot .scene-note { position: static; }
-.scene-below { display: flex; flex-direction: column; align-items: flex-start; gap: 4px; min-width: 0;
+.scene-below { display: flex; flex-wrap: wrap; align-items: flex-end; gap: 4px; min-width: 0;
   color: var(--soft); }
 .scene-factor { flex: none; margin-left: auto; font-weight: 600; }
 .scene-message { position: absolute; inset: 0; display: grid; place-content: center; padding: 2em; text-align: center; }
@@ -58,9 +58,10 @@ const RULES = `
   .scene-bar input[type=range] { flex: 1 1 64px; min-width: 64px; }
   .scene-view { min-height: 160px; }
   .scene-note { font-size: 11px; padding: 2px 5px; }
-  .scene-legend { max-width: 58%; display: flex; flex-wrap: wrap; gap: 1px 8px; }
+  .scene-legend { max-width: calc(58% - 12px); display: flex; flex-wrap: wrap; gap: 1px 8px; }
   .scene-legend i { width: 10px; }
-  .scene-scale { max-width: 40%; min-width: 8em; }
+  .scene-scale { max-width: calc(42% - 12px); min-width: 8em; }
+  .scene-foot { flex-wrap: wrap; gap: 4px; }
   .scene-scale li:nth-child(even) { display: none; }
 }
 @media (pointer: coarse), (max-width: 40rem) {
