@@ -27,7 +27,8 @@ const RULES = `
 .scene-view canvas { position: absolute; inset: 0; width: 100%; height: 100%; display: block; touch-action: none; }
 .scene-note { box-sizing: border-box; position: absolute; pointer-events: none; background: var(--chip); border-radius: 5px; padding: 4px 8px; }
 .scene-note[hidden] { display: none; }
-.scene-legend { top: 8px; left: 8px; display: grid; gap: 2px; max-width: 46%; }
+.scene-legend { top: 8px; left: 8px; display: flex; flex-wrap: wrap; gap: 2px 12px;
+  max-width: min(46%, 24em); }
 .scene-legend span { display: flex; align-items: center; gap: 6px; }
 .scene-legend i { flex: none; width: 16px; height: 8px; border-radius: 2px; }
 .scene-scale { top: 8px; right: 8px; display: grid; gap: 2px; max-width: 46%; min-width: 11em; }
@@ -58,7 +59,7 @@ const RULES = `
   .scene-bar input[type=range] { flex: 1 1 64px; min-width: 64px; }
   .scene-view { min-height: 160px; }
   .scene-note { font-size: 11px; padding: 2px 5px; }
-  .scene-legend { max-width: calc(58% - 12px); display: flex; flex-wrap: wrap; gap: 1px 8px; }
+  .scene-legend { max-width: calc(58% - 12px); gap: 1px 8px; }
   .scene-legend i { width: 10px; }
   .scene-scale { max-width: calc(42% - 12px); min-width: 8em; }
   .scene-foot { flex-wrap: wrap; gap: 4px; }

@@ -1,4 +1,4 @@
-/* tmodes, built from 20cd71c3fa18c3cd; BSD-3-Clause */
+/* tmodes, built from 96fea475be3cadbd; BSD-3-Clause */
 
 // src/live/engine_error.ts
 var EngineError = class extends Error {
