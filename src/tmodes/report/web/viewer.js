@@ -1,4 +1,4 @@
-/* tmodes, built from 96fea475be3cadbd; BSD-3-Clause */
+/* tmodes, built from 10a42b65e7c75e7c; BSD-3-Clause */
 /* three
 The MIT License
 
