@@ -136,7 +136,8 @@ def scene_pages(folder: Path) -> Callable[[str], Path]:
                 '<!doctype html><html lang=en><meta charset=utf-8><meta name="color-scheme" content="light dark">'
                 f"<title>{name}</title>"
                 f'<meta http-equiv="Content-Security-Policy" content="{POLICY.format(digest)}">'
-                "<style>body { margin: 0; background: light-dark(#fff, #111) } #place { height: calc(100vh - 20px) }</style>"
+                "<style>body { margin: 0; background: light-dark(#fff, #111) } #place { height: calc(100vh - 20px) }"
+                "</style>"
                 '<div id="place"></div>'
                 f'<script type="text/plain" id="tmodes-data">{data}</script><script>{program}</script>',
                 encoding="utf-8",

@@ -25,7 +25,8 @@ const RULES = `
 .scene-view { position: relative; flex: 1 1 auto; min-height: 220px; overflow: hidden; border-radius: 6px;
   background: linear-gradient(var(--sky), var(--earth)); }
 .scene-view canvas { position: absolute; inset: 0; width: 100%; height: 100%; display: block; touch-action: none; }
-.scene-note { box-sizing: border-box; position: absolute; pointer-events: none; background: var(--chip); border-radius: 5px; padding: 4px 8px; }
+.scene-note { box-sizing: border-box; position: absolute; pointer-events: none; background: var(--chip);
+  border-radius: 5px; padding: 4px 8px; }
 .scene-note[hidden] { display: none; }
 .scene-legend { top: 8px; left: 8px; display: flex; flex-wrap: wrap; gap: 2px 12px;
   max-width: min(46%, 24em); }

@@ -1,4 +1,4 @@
-/* tmodes, built from 10a42b65e7c75e7c; BSD-3-Clause */
+/* tmodes, built from 105788ace2545258; BSD-3-Clause */
 
 // src/live/engine_error.ts
 var EngineError = class extends Error {

@@ -1,4 +1,4 @@
-/* tmodes, built from 10a42b65e7c75e7c; BSD-3-Clause */
+/* tmodes, built from 105788ace2545258; BSD-3-Clause */
 /* three
 The MIT License
 
@@ -4835,7 +4835,8 @@ void main() {
 .scene-view { position: relative; flex: 1 1 auto; min-height: 220px; overflow: hidden; border-radius: 6px;
   background: linear-gradient(var(--sky), var(--earth)); }
 .scene-view canvas { position: absolute; inset: 0; width: 100%; height: 100%; display: block; touch-action: none; }
-.scene-note { box-sizing: border-box; position: absolute; pointer-events: none; background: var(--chip); border-radius: 5px; padding: 4px 8px; }
+.scene-note { box-sizing: border-box; position: absolute; pointer-events: none; background: var(--chip);
+  border-radius: 5px; padding: 4px 8px; }
 .scene-note[hidden] { display: none; }
 .scene-legend { top: 8px; left: 8px; display: flex; flex-wrap: wrap; gap: 2px 12px;
   max-width: min(46%, 24em); }
