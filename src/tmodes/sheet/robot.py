@@ -175,7 +175,7 @@ class Robot(DataSheet):
         """As pydantic's; what follows from the fields is computed again."""
         copied = super().model_copy(update=update, deep=deep)
         for name in ("_chain", "undriven"):
-            copied.__dict__.pop(name, None)
+            vars(copied).pop(name, None)
         return copied
 
     def pair(self) -> RobotPair:
