@@ -18,17 +18,18 @@ from tmodes.result import Result
 
 NAMES = ("joint_efforts", "tip_errors", "energies")
 
+FILES = [f"{name}.{kind}" for name in NAMES for kind in ("svg", "png")]
+
 
 @pytest.fixture(scope="module")
 def stored(good: Result, tmp_path_factory: pytest.TempPathFactory) -> Path:
     return good.save(tmp_path_factory.mktemp("stored") / "result.nc")
 
 
-@pytest.fixture(scope="module")
-def alone(good: Result, tmp_path_factory: pytest.TempPathFactory) -> dict[str, bytes]:
+@pytest.fixture
+def alone(drawn_figures: tuple[Path, list[tuple[int, int, str]]]) -> dict[str, bytes]:
     """The files as this process draws them."""
-    files = plot.save_figures(good, tmp_path_factory.mktemp("alone"), ("svg", "png"), names=NAMES)
-    return {file.name: file.read_bytes() for file in files}
+    return {file: (drawn_figures[0] / file).read_bytes() for file in FILES}
 
 
 @pytest.fixture
@@ -48,7 +49,7 @@ def test_a_helper_draws_the_same_files(good, stored, alone, tmp_path, monkeypatc
     info: list[tuple[int, int, str]] = []
     files = plot.save_figures(good, tmp_path, ("svg", "png"), lambda *step: info.append(step), NAMES, stored)
     assert {file.name: file.read_bytes() for file in files} == alone
-    assert [file.name for file in files] == [f"{name}.{kind}" for name in NAMES for kind in ("svg", "png")]
+    assert [file.name for file in files] == FILES
     assert info == [(k, 3, name) for k, name in enumerate((*NAMES, ""))]
 
 
