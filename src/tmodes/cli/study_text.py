@@ -5,10 +5,7 @@ from __future__ import annotations
 from math import isfinite
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
 from tmodes.cli.terminal import notice, print_table
-from tmodes.study.rows import GOOD
 
 if TYPE_CHECKING:
     from tmodes.study.result import StudyResult
@@ -34,6 +31,8 @@ def notice_slow(study: Study) -> None:
 
 def study_info(result: StudyResult) -> dict[str, Any]:
     """Counts, percentiles of each quantity over the cases that have it, and the reasons of the others."""
+    from tmodes.study.rows import GOOD
+
     rows, counts = result.rows, result.counts
     lost = [index for index, status in enumerate(rows.status) if status not in GOOD]
     failures = [
@@ -53,6 +52,8 @@ def study_info(result: StudyResult) -> dict[str, Any]:
 
 
 def _spread(values: Any, unit: str) -> dict[str, Any]:
+    import numpy as np
+
     known = values[np.isfinite(values)]
     keys = "min", *(f"p{p}" for p in PERCENTILES), "max", "mean", "deviation"
     numbers: dict[str, float | None] = dict.fromkeys(keys)
