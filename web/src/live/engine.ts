@@ -41,6 +41,13 @@ export interface SampleLayout {
 /** Arrays of samples by name, each row-major [count, size]; one row alone stands for all samples. */
 export type Samples = Record<string, Float64Array>;
 
+/** Outputs of samples, `width` numbers each; where in them each output begins. */
+export interface Rows {
+  all: Float64Array;
+  width: number;
+  starts: Record<string, number>;
+}
+
 const FORMAT = 1;
 const PAGE = 65536;
 
@@ -84,6 +91,19 @@ export class Engine {
     expect(`${name}: parameters`, parameters.length, info.parameters);
     const out = this.schedule(info, parameters, [inputs], count);
     return parted(info.outputs, out, count, 1, wanted);
+  }
+
+  /** The same as it is in the module's memory, until the next call: rows in which each output begins at its start. */
+  rows(name: string, parameters: Float64Array, inputs: Samples, count: number): Rows {
+    const info = known(this.layout.samples, name, "function");
+    expect(`${name}: parameters`, parameters.length, info.parameters);
+    const starts: Record<string, number> = {};
+    let width = 0;
+    for (const [label, size] of Object.entries(info.outputs)) {
+      starts[label] = width;
+      width += size;
+    }
+    return { all: this.schedule(info, parameters, [inputs], count), width, starts };
   }
 
   /**
@@ -176,7 +196,7 @@ function total(sizes: Record<string, number>): number {
   return Object.values(sizes).reduce((sum, size) => sum + size, 0);
 }
 
-/** How far rows of an input are apart: not at all where one row stands for all samples. */
+/** How far rows of an input are apart: not at all where one row stands for all samples, or there is but one. */
 function stride(label: string, size: number, given: Float64Array | undefined, count: number): number {
   if (given === undefined) throw new EngineError(`${label}: got nothing; expected ${size} numbers for each sample`);
   if (given.length === count * size) return size;
@@ -187,14 +207,24 @@ function stride(label: string, size: number, given: Float64Array | undefined, co
 /** Rows of all inputs one after the other; of several sides: the rows of a sample follow each other. */
 function packRows(into: Float64Array, sizes: Record<string, number>, sides: Samples[], count: number): void {
   const width = total(sizes);
-  sides.forEach((side, s) => {
-    let start = s * width;
+  const row = sides.length * width;
+  const varying: [Float64Array, number, number][] = [];
+  let start = 0;
+  for (const side of sides) {
     for (const [label, size] of Object.entries(sizes)) {
-      const apart = stride(label, size, side[label], count);
-      copied(side[label], apart, 0, into, sides.length * width, start, size, count);
+      if (stride(label, size, side[label], count)) varying.push([side[label], start, size]);
+      else into.set(side[label], start);
       start += size;
     }
-  });
+  }
+  if (varying.length < Object.keys(sizes).length * sides.length) repeated(into, row, count);
+  for (const [from, place, size] of varying) copied(from, size, 0, into, row, place, size, count);
+}
+
+/** What the first of `count` rows holds in all of them. */
+function repeated(into: Float64Array, row: number, count: number): void {
+  for (let filled = row; filled < count * row; filled *= 2)
+    into.copyWithin(filled, 0, Math.min(filled, count * row - filled));
 }
 
 /** Parts of rows by name; `every`: how many rows each sample has, of which the first is taken. */
@@ -220,6 +250,10 @@ function copied(
   from: Float64Array, fromRow: number, fromStart: number,
   into: Float64Array, intoRow: number, intoStart: number, size: number, count: number,
 ): void {
+  if (fromRow === size && intoRow === size) {
+    into.set(from.subarray(fromStart, fromStart + count * size), intoStart);
+    return;
+  }
   for (let k = 0; k < count; k++) {
     const source = k * fromRow + fromStart;
     const target = k * intoRow + intoStart;

@@ -6,7 +6,7 @@ import { causesOf } from "./causes";
 import { factsOf } from "./run_facts";
 import { limitFact } from "./load_facts";
 import { moved, type Name, type Regime } from "./regime";
-import { compared, seenOf, seriesOf, type Seen } from "./run_series";
+import { compared, plannedOf, seenOf, seriesOf, type Seen } from "./run_series";
 import type { Bundle } from "./bundle";
 import type { Engine } from "./engine";
 import type { Watch } from "./engine_run";
@@ -48,7 +48,7 @@ export async function curvesOf(
   const seconds = (performance.now() - began) / 1000;
   const count = Math.min(real.run.times.length, nominal?.regime.run.times.length ?? Infinity);
   const own = seenOf(engine, bundle, real, count);
-  const planned = nominal && plannedOf(engine, bundle, nominal, count);
+  const planned = nominal && knownOf(engine, bundle, nominal, count);
   const times = real.run.times.subarray(0, count);
   const series = {
     ...seriesOf(engine, bundle, real, own, count), ...(planned ? compared(bundle, own, planned, count) : {}),
@@ -70,8 +70,8 @@ export async function curvesOf(
   return { run, real, facts, reported };
 }
 
-function plannedOf(engine: Engine, bundle: Bundle, { regime, seen }: Nominal, count: number): Seen {
-  const known = seen.get(count) ?? seenOf(engine, bundle, regime, count);
+function knownOf(engine: Engine, bundle: Bundle, { regime, seen }: Nominal, count: number): Seen {
+  const known = seen.get(count) ?? plannedOf(engine, bundle, regime, count);
   seen.clear();
   seen.set(count, known);
   return known;
