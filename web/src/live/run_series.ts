@@ -43,6 +43,14 @@ export function plannedOf(engine: Engine, bundle: Bundle, regime: Regime, count:
   return { regime, model, tip: tipAt(engine, bundle, regime, model.q, count) };
 }
 
+/** What is known of the first `count` of all samples. */
+export function firstOf(seen: Seen, all: number, count: number): Seen {
+  if (count === all) return seen;
+  const first = (values: Float64Array) => values.subarray(0, (values.length / all) * count);
+  const model = Object.fromEntries(Object.entries(seen.model).map(([name, values]) => [name, first(values)]));
+  return { ...seen, model, tip: first(seen.tip) };
+}
+
 /** Where the tip [n, 3] is at coordinates q [n, nq]. */
 export function tipAt(
   engine: Engine, bundle: Bundle, { blocks }: Regime, q: Float64Array, count: number,
