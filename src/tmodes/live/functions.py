@@ -88,9 +88,9 @@ def live_module(functions: ModelFunctions, methods: Sequence[str], *, slopes: bo
     of both as of :class:`tmodes.simulation.loop.LoopModel`, ``switched`` where something sticks; ``rest.rate``,
     whose accelerations vanish at rest, where ``held`` coordinates stand by themselves; ``inertia``, ``elastic`` as of
     :class:`tmodes.model.passes.ChainPasses`; for a page, whose ``observe`` gives what it shows alone, ``points`` of
-    ``inertia``, and ``tip``: where the first of them is; ``pose``: motion of every station (24 numbers each: rotation, position,
-    velocity, rate, accelerations), link by link; ``loaded``: the forces of ``inertia`` with wrenches on the points,
-    where any act; ``elastic.slopes``: the forces of ``elastic`` with their derivatives.
+    ``inertia``, and ``tip``: where the first of them is; ``pose``: motion of every station (24 numbers each: rotation,
+    position, velocity, rate, accelerations), link by link; ``loaded``: the forces of ``inertia`` with wrenches on the
+    points, where any act; ``elastic.slopes``: the forces of ``elastic`` with their derivatives.
     """
     made = Functions()
     for name, loop in functions.loops.items():

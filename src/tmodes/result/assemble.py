@@ -23,9 +23,10 @@ from tmodes.io.sheet_plausible import implausible_numbers, reading_notices
 from tmodes.result.elements import element_errors
 from tmodes.result.end_modes import end_modes, with_elements
 from tmodes.result.errors import summary_errors
+from tmodes.result.lines import carried_series, line_series
 from tmodes.result.model_errors import model_errors
 from tmodes.result.record import RESULT_FORMAT, STATUSES
-from tmodes.result.series import Variables, coordinates_of, line_series, motion_series
+from tmodes.result.series import Variables, coordinates_of, motion_series
 from tmodes.result.settling import BAND, AfterMove, after_move, move_end, plain_vibration
 from tmodes.sheet import Robot
 from tmodes.simulation.motion_run import RunData
@@ -82,6 +83,12 @@ class Assembly:
     @cached_property
     def _lines(self) -> tuple[Variables, dict[str, list[str]], list[str]]:
         return line_series(self.run, self.stations, self.count)
+
+    @cached_property
+    def moving(self) -> tuple[Record, list[str]]:
+        """The series without lines and without the parts of deformations, and the warnings as far as they are known."""
+        carried, names, notices = carried_series(self.run, self.stations, self.count)
+        return self._recorded(carried, names), [*self._noticed, *notices]
 
     @cached_property
     def motion(self) -> Record:
@@ -171,8 +178,12 @@ class Assembly:
     @cached_property
     def warnings(self) -> list[str]:
         """What a reader must know: of the run, of the sheet, and of what its models are good for."""
+        return [*self._noticed, *self._lines[2]]
+
+    @cached_property
+    def _noticed(self) -> list[str]:
         sheet = [*implausible_numbers(self.known), *reading_notices(self.known)]
-        return [*self.run.warnings, *sheet, *self._frequencies[1], *self._lines[2]]
+        return [*self.run.warnings, *sheet, *self._frequencies[1]]
 
     def attributes(self, progress: Progress) -> dict[str, Any]:
         """Where the record comes from, and what was computed of it, as plain data and JSON."""
@@ -194,7 +205,9 @@ class Assembly:
     @cached_property
     def all_series(self) -> Record:
         """The whole record without its attributes."""
-        lines, names, _ = self._lines
+        return self._recorded(*self._lines[:2])
+
+    def _recorded(self, lines: Variables, names: dict[str, list[str]]) -> Record:
         return _record(self._motion | lines, coordinates_of(self.run, self.count, names, self.stations))
 
 

@@ -1,4 +1,4 @@
-/* tmodes, built from b887cc1a8eec30be; BSD-3-Clause */
+/* tmodes, built from 0c60eda2ada58a1f; BSD-3-Clause */
 
 // src/live/engine_error.ts
 var EngineError = class extends Error {
