@@ -65,7 +65,7 @@ def test_a_change_has_the_numbers_of_the_page(name: str, packed: list[Any]) -> N
 def test_another_structure_is_told(packed: list[Any]) -> None:
     workshop = Workshop()
     known = asked(workshop, "curves", plain_sheet(load("spong1987"))).info["structure"]
-    sheet = plain_sheet(load("spong1987").with_({"payload.mass": 0.7}))
+    sheet = plain_sheet(load("spong1987").with_({"integration.duration": 0.5}))
     assert asked(workshop, "change", sheet).info["structure"] == known
     assert asked(workshop, "change", plain_sheet(load("filipovic2010"))).info["structure"] != known
     still = asked(workshop, "change", plain_sheet(load("spong1987").with_({"drives": []}))).info
