@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
@@ -11,6 +10,7 @@ import pytest
 import tmodes.report.pack
 from tmodes import load
 from tmodes.report.pack import Coarse, TwoParts
+from tmodes.studio.page import LONGEST_WORD, MOST_WORDS
 from tmodes.studio.sheets import plain_sheet
 from tmodes.studio.work import Answer, Workshop
 
@@ -19,7 +19,7 @@ FIXED = {"links", "joints", "meshes"}
 
 
 @pytest.fixture
-def packed(monkeypatch: pytest.MonkeyPatch) -> Iterator[list[Any]]:
+def packed(monkeypatch: pytest.MonkeyPatch) -> list[Any]:
     """The data of each answer before it is packed."""
     found: list[Any] = []
     pack = tmodes.report.pack.pack
@@ -29,7 +29,7 @@ def packed(monkeypatch: pytest.MonkeyPatch) -> Iterator[list[Any]]:
         return pack(page)
 
     monkeypatch.setattr(tmodes.report.pack, "pack", kept)
-    yield found
+    return found
 
 
 def asked(workshop: Workshop, product: str, sheet: dict[str, Any], series: tuple[str, ...] = ()) -> Answer:
@@ -75,3 +75,11 @@ def test_another_structure_is_told(packed: list[Any]) -> None:
 def test_a_series_that_there_is_not_is_left_out(packed: list[Any]) -> None:
     asked(Workshop(), "change", plain_sheet(load("spong1987")), ("tip", "nothing"))
     assert set(packed[0]["series"]) == {"tip"}
+
+
+def test_the_series_of_a_change_are_names(studio: Any) -> None:
+    order = {"product": "change", "sheet": plain_sheet(load("spong1987")), "client": "change"}
+    for series in (None, "tip", ["tip", 3], ["x" * (LONGEST_WORD + 1)], ["tip"] * (MOST_WORDS + 1)):
+        assert "series" in str(studio.post("/api/jobs", json={**order, "series": series}, code=422))
+    job = studio.post("/api/jobs", json={**order, "series": ["tip"]})
+    assert job["product"] == "change"

@@ -26,7 +26,7 @@ from tmodes.result.errors import summary_errors
 from tmodes.result.lines import carried_series, line_series
 from tmodes.result.model_errors import model_errors
 from tmodes.result.record import RESULT_FORMAT, STATUSES
-from tmodes.result.series import Variables, coordinates_of, motion_series
+from tmodes.result.series import Variables, coordinates_of, motion_series, record_of
 from tmodes.result.settling import BAND, AfterMove, after_move, move_end, plain_vibration
 from tmodes.sheet import Robot
 from tmodes.simulation.motion_run import RunData
@@ -86,14 +86,15 @@ class Assembly:
 
     @cached_property
     def moving(self) -> tuple[Record, list[str]]:
-        """The series without lines and without the parts of deformations, and the warnings as far as they are known."""
+        """What a picture that changes needs of the series, and the warnings but those of lines and frequencies."""
         carried, names, notices = carried_series(self.run, self.stations, self.count)
-        return self._recorded(carried, names), [*self._noticed, *notices]
+        labels = coordinates_of(self.run, self.count, names, self.stations)
+        return record_of(self._motion | carried, labels), [*self._noticed, *notices]
 
     @cached_property
     def motion(self) -> Record:
         """Motion, drives, points, contact and energies, without the elastic lines."""
-        return _record(self._motion, coordinates_of(self.run, self.count, {}, self.stations))
+        return record_of(self._motion, coordinates_of(self.run, self.count, {}, self.stations))
 
     @cached_property
     def move_end(self) -> float | None:
@@ -178,12 +179,11 @@ class Assembly:
     @cached_property
     def warnings(self) -> list[str]:
         """What a reader must know: of the run, of the sheet, and of what its models are good for."""
-        return [*self._noticed, *self._lines[2]]
+        return [*self._noticed, *self._frequencies[1], *self._lines[2]]
 
     @cached_property
     def _noticed(self) -> list[str]:
-        sheet = [*implausible_numbers(self.known), *reading_notices(self.known)]
-        return [*self.run.warnings, *sheet, *self._frequencies[1]]
+        return [*self.run.warnings, *implausible_numbers(self.known), *reading_notices(self.known)]
 
     def attributes(self, progress: Progress) -> dict[str, Any]:
         """Where the record comes from, and what was computed of it, as plain data and JSON."""
@@ -205,10 +205,8 @@ class Assembly:
     @cached_property
     def all_series(self) -> Record:
         """The whole record without its attributes."""
-        return self._recorded(*self._lines[:2])
-
-    def _recorded(self, lines: Variables, names: dict[str, list[str]]) -> Record:
-        return _record(self._motion | lines, coordinates_of(self.run, self.count, names, self.stations))
+        lines, names, _ = self._lines
+        return record_of(self._motion | lines, coordinates_of(self.run, self.count, names, self.stations))
 
 
 _KEPT = {
@@ -245,12 +243,3 @@ def provenance(run: RunData, known: Robot) -> dict[str, Any]:
         "versions": json.dumps({name: version(name) for name in packages} | {"python": platform.python_version()}),
         "statistics": json.dumps(counts),
     }
-
-
-def _record(variables: Variables, coordinates: dict[str, Any]) -> Record:
-    series = {
-        name: (dims, values, {"units": unit, "long_name": text})
-        for name, (dims, values, unit, text) in variables.items()
-    }
-    labels = {name: ((dim,), np.asarray(values), info) for name, (dim, values, info) in coordinates.items()}
-    return Record(series | labels, labels)

@@ -37,9 +37,9 @@ def line_series(run: RunData, stations: Array, count: int) -> tuple[Variables, d
 
 
 def carried_series(run: RunData, stations: Array, count: int) -> tuple[Variables, dict[str, list[str]], list[str]]:
-    """The same of what the links carry alone: neither where they are nor the parts of their deformation."""
+    """The same of what a page shows of the links' loads alone: neither where they are nor parts of deformations."""
     lines, names, notices = _carried(run, stations, count)
-    return over_time(_loads(lines.bending()), count), names, notices
+    return over_time(_loads(lines.bending(), shown=True), count), names, notices
 
 
 def _carried(run: RunData, stations: Array, count: int) -> tuple[LinkLines, dict[str, list[str]], list[str]]:
@@ -73,20 +73,24 @@ def _shapes(shown: list[LinkLine], straight: LinkLines) -> Series:
     }  # fmt: skip
 
 
-def _loads(bending: list[LinkLine]) -> Series:
-    """What links carry and how they bend, and the stress of those whose section and material are known."""
+def _loads(bending: list[LinkLine], *, shown: bool = False) -> Series:
+    """What links carry and how they bend, and the stress of those whose section and material are known.
+
+    ``shown``: those alone that a page shows.
+    """
     plane, kinds, text = "bending_link s plane", "bending_link s moment_kind", "of all loads outboard, in section axes"
     shapes = [line.shape for line in bending if line.shape]
     stresses = [line.stress for line in bending if line.stress]
+    further = [] if shown else bending
     return {
         "deflection": (plane, _stack(shape.deflection for shape in shapes), "m",
                        "deflection of the elastic line from the root's tangent, along y and z of the root"),
         "slope": (plane, _stack(shape.slope for shape in shapes), "rad", "slope against the root's tangent"),
         "moment": (kinds, _stack(line.moment for line in bending), "N m", f"moment {text}"),
-        "elastic_moment": (kinds, _stack(shape.elastic_moment for shape in shapes), "N m",
+        "elastic_moment": (kinds, _stack(line.shape.elastic_moment for line in further if line.shape), "N m",
                            "moment with which the material answers its curvature and its rate"),
         "shear_force": (plane, _stack(line.shear for line in bending), "N", f"shear force {text}"),
-        "axial_force": ("bending_link s", _stack(line.axial for line in bending), "N",
+        "axial_force": ("bending_link s", _stack(line.axial for line in further), "N",
                         f"axial force {text}, tension positive"),
         "stress": ("stressed_link s", _stack(one.mises_stress for one in stresses), "Pa", "largest von Mises stress"),
         "strain": ("stressed_link s", _stack(one.strain for one in stresses), "1", "largest strain of the outer fibre"),

@@ -10,12 +10,13 @@ from numpy.typing import NDArray
 from tmodes.analysis.error_parts import without_elasticity
 from tmodes.analysis.quasistatic import deflections, elastic_names
 from tmodes.chain.chain import line_before
+from tmodes.io.labelled import Record
 from tmodes.result.paths import error_parts, part_names
 from tmodes.simulation.motion_run import RunData
 
 __all__ = [
-    "MIXED", "Series", "Variables", "coordinate_units", "coordinates_of", "motion_series", "over_time", "run_wrenches",
-    "straight_shape",
+    "MIXED", "Series", "Variables", "coordinate_units", "coordinates_of", "motion_series", "over_time", "record_of",
+    "run_wrenches", "straight_shape",
 ]  # fmt: skip
 
 Array = NDArray[np.float64]
@@ -72,6 +73,16 @@ def coordinates_of(run: RunData, count: int, names: dict[str, list[str]], statio
         "s": ("s", stations, info),
         **{name: (dim, values, {"long_name": text}) for name, (dim, values, text) in further.items() if values},
     }
+
+
+def record_of(variables: Variables, coordinates: dict[str, Any]) -> Record:
+    """The variables as a record with the labels of :func:`coordinates_of`."""
+    series = {
+        name: (dims, values, {"units": unit, "long_name": text})
+        for name, (dims, values, unit, text) in variables.items()
+    }
+    labels = {name: ((dim,), np.asarray(values), info) for name, (dim, values, info) in coordinates.items()}
+    return Record(series | labels, labels)
 
 
 def coordinate_units(run: RunData) -> list[str]:

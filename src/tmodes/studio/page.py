@@ -109,9 +109,10 @@ def word_of(data: dict[str, Any], key: str) -> str:
 
 def words_of(data: dict[str, Any], key: str) -> list[str]:
     """A field of some short texts; raises :class:`tmodes.errors.InputError` for any other."""
-    value = data.get(key)
-    right = isinstance(value, list) and len(value) <= MOST_WORDS
-    if not right or not all(isinstance(one, str) and len(one) <= LONGEST_WORD for one in value):
-        expected = f"at most {MOST_WORDS} texts of at most {LONGEST_WORD} characters"
-        raise InputError(key, shown(value), expected, f"send `{key}`")
-    return value
+    value: Any = data.get(key)
+    if isinstance(value, list) and len(value) <= MOST_WORDS:
+        words = [one for one in value if isinstance(one, str) and len(one) <= LONGEST_WORD]
+        if len(words) == len(value):
+            return words
+    expected = f"at most {MOST_WORDS} texts of at most {LONGEST_WORD} characters"
+    raise InputError(key, shown(value), expected, f"send `{key}`")

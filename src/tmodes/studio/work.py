@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from tmodes.result import Result
     from tmodes.sheet import Robot
 
-__all__ = ["PRODUCTS", "Answer", "Workshop"]
+__all__ = ["PRODUCTS", "Answer", "Workshop", "drawn"]
 
 Progress = Callable[[str, float], None]
 
@@ -136,7 +136,7 @@ def _refuse_large(size: int) -> None:
 
 def _loop_seconds(result: Result) -> float:
     """Seconds spent in the loops of the nominal run and the real one."""
-    return sum(result.timing.values()) * float(result.data["time"][-1])
+    return sum(result.timing.values()) * float(result.record["time"].values[-1])
 
 
 def _page(result: Result, order: _Order, laps: _Laps, *, light: bool = False) -> bytes:
@@ -154,7 +154,7 @@ def _at_rest(result: Result, sheet: Robot, laps: _Laps, *, light: bool) -> bytes
 def _packed(page: dict[str, Any], result: Result, laps: _Laps, series: Sequence[str] | None = None) -> bytes:
     from tmodes.report.pack import pack
 
-    record, names = result.record, _drawn(page) if series is None else series
+    record, names = result.record, drawn(page) if series is None else series
     page |= {"times": np.asarray(record["time"].values, dtype="f8")}
     page["series"] = {name: np.asarray(record[name].values, dtype="f8") for name in names if name in record}
     laps.take("page")
@@ -180,7 +180,7 @@ def _change(result: Result, order: _Order, laps: _Laps) -> bytes:
     return _packed({"runs": [run]}, result, laps, order.series)
 
 
-def _drawn(page: Mapping[str, Any]) -> list[str]:
+def drawn(page: Mapping[str, Any]) -> list[str]:
     """The result's own series that the curves of a page are drawn of, so that later runs can be drawn upon them."""
     sources = [curve["source"] for chart in page["runs"][0]["charts"] for curve in chart["curves"]]
     return sorted({part["variable"] for source in sources if source for part in (source, source.get("less")) if part})
