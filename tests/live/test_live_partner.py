@@ -28,8 +28,9 @@ port1.postMessage = (order) => { orders.push(order.id); post(order); };
 const [alone, helped] = [await openRunner(read()), await openRunner(read(), port1)];
 const values = read().sliders.map(({ value }) => value);
 const first = await helped.run(values, {}); // without help: the partner is not there yet
+const there = new Promise((resolve) => port1.addEventListener("message", resolve, { once: true }));
 await openPlanner(read(), port2);
-await new Promise((resolve) => setTimeout(resolve, 0));
+await there;
 const text = ({ seconds, ...run }) => JSON.stringify(run);
 const same = [];
 const shares = [];

@@ -161,7 +161,9 @@ async function main(): Promise<void> {
     uploadControl(host),
     studyControls(host),
     exportControls(host),
-    button("Keep as ghost", () => { if (!shown.keep() && current) runner.want(current); }, { title: "Compare the runs to come with the one that is shown" }),
+    button("Keep as ghost", () => { if (!shown.keep() && current) runner.want(current); }, {
+      title: "Compare the runs to come with the one that is shown",
+    }),
     cancel,
   );
   const head = make("div", { class: "head" }, bar, info.element);

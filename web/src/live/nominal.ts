@@ -39,7 +39,8 @@ export function planHere(engine: Engine, bundle: Bundle): Planner {
   return {
     apart: false,
     async plan(values, watch) {
-      const regime = await moved(engine, bundle, values, "reference", numbersOf(bundle.map, values, "reference"), watch);
+      const blocks = numbersOf(bundle.map, values, "reference");
+      const regime = await moved(engine, bundle, values, "reference", blocks, watch);
       return { regime, seen: plannedOf(engine, bundle, regime, regime.run.times.length) };
     },
   };

@@ -1,4 +1,4 @@
-/* tmodes, built from 0c60eda2ada58a1f; BSD-3-Clause */
+/* tmodes, built from 7fa9fa86e629d24e; BSD-3-Clause */
 
 // src/live/engine_error.ts
 var EngineError = class extends Error {
