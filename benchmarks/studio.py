@@ -16,9 +16,11 @@ from tmodes.studio.pool import ONE_THREAD
 
 os.environ.update(ONE_THREAD)  # as its workers have it, before anything loads NumPy
 
-from tmodes import load
+from tmodes import load, run
+from tmodes.report.data import page_data
+from tmodes.result.early import early_result
 from tmodes.studio.sheets import plain_sheet, slider_records
-from tmodes.studio.work import Workshop
+from tmodes.studio.work import Workshop, drawn
 
 
 def main() -> None:
@@ -29,14 +31,19 @@ def main() -> None:
     sheet = load(info.robot)
     data = plain_sheet(sheet)
     target = slider_records(sheet, data)[0]["targets"][0]
+    series = drawn(page_data([early_result(run(sheet))], [sheet.name], light=True))  # what the page asks for
     workshop, laps, processor = Workshop(), [], []
     for k in range(info.runs + 2):
         began = time.process_time()
-        answer = workshop.answer("curves", moved(data, target, 1 + 0.01 * k), lambda stage, share: None)
+        answer = workshop.answer("change", moved(data, target, 1 + 0.01 * k), _silent, None, series)
         if k >= 2:  # what is loaded and compiled at the first runs is no part of a dragged slider
             laps.append(answer.info["seconds"])
             processor.append(time.process_time() - began)
     show(laps, processor)
+
+
+def _silent(stage: str, share: float) -> None:
+    del stage, share
 
 
 def moved(data: dict[str, Any], target: dict[str, Any], factor: float) -> dict[str, Any]:

@@ -23,6 +23,7 @@ ESBUILD = WEB / "node_modules/.bin/esbuild"
 
 ENTRY = """
 export * from "{web}/src/live/live";
+export * from "{web}/src/live/runner";
 export * from "{web}/src/pack";
 """
 

@@ -82,14 +82,14 @@ def test_page_from_a_file_runs_in_a_worker(chromium: str, tmp_path: Path) -> Non
         page.on("request", lambda request: asked.append(request.url))
         page.goto((tmp_path / "page.html").as_uri())
         sliders = page.evaluate("ready")
-        workers = len(page.workers)
+        workers, most = len(page.workers), page.evaluate("Math.min(2, navigator.hardwareConcurrency)")
         given = json.loads(page.evaluate("one()"))
         both = page.evaluate("both()")
         spent = page.evaluate("timed(12)")
         page.evaluate("close()")
         browser.close()
     assert sliders == len(bundle["sliders"])
-    assert workers == 1
+    assert workers == most  # one of them makes the nominal runs
     assert both == ["superseded", "finished"]
     assert not info
     assert [url for url in asked if not url.startswith(("file:", "blob:"))] == []

@@ -3,7 +3,7 @@
 import { button, make, ownId } from "./dom";
 import { forPaper } from "./paper";
 import { watch } from "./studio/alive";
-import { api, type SheetInfo, type Wrong } from "./studio/api";
+import { api, type Job, type SheetInfo, type StudioChange, type StudioPage, type Wrong } from "./studio/api";
 import { attempt, exportControls, studyControls, type FilesHost } from "./studio/files";
 import { Form } from "./studio/form";
 import { messages } from "./studio/messages";
@@ -37,15 +37,14 @@ async function main(): Promise<void> {
       slow = window.setTimeout(() => info.progress("waiting", 0), WAIT);
     },
     progress: (job, milliseconds) => { if (milliseconds > WAIT) info.progress(job.stage, job.share); },
+    upon: () => shown.upon,
     done(page, job, milliseconds) {
-      clearTimeout(slow);
-      info.done(page, job, milliseconds);
-      mark([], job.info.unseen);
-      info.unseen(job.info.unseen ?? [], go);
-      const drives = job.info.offer ?? [];
-      info.offer(drives.length ? button("Add a move", () => form?.give(["drives"], drives)) : null);
+      ended(page, job, milliseconds);
       shown.show(page, job);
-      view.classList.remove("stale");
+    },
+    changed(change, job, milliseconds) {
+      ended(change, job, milliseconds);
+      shown.change(change, job);
     },
     whole: (page) => shown.complete(page),
     wrong,
@@ -55,6 +54,16 @@ async function main(): Promise<void> {
       view.classList.add("stale");
     },
   });
+
+  function ended(page: StudioPage | StudioChange, job: Job, milliseconds: number): void {
+    clearTimeout(slow);
+    info.done(page, job, milliseconds);
+    mark([], job.info.unseen);
+    info.unseen(job.info.unseen ?? [], go);
+    const drives = job.info.offer ?? [];
+    info.offer(drives.length ? button("Add a move", () => form?.give(["drives"], drives)) : null);
+    view.classList.remove("stale");
+  }
 
   function go(to: Wrong): void {
     if (to.steps) form?.focus(to.steps);
@@ -152,7 +161,9 @@ async function main(): Promise<void> {
     uploadControl(host),
     studyControls(host),
     exportControls(host),
-    button("Keep as ghost", () => shown.keep(), { title: "Compare the runs to come with the one that is shown" }),
+    button("Keep as ghost", () => { if (!shown.keep() && current) runner.want(current); }, {
+      title: "Compare the runs to come with the one that is shown",
+    }),
     cancel,
   );
   const head = make("div", { class: "head" }, bar, info.element);

@@ -17,6 +17,7 @@ from tmodes.equations.mechanics import mechanics
 from tmodes.integrate.method import EULER, JACOBIAN
 from tmodes.integrate.registry import integrator
 from tmodes.integrate.settings import Integration
+from tmodes.kinds.kernel.schedule import Schedule
 from tmodes.live.numbers import follow_of, has_reference
 from tmodes.live.places import line_names
 from tmodes.model.model import Model
@@ -86,9 +87,10 @@ def live_module(functions: ModelFunctions, methods: Sequence[str], *, slopes: bo
     Loops: ``reference.METHOD`` (where there is a nominal run) and ``real.METHOD``. Samples: ``observe`` and ``rate``
     of both as of :class:`tmodes.simulation.loop.LoopModel`, ``switched`` where something sticks; ``rest.rate``,
     whose accelerations vanish at rest, where ``held`` coordinates stand by themselves; ``inertia``, ``elastic`` as of
-    :class:`tmodes.model.passes.ChainPasses`; ``pose``: motion of every station (24 numbers each: rotation, position,
-    velocity, rate, accelerations), link by link; ``loaded``: the forces of ``inertia`` with wrenches on the points,
-    where any act; ``elastic.slopes``: the forces of ``elastic`` with their derivatives.
+    :class:`tmodes.model.passes.ChainPasses`; for a page, whose ``observe`` gives what it shows alone, ``points`` of
+    ``inertia``, and ``tip``: where the first of them is; ``pose``: motion of every station (24 numbers each: rotation,
+    position, velocity, rate, accelerations), link by link; ``loaded``: the forces of ``inertia`` with wrenches on the
+    points, where any act; ``elastic.slopes``: the forces of ``elastic`` with their derivatives.
     """
     made = Functions()
     for name, loop in functions.loops.items():
@@ -102,11 +104,14 @@ def live_module(functions: ModelFunctions, methods: Sequence[str], *, slopes: bo
             made.loop(f"{name}.{method}", _loop(f"{name}.{method}", loop, method), **sizes)
         for label in ("observe", "rate", *("switched",) * bool(loop.modes)):
             schedule = getattr(loop, label)
+            if label == "observe" and functions.lines:
+                schedule = schedule.only(_SHOWN[name])
             made.schedule(f"{name}.{label}", schedule_samples(f"{name}.{label}", schedule), schedule)
     chain = functions.passes["chain"]
     passes = {"inertia": chain.schedule("inertia"), "elastic": chain.schedule("elastic")}
     if functions.lines:
         passes["line"] = functions.lines.schedule.only(line_names(functions.lines))
+        passes |= _motions(passes["inertia"])
     else:
         passes["pose"] = functions.passes["pose"].schedule("inertia").only(("points",))
     if functions.loaded:
@@ -116,6 +121,19 @@ def live_module(functions: ModelFunctions, methods: Sequence[str], *, slopes: bo
     springs = passes["elastic"].only(("forces",))
     made.schedule("elastic.slopes", schedule_samples("elastic.slopes", springs, "derivative"), springs, stride=2)
     return made.module("robot", **_layout(functions))
+
+
+_SHOWN = {"reference": ("q", "v", "gear", "contact"), "real": ("q", "v", "a", "drives", "gear", "contact")}
+"""What a page shows of each regime."""
+
+
+def _motions(inertia: Schedule) -> dict[str, Schedule]:
+    """Parts of the forces of inertia that a page asks for at many samples: without the forces, and without rates."""
+    pose = inertia.outputs["points"][0]
+    return {
+        "points": inertia.only(("points",)),
+        "tip": replace(inertia, outputs={"tip": [pose.part(9, 3)]}).only(("tip",)),
+    }
 
 
 def _loop(symbol: str, loop: ClosedLoop, method: str) -> Any:

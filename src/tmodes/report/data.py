@@ -19,14 +19,13 @@ from tmodes.report.charts import charts_of
 from tmodes.report.differences import difference_tables, names_by_difference
 from tmodes.report.events import events_of
 from tmodes.report.facts import Fact, run_facts
-from tmodes.report.pack import scene_frames
-from tmodes.report.scene import line_of, lines_at, scene_of
+from tmodes.report.scene import frames_of, line_of, lines_at, scene_of
 from tmodes.report.scene_parts import actual
 from tmodes.report.sentence import result_sentence
 from tmodes.result import Result
 from tmodes.result.early import LATER
 
-__all__ = ["facts_of", "live_page", "modes_of", "page_data", "robot_name", "sheet_of"]
+__all__ = ["early_facts", "facts_of", "live_page", "modes_of", "page_data", "robot_name", "sheet_of"]
 
 
 def page_data(
@@ -86,8 +85,8 @@ def _run(result: Result, name: str, charts: list[dict[str, Any]], *, light: bool
     times, missing = np.asarray(data["time"].values, dtype=float), actual(result).missing
     unknown = [f"shown by what the result holds alone, because its robot cannot be rebuilt: {missing}"]
     unknown = unknown if missing and not any(missing in one for one in result.warnings) else []
-    facts = [fact for fact in facts_of(result) if not (light and fact.id.startswith(LATER))]
-    frames = scene_frames(times, int(np.prod(data["line"].shape[1:])) if "line" in data else 0)
+    facts = early_facts(result) if light else facts_of(result)
+    frames = frames_of(result)
     return {
         "name": name,
         "status": result.status,
@@ -112,6 +111,11 @@ def facts_of(result: Result) -> list[Fact]:
         return list(run_facts(result, result.summary()))
     except (InputError, InputErrors):
         return []
+
+
+def early_facts(result: Result) -> list[Fact]:
+    """Those of an early result, without the numbers that it does not know."""
+    return [fact for fact in facts_of(result) if not fact.id.startswith(LATER)]
 
 
 def sheet_of(result: Result) -> str:

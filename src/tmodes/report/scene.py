@@ -17,7 +17,7 @@ from tmodes.report.scene_parts import actual, meshes_in, nearest_drawn, section_
 from tmodes.result import Result
 from tmodes.sheet import Robot
 
-__all__ = ["line_of", "lines_at", "scene_of"]
+__all__ = ["frames_of", "line_of", "lines_at", "scene_of"]
 
 Array = NDArray[np.float64]
 Frames = NDArray[np.intp]
@@ -40,7 +40,7 @@ def scene_of(result: Result, frames: Frames | None = None) -> dict[str, Any]:
     Lengths in m, times in s; arrays are NumPy's or those of :mod:`tmodes.report.pack`. Of a robot that cannot be
     rebuilt only the lines that the result holds.
     """
-    frames = _frames(result) if frames is None else frames
+    frames = frames_of(result) if frames is None else frames
     known, data = actual(result), result.record
     names, drawn = known.names, known.drawn
     data = data.isel(time=frames, s=stations_shown(data.sizes["s"], len(frames), len(names)))
@@ -49,9 +49,13 @@ def scene_of(result: Result, frames: Frames | None = None) -> dict[str, Any]:
     robot, model = known.robot, known.model
     stand, stations = _base(model, data), data["s"].values
     there, turned = lines_at(model, names, _coordinates(data, "q"), stations, stand)
-    line, rigid = (_with_carriers(data, name, there, drawn) for name in ("line", "line_rigid"))
     parents = [nearest_drawn(model.chain, name, drawn) for name in names]
-    _move_carriers(rigid, line, parents, len(drawn))
+    if "line" in data or not drawn:
+        line, rigid = (_with_carriers(data, name, there, drawn) for name in ("line", "line_rigid"))
+        _move_carriers(rigid, line, parents, len(drawn))
+    else:  # of a result that was just made, without its lines
+        line = there
+        rigid, _ = lines_at(model, names, without_elasticity(model, _coordinates(data, "q")), stations, stand)
     base, planned = kept(rigid), [None, None]
     if "q_nominal" in data:
         bent = _coordinates(data, "q_nominal")
@@ -102,7 +106,7 @@ def _stored(data: Any, drawn: list[str]) -> dict[str, Any]:
 
 def line_of(result: Result, frames: Frames | None = None) -> dict[str, Any] | None:
     """Deflection, slope, moment and shear along each elastic link at ``frames``; None where there is none."""
-    frames = _frames(result) if frames is None else frames
+    frames = frames_of(result) if frames is None else frames
     if "bending_link" not in result.record.dims or actual(result).missing:
         return None
     links = names_of(result.record, "bending_link")
@@ -118,9 +122,11 @@ def line_of(result: Result, frames: Frames | None = None) -> dict[str, Any] | No
     return {"links": links, "places": lengths[:, None] * data["s"].values, "quantities": quantities}
 
 
-def _frames(result: Result) -> Frames:
-    data = result.record
-    return scene_frames(data["time"].values, int(np.prod(data["line"].shape[1:])) if "line" in data else 0)
+def frames_of(result: Result) -> Frames:
+    """The samples at which a scene shows the robot."""
+    sizes = result.record.sizes
+    numbers = sizes["link"] * sizes["s"] * sizes["axis"] if "link" in sizes else 0
+    return scene_frames(np.asarray(result.record["time"].values, dtype=float), numbers)
 
 
 def lines_at(

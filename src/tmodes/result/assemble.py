@@ -23,9 +23,10 @@ from tmodes.io.sheet_plausible import implausible_numbers, reading_notices
 from tmodes.result.elements import element_errors
 from tmodes.result.end_modes import end_modes, with_elements
 from tmodes.result.errors import summary_errors
+from tmodes.result.lines import carried_series, line_series
 from tmodes.result.model_errors import model_errors
 from tmodes.result.record import RESULT_FORMAT, STATUSES
-from tmodes.result.series import Variables, coordinates_of, line_series, motion_series
+from tmodes.result.series import Variables, coordinates_of, motion_series, record_of
 from tmodes.result.settling import BAND, AfterMove, after_move, move_end, plain_vibration
 from tmodes.sheet import Robot
 from tmodes.simulation.motion_run import RunData
@@ -84,9 +85,16 @@ class Assembly:
         return line_series(self.run, self.stations, self.count)
 
     @cached_property
+    def moving(self) -> tuple[Record, list[str]]:
+        """What a picture that changes needs of the series, and the warnings but those of lines and frequencies."""
+        carried, names, notices = carried_series(self.run, self.stations, self.count)
+        labels = coordinates_of(self.run, self.count, names, self.stations)
+        return record_of(self._motion | carried, labels), [*self._noticed, *notices]
+
+    @cached_property
     def motion(self) -> Record:
         """Motion, drives, points, contact and energies, without the elastic lines."""
-        return _record(self._motion, coordinates_of(self.run, self.count, {}, self.stations))
+        return record_of(self._motion, coordinates_of(self.run, self.count, {}, self.stations))
 
     @cached_property
     def move_end(self) -> float | None:
@@ -171,8 +179,11 @@ class Assembly:
     @cached_property
     def warnings(self) -> list[str]:
         """What a reader must know: of the run, of the sheet, and of what its models are good for."""
-        sheet = [*implausible_numbers(self.known), *reading_notices(self.known)]
-        return [*self.run.warnings, *sheet, *self._frequencies[1], *self._lines[2]]
+        return [*self._noticed, *self._frequencies[1], *self._lines[2]]
+
+    @cached_property
+    def _noticed(self) -> list[str]:
+        return [*self.run.warnings, *implausible_numbers(self.known), *reading_notices(self.known)]
 
     def attributes(self, progress: Progress) -> dict[str, Any]:
         """Where the record comes from, and what was computed of it, as plain data and JSON."""
@@ -195,7 +206,7 @@ class Assembly:
     def all_series(self) -> Record:
         """The whole record without its attributes."""
         lines, names, _ = self._lines
-        return _record(self._motion | lines, coordinates_of(self.run, self.count, names, self.stations))
+        return record_of(self._motion | lines, coordinates_of(self.run, self.count, names, self.stations))
 
 
 _KEPT = {
@@ -232,12 +243,3 @@ def provenance(run: RunData, known: Robot) -> dict[str, Any]:
         "versions": json.dumps({name: version(name) for name in packages} | {"python": platform.python_version()}),
         "statistics": json.dumps(counts),
     }
-
-
-def _record(variables: Variables, coordinates: dict[str, Any]) -> Record:
-    series = {
-        name: (dims, values, {"units": unit, "long_name": text})
-        for name, (dims, values, unit, text) in variables.items()
-    }
-    labels = {name: ((dim,), np.asarray(values), info) for name, (dim, values, info) in coordinates.items()}
-    return Record(series | labels, labels)

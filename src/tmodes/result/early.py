@@ -21,19 +21,21 @@ _NOT_YET: dict[str, Any] = {
 }
 
 
-def early_result(result: Result) -> Result:
+def early_result(result: Result, *, lines: bool = True) -> Result:
     """The result of a run that was just made, for a picture that changes while somebody drags; not to be stored.
 
     It has no modes, settling, residual vibration and estimated errors; the parts of the tip's largest error are those
-    by cause, without those of single gears and links. A result that is whole already stays as it is.
+    by cause, without those of single gears and links. ``lines`` False: nor has it the lines of the links, nor the
+    parts of deformations, and no warning about these. A result that is whole already stays as it is.
     """
     assembly = result.assembly
     if assembly is None:
         return result
+    series, warnings = (assembly.all_series, assembly.warnings) if lines else assembly.moving
     status, message = assembly.ending
     attributes = provenance(assembly.run, assembly.known) | {"status": status, "message": message}
-    computed = {"warnings": assembly.warnings, "move_end": assembly.move_end, **_NOT_YET}
+    computed = {"warnings": warnings, "move_end": assembly.move_end, **_NOT_YET}
     attributes |= {name: json.dumps(value) for name, value in computed.items()}
-    found = Result(assembly.all_series.assign_attrs(attributes), result.timing)
+    found = Result(series.assign_attrs(attributes), result.timing)
     vars(found).update(robot=assembly.known, actual=assembly.run.robot)  # which are there already
     return found

@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 
 from tmodes.analysis.quasistatic import deflections
 from tmodes.integrate.registry import integrator
+from tmodes.result.lines import load_series
 from tmodes.result.paths import error_parts
-from tmodes.result.series import load_series
 from tmodes.simulation.motion_run import RunData, gathered
 from tmodes.simulation.parts import Trajectory
 from tmodes.simulation.second_run import second_run

@@ -1,24 +1,22 @@
-"""The series of a run by name, each with its dimensions, unit and meaning: motion, drives, points, energies, lines."""
+"""The series of a run by name, each with its dimensions, unit and meaning: motion, drives, points, energies."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.analysis.error_parts import without_elasticity
-from tmodes.analysis.line.line import LinkLine, LinkLines, elastic_line
-from tmodes.analysis.quasistatic import deflections, elastic_names, split_motion
-from tmodes.analysis.validity import run_warnings
+from tmodes.analysis.quasistatic import deflections, elastic_names
 from tmodes.chain.chain import line_before
+from tmodes.io.labelled import Record
 from tmodes.result.paths import error_parts, part_names
 from tmodes.simulation.motion_run import RunData
 
 __all__ = [
-    "MIXED", "Series", "Variables", "coordinate_units", "coordinates_of", "line_series", "load_series",
-    "motion_series", "over_time", "run_wrenches", "straight_shape",
+    "MIXED", "Series", "Variables", "coordinate_units", "coordinates_of", "motion_series", "over_time", "record_of",
+    "run_wrenches", "straight_shape",
 ]  # fmt: skip
 
 Array = NDArray[np.float64]
@@ -75,6 +73,16 @@ def coordinates_of(run: RunData, count: int, names: dict[str, list[str]], statio
         "s": ("s", stations, info),
         **{name: (dim, values, {"long_name": text}) for name, (dim, values, text) in further.items() if values},
     }
+
+
+def record_of(variables: Variables, coordinates: dict[str, Any]) -> Record:
+    """The variables as a record with the labels of :func:`coordinates_of`."""
+    series = {
+        name: (dims, values, {"units": unit, "long_name": text})
+        for name, (dims, values, unit, text) in variables.items()
+    }
+    labels = {name: ((dim,), np.asarray(values), info) for name, (dim, values, info) in coordinates.items()}
+    return Record(series | labels, labels)
 
 
 def coordinate_units(run: RunData) -> list[str]:
@@ -154,38 +162,6 @@ def _reference(run: RunData, planned: RunData, count: int) -> Variables:
     return over_time(series, count)
 
 
-def line_series(run: RunData, stations: Array, count: int) -> tuple[Variables, dict[str, list[str]], list[str]]:
-    """Lines of the first ``count`` samples, the names of links along their dimensions, and sentences of warning."""
-    part = slice(count)
-    motion = (run.model, run.q[part], run.v[part], run.a[part])
-    wrenches, base = run_wrenches(run)[part], run.base[part]
-    lines = elastic_line(*motion, stations=[*map(float, stations)], wrenches=wrenches, base=base)
-    straight = elastic_line(run.model, straight_shape(run)[part], stations=[*map(float, stations)], base=base)
-    shown = [line for line in lines.links.values() if not line.is_point]
-    bending = lines.bending()
-    stressed = [line for line in bending if line.stress is not None]
-    names = {"link": shown, "bending_link": bending, "stressed_link": stressed}
-    split = split_motion(*motion, wrenches=wrenches, base=base)
-    found = _shapes(shown, straight) | _loads(bending) | _split(split.stationary, split.oscillatory)
-    notices = run_warnings(run.robot, run.model, run.times[part], run.q[part], lines)
-    loose = np.flatnonzero(~split.held)
-    if len(loose):
-        notices.append(
-            f"T_st is that of the linear arm at {len(loose)} of {count} samples, first at t = "
-            f"{run.times[loose[0]]:.4g} s: the arm could not hold its loads there without moving"
-        )
-    plain = {dim: [line.name for line in group] for dim, group in names.items()}
-    return over_time(found, count), plain, notices
-
-
-def load_series(run: RunData, stations: Array, count: int) -> Variables:
-    """Deflections, moments and stresses alone, of the first ``count`` samples."""
-    part = slice(count)
-    motion = (run.model, run.q[part], run.v[part], run.a[part])
-    loads = {"wrenches": run_wrenches(run)[part], "base": run.base[part]}
-    return over_time(_loads(elastic_line(*motion, stations=[*map(float, stations)], **loads).bending()), count)
-
-
 def run_wrenches(run: RunData) -> Array:
     """Force and moment by the surroundings on each named point at each sample, world axes, (n, points, 6)."""
     plan = run.planned
@@ -204,46 +180,3 @@ def run_wrenches(run: RunData) -> Array:
 def straight_shape(run: RunData) -> Array:
     """Coordinates (n, nq) of a run's robot without any elasticity, its motors where they are."""
     return without_elasticity(run.model, run.q)
-
-
-def _shapes(shown: list[LinkLine], straight: LinkLines) -> Series:
-    rigid = [straight[line.name] for line in shown]
-    return {
-        "line": ("link s axis", _stack(line.position for line in shown), "m", "position of the elastic line"),
-        "line_rigid": ("link s axis", _stack(line.position for line in rigid), "m",
-                       "position of the line without any elasticity, the motors where they are"),
-    }  # fmt: skip
-
-
-def _loads(bending: list[LinkLine]) -> Series:
-    """What links carry and how they bend, and the stress of those whose section and material are known."""
-    plane, kinds, text = "bending_link s plane", "bending_link s moment_kind", "of all loads outboard, in section axes"
-    shapes = [line.shape for line in bending if line.shape]
-    stresses = [line.stress for line in bending if line.stress]
-    return {
-        "deflection": (plane, _stack(shape.deflection for shape in shapes), "m",
-                       "deflection of the elastic line from the root's tangent, along y and z of the root"),
-        "slope": (plane, _stack(shape.slope for shape in shapes), "rad", "slope against the root's tangent"),
-        "moment": (kinds, _stack(line.moment for line in bending), "N m", f"moment {text}"),
-        "elastic_moment": (kinds, _stack(shape.elastic_moment for shape in shapes), "N m",
-                           "moment with which the material answers its curvature and its rate"),
-        "shear_force": (plane, _stack(line.shear for line in bending), "N", f"shear force {text}"),
-        "axial_force": ("bending_link s", _stack(line.axial for line in bending), "N",
-                        f"axial force {text}, tension positive"),
-        "stress": ("stressed_link s", _stack(one.mises_stress for one in stresses), "Pa", "largest von Mises stress"),
-        "strain": ("stressed_link s", _stack(one.strain for one in stresses), "1", "largest strain of the outer fibre"),
-    }  # fmt: skip
-
-
-def _split(stationary: Array, oscillatory: Array) -> Series:
-    text = "stationary part T_st of the elastic coordinates"
-    return {
-        "deformation_stationary": ("deformation_kind", stationary, MIXED, text),
-        "deformation_oscillatory": ("deformation_kind", oscillatory, MIXED, "oscillatory part T_to"),
-    }
-
-
-def _stack(parts: Iterable[Array]) -> Array:
-    """(n, links, ...) of one array for each link."""
-    info = [*parts]
-    return np.stack(info, axis=1) if info else np.zeros(0)

@@ -12,7 +12,7 @@ from fastapi import FastAPI, Request, Response
 from tmodes.errors import InputError
 from tmodes.io.words import shown
 
-__all__ = ["add_page", "body_of", "document", "sheet_of", "word_of"]
+__all__ = ["add_page", "body_of", "document", "sheet_of", "word_of", "words_of"]
 
 
 _DOCUMENT = """<!doctype html>
@@ -60,6 +60,7 @@ def _shipped(*path: str) -> bytes:
 
 
 LONGEST_WORD = 200
+MOST_WORDS = 200
 
 
 async def body_of(request: Request) -> dict[str, Any]:
@@ -104,3 +105,14 @@ def word_of(data: dict[str, Any], key: str) -> str:
     if not isinstance(value, str) or not 0 < len(value) <= LONGEST_WORD:
         raise InputError(key, shown(value), f"a text of at most {LONGEST_WORD} characters", f"send `{key}`")
     return value
+
+
+def words_of(data: dict[str, Any], key: str) -> list[str]:
+    """A field of some short texts; raises :class:`tmodes.errors.InputError` for any other."""
+    value: Any = data.get(key)
+    if isinstance(value, list) and len(value) <= MOST_WORDS:
+        words = [one for one in value if isinstance(one, str) and len(one) <= LONGEST_WORD]
+        if len(words) == len(value):
+            return words
+    expected = f"at most {MOST_WORDS} texts of at most {LONGEST_WORD} characters"
+    raise InputError(key, shown(value), expected, f"send `{key}`")

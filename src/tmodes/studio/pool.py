@@ -132,7 +132,7 @@ class Pool:
         self, order: dict[str, Any], client: str, listen: Listener, cancelled: asyncio.Event
     ) -> tuple[dict[str, Any], bytes]:
         """Do one job: the last head of its worker (``kind`` done, error or cancelled) and its bytes."""
-        worker = await self._borrowed(f"{client} {order['product'] == 'curves'}")
+        worker = await self._borrowed(f"{client} {order['product'] in ('curves', 'change')}")
         self._numbers += 1
         number = self._numbers
         waiting = asyncio.create_task(_until_cancelled(worker, number, cancelled))

@@ -26,7 +26,7 @@ from tmodes.studio.guard import Guard
 from tmodes.studio.jobs import JobBook
 from tmodes.studio.looks import Shelf, source_of
 from tmodes.studio.messages import error_record, error_records
-from tmodes.studio.page import add_page, body_of, sheet_of, word_of
+from tmodes.studio.page import add_page, body_of, sheet_of, word_of, words_of
 from tmodes.studio.pool import Pool
 from tmodes.studio.upload import uploaded
 from tmodes.studio.work import PRODUCTS
@@ -184,6 +184,7 @@ def _add_jobs(app: FastAPI, book: JobBook, folder: WorkingFolder, shelf: Shelf) 
             raise InputError("product", repr(product), f"one of {', '.join(PRODUCTS)}", "ask for one of them")
         source = source_of(data.get("looks"), folder, shelf)
         order = {"product": product, "sheet": sheet_of(data), "looks": source and source._asdict()}
+        order["series"] = words_of(data, "series") if product == "change" else []
         return _json(book.begin(order, word_of(data, "client")).as_info())
 
     @app.get("/api/jobs/{name}")

@@ -1,6 +1,6 @@
 """A process that simulates for the studio: orders come in as lines of JSON, answers go out as a line and bytes.
 
-In:  ``{"job": 7, "product": "page", "sheet": {...}, "looks": null}`` or ``{"cancel": 7}``
+In:  ``{"job": 7, "product": "page", "sheet": {...}, "looks": null, "series": []}`` or ``{"cancel": 7}``
 Out: ``{"job": 7, "kind": "progress", "stage": "actual robot", "share": 0.3, "bytes": 0}``, then one of ``done``,
 ``error`` and ``cancelled``, each followed by as many bytes as it reports.
 
@@ -86,7 +86,7 @@ def _work(order: dict[str, Any], workshop: Any, orders: _Orders, answers: _Answe
 
     try:
         progress("reading", 0.0)
-        answer = workshop.answer(order["product"], sheet, progress, order.get("looks"))
+        answer = workshop.answer(order["product"], sheet, progress, order.get("looks"), order.get("series", ()))
         answers.send(job, "done", answer.content, info=answer.info)
     except _Cancelled:
         answers.send(job, "cancelled")

@@ -1,12 +1,11 @@
 // The error of the tip by its causes, as tmodes/analysis/error_parts.py and tmodes/result/paths.py find it.
 
 import type { Bundle } from "./bundle";
-import { doubles } from "./bundle";
 import type { Engine } from "./engine";
 import { affine } from "./live_scene";
 import type { Regime } from "./regime";
-import type { Seen } from "./run_series";
-import { columns, difference, shaped, type SeriesOf } from "./series";
+import { tipAt, type Seen } from "./run_series";
+import { difference, shaped, type SeriesOf } from "./series";
 import { valueAt } from "./signals";
 
 const SAME = 1e-12; // m between two commanded tips up to which both robots have the same dimensions
@@ -59,7 +58,7 @@ function same(a: Float64Array, b: Float64Array): boolean {
  * the joints where they are, and as it is.
  */
 function steps(
-  engine: Engine, bundle: Bundle, mover: Regime, { model: { q }, points }: Seen, wanted: Float64Array, count: number,
+  engine: Engine, bundle: Bundle, mover: Regime, { model: { q }, tip: own }: Seen, wanted: Float64Array, count: number,
   known?: Float64Array,
 ): Float64Array[] {
   const width = q.length / count;
@@ -68,18 +67,13 @@ function steps(
     for (const j of mover.info.driven) moved[k + j] = q[k + j];
     for (const j of bundle.bends) joints[k + j] = 0;
   }
-  const tips = (rows: Float64Array) => columns(rows, rows.length / count, [9, 10, 11]);
-  const still = new Float64Array(width);
-  let [before, tip] = [q, tips(points)];
+  let [before, tip] = [q, own];
   const found = [tip];
   const straight = (shape: Float64Array) => affine(bundle.straight, shape, count);
   const shapes = [joints, straight(moved), straight(wanted)];
   for (const shape of shapes) {
     if (known && shape === shapes[2]) tip = known;
-    else if (!same(shape, before)) {
-      const inputs = { q: shape, v: still, a: still, base: doubles(bundle.base) };
-      tip = tips(engine.sample("inertia", mover.blocks.chain, inputs, count, ["points"]).points);
-    }
+    else if (!same(shape, before)) tip = tipAt(engine, bundle, mover, shape, count);
     before = shape;
     found.unshift(tip);
   }

@@ -2,6 +2,9 @@
 // tmodes/live/functions.py makes module and layout; nothing here touches a page: it runs in a worker and in Node.
 
 import { EngineError, expect, known } from "./engine_error";
+import { packRows, parted, total, type Samples } from "./engine_rows";
+
+export type { Samples } from "./engine_rows";
 
 /** What tmodes/live/functions.py reports of a module. */
 export interface Layout {
@@ -38,8 +41,12 @@ export interface SampleLayout {
   workspace: number;
 }
 
-/** Arrays of samples by name, each row-major [count, size]; one row alone stands for all samples. */
-export type Samples = Record<string, Float64Array>;
+/** Outputs of samples, `width` numbers each; where in them each output begins. */
+export interface Rows {
+  all: Float64Array;
+  width: number;
+  starts: Record<string, number>;
+}
 
 const FORMAT = 1;
 const PAGE = 65536;
@@ -84,6 +91,19 @@ export class Engine {
     expect(`${name}: parameters`, parameters.length, info.parameters);
     const out = this.schedule(info, parameters, [inputs], count);
     return parted(info.outputs, out, count, 1, wanted);
+  }
+
+  /** The same as it is in the module's memory, until the next call: rows in which each output begins at its start. */
+  rows(name: string, parameters: Float64Array, inputs: Samples, count: number): Rows {
+    const info = known(this.layout.samples, name, "function");
+    expect(`${name}: parameters`, parameters.length, info.parameters);
+    const starts: Record<string, number> = {};
+    let width = 0;
+    for (const [label, size] of Object.entries(info.outputs)) {
+      starts[label] = width;
+      width += size;
+    }
+    return { all: this.schedule(info, parameters, [inputs], count), width, starts };
   }
 
   /**
@@ -169,60 +189,5 @@ async function instantiated(wasm: BufferSource, layout: Layout): Promise<WebAsse
   } catch (problem) {
     const needed = layout.simd ? ", with vectors (SIMD)" : "";
     throw new EngineError(`WebAssembly: got ${String(problem)}; expected a browser that allows it${needed}`);
-  }
-}
-
-function total(sizes: Record<string, number>): number {
-  return Object.values(sizes).reduce((sum, size) => sum + size, 0);
-}
-
-/** How far rows of an input are apart: not at all where one row stands for all samples. */
-function stride(label: string, size: number, given: Float64Array | undefined, count: number): number {
-  if (given === undefined) throw new EngineError(`${label}: got nothing; expected ${size} numbers for each sample`);
-  if (given.length === count * size) return size;
-  expect(label, given.length, size);
-  return 0;
-}
-
-/** Rows of all inputs one after the other; of several sides: the rows of a sample follow each other. */
-function packRows(into: Float64Array, sizes: Record<string, number>, sides: Samples[], count: number): void {
-  const width = total(sizes);
-  sides.forEach((side, s) => {
-    let start = s * width;
-    for (const [label, size] of Object.entries(sizes)) {
-      const apart = stride(label, size, side[label], count);
-      copied(side[label], apart, 0, into, sides.length * width, start, size, count);
-      start += size;
-    }
-  });
-}
-
-/** Parts of rows by name; `every`: how many rows each sample has, of which the first is taken. */
-function parted(
-  sizes: Record<string, number>, out: Float64Array, count: number, every: number,
-  wanted: readonly string[] = Object.keys(sizes),
-): Samples {
-  const width = every * total(sizes);
-  const parts: Samples = {};
-  let start = 0;
-  for (const [label, size] of Object.entries(sizes)) {
-    if (wanted.includes(label)) {
-      parts[label] = new Float64Array(count * size);
-      copied(out, width, start, parts[label], size, 0, size, count);
-    }
-    start += size;
-  }
-  return parts;
-}
-
-/** Copy `size` numbers of each of `count` rows; of both sides: how far rows are apart, and where in a row to begin. */
-function copied(
-  from: Float64Array, fromRow: number, fromStart: number,
-  into: Float64Array, intoRow: number, intoStart: number, size: number, count: number,
-): void {
-  for (let k = 0; k < count; k++) {
-    const source = k * fromRow + fromStart;
-    const target = k * intoRow + intoStart;
-    for (let j = 0; j < size; j++) into[target + j] = from[source + j];
   }
 }

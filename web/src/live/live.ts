@@ -71,31 +71,45 @@ async function inPage(bundle: Bundle): Promise<Doer> {
   };
 }
 
-/** A worker that is ready, or null where this page may have none. */
+/** A worker that is ready, with a partner where that saves time; or null where this page may have none. */
 async function inWorker(bundle: Bundle): Promise<Doer | null> {
   if (typeof Worker === "undefined" || typeof document === "undefined") return null;
   const address = URL.createObjectURL(new Blob([source], { type: "text/javascript" }));
+  const workers: Worker[] = [];
   try {
-    const worker = new Worker(address);
-    if (await ready(worker, bundle)) return hired(worker);
-    worker.terminate();
+    const begun = () => {
+      workers.push(new Worker(address));
+      return workers[workers.length - 1];
+    };
+    const worker = begun();
+    const port = bundle.runs.reference && navigator.hardwareConcurrency > 1 ? withPartner(begun(), bundle) : undefined;
+    if (await ready(worker, bundle, port)) return hired(worker, workers);
   } catch {
     // A page that may have no worker works by itself.
   } finally {
     URL.revokeObjectURL(address);
   }
+  workers.forEach((worker) => worker.terminate());
   return null;
 }
 
-function ready(worker: Worker, bundle: Bundle): Promise<boolean> {
+/** The way to a worker that makes the nominal runs. */
+function withPartner(worker: Worker, bundle: Bundle): MessagePort {
+  const { port1, port2 } = new MessageChannel();
+  worker.postMessage({ kind: "partner", bundle, port: port2 } satisfies Asked, [port2]);
+  return port1;
+}
+
+function ready(worker: Worker, bundle: Bundle, port?: MessagePort): Promise<boolean> {
   return new Promise((resolve) => {
     worker.onmessage = ({ data }: MessageEvent<Answered>) => resolve(data.kind === "ready");
     worker.onerror = () => resolve(false);
-    worker.postMessage({ kind: "open", bundle } satisfies Asked);
+    worker.postMessage({ kind: "open", bundle, port } satisfies Asked, port ? [port] : []);
   });
 }
 
-function hired(worker: Worker): Doer {
+/** `all`: it, and who helps it. */
+function hired(worker: Worker, all: Worker[]): Doer {
   let latest = 0;
   let info: LiveRun | null = null;
   let waiting: { resolve(run: LiveRun): void; reject(problem: Error): void; progress: Progress; early: Early } | null =
@@ -125,7 +139,7 @@ function hired(worker: Worker): Doer {
     },
     close() {
       ended(new Superseded("the live model was closed"));
-      worker.terminate();
+      all.forEach((one) => one.terminate());
     },
   };
 }

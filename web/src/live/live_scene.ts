@@ -5,7 +5,7 @@ import type { LiveScene } from "../contract_parts";
 import type { Numbers } from "../pack";
 import { doubles, type Affine, type Bundle } from "./bundle";
 import type { Engine } from "./engine";
-import { linesAt, rowOf } from "./loads";
+import { linesAt, sizeOf } from "./loads";
 import type { Blocks } from "./map";
 import { rowsOf, sizes, type SeriesOf } from "./series";
 
@@ -109,11 +109,11 @@ export function poseOf(engine: Engine, bundle: Bundle, blocks: Blocks, q: Float6
   const line = new Float64Array(count * L * S * 3);
   const roots = new Float64Array(count * L * 4);
   const infos = bundle.links.map(({ name }) => bundle.carried.lines.find((one) => one.name === name) ?? null);
-  linesAt(engine, blocks, { q, v: still, a: still, base: doubles(bundle.base) }, count, (found, row, k) => {
+  linesAt(engine, blocks, { q, v: still, a: still, base: doubles(bundle.base) }, count, (found, k) => {
     bundle.links.forEach(({ name }, l) => {
       const info = infos[l];
       const place = (k * L + l) * 4;
-      const own = rowOf(found[name], row, bundle, info);
+      const own = found(name, sizeOf(bundle, info));
       roots.set(quaternion(info ? own.subarray(info.at.rotation[0]) : own), place);
       if (k) steady(roots, place, 4 * L);
       for (let s = 0; s < S; s += 1) {

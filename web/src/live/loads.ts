@@ -94,10 +94,10 @@ export function loadsOf(
     all.wrenches = wrenchesOf(bundle, blocks, schedule, times, series);
   const rows = Object.entries(all).map(([name, data]) => [name, rowsOf(data, data.length / times.length, looked)]);
   const inputs: Samples = { ...Object.fromEntries(rows), base: doubles(bundle.split.weight) };
-  linesAt(engine, blocks, inputs, looked.length, (found, row, k) => {
+  linesAt(engine, blocks, inputs, looked.length, (found, k) => {
     const frame = frameOf.get(looked[k]);
     lines.forEach((line, l) => {
-      const own = rowOf(found[line.name], row, bundle, line);
+      const own = found(line.name, sizeOf(bundle, line));
       watch(links[l], line, own, places.data, looked[k]);
       if (frame !== undefined) keep(links[l], line, own, frame, shown.data);
     });
@@ -105,16 +105,15 @@ export function loadsOf(
   return { links, every };
 }
 
+/** The first `size` numbers of a link at one sample: they stand in the module's memory, and only during the visit. */
+export type Found = (name: string, size: number) => Float64Array;
+
 /**
- * The function `line` at `count` samples, some at a time: `visit` gets what was found, which of its rows, and which
- * sample that is. Without wrenches there are none on the points.
+ * The function `line` at `count` samples, some at a time: `visit` gets what was found at each. Without wrenches there
+ * are none on the points.
  */
 export function linesAt(
-  engine: Engine,
-  blocks: Blocks,
-  given: Samples,
-  count: number,
-  visit: (found: Samples, row: number, sample: number) => void,
+  engine: Engine, blocks: Blocks, given: Samples, count: number, visit: (found: Found, sample: number) => void,
 ): void {
   const { inputs, outputs } = engine.layout.samples.line;
   const together = Math.max(1, Math.floor(TOGETHER / Object.values(outputs).reduce((sum, size) => sum + size, 1)));
@@ -125,15 +124,20 @@ export function linesAt(
       const rows = given[name] ?? new Float64Array(size);
       part[name] = rows.length === size ? rows : rows.subarray(first * size, (first + many) * size);
     }
-    const found = engine.sample("line", blocks.line, part, many);
-    for (let row = 0; row < many; row += 1) visit(found, row, first + row);
+    const { all, width, starts } = engine.rows("line", blocks.line, part, many);
+    for (let row = 0; row < many; row += 1) {
+      const found = (name: string, size: number) => {
+        const start = row * width + starts[name];
+        return all.subarray(start, start + size);
+      };
+      visit(found, first + row);
+    }
   }
 }
 
-/** The numbers of one link at a row: of its places, or of a rigid one (no info) its axes, its root and its end. */
-export function rowOf(found: Float64Array, row: number, bundle: Bundle, info: LineInfo | null): Float64Array {
-  const size = info ? bundle.carried.places.data.length * info.width : 15;
-  return found.subarray(row * size, (row + 1) * size);
+/** The numbers of one link: of its places, or of a rigid one (no info) its axes, its root and its end. */
+export function sizeOf(bundle: Bundle, info: LineInfo | null): number {
+  return info ? bundle.carried.places.data.length * info.width : 15;
 }
 
 function linkOf({ name, at }: LineInfo, length: number, kept: number): LinkLoads {

@@ -3,7 +3,11 @@
 import type { LiveRun } from "../contract_parts";
 import type { Bundle } from "./bundle";
 
-export type Asked = { kind: "open"; bundle: Bundle } | { kind: "run"; id: number; values: number[] };
+/** `port`: of who opens to their partner, and of that partner, who makes the nominal runs and answers nobody else. */
+export type Asked =
+  | { kind: "open"; bundle: Bundle; port?: MessagePort }
+  | { kind: "partner"; bundle: Bundle; port: MessagePort }
+  | { kind: "run"; id: number; values: number[] };
 
 export type Answered =
   | { kind: "ready" }

@@ -5,8 +5,9 @@ import type { LiveRun } from "../contract_parts";
 import { causesOf } from "./causes";
 import { factsOf } from "./run_facts";
 import { limitFact } from "./load_facts";
-import { moved, type Name, type Regime } from "./regime";
-import { compared, seenOf, seriesOf, type Seen } from "./run_series";
+import type { Nominal, Planner } from "./nominal";
+import { moved, type Regime } from "./regime";
+import { compared, firstOf, seenOf, seriesOf } from "./run_series";
 import type { Bundle } from "./bundle";
 import type { Engine } from "./engine";
 import type { Watch } from "./engine_run";
@@ -26,29 +27,16 @@ export interface Curves {
   reported: (facts: Facts) => Facts;
 }
 
-/** The nominal run, which many sliders leave as it is, and what was seen of it. */
-export interface Nominal {
-  regime: Regime;
-  seen: Map<number, Seen>;
-}
-
-/** Raises an error where the run cannot start. `kept`: the nominal run before. */
+/** Raises an error where the run cannot start. `kept`: the nominal run before, which many sliders leave as it is. */
 export async function curvesOf(
-  engine: Engine, bundle: Bundle, values: readonly number[], watch: Watch, kept: Kept<Nominal>,
+  engine: Engine, bundle: Bundle, values: readonly number[], watch: Watch, kept: Kept<Nominal>, planner: Planner,
 ): Promise<Curves> {
   const began = performance.now();
-  const share = bundle.runs.reference ? 1 / 2 : 1;
-  const make = (name: Name, before: number) => () => {
-    const progress = (part: number) => watch.progress?.(before + share * part);
-    return moved(engine, bundle, values, name, numbersOf(bundle.map, values, name), { ...watch, progress });
-  };
-  const nominal = bundle.runs.reference && (await kept.of(numbersOf(bundle.map, values, "reference"), async () => (
-    { regime: await make("reference", 0)(), seen: new Map<number, Seen>() })));
-  const real = await make("real", 1 - share)();
+  const [nominal, real] = await bothMoved(engine, bundle, values, watch, kept, planner);
   const seconds = (performance.now() - began) / 1000;
   const count = Math.min(real.run.times.length, nominal?.regime.run.times.length ?? Infinity);
   const own = seenOf(engine, bundle, real, count);
-  const planned = nominal && plannedOf(engine, bundle, nominal, count);
+  const planned = nominal && firstOf(nominal.seen, nominal.regime.run.times.length, count);
   const times = real.run.times.subarray(0, count);
   const series = {
     ...seriesOf(engine, bundle, real, own, count), ...(planned ? compared(bundle, own, planned, count) : {}),
@@ -70,9 +58,26 @@ export async function curvesOf(
   return { run, real, facts, reported };
 }
 
-function plannedOf(engine: Engine, bundle: Bundle, { regime, seen }: Nominal, count: number): Seen {
-  const known = seen.get(count) ?? seenOf(engine, bundle, regime, count);
-  seen.clear();
-  seen.set(count, known);
-  return known;
+/** The nominal robot, where there is one, and the actual one in motion, at once where somebody else has the former. */
+async function bothMoved(
+  engine: Engine, bundle: Bundle, values: readonly number[], watch: Watch, kept: Kept<Nominal>, planner: Planner,
+): Promise<[Nominal | undefined, Regime]> {
+  const shares = bundle.runs.reference ? [0, 0] : [0];
+  const part = (k: number): Watch => ({
+    ...watch,
+    progress: (share) => {
+      shares[k] = share;
+      watch.progress?.(shares.reduce((sum, one) => sum + one, 0) / shares.length);
+    },
+  });
+  const own = () => moved(engine, bundle, values, "real", numbersOf(bundle.map, values, "real"), part(0));
+  if (!bundle.runs.reference) return [undefined, await own()];
+  const other = async () => {
+    const made = await kept.of(numbersOf(bundle.map, values, "reference"), () => planner.plan(values, part(1)));
+    shares[1] = 1;
+    return made;
+  };
+  if (planner.apart) return Promise.all([other(), own()]);
+  const nominal = await other();
+  return [nominal, await own()];
 }

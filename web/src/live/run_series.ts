@@ -11,22 +11,52 @@ import { rowsAt } from "./signals";
 export interface Seen {
   regime: Regime;
   model: Samples;
+  tip: Float64Array; // [n, 3]
+}
+
+/** The same with the motion of all points. */
+export interface Moving extends Seen {
   points: Float64Array; // [n, points, 24]
 }
 
 const POINT = 24;
 
-/** What is known of the first `count` samples. */
-export function seenOf(engine: Engine, bundle: Bundle, regime: Regime, count: number): Seen {
+/** What a regime's model reports of the first `count` samples. */
+function observed(engine: Engine, regime: Regime, count: number): Samples {
   const time = regime.run.times.subarray(0, count);
   const state = regime.run.states.subarray(0, count * (regime.run.states.length / regime.run.times.length));
-  const row = rowsAt(regime.schedule, time);
-  const inputs = { time, state, row, step: new Float64Array(1) };
-  const model = engine.sample(`${regime.name}.observe`, regime.blocks.parameters, inputs, count);
+  const inputs = { time, state, row: rowsAt(regime.schedule, time), step: new Float64Array(1) };
+  return engine.sample(`${regime.name}.observe`, regime.blocks.parameters, inputs, count);
+}
+
+/** What is known of the first `count` samples of the actual robot. */
+export function seenOf(engine: Engine, bundle: Bundle, regime: Regime, count: number): Moving {
+  const model = observed(engine, regime, count);
   const { q, v, a } = model;
-  const base = doubles(bundle.base);
-  const { points } = engine.sample("inertia", regime.blocks.chain, { q, v, a, base }, count, ["points"]);
-  return { regime, model, points };
+  const { points } = engine.sample("points", regime.blocks.chain, { q, v, a, base: doubles(bundle.base) }, count);
+  return { regime, model, points, tip: columns(points, points.length / count, [9, 10, 11]) };
+}
+
+/** The same of the nominal one. */
+export function plannedOf(engine: Engine, bundle: Bundle, regime: Regime, count: number): Seen {
+  const model = observed(engine, regime, count);
+  return { regime, model, tip: tipAt(engine, bundle, regime, model.q, count) };
+}
+
+/** What is known of the first `count` of all samples. */
+export function firstOf(seen: Seen, all: number, count: number): Seen {
+  if (count === all) return seen;
+  const first = (values: Float64Array) => values.subarray(0, (values.length / all) * count);
+  const model = Object.fromEntries(Object.entries(seen.model).map(([name, values]) => [name, first(values)]));
+  return { ...seen, model, tip: first(seen.tip) };
+}
+
+/** Where the tip [n, 3] is at coordinates q [n, nq]. */
+export function tipAt(
+  engine: Engine, bundle: Bundle, { blocks }: Regime, q: Float64Array, count: number,
+): Float64Array {
+  const still = new Float64Array(q.length / count);
+  return engine.sample("tip", blocks.chain, { q, v: still, a: still, base: doubles(bundle.base) }, count).tip;
 }
 
 /** Kinetic, of gravity, of gears, of links [n, 4]. */
@@ -51,8 +81,8 @@ function energiesOf(engine: Engine, bundle: Bundle, { regime, model: { q, v } }:
 }
 
 /** The series that the actual robot has by itself. */
-export function seriesOf(engine: Engine, bundle: Bundle, real: Regime, own: Seen, count: number): SeriesOf {
-  const { model, points } = own;
+export function seriesOf(engine: Engine, bundle: Bundle, real: Regime, own: Moving, count: number): SeriesOf {
+  const { model, points, tip } = own;
   const energy = energiesOf(engine, bundle, own, count);
   const n = model.q.length / count;
   const drives = model.gear.length / count;
@@ -81,7 +111,7 @@ export function seriesOf(engine: Engine, bundle: Bundle, real: Regime, own: Seen
     deformation: shaped(affine(bundle.deflections, model.q, count), count, bundle.deformations.length),
     position: shaped(vectors(9), count, places, 3), velocity: shaped(vectors(12), count, places, 3),
     acceleration: shaped(vectors(18), count, places, 3), rotation: shaped(axes, count, places, 3, 3),
-    tip: shaped(columns(points, places * POINT, [9, 10, 11]), count, 3),
+    tip: shaped(tip, count, 3),
     tip_velocity: shaped(columns(points, places * POINT, [12, 13, 14]), count, 3),
     energy: shaped(energy, count, 4), work: shaped(work, count, work.length / count),
     energy_balance: shaped(energyBalance(energy, work, count, 3), count),
@@ -105,8 +135,6 @@ export function seriesOf(engine: Engine, bundle: Bundle, real: Regime, own: Seen
 /** Those that need the nominal run: what it does, and how far the actual robot is from it. */
 export function compared(bundle: Bundle, own: Seen, planned: Seen, count: number): SeriesOf {
   const n = planned.model.q.length / count;
-  const places = planned.points.length / count / POINT;
-  const [tip, wanted] = [own, planned].map(({ points }) => columns(points, places * POINT, [9, 10, 11]));
   const series: SeriesOf = {
     q_nominal: shaped(planned.model.q, count, n),
     v_nominal: shaped(planned.model.v, count, n),
@@ -116,8 +144,8 @@ export function compared(bundle: Bundle, own: Seen, planned: Seen, count: number
       bundle.deformations.length,
     ),
     gear_torque_nominal: shaped(planned.model.gear, count, planned.model.gear.length / count),
-    tip_nominal: shaped(wanted, count, 3),
-    deviation: shaped(sizes(difference(tip, wanted), 3), count),
+    tip_nominal: shaped(planned.tip, count, 3),
+    deviation: shaped(sizes(difference(own.tip, planned.tip), 3), count),
   };
   if (bundle.contactPoint >= 0)
     series.contact_force_normal_nominal = shaped(columns(planned.model.contact, 6, [3]), count);

@@ -7,20 +7,23 @@ import { Cancelled, type Watch } from "./engine_run";
 import { Kept } from "./kept";
 import { completed } from "./later";
 import { picturedOf } from "./pictured";
-import { curvesOf, type Nominal } from "./run";
+import { planHere, planThere, serve, type Nominal } from "./nominal";
+import { curvesOf } from "./run";
 
 export interface Runner {
   /** `early` hears the curves, then these with the picture, and what of them must stay here for what takes longer. */
   run(values: readonly number[], watch: Watch, early?: (run: LiveRun, needed: unknown) => void): Promise<LiveRun>;
 }
 
-/** The runner of a bundle; compiles its module. */
-export async function openRunner(bundle: Bundle): Promise<Runner> {
-  const engine = await Engine.open(bundle.module.data as Uint8Array<ArrayBuffer>, bundle.layout);
+/** The runner of a bundle; compiles its module. `partner`: at its other end somebody makes the nominal runs. */
+export async function openRunner(bundle: Bundle, partner?: MessagePort): Promise<Runner> {
+  const engine = await openEngine(bundle);
   const kept = new Kept<Nominal>();
+  const own = planHere(engine, bundle);
+  const planner = partner ? planThere(partner, own) : own;
   return {
     async run(values, watch, early = () => undefined) {
-      const curves = await curvesOf(engine, bundle, values, watch, kept);
+      const curves = await curvesOf(engine, bundle, values, watch, kept, planner);
       const { real, run: { times, series } } = curves;
       const needed = [times, series, real];
       early(curves.run, needed);
@@ -31,4 +34,13 @@ export async function openRunner(bundle: Bundle): Promise<Runner> {
       return completed(engine, bundle, values, pictured, real, watch);
     },
   };
+}
+
+/** Makes the nominal runs of a bundle for who asks at the other end of `port`. */
+export async function openPlanner(bundle: Bundle, port: MessagePort): Promise<void> {
+  serve(port, planHere(await openEngine(bundle), bundle));
+}
+
+function openEngine({ module, layout }: Bundle): Promise<Engine> {
+  return Engine.open(module.data as Uint8Array<ArrayBuffer>, layout);
 }

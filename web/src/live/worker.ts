@@ -3,7 +3,7 @@
 import type { LiveRun } from "../contract_parts";
 import { Cancelled } from "./engine_run";
 import { beyond, buffersIn, type Answered, type Asked } from "./messages";
-import { openRunner, type Runner } from "./runner";
+import { openPlanner, openRunner, type Runner } from "./runner";
 
 interface Scope {
   onmessage: ((event: MessageEvent<Asked>) => void) | null;
@@ -17,13 +17,17 @@ let before: Promise<void> = Promise.resolve();
 
 scope.onmessage = ({ data }) => {
   if (data.kind === "open") {
-    openRunner(data.bundle).then(
+    openRunner(data.bundle, data.port).then(
       (opened) => {
         runner = opened;
         scope.postMessage({ kind: "ready" });
       },
       (problem) => scope.postMessage({ kind: "failed", message: String(problem) }),
     );
+    return;
+  }
+  if (data.kind === "partner") {
+    openPlanner(data.bundle, data.port).catch(() => undefined); // who asks then makes nominal runs without a partner
     return;
   }
   const { id, values } = data;

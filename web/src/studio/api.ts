@@ -57,10 +57,13 @@ export interface Job {
   state: "waiting" | "running" | "done" | "error" | "cancelled";
   stage: string;
   share: number;
-  /** `unseen`: shapes of links that cannot be shown; `offer`: drives that would move a robot that nothing moves. */
+  /**
+   * `unseen`: shapes of links that cannot be shown; `offer`: drives that would move a robot that nothing moves;
+   * `structure`: the same for runs of which one can be drawn upon another's page.
+   */
   info: {
     status?: string; success?: boolean; message?: string; seconds?: Record<string, number>; unseen?: Wrong[];
-    offer?: Json[];
+    offer?: Json[]; structure?: string;
   };
   errors: Wrong[];
 }
@@ -69,6 +72,24 @@ export interface Job {
 export interface StudioPage extends Page {
   times: Numbers;
   series: Record<string, Numbers>;
+}
+
+/** What of it changes with a number: no charts, whose curves are the series, and of the scene what moves. */
+export interface StudioChange {
+  runs: [ChangedRun];
+  times: Numbers;
+  series: Record<string, Numbers>;
+}
+
+type ChangedRun =
+  Pick<Page["runs"][0], "name" | "status" | "success" | "message" | "warnings" | "facts" | "line"> & {
+    scene: Omit<Page["runs"][0]["scene"], "links" | "joints" | "meshes">;
+  };
+
+/** The page upon which a change is drawn, as the server knows it, and the series that its charts are drawn of. */
+export interface Upon {
+  structure: string;
+  series: string[];
 }
 
 export class Refused extends Error {
@@ -114,9 +135,11 @@ export const api = {
   save: (name: string, sheet: Sheet, looks: string, overwrite: boolean) =>
     json<{ saved: string }>(`api/studies/${named(name)}`, "PUT", { sheet, looks, overwrite }),
   upload: (files: { name: string; content: string }[]) => json<SheetInfo>("api/upload", "POST", { files }),
-  begin: (product: string, wish: Wish, client: string) => json<Job>("api/jobs", "POST", { product, ...wish, client }),
+  begin: (product: string, wish: Wish, client: string, series?: string[]) =>
+    json<Job>("api/jobs", "POST", { product, ...wish, client, ...(series ? { series } : {}) }),
   look: (job: string, wait: number) => json<Job>(`api/jobs/${named(job)}?wait=${wait}`),
   cancel: (job: string) => json<Job>(`api/jobs/${named(job)}`, "DELETE"),
   bytes: async (job: string) => new Uint8Array(await (await asked(`api/jobs/${named(job)}/content`)).arrayBuffer()),
   page: async (job: string) => unpack(await api.bytes(job)) as StudioPage,
+  change: async (job: string) => unpack(await api.bytes(job)) as StudioChange,
 };

@@ -1,14 +1,14 @@
 // What the studio says: how a run ended and how long it took, progress, and what is wrong and where.
 
 import { button, make } from "../dom";
-import type { Job, StudioPage, Wrong } from "./api";
+import type { Job, StudioChange, StudioPage, Wrong } from "./api";
 
 export interface Messages {
   element: HTMLElement;
   say(text: string): void;
   loaded(from: string, warnings: string[]): void;
   progress(stage: string, share: number): void;
-  done(page: StudioPage, job: Job, milliseconds: number): void;
+  done(page: StudioPage | StudioChange, job: Job, milliseconds: number): void;
   /** What of the robot's looks cannot be shown. */
   unseen(notices: Wrong[], go: (notice: Wrong) => void): void;
   /** Whether the server is away, in words. */

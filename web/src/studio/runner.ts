@@ -1,6 +1,6 @@
 // From a sheet to a page's data: one run at a time, the newest wish counts, a long run can be ended.
 
-import { api, Refused, type Job, type StudioPage, type Wish, type Wrong } from "./api";
+import { api, Refused, type Job, type StudioChange, type StudioPage, type Upon, type Wish, type Wrong } from "./api";
 import { copy } from "./sheet";
 
 /** A run that takes longer is ended when something else is wanted [ms]. */
@@ -11,8 +11,12 @@ const CALM = 500;
 
 export interface Listener {
   begun(): void;
+  /** The page upon which a change of its numbers can be drawn; null: all of a page is needed. */
+  upon(): Upon | null;
   progress(job: Job, milliseconds: number): void;
   done(page: StudioPage, job: Job, milliseconds: number): void;
+  /** The same of a change of what is shown. */
+  changed(change: StudioChange, job: Job, milliseconds: number): void;
   /** The same run with its modes. */
   whole(page: StudioPage): void;
   wrong(errors: Wrong[]): void;
@@ -73,21 +77,32 @@ export class Runner {
 
   private async run(wish: Wish, began: number): Promise<void> {
     this.listener.begun();
-    let job = await api.begin("curves", wish, this.client);
+    const upon = this.listener.upon();
+    let job = await this.watched(upon ? "change" : "curves", wish, began, upon?.series);
+    const other = upon !== null && job.state === "done" && job.info.structure !== upon.structure;
+    if (other) job = await this.watched("curves", wish, began); // of another structure: the server has its run
+    if (job.state === "error") this.listener.wrong(job.errors);
+    else if (job.state === "cancelled") {
+      if (this.wanted === null) this.listener.cancelled();
+    } else {
+      if (upon && !other) {
+        const change = await api.change(job.job);
+        this.listener.changed(change, job, performance.now() - began);
+      } else this.listener.done(await api.page(job.job), job, performance.now() - began);
+      this.calm = window.setTimeout(() => void this.modes(wish), CALM);
+    }
+  }
+
+  /** A job up to its end, which may be ended meanwhile. */
+  private async watched(product: string, wish: Wish, began: number, series?: string[]): Promise<Job> {
+    let job = await api.begin(product, wish, this.client, series);
     if (this.running) this.running.job = job.job;
     if (this.running?.unwanted) await api.cancel(job.job);
     while (job.state === "waiting" || job.state === "running") {
       job = await api.look(job.job, POLL);
       if (job.state === "running") this.listener.progress(job, performance.now() - began);
     }
-    if (job.state === "error") this.listener.wrong(job.errors);
-    else if (job.state === "cancelled") {
-      if (this.wanted === null) this.listener.cancelled();
-    } else {
-      const page = await api.page(job.job);
-      this.listener.done(page, job, performance.now() - began);
-      this.calm = window.setTimeout(() => void this.modes(wish), CALM);
-    }
+    return job;
   }
 
   /** The modes of a run that is shown, of which nothing has changed since; who lacks them misses no curve. */

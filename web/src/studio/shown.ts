@@ -4,31 +4,53 @@ import type { Page } from "../contract";
 import { make } from "../dom";
 import type { LiveRun } from "../contract_parts";
 import { mountPage, type PageView } from "../page";
-import type { Job, StudioPage } from "./api";
+import type { Job, StudioChange, StudioPage, Upon } from "./api";
 
 export class Shown {
   private view: PageView | null = null;
   private base: StudioPage | null = null;
-  private last: StudioPage | null = null;
+  /** The run that is shown: all of a page, or what changed upon the one before. */
+  private last: StudioPage | StudioChange | null = null;
   private job: Job | null = null;
+  private keeping = false; // whether the next page is the ghost of those to come
 
   constructor(private readonly element: HTMLElement) {}
 
+  /** The page upon which a change of its numbers can be drawn; null: there is none, or another one is wanted. */
+  get upon(): Upon | null {
+    const structure = this.job?.info.structure;
+    if (!this.view || !this.base?.runs[0].charts.length || !structure || this.keeping) return null;
+    return { structure, series: Object.keys(this.base.series) };
+  }
+
   /** Show a run: upon the one that is there where they are of one kind, else afresh. */
   show(page: StudioPage, job: Job): void {
+    const upon = this.view && !this.keeping && this.base && alike(this.base, page) ? this.view : null;
+    if (upon) this.draw(upon, page, job);
+    else {
+      [this.last, this.job] = [page, job];
+      this.mount(page);
+    }
+  }
+
+  /** Show a run upon the page that is there. */
+  change(change: StudioChange, job: Job): void {
+    if (this.view) this.draw(this.view, change, job);
+  }
+
+  private draw(view: PageView, page: StudioPage | StudioChange, job: Job): void {
     [this.last, this.job] = [page, job];
-    if (this.view && this.base && alike(this.base, page)) {
-      this.view.show(asLive(page, job));
-      this.view.showModes([]); // those of the run before are no longer true
-    } else this.mount(page);
+    view.show(asLive(page, job));
+    view.showModes([]); // those of the run before are no longer true
   }
 
   /** The same run as is shown, whose modes and slower numbers are known by now. */
   complete(page: StudioPage): void {
-    if (!this.last || !this.job || !this.view) return;
+    if (!this.last || !this.job || !this.view || !this.base) return;
     if (this.last === this.base) return this.view.complete(page.runs[0]);
-    [this.last.runs[0].modes, this.last.runs[0].facts] = [page.runs[0].modes, page.runs[0].facts];
-    this.view.show({ ...asLive(this.last, this.job), vibration: "they are shown here" });
+    this.last = page;
+    if (!alike(this.base, page)) return this.mount(page);
+    this.view.show({ ...asLive(page, this.job), vibration: "they are shown here" });
     this.view.showModes(page.runs[0].modes);
   }
 
@@ -37,15 +59,18 @@ export class Shown {
     return this.view === null;
   }
 
-  /** Take the run that is shown as the ghost of those to come. */
-  keep(): void {
-    if (this.last) this.mount(this.last);
+  /** Take the run that is shown as the ghost of those to come; false: not all of it is here, but of the next one. */
+  keep(): boolean {
+    if (this.last && !whole(this.last)) this.keeping = true;
+    else if (this.last) this.mount(this.last);
+    return !this.keeping;
   }
 
   /** Show nothing of the robot before: another one comes, and its numbers are not those. */
   forget(): void {
     this.view?.dispose();
     this.view = this.base = this.last = this.job = null;
+    this.keeping = false;
     this.element.replaceChildren(make("p", { class: "empty", text: "Nothing is shown yet." }));
   }
 
@@ -55,6 +80,7 @@ export class Shown {
     this.view?.dispose();
     this.element.replaceChildren();
     this.base = page;
+    this.keeping = false;
     this.view = mountPage(this.element, page);
     this.view.clock.speed = speed;
     if (clock) this.view.clock.seek(time);
@@ -77,7 +103,11 @@ function alike(base: Page, page: Page): boolean {
   );
 }
 
-function asLive(page: StudioPage, job: Job): LiveRun {
+function whole(page: StudioPage | StudioChange): page is StudioPage {
+  return "title" in page;
+}
+
+function asLive(page: StudioPage | StudioChange, job: Job): LiveRun {
   const run = page.runs[0];
   const series = Object.entries(page.series).map(
     ([name, values]) =>

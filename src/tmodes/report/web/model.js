@@ -1,4 +1,4 @@
-/* tmodes, built from c6b805146741e941; BSD-3-Clause */
+/* tmodes, built from 58d0e7dbc44a340a; BSD-3-Clause */
 
 // src/live/engine_error.ts
 var EngineError = class extends Error {
@@ -12,6 +12,60 @@ function known(entries, name, what) {
 }
 function expect(which, got, expected) {
   if (got !== expected) throw new EngineError(`${which}: got ${got} numbers; expected ${expected}`);
+}
+
+// src/live/engine_rows.ts
+function total(sizes) {
+  return Object.values(sizes).reduce((sum, size) => sum + size, 0);
+}
+function stride(label, size, given, count) {
+  if (given === void 0) throw new EngineError(`${label}: got nothing; expected ${size} numbers for each sample`);
+  if (given.length === count * size) return size;
+  expect(label, given.length, size);
+  return 0;
+}
+function packRows(into, sizes, sides, count) {
+  const width = total(sizes);
+  const row = sides.length * width;
+  const varying = [];
+  let start = 0;
+  for (const side of sides) {
+    for (const [label, size] of Object.entries(sizes)) {
+      if (stride(label, size, side[label], count)) varying.push([side[label], start, size]);
+      else into.set(side[label], start);
+      start += size;
+    }
+  }
+  if (varying.length < Object.keys(sizes).length * sides.length) repeated(into, row, count);
+  for (const [from, place, size] of varying) copied(from, size, 0, into, row, place, size, count);
+}
+function repeated(into, row, count) {
+  for (let filled = row; filled < count * row; filled *= 2)
+    into.copyWithin(filled, 0, Math.min(filled, count * row - filled));
+}
+function parted(sizes, out, count, every, wanted = Object.keys(sizes)) {
+  const width = every * total(sizes);
+  const parts = {};
+  let start = 0;
+  for (const [label, size] of Object.entries(sizes)) {
+    if (wanted.includes(label)) {
+      parts[label] = new Float64Array(count * size);
+      copied(out, width, start, parts[label], size, 0, size, count);
+    }
+    start += size;
+  }
+  return parts;
+}
+function copied(from, fromRow, fromStart, into, intoRow, intoStart, size, count) {
+  if (fromRow === size && intoRow === size) {
+    into.set(from.subarray(fromStart, fromStart + count * size), intoStart);
+    return;
+  }
+  for (let k = 0; k < count; k++) {
+    const source = k * fromRow + fromStart;
+    const target = k * intoRow + intoStart;
+    for (let j = 0; j < size; j++) into[target + j] = from[source + j];
+  }
 }
 
 // src/live/engine.ts
@@ -47,6 +101,18 @@ var Engine = class _Engine {
     expect(`${name}: parameters`, parameters.length, info.parameters);
     const out = this.schedule(info, parameters, [inputs], count);
     return parted(info.outputs, out, count, 1, wanted);
+  }
+  /** The same as it is in the module's memory, until the next call: rows in which each output begins at its start. */
+  rows(name, parameters, inputs, count) {
+    const info = known(this.layout.samples, name, "function");
+    expect(`${name}: parameters`, parameters.length, info.parameters);
+    const starts = {};
+    let width = 0;
+    for (const [label, size] of Object.entries(info.outputs)) {
+      starts[label] = width;
+      width += size;
+    }
+    return { all: this.schedule(info, parameters, [inputs], count), width, starts };
   }
   /**
    * The same with exact derivatives along `directions` of the inputs (zero where none is given): of a function that has
@@ -120,46 +186,6 @@ async function instantiated(wasm, layout) {
   } catch (problem) {
     const needed = layout.simd ? ", with vectors (SIMD)" : "";
     throw new EngineError(`WebAssembly: got ${String(problem)}; expected a browser that allows it${needed}`);
-  }
-}
-function total(sizes) {
-  return Object.values(sizes).reduce((sum, size) => sum + size, 0);
-}
-function stride(label, size, given, count) {
-  if (given === void 0) throw new EngineError(`${label}: got nothing; expected ${size} numbers for each sample`);
-  if (given.length === count * size) return size;
-  expect(label, given.length, size);
-  return 0;
-}
-function packRows(into, sizes, sides, count) {
-  const width = total(sizes);
-  sides.forEach((side, s) => {
-    let start = s * width;
-    for (const [label, size] of Object.entries(sizes)) {
-      const apart = stride(label, size, side[label], count);
-      copied(side[label], apart, 0, into, sides.length * width, start, size, count);
-      start += size;
-    }
-  });
-}
-function parted(sizes, out, count, every, wanted = Object.keys(sizes)) {
-  const width = every * total(sizes);
-  const parts = {};
-  let start = 0;
-  for (const [label, size] of Object.entries(sizes)) {
-    if (wanted.includes(label)) {
-      parts[label] = new Float64Array(count * size);
-      copied(out, width, start, parts[label], size, 0, size, count);
-    }
-    start += size;
-  }
-  return parts;
-}
-function copied(from, fromRow, fromStart, into, intoRow, intoStart, size, count) {
-  for (let k = 0; k < count; k++) {
-    const source = k * fromRow + fromStart;
-    const target = k * intoRow + intoStart;
-    for (let j = 0; j < size; j++) into[target + j] = from[source + j];
   }
 }
 
