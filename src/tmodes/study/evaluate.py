@@ -43,7 +43,7 @@ def evaluated(study: Study, first: int, values: Array, progress: Progress, threa
     quantities, units = _quantities(study, parameters, part)
     return Rows(
         first + np.arange(len(values)), parameters, quantities, units, part.status, part.reason, part.method,
-        part.seconds, {first + k: motion for k, motion in part.kept.items()},
+        part.seconds, {first + k: motion for k, motion in part.kept.items()}, part.errors,
     )  # fmt: skip
 
 
@@ -136,7 +136,7 @@ def _repeated(part: Part, size: int, kept: list[int]) -> Part:
         part.status * size, part.reason * size, part.method * size, np.full(size, part.seconds[0] / size),
         {key: np.repeat(values, size) for key, values in part.numbers.items()}, part.units,
         {key: dict.fromkeys(range(size), reasons[0]) for key, reasons in part.reasons.items() if 0 in reasons},
-        {k: part.kept[0] for k in kept if 0 in part.kept},
+        {k: part.kept[0] for k in kept if 0 in part.kept}, np.repeat(part.errors, size),
     )  # fmt: skip
 
 

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 __all__ = ["OWN_COLUMNS", "ROW_GROUP", "grouped", "refuse_names", "table_of", "write_table"]
 
-OWN_COLUMNS = ("case", "label", "status", "reason", "method", "seconds")
+OWN_COLUMNS = ("case", "label", "status", "reason", "method", "seconds", "errors")
 """Columns next to those of the parameters and quantities."""
 
 ROW_GROUP = 100_000
@@ -95,6 +95,7 @@ def table_of(study: Study, rows: Rows, labels: Mapping[int, str], facts: Mapping
     for name in ("status", "reason", "method"):
         add(name, list(getattr(rows, name)), pa.string())
     add("seconds", rows.seconds, pa.float64(), unit="s")
+    add("errors", rows.errors, pa.float64(), unit="-", title="sum of the estimated errors of all steps")
     return pa.Table.from_arrays(columns, schema=pa.schema(fields, metadata=dict(facts)))
 
 
