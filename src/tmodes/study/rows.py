@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -56,7 +57,7 @@ class Rows:
     def __len__(self) -> int:
         return len(self.case)
 
-    @property
+    @cached_property
     def good(self) -> NDArray[np.bool_]:
         """Which cases reached their end, (m,)."""
         return np.array([status in GOOD for status in self.status], dtype=bool)
