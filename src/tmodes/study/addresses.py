@@ -15,7 +15,7 @@ from tmodes.kinds.registry import outside_digest
 if TYPE_CHECKING:
     from tmodes.study.study import Study
 
-__all__ = ["base_of", "canonical", "cases_address", "engine_of_blocks", "restricted"]
+__all__ = ["base_of", "canonical", "cases_address", "engine_of_blocks", "in_order", "restricted"]
 
 _NOT_OF_A_CASE = ("distribution", "title")
 """Keys of a parameter that say which values it has, or what it is called: not what a value means."""
@@ -24,6 +24,11 @@ _NOT_OF_A_CASE = ("distribution", "title")
 def canonical(data: Any) -> bytes:
     """Plain data as bytes, the same for the same data."""
     return json.dumps(data, sort_keys=True, separators=(",", ":")).encode()
+
+
+def in_order(data: Any) -> bytes:
+    """Plain data as bytes that keep their order: that of parameters is that of columns."""
+    return json.dumps(data, separators=(",", ":")).encode()
 
 
 def _digest(*parts: bytes) -> str:

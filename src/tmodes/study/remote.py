@@ -16,7 +16,7 @@ import numpy as np
 
 from tmodes.errors import InputError, SimulationError
 from tmodes.simulation.batch.runner import PROCESSOR, Runner
-from tmodes.study.addresses import base_of, canonical, engine_of_blocks, restricted
+from tmodes.study.addresses import base_of, engine_of_blocks, in_order, restricted
 from tmodes.study.blocks import Block, label_of, pack
 from tmodes.study.study import Study
 from tmodes.study.task import Task
@@ -54,7 +54,7 @@ def order(study: Study, task: Task, threads: int | None = None) -> bytes:
         "data": dict(study.data), "first": task.first, "shape": list(task.values.shape), "threads": threads,
         "quantities": list(task.quantities), "keep": list(task.keep), "engine": engine_of_blocks(),
     }  # fmt: skip
-    return canonical(head) + b"\n" + np.ascontiguousarray(task.values, "<f8").tobytes()
+    return in_order(head) + b"\n" + np.ascontiguousarray(task.values, "<f8").tobytes()
 
 
 def compute_block(asked: bytes) -> bytes:
@@ -77,7 +77,7 @@ def _computed(asked: bytes) -> bytes:
         )
     values = np.frombuffer(numbers, "<f8").reshape(head["shape"])
     task = Task(head["first"], values, tuple(head["quantities"]), tuple(head["keep"]))
-    return pack(compute(_study(canonical(head["data"])), task, head["threads"] or _own_threads()))
+    return pack(compute(_study(in_order(head["data"])), task, head["threads"] or _own_threads()))
 
 
 def _own_threads() -> int:

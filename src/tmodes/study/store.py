@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from tmodes.errors import ResultFileError
 from tmodes.io.atomic import FolderLock, atomic_write, check_writable, file_error, remove_orphans
-from tmodes.study.addresses import base_of, canonical, cases_address, engine_of_blocks
+from tmodes.study.addresses import base_of, canonical, cases_address, engine_of_blocks, in_order
 from tmodes.study.blocks import Block, Label, label_of, pack, refused, unpack
 from tmodes.study.cover import Cover, covered
 from tmodes.study.rows import Rows
@@ -124,7 +124,7 @@ class Folder:
             "cases": len(self.values), "data": dict(self.study.data),
         }  # fmt: skip
         with atomic_write(self.path / STUDY_FILE) as path:
-            path.write_bytes(canonical(info | {"digest": _digest(info)}) + b"\n")
+            path.write_bytes(in_order(info | {"digest": _digest(info)}) + b"\n")
         self.blocks.mkdir(exist_ok=True)
 
     def room(self) -> int:

@@ -21,7 +21,7 @@ from tmodes.study.result import StudyResult
 from tmodes.study.rows import Rows
 from tmodes.study.study import Study
 
-__all__ = ["figure_data", "write_page"]
+__all__ = ["shown_data", "write_page"]
 
 Progress = Callable[[str, float], None]
 
@@ -52,9 +52,9 @@ def write_page(
     return Path(path)
 
 
-def figure_data(result: StudyResult, progress: Progress = lambda stage, share: None) -> dict[str, Any]:
-    """What :func:`tmodes.plot.studies.save_study_figures` draws: the data of the page, without a report."""
-    return _shown(result, _columns(result.study, result.rows, {}), progress)
+def shown_data(result: StudyResult, progress: Progress, **found: Any) -> dict[str, Any]:
+    """The data of the page, without a report; ``found`` as of :func:`write_page`."""
+    return _shown(result, _columns(result.study, result.rows, {}), progress, **found)
 
 
 def _shown(result: StudyResult, info: Mapping[str, ColumnInfo], progress: Progress, **more: Any) -> dict[str, Any]:
