@@ -100,14 +100,15 @@ def _of_robot(
 
 def _checked(
     plain: Any, robot: Robot | None, positions: Mapping[str, int], source: str, problems: list[Problem],
-    places: tuple[str, ...], functions: Functions, folder: Path | None,
+    filled: tuple[str, ...], functions: Functions, folder: Path | None,
 ) -> Study:  # fmt: skip
-    """The study of complete plain data, in which text stands for numbers at ``places`` alone."""
-    sheet: StudySheet = checked_sheet(plain, positions, source, places, most=MOST_VALUES, further=lambda _: problems)
+    """The study of complete plain data, in which text stands for numbers at the places ``filled`` alone."""
+    sheet: StudySheet = checked_sheet(plain, positions, source, filled, most=MOST_VALUES, further=lambda _: problems)
     if problems:
         raise located(problems, plain, positions, source)
     data = {"study": sheet.model_dump(mode="json", exclude_defaults=True), "robot": robot and sheet_data(robot)}
-    study = Study(sheet, robot, data, folder, functions)
+    places = {name: f"{source}:{nearest_line(f'quantities.{name}', positions)}" for name in sheet.quantities if source}
+    study = Study(sheet, robot, data, folder, functions, places)
     if wrong := list(study_problems(study, functions_known=bool(source))):
         raise located(wrong, plain, positions, source)
     return study
