@@ -3,19 +3,62 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, overload
 
 import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.io.atomic import file_error
 from tmodes.study.extra import needed
-from tmodes.study.rows import GOOD, STATUS
+from tmodes.study.rows import GOOD, STATUS, Rows
 
 __all__ = ["Columns"]
+
+_AT_ONCE = 100_000
+"""Words that are in memory one by one."""
+
+
+@dataclass(frozen=True, eq=False)
+class _Words(Sequence[str]):
+    """Many words of which few differ: ``codes`` (k,) are their places in ``known``."""
+
+    codes: NDArray[np.int32]
+    known: list[str]
+
+    def __len__(self) -> int:
+        return len(self.codes)
+
+    @overload
+    def __getitem__(self, index: int) -> str: ...
+    @overload
+    def __getitem__(self, index: slice) -> Sequence[str]: ...
+    def __getitem__(self, index: int | slice) -> str | Sequence[str]:
+        found = self.codes[index]
+        return self.known[int(found)] if np.ndim(found) == 0 else _Words(np.asarray(found), self.known)
+
+    def __iter__(self) -> Iterator[str]:
+        for first in range(0, len(self.codes), _AT_ONCE):
+            yield from map(self.known.__getitem__, self.codes[first : first + _AT_ONCE].tolist())
+
+
+@dataclass(frozen=True, eq=False)
+class _Read(Mapping[str, NDArray[np.float64]]):
+    """Columns of numbers by their names."""
+
+    columns: Columns
+    names: Sequence[str]
+
+    def __len__(self) -> int:
+        return len(self.names)
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self.names)
+
+    def __getitem__(self, name: str) -> NDArray[np.float64]:
+        return self.columns.numbers(name)
 
 
 @dataclass(frozen=True)
@@ -45,6 +88,32 @@ class Columns:
             found[first : first + len(values)] = values
             first += len(values)
         return found
+
+    @property
+    def facts(self) -> dict[str, str]:
+        """What the table says of where it comes from."""
+        known = self._file().schema_arrow.metadata or {}
+        return {key.decode(): text.decode() for key, text in known.items() if key.startswith(b"tmodes.")}
+
+    def words(self, name: str) -> Sequence[str]:
+        """A column of words, each kept once."""
+        file, known = self._file(), dict[str, int]()
+        codes, first = np.empty(file.metadata.num_rows, dtype=np.int32), 0
+        for part in file.iter_batches(columns=[name]):
+            found = part.column(0).dictionary_encode()
+            own = [known.setdefault(word, len(known)) for word in found.dictionary.to_pylist()]
+            codes[first : first + len(found)] = np.array(own, dtype=np.int32)[found.indices.to_numpy()]
+            first += len(found)
+        return _Words(codes, list(known))
+
+    def rows(self, parameters: Sequence[str], quantities: Sequence[str]) -> Rows:
+        """All rows, without motions; a column of numbers is read when it is asked for, and not kept."""
+        units = {name: self.unit(name) for name in quantities}
+        nothing = np.broadcast_to(np.nan, (self.cases,))
+        return Rows(
+            np.arange(self.cases), _Read(self, parameters), _Read(self, quantities), units,
+            self.words("status"), self.words("reason"), self.words("method"), self.numbers("seconds"), errors=nothing,
+        )  # fmt: skip
 
     def unit(self, name: str) -> str:
         """Unit of a column, empty where none is known."""
