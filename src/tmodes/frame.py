@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["Placement", "along"]
+__all__ = ["Placement", "along", "rotation_vector"]
 
 Array = NDArray[np.float64]
 
@@ -35,3 +35,39 @@ def along(parts: ArrayLike) -> Array:
     size = np.linalg.norm(total, axis=-1, keepdims=True)
     unit = np.divide(total, size, out=np.zeros_like(total), where=size > 0)
     return np.einsum("...ki,...i->...k", parts, unit)
+
+
+SMALL = 1e-3
+"""Angle [rad] below which the length of a rotation vector is taken from a series, exact to rounding."""
+
+
+def rotation_vector(rotation: ArrayLike) -> Array:
+    """The rotation vector (3,) [rad] of a rotation matrix (3, 3): its axis times its angle, at most pi long.
+
+    By the quaternion, from its largest component (Shepperd, Quaternion from Rotation Matrix, J. Guid. Control 1, 1978).
+    """
+    matrix = np.asarray(rotation, dtype=float)
+    trace = np.trace(matrix)
+    candidates = [*np.diag(matrix), trace]
+    largest = int(np.argmax(candidates))
+    if largest == 3:
+        quaternion = np.array([*_skew(matrix), 1 + trace])
+    else:
+        i, j, k = largest, (largest + 1) % 3, (largest + 2) % 3
+        quaternion = np.empty(4)
+        quaternion[i] = 1 - trace + 2 * matrix[i, i]
+        quaternion[j] = matrix[j, i] + matrix[i, j]
+        quaternion[k] = matrix[k, i] + matrix[i, k]
+        quaternion[3] = matrix[k, j] - matrix[j, k]
+    quaternion /= np.linalg.norm(quaternion)
+    if quaternion[3] < 0:
+        quaternion = -quaternion
+    vector, real = quaternion[:3], quaternion[3]
+    angle = 2 * np.arctan2(np.linalg.norm(vector), real)
+    small = angle <= SMALL
+    return vector * (2 + angle**2 / 12 + 7 * angle**4 / 2880 if small else angle / np.sin(angle / 2))
+
+
+def _skew(matrix: Array) -> list[float]:
+    """Twice the axis times the sine of the angle."""
+    return [matrix[2, 1] - matrix[1, 2], matrix[0, 2] - matrix[2, 0], matrix[1, 0] - matrix[0, 1]]

@@ -9,6 +9,7 @@ import tmodes
 from tmodes.analysis.describe.describe import describe
 from tmodes.analysis.modes.of_sheet import sheet_frequencies
 from tmodes.errors import InputError, InputErrors
+from tmodes.io.sheet_check import sheet_data
 from tmodes.simulation.vary import static_numbers as module
 from tmodes.simulation.vary.static_numbers import static_numbers
 
@@ -100,6 +101,25 @@ def test_as_sheet_by_sheet(drawn, monkeypatch):
     assert found.values["mass"][2] == pytest.approx(info["total_mass_kg"], rel=1e-12)
     modes = sheet_frequencies(case)["locked"]
     assert found.values["frequency.locked.2"][2] == pytest.approx(modes[1]["frequency_Hz"], rel=1e-9)
+
+
+def test_dimensions_of_sections_are_curves(monkeypatch):
+    """The wall of a tube over a wide range, with a payload: all cases at once, as sheet by sheet."""
+    data = sheet_data(arm(gravity=9.81, functions=3))
+    data["links"][0]["beam"] |= {
+        "section": {"shape": "tube", "outer_diameter": 0.04, "thickness": 0.002},
+        "material": {"young": 70e9, "shear": 26e9, "density": 2700.0},
+    }
+    robot, generator = tmodes.Robot.from_data(data), np.random.default_rng(3)
+    wall = "links.link.beam.section.thickness"
+    vary = {wall: generator.uniform(5e-4, 1e-2, 200), MASS: generator.uniform(1.2, 1.8, 200)}
+    with monkeypatch.context() as patched:
+        patched.delattr(module._Rows, "_one")  # no case goes by itself
+        found = static_numbers(robot, vary, NAMES)
+    monkeypatch.setattr(module, "_FEW", 10**9)
+    true = static_numbers(robot, {path: values[:5] for path, values in vary.items()}, NAMES)
+    for name in NAMES:
+        assert found.values[name][:5] == pytest.approx(true.values[name], rel=1e-9, abs=1e-12), name
 
 
 def test_first_frequency_of_a_summary():

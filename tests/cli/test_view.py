@@ -152,7 +152,7 @@ def test_an_arm_that_nothing_moves_is_shown_too():
 
 
 def test_runs_are_named_by_the_fewest_values_that_tell_them_apart(runs):
-    """Equal sheets have no such names; where one value tells two runs apart, the third needs another."""
+    """Equal sheets have no such names; where one value differs between two runs, the third needs another."""
     soft, stiff = (Result.load(path / "result.nc") for path in runs)
     heavy = tmodes.run(stiff.robot.with_({"payload.mass": 0.7, "integration.output_step": 0.02}))
     assert names_by_difference([soft, soft]) is None

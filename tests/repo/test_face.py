@@ -30,6 +30,27 @@ def test_robots_are_loaded_without_plotting_and_compiler() -> None:
     assert loaded.strip() == "[]"
 
 
+def test_the_command_line_is_parsed_without_what_computes() -> None:
+    """Help and a wrong option are answered before anything heavy is loaded."""
+    heavy = ("casadi", "llvmlite", "matplotlib", "numpy", "pydantic", "rich", "scipy", "xarray")
+    loaded = in_fresh_python(f"import sys, tmodes.cli.main; print([n for n in {heavy} if n in sys.modules])")
+    assert loaded.strip() == "[]"
+
+
+@pytest.mark.parametrize("command", ["check", "modes", "describe"])
+def test_commands_that_only_read_load_neither_figures_nor_scipy(command: str) -> None:
+    """Each would take as long to load as the rest of the command."""
+    code = (
+        "import sys; from tmodes.cli.main import main\n"
+        f"sys.argv = ['tmodes', '{command}', 'spong1987']\n"
+        "try:\n    main()\n"
+        "finally:\n    print([n for n in ('matplotlib', 'pandas', 'scipy', 'xarray') if n in sys.modules])"
+    )
+    *shown, loaded = in_fresh_python(code).splitlines()
+    assert shown
+    assert loaded == "[]"
+
+
 def test_names_are_sorted_and_shown() -> None:
     assert list(tmodes.__all__) == sorted(tmodes.__all__)
     assert set(tmodes.__all__) <= set(dir(tmodes))

@@ -7,10 +7,13 @@ from typing import Any
 
 import pytest
 
+import command
 import tmodes
 import tmodes.analysis.statics.equilibrium
 import tmodes.chain.lowering
+import tmodes.io.yaml_file
 import tmodes.result.assemble
+import tmodes.result.result
 import tmodes.simulation.start
 from arm.see.runs import swinging
 from tmodes.analysis.modes.of_sheet import sheet_frequencies
@@ -26,20 +29,22 @@ def counts(monkeypatch: pytest.MonkeyPatch) -> Counter[str]:
     tmodes.analysis.statics.equilibrium._solved.clear()
     found: Counter[str] = Counter()
 
-    def counted(module: Any, name: str) -> None:
-        own = getattr(module, name)
-
-        def counting(*arguments: Any, **named: Any) -> Any:
-            found[name] += 1
-            return own(*arguments, **named)
-
-        monkeypatch.setattr(module, name, counting)
-
-    counted(tmodes.analysis.statics.equilibrium, "equilibrium")
-    counted(tmodes.chain.lowering, "lowered")
+    count(found, monkeypatch, tmodes.analysis.statics.equilibrium, "equilibrium")
+    count(found, monkeypatch, tmodes.chain.lowering, "lowered")
     for name in ("line_series", "frequencies_about", "after_move", "summary_errors", "end_modes"):
-        counted(tmodes.result.assemble, name)
+        count(found, monkeypatch, tmodes.result.assemble, name)
     return found
+
+
+def count(counts: Counter[str], monkeypatch: pytest.MonkeyPatch, module: Any, name: str) -> None:
+    """Count the calls of a function of a module."""
+    own = getattr(module, name)
+
+    def counting(*arguments: Any, **named: Any) -> Any:
+        counts[name] += 1
+        return own(*arguments, **named)
+
+    monkeypatch.setattr(module, name, counting)
 
 
 def short(**more: Any) -> Robot:
@@ -97,6 +102,48 @@ def test_each_analysis_is_made_once(counts, tmp_path):
     assert back.settling == result.settling
     assert back.frequencies == first
     assert counts == expected
+
+
+def test_a_summary_is_made_once_and_belongs_to_who_asked(monkeypatch):
+    """What is done to it changes no later one; of a dataset that its owner may change it is made each time."""
+    result = tmodes.run(short(real={}))
+    made: list[Any] = []
+    own = tmodes.result.result.summarise_result
+
+    def counting(*given: Any) -> Any:
+        made.append(given)
+        return own(*given)
+
+    monkeypatch.setattr(tmodes.result.result, "summarise_result", counting)
+    first = result.summary()
+    first["joints"].clear()
+    assert result.summary()["joints"]
+    assert len(made) == 1
+    assert result.summary(0.01)["settling"]["band"] == 0.01
+    assert len(made) == 2
+    result.data.attrs["status"] = "stopped"
+    assert result.summary()["status"] == "stopped"
+
+
+@pytest.mark.parametrize(("name", "rests"), [("spong1987", 3), ("filipovic2010", 4)])
+def test_a_whole_command_computes_each_quantity_once(name, rests, counts, monkeypatch, tmp_path):
+    """The file read, the summary, each robot's chain; rests: at the start and at the end, actual and nominal robot."""
+    robots: list[Robot] = []
+    own = tmodes.chain.lowering.lowered
+
+    def lowered(robot: Robot) -> Any:
+        robots.append(robot)
+        return own(robot)
+
+    monkeypatch.setattr(tmodes.chain.lowering, "lowered", lowered)
+    for module, called in ((tmodes.io.yaml_file, "parse_yaml"), (tmodes.result.result, "summarise_result")):
+        count(counts, monkeypatch, module, called)
+    command.tmodes("run", name, "--out", tmp_path / "run")
+    assert (tmp_path / "run" / "report.html").exists()
+    once = {one: counts[one] for one in ("parse_yaml", "summarise_result", "line_series", "summary_errors")}
+    assert once == dict.fromkeys(once, 1)
+    assert counts["equilibrium"] == rests
+    assert len({id(robot) for robot in robots}) == len(robots)
 
 
 def test_frequencies_missing_in_a_file_follow_from_its_sheet(counts):

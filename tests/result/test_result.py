@@ -1,4 +1,4 @@
-"""The Result: what it tells, what it saves, what it gives back."""
+"""The Result: what it says, what it saves, what it gives back."""
 
 from __future__ import annotations
 

@@ -13,7 +13,7 @@ import pytest
 from arm.see.runs import result_of
 from see.looking import OPTIONS, WITHOUT_WEBGL
 from see.scene_window import scene_pages
-from tmodes import load, run
+from tmodes import load, plot, run
 from tmodes.report import write_report
 from tmodes.result import Result
 
@@ -106,3 +106,12 @@ def bare(engine: Any, chromium: str) -> Iterator[Any]:
 def pages(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str], Path]:
     """Pages with nothing but a scene, by name."""
     return scene_pages(tmp_path_factory.mktemp("scenes"))
+
+
+@pytest.fixture(scope="session")
+def drawn_figures(good: Result, tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, list[tuple[int, int, str]]]:
+    """Every figure of the good run in every format, and the progress of drawing them."""
+    info: list[tuple[int, int, str]] = []
+    place = tmp_path_factory.mktemp("figures")
+    plot.save_figures(good, place, ("svg", "png", "pdf"), progress=lambda *step: info.append(step))
+    return place, info

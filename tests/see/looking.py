@@ -39,12 +39,18 @@ def look(
     scheme: str = "light",
     *,
     unfolded: bool = False,
+    busy: bool = False,
     **more: Any,
 ) -> Window:
-    """Open a page, and listen; return when its program has started. ``unfolded``: with all its sliders in sight."""
+    """Open a page, and listen; return when its program has started.
+
+    ``unfolded``: with all its sliders in sight; ``busy``: it never has time for what is out of sight.
+    """
     viewport = {"width": size[0], "height": size[1]}
     context = browser.new_context(viewport=viewport, color_scheme=scheme, reduced_motion="reduce", **more)
     context.set_default_timeout(WAIT)
+    if busy:
+        context.add_init_script("window.requestIdleCallback = () => 0")
     window = Window(context.new_page())
     window.page.on(
         "console", lambda message: any(word in message.text for word in SLOW) or window.said.append(message.text)

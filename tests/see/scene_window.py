@@ -58,8 +58,10 @@ class Window:
         """The canvas as pixels, without what is written over it."""
         from PIL import Image
 
-        self.do("document.querySelectorAll('.scene-note').forEach((note) => (note.style.display = 'none'))")
+        notes = "document.querySelectorAll('.scene-note').forEach((note) => (note.style.visibility = '{}'))"
+        self.do(notes.format("hidden"))  # where they are, the robot is not: they keep their places
         shot = self.page.locator(".scene-view").screenshot()
+        self.page.evaluate(notes.format(""))
         return np.asarray(Image.open(io.BytesIO(shot)).convert("RGB")).astype(np.int16)
 
     def choose(self, thing: str) -> None:
@@ -113,7 +115,7 @@ def built(folder: Path) -> str:
 def run_of(result: Any, name: str) -> dict[str, Any]:
     """What the page gets of a run, as far as the scene needs it."""
     return {"name": name, "duration": float(result.data["time"][-1]), "scene": scene_of(result),
-            "line": line_of(result), "modes": modes_of(result)}  # fmt: skip
+            "line": line_of(result), "modes": modes_of(result), "charts": [{}]}  # fmt: skip
 
 
 def scene_pages(folder: Path) -> Callable[[str], Path]:
@@ -134,7 +136,8 @@ def scene_pages(folder: Path) -> Callable[[str], Path]:
                 '<!doctype html><html lang=en><meta charset=utf-8><meta name="color-scheme" content="light dark">'
                 f"<title>{name}</title>"
                 f'<meta http-equiv="Content-Security-Policy" content="{POLICY.format(digest)}">'
-                "<style>body { margin: 0; background: light-dark(#fff, #111) } #place { height: 320px }</style>"
+                "<style>body { margin: 0; background: light-dark(#fff, #111) } #place { height: calc(100vh - 20px) }"
+                "</style>"
                 '<div id="place"></div>'
                 f'<script type="text/plain" id="tmodes-data">{data}</script><script>{program}</script>',
                 encoding="utf-8",

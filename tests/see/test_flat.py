@@ -119,7 +119,8 @@ def test_it_is_seen_where_webgl_shows_it_and_follows_a_lost_context(
     browser: Any, bare: Any, pages: Callable[[str], Path]
 ) -> None:
     """The arrow of the contact force is in the same place, drawn either way; and again, once the context is lost."""
-    window, flat = look(browser, pages("robot")), look(bare, pages("robot"))
+    large = {"viewport": {"width": 460, "height": 640}}  # the arrow is thicker than a pixel
+    window, flat = look(browser, pages("robot"), **large), look(bare, pages("robot"), **large)
     for one in (window, flat):
         one.do("clock.seek(0.15)")
         one.choose("surface")

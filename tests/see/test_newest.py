@@ -1,4 +1,4 @@
-"""What is out of sight is not drawn, and what comes into sight, or is saved, is the newest; nothing is made twice."""
+"""What is out of sight waits for time; what comes into sight, or is saved, is the newest; nothing is made twice."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def window(browser: Any, tmp_path_factory: pytest.TempPathFactory) -> Any:
     """Its report, open."""
     path = tmp_path_factory.mktemp("newest") / "report.html"
     path.write_text(short_report(), encoding="utf-8")
-    window = look(browser, path, LOW, unfolded=True)
+    window = look(browser, path, LOW, unfolded=True, busy=True)
     window.page.wait_for_selector(f"{STATUS}:text('Move a slider')")
     return window
 

@@ -15,6 +15,8 @@ from tmodes import plot
 from tmodes.errors import InputError, ResultFileError
 from tmodes.result import Result
 
+Drawn = tuple[Path, list[tuple[int, int, str]]]
+
 HASHES = """
 import hashlib, sys
 from pathlib import Path
@@ -28,17 +30,8 @@ print("report", hashlib.sha256(page(result).encode()).hexdigest())
 """
 
 
-@pytest.fixture(scope="module")
-def folder(good: Result, tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, list[tuple[int, int, str]]]:
-    """Every figure of the good run in every format, and the progress of drawing them."""
-    info: list[tuple[int, int, str]] = []
-    place = tmp_path_factory.mktemp("figures")
-    plot.save_figures(good, place, ("svg", "png", "pdf"), progress=lambda *step: info.append(step))
-    return place, info
-
-
-def test_every_figure_in_every_format(good: Result, folder: tuple[Path, list[tuple[int, int, str]]]) -> None:
-    place, info = folder
+def test_every_figure_in_every_format(good: Result, drawn_figures: Drawn) -> None:
+    place, info = drawn_figures
     names = list(plot.all_figures(good))
     assert {path.name for path in place.iterdir()} == {f"{n}.{kind}" for n in names for kind in ("svg", "png", "pdf")}
     assert info == [(k, len(names), name) for k, name in enumerate([*names, ""])]
@@ -48,7 +41,7 @@ def test_every_figure_in_every_format(good: Result, folder: tuple[Path, list[tup
 
 
 def test_the_same_bytes_in_any_process_on_any_day(
-    good: Result, folder: tuple[Path, list[tuple[int, int, str]]], reports: dict[str, Path], tmp_path: Path
+    good: Result, drawn_figures: Drawn, reports: dict[str, Path], tmp_path: Path
 ) -> None:
     """As here, of the stored result: in a process of another day, place and order of hashes."""
     stored = good.save(tmp_path / "result.nc")
@@ -57,7 +50,9 @@ def test_the_same_bytes_in_any_process_on_any_day(
         [sys.executable, "-W", "error", "-c", HASHES, str(stored), str(tmp_path / "there")], stdout=subprocess.PIPE,
         text=True, check=True, env=os.environ | {"PYTHONPATH": os.pathsep.join(sys.path)} | there,
     )  # fmt: skip
-    files = [folder[0] / f"{name}.{kind}" for name in ("joint_efforts", "tip_path") for kind in ("svg", "png", "pdf")]
+    files = [
+        drawn_figures[0] / f"{name}.{kind}" for name in ("joint_efforts", "tip_path") for kind in ("svg", "png", "pdf")
+    ]
     contents = {file.name: file.read_bytes() for file in files} | {"report": reports["good"].read_bytes()}
     hashes = [f"{name} {hashlib.sha256(content).hexdigest()}" for name, content in contents.items()]
     assert done.stdout.splitlines() == hashes

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from patience import steady
+from patience import steady, until
 from result.synthetic import synthetic_result
 from see.looking import SIZES, Window, look
 from tmodes.report.data import page_data
@@ -144,14 +144,14 @@ def test_charts_are_on_paper(browser: Any, compared: Path, reports: dict[str, Pa
     shown, printed = [], []
     for scheme in ("light", "dark"):
         page = look(browser, compared if kind == "compared" else reports["good"], (1280, 640), scheme).page
-        page.wait_for_selector(".chart-grid canvas")
+        count = page.locator(".chart-grid .chart").count()
+        until(lambda page=page, count=count: page.locator(".chart-grid .chart canvas").count() == count, "all charts")
         before = page.evaluate(PAPER)
-        assert len(before) < page.locator(".chart-grid .chart").count()
         shown.append(before)
         page.evaluate("dispatchEvent(new Event('beforeprint'))")
         page.emulate_media(media="print")
         printed.append(page.evaluate(PAPER))
-        assert len(printed[-1]) == page.locator(".chart-grid .chart").count() > 4
+        assert len(printed[-1]) == count > 4
         assert page.locator(".scene-view").is_hidden()
         assert page.locator(".facts-panel").is_visible()
         page.emulate_media(media="screen")

@@ -88,9 +88,11 @@ def test_it_is_silent_alone_and_within_its_window(browser: Any, made: Path, size
     window.page.context.close()
 
 
-def test_axe_finds_nothing(window: Window) -> None:
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_axe_finds_nothing(window: Window, scheme: str) -> None:
     if not AXE.is_file():
         pytest.skip("needs axe-core: npm ci in web/")
+    window.page.emulate_media(color_scheme=scheme)
     window.page.evaluate(AXE.read_text(encoding="utf-8"))
     found = window.page.evaluate("axe.run(document, {resultTypes: ['violations']})")
     assert [(one["id"], one["nodes"][0]["html"][:120]) for one in found["violations"]] == []

@@ -147,7 +147,7 @@ async function main(): Promise<void> {
   const bar = make(
     "header",
     { class: "bar top" },
-    make("strong", { text: "tmodes studio", class: "brand" }),
+    make("h1", { text: "tmodes studio", class: "brand" }),
     make("span", { class: "pick" }, make("label", { for: robots.id, text: "Robot" }), robots),
     uploadControl(host),
     studyControls(host),

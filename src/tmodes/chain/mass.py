@@ -9,7 +9,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.chain.chain import Axis, Chain, Joint, Node
-from tmodes.chain.lowering import lowered
 from tmodes.frame import Placement
 from tmodes.kinds.links.contract import Body
 from tmodes.kinds.schema.axes import cross_matrix
@@ -29,7 +28,7 @@ def massless_issues(robot: Robot) -> Iterator[Issue]:
 
     The robot is taken as rigid in a general position, so that a mass lies on an axis only where it always does.
     """
-    chain = lowered(robot)
+    chain = robot.chain()
     yield from _same_names(chain)
     sheets = {joint.name: index for index, joint in enumerate(robot.joints)}
     carried = _carried(chain)

@@ -6,7 +6,6 @@ from math import isfinite, prod
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
-import numpy as np
 import typer
 
 from tmodes.cli import options
@@ -14,6 +13,7 @@ from tmodes.cli.terminal import notice, print_json, print_table, working
 from tmodes.errors import InputError
 
 if TYPE_CHECKING:
+    import numpy as np
     from numpy.typing import NDArray
 
     from tmodes.sheet import Robot
@@ -106,6 +106,8 @@ def _drawn(texts: list[str]) -> dict[str, tuple[float, float]]:
 
 def _spread(texts: list[str]) -> dict[str, NDArray[np.float64]]:
     """Evenly spaced numbers of each path."""
+    import numpy as np
+
     ranges = {path: (low, high, _count(path, count)) for path, low, high, count in _ranges("--vary", texts)}
     cases = prod(count for _, _, count in ranges.values())
     if cases > MOST_CASES:
@@ -179,6 +181,8 @@ def _case(rows: Rows, paths: dict[str, str], k: int) -> dict[str, Any]:
 
 def _info(rows: Rows, paths: dict[str, str], cases: int) -> dict[str, Any]:
     """Least, median and largest of both distances, and the case with the largest; None for nothing."""
+    import numpy as np
+
     from tmodes.study.ranges import LARGEST
 
     largest = rows.quantities[LARGEST]
@@ -194,6 +198,8 @@ def _info(rows: Rows, paths: dict[str, str], cases: int) -> dict[str, Any]:
 
 
 def _least_median_most(values: NDArray[np.float64]) -> dict[str, float] | None:
+    import numpy as np
+
     known = values[np.isfinite(values)]
     if not len(known):
         return None

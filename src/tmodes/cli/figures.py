@@ -40,11 +40,10 @@ def figures(
     if (result / STUDY).is_file():
         _of_study(result, out or result / "figures", formats, names or None)
         return
-    stored, folder = stored_result(result), out or result_file(result).parent / "figures"
+    stored, file = stored_result(result), result_file(result)
+    folder = out or file.parent / "figures"
     with working() as progress:
-        written = save_figures(
-            stored, folder, formats, progress=lambda k, n, _: progress("figures", k / n), names=names or None
-        )
+        written = save_figures(stored, folder, formats, lambda k, n, _: progress("figures", k / n), names or None, file)
     print(f"wrote   {len(written)} files to {folder}")
 
 

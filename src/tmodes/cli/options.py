@@ -10,9 +10,10 @@ import typer
 from tmodes.errors import InputError
 from tmodes.io.atomic import file_error
 from tmodes.io.filipovic2010.reading import Reading
-from tmodes.robots.load import load, sheet_names
+from tmodes.robots.load import load_with_urdf, sheet_names
 
 if TYPE_CHECKING:
+    from tmodes.io.urdf import UrdfRobot
     from tmodes.result import Result
     from tmodes.sheet import Robot
 
@@ -33,6 +34,7 @@ __all__ = [
     "StopAtLimits",
     "Tolerance",
     "TrustPaths",
+    "chosen_robot",
     "chosen_sheet",
     "integration_changes",
     "plain",
@@ -147,17 +149,31 @@ def chosen_sheet(
     settings: list[str] | None,
     reading: Reading | None = None,
     contact: bool | None = None,
+    **how: Any,
+) -> Robot:
+    """The robot that a command line names, with its changes; arguments and errors of :func:`chosen_robot`."""
+    return chosen_robot(robot, settings, reading, contact, **how)[0]
+
+
+def chosen_robot(
+    robot: str,
+    settings: list[str] | None,
+    reading: Reading | None = None,
+    contact: bool | None = None,
     *,
     roots: list[Path] | None = None,
     trust_paths: bool = False,
     fix_inertia: bool = False,
     changes: dict[str, Any] | None = None,
-) -> Robot:
-    """The robot that a command line names, with its changes; raises an InputError for any wrong part."""
+) -> tuple[Robot, UrdfRobot | None]:
+    """The robot that a command line names, with its changes, and the URDF on which it stands.
+
+    Raises an InputError for any wrong part.
+    """
     from tmodes.io.units import parse_assignment
 
     info = dict(parse_assignment(text) for text in settings or []) | (changes or {})
-    sheet = load(robot, info, roots=roots or (), trust_paths=trust_paths, fix_inertia=fix_inertia)
+    sheet, urdf = load_with_urdf(robot, info, roots=roots or (), trust_paths=trust_paths, fix_inertia=fix_inertia)
     limited = any(joint.limits for joint in sheet.joints)
     refusals: tuple[tuple[Any, ...], ...] = (
         (
@@ -180,7 +196,7 @@ def chosen_sheet(
             raise InputError(*words)
     own: dict[str, Any] = {"reading": reading and reading.value, "contact": contact}
     own = {name: value for name, value in own.items() if value is not None}
-    return sheet.with_(own) if own else sheet
+    return sheet.with_(own) if own else sheet, urdf
 
 
 def integration_changes(**options: Any) -> dict[str, Any]:

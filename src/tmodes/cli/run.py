@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, NamedTuple
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
 from tmodes.cli import options
-from tmodes.cli.options import chosen_sheet
+from tmodes.cli.options import chosen_robot
 from tmodes.cli.show import opened
 from tmodes.cli.summary_text import print_run, result_record
 from tmodes.cli.terminal import TIMES, notice, print_json, print_table, warn, working
@@ -17,6 +17,7 @@ from tmodes.errors import SimulationError
 
 if TYPE_CHECKING:
     from tmodes.cli.terminal import Stages
+    from tmodes.io.urdf import UrdfRobot
     from tmodes.report.folder import RunFolder
     from tmodes.sheet import Robot
 
@@ -69,15 +70,14 @@ def run(
     )  # fmt: skip
     left_out = {"error_estimate": error_estimate, "model_error": model_error}
     changes |= {f"integration.{name}": False for name, wanted in left_out.items() if not wanted}
-    looks = _Looks(robot, root, trust_paths)
     with working() as progress:
         progress("reading", 0.0)
-        sheet = chosen_sheet(
+        sheet, urdf = chosen_robot(
             robot, settings, reading, contact, roots=root, trust_paths=trust_paths, fix_inertia=fix_inertia,
             changes=changes,
         )  # fmt: skip
         place = out or Path("results") / folder_name(sheet.name)
-        folder = _folder(place, sheet, overwrite, looks, live=live, spent=progress.spent if timing else None)
+        folder = _folder(place, sheet, overwrite, urdf, live=live, spent=progress.spent if timing else None)
         result = _computed(folder, sheet, progress, [folder.report] * report + [folder.draw] * figures)
     _say(result, folder, as_json, progress.spent if timing else {})
     if open_page and folder.report_file.exists():
@@ -86,21 +86,19 @@ def run(
         raise typer.Exit(130 if result.status == "interrupted" else 3)
 
 
-class _Looks(NamedTuple):
-    """Where the shapes of the links are: the robot as it was named, and where its files may lie."""
-
-    robot: str
-    roots: list[Path] | None
-    trust_paths: bool
-
-
 def _folder(
-    path: Path, sheet: Robot, overwrite: bool, looks: _Looks, *, live: bool, spent: Mapping[str, list[float]] | None
+    path: Path,
+    sheet: Robot,
+    overwrite: bool,
+    urdf: UrdfRobot | None,
+    *,
+    live: bool,
+    spent: Mapping[str, list[float]] | None,
 ) -> RunFolder:
     from tmodes.report.folder import RunFolder
-    from tmodes.report.meshes import read_shapes
+    from tmodes.report.meshes import shapes_of
 
-    shapes, notices = read_shapes(looks.robot, looks.roots or (), looks.trust_paths)
+    shapes, notices = shapes_of(urdf)
     for text in notices:
         notice(f"notice: {text}")
     return RunFolder(path, sheet, overwrite, shapes, live=live, spent=spent)

@@ -6,7 +6,6 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
-import numpy as np
 import typer
 
 from tmodes.cli.options import AsJson, Roots, TrustPaths
@@ -131,6 +130,8 @@ def _shown(found: Sensitivity) -> tuple[str, ...]:
 
 def _cell(found: Sensitivity, index: str, place: tuple[int, ...]) -> str:
     """A number and half of its interval."""
+    import numpy as np
+
     value = found.indices[index][place]
     if index not in found.intervals:
         return f"{value:.3g}"

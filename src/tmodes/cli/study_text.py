@@ -6,8 +6,6 @@ from math import isfinite
 from typing import TYPE_CHECKING, Any
 
 from tmodes.cli.terminal import notice, print_table
-from tmodes.study.rows import GOOD
-from tmodes.study.statistics import CONFIDENCE, statistics
 
 if TYPE_CHECKING:
     import numpy as np
@@ -40,6 +38,8 @@ def study_info(result: StudyResult) -> dict[str, Any]:
     Of the table one column at a time is in memory. Intervals of percentiles only where cases are drawn.
     """
     from tmodes.study.columns import Columns
+    from tmodes.study.rows import GOOD
+    from tmodes.study.statistics import CONFIDENCE
 
     columns, plan = Columns(result.parquet), type(result.study.sheet.plan)
     counts, failures = columns.counts(), columns.lost(MOST_REPORTED)
@@ -65,6 +65,8 @@ def study_info(result: StudyResult) -> dict[str, Any]:
 
 def _spread(values: NDArray[np.float64], unit: str, *, certain: bool) -> dict[str, Any]:
     """Numbers of a column; ``certain``: with intervals of the percentiles, null where too few cases give an end."""
+    from tmodes.study.statistics import statistics
+
     found = statistics(values, PERCENTILES)
     percents = {f"p{percent}": found.percentiles[percent] for percent in PERCENTILES}
     spread = {

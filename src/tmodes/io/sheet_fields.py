@@ -28,7 +28,7 @@ def inside(place: ChainPlace, step: Step, value: Any, steps: Sequence[Step], dat
 
     ``value`` is what stands at ``place``; ``steps`` lead from the root to the new place in ``data``.
     """
-    member = chosen(place.members, value)
+    member = chosen(place.members, value) or _with(place.members, step, value)
     if is_group(member):
         info = fields(member).get(str(step))
         return ChainPlace(form_of_field(info, value), info, _unit_at(own_unit(info), steps, data)) if info else None
@@ -39,6 +39,12 @@ def inside(place: ChainPlace, step: Step, value: Any, steps: Sequence[Step], dat
     if get_origin(member) is dict:
         return _item(place, get_args(member)[1], steps, data)
     return None
+
+
+def _with(members: Sequence[Any], step: Step, value: Any) -> Any:
+    """The first group with such a key, where the data do not say of which kind they are."""
+    groups = [member for member in members if is_group(member)] if isinstance(value, Mapping) else []
+    return next((group for group in groups if str(step) in fields(group)), None)
 
 
 def _item(place: ChainPlace, item: Any, steps: Sequence[Step], data: Any) -> ChainPlace:

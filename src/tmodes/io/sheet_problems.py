@@ -40,7 +40,7 @@ def sheet_problems(error: ValidationError, data: Any) -> list[Problem]:
     for detail in islice(error.errors(include_url=False), MOST_REPORTED):
         for steps, problem in _problems(detail, data):
             info.setdefault(steps, problem)
-    if homeless := [(str(steps[-1]), one) for steps, one in info.items() if one.hint == _REMOVE]:
+    if homeless := [(str(steps[-1]), one) for steps, one in info.items() if one.hint.startswith(_REMOVE)]:
         words = _words(data)
         for key, problem in homeless:
             if key in words:
@@ -111,7 +111,18 @@ def _unknown(steps: tuple[Step, ...], data: Any) -> InputError:
     group = named(steps[:-1], data)
     hint = f"did you mean `{group}.{close}`?" if close and group else f"did you mean `{close}`?"
     hint = hint if close and "." not in key else _elsewhere(key, data)
+    if hint == _REMOVE and (kinds := _unnamed(steps[:-1], data)):
+        hint = kinds
     return InputError("", "an unknown key", f"one of {', '.join(known) or 'the known keys'}", hint)
+
+
+def _unnamed(steps: tuple[Step, ...], data: Any) -> str:
+    """That a group may name its kind, where it does not, and so is taken for the one without a name."""
+    place, value = place_of(steps, data), at(data, *steps)
+    kinds = [kind_of(member) for member in place.members] if place and len(place.members) > 1 else []
+    words = [f"`{key}: {word}`" for key, names, default in kinds if default not in names for word in names]
+    keys_of_kinds = {key for key, _, _ in kinds}
+    return f"remove it, or name the kind: {', '.join(words)}" if words and not keys_of_kinds & {*value} else ""
 
 
 def _elsewhere(key: str, data: Any) -> str:
@@ -125,13 +136,22 @@ def _elsewhere(key: str, data: Any) -> str:
 def _missing(steps: tuple[Step, ...], data: Any) -> InputError:
     place = place_of(steps, data)
     expected = place.expected if place else "a value"
-    if place and place.info and place.info.description:
+    if kinds := _kinds(steps, data):
+        expected = f"one of {', '.join(kinds)}"
+    elif place and place.info and place.info.description:
         expected += f": {place.meaning}"
-    words = _possible(place.choices, steps, data) if place else []
+    words = _possible(_kinds(steps, data) or (place.choices if place else []), steps, data)
     lines = " or ".join(f"`{steps[-1]}: {choice}`" for choice in words or ["..."]) if steps else ""
     group = own_path(named(steps[:-1], data), data)
     inside = f" inside `{group}`" if group else ""
     return InputError("", "nothing", expected, f"add the line {lines}{inside}" if lines else "add it")
+
+
+def _kinds(steps: tuple[Step, ...], data: Any) -> list[str]:
+    """The kinds among which a key chooses, if it is the key that chooses one; the group's other kinds included."""
+    place = place_of(steps[:-1], data)
+    kinds = [kind_of(member) for member in place.members] if place and len(place.members) > 1 else []
+    return [str(word) for key, words, _ in kinds if key == steps[-1] for word in words]
 
 
 def _possible(choices: list[str], steps: tuple[Step, ...], data: Any) -> list[str]:

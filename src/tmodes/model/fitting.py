@@ -8,7 +8,8 @@ from itertools import combinations
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.model.forms import Form, Powers, Range, Unfit, share
+from tmodes.model.curves import Curve, Samples
+from tmodes.model.forms import Form, Powers, Product, Range, Unfit, share
 
 __all__ = ["fitted", "rounding"]
 
@@ -31,9 +32,17 @@ _MOST_TOGETHER = 4
 """Variables whose joint polynomial is looked for."""
 
 
-def fitted(evaluate: Evaluate, ranges: Sequence[Range], generator: np.random.Generator, trials: int = 3) -> Form:
+def fitted(
+    evaluate: Evaluate,
+    ranges: Sequence[Range],
+    generator: np.random.Generator,
+    trials: int = 3,
+    *,
+    curves: bool = False,
+) -> Form:
     """The form of a vector over all variables; what is infinite at the start (a rigid stiffness) must stay so.
 
+    ``curves``: what is no power of a variable may be a smooth function of it, which takes some tens of vectors.
     Raises :class:`Unfit` that names the variables without one.
     """
     start = evaluate({})
@@ -45,13 +54,13 @@ def fitted(evaluate: Evaluate, ranges: Sequence[Range], generator: np.random.Gen
             raise Unfit({max(values): "it makes what is rigid elastic"})
         return np.where(rigid, 0.0, found)
 
-    form = _verified(finite, tuple(ranges), generator, trials)
+    form = _verified(_Fit(finite, tuple(ranges), curves=curves), generator, trials)
     form.base[rigid] = start[rigid]
     return form
 
 
-def _verified(evaluate: Evaluate, ranges: tuple[Range, ...], generator: np.random.Generator, trials: int) -> Form:
-    fit = _Fit(evaluate, ranges)
+def _verified(fit: _Fit, generator: np.random.Generator, trials: int) -> Form:
+    ranges = fit.ranges
     for k in range(len(ranges)):
         fit.probe(k)
     if fit.unfit:
@@ -59,7 +68,7 @@ def _verified(evaluate: Evaluate, ranges: tuple[Range, ...], generator: np.rando
     form = fit.form()
     for _ in range(trials):
         values = {k: one.drawn(generator) for k, one in enumerate(ranges)}
-        found, true = form.at(values), evaluate(values)
+        found, true = form.at(values), fit.evaluate(values)
         allowed = np.maximum(_VERIFIED * np.maximum(np.abs(true), _reach(form, true)), rounding(true))
         wrong = ~(np.abs(found - true) <= allowed)
         if wrong.any():
@@ -88,10 +97,10 @@ _ENTANGLED = "its effect together with others has no simple form"
 class _Fit:
     """What is known so far; each point is evaluated once."""
 
-    def __init__(self, evaluate: Evaluate, ranges: tuple[Range, ...]) -> None:
-        self.evaluate, self.ranges = evaluate, ranges
+    def __init__(self, evaluate: Evaluate, ranges: tuple[Range, ...], *, curves: bool) -> None:
+        self.evaluate, self.ranges, self.curves = evaluate, ranges, curves
         self.base = evaluate({})
-        self.depends: dict[int, list[tuple[int, int]]] = {}
+        self.depends: dict[int, list[tuple[int, int | Curve]]] = {}
         self.unfit: dict[int, str] = {}
         self._known: dict[frozenset[int], Array] = {frozenset(): self.base}
 
@@ -121,33 +130,70 @@ class _Fit:
             entries = entries[~fits]
         change = np.maximum(np.abs(far - self.base), np.abs(between - self.base))[entries]
         entries = entries[change > rounding(size)[entries]]
+        if len(entries) and self.curves:
+            entries = self._curved(k, entries)
         if len(entries):
             self.unfit[k] = "its effect is no power of it"
+
+    def _curved(self, k: int, entries: NDArray[np.intp]) -> NDArray[np.intp]:
+        """Find curves of the numbers ``entries`` that are no power of a variable; those that have none are left."""
+        one = self.ranges[k]
+        samples = Samples(lambda value: self.evaluate({k: value}), one.low, one.high)
+        try:
+            while len(entries) and samples.refined():
+                entries = self._shared(k, entries, samples)
+        except Unfit:
+            return entries
+        return entries
+
+    def _shared(self, k: int, entries: NDArray[np.intp], samples: Samples) -> NDArray[np.intp]:
+        """Curves through some samples, each for all numbers that change alike; what has none is left."""
+        left: list[int] = []
+        step = self.far(frozenset([k])) - self.base
+        while len(entries):
+            found, size = samples.vectors[:, entries], np.abs(samples.vectors[:, entries]).max(axis=0)
+            first = int(np.argmax(np.abs(step[entries]) / size))
+            if step[entries[first]] == 0:
+                return np.array([*left, *entries.tolist()], dtype=np.intp)
+            shares = (found[:, first] - self.base[entries[first]]) / step[entries[first]]
+            curve = samples.curve(shares)
+            alike = np.abs(self.base[entries] + step[entries] * shares[:, None] - found).max(axis=0) <= _FITS * size
+            alike[first] = True
+            for entry in entries[alike].tolist():
+                if curve is None:
+                    left.append(entry)
+                else:
+                    self.depends.setdefault(entry, []).append((k, curve))
+            entries = entries[~alike]
+        return np.array(left, dtype=np.intp)
 
     def form(self) -> Form:
         """The form of all numbers."""
         every = self.far(frozenset(k for info in self.depends.values() if len(info) > 1 for k, _ in info))
         form = Form(self.base, self.ranges)
         for entry, powers in self.depends.items():
-            if self._is_product(entry, powers, every):
-                form.products[entry] = tuple(powers)
+            if product := self._product(entry, powers, every):
+                form.products[entry] = product
             else:
                 form.sums[entry] = self._terms(entry, powers, every)
         return form
 
-    def _is_product(self, entry: int, powers: list[tuple[int, int]], every: Array) -> bool:
-        ratio = 1.0
+    def _product(self, entry: int, powers: list[tuple[int, int | Curve]], every: Array) -> Product:
+        """The number as a product of powers; empty where it is none."""
+        ratio, found = 1.0, list[tuple[int, int]]()
         for k, p in powers:
             one = self.ranges[k]
-            if one.start == 0:
-                return False
+            if one.start == 0 or isinstance(p, Curve):
+                return ()
             own = (one.far / one.start) ** p
             if abs(self.far(frozenset([k]))[entry] - self.base[entry] * own) > _FITS * abs(self.base[entry] * own):
-                return False
+                return ()
             ratio *= own
-        return len(powers) == 1 or abs(every[entry] - self.base[entry] * ratio) <= _FITS * abs(every[entry])
+            found.append((k, p))
+        whole = len(powers) == 1 or abs(every[entry] - self.base[entry] * ratio) <= _FITS * abs(every[entry])
+        return tuple(found) if whole else ()
 
-    def _terms(self, entry: int, powers: list[tuple[int, int]], every: Array) -> list[tuple[float, Powers]]:
+    def _terms(self, entry: int, powers: list[tuple[int, int | Curve]], every: Array) -> list[tuple[float, Powers]]:
         """Coefficients by inclusion and exclusion of the corners; without mixed terms where none are needed."""
         alone = [(self._change(entry, (one,)), (one,)) for one in powers]
         total = self.base[entry] + sum(change for change, _ in alone)

@@ -1,7 +1,8 @@
 """A vector of numbers as exact functions of a few others.
 
 Each number is a product of powers of those that it depends on, or a polynomial that is linear in each of their powers:
-a mass, a stiffness, the duration of a move enter the numbers of a robot in no other way.
+a mass, a stiffness, the duration of a move enter the numbers of a robot in no other way. The dimensions of a section
+do so by curves in place of powers.
 """
 
 from __future__ import annotations
@@ -14,7 +15,9 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["Form", "Powers", "Range", "Unfit", "share"]
+from tmodes.model.curves import Curve
+
+__all__ = ["Form", "Powers", "Product", "Range", "Unfit", "share"]
 
 Array = NDArray[np.float64]
 
@@ -56,20 +59,23 @@ class Unfit(Exception):
         self.reasons = reasons
 
 
-Powers = tuple[tuple[int, int], ...]
+Product = tuple[tuple[int, int], ...]
 """Variables, by their index, each with its exponent."""
+
+Powers = tuple[tuple[int, int | Curve], ...]
+"""Variables, by their index, each with its exponent or curve."""
 
 
 @dataclass(frozen=True, eq=False)
 class Form:
     """base * product of (x/start)^p of some numbers; base + sum of terms of others.
 
-    A term is its coefficient times the product of (x^p - start^p)/(far^p - start^p).
+    A term is its coefficient times the product of (x^p - start^p)/(far^p - start^p), or of the curves' values.
     """
 
     base: Array
     ranges: tuple[Range, ...]
-    products: dict[int, Powers] = field(default_factory=dict)
+    products: dict[int, Product] = field(default_factory=dict)
     sums: dict[int, list[tuple[float, Powers]]] = field(default_factory=dict)
 
     @classmethod
@@ -91,9 +97,12 @@ class Form:
         for entry, powers in self.products.items():
             for k, p in powers:
                 found[..., entry] *= (here[k] / self.ranges[k].start) ** p
+        known: dict[Powers, Any] = {}
         for entry, terms in self.sums.items():
             for coefficient, powers in terms:
-                found[..., entry] += coefficient * math.prod(share(self.ranges[k], p, here[k]) for k, p in powers)
+                if powers not in known:
+                    known[powers] = math.prod(share(self.ranges[k], p, here[k]) for k, p in powers)
+                found[..., entry] += coefficient * known[powers]
         return found
 
     def acting(self, start: int, stop: int) -> set[int]:
@@ -127,6 +136,8 @@ class Form:
         }
 
 
-def share(one: Range, p: int, value: Any) -> Any:
-    """(value^p - start^p)/(far^p - start^p)."""
+def share(one: Range, p: int | Curve, value: Any) -> Any:
+    """(value^p - start^p)/(far^p - start^p), or that of a curve."""
+    if isinstance(p, Curve):
+        return p.at(value)
     return (value**p - one.start**p) / (one.far**p - one.start**p)

@@ -12,6 +12,7 @@ from typing import Any, ClassVar
 from tmodes.errors import InputError
 from tmodes.io.atomic import atomic_write, check_writable
 from tmodes.kinds.registry import Registry
+from tmodes.plot.drawing import drawn
 from tmodes.plot.panels import Axes, AxesLike
 from tmodes.plot.style import house_style
 from tmodes.result.result import Result
@@ -98,6 +99,12 @@ def rendered(figure: Any, kind: str, dpi: int = DPI) -> bytes:
     return stream.getvalue()
 
 
+def _files(formats: Sequence[str], result: Result, name: str) -> dict[str, bytes]:
+    """A figure as the contents of its files, by format."""
+    figure = FIGURES[name](result)[0].figure
+    return {kind: rendered(figure, kind) for kind in formats}
+
+
 ROOM = 10_000_000
 """Disk space of all figures together, at most [bytes]."""
 
@@ -123,11 +130,15 @@ def save_figures(
     formats: Sequence[str] = ("svg", "png"),
     progress: Callable[[int, int, str], None] | None = None,
     names: Sequence[str] | None = None,
+    stored: Path | None = None,
 ) -> list[Path]:
     """Write figures of the result into ``folder``, one file per figure and format; returns the files.
 
     ``names``: which of :func:`all_figures`, None: all. ``progress(done, total, name)`` is called before each figure and
-    once at the end. Raises :class:`tmodes.errors.InputError` for an unknown format or name,
+    once at the end. ``stored``: a file that holds this result, from which processes read it to draw many figures at
+    once where there are cores; a program that calls this with it guards its main part by ``__name__``.
+
+    Raises :class:`tmodes.errors.InputError` for an unknown format or name, and
     :class:`tmodes.errors.ResultFileError` when a file cannot be written; a file is either complete or as it was before.
     """
     for unknown in sorted(set(formats) - set(FORMATS)):
@@ -139,12 +150,12 @@ def save_figures(
         got = f"{unknown}, which is left out: {reason}" if reason else f"the unknown figure {unknown!r}"
         raise InputError("figures", got, f"some of {', '.join(figures)}", "choose among these")
     chosen, report, written = list(figures if names is None else names), progress or _say_nothing, []
-    for done, name in enumerate(chosen):
-        report(done, len(chosen), name)
-        figure = figures[name]()[0].figure
-        for kind in formats:
-            written.append(Path(folder) / f"{name}.{kind}")
-            with atomic_write(written[-1]) as temporary:
-                temporary.write_bytes(rendered(figure, kind))
+    with drawn(partial(_files, tuple(formats)), result, chosen, stored) as files:
+        for done, name in enumerate(chosen):
+            report(done, len(chosen), name)
+            for kind, content in files(done).items():
+                written.append(Path(folder) / f"{name}.{kind}")
+                with atomic_write(written[-1]) as temporary:
+                    temporary.write_bytes(content)
     report(len(chosen), len(chosen), "")
     return written

@@ -47,7 +47,7 @@ def common_unit(si: str, *panels: ArrayLike) -> Unit:
 
 
 def seen(values: ArrayLike, size: float) -> bool:
-    """Whether values can be told from zero in a panel of this size."""
+    """Whether values differ visibly from zero in a panel of this size."""
     return largest_value(values) > NOTHING * size
 
 

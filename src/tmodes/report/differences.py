@@ -1,4 +1,4 @@
-"""What tells runs of one robot apart: the values of their sheets that differ, names made of them, and their numbers."""
+"""How runs of one robot differ: the values of their sheets that differ, names made of them, and their numbers."""
 
 from __future__ import annotations
 

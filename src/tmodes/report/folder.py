@@ -129,7 +129,8 @@ class RunFolder:
     def draw(self, result: Any, progress: Progress) -> None:
         """Draw the figures for print."""
         self.figures.mkdir(exist_ok=True)
-        save_figures(result, self.figures, progress=lambda k, n, _: progress("figures", k / n))
+        made = self.result_file if self.result_file.exists() else None
+        save_figures(result, self.figures, progress=lambda k, n, _: progress("figures", k / n), stored=made)
 
     def _sheet(self) -> str:
         """The data sheet as JSON: what makes two runs the same."""

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Sequence
-from typing import Any, NamedTuple
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,12 +17,16 @@ from tmodes.io.urdf_shapes import LinkShape, Unseen, link_shapes
 from tmodes.result import Result
 from tmodes.robots.load import urdf_of
 
+if TYPE_CHECKING:
+    from tmodes.io.urdf import UrdfRobot
+
 __all__ = [
     "Kept",
     "few_shapes",
     "kept_meshes",
     "read_shapes",
     "seen_shapes",
+    "shapes_of",
     "thinned",
     "with_few_shapes",
     "with_shapes",
@@ -48,11 +52,20 @@ def read_shapes(
 
     Nothing that is wrong with them is an error: a run needs no looks.
     """
+    return _with_reasons(lambda: seen_shapes(robot, roots, trust_paths))
+
+
+def shapes_of(urdf: UrdfRobot | None) -> tuple[list[LinkShape], list[str]]:
+    """The same of a URDF that was read before."""
+    return _with_reasons(lambda: link_shapes(urdf) if urdf else ([], []))
+
+
+def _with_reasons(shapes: Callable[[], tuple[list[LinkShape], list[Unseen]]]) -> tuple[list[LinkShape], list[str]]:
     try:
-        shapes, unseen = seen_shapes(robot, roots, trust_paths)
+        found, unseen = shapes()
     except TmodesError as error:
         return [], [f"the shapes of the links are not shown: {error}"]
-    return shapes, [str(one) for one in unseen]
+    return found, [str(one) for one in unseen]
 
 
 def seen_shapes(
@@ -94,7 +107,7 @@ def with_few_shapes(result: Result, few: Sequence[LinkShape]) -> Result:
                     {"units": "1", "long_name": "vertices of each triangle, counted within its surface"}),
     )  # fmt: skip
     data.attrs["meshes"] = json.dumps([_record(shape) for shape in few])
-    return type(result)(data, result.timing)
+    return result.with_record(data)
 
 
 def kept_meshes(data: Any) -> list[Kept]:

@@ -26,8 +26,9 @@ def rest_page(robot: Robot, result: Result | None = None, *, light: bool = False
     """
     page = page_data([result or standing(robot)], [robot.name], light=light)
     page["subtitle"] = f"{robot.title or robot.name}: at rest, with its modes of vibration"
-    page["runs"][0] |= {"charts": [], "facts": [], "events": [], "line": None, "warnings": [], "sentence": ""}
-    page["runs"][0] |= {"status": "at rest", "message": "nothing was simulated"}
+    page["runs"][0] |= {"charts": [], "facts": [], "events": [], "line": None, "warnings": []}
+    words = "The robot stands still: nothing was simulated."
+    page["runs"][0] |= {"status": "at rest", "message": "nothing was simulated", "sentence": words}
     return page
 
 

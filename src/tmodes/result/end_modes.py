@@ -30,10 +30,11 @@ def end_modes(run: RunData, *states: str) -> Modes:
         return []
     robot = held_at(run.robot, float(run.times[-1]), dict(zip(run.coordinates, run.q[-1].tolist(), strict=True)))
     try:
-        found = frequencies_about(robot, robot_rest(robot, model=run.model))
+        rest = robot_rest(robot, model=run.model)
+        found = (frequencies_about(robot, rest, state).get(state) for state in states)
+        return next(filter(None, found), [])
     except SimulationError:
         return []
-    return next((found[state] for state in states if found.get(state)), [])
 
 
 def held_at(robot: Robot, end: float, place: dict[str, float]) -> Robot:

@@ -8,6 +8,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from tmodes.equations.lagrange.registry import SYSTEMS
+from tmodes.errors import InputError, InputErrors
 from tmodes.integrate.registry import AUTO, INTEGRATORS
 from tmodes.io.atomic import file_error
 from tmodes.io.words import shown
@@ -18,13 +19,14 @@ from tmodes.kinds.joints.registry import JOINTS
 from tmodes.kinds.links.registry import LINKS
 from tmodes.kinds.registry import Registry, UnknownKindError
 from tmodes.kinds.signals.registry import SIGNALS
-from tmodes.result.content import refuse_not_finite, refuse_wrong_content
+from tmodes.result.content import AGAIN, refuse_not_finite, refuse_wrong_content
 from tmodes.sheet.robot import RECURSION
 
 if TYPE_CHECKING:
     from pathlib import Path
 
     from tmodes.io.labelled import Record
+    from tmodes.sheet import Robot
 
 __all__ = ["RESULT_FORMAT", "STATUSES", "absent_kinds", "text_of"]
 
@@ -130,6 +132,19 @@ def from_json(data: Record, name: str) -> Any:
         return json.loads(text_of(data, name))
     except (ValueError, RecursionError) as error:
         raise file_error(f"result, attribute {name}", "no JSON text", "JSON text", "run the robot again") from error
+
+
+def stored_robot(data: Record, name: str) -> Robot:
+    """The robot of an attribute, rebuilt from its data sheet; raises as :attr:`tmodes.result.result.Result.robot`."""
+    from tmodes.io.sheet_check import sheet_from_data
+
+    if absent := absent_kinds(sheet := from_json(data, name)):
+        raise absent[0]
+    try:
+        return sheet_from_data(sheet)
+    except (InputError, InputErrors) as error:
+        got = f"a data sheet that is wrong ({error})"
+        raise file_error(f"result, attribute {name}", got, "that of the robot that ran", AGAIN) from error
 
 
 NOTICE = "{}; until then the series are shown without what needs the robot's model"

@@ -9,6 +9,7 @@ Dimensions: ``time``, ``coordinate``, ``deformation_kind`` (``joint.gear`` and t
 
 from __future__ import annotations
 
+import copy
 import os
 from collections.abc import Callable
 from functools import cached_property
@@ -16,11 +17,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Self, cast
 
 from tmodes import upward
-from tmodes.errors import InputError, InputErrors
-from tmodes.io.atomic import file_error
 from tmodes.io.labelled import Record
 from tmodes.result import record
-from tmodes.result.content import AGAIN
 from tmodes.result.record import absent_kinds
 from tmodes.result.settling import BAND
 from tmodes.result.summary import summarise_result, vibrations
@@ -53,6 +51,7 @@ class Result:
         if data is not None and self._record is None:
             self.__dict__["data"] = data
         self.timing, self._assembly = timing or {}, made
+        self._summaries: dict[float, dict[str, Any]] = {}
 
     def __reduce__(self) -> tuple[Any, ...]:
         """A copy, and what was pickled, holds the whole record; nothing of the compiled code of the run."""
@@ -71,6 +70,10 @@ class Result:
         if self._record is None and self._assembly:
             self._record = self._assembly.whole()
         return cast("Record", self._record)
+
+    def with_record(self, record: Record) -> Self:
+        """The same run with another record."""
+        return type(self)(record, self.timing, self._assembly)
 
     def complete(self, progress: Callable[[str, float], None]) -> Self:
         """Compute all that is stored of it, which :attr:`data` else does, and report the stages; returns itself."""
@@ -110,12 +113,12 @@ class Result:
 
         Raises :class:`tmodes.kinds.registry.UnknownKindError` where it names a kind that is not registered here.
         """
-        return live.known if (live := self.assembly) else self._sheet("robot")
+        return made.known if (made := self._made) else record.stored_robot(self.record, "robot")
 
     @cached_property
     def actual(self) -> Robot:
         """The robot as it really ran, its ``real`` factors taken; raises as :attr:`robot`."""
-        return live.run.robot if (live := self.assembly) else self._sheet("robot_real")
+        return made.run.robot if (made := self._made) else record.stored_robot(self.record, "robot_real")
 
     @property
     def frequencies(self) -> dict[str, list[dict[str, Any]]]:
@@ -186,7 +189,10 @@ class Result:
 
         Raises :class:`tmodes.errors.InputError` for a ``band`` that is not between 0 and 1.
         """
-        return summarise_result(self.record, band, self._assembly and self._assembly.settled)
+        known = {} if "data" in self.__dict__ else self._summaries  # the dataset may be changed by who asked for it
+        if band not in known:
+            known[band] = summarise_result(self.record, band, self._assembly and self._assembly.settled)
+        return copy.deepcopy(known[band])
 
     def save(self, path: str | os.PathLike[str], *, overwrite: bool = False) -> Path:
         """Store the result as one sealed NetCDF-4 file; the same result gives the same bytes.
@@ -228,18 +234,12 @@ class Result:
     @property
     def assembly(self) -> Assembly | None:
         """The run that was made just now, until its whole record was put together."""
-        return None if self._record is not None or "data" in self.__dict__ else self._assembly
+        return None if self._record is not None else self._made
 
-    def _sheet(self, name: str) -> Robot:
-        from tmodes.io.sheet_check import sheet_from_data
-
-        if absent := absent_kinds(record.from_json(self.record, name)):
-            raise absent[0]
-        try:
-            return sheet_from_data(record.from_json(self.record, name))
-        except (InputError, InputErrors) as error:
-            got = f"a data sheet that is wrong ({error})"
-            raise file_error(f"result, attribute {name}", got, "that of the robot that ran", AGAIN) from error
+    @property
+    def _made(self) -> Assembly | None:
+        """The run that was made just now, while its dataset cannot have been changed."""
+        return None if "data" in self.__dict__ else self._assembly
 
 
 def assemble_result(run: RunData, known: Robot | None = None) -> Result:

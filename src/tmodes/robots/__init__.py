@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from importlib import metadata, resources
+from importlib import resources
 from importlib.resources.abc import Traversable
 from pathlib import Path
 
@@ -43,6 +43,8 @@ def unknown(name: str, known: Sequence[str]) -> InputError:
 
 def installed_models() -> tuple[Path, ...]:
     """The folder of the models of :data:`MODELS`, or nothing where it is not installed."""
+    from importlib import metadata  # reads mail: not for the help
+
     try:
         place = Path(str(metadata.distribution(MODELS).locate_file(f"cmeel.prefix/share/{MODELS}")))
     except metadata.PackageNotFoundError:

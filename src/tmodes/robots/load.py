@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from tmodes.io.urdf import UrdfRobot
     from tmodes.sheet import Robot
 
-__all__ = ["load", "sheet_names", "sheet_text", "urdf_of"]
+__all__ = ["load", "load_with_urdf", "sheet_names", "sheet_text", "urdf_of"]
 
 Roots = Sequence[str | os.PathLike[str]]
 
@@ -39,6 +39,18 @@ def load(
     :class:`tmodes.errors.InputError` when there is no such robot or it cannot be read, and
     :class:`tmodes.errors.InputErrors` with all wrong values and their lines.
     """
+    return load_with_urdf(name_or_path, changes, roots=roots, trust_paths=trust_paths, fix_inertia=fix_inertia)[0]
+
+
+def load_with_urdf(
+    name_or_path: str | os.PathLike[str],
+    changes: Mapping[str, Any] | None = None,
+    *,
+    roots: Roots = (),
+    trust_paths: bool = False,
+    fix_inertia: bool = False,
+) -> tuple[Robot, UrdfRobot | None]:
+    """The same, with the URDF (or xacro) on which it stands, None for what stands on none; its files are read once."""
     from tmodes.io.sheet_files import read_file
     from tmodes.io.words import shown, shown_path
 
@@ -54,7 +66,7 @@ def load(
         read = read_file(name_or_path, (*roots, *installed_models()), trust_paths, fix_inertia=fix_inertia)
     else:
         raise unknown(source, sheet_names())
-    return _checked(read.data, read.positions, source, changes or {})
+    return _checked(read.data, read.positions, source, changes or {}), read.urdf
 
 
 def urdf_of(name_or_path: str | os.PathLike[str], *, roots: Roots = (), trust_paths: bool = False) -> UrdfRobot | None:
@@ -71,11 +83,14 @@ def urdf_of(name_or_path: str | os.PathLike[str], *, roots: Roots = (), trust_pa
 
 def _refuse_without_model(path: Path, roots: Roots) -> None:
     """A published sheet that stands on a model of another package says which, where that is not installed."""
-    from tmodes.io.yaml_file import read_yaml
-
-    if not roots and not installed_models() and "urdf" in read_yaml(path)[0]:
+    if not roots and not installed_models() and _stands_on_urdf(path):
         got, expected = f"a robot of the package {MODELS}, which is not installed", "a robot whose package is installed"
         raise InputError("robot", got, expected, "install it: pip install 'tmodes[robots]'")
+
+
+def _stands_on_urdf(path: Path) -> bool:
+    """Whether a published sheet, whose keys are plain words, is an elasticity file."""
+    return any(line.startswith("urdf:") for line in path.read_text(encoding="utf-8").splitlines())
 
 
 def _checked(data: dict[str, Any], positions: dict[str, int], source: str, changes: Mapping[str, Any]) -> Robot:

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Annotated, Any, Literal, Self
 
 from pydantic import Field, field_validator, model_validator
@@ -159,7 +160,23 @@ class Robot(DataSheet):
 
     def chain(self) -> Any:
         """The robot in the terms of the recursion: placements, joints, links and points, SI, joint side."""
+        return self._chain
+
+    @cached_property
+    def _chain(self) -> Any:
         return upward("Robot.chain")(self)
+
+    @cached_property
+    def undriven(self) -> Robot:
+        """The same without drives: every joint with its motor, none prescribed."""
+        return self.model_copy(update={"drives": ()}) if self.drives else self
+
+    def model_copy(self, *, update: Mapping[str, Any] | None = None, deep: bool = False) -> Self:
+        """As pydantic's; what follows from the fields is computed again."""
+        copied = super().model_copy(update=update, deep=deep)
+        for name in ("_chain", "undriven"):
+            vars(copied).pop(name, None)
+        return copied
 
     def pair(self) -> RobotPair:
         """The robot as it is known and as it really is.

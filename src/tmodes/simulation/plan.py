@@ -77,7 +77,7 @@ def planned(robot: Robot, follow: Follow = Follow.SHEET, like: Chain | None = No
     """
     signals = _Signals(robot.integration.duration, [])
     sheets = {drive.joint: (index, drive) for index, drive in enumerate(robot.drives)}
-    chain = like or robot.model_copy(update={"drives": ()}).chain()  # every joint with its motor, none prescribed
+    chain = like or robot.undriven.chain()
     drives, joints, undriven, loose = [], {}, [], []
     for node in chain.nodes:
         kinds = []

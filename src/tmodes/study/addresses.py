@@ -22,12 +22,12 @@ _NOT_OF_A_CASE = ("distribution", "title")
 
 
 def canonical(data: Any) -> bytes:
-    """Plain data as bytes, the same for the same data."""
+    """Plain data as bytes, the same for the same data: for digests."""
     return json.dumps(data, sort_keys=True, separators=(",", ":")).encode()
 
 
 def in_order(data: Any) -> bytes:
-    """Plain data as bytes that keep their order: that of parameters is that of columns."""
+    """Plain data as bytes with their order, which is that of a study's parameters, and so of the columns of values."""
     return json.dumps(data, separators=(",", ":")).encode()
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from threading import Event
 
 from tmodes.io.atomic import file_error
 from tmodes.simulation.batch.runner import PROCESSOR, Runner
@@ -45,6 +46,8 @@ class StudyJob:
         self._left = sum(len(task.values) for task in tasks) + sum(gap.end - gap.first for gap in cover.gaps)
         kept = 0 if not self.study.sheet.keep.every else 1 << 16
         self._own_threads, self.notice = 1, notice
+        self._reached: dict[int, float] = {}
+        self._ending = Event()
         self._pace = Pace(self.study.sheet.block, kept)
 
     @staticmethod
@@ -109,9 +112,13 @@ class StudyJob:
         return order(self.study, task, threads)
 
     def compute(self, task: Task, runner: Runner = PROCESSOR) -> bytes:
-        """Compute a task in this process, its cases by a runner."""
+        """Compute a task in this process, its cases by a runner. Several tasks may be computed at once, in threads."""
         self._own_threads = thread_count(self.threads)
-        return pack(compute(self.study, task, self.threads, self._share(len(task.values)), runner))
+        return pack(compute(self.study, task, self.threads, self._share(task), runner))
+
+    def end(self) -> None:
+        """Interrupt what is being computed, by a KeyboardInterrupt in its thread."""
+        self._ending.set()
 
     def done(self, task: Task, block: bytes) -> None:
         """Verify a block as if it were a file of anybody's, and store it."""
@@ -127,20 +134,25 @@ class StudyJob:
         folder.write(found)
         self._pace.took(label.count, label.wall, float(found.rows.seconds.sum()), self._own_threads)
         self._left -= label.count
+        self._reached.pop(task.first, None)
         self.report()
 
-    def report(self, share: float = 0.0) -> None:
-        """Progress: what is done of all cases, and ``share`` of one more."""
-        self._progress("cases", min(1.0, (self._total - self._left + share) / max(self._total, 1)))
+    def report(self) -> None:
+        """Progress: the share of all cases that are done, with those of the blocks that are being computed."""
+        done = self._total - self._left + sum(list(self._reached.values()))
+        self._progress("cases", min(1.0, done / max(self._total, 1)))
 
-    def _share(self, cases: int) -> Progress:
+    def _share(self, task: Task) -> Progress:
         """Progress of a block as a part of the whole: that of its cases; preparing them is heard, not counted."""
-        reached = [0.0]
+        reached, cases = self._reached, len(task.values)
+        reached[task.first] = 0.0
 
         def tell(stage: str, share: float) -> None:
+            if self._ending.is_set():
+                raise KeyboardInterrupt
             if stage in _COUNTED:
-                reached[0] = max(reached[0], share)
-            self.report(cases * reached[0])
+                reached[task.first] = max(reached[task.first], cases * share)
+            self.report()
 
         return tell
 

@@ -25,6 +25,16 @@ KEYS = [
         "beam.section.EI",
         "mean `links.upper.beam.section.bending_stiffness.0`?",
     ),
+    (
+        lambda d: d["links"][0]["beam"].update(section={"type": "tube", "bending_stiffness": 1, "mass_per_length": 1}),
+        "unknown key `links.upper.beam.section.type`",
+        "remove it, or name the kind: `shape: round`, `shape: tube`",
+    ),
+    (
+        lambda d: d["links"][0]["beam"].pop("model"),
+        "links.upper.beam.model is missing, expected one of strain, segments, rigid, modes;",
+        "add the line `model: strain` or `model: segments`",
+    ),
     (lambda d: d["joints"][0].update(loads=[]), "joints.shoulder.loads", "put `loads` at the outermost level"),
     (lambda d: d.update(loads=[{"point": "tp", "frame": "world"}]), "loads.0.point", "Did you mean `tip`?"),
     (lambda d: d.update(tip={"link": "for"}), "tip.link", "Did you mean `fore`?"),

@@ -11,6 +11,7 @@ from scipy.integrate import solve_ivp
 from scipy.spatial.transform import Rotation
 
 from arm.sheet.cases import arm_of, at, body, joint, matrix, one_link, points, problem, sheet, turned
+from tmodes.frame import rotation_vector
 from tmodes.io.sheet_plausible import reading_notices
 from tmodes.kinds.schema.axes import bent_line, rotation_about, unit
 from tmodes.kinds.schema.frames import Convention, DenavitHartenberg, Origin
@@ -36,6 +37,21 @@ def test_quaternion_is_that_of_scipy(numbers, length) -> None:
 def test_rotation_about_an_axis(vector, angle) -> None:
     axis = unit(vector)
     np.testing.assert_allclose(rotation_about(axis, angle), Rotation.from_rotvec(angle * axis).as_matrix(), atol=1e-14)
+
+
+@given(st.tuples(*[st.floats(-1, 1)] * 3).filter(lambda v: np.linalg.norm(v) > 1e-3), st.floats(0, 3.1415))
+def test_rotation_vector_is_that_of_scipy(vector, angle) -> None:
+    matrix = Rotation.from_rotvec(angle * unit(vector)).as_matrix()
+    np.testing.assert_allclose(
+        rotation_vector(matrix), Rotation.from_matrix(matrix).as_rotvec(), atol=1e-15, rtol=1e-14
+    )
+
+
+@pytest.mark.parametrize("axis", np.eye(3).tolist())
+def test_rotation_vector_of_nothing_and_of_half_a_turn(axis) -> None:
+    assert rotation_vector(np.eye(3)).tolist() == [0, 0, 0]
+    half = 2 * np.outer(axis, axis) - np.eye(3)
+    np.testing.assert_allclose(np.abs(rotation_vector(half)), np.pi * np.array(axis), rtol=1e-15)
 
 
 @pytest.mark.parametrize("scale", [1e-12, 1e-200, 1e12])

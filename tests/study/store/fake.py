@@ -39,9 +39,10 @@ class FakeStudy:
     functions: Mapping[str, Callable[[Any], float]] = field(default_factory=dict)
     calls: list[tuple[int, int, tuple[str, ...]]] = field(default_factory=list)
     before: Callable[[int], None] = lambda first: None
+    needs: Needs = field(default_factory=lambda: Needs(static=("x",)))
 
     def from_data(self, info: Mapping[str, Any], functions: Any = None) -> FakeStudy:
-        return FakeStudy(info, functions or {}, self.calls, self.before)
+        return FakeStudy(info, functions or {}, self.calls, self.before, self.needs)
 
     @property
     def _own(self) -> Any:

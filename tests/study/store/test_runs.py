@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from threading import Event
 from typing import Any
 
 import numpy as np
@@ -11,6 +12,7 @@ import pytest
 from study.store.fake import FakeStudy, data, fake
 from tmodes.errors import ResultFileError
 from tmodes.io.atomic import FolderLock
+from tmodes.study.quantities import Needs
 from tmodes.study.rows import Rows
 from tmodes.study.runner import run_study
 from tmodes.study.store import BLOCKS
@@ -90,6 +92,40 @@ def test_interrupted_between_blocks_it_resumes(tmp_path):
     result = run_study(resumed, tmp_path / "cut")
     assert computed(resumed) == 300
     assert table(result) == whole
+
+
+LOOPS = Needs(reductions=(("deviation", "max"),))
+
+
+def test_a_block_is_prepared_while_another_one_runs(tmp_path):
+    """Each of the second and third block ends only once the other has begun."""
+    begun = {first: Event() for first in range(0, 500, 50)}
+
+    def meets(first):
+        begun[first].set()
+        if first in (50, 100):
+            assert begun[150 - first].wait(60)
+
+    result = run_study(fake(data(500, block=50), before=meets, needs=LOOPS), tmp_path, threads=2)
+    assert result.complete
+    assert table(result) == table(run_study(fake(data(500)), tmp_path / "whole"))
+
+
+def test_what_is_finished_when_another_block_fails_is_kept(tmp_path):
+    begun = Event()
+
+    def fails(first):
+        if first == 50:
+            begun.set()
+        if first == 100:
+            assert begun.wait(60)
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        run_study(fake(data(500, block=50), before=fails, needs=LOOPS), tmp_path, threads=2)
+    resumed = fake(data(500, block=50))
+    assert run_study(resumed, tmp_path).complete
+    assert {first for first, _, _ in resumed.calls}.isdisjoint({0, 50})
 
 
 def test_a_full_disk_is_a_sentence_and_what_is_there_stays(tmp_path, monkeypatch):

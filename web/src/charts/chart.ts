@@ -5,6 +5,7 @@ import type { Clock } from "../clock";
 import type { LiveRun } from "../contract_parts";
 import { button, make, ownId, put } from "../dom";
 import { info } from "../format";
+import { spare } from "../spare";
 import { drawnBy, drawnShare, summary, thinnest } from "./chart_words";
 import { changedMarks, marksWithin } from "./frequency_marks";
 import { makeLegend, type Legend } from "./legend";
@@ -54,6 +55,7 @@ export function mountChart(set: ChartSet, clock: Clock, zoom: Zoom): ChartView {
   let largest = 0;
   let toldAt = 0;
 
+  const later = spare(draw);
   const place = make("div", { class: "plot-area", role: "img" });
   const readout = make("span", { class: "readout" });
   const logButton = button("log", () => setLog(!log), {
@@ -97,6 +99,7 @@ export function mountChart(set: ChartSet, clock: Clock, zoom: Zoom): ChartView {
   function redraw(): void {
     stale = true;
     if (seen) draw();
+    else later.ask();
   }
 
   /** What is looked at is computed, and nothing else. */
@@ -198,21 +201,19 @@ export function mountChart(set: ChartSet, clock: Clock, zoom: Zoom): ChartView {
 
   const watch = new IntersectionObserver((found) => {
     seen = found.some((one) => one.isIntersecting);
-    if (!seen) return;
-    draw();
-    follow(); // the time may have moved meanwhile
+    if (seen) draw();
+    if (seen) follow(); // the time may have moved meanwhile
   }, { rootMargin: "120px" });
   const resized = new ResizeObserver(() => {
     width = place.clientWidth;
-    if (seen && width > 0) redraw();
+    if (width > 0) redraw();
   });
   const onPaper = () => { // also what was never looked at, in the colours and the width of the paper
     scheme += 1;
     stale = true;
     draw();
   };
-  addEventListener("beforeprint", onPaper);
-  addEventListener("afterprint", onPaper);
+  for (const when of ["beforeprint", "afterprint"]) addEventListener(when, onPaper);
   watch.observe(element);
   place.setAttribute("aria-label", summary(chart, unit, entries.filter((entry) => legend.shows(entry))));
   resized.observe(place);
@@ -238,8 +239,8 @@ export function mountChart(set: ChartSet, clock: Clock, zoom: Zoom): ChartView {
       redraw();
     },
     dispose() {
-      removeEventListener("beforeprint", onPaper);
-      removeEventListener("afterprint", onPaper);
+      for (const when of ["beforeprint", "afterprint"]) removeEventListener(when, onPaper);
+      later.end();
       watch.disconnect();
       resized.disconnect();
       ends.forEach((end) => end());

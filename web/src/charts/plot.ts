@@ -31,6 +31,7 @@ export interface PlotOptions {
 
 const FONT = "12px system-ui, sans-serif";
 const SHORTEST = 2;
+const CROWDED = 27; // lines of a logarithmic grid: three decades
 
 export function makePlot(
   element: HTMLElement,
@@ -40,6 +41,8 @@ export function makePlot(
 ): uPlot {
   const grid = { stroke: () => colour("--grid"), width: 1 };
   const axis = { stroke: () => colour("--quiet"), font: FONT, grid, ticks: { ...grid, size: 4 } };
+  const filter = (_: uPlot, marks: number[]) =>
+    wanted.log && marks.length > CROWDED ? marks.map((value) => (isPower(value) ? value : null)) : marks;
   const options: uPlot.Options = {
     width: Math.max(element.clientWidth, 120),
     height: wanted.height,
@@ -62,6 +65,8 @@ export function makePlot(
       },
       {
         ...axis,
+        grid: { ...grid, filter },
+        ticks: { ...axis.ticks, filter },
         size: (_, marks) => 16 + 7 * Math.max(2, ...(marks ?? []).map((mark) => mark.length)),
         values: (_, marks) => marks.map((mark) => (mark === null ? "" : wanted.log ? wholePower(mark) : plain(mark))),
       },
@@ -122,10 +127,14 @@ function decades(low: number | null, high: number | null, most: number): [number
   return [10 ** Math.floor(Math.log10(least) + 1e-9), high * 1.6];
 }
 
+function isPower(value: number): boolean {
+  const power = Math.log10(value);
+  return Math.abs(power - Math.round(power)) < 1e-6;
+}
+
 /** A tick of a logarithmic axis: the powers of ten alone. */
 function wholePower(value: number): string {
-  const power = Math.log10(value);
-  if (Math.abs(power - Math.round(power)) > 1e-6) return "";
+  if (!isPower(value)) return "";
   return plain(value).replace(/^1\u00a0×\u00a0|^1\.0\u00a0×\u00a0/, "");
 }
 

@@ -23,7 +23,8 @@ const MAIN = 7; // numbers that are shown at first
 export function mountFacts(element: HTMLElement, page: Page, clock: Clock): FactsView {
   const known: Info[] = [];
   element.hidden = page.runs.every((run) => run.facts.length === 0);
-  element.append(page.runs.length > 1 ? compared(page, known) : single(page.runs[0].facts, known, clock));
+  if (page.runs.length > 1) element.append(make("h3", { class: "offscreen", text: "Numbers" }), compared(page, known));
+  else element.append(single(page.runs[0].facts, known, clock));
   let last: LiveRun | null = null;
   const late = patience(() => known.forEach((tell) => tell(last, true)));
   const show = (live: LiveRun | null) => {

@@ -8,6 +8,7 @@ import type { LiveRun } from "../contract_parts";
 import { make, put, swatch } from "../dom";
 import { digits, plain, readable } from "../format";
 import type { Numbers } from "../pack";
+import { spare } from "../spare";
 
 export interface LineView {
   /** The live model's lines of the first run; null: the page's own. */
@@ -39,6 +40,7 @@ export function mountLine(element: HTMLElement, page: Page, clock: Clock): LineV
   const heading = make("p", { class: "note" });
   element.append(heading, grid);
 
+  const later = spare(() => (stale ? build() : show(true)));
   function build(): void {
     stale = false;
     const kind = panel === null ? "" : kindOf(panel);
@@ -54,8 +56,9 @@ export function mountLine(element: HTMLElement, page: Page, clock: Clock): LineV
     pictures = panel === null ? [] : panel.quantities.map((quantity) => picture(grid, panel!, quantity));
   }
 
-  function show(): void {
-    if (panel === null || stale || !seen) return;
+  function show(now = seen): void {
+    if (panel === null || stale) return;
+    if (!now) return later.ask();
     const frame = nearest(times, clock.time);
     heading.textContent =
       `${panel.links.join(", ")}: along the links from root to tip, at ${digits(times[frame], 4)} s. ` +
@@ -83,7 +86,7 @@ export function mountLine(element: HTMLElement, page: Page, clock: Clock): LineV
     else show();
   });
   watch.observe(element);
-  const end = clock.subscribe(show);
+  const end = clock.subscribe(() => show());
   build();
   return {
     show(live) {
@@ -91,9 +94,11 @@ export function mountLine(element: HTMLElement, page: Page, clock: Clock): LineV
       times = (live?.scene ?? page.runs[0].scene).times.data;
       stale = true;
       if (seen) build();
+      else later.ask();
     },
     dispose() {
       end();
+      later.end();
       resized.disconnect();
       watch.disconnect();
       dark.removeEventListener("change", redraw);

@@ -21,7 +21,7 @@ interface Row {
 /** `pressed` hears of which mode the button was pressed. */
 export function makeModesTable(pressed: (mode: Mode) => void): ModesTable {
   const head = ["Frequency [Hz]", "Damping [%]", "Dominant element", ""].map((text) =>
-    make(text ? "th" : "td", text ? { scope: "col", text } : {}),
+    make(text ? "th" : "td", text ? { scope: "col", text, class: text.endsWith("]") ? "number" : "" } : {}),
   );
   const body = make("tbody");
   const element = make("div", { class: "scroll", tabindex: "0", role: "region", "aria-label": "Modes" },

@@ -1,6 +1,8 @@
 // Where one looks from: presets that fit all that moves into the picture, turning by mouse, touch and keys.
 import { MathUtils, PerspectiveCamera, Spherical, Vector3 } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
+import { aimed } from "./aim";
+import { WHOLE, type Rooms } from "./room";
 
 export const VIEWS = ["iso", "front", "side", "top", "tip"] as const;
 export type View = (typeof VIEWS)[number];
@@ -10,12 +12,15 @@ const DIRECTIONS: Record<Exclude<View, "iso">, [number, number, number]> = {
 }; // prettier-ignore
 
 const GLIDE = 0.35; // s
-const ROOM = 1.2; // about what is in the picture, for the notes over it
 
 export class Cameras {
   view: View = "iso";
   /** What presets fit into the picture, places [k, 3]. */
   places: number[] = [0, 0, 0];
+  /** The parts of the picture of which one holds all of that. */
+  rooms: () => Rooms = () => WHOLE;
+  /** Whether one looks from a preset, not from where somebody turned to. */
+  preset = false;
   private readonly controls: OrbitControls;
   private readonly start = new Vector3();
   private readonly end = new Vector3();
@@ -38,6 +43,7 @@ export class Cameras {
     this.controls.maxDistance = 40 * reach;
     this.controls.enableZoom = false; // a page scrolls on: the wheel zooms once the picture has been clicked
     this.controls.addEventListener("change", changed);
+    this.controls.addEventListener("start", this.turned);
     canvas.addEventListener("keydown", this.key);
     canvas.addEventListener("focus", this.zoomable);
     canvas.addEventListener("blur", this.zoomable);
@@ -46,7 +52,8 @@ export class Cameras {
   /** Look from a preset; `tip` is where the tip is, `glide`: on the way there, as long as that is no trouble. */
   show(view: View, tip: Float32Array, glide: boolean): void {
     this.view = view;
-    const direction = this.offset.set(...(view === "iso" ? this.oblique : DIRECTIONS[view])).normalize();
+    this.preset = true;
+    const direction = this.side(view);
     if (view === "tip") this.end.copy(this.targetEnd.fromArray(tip)).addScaledVector(direction, 0.55 * this.reach);
     else this.fit(direction);
     cancelAnimationFrame(this.gliding);
@@ -60,9 +67,14 @@ export class Cameras {
   /** From the same side, with all in the picture again; a view that follows the tip stays as near as it is. */
   refit(): void {
     if (this.view === "tip") return;
-    this.fit(this.offset.copy(this.camera.position).sub(this.controls.target).normalize());
+    const { camera, controls, offset } = this;
+    this.fit(this.preset ? this.side(this.view) : offset.copy(camera.position).sub(controls.target).normalize());
     cancelAnimationFrame(this.gliding);
     this.place(1);
+  }
+
+  private side(view: View): Vector3 {
+    return this.offset.set(...(view === "iso" ? this.oblique : DIRECTIONS[view])).normalize();
   }
 
   /** Where the camera is and what it looks at [m], six numbers. */
@@ -71,6 +83,7 @@ export class Cameras {
   }
 
   set pose(wanted: number[]) {
+    this.preset = false;
     cancelAnimationFrame(this.gliding);
     this.end.fromArray(wanted);
     this.targetEnd.fromArray(wanted, 3);
@@ -80,6 +93,7 @@ export class Cameras {
   /** Look from where another one looks. */
   take(other: Cameras): void {
     this.view = other.view;
+    this.preset = other.preset;
     this.camera.position.copy(other.camera.position);
     this.controls.target.copy(other.controls.target);
     this.controls.update();
@@ -102,6 +116,10 @@ export class Cameras {
     this.canvas.removeEventListener("blur", this.zoomable);
   }
 
+  private readonly turned = () => {
+    this.preset = false;
+  };
+
   private readonly zoomable = (event: Event) => {
     this.controls.enableZoom = event.type === "focus";
   };
@@ -118,6 +136,7 @@ export class Cameras {
     else if (event.key === "+" || event.key === "=") this.turn(0, 0, 1 / 1.15);
     else if (event.key === "-") this.turn(0, 0, 1.15);
     else return;
+    this.turned();
     event.preventDefault();
     event.stopPropagation();
   };
@@ -148,26 +167,25 @@ export class Cameras {
     this.changed();
   }
 
-  /** Aim at the middle of all places, from the least distance from which all are in the picture. */
+  /** Aim so, from the least distance, that all places are in the picture and off its notes. */
   private fit(direction: Vector3): void {
     const { camera, places, targetEnd } = this;
     const tall = Math.tan(MathUtils.degToRad(camera.fov / 2));
     const right = new Vector3().crossVectors(camera.up, direction).normalize();
     const axes = [right, new Vector3().crossVectors(direction, right), direction];
     const place = new Vector3();
-    const ranges = axes.map(() => [Infinity, -Infinity]);
-    const each = (act: (along: number[]) => void) => {
-      for (let k = 0; k < places.length; k += 3) act(axes.map((axis) => place.fromArray(places, k).dot(axis)));
-    };
-    each((along) => along.forEach((x, k) => (ranges[k] = [Math.min(ranges[k][0], x), Math.max(ranges[k][1], x)])));
-    const [x, y, z] = ranges.map(([low, high]) => (low + high) / 2);
-    let distance = 0.3 * this.reach;
-    each((along) => {
-      const [wide, high] = [Math.abs(along[0] - x) / (tall * camera.aspect), Math.abs(along[1] - y) / tall];
-      distance = Math.max(distance, ROOM * Math.max(wide, high) + along[2] - z);
+    const along = axes.map((axis) => {
+      const found = new Float64Array(places.length / 3);
+      for (let k = 0; k < found.length; k++) found[k] = place.fromArray(places, 3 * k).dot(axis);
+      return found;
     });
-    targetEnd.set(0, 0, 0);
-    axes.forEach((axis, k) => targetEnd.addScaledVector(axis, [x, y, z][k]));
+    const [least, most] = [Math.min, Math.max].map((best) => along[2].reduce((one, other) => best(one, other)));
+    const near = Math.max(0.3 * this.reach, 0.6 * (most - least));
+    const middle = (least + most) / 2;
+    along[2].forEach((depth, k) => (along[2][k] = depth - middle));
+    const { distance, at } = aimed({ along, tangents: [tall * camera.aspect, tall] }, this.rooms(), near);
+    targetEnd.copy(direction).multiplyScalar(middle);
+    at.forEach((found, k) => targetEnd.addScaledVector(axes[k], found));
     this.end.copy(targetEnd).addScaledVector(direction, distance);
   }
 

@@ -26,15 +26,16 @@ export function placesOf(page: Page, factor: number, { reach, floor }: Extent): 
     const { line, rigid, contact } = scene;
     const [frames, links, stations] = line.shape;
     const every = Math.max(1, Math.ceil(frames / FRAMES));
+    const more = (k: number) => (factor - 1) * (line.data[k] - (rigid?.data[k] ?? line.data[k]) || 0); // no links: 0
     if (line.data.length) found.push(line.data[0], line.data[1], floor);
     for (let frame = 0; frame < frames; frame += every) {
       for (let place = 0; place < links * stations; place += Math.max(1, stations >> 1))
-        for (let c = 0, k = 3 * (frame * links * stations + place); c < 3; c++, k++) {
-          const still = rigid?.data[k] ?? line.data[k];
-          found.push(still + factor * (line.data[k] - still));
-        }
-      for (let c = 0, k = 3 * frame; c < 3; c++, k++)
-        found.push(contact ? contact.at.data[k] + scale * contact.force.data[k] : scene.tip.data[k]);
+        for (let c = 0, k = 3 * (frame * links * stations + place); c < 3; c++, k++) found.push(line.data[k] + more(k));
+      const end = 3 * ((frame + 1) * links * stations - 1);
+      for (let c = 0, k = 3 * frame; c < 3; c++, k++) {
+        const tip = contact ? contact.at.data[k] + scale * contact.force.data[k] : scene.tip.data[k];
+        found.push(tip + more(end + c));
+      }
     }
   }
   return found;

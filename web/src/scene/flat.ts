@@ -154,6 +154,11 @@ export class FlatWorld extends Sight<FlatRun> {
     notes.flat(`Drawn in lines${this.wanted ? "" : ", without WebGL"}${left}`);
   }
 
+  /** That it is drawn in lines is said, in the same place. */
+  protected override thick(): string {
+    return "";
+  }
+
   /** The farther first: the nearer is drawn over it. */
   private sorted(): FlatRun[] {
     const { pen } = this.sheet;

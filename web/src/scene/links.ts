@@ -26,6 +26,8 @@ export interface Look {
   /** Which links a quantity colours. */
   painted: Painted;
   fine: boolean;
+  /** Which of several robots in one place hides the others: the lowest. */
+  layer?: number;
 }
 
 /** Sizes that all robots of a scene share [m]: the half-width of links that tell none, and the least that is drawn. */
@@ -117,8 +119,9 @@ export class RobotView {
   }
 
   private material(color: string, vertexColors: boolean): Coloured {
-    const { opacity, fine } = this.look;
-    const behind = { polygonOffset: opacity < 1, polygonOffsetFactor: 2, polygonOffsetUnits: 2 };
+    const { opacity, fine, layer = 0 } = this.look;
+    const offset = layer + (opacity < 1 ? 2 : 0);
+    const behind = { polygonOffset: offset > 0, polygonOffsetFactor: offset, polygonOffsetUnits: 4 * offset };
     const ghost = { transparent: opacity < 1, opacity, depthWrite: opacity >= 1, ...behind };
     const info = { color, vertexColors, ...ghost };
     return this.kept(

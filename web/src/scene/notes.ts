@@ -1,6 +1,7 @@
 // What is written over the picture: the legend, the colour scale with its unit, the enlargement, the grid.
 import { make } from "./controls";
 import { gradient } from "./palette";
+import { roomsBetween, type Rooms } from "./room";
 import { digits, readable } from "./units";
 
 const TICKS = 5;
@@ -19,9 +20,25 @@ export class Notes {
   private readonly live = make("span");
   private shown = "";
 
-  constructor(place: HTMLElement) {
-    const below = make("div", { className: "scene-below" }, this.way, this.grid);
+  constructor(private readonly place: HTMLElement) {
+    const below = make("div", { className: "scene-below" }, this.grid, this.way);
     place.append(this.legend, this.scale, make("div", { className: "scene-foot" }, below, this.factor));
+  }
+
+  /** What the notes leave free of the picture, whatever number the line that changes now shows. */
+  rooms(): Rooms {
+    this.live.textContent = this.shown.replace(/[\d.]+(?= N[, ])/g, "88.8");
+    const notes = [this.legend, this.scale, this.factor, this.way, this.grid];
+    const [place, ...boxes] = [this.place, ...notes].map((element) => element.getBoundingClientRect());
+    this.live.textContent = this.shown;
+    return roomsBetween(place, boxes);
+  }
+
+  /** Which notes there are, and all of their words on which their size depends. */
+  get kinds(): string {
+    const fixed = this.legend.textContent.slice(0, this.legend.textContent.length - this.live.textContent.length);
+    const there = [this.live.isConnected, this.scale.hidden, this.scale.firstChild?.textContent, this.factor.hidden];
+    return [fixed, ...there, this.way.textContent, this.grid.textContent].join("|");
   }
 
   /** The entries of the legend, and a line whose words change with time. */
@@ -44,14 +61,14 @@ export class Notes {
     if (info === null) return;
     const unit = readable(info.unit, info.high);
     const low = Math.abs(info.low) < 1e-6 * Math.abs(info.high) ? 0 : info.low; // what rounding leaves is nothing
-    const ticks = Array.from({ length: TICKS }, (_, k) => info.high + ((low - info.high) * k) / (TICKS - 1));
+    const ticks = Array.from({ length: TICKS }, (_, k) => low + ((info.high - low) * k) / (TICKS - 1));
     const bar = swatch(gradient());
     const name = unit.name.replaceAll(" ", "\u00a0");
     const title = make("b", {}, name ? `${info.label} [${name}]` : info.label);
     this.scale.replaceChildren(
       title,
-      make("ol", {}, ...ticks.map((tick) => make("li", {}, digits(unit.factor * tick)))),
       bar,
+      make("ol", {}, ...ticks.map((tick) => make("li", {}, digits(unit.factor * tick)))),
     );
   }
 

@@ -63,7 +63,7 @@ export function step(share: number): number {
   return 3 * Math.max(0, Math.min(STEPS - 1, Math.round(share * (STEPS - 1))));
 }
 
-/** The scale as a CSS gradient from below to above. */
+/** The scale as a CSS gradient from left to right. */
 export function gradient(): string {
-  return `linear-gradient(to top, ${VIRIDIS.split(" ").map((hex) => `#${hex}`).join(", ")})`;
+  return `linear-gradient(to right, ${VIRIDIS.split(" ").map((hex) => `#${hex}`).join(", ")})`;
 }

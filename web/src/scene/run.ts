@@ -78,6 +78,7 @@ export class RunView extends ShownRun {
       opacity: 1,
       painted,
       fine,
+      layer: this.index,
     };
     this.robot = this.added(scene, this.motion, look, 1);
     this.look = look;

@@ -55,7 +55,7 @@ class Mounted implements SceneView {
     this.settings = {
       colour: many ? "run" : (runs[0].scene.colours[0]?.id ?? "run"),
       factor: enlarges ? this.extent.opening.factor : 1,
-      reference: !many && !enlarges,
+      reference: !many && !enlarges && runs[0].charts.length > 0, // at rest it is in the same place
       rigid: enlarges && !many,
       traces: true,
       force: true,
@@ -119,6 +119,7 @@ class Mounted implements SceneView {
 
   resize(): void {
     this.world.resize(this.place.clientWidth, this.place.clientHeight);
+    if (this.world.cameras.preset) this.world.cameras.refit();
     this.ask();
   }
 
@@ -162,6 +163,7 @@ class Mounted implements SceneView {
     const { quality } = settings;
     const solid = quality === "lines" ? null : this.best && (quality === "auto" ? this.best : quality);
     const world = (solid && inSpace(given, solid)) ?? new FlatWorld(given, quality === "lines");
+    world.cameras.rooms = () => this.notes.rooms();
     world.canvas.addEventListener("webglcontextlost", this.lost);
     world.canvas.addEventListener("webglcontextrestored", this.found);
     this.place.prepend(world.canvas);
@@ -197,7 +199,10 @@ class Mounted implements SceneView {
   private refresh(): void {
     this.drawn = this.settings.factor;
     this.world.refresh();
+    const before = this.notes.kinds;
     this.world.tell(this.notes);
+    this.notes.tell(this.world.words());
+    if (before !== this.notes.kinds && this.world.cameras.preset) this.world.cameras.refit(); // notes take room
     this.ask();
   }
 

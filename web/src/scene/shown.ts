@@ -24,7 +24,7 @@ export class ShownRun {
   /** `alone`: there is no other run, so that the robot needs no colour of its own. */
   constructor(
     readonly run: Run,
-    private readonly index: number,
+    protected readonly index: number,
     protected readonly alone: boolean,
     private readonly own: Palette,
   ) {

@@ -10,6 +10,8 @@ import type { Settings } from "./settings";
 import { forceScale, type Range, type ShownRun } from "./shown";
 import { digits, readable } from "./units";
 
+const NOTHING = 1e-12; // m, N m, ...: rounding
+
 export interface Scenery {
   page: Page;
   extent: Extent;
@@ -89,7 +91,7 @@ export abstract class Sight<Kind extends ShownRun = ShownRun> {
     const info = this.runs.flatMap(({ run }) => run.scene.colours).find(({ id }) => id === settings.colour);
     notes.list(shown ? this.modeEntries(shown) : this.entries(), !shown && this.forceShown());
     if (shown) notes.range({ label: "Displacement, share of the largest", unit: "", low: 0, high: 1 });
-    else notes.range(info ? { label: info.label, unit: info.unit, ...this.range } : null);
+    else notes.range(info && this.range.high > NOTHING ? { label: info.label, unit: info.unit, ...this.range } : null);
     notes.enlarged(settings.factor === 1 || shown ? "" : `Deformation × ${settings.factor}, not to scale`);
     const height = extent.floor === 0 ? "" : `, at z = ${digits(extent.floor)} m`;
     notes.flat("");
@@ -119,14 +121,19 @@ export abstract class Sight<Kind extends ShownRun = ShownRun> {
     const alone = runs.length === 1;
     const entries: Entry[] = [];
     if (!alone) entries.push(...runs.map((run) => ({ colour: run.colour, label: run.run.name })));
-    else if (settings.traces) entries.push({ colour: colours.real, label: "Path of the tip" });
+    else if (settings.traces && this.moves()) entries.push({ colour: colours.real, label: "Path of the tip" });
     const has = (key: "reference" | "rigid") => settings[key] && runs.some(({ run }) => run.scene[key]);
-    const led = settings.traces && runs.some(({ run }) => run.scene.tipReference);
+    const led = settings.traces && this.moves() && runs.some(({ run }) => run.scene.tipReference);
     if (has("reference")) entries.push({ colour: runs[0].referenceColour, label: "Nominal" });
     else if (led) entries.push({ colour: runs[0].referenceColour, label: "Path of the nominal tip" });
     if (has("rigid")) entries.push({ colour: colours.rigid, label: "Undeformed" });
     if (runs.some(({ changed }) => changed)) entries.push({ colour: colours.before, label: "The run as it was" });
     return entries;
+  }
+
+  /** A robot at rest leaves no path. */
+  private moves(): boolean {
+    return this.runs.some(({ run }) => run.charts.length > 0);
   }
 
   private modeEntries(mode: Mode): Entry[] {
@@ -140,7 +147,7 @@ export abstract class Sight<Kind extends ShownRun = ShownRun> {
   }
 
   /** What is drawn thicker than it is, or of a thickness that nobody reported. */
-  private thick(): string {
+  protected thick(): string {
     const { least } = this.given.extent;
     const sections = this.runs.flatMap(({ run }) => run.scene.links.map(({ section }) => section));
     const thin = sections.some((section) => section && Math.min(...section.sizes.data) < least);

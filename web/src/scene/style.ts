@@ -25,21 +25,22 @@ const RULES = `
 .scene-view { position: relative; flex: 1 1 auto; min-height: 220px; overflow: hidden; border-radius: 6px;
   background: linear-gradient(var(--sky), var(--earth)); }
 .scene-view canvas { position: absolute; inset: 0; width: 100%; height: 100%; display: block; touch-action: none; }
-.scene-note { position: absolute; pointer-events: none; background: var(--chip); border-radius: 5px; padding: 4px 8px; }
+.scene-note { box-sizing: border-box; position: absolute; pointer-events: none; background: var(--chip);
+  border-radius: 5px; padding: 4px 8px; }
 .scene-note[hidden] { display: none; }
-.scene-legend { top: 8px; left: 8px; display: grid; gap: 2px; max-width: 46%; }
+.scene-legend { top: 8px; left: 8px; display: flex; flex-wrap: wrap; gap: 2px 12px;
+  max-width: min(46%, 24em); }
 .scene-legend span { display: flex; align-items: center; gap: 6px; }
 .scene-legend i { flex: none; width: 16px; height: 8px; border-radius: 2px; }
-.scene-scale { top: 8px; right: 8px; display: grid; grid-template-columns: auto 12px; gap: 4px 6px; max-width: 40%; }
-.scene-scale b { grid-column: 1 / 3; font-weight: 600; text-align: right; max-width: 15em; }
-.scene-scale ol { list-style: none; margin: 0; padding: 0; display: flex; flex-direction: column;
-  justify-content: space-between;
-  height: 110px; text-align: right; font-variant-numeric: tabular-nums; line-height: 1; }
-.scene-scale i { border-radius: 2px; }
+.scene-scale { top: 8px; right: 8px; display: grid; gap: 2px; max-width: 46%; min-width: 11em; }
+.scene-scale b { font-weight: 600; }
+.scene-scale ol { list-style: none; margin: 0; padding: 0; display: flex; justify-content: space-between; gap: 6px;
+  font-variant-numeric: tabular-nums; line-height: 1.2; }
+.scene-scale i { height: 8px; border-radius: 2px; }
 .scene-foot { position: absolute; inset: auto 8px 8px; display: flex; align-items: flex-end; gap: 8px;
   pointer-events: none; }
 .scene-foot .scene-note { position: static; }
-.scene-below { display: flex; flex-direction: column; align-items: flex-start; gap: 4px; min-width: 0;
+.scene-below { display: flex; flex-wrap: wrap; align-items: flex-end; gap: 4px; min-width: 0;
   color: var(--soft); }
 .scene-factor { flex: none; margin-left: auto; font-weight: 600; }
 .scene-message { position: absolute; inset: 0; display: grid; place-content: center; padding: 2em; text-align: center; }
@@ -57,12 +58,12 @@ const RULES = `
   .scene-bar > .scene-factor-row { order: 2; flex: 1 1 60%; }
   .scene-bar > button { order: 3; }
   .scene-bar input[type=range] { flex: 1 1 64px; min-width: 64px; }
-  .scene-view { min-height: 300px; }
+  .scene-view { min-height: 160px; }
   .scene-note { font-size: 11px; padding: 2px 5px; }
-  .scene-legend { max-width: 58%; }
+  .scene-legend { max-width: calc(58% - 12px); gap: 1px 8px; }
   .scene-legend i { width: 10px; }
-  .scene-scale b { max-width: 9em; }
-  .scene-scale ol { height: 64px; }
+  .scene-scale { max-width: calc(42% - 12px); min-width: 8em; }
+  .scene-foot { flex-wrap: wrap; gap: 4px; }
   .scene-scale li:nth-child(even) { display: none; }
 }
 @media (pointer: coarse), (max-width: 40rem) {

@@ -28,12 +28,12 @@ function titles(store: Store, name: string): string {
 }
 
 function room(names: string[], width: number, height: number): Box {
-  const wide = Math.min(0.4 * width, 12 + 6.6 * Math.max(...names.map((one) => one.length)));
+  const wide = Math.min(0.4 * width, 16 + 7.6 * Math.max(...names.map((one) => one.length)));
   return { left: wide, top: 8, right: width - 14, bottom: height - 40 };
 }
 
 function label(root: SVGSVGElement, box: Box, words: string, at: number): void {
-  const most = Math.floor((box.left - 10) / 6.4);
+  const most = Math.floor((box.left - 10) / 7.4);
   const short = words.length > most ? `${words.slice(0, most - 1)}…` : words;
   root.append(svg("text", { x: box.left - 8, y: at + 4, "text-anchor": "end", class: "name" }, short));
 }

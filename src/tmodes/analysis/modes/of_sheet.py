@@ -50,9 +50,12 @@ class Vibrations(NamedTuple):
     poles: list[tuple[float, float]]
 
 
-def frequencies_about(robot: Robot, rest: Equilibrium) -> dict[str, list[dict[str, Any]]]:
-    """Natural frequencies and damping about a known rest, for each state of the motors; shapes are left out."""
-    states = _states(robot, rest, lambda stage, share: None)
+def frequencies_about(robot: Robot, rest: Equilibrium, *only: str) -> dict[str, list[dict[str, Any]]]:
+    """Natural frequencies and damping about a known rest, for each state of the motors, or ``only`` some of them.
+
+    Shapes are left out.
+    """
+    states = _states(robot, rest, lambda stage, share: None, only)
     return {
         state: [{key: getattr(mode, key) for key in _FREQUENCY} for mode in modes] for state, modes in states.items()
     }
@@ -111,9 +114,10 @@ def _poles(robot: Robot, rest: Equilibrium) -> list[tuple[float, float]]:
     return [(float(value.real), float(value.imag)) for value in found]
 
 
-def _states(robot: Robot, rest: Equilibrium, progress: Progress) -> dict[str, list[Mode]]:
+def _states(robot: Robot, rest: Equilibrium, progress: Progress, only: Sequence[str] = ()) -> dict[str, list[Mode]]:
     servos, feedback = servos_of(robot, rest.model), feedback_of(robot, rest)
     states = [MotorState.LOCKED, MotorState.FREE, *([MotorState.CONTROLLED] if servos else [])]
+    states = [state for state in states if not only or str(state) in only]
     found = {}
     for k, state in enumerate(states):
         progress("modes", k / len(states))

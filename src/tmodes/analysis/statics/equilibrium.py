@@ -17,6 +17,7 @@ from tmodes.analysis.statics.stability import moving_stability
 from tmodes.analysis.statics.steady import base_spin, is_unsteady, steady_rates, whole_rates
 from tmodes.analysis.statics.system import StaticSystem
 from tmodes.errors import InputError
+from tmodes.frame import rotation_vector
 from tmodes.kinds.contacts.registry import Contact
 from tmodes.model.model import Model
 from tmodes.sheet import Robot
@@ -81,11 +82,8 @@ class Equilibrium:
 
     def displacement(self, point: int = 0) -> tuple[Array, Array]:
         """Travel (3,) [m] and rotation vector (3,) [rad] of a point from the unloaded robot, world axes."""
-        from scipy.spatial.transform import Rotation
-
         (before, after), turns = self.model.pose(np.stack([self.unloaded, self.q]))
-        turned = Rotation.from_matrix(turns[1, point] @ turns[0, point].T)
-        return after[point] - before[point], turned.as_rotvec()
+        return after[point] - before[point], rotation_vector(turns[1, point] @ turns[0, point].T)
 
 
 def equilibrium(

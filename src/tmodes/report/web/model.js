@@ -1,4 +1,4 @@
-/* tmodes, built from 26d04c8dd178e29c; BSD-3-Clause */
+/* tmodes, built from c6b805146741e941; BSD-3-Clause */
 
 // src/live/engine_error.ts
 var EngineError = class extends Error {

@@ -131,8 +131,8 @@ class SideBySide:
         """How far each lane came [s]."""
         return self.room.cell("t")[: len(self.lanes)]
 
-    def ended(self, seconds: float) -> list[Trajectory]:
-        """Each run as it stands, after so much time of computing [s]."""
+    def ended(self, elapsed: float, seconds: float) -> list[Trajectory]:
+        """Each run as it stands, after so much time [s] by the clock, and of the processor."""
         if self.room.given is not None:
             self.room.given.keep(self.work.places[self.lanes.start : self.lanes.stop])
         finished = (self.room.cell("status") == float(Status.FINISHED)).tolist()
@@ -146,7 +146,7 @@ class SideBySide:
                 runs.append(self._finished(lane, like, own))
                 continue
             share = seconds / len(self.lanes)
-            runs.append(self._without_samples(replace(info(self._run(place, lane), seconds), seconds=share)))
+            runs.append(self._without_samples(replace(info(self._run(place, lane), elapsed), seconds=share)))
             like = runs[-1] if finished[place] else like
         return runs
 
@@ -202,9 +202,9 @@ class Alone:
         """How far it came [s]."""
         return self.run.cell("t")
 
-    def ended(self, seconds: float) -> list[Trajectory]:
-        """The run as it stands, after so much time of computing [s]."""
-        done, work = replace(info(self.run, seconds), seconds=seconds), self.work
+    def ended(self, elapsed: float, seconds: float) -> list[Trajectory]:
+        """The run as it stands, after so much time [s] by the clock, and of the processor."""
+        done, work = replace(info(self.run, elapsed), seconds=seconds), self.work
         if work.wanted is None:
             return [done]
         work.wanted.take(work.model, self.run.parameters, work.inputs.schedule(self.lane), done, work.places[self.lane])
@@ -219,13 +219,13 @@ def lane_run(work: Work, lane: int) -> NativeRun:
     return NativeRun(work.model, numbers, inputs.schedule(lane), inputs.starts[lane], work.settings, samples)
 
 
-def info(run: NativeRun, seconds: float) -> Trajectory:
-    """A run as it ended, or was left; samples that it does not have are no numbers."""
+def info(run: NativeRun, elapsed: float) -> Trajectory:
+    """A run as it ended, or was left after so much time by the clock [s]; samples that it lacks are no numbers."""
     begun = np.isfinite(run.samples[0]).all()
     run.samples[run.done if begun else 0 :] = np.nan
     if not run.running:
         ended = run.end()
-    elif reason := run.exhausted(seconds):
+    elif reason := run.exhausted(elapsed):
         ended = run.trajectory("stopped", reason)
     else:
         ended = run.trajectory("interrupted", f"interrupted at t = {run.cell('t'):.6g} s; what was done is kept")

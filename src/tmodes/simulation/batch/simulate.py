@@ -126,14 +126,14 @@ def _run_group(
     group: SideBySide | Alone, limit: float, wish: Callable[[], bool], reached: Array, places: NDArray[np.int64]
 ) -> list[Trajectory]:
     """Pieces that take about the same time, so that a wish is soon heard."""
-    began, piece, going = clock.monotonic(), _FIRST_PIECE, True
+    began, piece, going, own = clock.monotonic(), _FIRST_PIECE, True, clock.thread_time()
     while going and not wish() and clock.monotonic() - began < limit:
         started = clock.monotonic()
         group.advance(piece)
         spent = clock.monotonic() - started
         piece = max(1, int(piece * min(4.0, _PIECE_SECONDS / max(spent, 1e-6))))
         going, reached[places] = group.going, group.times
-    return group.ended(clock.monotonic() - began)
+    return group.ended(clock.monotonic() - began, clock.thread_time() - own)
 
 
 def simulate_lanes(

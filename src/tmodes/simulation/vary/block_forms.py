@@ -38,7 +38,7 @@ def block_forms(
         return found
 
     places = structure[-1]
-    form = fitted(vector, tuple(ranges), np.random.default_rng(_SEED))
+    form = fitted(vector, tuple(ranges), np.random.default_rng(_SEED), curves=True)
     ends = {name: place["start"] + int(np.prod(place["shape"])) for name, place in places.items()}
     return {name: form.part(place["start"], ends[name]) for name, place in places.items()}
 

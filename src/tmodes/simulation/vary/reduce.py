@@ -41,7 +41,7 @@ class Reduced:
     ``status``: finished, stopped_by_condition, diverged, stopped (a limit of the settings), interrupted, failed (it
     could not start), refused (the sheet takes no such number), and ``message`` what happened, for each case. Only cases
     of the first two have values. ``statistics``: steps, rejected, evaluations (k,) of the actual robot, ``method`` (k,)
-    by which it was integrated, ``seconds`` (k,) of computing, a share of those of the cases that ran at once.
+    by which it was integrated, ``seconds`` (k,) of the processor, a share of those of the cases that ran at once.
     ``errors`` (k,): sum of the estimated errors of all steps, as a share of the size of what is integrated (at least
     absolute over relative tolerance), not-a-number by fixed steps and of cases that run by themselves.
     ``kept``: motions of some cases, by index.
@@ -197,14 +197,14 @@ class _Rows:
         tip = None if own is None else own[0]
 
         def one(index: int) -> None:
-            began = clock.monotonic()
+            began = clock.thread_time()
             done = run_alone(self.sheet, changes_of(self.values, index), self.reductions, tip)
             self.status[index], self.message[index], self.method[index] = done.status, done.message, done.method
             for name, count in done.counts.items():
                 self.counts[name][index] = count
             for reduction, value in done.values.items():
                 self.columns[reduction][index] = value
-            self.seconds[index] = clock.monotonic() - began
+            self.seconds[index] = clock.thread_time() - began
 
         with ThreadPoolExecutor(self.threads, "tmodes-cases") as pool:
             for done, _ in enumerate(pool.map(one, indices.tolist()), 1):

@@ -24,6 +24,9 @@ SHARES = (5, 25, 50, 75, 95)
 _CASES, _MOST_TIMES, _MOST_NUMBERS = 240, 400, 25_000_000
 """Cases that are run again, instants that are drawn, numbers of their samples at most."""
 
+_SECONDS, _PART, _ROUGH = 20.0, 0.1, 60
+"""Processor time [s] that they may take, or this part of that of the study; cases that are run anyway."""
+
 _FEWEST, _LITTLE = 20, 0.2
 """Cases without which there are no percentiles; spread over the largest below which an axis is left out."""
 
@@ -46,7 +49,9 @@ def tip_bands(study: Study, rows: Rows, progress: Callable[[str, float], None]) 
 def _largest(study: Study, rows: Rows) -> Group | None:
     """Some good cases, evenly taken, of the robot that most of them share."""
     good = np.flatnonzero(rows.good)
-    chosen = good[np.linspace(0, len(good) - 1, min(_CASES, len(good))).astype(int)]
+    spent = rows.seconds[good]
+    affordable = max(_ROUGH, int(max(_SECONDS, _PART * spent.sum()) / max(float(spent.mean()), 1e-9)))
+    chosen = good[np.linspace(0, len(good) - 1, min(_CASES, affordable, len(good))).astype(int)]
     values = np.column_stack([given[chosen] for given in rows.parameters.values()])
     assert study.robot is not None  # noqa: S101
     groups = [one for one in groups_of(study.robot, study.names, study.targets, study.choices, values) if one.vary]
@@ -60,8 +65,12 @@ def _bands(group: Group, progress: Callable[[str, float], None]) -> list[dict[st
     samples = robot.integration.duration / robot.integration.output_step
     count = max(_FEWEST, min(len(group.places), int(_MOST_NUMBERS / (samples * 40))))
     own = run_prepared(prepared(robot, None), tips=True, threads=1)
-    some = run_prepared(prepared(robot, {path: values[:count] for path, values in group.vary.items()}), tips=True,
-                        progress=lambda _, share: progress("motions", share))  # fmt: skip
+
+    def tell(stage: str, share: float) -> None:
+        progress("motions", share if stage == "running" else 1.0)
+
+    vary = {path: values[:count] for path, values in group.vary.items()}
+    some = run_prepared(prepared(robot, vary), tips=True, progress=tell)
     if some.tips is None or own.tips is None or some.finished.sum() < _FEWEST or not own.finished.all():
         return []
     kept = np.unique(np.linspace(0, len(some.times) - 1, _MOST_TIMES).astype(int))

@@ -52,15 +52,19 @@ class Job(Protocol):
         ...
 
     def compute(self, task: Task, runner: Runner = PROCESSOR) -> bytes:
-        """Compute a task here, its cases by a runner; its block as bytes."""
+        """Compute a task here, its cases by a runner; its block as bytes. Threads may compute several at once."""
+        ...
+
+    def end(self) -> None:
+        """Interrupt what other threads compute: KeyboardInterrupt is raised there."""
         ...
 
     def done(self, task: Task, block: bytes) -> None:
         """Verify and store the block of a task. Raises ResultFileError for bytes that are not its block."""
         ...
 
-    def report(self, share: float = 0.0) -> None:
-        """Report progress, ``share`` of a block more than what is done; raises KeyboardInterrupt at Ctrl-C."""
+    def report(self) -> None:
+        """Report progress; raises KeyboardInterrupt at Ctrl-C."""
         ...
 
 

@@ -1,13 +1,24 @@
-"""The machine at hand: one block after another, each over all cores."""
+"""The machine at hand: the cases of a block over all cores, while the next block is prepared."""
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
+from contextlib import contextmanager
+from threading import Lock
 from typing import Self
 
 from tmodes.errors import InputError
-from tmodes.study.places.contract import PLACES, How, Job, Place
+from tmodes.simulation.batch.runner import Processor
+from tmodes.simulation.batch.simulate import thread_count
+from tmodes.simulation.batch.work import Work
+from tmodes.simulation.parts import Trajectory
+from tmodes.study.places.contract import PLACES, How, Job, Place, Task
 
 __all__ = ["Local"]
+
+_GLANCE = 0.1
+"""Seconds after which who waits for the cores hears Ctrl-C."""
 
 
 @PLACES.register
@@ -25,6 +36,57 @@ class Local(Place):
         return cls()
 
     def run(self, job: Job) -> None:
-        """Block by block."""
+        """Block by block, the first by itself: it compiles what all need."""
+        first = job.next()
+        if first is None:
+            return
+        job.done(first, job.compute(first))
+        if thread_count(job.threads) > 1 and job.study.needs.reductions:
+            _ahead(job)
+            return
         while task := job.next():
             job.done(task, job.compute(task))
+
+
+def _ahead(job: Job) -> None:
+    """Two blocks at once: one is prepared, on one core, while the cases of the other keep all of them busy."""
+    turns, pending = _InTurn(), dict[Future[bytes], Task]()
+    try:
+        with ThreadPoolExecutor(2, "tmodes-blocks") as pool, _ending(job):
+            while True:
+                while len(pending) < 2 and (task := job.next()):
+                    pending[pool.submit(job.compute, task, turns)] = task
+                if not pending:
+                    return
+                for future in wait(pending, return_when=FIRST_COMPLETED).done:
+                    job.done(pending.pop(future), future.result())
+    finally:  # what was finished when another block failed is kept
+        for future, task in pending.items():
+            if future.exception() is None:
+                job.done(task, future.result())
+
+
+@contextmanager
+def _ending(job: Job) -> Iterator[None]:
+    """What is raised within ends the blocks that are being computed."""
+    try:
+        yield
+    except BaseException:
+        job.end()
+        raise
+
+
+class _InTurn(Processor):
+    """The cores belong to one block at a time."""
+
+    def __init__(self) -> None:
+        self._free = Lock()
+
+    def run(self, works: Sequence[Work], threads: int, progress: Callable[[float], None]) -> dict[int, Trajectory]:
+        """As the processor does, once it is free."""
+        while not self._free.acquire(timeout=_GLANCE):
+            progress(0.0)
+        try:
+            return super().run(works, threads, progress)
+        finally:
+            self._free.release()
