@@ -58,8 +58,8 @@ def stuck(result):
     return float(sum(range(10**12)))
 
 
-def evaluated(threads, timeout=60.0, **functions):
-    quantities = {name: {"function": name, "timeout": timeout} for name in functions}
+def evaluated(threads, seconds=60.0, **functions):
+    quantities = {name: {"function": name, "timeout": seconds} for name in functions}
     asked = {**quantities, "height": {"function": "height"}, "peak": {"summary": "deviation.max_m"}}
     return short(asked, functions={**functions, "height": height}).evaluate(0, VALUES, threads=threads)
 
