@@ -36,7 +36,6 @@ from tmodes.simulation.motion_run import tip_positions
 from tmodes.simulation.native_run import NativeRun
 from tmodes.simulation.start import RunSetup, run_setup, run_trajectory
 from tmodes.simulation.vary.reduce import Reduced, Reduction, reduced
-from tmodes.simulation.vary.study import drawn
 
 from .stiff_arm import two_beams
 
@@ -82,7 +81,8 @@ class Study:
 
     def values(self, cases: int) -> dict[str, np.ndarray]:
         """Numbers of the cases."""
-        return drawn(self.ranges, cases, 1)
+        generator = np.random.default_rng(1)
+        return {path: generator.uniform(low, high, cases) for path, (low, high) in self.ranges.items()}
 
     def setup(self, index: int) -> RunSetup:
         """A case by itself."""

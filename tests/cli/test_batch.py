@@ -8,8 +8,11 @@ import numpy as np
 import pytest
 
 from command import tmodes
+from tmodes.robots.load import load
 from tmodes.simulation.batch.result import load_batch
-from tmodes.simulation.vary.study import drawn, grid
+from tmodes.study import ranges
+from tmodes.study.ranges import drawn_study, grid_study
+from tmodes.study.read import read_study
 
 BATCH = ["batch", "filipovic2010", "--duration", "0.02"]
 
@@ -32,9 +35,11 @@ def test_sweep_into_a_folder(tmp_path):
     data = json.loads(tmodes_batch(*vary, "--json").stdout)
     assert data["each"][4]["tip_difference_m"] < 1e-12
     assert data["tip_difference_m"]["max"] == data["worst"]["tip_difference_m"] > 1e-4
+    # Reduced in the loops, or of the samples in the folder: the same within the tolerance of the integration.
     assert batch.tips is not None
-    far = np.linalg.norm(batch.tips - batch.tips[4], axis=2).max(axis=1)
-    assert [each["tip_difference_m"] for each in data["each"]] == pytest.approx(far.tolist(), abs=1e-12)
+    far = np.linalg.norm(batch.tips - batch.tips[4], axis=2)
+    for key, numbers in {"tip_difference_m": far.max(axis=1), "tip_difference_at_end_m": far[:, -1]}.items():
+        assert [each[key] for each in data["each"]] == pytest.approx(numbers.tolist(), abs=2e-9)
     assert "new folder" in tmodes_batch(*vary, "--out", out, code=4).stderr
 
 
@@ -65,6 +70,8 @@ WRONG = {
     "at most 1000000": ["--vary", "payload.mass=1:2:1001", "--vary", "gravity=9:10:1001"],
     "case 0: payload.mass must be a number not less than 0 [kg], got -1.0": ["--vary", "payload.mass=-1:2:2"],
     "Did you mean": ["--draw", "payload.mas=1:2"],
+    "the lower number first": ["--draw", "payload.mass=2:1"],
+    "write --set payload.mass=1": ["--draw", "payload.mass=1:1"],
     "payload.mass twice": ["--vary", "payload.mass=1:2:2", "--vary", "payload.mass=3:4:2"],
     "case 2: payload.mass must be a number not less than 0 [kg], got -1.0": ["--vary", "payload.mass=1:-1:3"],
     "one integration": ["--vary", "integration.duration=1:2:3"],
@@ -94,20 +101,70 @@ def test_interrupted_before_the_batch_has_begun(stage, duration, tmp_path, monke
     assert not out.exists()
 
 
+def cases_of(study):
+    values = study.design().values
+    return {one.path: values[:, k] for k, one in enumerate(study.sheet.parameters.values())}
+
+
+ROBOT = load("filipovic2010")
+
+
 def test_grid_is_all_combinations():
-    values = grid({"a": (0.0, 1.0, 3), "b": (5.0, 5.0, 1), "c": (2.0, 3.0, 2)})
-    assert sorted(zip(*(values[name].tolist() for name in "abc"), strict=True)) == [
-        (a, 5.0, c) for a in (0.0, 0.5, 1.0) for c in (2.0, 3.0)
+    paths = "payload.mass", "gear.damping", "gravity"
+    values = cases_of(grid_study(ROBOT, dict(zip(paths, map(np.array, ([0, 0.5, 1], [5.0], [9.5, 9])), strict=True))))
+    assert [*zip(*(values[path].tolist() for path in paths), strict=True)] == [
+        (a, 5.0, c) for a in (0.0, 0.5, 1.0) for c in (9.5, 9.0)
     ]
 
 
 def test_a_longer_draw_begins_with_the_shorter_one():
     """More runs, or another path next to, change no number that was drawn."""
-    short, long = drawn({"a": (0.0, 2.0)}, 10, 7), drawn({"b": (5.0, 6.0), "a": (0.0, 2.0)}, 1000, 7)
-    assert long["a"][:10].tolist() == short["a"].tolist()
-    assert np.all((long["b"] >= 5.0) & (long["b"] < 6.0))
-    assert long["a"].mean() == pytest.approx(1.0, abs=4 * 2 / np.sqrt(12 * 1000))
-    assert np.corrcoef(long["a"], long["b"])[0, 1] == pytest.approx(0.0, abs=0.15)
+    own, other = {"payload.mass": (0.0, 2.0)}, {"gear.damping": (5.0, 6.0)}
+    short, long = cases_of(drawn_study(ROBOT, own, 10, 7)), cases_of(drawn_study(ROBOT, other | own, 1000, 7))
+    mass, damping = long["payload.mass"], long["gear.damping"]
+    assert mass[:10].tolist() == short["payload.mass"].tolist()
+    assert np.all((damping >= 5.0) & (damping < 6.0))
+    assert mass.mean() == pytest.approx(1.0, abs=4 * 2 / np.sqrt(12 * 1000))
+    assert np.corrcoef(mass, damping)[0, 1] == pytest.approx(0.0, abs=0.15)
+
+
+def test_paths_that_differ_in_what_no_name_can_have_stay_apart():
+    names = ranges._names(["links.a-b.mass", "links.a_b.mass", "*"])
+    assert len({*names}) == 3
+    assert all(name[0].isalpha() for name in names)
+
+
+def test_a_batch_cut_into_parts_is_the_same(monkeypatch):
+    """Cases are computed some at a time, so that memory is bounded; numbers stay but for rounding."""
+    short = ROBOT.with_({"integration.duration": 0.02})
+    study = drawn_study(short, {"payload.mass": (0.4, 0.6)}, 40, 1)
+    whole = ranges.computed(study, 1, lambda *_: None)
+    monkeypatch.setattr(ranges, "_TOGETHER", 16)
+    parts = ranges.computed(study, 1, lambda *_: None)
+    assert whole.case.tolist() == parts.case.tolist() == [*range(40)]
+    for name, values in whole.quantities.items():
+        assert parts.quantities[name] == pytest.approx(values, rel=1e-9, abs=1e-12)
+
+
+def test_a_batch_is_the_study_it_is_short_for(tmp_path):
+    """The same numbers as of the study written out."""
+    data = json.loads(tmodes_batch("--draw", "payload.mass=0.4:0.6", "--runs", 5, "--json").stdout)
+    file = tmp_path / "study.yaml"
+    file.write_text(STUDY, encoding="utf-8")
+    rows = read_study(file).evaluate(0, read_study(file).design().values)
+    assert [each["tip_difference_m"] for each in data["each"]] == rows.quantities["far"].tolist()
+
+
+STUDY = """
+format: 1
+kind: study
+name: the-same
+robot: filipovic2010
+set: {integration.duration: 0.02}
+parameters: {payload_mass: {path: payload.mass, distribution: {type: uniform, low: 0.4, high: 0.6}}}
+plan: {type: monte_carlo, runs: 5}
+quantities: {far: {series: tip_difference, reduce: max}}
+"""
 
 
 def test_a_folder_that_is_taken_is_refused_before_anything_runs(tmp_path, monkeypatch):

@@ -55,8 +55,11 @@ def made(*, grid: bool = False, drawn: bool = True) -> dict[str, Any]:
             "values": np.array([times - 1, times, times + 1])}  # fmt: skip
     index = {"quantity": "peak", "how": "", "names": ["x", "y"], "first": [[0.5, 0.4, 0.6], [0.4, 0.3, 0.5]],
              "total": [[0.6, 0.5, 0.7], [0.5, 0.4, 0.6]]}  # fmt: skip
-    return page_data("made", rows, info, drawn=drawn, bands=[band] if drawn else [], indices=[index],
+    data = page_data("made", rows, info, drawn=drawn, bands=[band] if drawn else [], indices=[index],
                      objectives=("x", "peak"), front=[0, 1])  # fmt: skip
+    effect = {"quantity": "peak", "unit": "m", "names": ["x", "y"], "size": [[0.5, 0.4, 0.6], [0.1, 0.0, 0.2]],
+              "spread": [0.2, 0.1], "trajectories": 8}  # fmt: skip
+    return data | {"effects": [effect]}
 
 
 @pytest.mark.parametrize("name", sorted(STUDY_FIGURES))
@@ -96,3 +99,45 @@ def test_what_is_not_there_is_not_drawn(tmp_path: Path) -> None:
 def test_an_unknown_figure_is_refused(tmp_path: Path) -> None:
     with pytest.raises(InputError, match=r"figures must be some of .*Did you mean `tornado`"):
         save_study_figures(made(), tmp_path, names=["tornados"])
+
+
+def test_no_interval_ends_at_the_edge() -> None:
+    """Neither of Sobol' indices, of which one may be below zero, nor of elementary effects."""
+    data = made()
+    data["indices"][0]["first"][1] = [0.0, -0.2, 0.2]
+    data["indices"][0]["total"][0] = [0.6, 0.2, 1.1]
+    with house_style():
+        axes = STUDY_FIGURES["sobol"].draw(data, data["quantities"][0]).axes[0]
+        assert axes.get_xlim()[0] < -0.2
+        assert axes.get_xlim()[1] > 1.1
+        axes = STUDY_FIGURES["morris"].draw(data, data["quantities"][0]).axes[0]
+        assert axes.get_xlim()[1] > 0.6
+        assert {"across", "y"} <= {text.get_text() for text in axes.texts}
+
+
+def test_designs_beyond_a_limit_are_marked_as_such() -> None:
+    """The last case did not reach its end: it is no design that could be chosen."""
+    data = made()
+    with house_style():
+        axes = STUDY_FIGURES["pareto"].draw(data, data["quantities"][0]).axes[0]
+    assert {line.get_label(): len(line.get_xdata()) for line in axes.lines} == {
+        "beyond a limit": 1, "designs": 79, "front": 2,
+    }  # fmt: skip
+
+
+def test_lines_of_all_cases_stay_between_the_axes() -> None:
+    """Ends of the axes are those of the cases that are shown, not of those that failed."""
+    data = made()
+    data["parameters"][0]["values"][-1] = -50.0
+    with house_style():
+        axes = STUDY_FIGURES["cases"].draw(data, data["quantities"][0]).axes[0]
+    heights = np.concatenate([path.vertices[:, 1] for path in axes.collections[0].get_paths()])
+    assert heights.min() == pytest.approx(0.0)
+    assert heights.max() == pytest.approx(1.0)
+
+
+def test_an_objective_that_is_a_formula_makes_a_name_of_a_file(tmp_path: Path) -> None:
+    data = made()
+    data["quantities"][0]["name"] = "peak / (1 + x)"
+    files = save_study_figures(data, tmp_path, ["svg"], ["distribution"])
+    assert [path.name for path in files] == ["distribution_peak_1_x.svg"]

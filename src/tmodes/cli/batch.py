@@ -1,4 +1,4 @@
-"""``tmodes batch``: many runs of one robot with some of its numbers varied, and how far their tips part."""
+"""``tmodes batch``: the short form of a study, many runs of one robot with some of its numbers varied."""
 
 from __future__ import annotations
 
@@ -13,14 +13,16 @@ from tmodes.cli.terminal import notice, print_json, print_table, working
 from tmodes.errors import InputError
 
 if TYPE_CHECKING:
+    import numpy as np
     from numpy.typing import NDArray
 
-    from tmodes.simulation.batch.result import BatchRun
-    from tmodes.simulation.vary.study import Spread
+    from tmodes.sheet import Robot
+    from tmodes.study.rows import Rows
+    from tmodes.study.study import Study
 
 __all__ = ["batch"]
 
-MOST_LANES = 1_000_000
+MOST_CASES = 1_000_000
 MOST_REPORTED = 5
 """Cases that did not finish, reported one by one."""
 
@@ -34,7 +36,7 @@ def batch(
     draw: Annotated[
         list[str] | None, typer.Option(metavar="PATH=LOW:HIGH", help="Random numbers, uniform; with --runs and --seed.")
     ] = None,
-    runs: Annotated[int, typer.Option(min=1, max=MOST_LANES, help="How many runs --draw makes.")] = 100,
+    runs: Annotated[int, typer.Option(min=1, max=MOST_CASES, help="How many runs --draw makes.")] = 100,
     seed: Annotated[int, typer.Option(min=0, help="Same seed, same numbers.")] = 0,
     settings: options.Settings = None,
     integrator: options.IntegratorOption = None,
@@ -52,7 +54,8 @@ def batch(
 ) -> None:
     """Many runs at once with numbers varied: a sweep (--vary) or a Monte Carlo study (--draw).
 
-    Each is the actual robot under control, as of `tmodes run`, compared with the run of the sheet as it stands: the
+    The short form of `tmodes study`, which has other plans, distributions and quantities, and keeps what it has done.
+    Each run is the actual robot under control, as of `tmodes run`, compared with the run of the sheet as it stands: the
     distance of their tips. Everything is checked before anything runs. A run that cannot continue is named, and
     disturbs no other. The folder of --out holds states.npy, tips.npy, times.npy and batch.json;
     tmodes.simulation.batch.result.load_batch("FOLDER") reads them.
@@ -66,33 +69,50 @@ def batch(
     Example, noise on what the controller hears, 100 seeds: tmodes batch filipovic2010
     --set reference.noise.deviation=1e-4 --vary reference.noise.seed=0:99:100
     """
-    values = _values(vary or [], draw or [], runs, seed)
-    changes = options.integration_changes(
-        method=integrator, relative_tolerance=rtol, absolute_tolerance=atol, duration=duration
-    )
-    sheet = options.chosen_sheet(
-        robot, settings, roots=root, trust_paths=trust_paths, fix_inertia=fix_inertia, changes=changes
-    )
-    found, parted = _run(sheet, values, threads, out)
-    _report(sheet.name, found, parted, as_json)
-    if not found.finished.all():
-        raise typer.Exit(130 if "interrupted" in found.status else 3)
-
-
-def _values(vary: list[str], draw: list[str], runs: int, seed: int) -> dict[str, NDArray[Any]]:
-    """Numbers of every lane, by path."""
-    from tmodes.simulation.vary.study import drawn, grid
-
     if bool(vary) == bool(draw):
         hint = "write --vary payload.mass=0.4:0.6:11, or --draw payload.mass=0.4:0.6"
         raise InputError("--vary, --draw", "both" if vary else "neither", "one of them", hint)
-    if draw:
-        return drawn({path: (low, high) for path, low, high in _ranges("--draw", draw)}, runs, seed)
-    ranges = {path: (low, high, _count(path, count)) for path, low, high, count in _ranges("--vary", vary)}
-    lanes = prod(count for _, _, count in ranges.values())
-    if lanes > MOST_LANES:
-        raise InputError("--vary", f"{lanes} combinations", f"at most {MOST_LANES}", "take fewer numbers of each path")
-    return grid(ranges)
+    changes = options.integration_changes(
+        method=integrator, relative_tolerance=rtol, absolute_tolerance=atol, duration=duration
+    )
+    from tmodes.study.ranges import computed, sampled
+
+    drawn, spread = _drawn(draw or []), _spread(vary or [])
+    sheet = options.chosen_sheet(
+        robot, settings, roots=root, trust_paths=trust_paths, fix_inertia=fix_inertia, changes=changes
+    )
+    with working() as tell:
+        asked = _asked(sheet, drawn, spread, runs, seed)
+        rows = sampled(asked, out, threads, tell) if out else computed(asked, threads, tell)
+    _report(sheet.name, asked, rows, out, as_json)
+    if not rows.good.all() or len(rows) < asked.cases:
+        raise typer.Exit(130 if "interrupted" in rows.status else 3)
+
+
+def _asked(sheet: Robot, drawn: dict[str, Any], spread: dict[str, Any], runs: int, seed: int) -> Study:
+    from tmodes.study.ranges import drawn_study, grid_study
+
+    return drawn_study(sheet, drawn, runs, seed) if drawn else grid_study(sheet, spread)
+
+
+def _drawn(texts: list[str]) -> dict[str, tuple[float, float]]:
+    """Least and largest number of each path."""
+    for path, low, high in (ranges := _ranges("--draw", texts)):
+        if low >= high:
+            hint = "swap the two" if low > high else f"write --set {path}={low:g} for the same number in all"
+            raise InputError(f"--draw {path}", f"{low:g}:{high:g}", "LOW:HIGH, the lower number first", hint)
+    return {path: (low, high) for path, low, high in ranges}
+
+
+def _spread(texts: list[str]) -> dict[str, NDArray[np.float64]]:
+    """Evenly spaced numbers of each path."""
+    import numpy as np
+
+    ranges = {path: (low, high, _count(path, count)) for path, low, high, count in _ranges("--vary", texts)}
+    cases = prod(count for _, _, count in ranges.values())
+    if cases > MOST_CASES:
+        raise InputError("--vary", f"{cases} combinations", f"at most {MOST_CASES}", "take fewer numbers of each path")
+    return {path: np.linspace(low, high, count) for path, (low, high, count) in ranges.items()}
 
 
 def _ranges(option: str, texts: list[str]) -> list[tuple[Any, ...]]:
@@ -126,51 +146,67 @@ def _count(path: str, count: float) -> int:
     return int(count)
 
 
-def _run(sheet: Any, values: dict[str, Any], threads: int | None, out: Path | None) -> tuple[BatchRun, Spread]:
-    """The batch and its spread; without a folder no samples are kept."""
-    from tmodes.simulation.vary.simulate import prepared, run_prepared
-    from tmodes.simulation.vary.study import Spread, spread
-
-    with working() as tell:
-        lanes = prepared(sheet, values, out=out, keep=out is not None, progress=tell)
-        own = run_prepared(prepared(sheet, None), tips=True, threads=1, progress=tell)
-        if "interrupted" in own.status:
-            raise KeyboardInterrupt
-        figures = None if out else lambda part: vars(spread(part, own))
-        found = run_prepared(lanes, tips=True, threads=threads, figures=figures, progress=tell)
-    return found, spread(found, own) if out else Spread(**found.figures)
-
-
-def _report(name: str, found: BatchRun, parted: Spread, as_json: bool) -> None:
-    info = parted.info(found)
+def _report(name: str, study: Study, rows: Rows, out: Path | None, as_json: bool) -> None:
+    paths = {name: one.path or name for name, one in study.sheet.parameters.items()}
+    info = _info(rows, paths, study.cases)
     if as_json:
-        print_json(info | {"each": _each(found, parted)})
+        print_json(info | {"each": [_case(rows, paths, k) for k in range(len(rows))]})
     else:
-        _print(name, found, info)
-    lost = [lane for lane, status in enumerate(found.status) if status != "finished"]
-    for lane in lost[:MOST_REPORTED]:
-        values = ", ".join(f"{path} = {values[lane]:.6g}" for path, values in found.values.items())
-        notice(f"case {lane} ({values}) {found.status[lane]}: {found.message[lane]}")
+        _print(name, info, out)
+    lost = [k for k, good in enumerate(rows.good.tolist()) if not good]
+    for k in lost[:MOST_REPORTED]:
+        notice(f"case {k} ({_words(_values(rows, paths, k))}) {rows.status[k]}: {rows.reason[k]}")
     if len(lost) > MOST_REPORTED:
         notice(f"and {len(lost) - MOST_REPORTED} more cases that did not finish")
 
 
-def _each(found: BatchRun, parted: Spread) -> list[dict[str, Any]]:
-    """Every lane: its numbers, how it ended, and how far its tip parted."""
-    pairs = zip(parted.largest.tolist(), parted.at_end.tolist(), strict=True)
-    return [
-        {
-            "values": {path: float(values[lane]) for path, values in found.values.items()},
-            "status": found.status[lane],
-            "message": found.message[lane],
-            "tip_difference_m": largest if isfinite(largest) else None,
-            "tip_difference_at_end_m": at_end if isfinite(at_end) else None,
-        }
-        for lane, (largest, at_end) in enumerate(pairs)
-    ]
+def _values(rows: Rows, paths: dict[str, str], k: int) -> dict[str, float]:
+    return {paths[name]: float(values[k]) for name, values in rows.parameters.items()}
 
 
-def _print(name: str, found: BatchRun, info: dict[str, Any]) -> None:
+def _words(values: dict[str, float]) -> str:
+    return ", ".join(f"{path} = {value:.6g}" for path, value in values.items())
+
+
+def _case(rows: Rows, paths: dict[str, str], k: int) -> dict[str, Any]:
+    """A case: its numbers, how it ended, and how far its tip was from that of the sheet's own run."""
+    numbers = {name: float(values[k]) for name, values in rows.quantities.items()}
+    return {
+        "values": _values(rows, paths, k),
+        "status": rows.status[k],
+        "message": rows.reason[k],
+        **{name: number if isfinite(number) else None for name, number in numbers.items()},
+    }
+
+
+def _info(rows: Rows, paths: dict[str, str], cases: int) -> dict[str, Any]:
+    """Least, median and largest of both distances, and the case with the largest; None for nothing."""
+    import numpy as np
+
+    from tmodes.study.ranges import LARGEST
+
+    largest = rows.quantities[LARGEST]
+    worst = int(np.nanargmax(largest)) if np.isfinite(largest).any() else None
+    return {
+        "lanes": cases,
+        "finished": int(rows.good.sum()),
+        **{name: _least_median_most(values) for name, values in rows.quantities.items()},
+        "worst": None if worst is None else {
+            "lane": worst, LARGEST: float(largest[worst]), "values": _values(rows, paths, worst)
+        },
+    }  # fmt: skip
+
+
+def _least_median_most(values: NDArray[np.float64]) -> dict[str, float] | None:
+    import numpy as np
+
+    known = values[np.isfinite(values)]
+    if not len(known):
+        return None
+    return {"min": float(known.min()), "median": float(np.median(known)), "max": float(known.max())}
+
+
+def _print(name: str, info: dict[str, Any], out: Path | None) -> None:
     title = f"{name}: {info['finished']} of {info['lanes']} runs finished"
     labels = {"tip_difference_m": "largest tip difference [mm]", "tip_difference_at_end_m": "at the end [mm]"}
     rows = [
@@ -179,7 +215,7 @@ def _print(name: str, found: BatchRun, info: dict[str, Any]) -> None:
     ]
     print_table(title, ["from the sheet's own run", "least", "median", "largest"], rows)
     if worst := info["worst"]:
-        values = ", ".join(f"{path} = {value:.6g}" for path, value in worst["values"].items())
-        print(f"Largest tip difference: {worst['tip_difference_m'] * 1e3:.4g} mm, in case {worst['lane']}: {values}.")
-    if found.folder:
-        print(f"All samples are in {found.folder}.")
+        distance = f"{worst['tip_difference_m'] * 1e3:.4g} mm"
+        print(f"Largest tip difference: {distance}, in case {worst['lane']}: {_words(worst['values'])}.")
+    if out:
+        print(f"All samples are in {out}.")

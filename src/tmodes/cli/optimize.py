@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from tmodes.cli.options import AsJson, Roots, TrustPaths
-from tmodes.cli.sensitivity import StudyArgument
-from tmodes.cli.study_text import notice_slow
+from tmodes.cli.sensitivity import CasesFolder, Seed, StudyArgument, asked_study
 from tmodes.cli.terminal import notice, print_json, print_table, working
 
 if TYPE_CHECKING:
@@ -29,10 +27,8 @@ def optimize(
     trials: Annotated[
         int | None, typer.Option(min=1, help="Designs that tpe (else 200) or nsga2 (else 1000) tries.")
     ] = None,
-    seed: Annotated[int, typer.Option(min=0, help="Same seed, same designs.")] = 0,
-    out: Annotated[
-        Path | None, typer.Option(help="A folder for all cases; the same command resumes what was interrupted.")
-    ] = None,
+    seed: Seed = 0,
+    out: CasesFolder = None,
     root: Roots = None,
     trust_paths: TrustPaths = False,
     as_json: AsJson = False,
@@ -56,10 +52,8 @@ def optimize(
     Example, 500 designs, kept and resumable: tmodes optimize arm.yaml --method tpe --trials 500 --out arm-designs
     """
     from tmodes.study.optimize import optimize as best_design
-    from tmodes.study.read import read_study
 
-    asked = read_study(study, roots=root or (), trust_paths=trust_paths)
-    notice_slow(asked)
+    asked = asked_study(study, root, trust_paths=trust_paths)
     with working() as tell:
         found = best_design(asked, method, trials=trials, seed=seed, folder=out, progress=tell)
     page = None

@@ -14,12 +14,26 @@ from tmodes.cli.terminal import notice, print_json, print_table, working
 
 if TYPE_CHECKING:
     from tmodes.study.sensitivity import Sensitivity
+    from tmodes.study.study import Study
 
-__all__ = ["StudyArgument", "sensitivity"]
+__all__ = ["CasesFolder", "Seed", "StudyArgument", "asked_study", "sensitivity"]
 
 StudyArgument = Annotated[Path, typer.Argument(metavar="STUDY.yaml", help="A study file; see docs/studies.md.")]
+Seed = Annotated[int, typer.Option(min=0, help="Same seed, same cases.")]
+CasesFolder = Annotated[
+    Path | None, typer.Option(help="A folder for all cases; the same command resumes what was interrupted.")
+]
 
 MOST_PAIRS = 20
+
+
+def asked_study(path: Path, roots: list[Path] | None, *, trust_paths: bool) -> Study:
+    """The study of a file; what makes it slow is said."""
+    from tmodes.study.read import read_study
+
+    asked = read_study(path, roots=roots or (), trust_paths=trust_paths)
+    notice_slow(asked)
+    return asked
 
 
 def sensitivity(
@@ -31,13 +45,11 @@ def sensitivity(
         int | None,
         typer.Option(help="sobol: a power of two, 1024 if left out, times the parameters and 2 cases. morris: 64."),
     ] = None,
-    seed: Annotated[int, typer.Option(min=0, help="Same seed, same cases.")] = 0,
+    seed: Seed = 0,
     second_order: Annotated[
         bool, typer.Option("--second-order", help="sobol: also for pairs of parameters, from nearly twice as many.")
     ] = False,
-    out: Annotated[
-        Path | None, typer.Option(help="A folder for all cases; the same command resumes what was interrupted.")
-    ] = None,
+    out: CasesFolder = None,
     root: Roots = None,
     trust_paths: TrustPaths = False,
     as_json: AsJson = False,
@@ -59,11 +71,9 @@ def sensitivity(
 
     Example, kept and resumable, four times as sure: tmodes sensitivity gear.yaml --samples 4096 --out gear-indices
     """
-    from tmodes.study.read import read_study
     from tmodes.study.sensitivity import sensitivity as analyse
 
-    asked = read_study(study, roots=root or (), trust_paths=trust_paths)
-    notice_slow(asked)
+    asked = asked_study(study, root, trust_paths=trust_paths)
     with working() as tell:
         found = analyse(asked, method, samples=samples, seed=seed, second_order=second_order, folder=out, progress=tell)
         page = _page(found, out, tell) if out else None

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import time as clock
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -106,7 +107,8 @@ def changed(asked: Study, settings: Sequence[str], runs: int | None) -> Study:
         robot = sheet_data(asked.robot.with_(changes))
     if runs is None and not settings:
         return asked
-    return asked.from_data({"study": sheet, "robot": robot}, functions=asked.functions)
+    found = asked.from_data({"study": sheet, "robot": robot}, functions=asked.functions)
+    return replace(found, places=asked.places)
 
 
 def resources(texts: list[str]) -> dict[str, str]:

@@ -96,6 +96,7 @@ def pack(block: Block) -> bytes:
         "reason": np.array([place[word] for word in rows.reason], "<u4"),
         "method": np.array([place[word] for word in rows.method], "<u4"),
         "seconds": np.asarray(rows.seconds, "<f8"),
+        "errors": np.asarray(rows.errors, "<f8"),
         "words": np.frombuffer(canonical(words), "|u1"),
         "asked": np.array(block.asked, "<i8"),
     }
@@ -184,10 +185,10 @@ def _block(header: Any, arrays: dict[str, NDArray[Any]]) -> Block:
     status = [STATUS[code] for code in arrays["status"].tolist()]
     rows = Rows(
         case, columns["parameter"], columns["quantity"], header["units"], status, **texts,
-        seconds=arrays["seconds"], kept=kept,
+        seconds=arrays["seconds"], kept=kept, errors=arrays.get("errors", np.zeros(0)),
     )  # fmt: skip
     lengths = {len(part) for part in (*columns["parameter"].values(), *columns["quantity"].values(), status)}
-    if lengths | {len(rows.reason), len(rows.method), len(rows.seconds)} != {count}:
+    if lengths | {len(rows.reason), len(rows.method), len(rows.seconds), len(rows.errors)} != {count}:
         raise ValueError("columns of different lengths")
     again = label_of(label.base, label.engine, label.keys, rows, label.wall)
     if set(label.keys) != set(rows.quantities) or again != label:

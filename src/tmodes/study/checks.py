@@ -20,7 +20,7 @@ _NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]{0,59}")
 _TAKEN = {*FUNCTIONS, *SEVERAL, *CHOICES, *CONSTANTS, "and", "or", "not"}
 """Words of formulas."""
 
-_COLUMNS = {"case", "status", "reason", "method", "seconds"}
+_COLUMNS = {"case", "status", "reason", "method", "seconds", "errors"}
 """Columns of the table of a study."""
 
 

@@ -43,7 +43,7 @@ def evaluated(study: Study, first: int, values: Array, progress: Progress, threa
     quantities, units = _quantities(study, parameters, part)
     return Rows(
         first + np.arange(len(values)), parameters, quantities, units, part.status, part.reason, part.method,
-        part.seconds, {first + k: motion for k, motion in part.kept.items()},
+        part.seconds, {first + k: motion for k, motion in part.kept.items()}, part.errors,
     )  # fmt: skip
 
 
@@ -91,7 +91,8 @@ def _named(study: Study) -> Iterator[None]:
             asked = getattr(one, type(one).named, None)
             if asked and (error.which == asked or error.got.endswith(repr(asked))):
                 which = f"quantities.{name}.{one.name_of_kind()}"
-                raise InputError(which, error.got, error.expected, error.hint) from None
+                where = study.places.get(name, "")
+                raise InputError(which, error.got, error.expected, error.hint, where) from None
         raise
 
 
@@ -136,7 +137,7 @@ def _repeated(part: Part, size: int, kept: list[int]) -> Part:
         part.status * size, part.reason * size, part.method * size, np.full(size, part.seconds[0] / size),
         {key: np.repeat(values, size) for key, values in part.numbers.items()}, part.units,
         {key: dict.fromkeys(range(size), reasons[0]) for key, reasons in part.reasons.items() if 0 in reasons},
-        {k: part.kept[0] for k in kept if 0 in part.kept},
+        {k: part.kept[0] for k in kept if 0 in part.kept}, np.repeat(part.errors, size),
     )  # fmt: skip
 
 
@@ -154,7 +155,7 @@ def _quantities(study: Study, parameters: Mapping[str, Array], part: Part) -> tu
         values, reasons = own.values(asked)
         values = np.where(good, np.asarray(values, dtype=float), np.nan)
         units[name] = own.unit or own.own_unit(asked)
-        known[name] = values * _factor(own.own_unit(asked), units[name], name)
+        known[name] = values * _factor(own.own_unit(asked), units[name], name, study.places)
         for k, why in reasons.items():
             if good[k]:
                 part.status[k], part.reason[k] = "failed", part.reason[k] or f"{name}: {why}"
@@ -175,7 +176,7 @@ def _asked(name: str, needs: Needs, known: Mapping[str, Array], part: Part, size
     )
 
 
-def _factor(own: str, wanted: str, name: str) -> float:
+def _factor(own: str, wanted: str, name: str, places: Mapping[str, str]) -> float:
     """What values in their own unit are multiplied by; raises InputError for a unit of another dimension."""
     if own == wanted:
         return 1.0
@@ -183,5 +184,6 @@ def _factor(own: str, wanted: str, name: str) -> float:
         one = number(f"1 {wanted}", own)
     except NotANumber as error:
         hint = f"write a unit that {own} converts to, or leave it out"
-        raise InputError(f"quantities.{name}.unit", error.got, f"a unit of {own}", hint) from None
+        which, where = f"quantities.{name}.unit", places.get(name, "")
+        raise InputError(which, error.got, f"a unit of {own}", hint, where) from None
     return 1.0 / one if not math.isclose(1.0 / one, round(1.0 / one), rel_tol=1e-12) else float(round(1.0 / one))

@@ -39,4 +39,5 @@ def merged(parts: list[Rows], quantities: list[str]) -> Rows:
         first.case, first.parameters, {name: columns[name] for name in quantities if name in columns}, units,
         status, reason, method, seconds=np.sum([rows.seconds for rows in parts], axis=0),
         kept={case: motion for rows in parts for case, motion in rows.kept.items()},
+        errors=np.fmax.reduce([rows.errors for rows in parts]),
     )  # fmt: skip

@@ -23,7 +23,7 @@ from tmodes.study.sheet import StudySheet
 from tmodes.study.shorthand import Shorthands, expanded
 from tmodes.study.study import Study, study_problems
 
-__all__ = ["read_study", "study_from_data"]
+__all__ = ["read_study", "study_from_data", "study_of_robot"]
 
 Functions = Mapping[str, Callable[[Any], float]]
 
@@ -61,6 +61,11 @@ def study_from_data(
     return _study(copy.deepcopy(data), {}, "", folders, functions or {}, Path(folder) if folder else None)
 
 
+def study_of_robot(robot: Robot, data: Mapping[str, Any]) -> Study:
+    """The study of a robot that is loaded already; ``data`` as in a file, without `robot`. Raises as a file's."""
+    return _of_robot(robot, dict(data), Shorthands({}, "", None), {}, None)
+
+
 def _study(
     data: Any,
     positions: dict[str, int],
@@ -74,13 +79,18 @@ def _study(
         got = shown(data.get("kind") if isinstance(data, Mapping) else data)
         raise InputErrors([InputError("kind", got, "study", "write `kind: study`, and `format: 1`", where)])
     robot = _robot(data, positions, source, folders)
-    found = Shorthands(positions, source, folders)
-    plain = expanded(dict(data), found)
+    return _of_robot(robot, dict(data), Shorthands(positions, source, folders), functions, folder)
+
+
+def _of_robot(
+    robot: Robot | None, data: dict[str, Any], found: Shorthands, functions: Functions, folder: Path | None
+) -> Study:
+    plain = expanded(data, found)
     changed, problems = _changed(robot, plain)
     problems += resolved_parameters(plain, changed, found) + resolved_plan(plain, found)
     try:
         places = filled_places(plain, found.filled)
-        study = _checked(plain, changed, positions, source, problems, places, functions, folder)
+        study = _checked(plain, changed, found.positions, found.source, problems, places, functions, folder)
     except InputErrors as errors:
         raise InputErrors([*errors.errors, *found.errors]) from None
     if found.errors:
@@ -90,14 +100,15 @@ def _study(
 
 def _checked(
     plain: Any, robot: Robot | None, positions: Mapping[str, int], source: str, problems: list[Problem],
-    places: tuple[str, ...], functions: Functions, folder: Path | None,
+    filled: tuple[str, ...], functions: Functions, folder: Path | None,
 ) -> Study:  # fmt: skip
-    """The study of complete plain data, in which text stands for numbers at ``places`` alone."""
-    sheet: StudySheet = checked_sheet(plain, positions, source, places, most=MOST_VALUES, further=lambda _: problems)
+    """The study of complete plain data, in which text stands for numbers at the places ``filled`` alone."""
+    sheet: StudySheet = checked_sheet(plain, positions, source, filled, most=MOST_VALUES, further=lambda _: problems)
     if problems:
         raise located(problems, plain, positions, source)
     data = {"study": sheet.model_dump(mode="json", exclude_defaults=True), "robot": robot and sheet_data(robot)}
-    study = Study(sheet, robot, data, folder, functions)
+    places = {name: f"{source}:{nearest_line(f'quantities.{name}', positions)}" for name in sheet.quantities if source}
+    study = Study(sheet, robot, data, folder, functions, places)
     if wrong := list(study_problems(study, functions_known=bool(source))):
         raise located(wrong, plain, positions, source)
     return study

@@ -165,9 +165,12 @@ def _cell(which: str, cell: Any, unit: str, table: Table, row: int, found: Short
 def resolved_plan(plain: dict[str, Any], found: Shorthands) -> list[Problem]:
     """Numbers of choices in place of their names in written cases, and numbers in place of a table's cells."""
     plan, groups = plain.get("plan"), plain.get("parameters")
-    if not isinstance(plan, dict) or not isinstance(plan.get("rows"), list) or not isinstance(groups, Mapping):
+    if not isinstance(plan, dict) or not isinstance(groups, Mapping):
         return []
-    table, problems = found.filled.get("plan.rows"), []
+    problems = [*_named(plan, [*groups])]
+    if not isinstance(plan.get("rows"), list):
+        return problems
+    table = found.filled.get("plan.rows")
     names = {
         name: [one.get("name") if isinstance(one, Mapping) else None for one in group["choices"]]
         for name, group in groups.items()
@@ -186,6 +189,15 @@ def resolved_plan(plain: dict[str, Any], found: Shorthands) -> list[Problem]:
                 row[name] = 0.0
                 problems += _kept(error, ("plan", "rows", k, name), table, k, found)
     return problems
+
+
+def _named(plan: Mapping[str, Any], names: list[str]) -> Iterator[Problem]:
+    """Names of parameters in a grid that there are not, next to all else that is wrong with the study."""
+    for field in ("levels_of", "points"):
+        for name in plan[field] if isinstance(plan.get(field), Mapping) else ():
+            if name not in names:
+                hint = meant(str(name), names, "write the name of a parameter")
+                yield ("plan", field, name), InputError("", "an unknown key", f"one of {', '.join(names)}", hint)
 
 
 def _index(name: str, value: str, names: list[Any]) -> float:

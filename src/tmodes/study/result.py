@@ -13,12 +13,13 @@ from typing import Any
 from tmodes.errors import InputError
 from tmodes.io.atomic import file_error
 from tmodes.study.blocks import Block, Label
+from tmodes.study.columns import Columns
 from tmodes.study.cover import Cover
 from tmodes.study.plans import Design
 from tmodes.study.rows import STATUS, Kept, Rows, joined
 from tmodes.study.store import BLOCKS, TABLE, Folder, description
 from tmodes.study.study import Study
-from tmodes.study.table import grouped, table_of
+from tmodes.study.table import facts_of, grouped, table_of
 
 __all__ = ["StudyResult", "load_study"]
 
@@ -54,6 +55,16 @@ class StudyResult:
             hint = "run it: tmodes study STUDY.yaml --out FOLDER"
             raise file_error(f"folder {self.folder}", "no case that is computed", "a study that has run", hint)
         return joined(parts)
+
+    @property
+    def shown_rows(self) -> Rows:
+        """The same for what takes one column at a time: read from the table, where it is that of these cases."""
+        table = Columns(self.parquet)
+        if not self.parquet.is_file() or table.cases != len(self.design.values):
+            return self.rows
+        if table.facts != facts_of(self.stored):
+            return self.rows
+        return table.rows(self.study.names, list(self.study.sheet.quantities))
 
     def blocks(self) -> Iterator[Rows]:
         """The rows in order, some 100,000 at a time."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -34,7 +35,8 @@ class Rows:
 
     Quantities are in the units of ``units``, not-a-number where a case has none. ``status`` and ``reason`` (m,) words;
     ``method``: integrator, empty where nothing was simulated; ``seconds`` (m,): of computing, a share of those of the
-    cases that ran at once. ``kept``: whole motions, by the number of the case.
+    cases that ran at once. ``kept``: whole motions, by the number of the case. ``errors`` (m,): sums of the estimated
+    errors of the steps [-], not-a-number where there is no estimate.
     """
 
     case: NDArray[np.int64]
@@ -46,11 +48,16 @@ class Rows:
     method: Sequence[str]
     seconds: Array
     kept: Mapping[int, Kept] = field(default_factory=dict)
+    errors: Array = field(default_factory=lambda: np.zeros(0))
+
+    def __post_init__(self) -> None:
+        if not len(self.errors):
+            object.__setattr__(self, "errors", np.full(len(self.case), np.nan))
 
     def __len__(self) -> int:
         return len(self.case)
 
-    @property
+    @cached_property
     def good(self) -> NDArray[np.bool_]:
         """Which cases reached their end, (m,)."""
         return np.array([status in GOOD for status in self.status], dtype=bool)
@@ -68,4 +75,5 @@ def joined(parts: Sequence[Rows]) -> Rows:
     return Rows(
         np.concatenate([part.case for part in parts]), stacked("parameters"), stacked("quantities"), first.units,
         **words, seconds=np.concatenate([part.seconds for part in parts]), kept=kept,
+        errors=np.concatenate([part.errors for part in parts]),
     )  # fmt: skip

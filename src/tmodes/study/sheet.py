@@ -61,7 +61,7 @@ class Parameter(DataSheet):
             got = " and ".join(given) or "nothing that varies it"
             hint = "write `distribution: {type: uniform, low: ..., high: ...}`, or `choices`, or `catalogue`"
             yield Issue("", got, "varied by one of distribution, choices and catalogue", hint)
-        if self.path and not self.distribution:
+        if self.path and given and not self.distribution:
             yield Issue("path", repr(self.path), "left out: choices name their own paths", "remove `path`")
         if self.relative and not self.path:
             yield Issue("relative", "true", "false without a `path`", "name the path of the sheet's number")

@@ -8,6 +8,7 @@ from typing import Any
 
 from tmodes.errors import InputError
 from tmodes.io.files import Folders
+from tmodes.io.words import nearest
 from tmodes.io.yaml_file import nearest_line
 from tmodes.study.quantities import QUANTITIES
 from tmodes.study.tables import Table, read_table
@@ -51,7 +52,7 @@ def expanded(data: dict[str, Any], found: Shorthands) -> dict[str, Any]:
     """The plain data, with the types of quantities and what stands in tables written out."""
     plain = {**data}
     if isinstance(groups := data.get("quantities"), Mapping):
-        plain["quantities"] = {name: _typed(name, group, found.positions) for name, group in groups.items()}
+        plain["quantities"] = {name: _typed(name, group, found) for name, group in groups.items()}
     if isinstance(groups := data.get("parameters"), Mapping):
         plain["parameters"] = {name: _with_table(name, group, found) for name, group in groups.items()}
     if isinstance(plan := data.get("plan", _usual_plan(groups)), Mapping):
@@ -66,10 +67,11 @@ def _usual_plan(parameters: Any) -> dict[str, Any]:
     return {"type": "grid"} if varied and all(chosen) else {"type": "monte_carlo", "runs": USUAL_RUNS}
 
 
-def _typed(name: str, group: Any, positions: dict[str, int]) -> Any:
+def _typed(name: str, group: Any, found: Shorthands) -> Any:
     """A quantity with its ``type``: the kind that one of its keys names, which stands for the field of that name."""
     if not isinstance(group, Mapping) or "type" in group:
         return group
+    group, positions = _corrected(name, group, found), found.positions
     for kind, member in QUANTITIES.items():
         if kind in group and member.named:
             line = positions.get(f"quantities.{name}.{kind}")
@@ -77,6 +79,23 @@ def _typed(name: str, group: Any, positions: dict[str, int]) -> Any:
                 positions[f"quantities.{name}.{member.named}"] = line
             others = {key: value for key, value in group.items() if key != kind}
             return {"type": kind, member.named: group[kind], **others}
+    return group
+
+
+def _corrected(name: str, group: Mapping[Any, Any], found: Shorthands) -> Mapping[Any, Any]:
+    """A quantity whose kind is misspelt, as it was meant, so that the rest of it is looked at; that is an error."""
+    kinds = [kind for kind, member in QUANTITIES.items() if member.named]
+    fields = {field for member in QUANTITIES.values() for field in member.model_fields}
+    if any(kind in group for kind in kinds):
+        return group
+    for key in group:
+        if isinstance(key, str) and key not in fields and (close := nearest(key, kinds)):
+            which = f"quantities.{name}.{key}"
+            hint = f"did you mean `{close}`?"
+            found.errors.append(
+                InputError(which, "an unknown key", f"one of {', '.join(kinds)}", hint, found.place(which))
+            )
+            return {close if each == key else each: value for each, value in group.items()}
     return group
 
 

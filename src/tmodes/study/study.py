@@ -50,6 +50,8 @@ class Study:
     data: Mapping[str, Any]
     folder: Path | None = None
     functions: Mapping[str, Callable[[Any], float]] = field(default_factory=dict)
+    places: Mapping[str, str] = field(default_factory=dict)
+    """File and line of each quantity, by its name, for messages; empty without a file."""
 
     @classmethod
     def from_data(cls, data: Mapping[str, Any], functions: Mapping[str, Callable[[Any], float]] | None = None) -> Self:

@@ -19,9 +19,9 @@ if TYPE_CHECKING:
     from tmodes.study.cover import Cover
     from tmodes.study.study import Study
 
-__all__ = ["OWN_COLUMNS", "ROW_GROUP", "grouped", "refuse_names", "table_of", "write_table"]
+__all__ = ["OWN_COLUMNS", "ROW_GROUP", "facts_of", "grouped", "refuse_names", "table_of", "write_table"]
 
-OWN_COLUMNS = ("case", "label", "status", "reason", "method", "seconds")
+OWN_COLUMNS = ("case", "label", "status", "reason", "method", "seconds", "errors")
 """Columns next to those of the parameters and quantities."""
 
 ROW_GROUP = 100_000
@@ -39,7 +39,7 @@ def write_table(folder: Folder, cover: Cover, labels: Mapping[int, str], progres
         try:
             for rows in grouped(folder, cover):
                 progress("table", done / total)
-                table = table_of(folder.study, rows, labels, _facts(folder))
+                table = table_of(folder.study, rows, labels, facts_of(folder))
                 writer = writer or pq.ParquetWriter(path, table.schema, compression="zstd")
                 writer.write_table(table)
                 done += len(rows)
@@ -48,7 +48,8 @@ def write_table(folder: Folder, cover: Cover, labels: Mapping[int, str], progres
                 writer.close()
 
 
-def _facts(folder: Folder) -> dict[str, str]:
+def facts_of(folder: Folder) -> dict[str, str]:
+    """Where a table comes from, for its metadata."""
     return {"tmodes.study": folder.study.sheet.name, "tmodes.engine": folder.engine, "tmodes.base": folder.base}
 
 
@@ -95,6 +96,7 @@ def table_of(study: Study, rows: Rows, labels: Mapping[int, str], facts: Mapping
     for name in ("status", "reason", "method"):
         add(name, list(getattr(rows, name)), pa.string())
     add("seconds", rows.seconds, pa.float64(), unit="s")
+    add("errors", rows.errors, pa.float64(), unit="-", title="sum of the estimated errors of all steps")
     return pa.Table.from_arrays(columns, schema=pa.schema(fields, metadata=dict(facts)))
 
 

@@ -10,7 +10,7 @@ from study.store.fake import data, fake
 from tmodes.study import table
 from tmodes.study.runner import run_study
 
-COLUMNS = ["case", "gear", "payload", "peak", "bad", "status", "reason", "method", "seconds"]
+COLUMNS = ["case", "gear", "payload", "peak", "bad", "status", "reason", "method", "seconds", "errors"]
 
 
 @pytest.fixture

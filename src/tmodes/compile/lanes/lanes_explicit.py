@@ -52,6 +52,7 @@ def _write_adaptive(loop: LanesLoop, tableau: Tableau) -> None:
     inside = loop.within_bounds("new")
     loop.end_where(b.and_(good, b.not_(inside)), Status.DIVERGED)
     accepted = _meet_gate(loop, step.h, b.and_(good, inside))
+    loop.put("errors", b.fadd(loop.get("errors"), error), accepted)
     with due_samples(loop, accepted, step.time_after) as (due, wanted):
         weights = interpolation(loop, tableau, b.fdiv(b.fsub(wanted, step.time), step.h), step.h)
         write_sample(loop, due, wanted, lambda i: loop.weighted(weights, i))

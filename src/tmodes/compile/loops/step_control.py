@@ -54,6 +54,7 @@ class StepControl:
     def accept(self, loop: TimeLoop, step: AdaptiveStep, error: Any, slope: str) -> None:
         """Take the step; ``slope``: at its end."""
         b = loop.builder
+        loop.put("errors", b.fadd(loop.get("errors"), error))
         error = loop.intrinsic("maxnum", error, number(1e-10))
         wish = number(self.safety)
         if self.beta:
@@ -92,6 +93,7 @@ class ImplicitControl:
         factor = b.fdiv(number(0.9), _power(loop, floor, self.exponent))
         loop.judge(error, step.h, lambda: factor, self.smallest)
         loop.stop_if(b.not_(loop.within_bounds("new")), Status.DIVERGED)
+        loop.put("errors", b.fadd(loop.get("errors"), error))
         return b.fmul(step.h, loop.intrinsic("minnum", factor, number(self.largest)))
 
 

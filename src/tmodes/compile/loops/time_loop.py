@@ -23,12 +23,13 @@ __all__ = ["ARGUMENTS", "CELLS", "OPTIONS", "AdaptiveStep", "Status", "TimeLoop"
 CELLS = (
     "t", "h", "segment", "index", "sample", "fresh", "old_error", "steps", "rejected", "evaluations", "status",
     "smallest", "stiff", "calm", "stiff_time", "events", "burst", "burst_time", "passes", "sampled", "switching",
-    "wish", "switches", "cut",
+    "wish", "switches", "cut", "errors",
 )  # fmt: skip
 """Memory of a loop between calls, one double each.
 
 ``sampled``: segments whose samples of controllers are taken. ``switching``: a change of a mode was met, ``switches``
 counts them, ``wish`` is the length of a step before it was shortened onto one, ``cut`` that of a fixed step after it.
+``errors``: sum of the estimated errors of the steps that were taken, over their tolerance.
 """
 
 OPTIONS = ("step", "rtol", "atol", "chunk", "bound", "watch", "most_events", "event_time", "looks")

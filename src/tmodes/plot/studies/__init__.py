@@ -4,6 +4,7 @@ from tmodes.plot.studies import (
     bands,
     cases,
     distribution,
+    effects,
     indices,
     pareto,
     responses,
@@ -13,6 +14,6 @@ from tmodes.plot.studies import (
 from tmodes.plot.studies.contract import STUDY_FIGURES, StudyFigure, save_study_figures
 
 __all__ = [
-    "STUDY_FIGURES", "StudyFigure", "bands", "cases", "distribution", "indices", "pareto", "responses",
+    "STUDY_FIGURES", "StudyFigure", "bands", "cases", "distribution", "effects", "indices", "pareto", "responses",
     "save_study_figures", "surface", "swings",
 ]  # fmt: skip

@@ -35,10 +35,9 @@ class Cases(StudyFigure):
         columns = _columns(data)[:_MOST_AXES]
         rows = np.flatnonzero(good_rows(data) & np.isfinite(quantity["values"]))
         rows = rows[np.linspace(0, len(rows) - 1, min(len(rows), _MOST_LINES)).astype(int)]
-        spans = [(np.nanmin(column["values"]), np.ptp(column["values"][rows]) or 1.0) for column in columns]
-        heights = np.column_stack(
-            [(column["values"][rows] - low) / span for column, (low, span) in zip(columns, spans, strict=True)]
-        )
+        shown = [column["values"][rows] for column in columns]
+        spans = [(np.nanmin(values), np.nanmax(values) - np.nanmin(values) or 1.0) for values in shown]
+        heights = np.column_stack([(values - low) / span for values, (low, span) in zip(shown, spans, strict=True)])
         own = quantity["values"][rows]
         shades = colormaps["viridis"]((own - own.min()) / (np.ptp(own) or 1.0))
         figure = padded_figure(3.0)

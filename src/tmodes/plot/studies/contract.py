@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
@@ -19,8 +20,8 @@ from tmodes.plot.style import house_style, new_figure
 from tmodes.plot.units import pretty
 
 __all__ = [
-    "STUDY_FIGURES", "Data", "StudyFigure", "axis_name", "good_rows", "padded_figure", "save_study_figures", "ticks_of",
-    "varied",
+    "STUDY_FIGURES", "Data", "StudyFigure", "axis_name", "good_rows", "of_quantity", "padded_figure",
+    "save_study_figures", "ticks_of", "titles_of", "varied",
 ]  # fmt: skip
 
 Array = NDArray[np.float64]
@@ -72,6 +73,16 @@ def varied(data: Data) -> list[Data]:
     return [column for column in data["parameters"] if np.ptp(column["values"]) > 0]
 
 
+def of_quantity(data: Data, part: str, quantity: Data) -> Data | None:
+    """What one part of a study says of a quantity, None where it says nothing."""
+    return next((one for one in data.get(part, ()) if one["quantity"] == quantity["name"]), None)
+
+
+def titles_of(data: Data) -> dict[str, str]:
+    """What parameters are called, by their names."""
+    return {column["name"]: column["title"] or column["name"] for column in data["parameters"]}
+
+
 def good_rows(data: Data) -> NDArray[np.bool_]:
     """Which cases reached their end."""
     return np.array(data["good"], dtype=bool)[data["status"]]
@@ -110,7 +121,8 @@ def save_study_figures(
     ]
     written = []
     for done, (figure, quantity) in enumerate(wanted):
-        own = f"{figure.name}_{quantity['name']}" if figure.each else figure.name
+        name = re.sub(r"[^A-Za-z0-9]+", "_", quantity["name"]).strip("_")  # an objective may be a formula
+        own = f"{figure.name}_{name}" if figure.each else figure.name
         progress(done, len(wanted), own)
         with house_style():
             drawn = figure.draw(data, quantity)

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from tmodes.plot.studies.contract import STUDY_FIGURES, Data, StudyFigure, padded_figure
+from tmodes.plot.studies.contract import STUDY_FIGURES, Data, StudyFigure, of_quantity, padded_figure, titles_of
 from tmodes.plot.style import BLUE, INK, OCHRE
 
 __all__ = ["SobolIndices"]
@@ -21,13 +21,13 @@ class SobolIndices(StudyFigure):
 
     def missing(self, data: Data, quantity: Data) -> str:
         """Only a sensitivity has them."""
-        return "" if _of(data, quantity) else "it is no sensitivity: tmodes sensitivity"
+        return "" if of_quantity(data, "indices", quantity) else "it is no sensitivity: tmodes sensitivity"
 
     def draw(self, data: Data, quantity: Data) -> Any:
         """Upper bars first order, lower bars total, lines 95 % confidence."""
-        found = _of(data, quantity)
+        found = of_quantity(data, "indices", quantity)
         assert found is not None  # noqa: S101
-        titles = {column["name"]: column["title"] or column["name"] for column in data["parameters"]}
+        titles = titles_of(data)
         order = sorted(range(len(found["names"])), key=lambda k: found["total"][k][0])
         figure = padded_figure(1.3 + 0.34 * len(order))
         axes = figure.subplots()
@@ -40,10 +40,8 @@ class SobolIndices(StudyFigure):
                           error_kw={"ecolor": INK, "elinewidth": 0.9})  # fmt: skip
         axes.set_yticks(range(len(order)), [titles.get(found["names"][k], found["names"][k]) for k in order])
         axes.grid(visible=False, axis="y")
+        axes.use_sticky_edges = False  # a line of confidence does not end at the edge
+        axes.margins(x=0.05)
         axes.set(xlabel="share of the variance", title=f"{self.title}: {quantity['title'] or quantity['name']}")
         axes.legend(loc="lower right")
         return figure
-
-
-def _of(data: Data, quantity: Data) -> Data | None:
-    return next((one for one in data["indices"] if one["quantity"] == quantity["name"]), None)

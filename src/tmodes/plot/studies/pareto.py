@@ -6,8 +6,8 @@ from typing import Any
 
 import numpy as np
 
-from tmodes.plot.studies.contract import STUDY_FIGURES, Data, StudyFigure, axis_name, padded_figure
-from tmodes.plot.style import QUIET, RED
+from tmodes.plot.studies.contract import STUDY_FIGURES, Data, StudyFigure, axis_name, good_rows, padded_figure
+from tmodes.plot.style import INK, QUIET, RED
 
 __all__ = ["Pareto"]
 
@@ -32,7 +32,11 @@ class Pareto(StudyFigure):
         front = front[np.argsort(one["values"][front])]
         figure = padded_figure(3.0)
         axes = figure.subplots()
-        axes.plot(one["values"], two["values"], ".", color=QUIET, alpha=0.4, markersize=3, label="designs")
+        good = good_rows(data)
+        if not good.all():
+            axes.plot(one["values"][~good], two["values"][~good], "x", color=QUIET, alpha=0.35, markersize=3,
+                      markeredgewidth=0.6, label="beyond a limit")  # fmt: skip
+        axes.plot(one["values"][good], two["values"][good], ".", color=INK, alpha=0.5, markersize=4, label="designs")
         axes.plot(
             one["values"][front], two["values"][front], "o-", color=RED, markersize=4, linewidth=1.0, label="front"
         )

@@ -4,7 +4,15 @@ from __future__ import annotations
 
 from typing import Any
 
-from tmodes.plot.studies.contract import STUDY_FIGURES, Data, StudyFigure, axis_name, padded_figure
+from tmodes.plot.studies.contract import (
+    STUDY_FIGURES,
+    Data,
+    StudyFigure,
+    axis_name,
+    of_quantity,
+    padded_figure,
+    titles_of,
+)
 from tmodes.plot.style import BLUE, INK, RED
 
 __all__ = ["Swings"]
@@ -21,13 +29,13 @@ class Swings(StudyFigure):
 
     def missing(self, data: Data, quantity: Data) -> str:
         """It needs cases at both ends of the parameters."""
-        return "" if _of(data, quantity) else "too few cases"
+        return "" if of_quantity(data, "tornados", quantity) else "too few cases"
 
     def draw(self, data: Data, quantity: Data) -> Any:
         """Bars from the base to where a parameter is low (blue) and high (red)."""
-        found = _of(data, quantity)
+        found = of_quantity(data, "tornados", quantity)
         assert found is not None  # noqa: S101
-        titles = {column["name"]: column["title"] or column["name"] for column in data["parameters"]}
+        titles = titles_of(data)
         bars = sorted(found["bars"], key=lambda bar: abs(bar["high"] - bar["low"]))[-_MOST:]
         figure = padded_figure(1.2 + 0.26 * len(bars))
         axes = figure.subplots()
@@ -37,10 +45,7 @@ class Swings(StudyFigure):
         axes.axvline(found["base"], color=INK, linewidth=0.8)
         axes.set_yticks(range(len(bars)), [titles[bar["name"]] for bar in bars])
         axes.grid(visible=False, axis="y")
+        axes.use_sticky_edges = False
         axes.margins(x=0.05)
         axes.set(xlabel=axis_name(quantity), title=f"{self.title} (blue: low, red: high)")
         return figure
-
-
-def _of(data: Data, quantity: Data) -> Data | None:
-    return next((one for one in data["tornados"] if one["quantity"] == quantity["name"]), None)

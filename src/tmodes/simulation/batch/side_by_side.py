@@ -7,7 +7,7 @@ from dataclasses import replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from tmodes.compile.lanes.lanes_loop import LANE_ARGUMENTS, LANE_CELLS, LANE_OPTIONS, WIDTH
 from tmodes.compile.loops.time_loop import CELLS, Status
@@ -20,7 +20,7 @@ from tmodes.simulation.batch.work import Work
 from tmodes.simulation.native_run import BOUND, NativeRun
 from tmodes.simulation.parts import Trajectory
 
-__all__ = ["Alone", "Room", "SideBySide", "info", "lane_run"]
+__all__ = ["Alone", "Room", "SideBySide", "error_sum", "info", "lane_run"]
 
 Array = NDArray[np.float64]
 
@@ -136,7 +136,8 @@ class SideBySide:
         if self.room.given is not None:
             self.room.given.keep(self.work.places[self.lanes.start : self.lanes.stop])
         finished = (self.room.cell("status") == float(Status.FINISHED)).tolist()
-        counts = dict(zip(COUNTS, (self.room.cell(name).tolist() for name in COUNTS), strict=True))
+        counts = {name: self.room.cell(name).tolist() for name in COUNTS}
+        counts["errors"] = error_sum(self.room.cell("errors"), self.work.settings).tolist()
         like: Trajectory | None = None
         runs = []
         for place, lane in enumerate(self.lanes):
@@ -228,4 +229,11 @@ def info(run: NativeRun, elapsed: float) -> Trajectory:
         ended = run.trajectory("stopped", reason)
     else:
         ended = run.trajectory("interrupted", f"interrupted at t = {run.cell('t'):.6g} s; what was done is kept")
+    ended.statistics["errors"] = float(error_sum(run.cell("errors"), run.first))
     return ended if begun else replace(ended, times=ended.times[:0], states=ended.states[:0])
+
+
+def error_sum(errors: ArrayLike, settings: Integration) -> Array:
+    """Sums of the estimated errors of steps as shares of what is integrated; not-a-number where none is estimated."""
+    found = np.asarray(errors, dtype=float) * settings.relative_tolerance
+    return np.where(found > 0, found, np.nan)

@@ -19,7 +19,7 @@ from tmodes.integrate.registry import integrator
 from tmodes.integrate.settings import Integration
 from tmodes.simulation import native_run
 from tmodes.simulation.batch.result import COUNTS
-from tmodes.simulation.batch.side_by_side import info, lane_run
+from tmodes.simulation.batch.side_by_side import error_sum, info, lane_run
 from tmodes.simulation.batch.wanted import time_weights
 from tmodes.simulation.batch.work import Work
 from tmodes.simulation.parts import Trajectory
@@ -212,7 +212,8 @@ class Block:
     def ended(self, seconds: float) -> list[Trajectory]:
         """Each run as it stands, after so much time of computing [s]."""
         finished = (self.cell("status") == float(Status.FINISHED)).tolist()
-        counts = dict(zip(COUNTS, (self.cell(name).tolist() for name in COUNTS), strict=True))
+        counts = {name: self.cell(name).tolist() for name in COUNTS}
+        counts["errors"] = error_sum(self.cell("errors"), self.work.settings).tolist()
         like: Trajectory | None = None
         runs = []
         for case, lane in enumerate(self.lanes):

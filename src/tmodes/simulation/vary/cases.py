@@ -11,17 +11,17 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.errors import InputError, InputErrors
 from tmodes.integrate.choice import STIFF, chosen_method
 from tmodes.integrate.registry import AUTO, integrator
 from tmodes.kinds.signals.schedule import Schedule
-from tmodes.model.fitting import fitted, rounding
+from tmodes.model.fitting import rounding
 from tmodes.model.forms import Form, Range, Unfit
 from tmodes.model.model import Model
 from tmodes.sheet import Robot
 from tmodes.simulation.loop import LoopModel, loop_numbers, whole
 from tmodes.simulation.plan import Follow, planned, starts_at_rest
 from tmodes.simulation.start import RunSetup, held_at_start, placed_state, slipping, undeformed
+from tmodes.simulation.vary.block_forms import block_forms, pair_at
 from tmodes.simulation.vary.lanes import Side
 from tmodes.simulation.vary.lots import Indices, LaneNumbers, Lot
 from tmodes.simulation.vary.rests import rests
@@ -30,7 +30,6 @@ __all__ = ["Cases"]
 
 Array = NDArray[np.float64]
 
-_SEED = 20100
 
 _BLOCK = 1024
 """Cases whose starts are found at once."""
@@ -90,24 +89,11 @@ class Cases:
         other = self.held.loop.modes or self.held.coordinates != self.like.model.coordinates
         if other and starts_at_rest(self.like.robot):
             raise Unfit({0: "its rest is found by other equations"})
-        places = self._structure[-1]
-        form = fitted(self._vector, self.ranges, np.random.default_rng(_SEED), curves=True)
-        ends = {name: place["start"] + int(np.prod(place["shape"])) for name, place in places.items()}
-        return {name: form.part(place["start"], ends[name]) for name, place in places.items()}
-
-    def _vector(self, point: Mapping[int, float]) -> Array:
-        """All numbers where some paths have other values than their least."""
-        vector, structure = self._at(point)
-        if structure != self._structure:
-            raise Unfit({max(point, default=0): "it changes the structure"})
-        return vector
+        return block_forms(self._at, self.ranges, self._structure)
 
     def _at(self, point: Mapping[int, float]) -> tuple[Array, Any]:
-        at = [point.get(k, one.start) for k, one in enumerate(self.ranges)]
-        try:
-            return self._of(self.side.of(self.sheet.with_(dict(zip(self.values, at, strict=True))).pair()))
-        except (InputError, InputErrors) as error:
-            raise Unfit({max(point, default=0): f"the sheet refuses it: {error}"}) from error
+        """All numbers where some paths have other values than their least."""
+        return self._of(self.side.of(pair_at(self.sheet, self.values, self.ranges, point)))
 
     def _of(self, robot: Robot) -> tuple[Array, Any]:
         """The numbers of a robot, and all that must be the same for all cases."""

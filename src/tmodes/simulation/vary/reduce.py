@@ -42,6 +42,8 @@ class Reduced:
     could not start), refused (the sheet takes no such number), and ``message`` what happened, for each case. Only cases
     of the first two have values. ``statistics``: steps, rejected, evaluations (k,) of the actual robot, ``method`` (k,)
     by which it was integrated, ``seconds`` (k,) of the processor, a share of those of the cases that ran at once.
+    ``errors`` (k,): sum of the estimated errors of all steps, as a share of the size of what is integrated (at least
+    absolute over relative tolerance), not-a-number by fixed steps and of cases that run by themselves.
     ``kept``: motions of some cases, by index.
     """
 
@@ -52,6 +54,7 @@ class Reduced:
     statistics: dict[str, NDArray[np.int64]]
     method: tuple[str, ...]
     seconds: Array
+    errors: Array
     kept: dict[int, Kept] = field(default_factory=dict)
 
     @property
@@ -127,7 +130,7 @@ class _Rows:
         self.columns = {one: np.full(size, np.nan) for one in reductions}
         self.status, self.message, self.method = ([""] * size for _ in range(3))
         self.counts = {name: np.zeros(size, dtype=np.int64) for name in COUNTS}
-        self.seconds = np.zeros(size)
+        self.seconds, self.errors = np.zeros(size), np.full(size, np.nan)
         self.units: dict[str, str] = {}
 
     def refuse(self, messages: Mapping[int, str]) -> None:
@@ -185,6 +188,7 @@ class _Rows:
             for name in COUNTS:
                 self.counts[name][index] = run.statistics[name]
             self.method[index] = run.statistics.get("method", "")
+            self.errors[index] = run.statistics.get("errors", np.nan)
 
     def _alone(self, indices: NDArray[np.int64], own: Array | None, progress: Progress) -> None:
         """Run cases by themselves, over threads."""
@@ -209,7 +213,7 @@ class _Rows:
     def found(self) -> Reduced:
         """All rows."""
         units = {one: one.unit_of(self.units[one.series]) for one in self.reductions}
-        info = tuple(self.status), tuple(self.message), self.counts, tuple(self.method), self.seconds
+        info = tuple(self.status), tuple(self.message), self.counts, tuple(self.method), self.seconds, self.errors
         return Reduced(self.columns, units, *info)
 
 

@@ -62,7 +62,9 @@ def refuse_unknown_rules(reductions: Sequence[Reduction]) -> None:
         except ValueError:
             share = np.nan
         if not 0 <= share <= 100:
-            close = nearest(one.how, HOWS)
+            word, _, percent = one.how.partition(":")
+            close = nearest(word, (*HOWS, "percentile"))
+            close = f"percentile:{percent or 95}" if close == "percentile" else close
             raise InputError(f"reduction of {one.series}", wrong, expected, f"did you mean `{close}`?" if close else "")
 
 

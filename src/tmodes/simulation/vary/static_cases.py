@@ -21,13 +21,12 @@ from tmodes.analysis.statics.equilibrium import (
 )
 from tmodes.analysis.statics.path import STRAY
 from tmodes.analysis.statics.system import ROUNDING, SETTLED
-from tmodes.errors import InputError, InputErrors
-from tmodes.model.fitting import fitted
-from tmodes.model.forms import Form, Range, Unfit
+from tmodes.model.forms import Form, Range
 from tmodes.model.model import Model
 from tmodes.model.passes import PointMotion, derivatives, evaluate
 from tmodes.sheet import Robot
 from tmodes.simulation.loop import whole
+from tmodes.simulation.vary.block_forms import block_forms, pair_at
 from tmodes.simulation.vary.lots import Indices
 from tmodes.simulation.vary.rests import inverses
 
@@ -35,7 +34,6 @@ __all__ = ["StaticCases", "Statics", "masses_of"]
 
 Array = NDArray[np.float64]
 
-_SEED = 20101
 _STEPS = 20
 """Newton's steps."""
 
@@ -95,23 +93,10 @@ class StaticCases:
     @cached_property
     def forms(self) -> dict[str, Form]:
         """The form of each block of numbers. Raises :class:`tmodes.model.forms.Unfit` where there is none."""
-        places = self._structure[-1]
-        form = fitted(self._vector, self._ranges, np.random.default_rng(_SEED), curves=True)
-        ends = {name: place["start"] + int(np.prod(place["shape"])) for name, place in places.items()}
-        return {name: form.part(place["start"], ends[name]) for name, place in places.items()}
-
-    def _vector(self, point: Mapping[int, float]) -> Array:
-        vector, structure = self._at(point)
-        if structure != self._structure:
-            raise Unfit({max(point, default=0): "it changes the structure"})
-        return vector
+        return block_forms(self._at, self._ranges, self._structure)
 
     def _at(self, point: Mapping[int, float]) -> tuple[Array, Any]:
-        at = [point.get(k, one.start) for k, one in enumerate(self._ranges)]
-        try:
-            robot = self.sheet.with_(dict(zip(self.values, at, strict=True))).pair().real
-        except (InputError, InputErrors) as error:
-            raise Unfit({max(point, default=0): f"the sheet refuses it: {error}"}) from error
+        robot = pair_at(self.sheet, self.values, self._ranges, point).real
         model = Model(robot.chain(), trials=True)
         known = {name: value for name, value in robot.initial.coordinates.items() if name in model.coordinates}
         masses = masses_of(robot)

@@ -13,7 +13,7 @@ from tmodes.errors import InputError
 from tmodes.io.units import NotANumber, number
 from tmodes.study.optimize.terms import Term
 
-__all__ = ["Limit", "limits_of"]
+__all__ = ["Limit", "limits_of", "refuse_contradictions"]
 
 Array = NDArray[np.float64]
 
@@ -63,20 +63,42 @@ def limits_of(texts: Sequence[str], units: Mapping[str, str | None]) -> tuple[Li
     return tuple(limit for text in texts for limit in _limits(text, units))
 
 
+def refuse_contradictions(texts: Sequence[str]) -> None:
+    """Raise :class:`tmodes.errors.InputError` for two limits of one term that no design can keep both."""
+    pieces = [(text, *piece) for text in texts for piece in _pieces(text)]
+    for first, left, relation, low in pieces:
+        for second, other, against, high in pieces:
+            if left.split() != other.split() or relation[0] != ">" or against[0] != "<":
+                continue
+            unit = high.partition(" ")[2].strip() or "-"
+            try:
+                apart = number(low, unit) - number(high, unit)
+            except NotANumber:  # of another dimension, which is refused where the unit of the term is known
+                continue
+            if apart > 0 or (apart == 0 and len(relation) + len(against) < 4):
+                got = f"`{first}`" if first == second else f"`{first}` and `{second}`"
+                raise InputError(
+                    "optimize.limits", f"{got}, which exclude each other", "limits that a design can keep",
+                    "change one of them",
+                )  # fmt: skip
+
+
 def _limits(text: str, units: Mapping[str, str | None]) -> list[Limit]:
     """One limit, or both of ``1 mm <= sag <= 2 mm``."""
+    return [_limit(text, left, relation, right, units) for left, relation, right in _pieces(text)]
+
+
+def _pieces(text: str) -> list[tuple[str, str, str]]:
+    """Term, relation and number of one limit, or of both."""
     parts = [part.strip() for part in _RELATION.split(text)]
     relations = [_PLAIN.get(one, one) for one in parts[1::2]]
     sides = parts[::2]
     if len(sides) == 3 and _is_number(sides[0]) and _is_number(sides[2]):
-        return [
-            _limit(text, sides[1], _MIRRORED[relations[0]], sides[0], units),
-            _limit(text, sides[1], relations[1], sides[2], units),
-        ]
+        return [(sides[1], _MIRRORED[relations[0]], sides[0]), (sides[1], relations[1], sides[2])]
     if len(sides) == 2 and _is_number(sides[1]):
-        return [_limit(text, sides[0], relations[0], sides[1], units)]
+        return [(sides[0], relations[0], sides[1])]
     if len(sides) == 2 and _is_number(sides[0]):
-        return [_limit(text, sides[1], _MIRRORED[relations[0]], sides[0], units)]
+        return [(sides[1], _MIRRORED[relations[0]], sides[0])]
     hint = "write it as `sag <= 1.5 mm` or `f1 >= 14 Hz`"
     raise InputError("optimize.limits", repr(text), "a quantity, one of <= >= < >, and a number", hint)
 

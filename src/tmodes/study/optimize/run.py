@@ -9,9 +9,11 @@ from typing import Any
 import numpy as np
 
 from tmodes.errors import InputError
+from tmodes.io.words import meant
 from tmodes.sensitivity.quantities import Functional
 from tmodes.study.optimize.goals import Goals, goals_of
 from tmodes.study.optimize.leaves import cheap, leaves
+from tmodes.study.optimize.limits import refuse_contradictions
 from tmodes.study.optimize.local import by_gradient
 from tmodes.study.optimize.result import Optimum
 from tmodes.study.optimize.sampled import search
@@ -64,6 +66,7 @@ def optimize(
     _refuse_stuck(space)
     names = (*study.names, *study.sheet.quantities, *(functionals or {}))
     named = goals_of(asked, dict.fromkeys(names))
+    refuse_contradictions(asked.limits)
     chosen = _chosen(study, space, named, method, functionals or {})
     scenarios = scenarios_of(study, space, asked.worst_case, seed)
     units = dict(study.parameter_units) | dict.fromkeys(functionals or {}, "-")
@@ -112,7 +115,8 @@ def _chosen(study: Study, space: DesignSpace, goals: Goals, method: str, functio
         "nsga2": (False, "", "", ""),
     }  # fmt: skip
     if method not in refusals:
-        raise InputError("--method", repr(method), f"one of {', '.join(METHODS)}", "auto chooses by the study")
+        hint = meant(method, METHODS, "auto chooses by the study")
+        raise InputError("--method", repr(method), f"one of {', '.join(METHODS)}", hint)
     wrong, got, expected, hint = refusals[method]
     if wrong:
         raise InputError(f"--method {method}", got, f"used for {expected}", hint)

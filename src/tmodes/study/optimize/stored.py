@@ -47,5 +47,5 @@ def _from(rows: Rows, first: int) -> Rows:
 
     return Rows(
         rows.case[first:], cut(rows.parameters), cut(rows.quantities), rows.units, rows.status[first:],
-        rows.reason[first:], rows.method[first:], rows.seconds[first:],
+        rows.reason[first:], rows.method[first:], rows.seconds[first:], errors=rows.errors[first:],
     )  # fmt: skip

@@ -72,7 +72,10 @@ class Trials:
 
     def _compute(self, designs: Array) -> None:
         first, cases = self.cases, self.cases_of(designs)
-        rows = self._rows(first, cases)
+        self.take(designs, self._rows(first, cases))
+
+    def take(self, designs: Array, rows: Rows) -> None:
+        """Designs (m, k) that were computed, with the rows of all their cases."""
         shape = len(designs), len(self.scenarios)
         for name, one in {**rows.parameters, **rows.quantities}.items():
             before = self.values.get(name, np.empty((0, shape[1])))

@@ -15,7 +15,7 @@ from tmodes.study.rows import Rows
 from tmodes.study.sensitivity.result import Sensitivity
 from tmodes.study.study import Study
 
-__all__ = ["indices_of", "write_designs"]
+__all__ = ["designs_data", "effects_of", "indices_of", "write_designs"]
 
 _NO_REPORT = "Designs have no live report; `tmodes run` with the values shown simulates one."
 
@@ -38,6 +38,18 @@ def _ends(found: Sensitivity, index: str, k: int) -> list[list[float]]:
     return np.column_stack([found.indices[index][k], found.intervals[index][k]]).tolist()
 
 
+def effects_of(found: Sensitivity) -> list[dict[str, Any]]:
+    """Morris' effects by quantity: mean size mu* with its interval, and how much they vary, sigma; else none."""
+    if found.method != "morris":
+        return []
+    return [
+        {"quantity": name, "unit": found.units.get(name, "-"), "names": list(found.names),
+         "size": _ends(found, "size", k), "spread": found.indices["spread"][k].tolist(), "trajectories": found.samples}
+        for k, name in enumerate(found.quantities)
+        if np.isfinite(found.indices["size"][k]).all()
+    ]  # fmt: skip
+
+
 def write_designs(found: Optimum, study: Study, path: Path | str) -> Path:
     """Write the designs of an optimization as one self-contained HTML file: the feasible ones, and the front.
 
@@ -45,16 +57,7 @@ def write_designs(found: Optimum, study: Study, path: Path | str) -> Path:
     """
     designs = [*found.ranked, *(one for one in found.front if one not in found.ranked)]
     designs = designs or ([found.nearest] if found.nearest else [])
-    rows, labels = _rows(found, designs), {name: study.choice_names(name) for name in study.names}
-    units, titles = study.parameter_units, {name: one.title for name, one in study.sheet.parameters.items()}
-    info = {name: ColumnInfo(titles[name], units[name], labels[name]) for name in rows.parameters if name in titles} | {
-        name: ColumnInfo("", rows.units[name]) for name in rows.quantities
-    }
-    aims = [*map(_aim, found.objectives)]
-    front = [k for k, one in enumerate(designs) if one in found.front]
-    pareto = {"objectives": (aims[0], aims[1]), "front": front} if len(aims) > 1 else {}
-    least = found.objectives[0].startswith("minimize")
-    data = page_data(found.name, rows, info, no_report=_NO_REPORT, least_first=least, **pareto)
+    rows, info, data = designs_data(found, study, designs)
     lead = f"{found.designs:,} designs tried, {found.feasible:,} within all limits; by {found.method}"
     provenance = [["robot", "none" if study.robot is None else study.robot.name], ["method", found.method],
                   ["objectives", "; ".join(found.objectives)], ["cases", f"{found.cases:,}"]]  # fmt: skip
@@ -65,6 +68,24 @@ def write_designs(found: Optimum, study: Study, path: Path | str) -> Path:
             newline="\n",
         )
     return Path(path)
+
+
+def designs_data(
+    found: Optimum, study: Study, designs: list[Candidate]
+) -> tuple[Rows, dict[str, ColumnInfo], dict[str, Any]]:
+    """Designs as rows, the words of their columns, and what a page or a figure shows of them."""
+    rows, labels = _rows(found, designs), {name: study.choice_names(name) for name in study.names}
+    units, titles = study.parameter_units, {name: one.title for name, one in study.sheet.parameters.items()}
+    info = {name: ColumnInfo(titles[name], units[name], labels[name]) for name in rows.parameters if name in titles} | {
+        name: ColumnInfo("", rows.units[name]) for name in rows.quantities
+    }
+    aims, best = [*map(_aim, found.objectives)], {one.number for one in found.front}
+    front = [k for k, one in enumerate(designs) if one.number in best]
+    pareto = {"objectives": (aims[0], aims[1]), "front": front} if len(aims) > 1 else {}
+    least = found.objectives[0].startswith("minimize")
+    return rows, info, page_data(
+        found.name, rows, info, no_report=_NO_REPORT, least_first=least, drawn=False, **pareto
+    )  # fmt: skip
 
 
 def _sentence(found: Optimum) -> str:

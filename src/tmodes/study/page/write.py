@@ -21,7 +21,7 @@ from tmodes.study.result import StudyResult
 from tmodes.study.rows import Rows
 from tmodes.study.study import Study
 
-__all__ = ["figure_data", "write_page"]
+__all__ = ["shown_data", "write_page"]
 
 Progress = Callable[[str, float], None]
 
@@ -40,26 +40,29 @@ def write_page(
     ``found``: what an analysis adds, as :func:`tmodes.study.page.data.page_data` takes it: ``indices``, ``objectives``
     and ``front``. Raises :class:`tmodes.errors.ResultFileError` when the file cannot be written.
     """
-    study, rows = result.study, result.rows
+    study, rows = result.study, result.shown_rows
     settings = _settings(study)
     info = _columns(study, rows, settings)
     report, reason = _report(study, settings, progress)
-    data = _shown(result, info, progress, report=report, no_report=reason, **found)
+    data = _shown(result, rows, info, progress, report=report, no_report=reason, **found)
     sentence = "" if study.sheet.plan.draws else _ends(rows, info)
-    text = study_document(study.sheet.name, study.sheet.title, rows, info, data, _provenance(result), sentence)
+    text = study_document(study.sheet.name, study.sheet.title, rows, info, data, _provenance(result, rows), sentence)
     with atomic_write(path) as temporary:
         temporary.write_text(text, encoding="utf-8", newline="\n")
     return Path(path)
 
 
-def figure_data(result: StudyResult, progress: Progress = lambda stage, share: None) -> dict[str, Any]:
-    """What :func:`tmodes.plot.studies.save_study_figures` draws: the data of the page, without a report."""
-    return _shown(result, _columns(result.study, result.rows, {}), progress)
+def shown_data(result: StudyResult, progress: Progress, **found: Any) -> dict[str, Any]:
+    """The data of the page, without a report; ``found`` as of :func:`write_page`."""
+    rows = result.shown_rows
+    return _shown(result, rows, _columns(result.study, rows, {}), progress, **found)
 
 
-def _shown(result: StudyResult, info: Mapping[str, ColumnInfo], progress: Progress, **more: Any) -> dict[str, Any]:
+def _shown(
+    result: StudyResult, rows: Rows, info: Mapping[str, ColumnInfo], progress: Progress, **more: Any
+) -> dict[str, Any]:
     """The data of the page; the motion of the tip only where cases come as often as their distributions say."""
-    study, rows = result.study, result.rows
+    study = result.study
     drawn = study.sheet.plan.draws
     bands = tip_bands(study, rows, progress) if drawn else []
     return page_data(study.sheet.name, rows, info, labels=result.design.labels, bands=bands, drawn=drawn, **more)
@@ -134,8 +137,8 @@ def _report(study: Study, settings: Mapping[str, Setting], progress: Progress) -
     return packed_report(text), note
 
 
-def _provenance(result: StudyResult) -> list[list[str]]:
-    study, rows = result.study, result.rows
+def _provenance(result: StudyResult, rows: Rows) -> list[list[str]]:
+    study = result.study
     plan = study.sheet.plan.model_dump(mode="json", exclude_none=True)
     words = ", ".join(f"{key} {value}" for key, value in plan.items() if not isinstance(value, (list, dict)))
     methods = ", ".join(sorted({method for method in rows.method if method})) or "nothing simulated"

@@ -85,6 +85,12 @@ class Plan(Kind, family="plan", key="type"):
     draws: ClassVar[bool] = False
     """Whether its cases come as often as the distributions say, so that their percentiles are those of the robots."""
 
+    analysis: ClassVar[str] = ""
+    """The sensitivity that follows from its cases, if any: ``sobol`` or ``morris``."""
+
+    repeats: ClassVar[bool] = False
+    """Whether its cases share values, so that they are less certain of a percentile than as many independent ones."""
+
     def cases(self, space: Space) -> int:
         """How many cases it has: asked before anything is made, so that a plan that is too large allocates nothing."""
         raise NotImplementedError

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Literal
+from typing import ClassVar, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,6 +26,8 @@ class Morris(Plan):
     half of the levels. M. D. Morris, Factorial sampling plans for preliminary computational experiments, Technometrics
     33 (1991).
     """
+
+    analysis: ClassVar[str] = "morris"
 
     type: Literal["morris"] = Field(description="kind of plan")
     trajectories: int = count("r", "number of trajectories", 1_000_000, least=4, default=64)

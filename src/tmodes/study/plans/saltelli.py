@@ -27,6 +27,8 @@ class Saltelli(Plan):
     """
 
     draws: ClassVar[bool] = True
+    repeats: ClassVar[bool] = True
+    analysis: ClassVar[str] = "sobol"
 
     type: Literal["saltelli"] = Field(description="kind of plan")
     samples: int = count("N", "a power of two", 2**22, least=4 * REPLICATES, default=1024)

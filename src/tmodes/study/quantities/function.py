@@ -10,19 +10,25 @@ names (``tmodes --use my.py study gear.yaml``)::
         return float(abs(result.motion["tip"][-1, 2]))
 
 A study file only names functions, it never causes an import. The function is given the :class:`tmodes.Result`, whose
-arrays cannot be written, and returns one number; what it raises is the reason of the row. One that takes longer than
-``timeout`` seconds is stopped, where the system has alarms (not on Windows) and it runs Python code.
+arrays cannot be written, and returns one number; what it raises is the reason of the row. What else it changes is its
+own copy, and what it prints goes to standard error. One that takes longer than ``timeout`` seconds is stopped, where a
+system has alarms (not on Windows) and it runs Python code; a process of its own that does not come back from other code
+is ended, and with it the run of the study, which the same command resumes.
 """
 
 from __future__ import annotations
 
+import faulthandler
 import hashlib
 import inspect
+import multiprocessing
+import os
 import signal
 import sys
 import threading
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, redirect_stdout
+from pathlib import Path
 from types import CodeType
 from typing import Any, ClassVar, Literal
 
@@ -83,11 +89,12 @@ class Function(Quantity):
 
 def called(function: Own, result: Any, timeout: float) -> float:
     """One finite number of a result; raises :class:`tmodes.errors.TmodesError` that says why there is none."""
-    for variable in result.data.variables.values():
-        variable.values.flags.writeable = False
+    own = _own_view(result)
     try:
-        with _limited(timeout):
-            value = function(result)
+        with _limited(timeout), redirect_stdout(sys.stderr):
+            value = function(own)
+    except _TooLongError:
+        raise TmodesError(f"TimeoutError: took longer than {timeout:g} s") from None
     except (Exception, SystemExit) as error:
         raise TmodesError(f"{type(error).__name__}: {error}"[:500]) from error
     found = np.asarray(value)
@@ -99,23 +106,58 @@ def called(function: Own, result: Any, timeout: float) -> float:
     return float(found)
 
 
+def _own_view(result: Any) -> Any:
+    """The result with a dictionary of its own, over the same arrays, which cannot be written."""
+    for variable in result.data.variables.values():
+        variable.values.flags.writeable = False
+    view = object.__new__(type(result))
+    view.__dict__.update(result.__dict__, data=result.data.copy(deep=False))
+    return view
+
+
+class _TooLongError(BaseException):
+    """The time is over: no ``except Exception`` of a function may hide it."""
+
+
+_AGAIN = 0.5
+"""Seconds after which one that has hidden it all the same is told once more."""
+
+_GRACE = 5.0
+"""Seconds after twice its time, when a process that came back from no alarm is ended."""
+
+
 @contextmanager
 def _limited(seconds: float) -> Iterator[None]:
-    """Raise TimeoutError in what takes longer; only in the main thread of a process of a system with alarms."""
+    """Raise _TooLongError in what takes longer; only in the main thread of a process of a system with alarms."""
     if not hasattr(signal, "setitimer") or threading.current_thread() is not threading.main_thread():
         yield
         return
 
     def stop(*_: Any) -> None:
-        raise TimeoutError(f"took longer than {seconds:g} s")
+        raise _TooLongError
 
     before = signal.signal(signal.SIGALRM, stop)
-    signal.setitimer(signal.ITIMER_REAL, seconds)
-    try:
+    with _ended_after(2 * seconds + _GRACE):
+        signal.setitimer(signal.ITIMER_REAL, seconds, _AGAIN)
+        try:
+            yield
+        finally:
+            signal.setitimer(signal.ITIMER_REAL, 0)
+            signal.signal(signal.SIGALRM, before)
+
+
+@contextmanager
+def _ended_after(seconds: float) -> Iterator[None]:
+    """End a process that computes results alone, where it hangs in code that no alarm interrupts."""
+    if multiprocessing.parent_process() is None:
         yield
-    finally:
-        signal.setitimer(signal.ITIMER_REAL, 0)
-        signal.signal(signal.SIGALRM, before)
+        return
+    with Path(os.devnull).open("w", encoding="utf-8") as nowhere:
+        faulthandler.dump_traceback_later(seconds, exit=True, file=nowhere)
+        try:
+            yield
+        finally:
+            faulthandler.cancel_dump_traceback_later()
 
 
 def code_digest(function: Own) -> str:

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable
+from dataclasses import replace
 from typing import Any
 
 from tmodes.errors import InputError
+from tmodes.io.words import meant
 from tmodes.study.plans import Design
 from tmodes.study.rows import Rows
 from tmodes.study.sensitivity.analysis import analysed
@@ -52,7 +54,8 @@ def sensitivity(
 def _planned(study: Study, method: str, samples: int | None, seed: int, second_order: bool) -> Study:
     """The study with the plan of a method."""
     if method not in SAMPLES:
-        raise InputError("--method", repr(method), "sobol or morris", "sobol for shares of the variance")
+        hint = meant(method, SAMPLES, "sobol for shares of the variance")
+        raise InputError("--method", repr(method), "sobol or morris", hint)
     _refuse_correlated(study)
     count = SAMPLES[method] if samples is None else samples
     if method == "morris":
@@ -74,7 +77,7 @@ def _refuse_correlated(study: Study) -> None:
 def with_plan(study: Study, plan: dict[str, Any]) -> Study:
     """The same study by another plan. Raises :class:`tmodes.errors.InputError` for a plan that is none."""
     data = {**study.data, "study": {**study.data["study"], "plan": plan, "keep": {}}}
-    return Study.from_data(data, functions=study.functions)
+    return replace(Study.from_data(data, functions=study.functions), places=study.places)
 
 
 def _rows(study: Study, design: Design, folder: Any, progress: Progress, where: dict[str, Any]) -> Rows:

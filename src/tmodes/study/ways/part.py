@@ -20,7 +20,8 @@ Array = NDArray[np.float64]
 class Part:
     """Of m cases: how each ended, the ``numbers`` (m,) that were asked for and their ``units``, by what was asked.
 
-    ``reasons`` of single numbers, by what was asked and the index of the case; ``kept``: motions, by index.
+    ``reasons`` of single numbers, by what was asked and the index of the case; ``kept``: motions, by index. ``errors``
+    (m,): sums of the estimated errors of steps [-], not-a-number where there is none.
     """
 
     status: list[str]
@@ -31,6 +32,11 @@ class Part:
     units: dict[Any, str] = field(default_factory=dict)
     reasons: dict[Any, dict[int, str]] = field(default_factory=dict)
     kept: dict[int, Kept] = field(default_factory=dict)
+    errors: Array = field(default_factory=lambda: np.zeros(0))
+
+    def __post_init__(self) -> None:
+        if not len(self.errors):
+            self.errors = np.full(len(self.status), np.nan)
 
     @classmethod
     def of_all(cls, size: int, status: str, reason: str = "") -> Part:
@@ -42,7 +48,7 @@ class Part:
         for k, place in enumerate(places.tolist()):
             self.status[place], self.reason[place] = other.status[k], other.reason[k]
             self.method[place] = other.method[k]
-        self.seconds[places] = other.seconds
+        self.seconds[places], self.errors[places] = other.seconds, other.errors
         for key in asked:
             column = self.numbers.setdefault(key, np.full(len(self.status), np.nan))
             column[places] = other.numbers.get(key, np.nan)
@@ -64,6 +70,7 @@ def worst(one: Part, other: Part) -> Part:
         found.status[k], found.reason[k] = chosen.status[k], chosen.reason[k]
         found.method[k] = one.method[k] or other.method[k]
     found.seconds = one.seconds + other.seconds
+    found.errors = np.fmax(one.errors, other.errors)
     found.numbers, found.units = {**one.numbers, **other.numbers}, {**one.units, **other.units}
     found.reasons, found.kept = {**one.reasons, **other.reasons}, {**one.kept, **other.kept}
     return found

@@ -55,7 +55,7 @@ def by_reductions(
         [*found.status], words, [*found.method], np.asarray(found.seconds, dtype=float),
         {pair: found.values[one] for pair, one in asked.items()},
         {pair: found.units[one] for pair, one in asked.items()},
-        kept={case: _motion(one) for case, one in found.kept.items()},
+        kept={case: _motion(one) for case, one in found.kept.items()}, errors=found.errors,
     )  # fmt: skip
 
 

@@ -8,6 +8,7 @@ import pickle
 import time as clock
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import ProcessPoolExecutor
+from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import Any, NamedTuple
@@ -93,6 +94,12 @@ def _mapped(
     with ProcessPoolExecutor(workers, context, _begin, (task, sent, tuple(USED))) as pool:
         try:
             yield lambda changes: pool.map(_ran_there, changes)
+        except BrokenProcessPool as error:
+            asked = "".join(f"`{name}`, which may hang or end it, and at " for name in functions)
+            raise SimulationError(
+                f"a process that computes results has ended by itself: look at {asked}the memory; "
+                'a script of your own needs `if __name__ == "__main__":` before it runs a study'
+            ) from error
         except BaseException:
             pool.shutdown(wait=False, cancel_futures=True)
             raise
@@ -111,7 +118,8 @@ _HERE: list[tuple[_Task, Functions]] = []
 
 
 def _begin(task: _Task, functions: bytes, used: Sequence[str]) -> None:
-    """Files that a person named are loaded first: functions may be of them."""
+    """Files that a person named are loaded first: functions may be of them. What they print is no result of ours."""
+    os.dup2(2, 1)
     if used:
         use(*used)
     _HERE[:] = [(task, pickle.loads(functions))]  # noqa: S301  # of the process that has started this one

@@ -1,0 +1,122 @@
+"""Functions of a user that hang, print, and change what they are given: they spoil their own number alone."""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+
+import numpy as np
+import pytest
+
+from command import tmodes
+from study.core.studies import short
+from tmodes.errors import SimulationError
+from tmodes.study.ways import results
+
+ALARMS = pytest.mark.skipif(not hasattr(signal, "setitimer"), reason="needs a system with alarms")
+VALUES = np.array([[1.0], [0.9]])
+
+
+def height(result):
+    """Of both ways to the series."""
+    return float(result.motion["tip"].values[-1, 2] + result.data["tip"].values[-1, 2])
+
+
+def replaces(result):
+    result.data["tip"] = 0.0 * result.data["tip"]
+    return float(result.data["tip"].values[-1, 2])
+
+
+def clears(result):
+    result.data.attrs.clear()
+    for variable in result.data.variables.values():
+        variable.attrs.clear()
+    return 1.0
+
+
+def forgets(result):
+    result.__dict__.clear()
+    return 2.0
+
+
+def ends(result):
+    os._exit(1)
+
+
+def hides(result):
+    """It hides what stops it, and goes on as long as it can."""
+    while True:
+        try:
+            sum(range(1000))
+        except Exception:  # noqa: S112
+            continue
+
+
+def stuck(result):
+    """In code that no alarm interrupts, for hours."""
+    return float(sum(range(10**12)))
+
+
+def evaluated(threads, seconds=60.0, **functions):
+    quantities = {name: {"function": name, "timeout": seconds} for name in functions}
+    asked = {**quantities, "height": {"function": "height"}, "peak": {"summary": "deviation.max_m"}}
+    return short(asked, functions={**functions, "height": height}).evaluate(0, VALUES, threads=threads)
+
+
+@pytest.mark.parametrize("threads", [1, 2])
+def test_what_one_changes_no_other_number_sees(threads):
+    rows = evaluated(threads, replaces=replaces, clears=clears, forgets=forgets)
+    alone = evaluated(1)
+    assert [*rows.status] == ["finished", "finished"], rows.reason
+    for name in ("height", "peak"):
+        assert rows.quantities[name].tolist() == alone.quantities[name].tolist()
+    assert rows.quantities["replaces"].tolist() == [0.0, 0.0]
+
+
+@ALARMS
+@pytest.mark.parametrize("threads", [1, 2])
+def test_one_that_hides_the_alarm_is_stopped(threads):
+    rows = evaluated(threads, 0.3, hides=hides)
+    assert [*rows.reason] == ["hides: TimeoutError: took longer than 0.3 s"] * 2
+    assert np.isfinite(rows.quantities["height"]).all()
+
+
+@ALARMS
+@pytest.mark.parametrize("function", [stuck, ends])
+def test_one_that_takes_its_process_with_it_is_an_error_in_words(function, monkeypatch):
+    """A process that does not come back is ended; the study does not wait for it for ever."""
+    monkeypatch.setattr(results.os, "cpu_count", lambda: 2)
+    with pytest.raises(SimulationError, match=f"has ended by itself: look at `{function.__name__}`"):
+        evaluated(2, 0.3, **{function.__name__: function})
+
+
+STUDY = """
+format: 1
+kind: study
+name: noisy
+robot: filipovic2010
+set: {integration.duration: 0.02, integration.output_step: 0.01}
+parameters: {mass: {path: payload.mass, distribution: {type: uniform, low: 0.4, high: 0.6}}}
+plan: {type: monte_carlo, runs: 3}
+quantities: {a: {function: noisy}}
+"""
+
+NOISY = """
+import os
+from tmodes.study.quantities.function import quantity
+
+@quantity("noisy")
+def noisy(result):
+    print("noise")
+    return 1.0
+"""
+
+
+def test_what_it_prints_is_not_in_the_json(tmp_path):
+    (tmp_path / "noisy.py").write_text(NOISY, encoding="utf-8")
+    (tmp_path / "study.yaml").write_text(STUDY, encoding="utf-8")
+    line = ["study", tmp_path / "study.yaml", "--out", tmp_path / "out", "--no-page", "--json", "--threads", 1]
+    done = tmodes("--use", tmp_path / "noisy.py", *line)
+    assert json.loads(done.stdout)["good"] == 3
+    assert done.stderr.count("noise\n") == 3

@@ -1,0 +1,59 @@
+"""`tmodes figures FOLDER` of a sensitivity and of an optimization: what these have found, from what is stored."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from command import tmodes
+from study.optimize.tubes import EXAMPLES
+from tmodes.study.optimize import optimize
+from tmodes.study.page import figure_data
+from tmodes.study.read import read_study
+from tmodes.study.result import load_study
+from tmodes.study.sensitivity import sensitivity
+
+DESIGNS = """
+format: 1
+kind: study
+name: designs
+parameters:
+  z: {distribution: {type: uniform, low: 0, high: 1}}
+  b: {choices: [{name: small, set: {}}, {name: large, set: {}}]}
+  load: {distribution: {type: normal, mean: 1, deviation: 0.1}}
+quantities:
+  mass: {expression: "z + b", unit: kg}
+  sag: {expression: "load/(0.1 + z + 2*b)", unit: mm}
+optimize: {objectives: [{minimize: mass}, {minimize: sag}], limits: ["mass <= 1.8 kg"], design: [z, b], worst_case: 8}
+"""
+
+
+@pytest.mark.parametrize(("method", "samples", "name"), [("sobol", 64, "sobol_y"), ("morris", 16, "morris_y")])
+def test_a_sensitivity_has_its_indices(method, samples, name, tmp_path):
+    found = sensitivity(read_study(EXAMPLES / "ishigami.yaml"), method, samples=samples, folder=tmp_path)
+    tmodes("figures", tmp_path)
+    assert (tmp_path / "figures" / f"{name}.svg").exists()
+    data = figure_data(load_study(tmp_path))
+    if method == "sobol":
+        (one,) = data["indices"]
+        assert [row[0] for row in one["total"]] == found.total[0].tolist()
+    else:
+        (one,) = data["effects"]
+        assert one["spread"] == found.indices["spread"][0].tolist()
+        assert one["size"] == np.column_stack([found.indices["size"][0], found.intervals["size"][0]]).tolist()
+
+
+def test_an_optimization_has_its_front(tmp_path):
+    """With what is uncertain: each design is judged by its worst case, as when it was chosen."""
+    pytest.importorskip("optuna")
+    file, folder = tmp_path / "designs.yaml", tmp_path / "out"
+    file.write_text(DESIGNS, encoding="utf-8")
+    found = optimize(read_study(file), trials=64, folder=folder)
+    data = figure_data(load_study(folder))
+    assert len(data["status"]) == found.designs
+    mass, sag = (column["values"][data["pareto"]["front"]] for column in data["quantities"][:2])
+    assert sorted(zip(mass, sag, strict=True)) == sorted(one.objectives for one in found.front)
+    good = np.array(data["good"])[data["status"]]
+    assert int(good.sum()) == found.feasible < found.designs
+    tmodes("figures", folder, "pareto")
+    assert (folder / "figures" / "pareto.svg").exists()
