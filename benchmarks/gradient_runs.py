@@ -12,13 +12,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from tmodes.gradients.changes import Changes
+from tmodes.gradients.lowering import lowered
+from tmodes.gradients.quantities import Functional, Quantities, tracking_error
 from tmodes.io.sheet_check import sheet_data
 from tmodes.io.sheet_paths import entered, steps_of
 from tmodes.io.sheet_words import at
 from tmodes.robots.load import load
-from tmodes.sensitivity.changes import Changes
-from tmodes.sensitivity.lowering import lowered
-from tmodes.sensitivity.quantities import Functional, Quantities, tracking_error
 from tmodes.simulation.trajectory import integrate
 
 from .stiff_arm import stiff_arm

@@ -25,8 +25,8 @@ import numpy as np
 from tmodes.bench.contender import PeerMissing
 from tmodes.bench.peers import pinocchio_model
 from tmodes.bench.rigid import RigidChain
+from tmodes.gradients.gradient import adjoint_gradient, forward_sensitivities
 from tmodes.model.model import Model
-from tmodes.sensitivity.gradient import adjoint_gradient, forward_sensitivities
 
 from .gradient_runs import Case, cases
 

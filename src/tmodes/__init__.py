@@ -11,14 +11,14 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from tmodes.equations.lagrange.system import System
     from tmodes.errors import TmodesError
+    from tmodes.gradients.gradient import adjoint_gradient, forward_sensitivities
+    from tmodes.gradients.quantities import Functional, tracking_error
     from tmodes.kinds.registry import use
     from tmodes.model.model import Model
     from tmodes.report.notebook import show
     from tmodes.result.result import Result
     from tmodes.result.run import run
     from tmodes.robots.load import load
-    from tmodes.sensitivity.gradient import adjoint_gradient, forward_sensitivities
-    from tmodes.sensitivity.quantities import Functional, tracking_error
     from tmodes.sheet.robot import Robot
     from tmodes.simulation.vary.simulate import simulate_batch
     from tmodes.study.optimize import optimize
@@ -54,15 +54,15 @@ __all__ = [
 ]
 
 _HOMES = {
-    "Functional": "tmodes.sensitivity.quantities.Functional",
+    "Functional": "tmodes.gradients.quantities.Functional",
     "Model": "tmodes.model.model.Model",
     "Result": "tmodes.result.result.Result",
     "Robot": "tmodes.sheet.robot.Robot",
     "Study": "tmodes.study.study.Study",
     "System": "tmodes.equations.lagrange.system.System",
     "TmodesError": "tmodes.errors.TmodesError",
-    "adjoint_gradient": "tmodes.sensitivity.gradient.adjoint_gradient",
-    "forward_sensitivities": "tmodes.sensitivity.gradient.forward_sensitivities",
+    "adjoint_gradient": "tmodes.gradients.gradient.adjoint_gradient",
+    "forward_sensitivities": "tmodes.gradients.gradient.forward_sensitivities",
     "load": "tmodes.robots.load.load",
     "load_study": "tmodes.study.result.load_study",
     "optimize": "tmodes.study.optimize.optimize",
@@ -72,7 +72,7 @@ _HOMES = {
     "sensitivity": "tmodes.study.sensitivity.sensitivity",
     "show": "tmodes.report.notebook.show",
     "simulate_batch": "tmodes.simulation.vary.simulate.simulate_batch",
-    "tracking_error": "tmodes.sensitivity.quantities.tracking_error",
+    "tracking_error": "tmodes.gradients.quantities.tracking_error",
     "use": "tmodes.kinds.registry.use",
 }
 

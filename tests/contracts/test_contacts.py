@@ -11,11 +11,11 @@ from pydantic import Field
 
 from arm.run.sheets import ZERO, arm
 from tmodes.equations.loop.contact_kernels import Touch, contact_law
+from tmodes.gradients.gradient import forward_sensitivities
 from tmodes.kinds.contacts.registry import CONTACTS, SURFACES, Contact, Surface
 from tmodes.kinds.kernel import functions as f
 from tmodes.kinds.kernel import vectors
 from tmodes.kinds.schema.quantity import not_negative, positive
-from tmodes.sensitivity.gradient import forward_sensitivities
 from tmodes.simulation.batch.simulate import simulate_lanes
 from tmodes.simulation.simulate import simulate_motion
 from tmodes.simulation.start import run_setup, run_trajectory

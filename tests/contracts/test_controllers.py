@@ -11,10 +11,10 @@ from scipy.linalg import solve_continuous_are
 
 from arm.run.sheets import ZERO, arm, beam, pendulum
 from tmodes import simulate_batch
+from tmodes.gradients.gradient import forward_sensitivities
 from tmodes.kinds.controllers.registry import CONTROLLERS, Controller, Measured
 from tmodes.kinds.kernel import vectors
 from tmodes.model.model import Model
-from tmodes.sensitivity.gradient import forward_sensitivities
 from tmodes.simulation.batch.simulate import simulate_lanes
 from tmodes.simulation.simulate import simulate_motion
 from tmodes.simulation.start import run_setup, run_trajectory

@@ -19,13 +19,13 @@ from tmodes.chain.chain import Chain, Friction, Gear, Joint, Motor, Node
 from tmodes.compile.ir.ordering import kernel_function
 from tmodes.equations.recursion.drive_kernels import LOCK, drive_kernels, drive_numbers
 from tmodes.errors import TmodesError
+from tmodes.gradients.gradient import forward_sensitivities
 from tmodes.kinds.drives.contract import Angles, DriveKind, DriveLaw, Dry, Elastic, Forward
 from tmodes.kinds.drives.registry import DRIVES, drive_kind
 from tmodes.kinds.joints.registry import joint_kind
 from tmodes.kinds.links.rigid import RigidLink
 from tmodes.kinds.schema.quantity import DataSheet, positive
 from tmodes.model.model import Model
-from tmodes.sensitivity.gradient import forward_sensitivities
 from tmodes.simulation.simulate import simulate_motion
 
 Array = NDArray[np.float64]

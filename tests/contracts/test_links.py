@@ -12,6 +12,7 @@ from pydantic import Field
 import tmodes
 from arm.run.sheets import arm
 from tmodes.errors import InputError
+from tmodes.gradients.gradient import forward_sensitivities
 from tmodes.kinds.kernel.functions import fabs, fmax, if_else
 from tmodes.kinds.links.contract import Body, ElasticForces, Link, LinkNumbers, LinkStructure, Row
 from tmodes.kinds.links.registry import LINKS
@@ -20,7 +21,6 @@ from tmodes.kinds.links.sheet import BendingSheet
 from tmodes.kinds.schema.quantity import positive
 from tmodes.model.model import Model
 from tmodes.report import write_report
-from tmodes.sensitivity.gradient import forward_sensitivities
 from tmodes.simulation.batch.simulate import simulate_lanes
 from tmodes.simulation.simulate import simulate_motion
 from tmodes.simulation.start import run_setup, run_trajectory

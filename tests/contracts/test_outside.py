@@ -16,10 +16,10 @@ import pytest
 import tmodes
 from arm.run.sheets import arm
 from contracts import test_contacts, test_controllers, test_joints, test_links, test_signals
+from tmodes.gradients.gradient import forward_sensitivities
 from tmodes.kinds.joints.registry import JOINTS
 from tmodes.live.bundle import live_bundle, why_not_live
 from tmodes.report.page import page
-from tmodes.sensitivity.gradient import forward_sensitivities
 from tmodes.simulation.batch.simulate import simulate_lanes
 from tmodes.simulation.simulate import simulate_motion
 from tmodes.simulation.start import run_setup, run_trajectory

@@ -14,9 +14,9 @@ from arm.run.sheets import arm
 from contracts.test_controllers import gains, robot
 from tmodes.analysis.modes.of_sheet import vibrations
 from tmodes.errors import InputError
+from tmodes.gradients.gradient import forward_sensitivities
 from tmodes.live.bundle import live_bundle, why_not_live
 from tmodes.model.model import Model
-from tmodes.sensitivity.gradient import forward_sensitivities
 from tmodes.simulation.batch.simulate import simulate_lanes
 from tmodes.simulation.parts import sample_times
 from tmodes.simulation.simulate import simulate_motion

@@ -9,8 +9,8 @@ import pytest
 
 from arm.run.sheets import landing
 from tmodes.errors import SimulationError
-from tmodes.sensitivity.gradient import adjoint_gradient, forward_sensitivities
-from tmodes.sensitivity.quantities import tracking_error
+from tmodes.gradients.gradient import adjoint_gradient, forward_sensitivities
+from tmodes.gradients.quantities import tracking_error
 
 HEIGHT, STIFFNESS, MASS, GRAVITY = 0.05, 2e3, 1.5, 9.81
 

@@ -13,13 +13,13 @@ from numpy.typing import NDArray
 from derivatives.test_runs import SQUARES, bending_arm, loaded_arm
 from io_cases import value_of
 from tmodes.errors import InputError
+from tmodes.gradients.changes import replaced
+from tmodes.gradients.gradient import adjoint_gradient, forward_sensitivities
+from tmodes.gradients.lowering import lowered
+from tmodes.gradients.quantities import Functional, tracking_error
 from tmodes.io.sheet_check import sheet_data
 from tmodes.io.sheet_paths import steps_of
 from tmodes.robots.load import load
-from tmodes.sensitivity.changes import replaced
-from tmodes.sensitivity.gradient import adjoint_gradient, forward_sensitivities
-from tmodes.sensitivity.lowering import lowered
-from tmodes.sensitivity.quantities import Functional, tracking_error
 from tmodes.sheet import Robot
 
 Array = NDArray[np.float64]

@@ -12,11 +12,11 @@ from numpy.typing import NDArray
 
 from io_cases import value_of
 from tmodes.errors import InputError, SimulationError
+from tmodes.gradients.changes import Changes
+from tmodes.gradients.gradient import adjoint_gradient, forward_sensitivities
+from tmodes.gradients.lowering import Lowered, lowered
+from tmodes.gradients.quantities import Functional
 from tmodes.robots.load import load
-from tmodes.sensitivity.changes import Changes
-from tmodes.sensitivity.gradient import adjoint_gradient, forward_sensitivities
-from tmodes.sensitivity.lowering import Lowered, lowered
-from tmodes.sensitivity.quantities import Functional
 from tmodes.sheet import Robot
 from tmodes.simulation.recording import record
 from tmodes.simulation.replay import Replay

@@ -13,7 +13,7 @@ from scipy.linalg import expm
 
 from arm.run.sheets import arm
 from tmodes.errors import TmodesError
-from tmodes.sensitivity.gradient import forward_sensitivities
+from tmodes.gradients.gradient import forward_sensitivities
 from tmodes.sheet import Robot
 from tmodes.simulation.motion_run import RunData
 from tmodes.simulation.simulate import simulate_motion

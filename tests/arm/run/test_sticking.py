@@ -15,8 +15,8 @@ from scipy.integrate import solve_ivp
 from arm.run.sheets import arm
 from tmodes.equations.recursion.drive_kernels import LOCK
 from tmodes.errors import InputError
+from tmodes.gradients.gradient import forward_sensitivities
 from tmodes.model.model import Model
-from tmodes.sensitivity.gradient import forward_sensitivities
 from tmodes.sheet import Robot
 from tmodes.simulation.motion_run import RunData
 from tmodes.simulation.simulate import simulate_motion

@@ -9,8 +9,8 @@ import pytest
 
 from study.optimize.tubes import EXAMPLES
 from tmodes.errors import InputError
+from tmodes.gradients.quantities import tracking_error
 from tmodes.robots.load import load
-from tmodes.sensitivity.quantities import tracking_error
 from tmodes.study.optimize import optimize
 from tmodes.study.optimize.adjoint import Adjoint
 from tmodes.study.optimize.goals import goals_of
@@ -104,7 +104,7 @@ def test_limits_on_simulated_quantities_and_on_numbers_at_rest() -> None:
 
 def test_a_functional_of_ones_own() -> None:
     robot = load("spong1987").with_({"joints.joint.gear.damping": 0.5, "integration.duration": 1.5})
-    from tmodes.sensitivity.gradient import adjoint_gradient
+    from tmodes.gradients.gradient import adjoint_gradient
 
     asked = spong(
         {"sag": {"static": "sag"}}, "apart", [], gear=uniform(GEAR, 60.0, 140.0), mass=uniform(MASS, 0.5, 2.0)

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from patience import until
 from study.store.fake import FakeStudy, data, fake
 from tmodes.errors import ResultFileError
 from tmodes.io.atomic import FolderLock
@@ -104,7 +105,7 @@ def test_a_block_is_prepared_while_another_one_runs(tmp_path):
     def meets(first):
         begun[first].set()
         if first in (50, 100):
-            assert begun[150 - first].wait(60)
+            until(begun[150 - first].is_set)
 
     result = run_study(fake(data(500, block=50), before=meets, needs=LOOPS), tmp_path, threads=2)
     assert result.complete
@@ -118,7 +119,7 @@ def test_what_is_finished_when_another_block_fails_is_kept(tmp_path):
         if first == 50:
             begun.set()
         if first == 100:
-            assert begun.wait(60)
+            until(begun.is_set)
             raise KeyboardInterrupt
 
     with pytest.raises(KeyboardInterrupt):

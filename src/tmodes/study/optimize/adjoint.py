@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.errors import InputError, SimulationError
-from tmodes.sensitivity.gradient import adjoint_gradient
-from tmodes.sensitivity.quantities import Functional
+from tmodes.gradients.gradient import adjoint_gradient
+from tmodes.gradients.quantities import Functional
 from tmodes.sheet import Robot
 from tmodes.simulation.start import run_setup
 from tmodes.simulation.vary.series import COMMANDED, DEVIATION, units_of

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.sensitivity.quantities import Functional
+from tmodes.gradients.quantities import Functional
 from tmodes.study.optimize.differences import Differences
 from tmodes.study.optimize.goals import Goals
 from tmodes.study.optimize.gradient import Descent, descend

@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 
 from tmodes.errors import InputError
+from tmodes.gradients.quantities import Functional
 from tmodes.io.words import meant
-from tmodes.sensitivity.quantities import Functional
 from tmodes.study.optimize.goals import Goals, goals_of
 from tmodes.study.optimize.leaves import cheap, leaves
 from tmodes.study.optimize.limits import refuse_contradictions

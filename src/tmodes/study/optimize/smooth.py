@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from tmodes.errors import InputError
-from tmodes.sensitivity.quantities import Functional
+from tmodes.gradients.quantities import Functional
 from tmodes.sheet import Robot
 from tmodes.simulation.start import run_setup
 from tmodes.simulation.vary.series import COMMANDED, DEVIATION

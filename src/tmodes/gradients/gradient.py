@@ -16,9 +16,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from tmodes.errors import InputError
-from tmodes.sensitivity.changes import Change, Changes
-from tmodes.sensitivity.lowering import Lowered, lowered
-from tmodes.sensitivity.quantities import Functional, Quantities
+from tmodes.gradients.changes import Change, Changes
+from tmodes.gradients.lowering import Lowered, lowered
+from tmodes.gradients.quantities import Functional, Quantities
 from tmodes.sheet import Robot
 from tmodes.sheet.robot import refuse_other
 from tmodes.simulation.recording import MOST_BYTES, Recording
@@ -92,7 +92,7 @@ def forward_sensitivities(
 ) -> Sensitivities:
     """Derivatives of the states at all samples by numbers of the sheet: ``links.arm.length``, ``gear.stiffness``.
 
-    ``quantities``: what else is given and differentiated, as ``tip`` (:class:`tmodes.sensitivity.quantities.Quantities`
+    ``quantities``: what else is given and differentiated, as ``tip`` (:class:`tmodes.gradients.quantities.Quantities`
     has their names). ``start``: directions (size,) of the state at the start, by names of one's own. Eight directions
     are carried along at once; of many numbers and one functional :func:`adjoint_gradient` is the quicker.
     ``most_bytes``: memory for the states of the steps; where they are more, some are kept and those between computed
@@ -130,7 +130,7 @@ def adjoint_gradient(
 ) -> Gradient:
     """Derivatives of one number measured on the samples of a run, by any number of quantities of the sheet.
 
-    ``functional``: as :func:`tmodes.sensitivity.quantities.tracking_error` gives it, or of one's own. One sweep in
+    ``functional``: as :func:`tmodes.gradients.quantities.tracking_error` gives it, or of one's own. One sweep in
     reverse over the recorded steps gives them all, whose cost does not grow with the number of ``paths``. Memory and
     errors as of :func:`forward_sensitivities`. Adjoints of the discrete steps with checkpoints: A. Griewank, A.
     Walther, Evaluating Derivatives (2008), chapters 3 and 12.

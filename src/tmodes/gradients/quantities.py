@@ -11,10 +11,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from tmodes.errors import InputError
+from tmodes.gradients.lowering import Lowered
 from tmodes.kinds.kernel.schedule import Slot
 from tmodes.model.derivatives import Blocks, differentiated
 from tmodes.model.passes import ChainPasses
-from tmodes.sensitivity.lowering import Lowered
 from tmodes.simulation.recording import Recording
 
 __all__ = ["Functional", "Quantities", "Weights", "tracking_error"]
@@ -140,7 +140,7 @@ def _refuse_unknown(names: Sequence[str], known: Sequence[str]) -> None:
 class Functional:
     """One number of a run: ``measure(times (n,), quantities)`` -> its value and its derivatives.
 
-    ``quantities``: names of what is looked at, as :class:`tmodes.sensitivity.quantities.Quantities` knows them;
+    ``quantities``: names of what is looked at, as :class:`tmodes.gradients.quantities.Quantities` knows them;
     ``quantities`` holds each as an array (n, numbers), derivatives by the same names in the same shapes; a name that
     is left out has none.
     """

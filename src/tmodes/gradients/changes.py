@@ -11,11 +11,11 @@ from pydantic import BaseModel
 
 from tmodes.analysis.statics.equilibrium import free_coordinates
 from tmodes.errors import InputError
+from tmodes.gradients.lowering import Lowered, rows_of, structure
 from tmodes.io.sheet_check import sheet_data
 from tmodes.io.sheet_paths import entered, steps_of
 from tmodes.io.sheet_words import at
 from tmodes.model.model import Model
-from tmodes.sensitivity.lowering import Lowered, rows_of, structure
 from tmodes.sheet import Robot
 from tmodes.simulation.loop import LoopModel
 from tmodes.simulation.plan import planned, starts_at_rest
