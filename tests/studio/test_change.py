@@ -62,7 +62,7 @@ def test_a_change_has_the_numbers_of_the_page(name: str, packed: list[Any]) -> N
             np.testing.assert_allclose(places(moved["scene"][key]), places(first["scene"][key]), rtol=0, atol=1e-9)
 
 
-def test_another_structure_is_told(packed: list[Any]) -> None:
+def test_another_structure_is_reported(packed: list[Any]) -> None:
     workshop = Workshop()
     known = asked(workshop, "curves", plain_sheet(load("spong1987"))).info["structure"]
     sheet = plain_sheet(load("spong1987").with_({"integration.duration": 0.5}))

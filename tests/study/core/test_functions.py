@@ -45,7 +45,7 @@ def ends(result):
 
 
 def hides(result):
-    """It hides what stops it, and goes on as long as it can."""
+    """It hides what stops it, and continues as long as it can."""
     while True:
         try:
             sum(range(1000))

@@ -31,7 +31,7 @@ export async function effects(
   const began = performance.now();
   const facts = await early(live, own, FIRST);
   const id = LEADING.find((name) => facts[name]?.value);
-  if (!id) return "no number of this run tells it";
+  if (!id) return "no number of this run shows it";
   const whole = Number(facts[id].value);
   if ((performance.now() - began) * rows.length > PATIENCE) return "to measure it would take long";
   const shares: number[] = [];
@@ -46,7 +46,7 @@ export async function effects(
   return { number: id, shares };
 }
 
-/** The facts that a run tells first, if one of those named is among them, else those that it tells with its picture. */
+/** The facts that a run gives first, if one of those named is among them, else those that come with its picture. */
 async function early(live: Live, values: number[], named: string[]): Promise<LiveRun["facts"]> {
   return new Promise((resolve, reject) => {
     const heard = (run: LiveRun) => {

@@ -120,7 +120,7 @@ class _TooLongError(BaseException):
 
 
 _AGAIN = 0.5
-"""Seconds after which one that has hidden it all the same is told once more."""
+"""Seconds after which one that has hidden it all the same is interrupted once more."""
 
 _GRACE = 5.0
 """Seconds after twice its time, when a process that came back from no alarm is ended."""
