@@ -32,7 +32,7 @@ KEYS = [
     ),
     (
         lambda d: d["links"][0]["beam"].pop("model"),
-        "links.upper.beam.model is missing, expected one of strain, segments, rigid, modes;",
+        "links.upper.beam.model is missing, expected one of strain, segments, rigid, modes",
         "add the line `model: strain` or `model: segments`",
     ),
     (lambda d: d["joints"][0].update(loads=[]), "joints.shoulder.loads", "put `loads` at the outermost level"),
