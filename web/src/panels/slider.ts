@@ -13,6 +13,7 @@ export interface SliderRow {
 }
 
 const STEPS = 1000;
+const LARGE = 1e7;
 
 /** `changed` is called whenever the user gave another value, within the slider's bounds. */
 export function makeSlider(slider: Slider, changed: () => void): SliderRow {
@@ -37,7 +38,7 @@ export function makeSlider(slider: Slider, changed: () => void): SliderRow {
   function tell(typing = false): void {
     range.value = String(Math.round(STEPS * shareOf(slider, value)));
     range.setAttribute("aria-valuetext", `${digits(value, 5)} ${unit}`);
-    if (!typing) number.value = String(Number(value.toPrecision(6)));
+    if (!typing) number.value = typed(value);
     back.disabled = value === slider.value;
     element.classList.toggle("changed", value !== slider.value);
   }
@@ -84,6 +85,12 @@ export function makeSlider(slider: Slider, changed: () => void): SliderRow {
       tell();
     },
   };
+}
+
+/** As a field of numbers takes it: a modulus in Pa has more zeros than fit. */
+function typed(value: number): string {
+  const few = Number(value.toPrecision(6));
+  return Math.abs(few) < LARGE ? String(few) : few.toExponential().replace("+", "");
 }
 
 function shareOf(slider: Slider, value: number): number {

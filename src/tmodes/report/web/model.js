@@ -1,4 +1,4 @@
-/* tmodes, built from 58d0e7dbc44a340a; BSD-3-Clause */
+/* tmodes, built from 3f409b0fce855380; BSD-3-Clause */
 
 // src/live/engine_error.ts
 var EngineError = class extends Error {
