@@ -15,7 +15,7 @@ import pytest
 from patience import LONG
 from tmodes.report.pack import pack
 
-__all__ = ["built_live", "built_page", "live_in_node", "worst_difference"]
+__all__ = ["built_page", "in_node", "live_in_node", "worst_difference"]
 
 ROOT = Path(__file__).resolve().parents[2]
 WEB = ROOT / "web"
@@ -73,16 +73,21 @@ def built_page(entry: str, folder: Path) -> str:
 
 def live_in_node(bundle: dict[str, Any], jobs: list[list[float]], folder: Path) -> list[dict[str, Any]]:
     """What the live model gives for each list of values, with the sheet; skipped where there is no Node."""
+    (folder / "jobs.json").write_text(json.dumps(jobs))
+    return [_filled(result) for result in in_node(HARNESS, bundle, folder)]
+
+
+def in_node(program: str, bundle: dict[str, Any], folder: Path) -> Any:
+    """What a program that imports ``./live.mjs`` and reads ``bundle.tmpk`` prints as JSON; skipped without Node."""
     node = shutil.which("node")
     if node is None:
         pytest.skip("needs Node to run the live model")
     built_live(folder)
-    (folder / "harness.mjs").write_text(HARNESS)
+    (folder / "program.mjs").write_text(program)
     (folder / "bundle.tmpk").write_bytes(pack(bundle))
-    (folder / "jobs.json").write_text(json.dumps(jobs))
-    done = subprocess.run([node, "harness.mjs"], cwd=folder, capture_output=True, text=True, check=False, timeout=LONG)
+    done = subprocess.run([node, "program.mjs"], cwd=folder, capture_output=True, text=True, check=False, timeout=LONG)
     assert done.returncode == 0, done.stderr
-    return [_filled(result) for result in json.loads(done.stdout)]
+    return json.loads(done.stdout)
 
 
 def _filled(value: Any) -> Any:

@@ -2,20 +2,15 @@
 
 from __future__ import annotations
 
-import json
-import shutil
-import subprocess
 from typing import Any
 
 import pytest
 
-from patience import LONG
 from see.scenes import short_robot
 from tmodes import run
 from tmodes.live.bundle import live_bundle
-from tmodes.report.pack import pack
 
-from .node import built_live
+from .node import in_node
 
 PROGRAM = """
 import { readFileSync } from "node:fs";
@@ -45,16 +40,9 @@ LATER = {"deformation_stationary", "deformation_oscillatory"}
 @pytest.fixture(scope="module")
 def found(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]:
     """What is heard of one run, and of one that a newer one ends as its curves are there."""
-    folder, node = tmp_path_factory.mktemp("order"), shutil.which("node")
-    built_live(folder)
     bundle = live_bundle(run(short_robot()))
-    assert node is not None
     assert bundle is not None
-    (folder / "bundle.tmpk").write_bytes(pack(bundle))
-    (folder / "program.mjs").write_text(PROGRAM)
-    done = subprocess.run([node, "program.mjs"], cwd=folder, capture_output=True, text=True, check=False, timeout=LONG)
-    assert done.returncode == 0, done.stderr
-    return json.loads(done.stdout)
+    return in_node(PROGRAM, bundle, tmp_path_factory.mktemp("order"))
 
 
 def test_curves_come_first_then_the_picture_then_the_modes(found: dict[str, Any]) -> None:

@@ -2,20 +2,15 @@
 
 from __future__ import annotations
 
-import json
-import shutil
-import subprocess
 from typing import Any
 
 import pytest
 
-from patience import LONG
 from see.scenes import short_robot
 from tmodes import run
 from tmodes.live.bundle import live_bundle
-from tmodes.report.pack import pack
 
-from .node import built_live
+from .node import in_node
 
 PROGRAM = """
 import { readFileSync } from "node:fs";
@@ -53,16 +48,9 @@ port2.close();
 @pytest.fixture(scope="module")
 def found(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]:
     """What runs with a partner give, and what it was asked."""
-    folder, node = tmp_path_factory.mktemp("partner"), shutil.which("node")
-    built_live(folder)
     bundle = live_bundle(run(short_robot()))
-    assert node is not None
     assert bundle is not None
-    (folder / "bundle.tmpk").write_bytes(pack(bundle))
-    (folder / "program.mjs").write_text(PROGRAM)
-    done = subprocess.run([node, "program.mjs"], cwd=folder, capture_output=True, text=True, check=False, timeout=LONG)
-    assert done.returncode == 0, done.stderr
-    return json.loads(done.stdout)
+    return in_node(PROGRAM, bundle, tmp_path_factory.mktemp("partner"))
 
 
 def test_a_partner_changes_no_number(found: dict[str, Any]) -> None:
