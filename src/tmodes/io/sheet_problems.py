@@ -118,11 +118,10 @@ def _unknown(steps: tuple[Step, ...], data: Any) -> InputError:
 
 def _unnamed(steps: tuple[Step, ...], data: Any) -> str:
     """That a group may name its kind, where it does not, and so is taken for the one without a name."""
-    place, value = place_of(steps, data), at(data, *steps)
-    kinds = [kind_of(member) for member in place.members] if place and len(place.members) > 1 else []
-    words = [f"`{key}: {word}`" for key, names, default in kinds if default not in names for word in names]
-    keys_of_kinds = {key for key, _, _ in kinds}
-    return f"remove it, or name the kind: {', '.join(words)}" if words and not keys_of_kinds & {*value} else ""
+    kinds, value = _kinds(steps, data), at(data, *steps)
+    words = [f"`{key}: {word}`" for key, word, default in kinds if word != default]
+    named_kind = any(key in value for key, _, _ in kinds)
+    return "" if named_kind or not words else f"{_REMOVE}, or name the kind: {', '.join(words)}"
 
 
 def _elsewhere(key: str, data: Any) -> str:
@@ -136,22 +135,22 @@ def _elsewhere(key: str, data: Any) -> str:
 def _missing(steps: tuple[Step, ...], data: Any) -> InputError:
     place = place_of(steps, data)
     expected = place.expected if place else "a value"
-    if kinds := _kinds(steps, data):
+    if kinds := [str(word) for key, word, _ in _kinds(steps[:-1], data) if key == steps[-1]]:
         expected = f"one of {', '.join(kinds)}"
     elif place and place.info and place.info.description:
         expected += f": {place.meaning}"
-    words = _possible(_kinds(steps, data) or (place.choices if place else []), steps, data)
+    words = _possible(kinds or (place.choices if place else []), steps, data)
     lines = " or ".join(f"`{steps[-1]}: {choice}`" for choice in words or ["..."]) if steps else ""
     group = own_path(named(steps[:-1], data), data)
     inside = f" inside `{group}`" if group else ""
     return InputError("", "nothing", expected, f"add the line {lines}{inside}" if lines else "add it")
 
 
-def _kinds(steps: tuple[Step, ...], data: Any) -> list[str]:
-    """The kinds among which a key chooses, if it is the key that chooses one; the group's other kinds included."""
-    place = place_of(steps[:-1], data)
+def _kinds(steps: tuple[Step, ...], data: Any) -> list[tuple[str, Any, Any]]:
+    """Of a group of several kinds each one: the key that names it, its name, and the kind where the key is left out."""
+    place = place_of(steps, data)
     kinds = [kind_of(member) for member in place.members] if place and len(place.members) > 1 else []
-    return [str(word) for key, words, _ in kinds if key == steps[-1] for word in words]
+    return [(key, word, default) for key, words, default in kinds for word in words]
 
 
 def _possible(choices: list[str], steps: tuple[Step, ...], data: Any) -> list[str]:

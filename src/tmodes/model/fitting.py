@@ -149,9 +149,10 @@ class _Fit:
     def _shared(self, k: int, entries: NDArray[np.intp], samples: Samples) -> NDArray[np.intp]:
         """Curves through some samples, each for all numbers that change alike; what has none is left."""
         left: list[int] = []
-        step = self.far(frozenset([k])) - self.base
+        step, vectors = self.far(frozenset([k])) - self.base, samples.vectors
         while len(entries):
-            found, size = samples.vectors[:, entries], np.abs(samples.vectors[:, entries]).max(axis=0)
+            found = vectors[:, entries]
+            size = np.abs(found).max(axis=0)
             first = int(np.argmax(np.abs(step[entries]) / size))
             if step[entries[first]] == 0:
                 return np.array([*left, *entries.tolist()], dtype=np.intp)
