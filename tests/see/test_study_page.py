@@ -51,6 +51,13 @@ def written(path: Path, rows: Rows, **more: Any) -> Path:
     return path
 
 
+def opened(browser: Any, path: Path, *args: Any, **more: Any) -> Window:
+    """Open a study's page; return when its charts, which wait for their layout, are drawn."""
+    window = look(browser, path, *args, **more)
+    window.page.wait_for_selector(".study-area > svg:empty", state="detached")
+    return window
+
+
 @pytest.fixture(scope="module")
 def made(tmp_path_factory: pytest.TempPathFactory) -> Path:
     rows = made_rows()
@@ -69,16 +76,16 @@ def made(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture
 def window(browser: Any, made: Path) -> Any:
-    opened = look(browser, made)
-    yield opened
-    assert opened.said == []
-    opened.page.context.close()
+    shown = opened(browser, made)
+    yield shown
+    assert shown.said == []
+    shown.page.context.close()
 
 
 @pytest.mark.parametrize("scheme", ["light", "dark"])
 @pytest.mark.parametrize("size", SIZES)
 def test_it_is_silent_alone_and_within_its_window(browser: Any, made: Path, size: Any, scheme: str) -> None:
-    window = look(browser, made, size, scheme)
+    window = opened(browser, made, size, scheme)
     assert window.said == []
     assert [url for url in window.asked if not url.startswith("blob:")] == [made.as_uri()]
     assert window.page.evaluate(OVERFLOW) == 0
@@ -175,7 +182,7 @@ def test_two_parameters_on_a_grid_are_a_surface(browser: Any, tmp_path: Path) ->
     x, y = (axis.ravel() for axis in np.meshgrid(np.linspace(0, 1, 6), np.linspace(2, 3, 5)))
     rows = Rows(np.arange(30), {"x": x, "y": y}, {"z": x * y}, {"z": "-"}, ["finished"] * 30, [""] * 30, [""] * 30,
                 np.zeros(30))  # fmt: skip
-    window = look(browser, written(tmp_path / "grid.html", rows))
+    window = opened(browser, written(tmp_path / "grid.html", rows))
     assert window.page.locator(".cell").count() == 30
     window.page.locator(".cell").nth(29).click()
     assert window.page.get_by_role("heading", name="Case 29: finished").count() == 1
@@ -205,14 +212,14 @@ STUDY = {
 
 def test_a_case_is_simulated_again_in_its_live_report(browser: Any, tmp_path: Path) -> None:
     done = run_study(study_from_data(STUDY), tmp_path / "live", threads=1)
-    window = look(browser, write_page(done, tmp_path / "study.html"))
+    window = opened(browser, write_page(done, tmp_path / "study.html"))
     page, rows = window.page, done.rows
     case = int(np.argmax(rows.quantities["peak"]))
     assert page.get_by_role("heading", name="Tip x less that of the sheet's own run").count() == 1
     page.get_by_role("button", name="largest", exact=True).click()
-    with page.context.expect_page() as opened:
+    with page.context.expect_page() as report_page:
         page.get_by_role("button", name="Open live report").click()
-    report = opened.value
+    report = report_page.value
     changes = {
         "joints.joint.gear.stiffness": 100.0 * rows.parameters["gear"][case],
         "links.link.bodies.bob.mass": rows.parameters["bob"][case],
