@@ -24,7 +24,7 @@ from tmodes.simulation.start import RunSetup, held_at_start, placed_state, slipp
 from tmodes.simulation.vary.block_forms import block_forms, pair_at
 from tmodes.simulation.vary.lanes import Side
 from tmodes.simulation.vary.lots import Indices, LaneNumbers, Lot
-from tmodes.simulation.vary.rests import rests
+from tmodes.simulation.vary.rests import inverse_at, rests
 
 __all__ = ["Cases"]
 
@@ -44,7 +44,7 @@ _SURELY = 2.0
 """Share of the limit up to which, or beyond which, the stiffness of a few cases decides the method of all."""
 
 
-_COMMON = ("ranges", "held", "_structure", "forms", "_moves")
+_COMMON = ("ranges", "held", "_slope", "_structure", "forms", "_moves")
 """What does not depend on the values themselves."""
 
 
@@ -78,6 +78,13 @@ class Cases:
     def held(self) -> LoopModel:
         """The loop in which every drive stands."""
         return LoopModel(planned(self.like.robot, Follow.HELD).plan)
+
+    @cached_property
+    def _slope(self) -> Array:
+        """The inverse of the slope at the rest of ``like``, near those of all others."""
+        rest, row = self.like.rest, planned(self.like.robot, Follow.HELD).schedule.rows_at(np.zeros(1))[0]
+        assert rest is not None  # noqa: S101
+        return inverse_at(self.held, self.held.numbers, row, rest.q, rest.free)
 
     @cached_property
     def _structure(self) -> Any:
@@ -183,7 +190,7 @@ class Cases:
         while len(lost):
             begin = np.broadcast_to(near, (len(lost), len(names))).copy()
             begin[:, places] = held[lost]
-            found[lost] = rests(self.held, numbers[lost], rows[lost], begin, rest.free)
+            found[lost] = rests(self.held, numbers[lost], rows[lost], begin, rest.free, self._slope)
             known, before = np.flatnonzero(np.isfinite(found).all(axis=1)), len(lost)
             lost = np.flatnonzero(~np.isfinite(found).all(axis=1))
             if len(lost) == before or not len(known):
