@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from tmodes.io.units import NotANumber, number
+from tmodes.io.units import EVERYDAY, NotANumber, library_factor, number
 
 
 @pytest.mark.parametrize(
@@ -98,3 +98,9 @@ def test_any_text_is_a_number_or_refused(text: str) -> None:
     except NotANumber as error:
         hint = error.hint
         assert hint
+
+
+@pytest.mark.parametrize(("unit", "text"), [(unit, text) for unit, known in EVERYDAY.items() for text in known])
+def test_everyday_factors_are_those_of_the_unit_library(unit: str, text: str) -> None:
+    assert EVERYDAY[unit][text] == library_factor(text, unit)
+    assert number(f"3 {text}", unit) == pytest.approx(3 * EVERYDAY[unit][text], rel=1e-15)
