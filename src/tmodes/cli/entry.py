@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import os
 import sys
 
@@ -9,9 +10,13 @@ from tmodes.cli.memory import OUT_OF_MEMORY, lacks_memory, prepare, words
 
 __all__ = ["start"]
 
+_RARELY = 100_000, 50, 50
+"""When Python looks for circles among objects; at its own 700, 10, 10 it spends up to a twentieth of a command on it."""
+
 
 def start() -> None:
     """Load the command line and run it; ends the process."""
+    gc.set_threshold(*_RARELY)
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # small matrices: threads only cost; batches have their own
     try:
         prepare()
