@@ -51,7 +51,8 @@ def made(*, grid: bool = False, drawn: bool = True) -> dict[str, Any]:
                 np.zeros(size))  # fmt: skip
     info = {"x": ColumnInfo("across", "N*m"), "z": ColumnInfo("size", "-", ("small", "large", "huge"))}
     times = np.linspace(0, 1, 20)
-    band = {"title": "Tip x", "unit": "mm", "times": times, "shares": [5, 50, 95], "nominal": None, "cases": 80,
+    band = {"title": "Tip x", "label": "Δx of the tip", "unit": "mm",
+            "times": times, "shares": [5, 50, 95], "nominal": None, "cases": 80,
             "values": np.array([times - 1, times, times + 1])}  # fmt: skip
     index = {"quantity": "peak", "how": "", "names": ["x", "y"], "first": [[0.5, 0.4, 0.6], [0.4, 0.3, 0.5]],
              "total": [[0.6, 0.5, 0.7], [0.5, 0.4, 0.6]]}  # fmt: skip

@@ -67,7 +67,8 @@ def made(tmp_path_factory: pytest.TempPathFactory) -> Path:
         "first": [[0.9, 0.85, 0.95], [0.0, -0.02, 0.02]], "total": [[0.95, 0.9, 1.0], [0.05, 0.0, 0.1]],
     }  # fmt: skip
     times = np.linspace(0, 2, 50)
-    band = {"title": "Tip", "unit": "mm", "times": times, "shares": [5, 50, 95], "nominal": None, "cases": 99,
+    band = {"title": "Tip", "label": "Δ of the tip", "unit": "mm",
+            "times": times, "shares": [5, 50, 95], "nominal": None, "cases": 99,
             "values": np.array([times - 1, times, times + 1], dtype=np.float32)}  # fmt: skip
     folder = tmp_path_factory.mktemp("a study & more")
     more = {"indices": [indices], "bands": [band], "objectives": ("peak", "end"), "front": best}

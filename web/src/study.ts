@@ -30,7 +30,8 @@ function mount(root: HTMLElement, page: StudyPage): void {
   choice.addEventListener("change", () => store.look(choice.value));
   const label = make("label", { text: "Quantity " });
   label.append(choice);
-  const part = page.case.data.length < page.cases ? `Charts show ${page.case.data.length} of ${page.cases} cases.` : "";
+  const [shown, all] = [page.case.data.length, page.cases].map((count) => count.toLocaleString("en"));
+  const part = page.case.data.length < page.cases ? `Charts show ${shown} of ${all} cases.` : "";
   const bar = make("div", { class: "bar study-bar" }, label, make("span", { class: "note", text: part }));
   const top = make("div", { class: "study-top" });
   const [first, second] = [make("div", { class: "study-grid" }), make("div", {})];

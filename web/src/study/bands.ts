@@ -13,7 +13,7 @@ export function mountBand(host: HTMLElement, band: Band): void {
     const x = scale([times[0], times[count - 1]], [box.left, box.right], Math.max(3, width / 90));
     const y = scale(rangeOf(band.values.data, null, band.nominal ? [...band.nominal.data] : []), [box.bottom,
       box.top], 5);
-    axes(root, box, x, y, ["time [s]", `[${band.unit}]`]);
+    axes(root, box, x, y, ["time [s]", `${band.label} [${band.unit}]`]);
     const points = (values: ArrayLike<number>): [number, number][] =>
       Array.from(times, (time, j) => [x.at(time), y.at(values[j])] as [number, number]).filter(([, at]) =>
         Number.isFinite(at));

@@ -42,6 +42,8 @@ export interface Indices {
 /** Percentiles over time: `values` (shares, times). */
 export interface Band {
   title: string;
+  /** What the vertical axis measures. */
+  label: string;
   unit: string;
   times: Numbers;
   shares: number[];

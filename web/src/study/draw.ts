@@ -103,7 +103,7 @@ export function line(points: [number, number][]): string {
 }
 
 const KEPT = ["fill", "stroke", "stroke-width", "stroke-dasharray", "stroke-linecap", "opacity", "font-size",
-  "font-weight"];
+  "font-weight", "paint-order"];
 
 /** The graphic by itself, with the colours that it has in the page. */
 function standing(root: SVGSVGElement): string {

@@ -35,7 +35,7 @@ class Bands(StudyFigure):
                 panel.fill_between(band["times"], values[k], values[-1 - k], color=BLUE, alpha=_SHADES[k], linewidth=0,
                                    label=label)  # fmt: skip
             panel.plot(band["times"], values[len(shares) // 2], color=INK, linewidth=1.0, label="median")
-            panel.set(ylabel=f"[{band['unit']}]", title=f"{band['title']}, {band['cases']} cases")
+            panel.set(ylabel=f"{band['label']} [{band['unit']}]", title=f"{band['title']}, {band['cases']} cases")
         panels[-1].set_xlabel("time [s]")
         figure.legend(*panels[0].get_legend_handles_labels(), ncols=4, loc="outside lower right")
         return figure

@@ -81,6 +81,7 @@ def _bands(group: Group, spans: Spans | None, progress: Callable[[str, float], N
     return [
         {
             "title": f"Tip {'xyz'[axis]} less that of the sheet's own run",
+            "label": f"Δ{'xyz'[axis]} of the tip",
             "unit": "mm",
             "times": some.times[kept],
             "shares": list(SHARES),
