@@ -2,13 +2,13 @@
 
 Each number is a product of powers of those that it depends on, or a polynomial that is linear in each of their powers:
 a mass, a stiffness, the duration of a move enter the numbers of a robot in no other way. The dimensions of a section
-do so by curves in place of powers.
+do so by curves in place of powers, and where they are entangled by surfaces.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
@@ -16,8 +16,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.model.curves import Curve
+from tmodes.model.surfaces import Surface
 
-__all__ = ["Form", "Powers", "Product", "Range", "Unfit", "share"]
+__all__ = ["Form", "Powers", "Product", "Range", "Unfit", "share", "variables_of"]
 
 Array = NDArray[np.float64]
 
@@ -62,15 +63,20 @@ class Unfit(Exception):
 Product = tuple[tuple[int, int], ...]
 """Variables, by their index, each with its exponent."""
 
-Powers = tuple[tuple[int, int | Curve], ...]
-"""Variables, by their index, each with its exponent or curve."""
+Powers = tuple[tuple[int, int | Curve | Surface], ...]
+"""Variables, by their index, each with its exponent or curve; the first one of a surface with that."""
+
+
+def variables_of(powers: Powers) -> frozenset[int]:
+    """The variables, by their index, with those of surfaces."""
+    return frozenset(k for one, p in powers for k in (p.variables if isinstance(p, Surface) else (one,)))
 
 
 @dataclass(frozen=True, eq=False)
 class Form:
     """base * product of (x/start)^p of some numbers; base + sum of terms of others.
 
-    A term is its coefficient times the product of (x^p - start^p)/(far^p - start^p), or of the curves' values.
+    A term is its coefficient times the product of (x^p - start^p)/(far^p - start^p), or of the values of curves and surfaces.
     """
 
     base: Array
@@ -101,15 +107,20 @@ class Form:
         for entry, terms in self.sums.items():
             for coefficient, powers in terms:
                 if powers not in known:
-                    known[powers] = math.prod(share(self.ranges[k], p, here[k]) for k, p in powers)
+                    known[powers] = math.prod(self._share(k, p, here) for k, p in powers)
                 found[..., entry] += coefficient * known[powers]
         return found
+
+    def _share(self, k: int, p: int | Curve | Surface, here: Sequence[float | Array]) -> Any:
+        if isinstance(p, Surface):
+            return p.at([here[one] for one in p.variables])
+        return share(self.ranges[k], p, here[k])
 
     def acting(self, start: int, stop: int) -> set[int]:
         """Variables, by their index, that change one of these numbers."""
         part = self.part(start, stop)
         each = [*part.products.values(), *(powers for terms in part.sums.values() for _, powers in terms)]
-        return {k for powers in each for k, _ in powers}
+        return {k for powers in each for k in variables_of(powers)}
 
     def part(self, start: int, stop: int) -> Form:
         """The form of these numbers alone."""

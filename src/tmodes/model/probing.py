@@ -1,0 +1,187 @@
+"""What is found about a vector of numbers by probing: which variables change each of them, and by which functions."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from itertools import combinations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tmodes.model.curves import Curve, Samples
+from tmodes.model.forms import Form, Powers, Product, Range, Unfit, share, variables_of
+
+__all__ = ["ENTANGLED", "Entangled", "Evaluate", "Fit", "mistaken", "rounding"]
+
+Array = NDArray[np.float64]
+
+Evaluate = Callable[[Mapping[int, float]], Array]
+"""The vector where some of the variables, by their index, have other values than at the start."""
+
+ENTANGLED = "its effect together with others has no simple form"
+
+_EXPONENTS = (1, -1, 2, -2, 3, -3, -4, -5, 4, -6, -7)
+_SAME = 2e-14
+"""Relative change below which a number is called unchanged: rounding."""
+
+_FITS = 2e-13
+_VERIFIED = 1e-12
+_ROUNDING = 4e-15
+"""Size of a number over that of its neighbours in the vector (of the same matrix, the same signal) that is rounding."""
+
+_NEAR = 20
+_MOST_TOGETHER = 4
+"""Variables whose joint polynomial is looked for."""
+
+
+class Entangled(Unfit):
+    """Variables of which each by itself has a form."""
+
+
+def rounding(values: Array) -> Array:
+    """Size of what is rounding in a vector, by the largest of each number and its neighbours."""
+    padded = np.pad(np.abs(np.where(np.isfinite(values), values, 0.0)), _NEAR)
+    return _ROUNDING * np.lib.stride_tricks.sliding_window_view(padded, 2 * _NEAR + 1).max(axis=1, initial=0.0)
+
+
+def mistaken(form: Form, values: Mapping[int, float], true: Array) -> NDArray[np.bool_]:
+    """Which numbers of a form are not the ``true`` ones (n,) at a point, but for rounding."""
+    found = form.at(values)
+    allowed = np.maximum(_VERIFIED * np.maximum(np.abs(true), _reach(form, true)), rounding(true))
+    return ~(np.abs(found - true) <= allowed)
+
+
+def _reach(form: Form, true: Array) -> Array:
+    """Size of what is added up in a number: rounding is of that size."""
+    size = np.zeros_like(true)
+    for entry, terms in form.sums.items():
+        size[entry] = max(abs(form.base[entry]), *(abs(coefficient) for coefficient, _ in terms))
+    return size
+
+
+class Fit:
+    """What is known so far; each point is evaluated once."""
+
+    def __init__(self, evaluate: Evaluate, ranges: tuple[Range, ...], *, curves: bool) -> None:
+        self._evaluate, self.ranges, self.curves = evaluate, ranges, curves
+        self.count = 0
+        self.base = self.evaluate({})
+        self.depends: dict[int, Powers] = {}
+        self.unfit: dict[int, str] = {}
+        self._known: dict[frozenset[int], Array] = {frozenset(): self.base}
+
+    def evaluate(self, values: Mapping[int, float]) -> Array:
+        """The vector where some variables have other values than at the start; ``count``: how often it was asked for."""
+        self.count += 1
+        return self._evaluate(values)
+
+    def far(self, which: frozenset[int]) -> Array:
+        """The vector with some variables at their far ends."""
+        if which not in self._known:
+            self._known[which] = self.evaluate({k: self.ranges[k].far for k in which})
+        return self._known[which]
+
+    def probe(self, k: int) -> None:
+        """Which numbers a variable changes, and with which power."""
+        one = self.ranges[k]
+        try:
+            far, between = self.far(frozenset([k])), self.evaluate({k: one.between})
+        except Unfit as error:
+            self.unfit[k] = next(iter(error.reasons.values()))
+            return
+        size = np.maximum(np.maximum(np.abs(far), np.abs(self.base)), np.abs(between))
+        entries = np.flatnonzero(np.maximum(np.abs(far - self.base), np.abs(between - self.base)) > _SAME * size)
+        for exponent in _EXPONENTS:
+            if not len(entries) or (exponent < 0 and one.start * one.far <= 0):
+                continue
+            info = self.base[entries] + (far - self.base)[entries] * share(one, exponent, one.between)
+            fits = np.abs(info - between[entries]) <= _FITS * size[entries]
+            for entry in entries[fits].tolist():
+                self._depend(entry, k, exponent)
+            entries = entries[~fits]
+        change = np.maximum(np.abs(far - self.base), np.abs(between - self.base))[entries]
+        entries = entries[change > rounding(size)[entries]]
+        if len(entries) and self.curves:
+            entries = self._curved(k, entries)
+        if len(entries):
+            self.unfit[k] = "its effect is no power of it"
+
+    def _depend(self, entry: int, k: int, p: int | Curve) -> None:
+        self.depends[entry] = (*self.depends.get(entry, ()), (k, p))
+
+    def _curved(self, k: int, entries: NDArray[np.intp]) -> NDArray[np.intp]:
+        """Find curves of the numbers ``entries`` that are no power of a variable; those that have none are left."""
+        one = self.ranges[k]
+        samples = Samples(lambda value: self.evaluate({k: value}), one.low, one.high)
+        try:
+            while len(entries) and samples.refined():
+                entries = self._shared(k, entries, samples)
+        except Unfit:
+            return entries
+        return entries
+
+    def _shared(self, k: int, entries: NDArray[np.intp], samples: Samples) -> NDArray[np.intp]:
+        """Curves through some samples, each for all numbers that change alike; what has none is left."""
+        left: list[int] = []
+        step, vectors = self.far(frozenset([k])) - self.base, samples.vectors
+        while len(entries):
+            found = vectors[:, entries]
+            size = np.abs(found).max(axis=0)
+            first = int(np.argmax(np.abs(step[entries]) / size))
+            if step[entries[first]] == 0:
+                return np.array([*left, *entries.tolist()], dtype=np.intp)
+            shares = (found[:, first] - self.base[entries[first]]) / step[entries[first]]
+            curve = samples.curve(shares)
+            alike = np.abs(self.base[entries] + step[entries] * shares[:, None] - found).max(axis=0) <= _FITS * size
+            alike[first] = True
+            for entry in entries[alike].tolist():
+                if curve is None:
+                    left.append(entry)
+                else:
+                    self._depend(entry, k, curve)
+            entries = entries[~alike]
+        return np.array(left, dtype=np.intp)
+
+    def form(self) -> Form:
+        """The form of all numbers."""
+        every = self.far(frozenset(k for info in self.depends.values() if len(info) > 1 for k in variables_of(info)))
+        form = Form(self.base, self.ranges)
+        for entry, powers in self.depends.items():
+            if product := self._product(entry, powers, every):
+                form.products[entry] = product
+            else:
+                form.sums[entry] = self.terms(entry, powers, every)
+        return form
+
+    def _product(self, entry: int, powers: Powers, every: Array) -> Product:
+        """The number as a product of powers; empty where it is none."""
+        ratio, found = 1.0, list[tuple[int, int]]()
+        for k, p in powers:
+            one = self.ranges[k]
+            if one.start == 0 or not isinstance(p, int):
+                return ()
+            own = (one.far / one.start) ** p
+            if abs(self.far(frozenset([k]))[entry] - self.base[entry] * own) > _FITS * abs(self.base[entry] * own):
+                return ()
+            ratio *= own
+            found.append((k, p))
+        whole = len(powers) == 1 or abs(every[entry] - self.base[entry] * ratio) <= _FITS * abs(every[entry])
+        return tuple(found) if whole else ()
+
+    def terms(self, entry: int, powers: Powers, every: Array) -> list[tuple[float, Powers]]:
+        """Coefficients by inclusion and exclusion of the corners; without mixed terms where none are needed."""
+        alone = [(self._change(entry, (one,)), (one,)) for one in powers]
+        total = self.base[entry] + sum(change for change, _ in alone)
+        size = abs(self.base[entry]) + sum(abs(change) for change, _ in alone)
+        if len(powers) == 1 or abs(total - every[entry]) <= _FITS * size:
+            return alone
+        if len(powers) > _MOST_TOGETHER:
+            raise Entangled({max(variables_of(powers)): ENTANGLED})
+        groups = [group for count in range(2, len(powers) + 1) for group in combinations(powers, count)]
+        mixed = [(self._change(entry, group), group) for group in groups]
+        return [*alone, *((change, group) for change, group in mixed if abs(change) > _SAME * size)]
+
+    def _change(self, entry: int, group: Powers) -> float:
+        parts = [part for count in range(len(group) + 1) for part in combinations(group, count)]
+        signs = [(-1) ** (len(group) - len(part)) for part in parts]
+        return float(sum(sign * self.far(variables_of(part))[entry] for sign, part in zip(signs, parts, strict=True)))
