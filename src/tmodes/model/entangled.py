@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from itertools import combinations
 
 import numpy as np
@@ -10,11 +10,11 @@ from numpy.polynomial import chebyshev
 from numpy.typing import NDArray
 
 from tmodes.model.curves import Curve, Span, places_of
-from tmodes.model.forms import Form, share, variables_of
+from tmodes.model.forms import Form, Powers, share, variables_of
 from tmodes.model.probing import ENTANGLED, Entangled, Fit, mistaken
 from tmodes.model.surfaces import Grid, Surface
 
-__all__ = ["disentangle"]
+__all__ = ["disentangled"]
 
 Array = NDArray[np.float64]
 Group = tuple[int, ...]
@@ -35,42 +35,66 @@ _TAIL = 1e-13
 _FITS = 2e-13
 
 
-def disentangle(fit: Fit, most: int) -> bool:
-    """Describe entangled numbers by surfaces, with at most so many vectors in all; whether there are any such numbers.
+def disentangled(fit: Fit, most: int) -> Fit | None:
+    """What is known with surfaces of entangled numbers, from at most so many vectors in all; None where none is.
 
     Raises :class:`tmodes.model.probing.Entangled` where a surface is not smooth, or needs more vectors.
     """
-    each = {entry: _joined(pairs) for entry, pairs in _entangled(fit).items()}
+    fit = fit.with_squares([entry for entry, powers in fit.depends.items() if _may_be(powers)])
+    pairs = _entangled(fit)
+    if not pairs:
+        return None
+    _take_squares(fit, pairs)
+    each = {entry: _joined(own) for entry, own in pairs.items() if entry in fit.depends}
     every = {group for groups in each.values() for group in groups}
     for group in sorted(every):
         if any({*group} < {*other} for other in every):
             continue
         entries = [entry for entry, groups in each.items() if any({*one} <= {*group} for one in groups)]
         _describe(fit, group, entries, most)
-    return bool(every)
+    return fit
+
+
+def _may_be(powers: Powers) -> bool:
+    """Whether variables may be entangled: together with powers of others a power seldom is."""
+    return len(powers) > 1 and any(isinstance(p, Curve) for _, p in powers)
 
 
 def _entangled(fit: Fit) -> dict[int, list[Group]]:
     """The pairs of variables that are entangled in a number: what both do is no product of what each does."""
     candidates: dict[Group, list[int]] = {}
     for entry, powers in fit.depends.items():
-        if any(isinstance(p, Curve) for _, p in powers):
+        if _may_be(powers):
             for pair in combinations(sorted(k for k, _ in powers), 2):
                 candidates.setdefault((min(pair), max(pair)), []).append(entry)
     found: dict[int, list[Group]] = {}
     for pair, entries in candidates.items():
-        terms = {
-            entry: fit.terms(
-                entry, tuple(one for one in fit.depends[entry] if one[0] in pair), fit.far(frozenset(pair))
-            )
-            for entry in entries
-        }
+        far, own = (
+            fit.far(frozenset(pair)),
+            {e: tuple(one for one in fit.depends[e] if one[0] in pair) for e in entries},
+        )
+        terms = {entry: fit.terms(entry, powers, far) for entry, powers in own.items()}
         between = {k: fit.ranges[k].between for k in pair}
-        wrong = mistaken(Form(fit.base, fit.ranges, sums=terms), between, fit.evaluate(between))
-        for entry in entries:
-            if wrong[entry]:
-                found.setdefault(entry, []).append(pair)
+        true = fit.evaluate(between)
+        wrong = mistaken(Form(fit.base, fit.ranges, sums=terms), between, true, fit.noise(true))
+        for entry in np.flatnonzero(wrong[entries]).tolist():
+            found.setdefault(entries[entry], []).append(pair)
     return found
+
+
+def _take_squares(fit: Fit, pairs: Mapping[int, list[Group]]) -> None:
+    """Describe entangled numbers by their squares where these are simpler, such as the root of an area is."""
+    for entry in fit.squared:
+        square = fit.square_of(entry)
+        simpler = square not in fit.lost and (square not in pairs or _needs(fit, square) < _needs(fit, entry))
+        if entry in pairs and square in fit.depends and simpler:
+            fit.roots[entry] = square
+        fit.depends.pop(entry if entry in fit.roots else square, None)
+
+
+def _needs(fit: Fit, entry: int) -> int:
+    """The degrees that the variables of a number need, in all."""
+    return sum(_axis(fit, k, [entry])[1] for k, _ in fit.depends[entry])
 
 
 def _joined(pairs: Iterable[Group]) -> list[Group]:
@@ -109,9 +133,9 @@ def _sampled(fit: Fit, group: Group, entries: Sequence[int], most: int) -> tuple
     degrees = [degree + _MORE for _, degree in axes]
     while max(degrees) <= _HIGHEST:
         grid = Grid(tuple(span for span, _ in axes), tuple(degrees))
-        if fit.count + grid.size > most:
+        if fit.numbers.count + grid.size > most:
             break
-        samples = grid.sampled(lambda point: fit.evaluate(dict(zip(group, point, strict=True)))[entries])
+        samples = grid.sampled(lambda point: fit.evaluate(dict(zip(group, point, strict=True)), keep=False)[entries])
         rough = grid.rough(samples, _TAIL)
         if not any(rough):
             return grid, samples

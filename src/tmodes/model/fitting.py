@@ -7,9 +7,9 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.model.entangled import disentangle
+from tmodes.model.entangled import disentangled
 from tmodes.model.forms import Form, Range, Unfit
-from tmodes.model.probing import ENTANGLED, Entangled, Evaluate, Fit, mistaken
+from tmodes.model.probing import ENTANGLED, Entangled, Evaluate, Fit, Numbers, mistaken, rounding
 
 __all__ = ["fitted"]
 
@@ -41,7 +41,7 @@ def fitted(
             raise Unfit({max(values): "it makes what is rigid elastic"})
         return np.where(rigid, 0.0, found)
 
-    form = _found(Fit(finite, tuple(ranges), curves=curves), generator, trials, most)
+    form = _found(Fit(Numbers(finite), tuple(ranges), curves=curves), generator, trials, most)
     form.base[rigid] = start[rigid]
     return form
 
@@ -54,16 +54,18 @@ def _found(fit: Fit, generator: np.random.Generator, trials: int, most: int) -> 
     try:
         return _verified(fit, generator, trials)
     except Entangled:
-        if not (fit.curves and disentangle(fit, most - trials)):
+        other = disentangled(fit, most - trials) if fit.curves else None
+        if other is None:
             raise
-    return _verified(fit, generator, trials)
+    return _verified(other, generator, trials)
 
 
 def _verified(fit: Fit, generator: np.random.Generator, trials: int) -> Form:
     ranges, form = fit.ranges, fit.form()
     for _ in range(trials):
         values = {k: one.drawn(generator) for k, one in enumerate(ranges)}
-        wrong = mistaken(form, values, fit.evaluate(values))
+        true = fit.numbers.at(values)
+        wrong = mistaken(form, values, true, rounding(true))
         if wrong.any():
             blamed = max((k for e in np.flatnonzero(wrong) for k, _ in fit.depends.get(int(e), ())), default=None)
             raise Entangled({len(ranges) - 1 if blamed is None else blamed: ENTANGLED})

@@ -76,13 +76,15 @@ def variables_of(powers: Powers) -> frozenset[int]:
 class Form:
     """base * product of (x/start)^p of some numbers; base + sum of terms of others.
 
-    A term is its coefficient times the product of (x^p - start^p)/(far^p - start^p), or of the values of curves and surfaces.
+    A term is its coefficient times the product of (x^p - start^p)/(far^p - start^p), or of the values of curves and
+    surfaces. Where a number has one of the ``roots``, 1 or -1, this is its square, and it is that root of it.
     """
 
     base: Array
     ranges: tuple[Range, ...]
     products: dict[int, Product] = field(default_factory=dict)
     sums: dict[int, list[tuple[float, Powers]]] = field(default_factory=dict)
+    roots: dict[int, float] = field(default_factory=dict)
 
     @classmethod
     def of(cls, base: Array, ranges: tuple[Range, ...], parts: dict[str, Any]) -> Form:
@@ -109,6 +111,8 @@ class Form:
                 if powers not in known:
                     known[powers] = math.prod(self._share(k, p, here) for k, p in powers)
                 found[..., entry] += coefficient * known[powers]
+        for entry, sign in self.roots.items():
+            found[..., entry] = sign * np.sqrt(np.maximum(found[..., entry], 0.0))
         return found
 
     def _share(self, k: int, p: int | Curve | Surface, here: Sequence[float | Array]) -> Any:
@@ -126,7 +130,8 @@ class Form:
         """The form of these numbers alone."""
         products = {entry - start: powers for entry, powers in self.products.items() if start <= entry < stop}
         sums = {entry - start: terms for entry, terms in self.sums.items() if start <= entry < stop}
-        return Form(self.base[start:stop], self.ranges, products, sums)
+        roots = {entry - start: sign for entry, sign in self.roots.items() if start <= entry < stop}
+        return Form(self.base[start:stop], self.ranges, products, sums, roots)
 
     def info(self) -> dict[str, Any]:
         """As plain data with arrays: what ``web/src/live/map.ts`` evaluates."""

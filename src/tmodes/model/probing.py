@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from itertools import combinations
 
 import numpy as np
@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from tmodes.model.curves import Curve, Samples
 from tmodes.model.forms import Form, Powers, Product, Range, Unfit, share, variables_of
 
-__all__ = ["ENTANGLED", "Entangled", "Evaluate", "Fit", "mistaken", "rounding"]
+__all__ = ["ENTANGLED", "Entangled", "Evaluate", "Fit", "Numbers", "mistaken", "rounding"]
 
 Array = NDArray[np.float64]
 
@@ -44,10 +44,10 @@ def rounding(values: Array) -> Array:
     return _ROUNDING * np.lib.stride_tricks.sliding_window_view(padded, 2 * _NEAR + 1).max(axis=1, initial=0.0)
 
 
-def mistaken(form: Form, values: Mapping[int, float], true: Array) -> NDArray[np.bool_]:
-    """Which numbers of a form are not the ``true`` ones (n,) at a point, but for rounding."""
+def mistaken(form: Form, values: Mapping[int, float], true: Array, noise: Array) -> NDArray[np.bool_]:
+    """Which numbers of a form are not the ``true`` ones (n,) at a point, but for rounding and ``noise`` (n,)."""
     found = form.at(values)
-    allowed = np.maximum(_VERIFIED * np.maximum(np.abs(true), _reach(form, true)), rounding(true))
+    allowed = np.maximum(_VERIFIED * np.maximum(np.abs(true), _reach(form, true)), noise)
     return ~(np.abs(found - true) <= allowed)
 
 
@@ -56,24 +56,68 @@ def _reach(form: Form, true: Array) -> Array:
     size = np.zeros_like(true)
     for entry, terms in form.sums.items():
         size[entry] = max(abs(form.base[entry]), *(abs(coefficient) for coefficient, _ in terms))
+    size[[*form.roots]] **= 0.5
     return size
 
 
-class Fit:
-    """What is known so far; each point is evaluated once."""
+class Numbers:
+    """The vector at points; ``count``: how often it was evaluated, once at each."""
 
-    def __init__(self, evaluate: Evaluate, ranges: tuple[Range, ...], *, curves: bool) -> None:
-        self._evaluate, self.ranges, self.curves = evaluate, ranges, curves
-        self.count = 0
+    def __init__(self, evaluate: Evaluate) -> None:
+        self._evaluate, self._known, self.count = evaluate, dict[tuple[tuple[int, float], ...], Array](), 0
+
+    def at(self, values: Mapping[int, float], *, keep: bool = True) -> Array:
+        """The vector where some variables have other values than at the start."""
+        point = tuple(sorted(values.items()))
+        if point in self._known:
+            return self._known[point]
+        self.count += 1
+        found = self._evaluate(values)
+        if keep:
+            self._known[point] = found
+        return found
+
+
+class Fit:
+    """What is known so far. After the numbers are the squares of some of them, ``squared``, as numbers of their own.
+
+    ``roots``: the numbers that are to be described by their squares, by their index, with that of the square.
+    """
+
+    def __init__(
+        self, numbers: Numbers, ranges: tuple[Range, ...], *, curves: bool, squared: Sequence[int] = ()
+    ) -> None:
+        self.numbers, self.ranges, self.curves, self.squared = numbers, ranges, curves, squared
         self.base = self.evaluate({})
         self.depends: dict[int, Powers] = {}
         self.unfit: dict[int, str] = {}
+        self.lost: set[int] = set()
+        self.roots: dict[int, int] = {}
         self._known: dict[frozenset[int], Array] = {frozenset(): self.base}
 
-    def evaluate(self, values: Mapping[int, float]) -> Array:
-        """The vector where some variables have other values than at the start; ``count``: how often it was asked for."""
-        self.count += 1
-        return self._evaluate(values)
+    def with_squares(self, entries: Sequence[int]) -> Fit:
+        """The same with the squares of some numbers, probed again by the vectors that are known."""
+        found = Fit(self.numbers, self.ranges, curves=self.curves, squared=entries)
+        for k in range(len(self.ranges)):
+            found.probe(k)
+        return found
+
+    def square_of(self, entry: int) -> int:
+        """Where the square of a number is."""
+        return len(self.base) - len(self.squared) + self.squared.index(entry)
+
+    def evaluate(self, values: Mapping[int, float], *, keep: bool = True) -> Array:
+        """All numbers where some variables have other values than at the start."""
+        found = self.numbers.at(values, keep=keep)
+        return np.concatenate([found, found[[*self.squared]] ** 2]) if self.squared else found
+
+    def noise(self, values: Array) -> Array:
+        """Size of what is rounding in all numbers; in a square what comes of that of its number."""
+        if not self.squared:
+            return rounding(values)
+        found = rounding(values[: len(values) - len(self.squared)])
+        own = found[[*self.squared]]
+        return np.concatenate([found, own * (2 * np.sqrt(values[len(found) :]) + own)])
 
     def far(self, which: frozenset[int]) -> Array:
         """The vector with some variables at their far ends."""
@@ -100,10 +144,11 @@ class Fit:
                 self._depend(entry, k, exponent)
             entries = entries[~fits]
         change = np.maximum(np.abs(far - self.base), np.abs(between - self.base))[entries]
-        entries = entries[change > rounding(size)[entries]]
+        entries = entries[change > self.noise(size)[entries]]
         if len(entries) and self.curves:
             entries = self._curved(k, entries)
         if len(entries):
+            self.lost.update(entries.tolist())
             self.unfit[k] = "its effect is no power of it"
 
     def _depend(self, entry: int, k: int, p: int | Curve) -> None:
@@ -145,12 +190,18 @@ class Fit:
     def form(self) -> Form:
         """The form of all numbers."""
         every = self.far(frozenset(k for info in self.depends.values() if len(info) > 1 for k in variables_of(info)))
-        form = Form(self.base, self.ranges)
-        for entry, powers in self.depends.items():
-            if product := self._product(entry, powers, every):
+        count = len(self.numbers.at({}))
+        form = Form(self.base[:count].copy(), self.ranges)
+        places = {square: entry for entry, square in self.roots.items()}
+        for one, powers in self.depends.items():
+            entry = places.get(one, one)
+            if product := self._product(one, powers, every):
                 form.products[entry] = product
             else:
-                form.sums[entry] = self.terms(entry, powers, every)
+                form.sums[entry] = self.terms(one, powers, every)
+            if one in places:
+                form.roots[entry] = float(np.sign(form.base[entry]))
+                form.base[entry] = self.base[one]
         return form
 
     def _product(self, entry: int, powers: Powers, every: Array) -> Product:
