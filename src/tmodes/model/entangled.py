@@ -10,7 +10,7 @@ from numpy.polynomial import chebyshev
 from numpy.typing import NDArray
 
 from tmodes.model.curves import Curve, Span, places_of
-from tmodes.model.forms import Form, Powers, share, variables_of
+from tmodes.model.forms import Form, Powers, Range, share, variables_of
 from tmodes.model.probing import ENTANGLED, Entangled, Fit, mistaken
 from tmodes.model.surfaces import Grid, Surface
 
@@ -29,6 +29,9 @@ _NEEDED = 2e-13
 _MORE = 2
 """Degrees more than that; they must be without effect."""
 
+_FINER = 3
+"""Degrees more where they have an effect."""
+
 _TAIL = 1e-13
 """Size of the last coefficients over that of the number where it has converged."""
 
@@ -36,7 +39,7 @@ _FITS = 2e-13
 
 
 def disentangled(fit: Fit, most: int) -> Fit | None:
-    """What is known with surfaces of entangled numbers, from at most so many vectors in all; None where none is.
+    """What is known with surfaces of entangled numbers, by at most so many more vectors; None where none is entangled.
 
     Raises :class:`tmodes.model.probing.Entangled` where a surface is not smooth, or needs more vectors.
     """
@@ -45,13 +48,11 @@ def disentangled(fit: Fit, most: int) -> Fit | None:
     if not pairs:
         return None
     _take_squares(fit, pairs)
-    each = {entry: _joined(own) for entry, own in pairs.items() if entry in fit.depends}
-    every = {group for groups in each.values() for group in groups}
-    for group in sorted(every):
-        if any({*group} < {*other} for other in every):
-            continue
-        entries = [entry for entry, groups in each.items() if any({*one} <= {*group} for one in groups)]
-        _describe(fit, group, entries, most)
+    groups = _groups({entry: own for entry, own in pairs.items() if entry in fit.depends})
+    grids = {group: _grid(fit, group, entries) for group, entries in groups.items()}
+    for group, entries in groups.items():
+        others = sum(grid.size for other, grid in grids.items() if other > group)
+        most -= _describe(fit, group, entries, grids[group], most - others)
     return fit
 
 
@@ -75,8 +76,7 @@ def _entangled(fit: Fit) -> dict[int, list[Group]]:
         )
         terms = {entry: fit.terms(entry, powers, far) for entry, powers in own.items()}
         between = {k: fit.ranges[k].between for k in pair}
-        true = fit.evaluate(between)
-        wrong = mistaken(Form(fit.base, fit.ranges, sums=terms), between, true, fit.noise(true))
+        wrong = mistaken(Form(fit.base, fit.ranges, sums=terms), between, fit.evaluate(between), exact=entries)
         for entry in np.flatnonzero(wrong[entries]).tolist():
             found.setdefault(entries[entry], []).append(pair)
     return found
@@ -97,6 +97,17 @@ def _needs(fit: Fit, entry: int) -> int:
     return sum(_axis(fit, k, [entry])[1] for k, _ in fit.depends[entry])
 
 
+def _groups(pairs: Mapping[int, list[Group]]) -> dict[Group, list[int]]:
+    """The variables that are entangled with each other, rising, and the numbers in which some of a group are."""
+    each = {entry: _joined(own) for entry, own in pairs.items()}
+    every = {group for groups in each.values() for group in groups}
+    largest = sorted(group for group in every if not any({*group} < {*other} for other in every))
+    return {
+        group: [entry for entry, groups in each.items() if any({*one} <= {*group} for one in groups)]
+        for group in largest
+    }
+
+
 def _joined(pairs: Iterable[Group]) -> list[Group]:
     """Pairs as groups: those that share a variable are one."""
     groups: list[set[int]] = []
@@ -106,9 +117,10 @@ def _joined(pairs: Iterable[Group]) -> list[Group]:
     return [tuple(sorted(group)) for group in groups]
 
 
-def _describe(fit: Fit, group: Group, entries: Sequence[int], most: int) -> None:
-    """Surfaces of numbers in place of what the variables of a group do to them by themselves."""
-    grid, samples = _sampled(fit, group, entries, most)
+def _describe(fit: Fit, group: Group, entries: Sequence[int], grid: Grid, most: int) -> int:
+    """Surfaces of numbers in place of what the variables of a group do by themselves; how many vectors they took."""
+    before = fit.numbers.count
+    grid, samples = _sampled(fit, group, entries, grid, most)
     left = np.arange(len(entries))
     base, step = fit.base[entries], (fit.far(frozenset(group)) - fit.base)[entries]
     size = np.abs(samples).reshape(-1, len(entries)).max(axis=0)
@@ -125,43 +137,44 @@ def _describe(fit: Fit, group: Group, entries: Sequence[int], most: int) -> None
             others = tuple(one for one in fit.depends[entry] if not variables_of((one,)) & {*group})
             fit.depends[entry] = (*others, (group[0], surface))
         left = left[~alike]
+    return fit.numbers.count - before
 
 
-def _sampled(fit: Fit, group: Group, entries: Sequence[int], most: int) -> tuple[Grid, Array]:
-    """A grid that is fine enough, and the numbers at its points, (m, n, ..., numbers)."""
-    axes = [_axis(fit, k, entries) for k in group]
-    degrees = [degree + _MORE for _, degree in axes]
-    while max(degrees) <= _HIGHEST:
-        grid = Grid(tuple(span for span, _ in axes), tuple(degrees))
-        if fit.numbers.count + grid.size > most:
-            break
+def _sampled(fit: Fit, group: Group, entries: Sequence[int], grid: Grid, most: int) -> tuple[Grid, Array]:
+    """The grid, or one that is fine enough, and the numbers at its points, (m, n, ..., numbers)."""
+    while grid.size <= most and max(grid.degrees) <= _HIGHEST:
         samples = grid.sampled(lambda point: fit.evaluate(dict(zip(group, point, strict=True)), keep=False)[entries])
         rough = grid.rough(samples, _TAIL)
         if not any(rough):
             return grid, samples
-        degrees = [degree + (_MORE + 1) * more for degree, more in zip(degrees, rough, strict=True)]
+        most -= grid.size
+        finer = (degree + _FINER * more for degree, more in zip(grid.degrees, rough, strict=True))
+        grid = Grid(grid.spans, tuple(finer))
     raise Entangled({group[-1]: ENTANGLED})
+
+
+def _grid(fit: Fit, group: Group, entries: Sequence[int]) -> Grid:
+    """By what the variables need by themselves, and a little more."""
+    axes = [_axis(fit, k, entries) for k in group]
+    return Grid(tuple(span for span, _ in axes), tuple(degree + _MORE for _, degree in axes))
 
 
 def _axis(fit: Fit, k: int, entries: Sequence[int]) -> tuple[Span, int]:
     """By ratios or by differences: the span by which a variable alone needs the lower degree, and this degree."""
-    one, far, found = fit.ranges[k], fit.far(frozenset([k])), list[tuple[Span, int]]()
-    for even in (False, True):
-        span, need = Span(one.low, one.high, even), 0
-        places = places_of(_HIGHEST)
-        basis, values = chebyshev.chebvander(places, _HIGHEST), span.value(places)
-        functions = {
-            p: [entry for entry in entries if (k, p) in fit.depends[entry]] for p in _functions(fit, k, entries)
-        }
-        for p, own in functions.items():
-            step, size = np.abs(far - fit.base)[own], np.maximum(np.abs(far), np.abs(fit.base))[own]
-            parts = np.abs(np.linalg.solve(basis, share(one, p, values))) * (step / size).max()
-            need = max(need, *np.flatnonzero(parts > _NEEDED).tolist())
-        found.append((span, need))
-    return min(found, key=lambda each: each[1])
+    one, far = fit.ranges[k], fit.far(frozenset([k]))
+    changes = np.abs(far - fit.base) / np.maximum(np.maximum(np.abs(far), np.abs(fit.base)), np.finfo(float).tiny)
+    functions: dict[int | Curve, float] = {}
+    for entry in entries:
+        for own, p in fit.depends[entry]:
+            if own == k and not isinstance(p, Surface):
+                functions[p] = max(functions.get(p, 0.0), float(changes[entry]))
+    spans = [Span(one.low, one.high, even) for even in (False, True)]
+    each = [(span, max(_degree(one, p, span, _NEEDED / change) for p, change in functions.items())) for span in spans]
+    return min(each, key=lambda found: found[1])
 
 
-def _functions(fit: Fit, k: int, entries: Sequence[int]) -> set[int | Curve]:
-    """What a variable alone does to some numbers."""
-    every = (one for entry in entries for one in fit.depends[entry])
-    return {p for own, p in every if own == k and not isinstance(p, Surface)}
+def _degree(one: Range, p: int | Curve, span: Span, least: float) -> int:
+    """The highest degree whose coefficient in a share is at least so large."""
+    places = places_of(_HIGHEST)
+    found = np.linalg.solve(chebyshev.chebvander(places, _HIGHEST), share(one, p, span.value(places)))
+    return max(np.flatnonzero(np.abs(found) > least).tolist(), default=0)

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.model.entangled import disentangled
-from tmodes.model.forms import Form, Range, Unfit
-from tmodes.model.probing import ENTANGLED, Entangled, Evaluate, Fit, Numbers, mistaken, rounding
+from tmodes.model.forms import Form, Range, Unfit, variables_of
+from tmodes.model.probing import ENTANGLED, Entangled, Evaluate, Fit, Numbers, mistaken
 
 __all__ = ["fitted"]
 
@@ -28,8 +28,7 @@ def fitted(
     """The form of a vector over all variables; what is infinite at the start (a rigid stiffness) must stay so.
 
     ``curves``: what is no power of a variable may be a smooth function of it, which takes some tens of vectors.
-    ``most``: then variables that are entangled may have a smooth function together where all of it takes no more
-    vectors than that.
+    ``most``: then variables that are entangled may have smooth functions together that take no more vectors than that.
     Raises :class:`Unfit` that names the variables without one.
     """
     start = evaluate({})
@@ -54,19 +53,18 @@ def _found(fit: Fit, generator: np.random.Generator, trials: int, most: int) -> 
     try:
         return _verified(fit, generator, trials)
     except Entangled:
-        other = disentangled(fit, most - trials) if fit.curves else None
+        other = disentangled(fit, most) if fit.curves else None
         if other is None:
             raise
-    return _verified(other, generator, trials)
+    return _verified(other, generator, trials, exact=fit.depends)
 
 
-def _verified(fit: Fit, generator: np.random.Generator, trials: int) -> Form:
+def _verified(fit: Fit, generator: np.random.Generator, trials: int, exact: Collection[int] = ()) -> Form:
     ranges, form = fit.ranges, fit.form()
     for _ in range(trials):
         values = {k: one.drawn(generator) for k, one in enumerate(ranges)}
-        true = fit.numbers.at(values)
-        wrong = mistaken(form, values, true, rounding(true))
-        if wrong.any():
-            blamed = max((k for e in np.flatnonzero(wrong) for k, _ in fit.depends.get(int(e), ())), default=None)
+        wrong = np.flatnonzero(mistaken(form, values, fit.numbers.at(values), exact=exact))
+        if len(wrong):
+            blamed = max((k for e in wrong.tolist() for k in variables_of(fit.depends.get(e, ()))), default=None)
             raise Entangled({len(ranges) - 1 if blamed is None else blamed: ENTANGLED})
     return form

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from itertools import combinations
 
 import numpy as np
@@ -44,11 +44,15 @@ def rounding(values: Array) -> Array:
     return _ROUNDING * np.lib.stride_tricks.sliding_window_view(padded, 2 * _NEAR + 1).max(axis=1, initial=0.0)
 
 
-def mistaken(form: Form, values: Mapping[int, float], true: Array, noise: Array) -> NDArray[np.bool_]:
-    """Which numbers of a form are not the ``true`` ones (n,) at a point, but for rounding and ``noise`` (n,)."""
-    found = form.at(values)
+def mistaken(form: Form, values: Mapping[int, float], true: Array, *, exact: Collection[int] = ()) -> NDArray[np.bool_]:
+    """Which numbers of a form are not the ``true`` ones (n,) at a point, but for rounding.
+
+    ``exact``: numbers with no more rounding than that of their own size, whatever that of their neighbours is.
+    """
+    noise = rounding(true)
+    noise[[*exact]] = 0.0
     allowed = np.maximum(_VERIFIED * np.maximum(np.abs(true), _reach(form, true)), noise)
-    return ~(np.abs(found - true) <= allowed)
+    return ~(np.abs(form.at(values) - true) <= allowed)
 
 
 def _reach(form: Form, true: Array) -> Array:

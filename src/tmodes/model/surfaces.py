@@ -75,6 +75,6 @@ class Grid:
     def rough(self, samples: Array, tail: float) -> list[bool]:
         """Whether the last coefficients along each axis are larger than a share ``tail`` of a number."""
         found = np.abs(self.coefficients(samples))
-        size = np.abs(samples).reshape(-1, samples.shape[-1]).max(axis=0)
+        size = np.abs(samples).max(axis=tuple(range(len(self.degrees))))
         last = [np.moveaxis(found, axis, 0)[-2:] for axis in range(len(self.degrees))]
         return [bool((one > tail * size).any()) for one in last]

@@ -28,7 +28,9 @@ def block_forms(
     """The form of each block, by its name.
 
     ``numbers`` gives at a point all numbers (n,) and what must be the same everywhere, the ``structure``; its last part
-    says where each block is. ``most``: vectors of numbers that it may take where varied paths are entangled. Raises :class:`tmodes.model.forms.Unfit` where there is no form.
+    says where each block is. ``most``: vectors of numbers that surfaces of entangled paths may take; as many as there
+    are cases pay, since a vector takes about half the time of a case by itself. Raises
+    :class:`tmodes.model.forms.Unfit` where there is no form.
     """
 
     def vector(point: Point) -> Array:

@@ -44,8 +44,8 @@ _SURELY = 2.0
 """Share of the limit up to which, or beyond which, the stiffness of a few cases decides the method of all."""
 
 
-_MANY = 400
-"""Vectors that forms may take where these cases are part of more: it must not depend on which part they are."""
+_MOST = 400
+"""Vectors that surfaces may take where these cases are part of more: it must not depend on which part they are."""
 
 
 _COMMON = ("ranges", "held", "_structure", "forms", "_moves")
@@ -93,12 +93,8 @@ class Cases:
         other = self.held.loop.modes or self.held.coordinates != self.like.model.coordinates
         if other and starts_at_rest(self.like.robot):
             raise Unfit({0: "its rest is found by other equations"})
-        return block_forms(self._at, self.ranges, self._structure, self._most)
-
-    @property
-    def _most(self) -> int:
-        """Vectors that forms may take: a vector takes no longer than a case that is prepared by itself."""
-        return _MANY if self.spans is not None else len(next(iter(self.values.values())))
+        most = _MOST if self.spans is not None else len(next(iter(self.values.values())))
+        return block_forms(self._at, self.ranges, self._structure, most)
 
     def _at(self, point: Mapping[int, float]) -> tuple[Array, Any]:
         """All numbers where some paths have other values than their least."""

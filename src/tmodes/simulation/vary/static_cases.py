@@ -46,10 +46,6 @@ _LITTLE = 1e-3
 """First step [rad, m] too short to leave a branch."""
 
 
-_VECTORS = 4
-"""Vectors of numbers that take less time than a case by itself."""
-
-
 class Statics(NamedTuple):
     """Of m cases: ``sag`` (m, 3) [m], world axes, squared circular ``frequencies`` (m, modes), rising, and masses [kg].
 
@@ -97,8 +93,7 @@ class StaticCases:
     @cached_property
     def forms(self) -> dict[str, Form]:
         """The form of each block of numbers. Raises :class:`tmodes.model.forms.Unfit` where there is none."""
-        most = _VECTORS * len(next(iter(self.values.values())))
-        return block_forms(self._at, self._ranges, self._structure, most)
+        return block_forms(self._at, self._ranges, self._structure, len(next(iter(self.values.values()))))
 
     def _at(self, point: Mapping[int, float]) -> tuple[Array, Any]:
         robot = pair_at(self.sheet, self.values, self._ranges, point).real
