@@ -51,7 +51,8 @@ def arm(section, links=1):
 def drawn(ends, count, link="upper"):
     """Dimensions of a link."""
     generator = np.random.default_rng(4)
-    return {f"links.{link}.beam.section.{name}": generator.uniform(*own, count) for name, own in ends.items()}
+    section = f"links.{link}.beam.section"
+    return {f"{section}.{name}": generator.uniform(low, high, count) for name, (low, high) in ends.items()}
 
 
 WIDE = {"outer_diameter": (0.03, 0.05), "thickness": (1e-3, 4e-3)}

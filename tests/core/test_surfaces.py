@@ -131,7 +131,7 @@ def test_three_dimensions_of_a_hollow_box() -> None:
 def test_no_more_vectors_than_allowed() -> None:
     """Where the grid would take more of them, none of its points is evaluated."""
     ranges = OUTER, WALL
-    at, points = counted(lambda *given: tube(*given, 2.0), ranges)
+    at, points = counted(lambda outer, wall: tube(outer, wall, 2.0), ranges)
     with pytest.raises(Unfit, match="together"):
         fitted(at, ranges, np.random.default_rng(0), curves=True, most=40)
     refused = len(points)

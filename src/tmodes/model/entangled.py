@@ -23,6 +23,9 @@ Group = tuple[int, ...]
 _HIGHEST = 32
 """Largest degree along one variable."""
 
+_TO_COEFFICIENTS = np.linalg.inv(chebyshev.chebvander(places_of(_HIGHEST), _HIGHEST))
+"""From the values of a function at Chebyshev's points to its coefficients."""
+
 _NEEDED = 2e-13
 """Size of a coefficient, over that of the number, that a variable by itself needs."""
 
@@ -70,11 +73,8 @@ def _entangled(fit: Fit) -> dict[int, list[Group]]:
                 candidates.setdefault((min(pair), max(pair)), []).append(entry)
     found: dict[int, list[Group]] = {}
     for pair, entries in candidates.items():
-        far, own = (
-            fit.far(frozenset(pair)),
-            {e: tuple(one for one in fit.depends[e] if one[0] in pair) for e in entries},
-        )
-        terms = {entry: fit.terms(entry, powers, far) for entry, powers in own.items()}
+        own = {entry: tuple(one for one in fit.depends[entry] if one[0] in pair) for entry in entries}
+        terms = {entry: fit.terms(entry, powers, fit.far(frozenset(pair))) for entry, powers in own.items()}
         between = {k: fit.ranges[k].between for k in pair}
         wrong = mistaken(Form(fit.base, fit.ranges, sums=terms), between, fit.evaluate(between), exact=entries)
         for entry in np.flatnonzero(wrong[entries]).tolist():
@@ -175,6 +175,5 @@ def _axis(fit: Fit, k: int, entries: Sequence[int]) -> tuple[Span, int]:
 
 def _degree(one: Range, p: int | Curve, span: Span, least: float) -> int:
     """The highest degree whose coefficient in a share is at least so large."""
-    places = places_of(_HIGHEST)
-    found = np.linalg.solve(chebyshev.chebvander(places, _HIGHEST), share(one, p, span.value(places)))
+    found = _TO_COEFFICIENTS @ share(one, p, span.value(places_of(_HIGHEST)))
     return max(np.flatnonzero(np.abs(found) > least).tolist(), default=0)

@@ -81,6 +81,16 @@ class Numbers:
             self._known[point] = found
         return found
 
+    def known(self) -> Numbers:
+        """The same at the points that were kept; raises :class:`tmodes.model.forms.Unfit` at others."""
+
+        def unknown(values: Mapping[int, float]) -> Array:
+            raise Unfit(dict.fromkeys(values, "it is not known there"))
+
+        found = Numbers(unknown)
+        found._known = self._known
+        return found
+
 
 class Fit:
     """What is known so far. After the numbers are the squares of some of them, ``squared``, as numbers of their own.
@@ -101,9 +111,10 @@ class Fit:
 
     def with_squares(self, entries: Sequence[int]) -> Fit:
         """The same with the squares of some numbers, probed again by the vectors that are known."""
-        found = Fit(self.numbers, self.ranges, curves=self.curves, squared=entries)
+        found = Fit(self.numbers.known(), self.ranges, curves=self.curves, squared=entries)
         for k in range(len(self.ranges)):
             found.probe(k)
+        found.numbers = self.numbers
         return found
 
     def square_of(self, entry: int) -> int:

@@ -65,16 +65,16 @@ class Grid:
 
     def coefficients(self, samples: Array) -> Array:
         """Of the polynomials through samples (m, n, ..., numbers), of the same shape."""
+        found = samples
         for axis, degree in enumerate(self.degrees):
-            basis = chebyshev.chebvander(places_of(degree), degree)
-            moved = np.moveaxis(samples, axis, 0)
-            solved = np.linalg.solve(basis, moved.reshape(degree + 1, -1)).reshape(moved.shape)
-            samples = np.moveaxis(solved, 0, axis)
-        return samples
+            basis, moved = chebyshev.chebvander(places_of(degree), degree), np.moveaxis(found, axis, 0)
+            solved = np.linalg.solve(basis, moved.reshape(degree + 1, -1)).astype(np.float64)
+            found = np.moveaxis(solved.reshape(moved.shape), 0, axis)
+        return found
 
     def rough(self, samples: Array, tail: float) -> list[bool]:
         """Whether the last coefficients along each axis are larger than a share ``tail`` of a number."""
         found = np.abs(self.coefficients(samples))
-        size = np.abs(samples).max(axis=tuple(range(len(self.degrees))))
+        size = np.max(np.abs(samples), axis=tuple(range(len(self.degrees))))
         last = [np.moveaxis(found, axis, 0)[-2:] for axis in range(len(self.degrees))]
         return [bool((one > tail * size).any()) for one in last]

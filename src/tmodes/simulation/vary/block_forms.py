@@ -29,7 +29,7 @@ def block_forms(
 
     ``numbers`` gives at a point all numbers (n,) and what must be the same everywhere, the ``structure``; its last part
     says where each block is. ``most``: vectors of numbers that surfaces of entangled paths may take; as many as there
-    are cases pay, since a vector takes about half the time of a case by itself. Raises
+    are cases pay, since a vector takes half to two thirds of the time of a case by itself. Raises
     :class:`tmodes.model.forms.Unfit` where there is no form.
     """
 
