@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 from tmodes.model import entangled
 from tmodes.model.fitting import fitted
 from tmodes.model.forms import Form, Range, Unfit
-from tmodes.model.surfaces import Surface
+from tmodes.model.surfaces import SmoothSurface
 
 OUTER, WALL, LOAD = Range(0.03, 0.03, 0.05), Range(1e-3, 1e-3, 4e-3), Range(2.0, 2.0, 6.0)
 ENOUGH = 400
@@ -93,7 +93,9 @@ def test_what_changes_alike_shares_one_surface_and_all_share_the_points() -> Non
     ranges = OUTER, WALL, LOAD
     at, points = counted(tube, ranges)
     form = fitted(at, ranges, np.random.default_rng(0), curves=True, most=ENOUGH)
-    surfaces = {e: {p for _, powers in form.sums[e] for _, p in powers if isinstance(p, Surface)} for e in (1, 2, 3, 4)}
+    surfaces = {
+        e: {p for _, powers in form.sums[e] for _, p in powers if isinstance(p, SmoothSurface)} for e in (1, 2, 3, 4)
+    }
     assert surfaces[2] == surfaces[3] == surfaces[4]
     assert len(surfaces[2]) == 1
     assert form.roots == {1: -1.0}
@@ -183,14 +185,14 @@ def test_what_is_smooth_on_the_edges_alone_is_refused_and_what_is_smooth_is_not(
 def test_a_wrong_surface_is_detected(monkeypatch, first: int, second: int, size: float) -> None:
     """One of the coefficients of the stiffness is wrong by a billionth or more of its share, next to larger numbers."""
 
-    class Wrong(Surface):
+    class Wrong(SmoothSurface):
         def at(self, values):
             error = np.zeros_like(self.coefficients)
             error[first, second] = size * (np.abs(self.coefficients[3, 1]) > 1e-6)  # an area is linear in the diameter
-            return Surface(self.variables, self.spans, self.coefficients + error).at(values)
+            return SmoothSurface(self.variables, self.spans, self.coefficients + error).at(values)
 
     with monkeypatch.context() as patch:
-        patch.setattr(entangled, "Surface", Wrong)
+        patch.setattr(entangled, "SmoothSurface", Wrong)
         with pytest.raises(Unfit, match="together"):
             form_of(large_and_small, (OUTER, WALL))
 

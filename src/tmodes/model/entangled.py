@@ -9,10 +9,11 @@ import numpy as np
 from numpy.polynomial import chebyshev
 from numpy.typing import NDArray
 
+from tmodes.model.accuracy import mistaken
 from tmodes.model.curves import Curve, Span, places_of
 from tmodes.model.forms import Form, Powers, Range, share, variables_of
-from tmodes.model.probing import ENTANGLED, Entangled, Fit, mistaken
-from tmodes.model.surfaces import Grid, Surface
+from tmodes.model.probing import ENTANGLED, Entangled, Fit
+from tmodes.model.surfaces import Grid, SmoothSurface
 
 __all__ = ["disentangled"]
 
@@ -129,7 +130,7 @@ def _describe(fit: Fit, group: Group, entries: Sequence[int], grid: Grid, most: 
         if step[first] == 0:
             raise Entangled({group[-1]: ENTANGLED})
         shares = (samples[..., first] - base[first]) / step[first]
-        surface = Surface(group, grid.spans, grid.coefficients(shares[..., None])[..., 0])
+        surface = SmoothSurface(group, grid.spans, grid.coefficients(shares[..., None])[..., 0])
         errors = np.abs(base[left] + step[left] * shares[..., None] - samples[..., left])
         alike = errors.reshape(-1, len(left)).max(axis=0) <= _FITS * size[left]
         alike |= left == first
@@ -166,7 +167,7 @@ def _axis(fit: Fit, k: int, entries: Sequence[int]) -> tuple[Span, int]:
     functions: dict[int | Curve, float] = {}
     for entry in entries:
         for own, p in fit.depends[entry]:
-            if own == k and not isinstance(p, Surface):
+            if own == k and not isinstance(p, SmoothSurface):
                 functions[p] = max(functions.get(p, 0.0), float(changes[entry]))
     spans = [Span(one.low, one.high, even) for even in (False, True)]
     each = [(span, max(_degree(one, p, span, _NEEDED / change) for p, change in functions.items())) for span in spans]

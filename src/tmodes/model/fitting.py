@@ -7,9 +7,10 @@ from collections.abc import Collection, Mapping, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from tmodes.model.accuracy import mistaken
 from tmodes.model.entangled import disentangled
 from tmodes.model.forms import Form, Range, Unfit, variables_of
-from tmodes.model.probing import ENTANGLED, Entangled, Evaluate, Fit, Numbers, mistaken
+from tmodes.model.probing import ENTANGLED, Entangled, Evaluate, Fit, Numbers
 
 __all__ = ["fitted"]
 

@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.model.curves import Curve
-from tmodes.model.surfaces import Surface
+from tmodes.model.surfaces import SmoothSurface
 
 __all__ = ["Form", "Powers", "Product", "Range", "Unfit", "share", "variables_of"]
 
@@ -63,13 +63,13 @@ class Unfit(Exception):
 Product = tuple[tuple[int, int], ...]
 """Variables, by their index, each with its exponent."""
 
-Powers = tuple[tuple[int, int | Curve | Surface], ...]
+Powers = tuple[tuple[int, int | Curve | SmoothSurface], ...]
 """Variables, by their index, each with its exponent or curve; the first one of a surface with that."""
 
 
 def variables_of(powers: Powers) -> frozenset[int]:
     """The variables, by their index, with those of surfaces."""
-    return frozenset(k for one, p in powers for k in (p.variables if isinstance(p, Surface) else (one,)))
+    return frozenset(k for one, p in powers for k in (p.variables if isinstance(p, SmoothSurface) else (one,)))
 
 
 @dataclass(frozen=True, eq=False)
@@ -115,8 +115,8 @@ class Form:
             found[..., entry] = sign * np.sqrt(np.maximum(found[..., entry], 0.0))
         return found
 
-    def _share(self, k: int, p: int | Curve | Surface, here: Sequence[float | Array]) -> Any:
-        if isinstance(p, Surface):
+    def _share(self, k: int, p: int | Curve | SmoothSurface, here: Sequence[float | Array]) -> Any:
+        if isinstance(p, SmoothSurface):
             return p.at([here[one] for one in p.variables])
         return share(self.ranges[k], p, here[k])
 

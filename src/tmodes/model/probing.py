@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from itertools import combinations
 
 import numpy as np
 from numpy.typing import NDArray
 
+from tmodes.model.accuracy import rounding
 from tmodes.model.curves import Curve, Samples
 from tmodes.model.forms import Form, Powers, Product, Range, Unfit, share, variables_of
 
-__all__ = ["ENTANGLED", "Entangled", "Evaluate", "Fit", "Numbers", "mistaken", "rounding"]
+__all__ = ["ENTANGLED", "Entangled", "Evaluate", "Fit", "Numbers"]
 
 Array = NDArray[np.float64]
 
@@ -25,43 +26,12 @@ _SAME = 2e-14
 """Relative change below which a number is called unchanged: rounding."""
 
 _FITS = 2e-13
-_VERIFIED = 1e-12
-_ROUNDING = 4e-15
-"""Size of a number over that of its neighbours in the vector (of the same matrix, the same signal) that is rounding."""
-
-_NEAR = 20
 _MOST_TOGETHER = 4
 """Variables whose joint polynomial is looked for."""
 
 
 class Entangled(Unfit):
     """Variables of which each by itself has a form."""
-
-
-def rounding(values: Array) -> Array:
-    """Size of what is rounding in a vector, by the largest of each number and its neighbours."""
-    padded = np.pad(np.abs(np.where(np.isfinite(values), values, 0.0)), _NEAR)
-    return _ROUNDING * np.lib.stride_tricks.sliding_window_view(padded, 2 * _NEAR + 1).max(axis=1, initial=0.0)
-
-
-def mistaken(form: Form, values: Mapping[int, float], true: Array, *, exact: Collection[int] = ()) -> NDArray[np.bool_]:
-    """Which numbers of a form are not the ``true`` ones (n,) at a point, but for rounding.
-
-    ``exact``: numbers with no more rounding than that of their own size, whatever that of their neighbours is.
-    """
-    noise = rounding(true)
-    noise[[*exact]] = 0.0
-    allowed = np.maximum(_VERIFIED * np.maximum(np.abs(true), _reach(form, true)), noise)
-    return ~(np.abs(form.at(values) - true) <= allowed)
-
-
-def _reach(form: Form, true: Array) -> Array:
-    """Size of what is added up in a number: rounding is of that size."""
-    size = np.zeros_like(true)
-    for entry, terms in form.sums.items():
-        size[entry] = max(abs(form.base[entry]), *(abs(coefficient) for coefficient, _ in terms))
-    size[[*form.roots]] **= 0.5
-    return size
 
 
 class Numbers:

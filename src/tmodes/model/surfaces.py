@@ -16,13 +16,13 @@ from numpy.typing import NDArray
 
 from tmodes.model.curves import Span, places_of
 
-__all__ = ["Grid", "Surface"]
+__all__ = ["Grid", "SmoothSurface"]
 
 Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)
-class Surface:
+class SmoothSurface:
     """A share of some variables together, by their index: 0 where all start, 1 where all are at their far ends.
 
     ``coefficients`` (m, n, ...) of products of Chebyshev polynomials, an axis for each variable, over its span.

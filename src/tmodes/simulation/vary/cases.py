@@ -14,9 +14,9 @@ from numpy.typing import NDArray
 from tmodes.integrate.choice import STIFF, chosen_method
 from tmodes.integrate.registry import AUTO, integrator
 from tmodes.kinds.signals.schedule import Schedule
+from tmodes.model.accuracy import rounding
 from tmodes.model.forms import Form, Range, Unfit
 from tmodes.model.model import Model
-from tmodes.model.probing import rounding
 from tmodes.sheet import Robot
 from tmodes.simulation.loop import LoopModel, loop_numbers, whole
 from tmodes.simulation.plan import Follow, planned, starts_at_rest
