@@ -11,7 +11,7 @@ from tmodes.cli.memory import OUT_OF_MEMORY, lacks_memory, prepare, words
 __all__ = ["start"]
 
 _RARELY = 100_000, 50, 50
-"""When Python looks for circles among objects; at its own 700, 10, 10 it spends up to a twentieth of a command on it."""
+"""When Python looks for circles among objects; at its own 700, 10, 10 it spends a twentieth of a command on it."""
 
 
 def start() -> None:

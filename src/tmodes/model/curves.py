@@ -15,7 +15,7 @@ import numpy as np
 from numpy.polynomial import chebyshev
 from numpy.typing import NDArray
 
-__all__ = ["Curve", "Samples"]
+__all__ = ["Curve", "Samples", "Span", "places_of"]
 
 Array = NDArray[np.float64]
 
@@ -27,22 +27,35 @@ _TAIL = 1e-13
 
 
 class Span(NamedTuple):
-    """From ``low`` to ``high``; by ratios where both are positive: the inverse of a stiffness is then as smooth."""
+    """From ``low`` to ``high``; by ratios where both are positive: the inverse of a stiffness is then as smooth.
+
+    ``even``: by differences nevertheless, which suits polynomials.
+    """
 
     low: float
     high: float
+    even: bool = False
+
+    @property
+    def _by_ratios(self) -> bool:
+        return self.low > 0 and not self.even
 
     def place(self, values: Array | float) -> Array:
         """Where values are, -1 at the low end to 1 at the high one."""
-        if self.low > 0:
+        if self._by_ratios:
             return np.asarray(2 * np.log(np.asarray(values) / self.low) / np.log(self.high / self.low) - 1)
         return np.asarray((2 * np.asarray(values) - self.low - self.high) / (self.high - self.low))
 
     def value(self, places: Array) -> Array:
         """The values there."""
-        if self.low > 0:
+        if self._by_ratios:
             return np.asarray(self.low * (self.high / self.low) ** ((places + 1) / 2))
         return np.asarray((self.low + self.high + (self.high - self.low) * places) / 2)
+
+
+def places_of(degree: int) -> Array:
+    """The places (degree + 1,) of Chebyshev's points, from 1 to -1."""
+    return np.asarray(np.cos(np.pi * np.arange(degree + 1) / max(degree, 1)), dtype=float)
 
 
 @dataclass(frozen=True, eq=False)
@@ -74,7 +87,7 @@ class Samples:
     @property
     def points(self) -> Array:
         """Where they are, from the high end to the low one, (degree + 1,)."""
-        return self._span.value(np.asarray(np.cos(np.pi * np.arange(self.degree + 1) / self.degree), dtype=float))
+        return self._span.value(places_of(self.degree))
 
     @property
     def vectors(self) -> Array:

@@ -2,34 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
-from itertools import combinations
+from collections.abc import Collection, Mapping, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.model.curves import Curve, Samples
-from tmodes.model.forms import Form, Powers, Product, Range, Unfit, share
+from tmodes.model.accuracy import mistaken
+from tmodes.model.entangled import disentangled
+from tmodes.model.forms import Form, Range, Unfit, variables_of
+from tmodes.model.probing import ENTANGLED, Entangled, Evaluate, Fit, Numbers
 
-__all__ = ["fitted", "rounding"]
+__all__ = ["fitted"]
 
 Array = NDArray[np.float64]
-
-Evaluate = Callable[[Mapping[int, float]], Array]
-"""The vector where some of the variables, by their index, have other values than at the start."""
-
-_EXPONENTS = (1, -1, 2, -2, 3, -3, -4, -5, 4, -6, -7)
-_SAME = 2e-14
-"""Relative change below which a number is called unchanged: rounding."""
-
-_FITS = 2e-13
-_VERIFIED = 1e-12
-_ROUNDING = 4e-15
-"""Size of a number over that of its neighbours in the vector (of the same matrix, the same signal) that is rounding."""
-
-_NEAR = 20
-_MOST_TOGETHER = 4
-"""Variables whose joint polynomial is looked for."""
 
 
 def fitted(
@@ -39,10 +24,12 @@ def fitted(
     trials: int = 3,
     *,
     curves: bool = False,
+    most: int = 0,
 ) -> Form:
     """The form of a vector over all variables; what is infinite at the start (a rigid stiffness) must stay so.
 
     ``curves``: what is no power of a variable may be a smooth function of it, which takes some tens of vectors.
+    ``most``: then variables that are entangled may have smooth functions together that take no more vectors than that.
     Raises :class:`Unfit` that names the variables without one.
     """
     start = evaluate({})
@@ -54,160 +41,31 @@ def fitted(
             raise Unfit({max(values): "it makes what is rigid elastic"})
         return np.where(rigid, 0.0, found)
 
-    form = _verified(_Fit(finite, tuple(ranges), curves=curves), generator, trials)
+    form = _found(Fit(Numbers(finite), tuple(ranges), curves=curves), generator, trials, most)
     form.base[rigid] = start[rigid]
     return form
 
 
-def _verified(fit: _Fit, generator: np.random.Generator, trials: int) -> Form:
-    ranges = fit.ranges
-    for k in range(len(ranges)):
+def _found(fit: Fit, generator: np.random.Generator, trials: int, most: int) -> Form:
+    for k in range(len(fit.ranges)):
         fit.probe(k)
     if fit.unfit:
         raise Unfit(fit.unfit)
-    form = fit.form()
+    try:
+        return _verified(fit, generator, trials)
+    except Entangled:
+        other = disentangled(fit, most) if fit.curves else None
+        if other is None:
+            raise
+    return _verified(other, generator, trials, exact=fit.depends)
+
+
+def _verified(fit: Fit, generator: np.random.Generator, trials: int, exact: Collection[int] = ()) -> Form:
+    ranges, form = fit.ranges, fit.form()
     for _ in range(trials):
         values = {k: one.drawn(generator) for k, one in enumerate(ranges)}
-        found, true = form.at(values), fit.evaluate(values)
-        allowed = np.maximum(_VERIFIED * np.maximum(np.abs(true), _reach(form, true)), rounding(true))
-        wrong = ~(np.abs(found - true) <= allowed)
-        if wrong.any():
-            blamed = max((k for e in np.flatnonzero(wrong) for k, _ in fit.depends.get(int(e), ())), default=None)
-            raise Unfit({len(ranges) - 1 if blamed is None else blamed: _ENTANGLED})
+        wrong = np.flatnonzero(mistaken(form, values, fit.numbers.at(values), exact=exact))
+        if len(wrong):
+            blamed = max((k for e in wrong.tolist() for k in variables_of(fit.depends.get(e, ()))), default=None)
+            raise Entangled({len(ranges) - 1 if blamed is None else blamed: ENTANGLED})
     return form
-
-
-def _reach(form: Form, true: Array) -> Array:
-    """Size of what is added up in a number: rounding is of that size."""
-    size = np.zeros_like(true)
-    for entry, terms in form.sums.items():
-        size[entry] = max(abs(form.base[entry]), *(abs(coefficient) for coefficient, _ in terms))
-    return size
-
-
-def rounding(values: Array) -> Array:
-    """Size of what is rounding in a vector, by the largest of each number and its neighbours."""
-    padded = np.pad(np.abs(np.where(np.isfinite(values), values, 0.0)), _NEAR)
-    return _ROUNDING * np.lib.stride_tricks.sliding_window_view(padded, 2 * _NEAR + 1).max(axis=1, initial=0.0)
-
-
-_ENTANGLED = "its effect together with others has no simple form"
-
-
-class _Fit:
-    """What is known so far; each point is evaluated once."""
-
-    def __init__(self, evaluate: Evaluate, ranges: tuple[Range, ...], *, curves: bool) -> None:
-        self.evaluate, self.ranges, self.curves = evaluate, ranges, curves
-        self.base = evaluate({})
-        self.depends: dict[int, list[tuple[int, int | Curve]]] = {}
-        self.unfit: dict[int, str] = {}
-        self._known: dict[frozenset[int], Array] = {frozenset(): self.base}
-
-    def far(self, which: frozenset[int]) -> Array:
-        """The vector with some variables at their far ends."""
-        if which not in self._known:
-            self._known[which] = self.evaluate({k: self.ranges[k].far for k in which})
-        return self._known[which]
-
-    def probe(self, k: int) -> None:
-        """Which numbers a variable changes, and with which power."""
-        one = self.ranges[k]
-        try:
-            far, between = self.far(frozenset([k])), self.evaluate({k: one.between})
-        except Unfit as error:
-            self.unfit[k] = next(iter(error.reasons.values()))
-            return
-        size = np.maximum(np.maximum(np.abs(far), np.abs(self.base)), np.abs(between))
-        entries = np.flatnonzero(np.maximum(np.abs(far - self.base), np.abs(between - self.base)) > _SAME * size)
-        for exponent in _EXPONENTS:
-            if not len(entries) or (exponent < 0 and one.start * one.far <= 0):
-                continue
-            info = self.base[entries] + (far - self.base)[entries] * share(one, exponent, one.between)
-            fits = np.abs(info - between[entries]) <= _FITS * size[entries]
-            for entry in entries[fits].tolist():
-                self.depends.setdefault(entry, []).append((k, exponent))
-            entries = entries[~fits]
-        change = np.maximum(np.abs(far - self.base), np.abs(between - self.base))[entries]
-        entries = entries[change > rounding(size)[entries]]
-        if len(entries) and self.curves:
-            entries = self._curved(k, entries)
-        if len(entries):
-            self.unfit[k] = "its effect is no power of it"
-
-    def _curved(self, k: int, entries: NDArray[np.intp]) -> NDArray[np.intp]:
-        """Find curves of the numbers ``entries`` that are no power of a variable; those that have none are left."""
-        one = self.ranges[k]
-        samples = Samples(lambda value: self.evaluate({k: value}), one.low, one.high)
-        try:
-            while len(entries) and samples.refined():
-                entries = self._shared(k, entries, samples)
-        except Unfit:
-            return entries
-        return entries
-
-    def _shared(self, k: int, entries: NDArray[np.intp], samples: Samples) -> NDArray[np.intp]:
-        """Curves through some samples, each for all numbers that change alike; what has none is left."""
-        left: list[int] = []
-        step, vectors = self.far(frozenset([k])) - self.base, samples.vectors
-        while len(entries):
-            found = vectors[:, entries]
-            size = np.abs(found).max(axis=0)
-            first = int(np.argmax(np.abs(step[entries]) / size))
-            if step[entries[first]] == 0:
-                return np.array([*left, *entries.tolist()], dtype=np.intp)
-            shares = (found[:, first] - self.base[entries[first]]) / step[entries[first]]
-            curve = samples.curve(shares)
-            alike = np.abs(self.base[entries] + step[entries] * shares[:, None] - found).max(axis=0) <= _FITS * size
-            alike[first] = True
-            for entry in entries[alike].tolist():
-                if curve is None:
-                    left.append(entry)
-                else:
-                    self.depends.setdefault(entry, []).append((k, curve))
-            entries = entries[~alike]
-        return np.array(left, dtype=np.intp)
-
-    def form(self) -> Form:
-        """The form of all numbers."""
-        every = self.far(frozenset(k for info in self.depends.values() if len(info) > 1 for k, _ in info))
-        form = Form(self.base, self.ranges)
-        for entry, powers in self.depends.items():
-            if product := self._product(entry, powers, every):
-                form.products[entry] = product
-            else:
-                form.sums[entry] = self._terms(entry, powers, every)
-        return form
-
-    def _product(self, entry: int, powers: list[tuple[int, int | Curve]], every: Array) -> Product:
-        """The number as a product of powers; empty where it is none."""
-        ratio, found = 1.0, list[tuple[int, int]]()
-        for k, p in powers:
-            one = self.ranges[k]
-            if one.start == 0 or isinstance(p, Curve):
-                return ()
-            own = (one.far / one.start) ** p
-            if abs(self.far(frozenset([k]))[entry] - self.base[entry] * own) > _FITS * abs(self.base[entry] * own):
-                return ()
-            ratio *= own
-            found.append((k, p))
-        whole = len(powers) == 1 or abs(every[entry] - self.base[entry] * ratio) <= _FITS * abs(every[entry])
-        return tuple(found) if whole else ()
-
-    def _terms(self, entry: int, powers: list[tuple[int, int | Curve]], every: Array) -> list[tuple[float, Powers]]:
-        """Coefficients by inclusion and exclusion of the corners; without mixed terms where none are needed."""
-        alone = [(self._change(entry, (one,)), (one,)) for one in powers]
-        total = self.base[entry] + sum(change for change, _ in alone)
-        size = abs(self.base[entry]) + sum(abs(change) for change, _ in alone)
-        if len(powers) == 1 or abs(total - every[entry]) <= _FITS * size:
-            return alone
-        if len(powers) > _MOST_TOGETHER:
-            raise Unfit({max(k for k, _ in powers): _ENTANGLED})
-        groups = [group for count in range(2, len(powers) + 1) for group in combinations(powers, count)]
-        mixed = [(self._change(entry, group), group) for group in groups]
-        return [*alone, *((change, group) for change, group in mixed if abs(change) > _SAME * size)]
-
-    def _change(self, entry: int, group: Powers) -> float:
-        names = [k for k, _ in group]
-        parts = [part for count in range(len(names) + 1) for part in combinations(names, count)]
-        return float(sum((-1) ** (len(names) - len(part)) * self.far(frozenset(part))[entry] for part in parts))

@@ -2,13 +2,13 @@
 
 Each number is a product of powers of those that it depends on, or a polynomial that is linear in each of their powers:
 a mass, a stiffness, the duration of a move enter the numbers of a robot in no other way. The dimensions of a section
-do so by curves in place of powers.
+do so by curves in place of powers, and where they are entangled by surfaces.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
@@ -16,8 +16,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.model.curves import Curve
+from tmodes.model.surfaces import SmoothSurface
 
-__all__ = ["Form", "Powers", "Product", "Range", "Unfit", "share"]
+__all__ = ["Form", "Powers", "Product", "Range", "Unfit", "share", "variables_of"]
 
 Array = NDArray[np.float64]
 
@@ -62,21 +63,28 @@ class Unfit(Exception):
 Product = tuple[tuple[int, int], ...]
 """Variables, by their index, each with its exponent."""
 
-Powers = tuple[tuple[int, int | Curve], ...]
-"""Variables, by their index, each with its exponent or curve."""
+Powers = tuple[tuple[int, int | Curve | SmoothSurface], ...]
+"""Variables, by their index, each with its exponent or curve; the first one of a surface with that."""
+
+
+def variables_of(powers: Powers) -> frozenset[int]:
+    """The variables, by their index, with those of surfaces."""
+    return frozenset(k for one, p in powers for k in (p.variables if isinstance(p, SmoothSurface) else (one,)))
 
 
 @dataclass(frozen=True, eq=False)
 class Form:
     """base * product of (x/start)^p of some numbers; base + sum of terms of others.
 
-    A term is its coefficient times the product of (x^p - start^p)/(far^p - start^p), or of the curves' values.
+    A term is its coefficient times the product of (x^p - start^p)/(far^p - start^p), or of the values of curves and
+    surfaces. Where a number has one of the ``roots``, 1 or -1, this is its square, and it is that root of it.
     """
 
     base: Array
     ranges: tuple[Range, ...]
     products: dict[int, Product] = field(default_factory=dict)
     sums: dict[int, list[tuple[float, Powers]]] = field(default_factory=dict)
+    roots: dict[int, float] = field(default_factory=dict)
 
     @classmethod
     def of(cls, base: Array, ranges: tuple[Range, ...], parts: dict[str, Any]) -> Form:
@@ -101,21 +109,29 @@ class Form:
         for entry, terms in self.sums.items():
             for coefficient, powers in terms:
                 if powers not in known:
-                    known[powers] = math.prod(share(self.ranges[k], p, here[k]) for k, p in powers)
+                    known[powers] = math.prod(self._share(k, p, here) for k, p in powers)
                 found[..., entry] += coefficient * known[powers]
+        for entry, sign in self.roots.items():
+            found[..., entry] = sign * np.sqrt(np.maximum(found[..., entry], 0.0))
         return found
+
+    def _share(self, k: int, p: int | Curve | SmoothSurface, here: Sequence[float | Array]) -> Any:
+        if isinstance(p, SmoothSurface):
+            return p.at([here[one] for one in p.variables])
+        return share(self.ranges[k], p, here[k])
 
     def acting(self, start: int, stop: int) -> set[int]:
         """Variables, by their index, that change one of these numbers."""
         part = self.part(start, stop)
         each = [*part.products.values(), *(powers for terms in part.sums.values() for _, powers in terms)]
-        return {k for powers in each for k, _ in powers}
+        return {k for powers in each for k in variables_of(powers)}
 
     def part(self, start: int, stop: int) -> Form:
         """The form of these numbers alone."""
         products = {entry - start: powers for entry, powers in self.products.items() if start <= entry < stop}
         sums = {entry - start: terms for entry, terms in self.sums.items() if start <= entry < stop}
-        return Form(self.base[start:stop], self.ranges, products, sums)
+        roots = {entry - start: sign for entry, sign in self.roots.items() if start <= entry < stop}
+        return Form(self.base[start:stop], self.ranges, products, sums, roots)
 
     def info(self) -> dict[str, Any]:
         """As plain data with arrays: what ``web/src/live/map.ts`` evaluates."""

@@ -23,12 +23,14 @@ _SEED = 20100
 
 
 def block_forms(
-    numbers: Callable[[Point], tuple[Array, Any]], ranges: Sequence[Range], structure: Any
+    numbers: Callable[[Point], tuple[Array, Any]], ranges: Sequence[Range], structure: Any, most: int
 ) -> dict[str, Form]:
     """The form of each block, by its name.
 
     ``numbers`` gives at a point all numbers (n,) and what must be the same everywhere, the ``structure``; its last part
-    says where each block is. Raises :class:`tmodes.model.forms.Unfit` where there is no form.
+    says where each block is. ``most``: vectors of numbers that surfaces of entangled paths may take; as many as there
+    are cases pay, since a vector takes half to two thirds of the time of a case by itself. Raises
+    :class:`tmodes.model.forms.Unfit` where there is no form.
     """
 
     def vector(point: Point) -> Array:
@@ -38,7 +40,7 @@ def block_forms(
         return found
 
     places = structure[-1]
-    form = fitted(vector, tuple(ranges), np.random.default_rng(_SEED), curves=True)
+    form = fitted(vector, tuple(ranges), np.random.default_rng(_SEED), curves=True, most=most)
     ends = {name: place["start"] + int(np.prod(place["shape"])) for name, place in places.items()}
     return {name: form.part(place["start"], ends[name]) for name, place in places.items()}
 

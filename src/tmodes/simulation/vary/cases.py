@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from tmodes.integrate.choice import STIFF, chosen_method
 from tmodes.integrate.registry import AUTO, integrator
 from tmodes.kinds.signals.schedule import Schedule
-from tmodes.model.fitting import rounding
+from tmodes.model.accuracy import rounding
 from tmodes.model.forms import Form, Range, Unfit
 from tmodes.model.model import Model
 from tmodes.sheet import Robot
@@ -42,6 +42,10 @@ _EXACT = 1e-11
 
 _SURELY = 2.0
 """Share of the limit up to which, or beyond which, the stiffness of a few cases decides the method of all."""
+
+
+_MOST = 400
+"""Vectors that surfaces may take where these cases are part of more: it must not depend on which part they are."""
 
 
 _COMMON = ("ranges", "held", "_slope", "_structure", "forms", "_moves")
@@ -96,7 +100,8 @@ class Cases:
         other = self.held.loop.modes or self.held.coordinates != self.like.model.coordinates
         if other and starts_at_rest(self.like.robot):
             raise Unfit({0: "its rest is found by other equations"})
-        return block_forms(self._at, self.ranges, self._structure)
+        most = _MOST if self.spans is not None else len(next(iter(self.values.values())))
+        return block_forms(self._at, self.ranges, self._structure, most)
 
     def _at(self, point: Mapping[int, float]) -> tuple[Array, Any]:
         """All numbers where some paths have other values than their least."""

@@ -93,7 +93,7 @@ class StaticCases:
     @cached_property
     def forms(self) -> dict[str, Form]:
         """The form of each block of numbers. Raises :class:`tmodes.model.forms.Unfit` where there is none."""
-        return block_forms(self._at, self._ranges, self._structure)
+        return block_forms(self._at, self._ranges, self._structure, len(next(iter(self.values.values()))))
 
     def _at(self, point: Mapping[int, float]) -> tuple[Array, Any]:
         robot = pair_at(self.sheet, self.values, self._ranges, point).real
