@@ -22,7 +22,8 @@ ROOMY = 4e9
 """Below so much the limit is the likely reason where memory lacks [bytes]."""
 
 _SIGNS = re.compile(
-    r"failed to map segment|cannot allocate|can't allocate|unable to allocate|can't start new thread", re.IGNORECASE
+    r"failed to map segment|(cannot|can't|unable to) allocate|can't start new thread|failed to launch worker thread",
+    re.IGNORECASE,
 )
 
 
@@ -49,7 +50,7 @@ def lacks_memory(error: BaseException | None) -> bool:
     while error is not None:
         out = isinstance(error, MemoryError) or getattr(error, "errno", None) == errno.ENOMEM
         out |= isinstance(error, ImportError) and limit() < ENOUGH  # a module may hide why it is not there
-        if out or (isinstance(error, (ImportError, OSError, RuntimeError)) and _SIGNS.search(str(error))):
+        if out or _SIGNS.search(str(error)):
             return True
         error = error.__cause__ or error.__context__
     return False

@@ -7,7 +7,6 @@ import os
 import signal
 import sys
 from pathlib import Path
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -117,8 +116,14 @@ RAISED = {
 }  # fmt: skip
 
 
-NOTHING = SimpleNamespace(data=xr.Dataset())
-"""A result without data."""
+class Empty:
+    """A result without data."""
+
+    def __init__(self):
+        self.data = xr.Dataset()
+
+
+NOTHING = Empty()
 
 
 @pytest.mark.parametrize("reason", list(RAISED))
