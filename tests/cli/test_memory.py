@@ -7,6 +7,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+import pyarrow as pa
 import pytest
 
 from command import COMMAND
@@ -52,6 +53,7 @@ def raised(error: Exception, cause: Exception | None = None) -> Exception:
         (OSError(errno.ENOMEM, "Cannot allocate memory"), True),
         (ImportError("libx.so: failed to map segment from shared object"), True),
         (RuntimeError("can't start new thread"), True),
+        (pa.ArrowException("Unknown error: Failed to launch worker thread: not available"), True),
         (raised(ImportError("no C-extensions"), MemoryError()), True),
         (OSError(errno.ENOSPC, "No space left on device"), False),
         (ImportError("no module named x"), False),

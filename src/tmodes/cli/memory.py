@@ -50,7 +50,8 @@ def lacks_memory(error: BaseException | None) -> bool:
     while error is not None:
         out = isinstance(error, MemoryError) or getattr(error, "errno", None) == errno.ENOMEM
         out |= isinstance(error, ImportError) and limit() < ENOUGH  # a module may hide why it is not there
-        if out or _SIGNS.search(str(error)):
+        spoken = isinstance(error, (ImportError, OSError, RuntimeError)) or type(error).__module__ == "pyarrow.lib"
+        if out or (spoken and _SIGNS.search(str(error))):
             return True
         error = error.__cause__ or error.__context__
     return False

@@ -7,6 +7,7 @@ import os
 import signal
 import sys
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -146,9 +147,8 @@ def test_what_is_no_number_is_said(value, words):
 
 
 def test_numbers_of_all_kinds_are_numbers():
-    assert [called(lambda _, one=one: one, NOTHING, 60.0) for one in (2, 10**300, np.float32(2), np.int8(2))] == [
-        2.0, 1e300, 2.0, 2.0,
-    ]  # fmt: skip
+    numbers: list[Any] = [2, 10**300, np.float32(2), np.int8(2)]
+    assert [called(lambda _, one=one: one, NOTHING, 60.0) for one in numbers] == [2.0, 1e300, 2.0, 2.0]
 
 
 def test_it_may_close_its_output_and_leave_the_folder(tmp_path, monkeypatch):

@@ -54,6 +54,10 @@ READ = {
          "parameters: {}"),
         ["wrong.yaml:6: parameters must be at least one parameter, got none"],
     ),
+    "own key": (
+        ("series: tip.x, reduce: max", "expression: 'k +'"),
+        ["wrong.yaml:10: quantities.y.expression must be a formula of k, y"],
+    ),
     "percent": (("reduce: max", "reduce: 'percentile:200'"), ["Did you mean `percentile:95`?"]),
     "no point": (
         ("{type: monte_carlo, runs: 4}", "{type: grid, points: {k: []}}"),
