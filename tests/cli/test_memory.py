@@ -12,6 +12,7 @@ import pytest
 
 from command import COMMAND
 from tmodes.cli import memory
+from tmodes.cli.main import app
 from tmodes.cli.memory import lacks_memory
 from tmodes.result import Result
 
@@ -71,3 +72,11 @@ def test_a_module_that_is_missing_under_a_small_limit(
 ) -> None:
     monkeypatch.setattr(memory, "limit", lambda: limit)
     assert lacks_memory(ImportError("No module named 'h5py', backend not available")) == lacks
+
+
+@pytest.mark.parametrize("command", ["study", "sensitivity", "optimize"])
+def test_a_study_wants_more(monkeypatch: pytest.MonkeyPatch, tmp_path: Path, command: str) -> None:
+    """Its libraries end the process without a word where theirs is too little; nothing of it is begun."""
+    monkeypatch.setattr(memory, "limit", lambda: 7e8)
+    with pytest.raises(MemoryError):
+        app([command, str(tmp_path / "absent.yaml")], standalone_mode=False)

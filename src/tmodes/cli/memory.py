@@ -6,7 +6,7 @@ import errno
 import re
 import sys
 
-__all__ = ["OUT_OF_MEMORY", "lacks_memory", "prepare", "words"]
+__all__ = ["OUT_OF_MEMORY", "lacks_memory", "prepare", "prepare_study", "words"]
 
 OUT_OF_MEMORY = 3
 """Exit code."""
@@ -14,6 +14,9 @@ OUT_OF_MEMORY = 3
 LEAST = 650e6
 """Address space below which nothing is begun [bytes]: libraries and compiler, which may end the process without a word
 when they get no memory, take 610e6 in a run of the smallest robot."""
+
+LEAST_OF_STUDY = 780e6
+"""The same of a study, whose table has a library with threads of its own."""
 
 ENOUGH = 1e9
 """What a run with its report of a robot of a few links needs [bytes]."""
@@ -35,6 +38,12 @@ def limit() -> float:
 
     most = resource.getrlimit(resource.RLIMIT_AS)[0]
     return float("inf") if most == resource.RLIM_INFINITY else float(most)
+
+
+def prepare_study() -> None:
+    """Before a study loads what it needs; raises :class:`MemoryError` where it could not be."""
+    if limit() < LEAST_OF_STUDY:
+        raise MemoryError
 
 
 def prepare() -> None:
