@@ -7,10 +7,12 @@ import subprocess
 import sys
 from pathlib import Path
 
+import pyarrow as pa
 import pytest
 
 from command import COMMAND
 from tmodes.cli import memory
+from tmodes.cli.main import app
 from tmodes.cli.memory import lacks_memory
 from tmodes.result import Result
 
@@ -52,6 +54,7 @@ def raised(error: Exception, cause: Exception | None = None) -> Exception:
         (OSError(errno.ENOMEM, "Cannot allocate memory"), True),
         (ImportError("libx.so: failed to map segment from shared object"), True),
         (RuntimeError("can't start new thread"), True),
+        (pa.ArrowException("Unknown error: Failed to launch worker thread: not available"), True),
         (raised(ImportError("no C-extensions"), MemoryError()), True),
         (OSError(errno.ENOSPC, "No space left on device"), False),
         (ImportError("no module named x"), False),
@@ -69,3 +72,11 @@ def test_a_module_that_is_missing_under_a_small_limit(
 ) -> None:
     monkeypatch.setattr(memory, "limit", lambda: limit)
     assert lacks_memory(ImportError("No module named 'h5py', backend not available")) == lacks
+
+
+@pytest.mark.parametrize("command", ["study", "sensitivity", "optimize"])
+def test_a_study_wants_more(monkeypatch: pytest.MonkeyPatch, tmp_path: Path, command: str) -> None:
+    """Its libraries end the process without a word where theirs is too little; nothing of it is begun."""
+    monkeypatch.setattr(memory, "limit", lambda: 7e8)
+    with pytest.raises(MemoryError):
+        app([command, str(tmp_path / "absent.yaml")], standalone_mode=False)

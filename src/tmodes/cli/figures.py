@@ -9,7 +9,7 @@ import typer
 
 from tmodes.cli.options import result_file, stored_result
 from tmodes.cli.show import ResultArgument
-from tmodes.cli.terminal import working
+from tmodes.cli.terminal import warn, working
 
 __all__ = ["figures"]
 
@@ -54,6 +54,10 @@ def _of_study(place: Path, folder: Path, formats: list[str], names: list[str] | 
 
     with working() as progress:
         progress("reading", 0.0)
-        data = figure_data(load_study(place), progress)
+        study = load_study(place)
+        data = figure_data(study, progress)
         written = save_study_figures(data, folder, formats, names, lambda k, n, _: progress("figures", k / max(n, 1)))
     print(f"wrote   {len(written)} files to {folder}")
+    if not study.complete:
+        done, cases = study.cover.done, len(study.design.values)
+        warn([f"these are {done:,} of {cases:,} cases; the same `tmodes study` computes the others"])

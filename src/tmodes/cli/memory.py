@@ -6,7 +6,7 @@ import errno
 import re
 import sys
 
-__all__ = ["OUT_OF_MEMORY", "lacks_memory", "prepare", "words"]
+__all__ = ["OUT_OF_MEMORY", "lacks_memory", "prepare", "prepare_study", "words"]
 
 OUT_OF_MEMORY = 3
 """Exit code."""
@@ -15,6 +15,9 @@ LEAST = 650e6
 """Address space below which nothing is begun [bytes]: libraries and compiler, which may end the process without a word
 when they get no memory, take 610e6 in a run of the smallest robot."""
 
+LEAST_OF_STUDY = 780e6
+"""The same of a study, whose table has a library with threads of its own."""
+
 ENOUGH = 1e9
 """What a run with its report of a robot of a few links needs [bytes]."""
 
@@ -22,7 +25,8 @@ ROOMY = 4e9
 """Below so much the limit is the likely reason where memory lacks [bytes]."""
 
 _SIGNS = re.compile(
-    r"failed to map segment|cannot allocate|can't allocate|unable to allocate|can't start new thread", re.IGNORECASE
+    r"failed to map segment|(cannot|can't|unable to) allocate|can't start new thread|failed to launch worker thread",
+    re.IGNORECASE,
 )
 
 
@@ -34,6 +38,12 @@ def limit() -> float:
 
     most = resource.getrlimit(resource.RLIMIT_AS)[0]
     return float("inf") if most == resource.RLIM_INFINITY else float(most)
+
+
+def prepare_study() -> None:
+    """Before a study loads what it needs; raises :class:`MemoryError` where it could not be."""
+    if limit() < LEAST_OF_STUDY:
+        raise MemoryError
 
 
 def prepare() -> None:
@@ -49,7 +59,8 @@ def lacks_memory(error: BaseException | None) -> bool:
     while error is not None:
         out = isinstance(error, MemoryError) or getattr(error, "errno", None) == errno.ENOMEM
         out |= isinstance(error, ImportError) and limit() < ENOUGH  # a module may hide why it is not there
-        if out or (isinstance(error, (ImportError, OSError, RuntimeError)) and _SIGNS.search(str(error))):
+        spoken = isinstance(error, (ImportError, OSError, RuntimeError)) or type(error).__module__ == "pyarrow.lib"
+        if out or (spoken and _SIGNS.search(str(error))):
             return True
         error = error.__cause__ or error.__context__
     return False

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from tmodes.cli.memory import prepare_study
 from tmodes.cli.options import AsJson, Roots, TrustPaths
 from tmodes.cli.study_text import notice_slow
 from tmodes.cli.terminal import notice, print_json, print_table, working
@@ -29,6 +30,7 @@ MOST_PAIRS = 20
 
 def asked_study(path: Path, roots: list[Path] | None, *, trust_paths: bool) -> Study:
     """The study of a file; what makes it slow is said."""
+    prepare_study()
     from tmodes.study.read import read_study
 
     asked = read_study(path, roots=roots or (), trust_paths=trust_paths)

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from tmodes.cli import options
+from tmodes.cli.memory import prepare_study
 from tmodes.cli.run import folder_name
 from tmodes.cli.study_text import notice_slow, print_study, study_info
 from tmodes.cli.terminal import notice, print_json, warn, working
@@ -62,6 +63,7 @@ def study(
 
     Example, on workers of a Dask scheduler: tmodes study gear-stiffness.yaml --on dask://127.0.0.1:8786
     """
+    prepare_study()
     from tmodes.study.read import read_study
     from tmodes.study.runner import run_study
 

@@ -12,6 +12,7 @@ from tmodes.io.words import meant
 from tmodes.kinds.schema.quantity import Issue, plain_texts
 from tmodes.kinds.signals.formula_grammar import CHOICES, CONSTANTS, FUNCTIONS, SEVERAL
 from tmodes.study.order import circle
+from tmodes.study.rows import OWN_COLUMNS
 from tmodes.study.space import correlation_matrix, nearest_correlation
 
 __all__ = ["study_issues"]
@@ -20,13 +21,20 @@ _NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]{0,59}")
 _TAKEN = {*FUNCTIONS, *SEVERAL, *CHOICES, *CONSTANTS, "and", "or", "not"}
 """Words of formulas."""
 
-_COLUMNS = {"case", "status", "reason", "method", "seconds", "errors"}
-"""Columns of the table of a study."""
+
+_EMPTY = {
+    "parameters": ("at least one parameter", "write one: `payload: {path: payload.mass, distribution: {...}}`"),
+    "quantities": ("at least one quantity", "write one: `peak: {series: deviation, reduce: max}`"),
+}
+"""What is expected of a group without a name, and how to write it."""
 
 
 def study_issues(sheet: Any) -> Iterator[Issue]:
     """All that is wrong with a study without its robot."""
     yield from plain_texts({key: getattr(sheet, key) for key in ("name", "title")})
+    for group in ("parameters", "quantities"):
+        if not getattr(sheet, group):
+            yield Issue(group, "none", *_EMPTY[group])
     yield from _names(sheet)
     yield from _expressions(sheet)
     yield from _correlations(sheet)
@@ -40,7 +48,7 @@ def _names(sheet: Any) -> Iterator[Issue]:
             if not _NAME.fullmatch(name):
                 hint = "write a name such as gear_stiffness"
                 yield Issue(f"{group}.{name}", f"the name {name[:70]!a}", "letters, digits and _, a letter first", hint)
-            elif name in _TAKEN or name in _COLUMNS:
+            elif name in _TAKEN or name in OWN_COLUMNS:
                 what = "word of formulas" if name in _TAKEN else "column of the table"
                 yield Issue(f"{group}.{name}", f"the name {name!r}, a {what}", "another name", f"write {name}_1")
     for name in sheet.quantities.keys() & sheet.parameters.keys():
@@ -101,7 +109,10 @@ def _not_positive(sheet: Any) -> Iterator[Issue]:
 
 
 def _optimized(sheet: Any) -> Iterator[Issue]:
-    for k, name in enumerate(sheet.optimize.design if sheet.optimize else ()):
+    design = sheet.optimize.design if sheet.optimize else ()
+    for k, name in enumerate(design):
         if name not in sheet.parameters:
             hint = meant(name, sheet.parameters, "write the name of a parameter")
             yield Issue(f"optimize.design.{k}", f"the unknown name {name!r}", "a parameter", hint)
+        elif name in design[:k]:
+            yield Issue(f"optimize.design.{k}", f"{name!r}, given twice", "each parameter once", "remove it")

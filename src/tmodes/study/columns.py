@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Generator, Iterator, Mapping, Sequence
+from contextlib import closing, contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, overload
@@ -67,43 +68,43 @@ class Columns:
 
     path: Path
 
-    def _file(self) -> Any:
+    @contextmanager
+    def _file(self) -> Iterator[Any]:
+        """The table, open; what cannot be read of it is an error of the file."""
+        pa, pq = needed("pyarrow", "study"), needed("pyarrow.parquet", "study")
         try:
-            return needed("pyarrow.parquet", "study").ParquetFile(self.path)
-        except (OSError, ValueError) as error:
+            with self.path.open("rb") as opened:
+                yield pq.ParquetFile(opened)
+        except (OSError, pa.ArrowException) as error:
             hint = "run the study again: the same command writes the table from what is stored"
             raise file_error(self.path, f"no table ({error})", "the table of a study", hint) from error
 
     @property
     def cases(self) -> int:
         """How many rows it has."""
-        return int(self._file().metadata.num_rows)
+        with self._file() as file:
+            return int(file.metadata.num_rows)
 
     def numbers(self, name: str) -> NDArray[np.float64]:
         """A column of numbers (k,), not-a-number where a case has none."""
-        file = self._file()
-        found, first = np.empty(file.metadata.num_rows), 0
-        for part in file.iter_batches(columns=[name]):
-            values = part.column(0).to_numpy(zero_copy_only=False)
-            found[first : first + len(values)] = values
-            first += len(values)
+        with self._file() as file:
+            found, first = np.empty(file.metadata.num_rows), 0
+            for part in file.iter_batches(columns=[name]):
+                values = part.column(0).to_numpy(zero_copy_only=False)
+                found[first : first + len(values)] = values
+                first += len(values)
         return found
-
-    @property
-    def facts(self) -> dict[str, str]:
-        """What the table says of where it comes from."""
-        known = self._file().schema_arrow.metadata or {}
-        return {key.decode(): text.decode() for key, text in known.items() if key.startswith(b"tmodes.")}
 
     def words(self, name: str) -> Sequence[str]:
         """A column of words, each kept once."""
-        file, known = self._file(), dict[str, int]()
-        codes, first = np.empty(file.metadata.num_rows, dtype=np.int32), 0
-        for part in file.iter_batches(columns=[name]):
-            found = part.column(0).dictionary_encode()
-            own = [known.setdefault(word, len(known)) for word in found.dictionary.to_pylist()]
-            codes[first : first + len(found)] = np.array(own, dtype=np.int32)[found.indices.to_numpy()]
-            first += len(found)
+        known = dict[str, int]()
+        with self._file() as file:
+            codes, first = np.empty(file.metadata.num_rows, dtype=np.int32), 0
+            for part in file.iter_batches(columns=[name]):
+                found = part.column(0).dictionary_encode()
+                own = [known.setdefault(word, len(known)) for word in found.dictionary.to_pylist()]
+                codes[first : first + len(found)] = np.array(own, dtype=np.int32)[found.indices.to_numpy()]
+                first += len(found)
         return _Words(codes, list(known))
 
     def rows(self, parameters: Sequence[str], quantities: Sequence[str]) -> Rows:
@@ -117,27 +118,31 @@ class Columns:
 
     def unit(self, name: str) -> str:
         """Unit of a column, empty where none is known."""
-        return ((self._file().schema_arrow.field(name).metadata or {}).get(b"unit") or b"").decode()
+        with self._file() as file:
+            return ((file.schema_arrow.field(name).metadata or {}).get(b"unit") or b"").decode()
 
     def counts(self) -> dict[str, int]:
         """How many cases ended in which way, those of which there is any."""
         found: Counter[str] = Counter()
-        for part in self._file().iter_batches(columns=["status"]):
-            found.update({one["values"]: one["counts"] for one in part.column(0).value_counts().to_pylist()})
+        with self._file() as file:
+            for part in file.iter_batches(columns=["status"]):
+                found.update({one["values"]: one["counts"] for one in part.column(0).value_counts().to_pylist()})
         return {status: found[status] for status in STATUS if found[status]}
 
     def lost(self, most: int) -> list[dict[str, Any]]:
         """``case``, ``status`` and ``reason`` of the first cases that did not reach their end."""
         found: list[dict[str, Any]] = []
-        for part in self._lost():
-            found += part
-            if len(found) >= most:
-                break
+        with closing(self._lost()) as parts:
+            for part in parts:
+                found += part
+                if len(found) >= most:
+                    break
         return found[:most]
 
-    def _lost(self) -> Iterator[Sequence[dict[str, Any]]]:
+    def _lost(self) -> Generator[Sequence[dict[str, Any]]]:
         columns, pa = ["case", "status", "reason"], needed("pyarrow", "study")
         good = needed("pyarrow.compute", "study")
-        for part in self._file().iter_batches(columns=columns):
-            ended = good.is_in(part.column(1), value_set=pa.array(GOOD))
-            yield part.filter(good.invert(ended)).to_pylist()
+        with self._file() as file:
+            for part in file.iter_batches(columns=columns):
+                ended = good.is_in(part.column(1), value_set=pa.array(GOOD))
+                yield part.filter(good.invert(ended)).to_pylist()

@@ -12,25 +12,16 @@ from tmodes.study.blocks import pack, unpack
 from tmodes.study.cover import Cover, Gap, Part
 from tmodes.study.derived import derivable, derived, is_formula
 from tmodes.study.kept_series import from_motions, in_motions
+from tmodes.study.kept_size import kept_cases, motion_bytes
 from tmodes.study.pace import Pace
 from tmodes.study.parts import rows_of
 from tmodes.study.remote import compute, order
 from tmodes.study.store import Folder
-from tmodes.study.study import Study
 from tmodes.study.task import Task
 
-__all__ = ["StudyJob", "kept_cases"]
+__all__ = ["StudyJob"]
 
 Progress = Callable[[str, float], None]
-
-
-def kept_cases(study: Study, first: int, end: int) -> tuple[int, ...]:
-    """The cases from ``first`` to before ``end`` whose motion is kept."""
-    keep = study.sheet.keep
-    found = {case for case in keep.cases if first <= case < end}
-    if keep.every:
-        found |= set(range(-(-first // keep.every) * keep.every, end, keep.every))
-    return tuple(sorted(found))
 
 
 class StudyJob:
@@ -44,11 +35,12 @@ class StudyJob:
         self._tasks, self._gaps, self._progress = tasks, list(cover.gaps), progress
         self._total = len(folder.values) + sum(len(task.values) for task in tasks)
         self._left = sum(len(task.values) for task in tasks) + sum(gap.end - gap.first for gap in cover.gaps)
-        kept = 0 if not self.study.sheet.keep.every else 1 << 16
+        every = self.study.sheet.keep.every
+        heavy = motion_bytes(self.study) // every if every else 0
         self._own_threads, self.notice = 1, notice
         self._reached: dict[int, float] = {}
         self._ending = Event()
-        self._pace = Pace(self.study.sheet.block, kept)
+        self._pace = Pace(self.study.sheet.block, heavy)
 
     @staticmethod
     def _from_motions(folder: Folder) -> None:
@@ -132,7 +124,8 @@ class StudyJob:
             hint = "install the same tmodes on all machines"
             raise file_error(which, "a block of something else", "what was asked for", hint)
         folder.write(found)
-        self._pace.took(label.count, label.wall, float(found.rows.seconds.sum()), self._own_threads)
+        work = float(found.rows.seconds.sum())
+        self._pace.took(label.count, label.wall, work, self._own_threads, len(block) // label.count)
         self._left -= label.count
         self._reached.pop(task.first, None)
         self.report()

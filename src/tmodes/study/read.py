@@ -92,7 +92,7 @@ def _of_robot(
         places = filled_places(plain, found.filled)
         study = _checked(plain, changed, found.positions, found.source, problems, places, functions, folder)
     except InputErrors as errors:
-        raise InputErrors([*errors.errors, *found.errors]) from None
+        raise InputErrors([*map(found.as_written, errors.errors), *found.errors]) from None
     if found.errors:
         raise InputErrors(found.errors)
     return study

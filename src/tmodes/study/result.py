@@ -19,7 +19,7 @@ from tmodes.study.plans import Design
 from tmodes.study.rows import STATUS, Kept, Rows, joined
 from tmodes.study.store import BLOCKS, TABLE, Folder, description
 from tmodes.study.study import Study
-from tmodes.study.table import facts_of, grouped, table_of
+from tmodes.study.table import grouped, table_of
 
 __all__ = ["StudyResult", "load_study"]
 
@@ -58,13 +58,10 @@ class StudyResult:
 
     @property
     def shown_rows(self) -> Rows:
-        """The same for what takes one column at a time: read from the table, where it is that of these cases."""
-        table = Columns(self.parquet)
-        if not self.parquet.is_file() or table.cases != len(self.design.values):
+        """The same for what takes one column at a time: read from the table, where it is whole and of these cases."""
+        if not self.stored.has_table:
             return self.rows
-        if table.facts != facts_of(self.stored):
-            return self.rows
-        return table.rows(self.study.names, list(self.study.sheet.quantities))
+        return Columns(self.parquet).rows(self.study.names, list(self.study.sheet.quantities))
 
     def blocks(self) -> Iterator[Rows]:
         """The rows in order, some 100,000 at a time."""
@@ -123,5 +120,5 @@ def load_study(
     if info["base"] != stored.base or info["cases"] != len(design.values):
         hint = "read it with the version of tmodes that has written it, or run the study again"
         raise file_error(path / BLOCKS, "a study whose data mean something else here", "the same study", hint)
-    stored.engine = info["engine"]
+    stored.engine, stored.table = info["engine"], info.get("table", "")
     return StudyResult(study, path, design, stored)

@@ -9,7 +9,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["GOOD", "STATUS", "Kept", "Rows", "joined"]
+__all__ = ["GOOD", "OWN_COLUMNS", "STATUS", "Kept", "Rows", "joined"]
 
 Array = NDArray[np.float64]
 
@@ -17,6 +17,9 @@ STATUS = ("finished", "stopped_by_condition", "stopped", "diverged", "chattering
 """How a case may end; ``failed``: it could not start, or a quantity of it; ``refused``: the sheet has no such robot."""
 
 GOOD = ("finished", "stopped_by_condition")
+
+OWN_COLUMNS = ("case", "label", "status", "reason", "method", "seconds", "errors")
+"""Columns of the table next to those of the parameters and quantities."""
 
 
 @dataclass(frozen=True, eq=False)

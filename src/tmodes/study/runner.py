@@ -9,12 +9,14 @@ from pathlib import Path
 
 from tmodes.errors import InputError, InputErrors, SimulationError
 from tmodes.io.atomic import file_error
+from tmodes.study.claim import locked
 from tmodes.study.extra import needed
-from tmodes.study.job import StudyJob, kept_cases
+from tmodes.study.job import StudyJob
+from tmodes.study.kept_size import kept_cases
 from tmodes.study.motions import write_motions
 from tmodes.study.places.contract import How, place_of
 from tmodes.study.result import StudyResult
-from tmodes.study.store import BLOCKS, STUDY_FILE, Folder, locked
+from tmodes.study.store import BLOCKS, STUDY_FILE, Folder
 from tmodes.study.study import Study
 from tmodes.study.table import refuse_names, write_table
 
@@ -65,6 +67,7 @@ def run_study(
             job.derive()
             write_motions(here, set(kept_cases(study, 0, len(design.values))), progress)
             write_table(here, here.cover(), design.labels, progress)
+            here.end()
     return StudyResult(study, Path(folder), design, here)
 
 

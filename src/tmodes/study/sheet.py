@@ -137,12 +137,12 @@ class StudySheet(DataSheet):
         default=None, min_length=1, max_length=500, description="published robot, or a file in this folder"
     )
     set: dict[str, Any] = Field(default_factory=dict, description="changes of the robot for all cases, by path")
-    parameters: dict[str, Parameter] = Field(min_length=1, max_length=MOST_PARAMETERS, description="what varies")
+    parameters: dict[str, Parameter] = Field(max_length=MOST_PARAMETERS, description="what varies")
     correlations: tuple[Correlation, ...] = Field(
         default=(), strict=False, max_length=MOST_PARAMETERS**2, description="pairs that vary together"
     )
     plan: Plan = Field(description="which cases are run; in a file it may be left out")
-    quantities: dict[str, Quantity] = Field(min_length=1, max_length=MOST_QUANTITIES, description="what is asked")
+    quantities: dict[str, Quantity] = Field(max_length=MOST_QUANTITIES, description="what is asked")
     keep: Keep = Field(default_factory=Keep, description="cases that keep their whole motion")
     optimize: Optimize | None = Field(default=None, description="for `tmodes optimize`")
     block: int | None = count("n", "cases that are stored together", 1_000_000, default=None)

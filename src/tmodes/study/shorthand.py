@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from tmodes.errors import InputError
@@ -23,7 +23,7 @@ USUAL_RUNS = 1000
 class Shorthands:
     """Where a study's data comes from, and what is found on the way: ``errors`` in tables, places they have ``filled``.
 
-    ``rows``: the table and its lines behind each place that is filled.
+    ``written``: keys as they stand in the file, by those for which they stand.
     """
 
     positions: dict[str, int]
@@ -31,10 +31,15 @@ class Shorthands:
     folders: Folders | None
     errors: list[InputError] = field(default_factory=list)
     filled: dict[str, Table] = field(default_factory=dict)
+    written: dict[str, str] = field(default_factory=dict)
 
     def place(self, path: str) -> str:
         """File and line of a path."""
         return f"{self.source}:{nearest_line(path, self.positions)}" if self.source else ""
+
+    def as_written(self, error: InputError) -> InputError:
+        """An error by the key that stands in the file."""
+        return replace(error, which=self.written.get(error.which, error.which))
 
     def table(self, name: str, which: str) -> Table | None:
         """The table of a file; what is wrong with it is kept as an error."""
@@ -74,6 +79,7 @@ def _typed(name: str, group: Any, found: Shorthands) -> Any:
     group, positions = _corrected(name, group, found), found.positions
     for kind, member in QUANTITIES.items():
         if kind in group and member.named:
+            found.written[f"quantities.{name}.{member.named}"] = f"quantities.{name}.{kind}"
             line = positions.get(f"quantities.{name}.{kind}")
             if line is not None:
                 positions[f"quantities.{name}.{member.named}"] = line

@@ -7,8 +7,7 @@ import json
 import os
 import re
 import stat
-from collections.abc import Iterator, Mapping
-from contextlib import contextmanager
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -16,26 +15,30 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.errors import ResultFileError
-from tmodes.io.atomic import FolderLock, atomic_write, check_writable, file_error, remove_orphans
+from tmodes.io.atomic import atomic_write, file_error
 from tmodes.study.addresses import base_of, canonical, cases_address, engine_of_blocks, in_order
 from tmodes.study.blocks import Block, Label, label_of, pack, refused, unpack
 from tmodes.study.cover import Cover, covered
+from tmodes.study.kept_size import kept_count, motion_bytes
 from tmodes.study.rows import Rows
 from tmodes.study.study import Study
 
-__all__ = ["BLOCKS", "MOTIONS", "STUDY_FILE", "TABLE", "Folder", "description", "locked"]
+__all__ = ["BLOCKS", "MOTIONS", "NAME", "PAGE", "STUDY_FILE", "TABLE", "Folder", "description"]
 
 FOLDER_FORMAT = 1
 STUDY_FILE, BLOCKS, TABLE, MOTIONS = "study.json", "blocks", "table.parquet", "trajectories"
+PAGE = "study.html"
 MOST_DESCRIPTION = 1 << 28
 MOST_BLOCK_FILE = 1 << 35
-_NAME = re.compile(r"[0-9a-f]{40}\.block")
+NAME = re.compile(r"[0-9a-f]{40}\.block")
 
 
 @dataclass(eq=False)
 class Folder:
-    """The folder of a study with all its ``values`` (k, d); ``keys``: a digest of each quantity."""
+    """The folder of a study with all its ``values`` (k, d); ``keys``: a digest of each quantity.
+
+    ``table``: digest of the table of all cases, as it was written; empty while there is none.
+    """
 
     path: Path
     study: Study
@@ -45,6 +48,7 @@ class Folder:
     keys: Mapping[str, str]
     asked: dict[str, tuple[int, ...]] = field(default_factory=dict)
     known: dict[str, Label] | None = None
+    table: str = ""
 
     @classmethod
     def of(cls, path: Path, study: Study, values: NDArray[np.float64]) -> Folder:
@@ -77,7 +81,7 @@ class Folder:
 
     def read(self, file: Path) -> Block:
         """A block from its file, verified; its name is that of its content."""
-        if not _NAME.fullmatch(file.name):
+        if not NAME.fullmatch(file.name):
             raise refused(file, "a file that is no block")
         block = unpack(plain_bytes(file, MOST_BLOCK_FILE), file)
         if block.label.name != file.name:
@@ -119,22 +123,44 @@ class Folder:
 
     def begin(self) -> None:
         """Write study.json, all that is needed to read the folder, and make room for the blocks."""
+        self._describe()
+        self.blocks.mkdir(exist_ok=True)
+
+    def end(self) -> None:
+        """Write into study.json which table is that of its cases: one that is older, or damaged, is not believed."""
+        self.table = _file_digest(self.path / TABLE)
+        self._describe(table=self.table)
+
+    @property
+    def has_table(self) -> bool:
+        """Whether the table there is the one that was written for these cases, to the last bit."""
+        file = self.path / TABLE
+        return bool(self.table) and file.is_file() and _file_digest(file) == self.table
+
+    def _describe(self, **more: str) -> None:
         info = {
             "format": FOLDER_FORMAT, "kind": "study folder", "engine": self.engine, "base": self.base,
-            "cases": len(self.values), "data": dict(self.study.data),
+            "cases": len(self.values), "data": dict(self.study.data), **more,
         }  # fmt: skip
         with atomic_write(self.path / STUDY_FILE) as path:
             path.write_bytes(in_order(info | {"digest": _digest(info)}) + b"\n")
-        self.blocks.mkdir(exist_ok=True)
 
     def room(self) -> int:
-        """Bytes that blocks and table may take, without kept motions."""
+        """Bytes that are still to be written at most: blocks that are missing, the table, motions that are kept."""
         columns = len(self.study.names) + 2 * len(self.keys) + 4
-        return 2 * 8 * columns * len(self.values) + 1_000_000
+        table = 8 * columns * len(self.values)
+        missing = table + 2 * kept_count(self.study, len(self.values)) * motion_bytes(self.study)
+        stored = sum(file.stat().st_size for file in self.blocks.glob("*.block"))
+        return table + max(0, missing - stored) + 1_000_000
 
 
 def _digest(info: Mapping[str, Any]) -> str:
     return hashlib.sha256(canonical(dict(info))).hexdigest()
+
+
+def _file_digest(file: Path) -> str:
+    with file.open("rb") as opened:
+        return hashlib.file_digest(opened, "sha256").hexdigest()
 
 
 def plain_bytes(file: Path, most: int) -> bytes:
@@ -171,43 +197,3 @@ def description(path: Path) -> dict[str, Any]:
     if digest != _digest(info):
         raise file_error(file, "a content that does not match its digest", "the description of a study", hint)
     return info
-
-
-@contextmanager
-def locked(folder: Folder, *, overwrite: bool = False) -> Iterator[Folder]:
-    """The folder, locked for one writer, and checked; what does not belong to it is refused.
-
-    ``overwrite``: what an earlier study has left there is removed. Raises :class:`tmodes.errors.ResultFileError`.
-    """
-    path = folder.path
-    check_writable(path, folder.room())
-    with FolderLock(path):
-        if overwrite:
-            _remove_study(path)
-        if folder.blocks.is_symlink():
-            raise file_error(folder.blocks, "a link", "a folder", "name another folder for the study")
-        if os.path.lexists(path / STUDY_FILE):
-            if description(path)["base"] != folder.base:
-                hint = "name another folder (--out), or replace what is there (--overwrite)"
-                raise file_error(
-                    f"folder {path}", "a study of another robot or of other parameters", "a folder of this study", hint
-                )
-        elif os.path.lexists(folder.blocks) and (not folder.blocks.is_dir() or any(folder.blocks.iterdir())):
-            raise file_error(f"folder {path}", f"blocks without {STUDY_FILE}", "the folder of a study", "name another")
-        if folder.blocks.is_dir():
-            remove_orphans(folder.blocks)
-        yield folder
-
-
-def _remove_study(path: Path) -> None:
-    """Remove the files of a study, and nothing else; its description last: what is left halfway is still known."""
-    hint = "remove it by hand, or name another folder"
-    if (path / BLOCKS).is_symlink():
-        raise file_error(path / BLOCKS, "a link", "a folder", hint)
-    found = [path / TABLE, path / "study.html", *(path / MOTIONS).glob("case_*.nc")]
-    found += [file for file in (path / BLOCKS).glob("*.block") if _NAME.fullmatch(file.name)]
-    try:
-        for file in [*found, path / STUDY_FILE]:
-            file.unlink(missing_ok=True)
-    except OSError as error:
-        raise ResultFileError(f"{path} cannot be emptied: {error.strerror}; {hint}") from error

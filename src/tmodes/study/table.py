@@ -12,17 +12,14 @@ from tmodes.errors import InputError
 from tmodes.io.atomic import atomic_write
 from tmodes.study.extra import needed
 from tmodes.study.parts import rows_of
-from tmodes.study.rows import Rows, joined
+from tmodes.study.rows import OWN_COLUMNS, Rows, joined
 from tmodes.study.store import TABLE, Folder
 
 if TYPE_CHECKING:
     from tmodes.study.cover import Cover
     from tmodes.study.study import Study
 
-__all__ = ["OWN_COLUMNS", "ROW_GROUP", "facts_of", "grouped", "refuse_names", "table_of", "write_table"]
-
-OWN_COLUMNS = ("case", "label", "status", "reason", "method", "seconds", "errors")
-"""Columns next to those of the parameters and quantities."""
+__all__ = ["ROW_GROUP", "facts_of", "grouped", "refuse_names", "table_of", "write_table"]
 
 ROW_GROUP = 100_000
 """Rows that are in memory at once, as they are written."""
@@ -34,13 +31,13 @@ def write_table(folder: Folder, cover: Cover, labels: Mapping[int, str], progres
     """Write table.parquet of all cases, sorted by case."""
     pq = needed("pyarrow.parquet", "study")
     done, total = 0, len(folder.values)
-    with atomic_write(folder.path / TABLE) as path:
+    with atomic_write(folder.path / TABLE) as path, path.open("wb") as file:
         writer = None
         try:
             for rows in grouped(folder, cover):
                 progress("table", done / total)
                 table = table_of(folder.study, rows, labels, facts_of(folder))
-                writer = writer or pq.ParquetWriter(path, table.schema, compression="zstd")
+                writer = writer or pq.ParquetWriter(file, table.schema, compression="zstd")
                 writer.write_table(table)
                 done += len(rows)
         finally:

@@ -68,6 +68,9 @@ def read_table(folders: Folders, name: str, which: str, place: str) -> Table:
             raise InputError(
                 "the row", got, f"{len(names)}, as in the header", "add or remove commas", f"{name}:{line}"
             )
+    if not body:
+        got, hint = "a header without a row below it", "add rows, or name another file"
+        raise InputError(which, f"{shown(name)}, {got}", "a file with rows", hint, place)
     cells = [tuple(_cell(row[k], units[k]) for _, row in body) for k in range(len(names))]
     return Table(name, dict(zip(names, cells, strict=True)), tuple(line for line, _ in body))
 

@@ -174,7 +174,7 @@ def test_a_function_of_ones_own_and_its_exception():
     ("name", "reason"),
     [
         ("list", "must return one number, got an array of shape (2,)"),
-        ("words", "must return one number, got a str"),
+        ("words", "must return one number, got `str`"),
         ("infinite", "must return a finite number, got inf"),
         ("changes", "ValueError: assignment destination is read-only"),
     ],

@@ -5,14 +5,19 @@ from __future__ import annotations
 import json
 import os
 import signal
+import sys
+from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
+import xarray as xr
 
 from command import tmodes
 from study.core.studies import short
-from tmodes.errors import SimulationError
+from tmodes.errors import SimulationError, TmodesError
 from tmodes.study.ways import results
+from tmodes.study.ways.call import called
 
 ALARMS = pytest.mark.skipif(not hasattr(signal, "setitimer"), reason="needs a system with alarms")
 VALUES = np.array([[1.0], [0.9]])
@@ -89,6 +94,74 @@ def test_one_that_takes_its_process_with_it_is_an_error_in_words(function, monke
     monkeypatch.setattr(results.os, "cpu_count", lambda: 2)
     with pytest.raises(SimulationError, match=f"has ended by itself: look at `{function.__name__}`"):
         evaluated(2, 0.3, **{function.__name__: function})
+
+
+class TaskEndedError(BaseException):
+    """As libraries raise it to end a task: no ``except Exception`` finds it."""
+
+
+class MuteError(Exception):
+    def __str__(self):
+        raise RuntimeError
+
+
+class Stubborn:
+    def __array__(self, *_, **__):
+        raise ValueError("no array")
+
+
+RAISED = {
+    "TaskEndedError: over": TaskEndedError("over"), "GeneratorExit:": GeneratorExit(), "SystemExit: 0": SystemExit(0),
+    "MuteError, whose own text cannot be made": MuteError(),
+    r"ValueError: \x1b[31m red \udc80 \x00": ValueError("\x1b[31m red\n \udc80 \x00"),
+}  # fmt: skip
+
+
+class Empty:
+    """A result without data."""
+
+    def __init__(self):
+        self.data = xr.Dataset()
+
+
+NOTHING = Empty()
+
+
+@pytest.mark.parametrize("reason", list(RAISED))
+def test_whatever_is_raised_is_a_reason_in_one_plain_line(reason):
+    def raises(result):
+        raise RAISED[reason]
+
+    with pytest.raises(TmodesError) as wrong:
+        called(raises, NOTHING, 60.0)
+    assert str(wrong.value) == reason
+
+
+@pytest.mark.parametrize(("value", "words"), [
+    (10**400, "`int`, of which none can be made"), ([1, [2]], "`list`, of which none"), (Stubborn(), "no array"),
+    (True, "`bool`"), (None, "`NoneType`"), ("1.0", "`str`"), (np.ones(1), r"an array of shape \(1,\)"),
+])  # fmt: skip
+def test_what_is_no_number_is_said(value, words):
+    with pytest.raises(TmodesError, match=f"must return one number, got {words}" if words != "no array" else words):
+        called(lambda _: value, NOTHING, 60.0)
+
+
+def test_numbers_of_all_kinds_are_numbers():
+    numbers: list[Any] = [2, 10**300, np.float32(2), np.int8(2)]
+    assert [called(lambda _, one=one: one, NOTHING, 60.0) for one in numbers] == [2.0, 1e300, 2.0, 2.0]
+
+
+def test_it_may_close_its_output_and_leave_the_folder(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+
+    def leaves(result):
+        os.chdir("/")
+        sys.stdout.close()
+        return 1.0
+
+    assert called(leaves, NOTHING, 60.0) == 1.0
+    print("both streams are open", file=sys.stderr)
+    assert Path.cwd().samefile(tmp_path)
 
 
 STUDY = """

@@ -44,6 +44,33 @@ READ = {
         ["parameters.k must be varied by one of distribution, choices and catalogue"],
     ),
     "column": (("  y:", "  errors:"), ["wrong.yaml:10:", "a column of the table"]),
+    "label": (("  y:", "  label:"), ["wrong.yaml:10:", "got the name 'label', a column of the table"]),
+    "no quantity": (
+        ("quantities:\n  y: {series: tip.x, reduce: max}", "quantities: {}"),
+        ["wrong.yaml:9: quantities must be at least one quantity, got none; write one: `peak:"],
+    ),
+    "no parameter": (
+        ("parameters:\n  k: {path: joints.joint.gear.stiffness, distribution: {type: uniform, low: 60, high: 140}}",
+         "parameters: {}"),
+        ["wrong.yaml:6: parameters must be at least one parameter, got none"],
+    ),
+    "own key": (
+        ("series: tip.x, reduce: max", "expression: 'k +'"),
+        ["wrong.yaml:10: quantities.y.expression must be a formula of k, y"],
+    ),
+    "percent": (("reduce: max", "reduce: 'percentile:200'"), ["Did you mean `percentile:95`?"]),
+    "no point": (
+        ("{type: monte_carlo, runs: 4}", "{type: grid, points: {k: []}}"),
+        ["wrong.yaml:8: plan.points.k must be one value or more, got an empty list"],
+    ),
+    "chosen twice": (
+        ("plan:", "optimize: {objectives: [{minimize: y}], design: [k, k]}\nplan:"),
+        ["wrong.yaml:8: optimize.design.1 must be each parameter once, got 'k', given twice"],
+    ),
+    "no row": (
+        ("{type: uniform, low: 60, high: 140}", "{type: empirical, file: header.csv}"),
+        ["wrong.yaml:7: parameters.k.distribution.file must be a file with rows, got 'header.csv', a header"],
+    ),
 }  # fmt: skip
 
 
@@ -53,6 +80,7 @@ def test_a_file_that_is_wrong(name, tmp_path):
     assert old in STUDY
     file = tmp_path / "wrong.yaml"
     file.write_text(STUDY.replace(old, new), encoding="utf-8")
+    (tmp_path / "header.csv").write_text("k\n", encoding="utf-8")
     with pytest.raises(InputErrors) as wrong:
         read_study(file)
     for message in messages:

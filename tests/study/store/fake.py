@@ -40,6 +40,7 @@ class FakeStudy:
     calls: list[tuple[int, int, tuple[str, ...]]] = field(default_factory=list)
     before: Callable[[int], None] = lambda first: None
     needs: Needs = field(default_factory=lambda: Needs(static=("x",)))
+    robot: Any = None
 
     def from_data(self, info: Mapping[str, Any], functions: Any = None) -> FakeStudy:
         return FakeStudy(info, functions or {}, self.calls, self.before, self.needs)

@@ -57,15 +57,19 @@ def refuse_unknown_rules(reductions: Sequence[Reduction]) -> None:
             continue
         expected = f"one of {', '.join(HOWS)}, or {_PERCENTILE}P with P from 0 to 100"
         wrong = f"the rule {one.how!r}"
-        try:
-            share = float(one.how.removeprefix(_PERCENTILE)) if one.how.startswith(_PERCENTILE) else np.nan
-        except ValueError:
-            share = np.nan
-        if not 0 <= share <= 100:
-            word, _, percent = one.how.partition(":")
+        word, _, percent = one.how.partition(":")
+        if not (one.how.startswith(_PERCENTILE) and _is_share(percent)):
             close = nearest(word, (*HOWS, "percentile"))
-            close = f"percentile:{percent or 95}" if close == "percentile" else close
+            close = f"percentile:{percent if _is_share(percent) else 95}" if close == "percentile" else close
             raise InputError(f"reduction of {one.series}", wrong, expected, f"did you mean `{close}`?" if close else "")
+
+
+def _is_share(text: str) -> bool:
+    """Whether a text is a number of percent."""
+    try:
+        return 0 <= float(text) <= 100
+    except ValueError:
+        return False
 
 
 def of_sums(one: Reduction, sums: Array) -> Array:

@@ -50,6 +50,9 @@ class Grid(Plan):
         return Design(np.column_stack([values.ravel() for values in mesh]), {"axes": [axis.tolist() for axis in axes]})
 
     def issues(self, space: Space) -> Iterator[Issue]:
-        """Names that no parameter has."""
+        """Names that no parameter has, and lists without a value."""
         yield from unknown_names("levels_of", self.levels_of, space)
         yield from unknown_names("points", self.points, space)
+        for name, points in self.points.items():
+            if not points:
+                yield Issue(f"points.{name}", "an empty list", "one value or more", "write the values, or leave it out")

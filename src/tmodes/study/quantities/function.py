@@ -18,24 +18,16 @@ is ended, and with it the run of the study, which the same command resumes.
 
 from __future__ import annotations
 
-import faulthandler
 import hashlib
 import inspect
-import multiprocessing
-import os
-import signal
 import sys
-import threading
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import contextmanager, redirect_stdout
-from pathlib import Path
 from types import CodeType
 from typing import Any, ClassVar, Literal
 
-import numpy as np
 from pydantic import Field
 
-from tmodes.errors import InputError, TmodesError
+from tmodes.errors import InputError
 from tmodes.kinds.schema.quantity import Issue
 from tmodes.kinds.schema.quantity import quantity as number_field
 from tmodes.study.quantities.contract import QUANTITIES, Asked, Found, Needs, Quantity
@@ -43,7 +35,6 @@ from tmodes.study.quantities.contract import QUANTITIES, Asked, Found, Needs, Qu
 __all__ = [
     "REGISTERED",
     "Function",
-    "called",
     "code_digest",
     "function_digest",
     "function_issues",
@@ -85,79 +76,6 @@ class Function(Quantity):
         """What the function returned."""
         assert asked.own is not None  # noqa: S101
         return asked.own, asked.own_reasons
-
-
-def called(function: Own, result: Any, timeout: float) -> float:
-    """One finite number of a result; raises :class:`tmodes.errors.TmodesError` that says why there is none."""
-    own = _own_view(result)
-    try:
-        with _limited(timeout), redirect_stdout(sys.stderr):
-            value = function(own)
-    except _TooLongError:
-        raise TmodesError(f"TimeoutError: took longer than {timeout:g} s") from None
-    except (Exception, SystemExit) as error:
-        raise TmodesError(f"{type(error).__name__}: {error}"[:500]) from error
-    found = np.asarray(value)
-    if found.shape or not (np.issubdtype(found.dtype, np.integer) or np.issubdtype(found.dtype, np.floating)):
-        what = f"an array of shape {found.shape}" if found.shape else f"a {type(value).__name__}"
-        raise TmodesError(f"the function must return one number, got {what}")
-    if not np.isfinite(found):
-        raise TmodesError(f"the function must return a finite number, got {float(found)!r}")
-    return float(found)
-
-
-def _own_view(result: Any) -> Any:
-    """The result with a dictionary of its own, over the same arrays, which cannot be written."""
-    for variable in result.data.variables.values():
-        variable.values.flags.writeable = False
-    view = object.__new__(type(result))
-    view.__dict__.update(result.__dict__, data=result.data.copy(deep=False))
-    return view
-
-
-class _TooLongError(BaseException):
-    """The time is over: no ``except Exception`` of a function may hide it."""
-
-
-_AGAIN = 0.5
-"""Seconds after which one that has hidden it all the same is interrupted once more."""
-
-_GRACE = 5.0
-"""Seconds after twice its time, when a process that came back from no alarm is ended."""
-
-
-@contextmanager
-def _limited(seconds: float) -> Iterator[None]:
-    """Raise _TooLongError in what takes longer; only in the main thread of a process of a system with alarms."""
-    if not hasattr(signal, "setitimer") or threading.current_thread() is not threading.main_thread():
-        yield
-        return
-
-    def stop(*_: Any) -> None:
-        raise _TooLongError
-
-    before = signal.signal(signal.SIGALRM, stop)
-    with _ended_after(2 * seconds + _GRACE):
-        signal.setitimer(signal.ITIMER_REAL, seconds, _AGAIN)
-        try:
-            yield
-        finally:
-            signal.setitimer(signal.ITIMER_REAL, 0)
-            signal.signal(signal.SIGALRM, before)
-
-
-@contextmanager
-def _ended_after(seconds: float) -> Iterator[None]:
-    """End a process that computes results alone, where it hangs in code that no alarm interrupts."""
-    if multiprocessing.parent_process() is None:
-        yield
-        return
-    with Path(os.devnull).open("w", encoding="utf-8") as nowhere:
-        faulthandler.dump_traceback_later(seconds, exit=True, file=nowhere)
-        try:
-            yield
-        finally:
-            faulthandler.cancel_dump_traceback_later()
 
 
 def code_digest(function: Own) -> str:

@@ -22,7 +22,8 @@ from tmodes.kinds.registry import USED, use
 from tmodes.result.run import run
 from tmodes.sheet import Robot
 from tmodes.study.quantities import Needs, Quantity
-from tmodes.study.quantities.function import Function, called, function_of
+from tmodes.study.quantities.function import Function, function_of
+from tmodes.study.ways.call import called
 from tmodes.study.ways.part import Part
 
 __all__ = ["by_results"]
