@@ -165,7 +165,10 @@ class ChainPlace:
         rules = self.info.metadata if self.info else []
         if self.extra.get("span"):
             largest = next((rule.le for rule in rules if hasattr(rule, "le")), None)
-            return span_info(self.extra, largest, whole=self.annotation is int)
+            least = self.extra["smallest"]
+            if self.annotation is int:
+                least = next((rule.ge for rule in rules if hasattr(rule, "ge")), max(1.0, least))
+            return span_info(least, largest)
         notes = get_args(self.annotation)[1:] if get_origin(self.annotation) is Annotated else ()
         inner = [rule for note in notes for rule in (note.metadata if isinstance(note, FieldInfo) else [note])]
         words = {"gt": "greater than", "ge": "not less than", "le": "not more than"}

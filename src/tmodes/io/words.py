@@ -27,7 +27,7 @@ def shown(value: Any) -> str:
         case str():
             text = repr(value if len(value) <= LONGEST else value[:LONGEST] + "...")
         case Mapping():
-            text = f"a group of {len(value)} keys"
+            text = f"a group of {len(value)} keys" if len(value) != 1 else "a group of one key"
         case Sequence():
             text = f"a list of {len(value)}"
         case _:

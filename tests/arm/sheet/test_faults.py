@@ -86,7 +86,11 @@ VALUES = [
         "joints.shoulder.gear must be a group with the keys stiffness, torque_limits, damping, backlash, got 4700",
         "",
     ),
-    (lambda d: d.update(joints={"shoulder": {}}), "joints must be a list of 0 to 500 items, got a group of 1 keys", ""),
+    (
+        lambda d: d.update(joints={"shoulder": {}}),
+        "joints must be a list of 0 to 500 items, got a group of one key",
+        "",
+    ),
     (lambda d: d.update(name=""), "name must be", "text of 1 to 100 characters"),
     (lambda d: d["links"][0]["beam"].update(section="tube"), "links.upper.beam.section", ""),
     (lambda d: d["links"][0]["beam"].update(material=[1]), "links.upper.beam.material", ""),

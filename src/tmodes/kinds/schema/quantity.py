@@ -153,7 +153,6 @@ def any_sign(unit: str, symbol: str, meaning: str, **more: Any) -> Any:
     return quantity(unit, symbol, meaning, **more)
 
 
-def span_info(extra: Mapping[str, Any], largest: float | None, *, whole: bool) -> str:
+def span_info(least: float, largest: float | None) -> str:
     """The least and the largest value of a quantity whose messages state both, such as `` from 1e-13 to 0.01``."""
-    least = max(1.0, extra["smallest"]) if whole else extra["smallest"]
     return f" from {least:g} to {LARGEST if largest is None else largest:g}"

@@ -11,6 +11,7 @@ from concurrent.futures import ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -49,6 +50,11 @@ class _Task:
     robot: dict[str, Any]
     quantities: dict[str, tuple[type[Quantity], dict[str, Any]]]
     errors: frozenset[str]
+
+    @cached_property
+    def sheet(self) -> Robot:
+        """The robot as a sheet, checked once in each process."""
+        return Robot.from_data(self.robot)
 
 
 def by_results(
@@ -135,7 +141,7 @@ def _ran(task: _Task, functions: Functions, changes: Mapping[str, float]) -> _Ca
     began = clock.process_time()
     estimates = {f"integration.{name}": key in task.errors for key, name in _ESTIMATES.items()}
     try:
-        result = run(Robot.from_data(task.robot).with_({**changes, **estimates}))
+        result = run(task.sheet.with_({**changes, **estimates}))
     except (InputError, InputErrors) as error:
         return _Case("refused", str(error), "", clock.process_time() - began, {})
     except SimulationError as error:
