@@ -148,7 +148,7 @@ def test_a_dark_studio_has_light_curves_on_paper(tab: Tab) -> None:
     printed = []
     for scheme in ("light", "dark"):
         tab.page.emulate_media(color_scheme=scheme)
-        before = steady(lambda: tab.page.evaluate(PAPER))
+        before = steady(lambda: until(lambda: tab.page.evaluate(PAPER), "charts"))
         tab.page.evaluate("dispatchEvent(new Event('beforeprint'))")
         tab.page.emulate_media(media="print", color_scheme=scheme)
         printed.append(tab.page.evaluate(PAPER))

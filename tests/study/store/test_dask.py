@@ -9,8 +9,9 @@ import pytest
 from command import tmodes
 from study.store.processes import cluster, command, ended, reached
 from study.store.test_killed import sheet, table, whole  # noqa: F401 - fixtures
-from tmodes.errors import InputError
+from tmodes.errors import InputError, SimulationError
 from tmodes.study.places import How, place_of
+from tmodes.study.places.dask import work_through
 
 pytest.importorskip("distributed")
 
@@ -82,3 +83,29 @@ def test_other_machines_are_not_reached_without_certificates(tmp_path):
     assert place_of("dask://192.0.2.1:8786", How(insecure=True)).address == "tcp://192.0.2.1:8786"  # pyright: ignore[reportAttributeAccessIssue]
     for loopback in ("127.0.0.1", "localhost", "[::1]"):
         assert place_of(f"dask://{loopback}:1", How()).address == f"tcp://{loopback}:1"  # pyright: ignore[reportAttributeAccessIssue]
+
+
+class Refusing:
+    """A client that has not heard yet that its scheduler is gone."""
+
+    status = "running"
+
+    def __init__(self, error: OSError) -> None:
+        self.error = error
+
+    def scheduler_info(self, n_workers: int) -> dict:
+        raise self.error
+
+    def cancel(self, futures: list, *, force: bool) -> None:
+        raise self.error
+
+
+@pytest.mark.parametrize("error", [ConnectionRefusedError(111, "refused"), OSError("Timed out trying to connect")])
+def test_a_connection_that_the_client_still_believes_in_is_lost_all_the_same(error):
+    with pytest.raises(SimulationError, match="connection to the scheduler is lost"):
+        work_through(Refusing(error), None)
+
+
+def test_a_full_disk_is_no_lost_connection():
+    with pytest.raises(OSError, match="No space"):
+        work_through(Refusing(OSError(28, "No space left on device")), None)

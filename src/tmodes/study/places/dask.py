@@ -103,7 +103,7 @@ def work_through(client: Any, job: Job) -> None:
     except TmodesError:
         raise
     except (Exception, CancelledError) as error:
-        if client.status == "running":
+        if client.status == "running" and not _of_connection(error):
             raise
         lost = "the connection to the scheduler is lost; the same command computes the rest"
         raise SimulationError(lost) from error
@@ -111,6 +111,11 @@ def work_through(client: Any, job: Job) -> None:
         if client.status == "running":
             with suppress(OSError, RuntimeError):
                 client.cancel(list(pending), force=True)
+
+
+def _of_connection(error: BaseException) -> bool:
+    """Whether an error is that of a connection, of which the client itself may hear later; Dask's have no number."""
+    return isinstance(error, (ConnectionError, TimeoutError)) or (isinstance(error, OSError) and error.errno is None)
 
 
 def _work(client: Any, job: Job, pending: dict[Any, Task]) -> None:
