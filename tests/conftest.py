@@ -19,7 +19,7 @@ settings.load_profile("tmodes")
 
 
 def pytest_xdist_auto_num_workers() -> int:
-    """For ``--numprocesses auto`` one more than there are cores: tests in browsers and of programs wait half the time."""
+    """For ``--numprocesses auto`` one more than there are cores: in browsers tests wait half the time."""
     return (os.cpu_count() or 1) + 1
 
 
