@@ -18,11 +18,6 @@ settings.register_profile("tmodes", deadline=None, derandomize=True, print_blob=
 settings.load_profile("tmodes")
 
 
-def pytest_xdist_auto_num_workers() -> int:
-    """For ``--numprocesses auto`` one more than there are cores: in browsers tests wait half the time."""
-    return (os.cpu_count() or 1) + 1
-
-
 @pytest.fixture(scope="session", autouse=True)
 def private_cache(tmp_path_factory: pytest.TempPathFactory) -> None:
     """Compiled code goes to a folder of this session, also from programs that tests start; all workers share it."""

@@ -26,10 +26,11 @@ def stored(good: Result, tmp_path_factory: pytest.TempPathFactory) -> Path:
     return good.save(tmp_path_factory.mktemp("stored") / "result.nc")
 
 
-@pytest.fixture
-def alone(drawn_figures: tuple[Path, list[tuple[int, int, str]]]) -> dict[str, bytes]:
+@pytest.fixture(scope="module")
+def alone(good: Result, tmp_path_factory: pytest.TempPathFactory) -> dict[str, bytes]:
     """The files as this process draws them."""
-    return {file: (drawn_figures[0] / file).read_bytes() for file in FILES}
+    files = plot.save_figures(good, tmp_path_factory.mktemp("alone"), ("svg", "png"), names=NAMES)
+    return {file.name: file.read_bytes() for file in files}
 
 
 @pytest.fixture

@@ -34,7 +34,7 @@ HIDDEN = """() => [...document.querySelectorAll(".charts button, .sliders-panel 
 LINE = "document.querySelector('[data-chart=tip_deviation] .time-line').style.transform"
 
 
-@pytest.fixture(params=SIZES, ids=lambda size: f"{size[0]}x{size[1]}")
+@pytest.fixture(scope="module", params=SIZES, ids=lambda size: f"{size[0]}x{size[1]}")
 def page(browser: Any, reports: dict[str, Path], request: pytest.FixtureRequest) -> Any:
     """The report of a finished run in a window of this size."""
     found = look(browser, reports["good"], request.param).page
@@ -43,6 +43,7 @@ def page(browser: Any, reports: dict[str, Path], request: pytest.FixtureRequest)
 
 
 def test_a_part_that_stays_in_sight_moves_nothing(page: Any) -> None:
+    page.evaluate("document.activeElement.blur()")
     page.evaluate("scrollTo(0, 400)")
     assert page.evaluate("scrollY") == 400
     assert page.evaluate(MOVED, ":is(.transport, nav, .stage) :is(a, button, input, select, summary)") == []
