@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import subprocess
+from typing import Any
 
 import pytest
 
@@ -85,6 +86,9 @@ def test_other_machines_are_not_reached_without_certificates(tmp_path):
         assert place_of(f"dask://{loopback}:1", How()).address == f"tcp://{loopback}:1"  # pyright: ignore[reportAttributeAccessIssue]
 
 
+NO_JOB: Any = None
+
+
 class Refusing:
     """A client that has not heard yet that its scheduler is gone."""
 
@@ -103,9 +107,9 @@ class Refusing:
 @pytest.mark.parametrize("error", [ConnectionRefusedError(111, "refused"), OSError("Timed out trying to connect")])
 def test_a_connection_that_the_client_still_believes_in_is_lost_all_the_same(error):
     with pytest.raises(SimulationError, match="connection to the scheduler is lost"):
-        work_through(Refusing(error), None)
+        work_through(Refusing(error), NO_JOB)
 
 
 def test_a_full_disk_is_no_lost_connection():
     with pytest.raises(OSError, match="No space"):
-        work_through(Refusing(OSError(28, "No space left on device")), None)
+        work_through(Refusing(OSError(28, "No space left on device")), NO_JOB)
