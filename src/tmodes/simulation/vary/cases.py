@@ -48,7 +48,7 @@ _MOST = 400
 """Vectors that surfaces may take where these cases are part of more: it must not depend on which part they are."""
 
 
-_COMMON = ("ranges", "held", "_slope", "_structure", "forms", "_moves")
+_COMMON = ("ranges", "held", "_inverse", "_structure", "forms", "_moves")
 """What does not depend on the values themselves."""
 
 
@@ -84,7 +84,7 @@ class Cases:
         return LoopModel(planned(self.like.robot, Follow.HELD).plan)
 
     @cached_property
-    def _slope(self) -> Array:
+    def _inverse(self) -> Array:
         """The inverse of the slope at the rest of ``like``, near those of all others."""
         rest, row = self.like.rest, planned(self.like.robot, Follow.HELD).schedule.rows_at(np.zeros(1))[0]
         assert rest is not None  # noqa: S101
@@ -195,7 +195,7 @@ class Cases:
         while len(lost):
             begin = np.broadcast_to(near, (len(lost), len(names))).copy()
             begin[:, places] = held[lost]
-            found[lost] = rests(self.held, numbers[lost], rows[lost], begin, rest.free, self._slope)
+            found[lost] = rests(self.held, numbers[lost], rows[lost], begin, rest.free, self._inverse)
             known, before = np.flatnonzero(np.isfinite(found).all(axis=1)), len(lost)
             lost = np.flatnonzero(~np.isfinite(found).all(axis=1))
             if len(lost) == before or not len(known):

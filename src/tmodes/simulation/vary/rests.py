@@ -26,9 +26,7 @@ _LITTLE = 1e-3
 """First step [rad, m] too short to leave a branch."""
 
 
-def rests(
-    loop: LoopModel, numbers: Array, rows: Array, near: Array, free: NDArray[np.intp], inverse: Array | None = None
-) -> Array:
+def rests(loop: LoopModel, numbers: Array, rows: Array, near: Array, free: NDArray[np.intp], inverse: Array) -> Array:
     """Poses (k, nq) in which nothing accelerates, not-a-number where none is found near by, on the same branch.
 
     ``loop`` holds every drive; ``numbers`` (k, size) and ``rows`` (k, row) are its parameters and signals at rest,
@@ -37,10 +35,9 @@ def rests(
     (free, free): :func:`inverse_at` a robot near by, tried first for all: its steps are many and cheap.
     """
     search = _Search(loop, numbers, rows, free, near.copy())
-    if inverse is not None:
-        going = search.left
-        search.steps(going, np.broadcast_to(inverse, (len(going), *inverse.shape)), _SHARED_STEPS, SETTLED * 1e-3)
-        search.again(np.flatnonzero(~search.settled | search.strays), near)
+    going = search.left
+    search.steps(going, np.broadcast_to(inverse, (len(going), *inverse.shape)), _SHARED_STEPS, SETTLED * 1e-3)
+    search.again(np.flatnonzero(~search.settled | search.strays), near)
     for _ in range(_ROUNDS):
         going = search.left
         if not len(going):
