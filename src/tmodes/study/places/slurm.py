@@ -76,8 +76,6 @@ def cluster_of(how: How) -> Any:
     Certificates are those of ``how.tls``, else temporary ones (library cryptography), which the jobs find in
     ``shared_temp_directory``.
     """
-    from dask_jobqueue.slurm import SLURMCluster
-
     asked = {"cores": CORES, "memory": MEMORY, "processes": 1} | resources_of(how)
     asked.pop("jobs", None)
     if how.tls is not None:
@@ -85,4 +83,5 @@ def cluster_of(how: How) -> Any:
     elif not how.insecure:
         needed("cryptography", "cluster")
         asked["security"] = True
-    return SLURMCluster(**asked, scheduler_options={"dashboard_address": ":0"})  # whatever else has the usual port
+    cluster = needed("dask_jobqueue.slurm", "cluster").SLURMCluster
+    return cluster(**asked, scheduler_options={"dashboard_address": ":0"})  # whatever else has the usual port
