@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 
 from arm.see.runs import result_of
-from see.looking import OPTIONS, WITHOUT_WEBGL
+from browsing import OPTIONS, WITHOUT_WEBGL
 from see.scene_window import scene_pages
 from tmodes import load, plot, run
 from tmodes.report import write_report

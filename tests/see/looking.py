@@ -6,13 +6,12 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
+from browsing import never_idle
 from patience import WAIT
 
-__all__ = ["OPTIONS", "SIZES", "WITHOUT_WEBGL", "Window", "look"]
+__all__ = ["SIZES", "Window", "look"]
 
 SIZES = ((1280, 800), (400, 800))
-OPTIONS = ("--no-sandbox", "--enable-unsafe-swiftshader", "--use-gl=angle", "--use-angle=swiftshader")
-WITHOUT_WEBGL = ("--no-sandbox", "--disable-gpu", "--disable-software-rasterizer", "--disable-3d-apis")
 SLOW = ("GL Driver Message", "Multiple readback operations")
 """What the browser says of drawing in software, and of tests that look at pixels."""
 
@@ -39,18 +38,19 @@ def look(
     scheme: str = "light",
     *,
     unfolded: bool = False,
-    busy: bool = False,
+    idle: bool = False,
     **more: Any,
 ) -> Window:
     """Open a page, and listen; return when its program has started.
 
-    ``unfolded``: with all its sliders in sight; ``busy``: it never has time for what is out of sight.
+    ``unfolded``: with all its sliders in sight; ``idle``: it has time for what is out of sight and for the order of
+    its sliders, which take most of a second.
     """
     viewport = {"width": size[0], "height": size[1]}
     context = browser.new_context(viewport=viewport, color_scheme=scheme, reduced_motion="reduce", **more)
     context.set_default_timeout(WAIT)
-    if busy:
-        context.add_init_script("window.requestIdleCallback = () => 0")
+    if not idle:
+        never_idle(context)
     window = Window(context.new_page())
     window.page.on(
         "console", lambda message: any(word in message.text for word in SLOW) or window.said.append(message.text)

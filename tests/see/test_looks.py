@@ -95,7 +95,7 @@ def test_of_two_robots_in_one_place_one_hides_the_other(browser: Any, pages: dic
 @pytest.mark.parametrize("kind", ["report", "two"])
 def test_nothing_is_blank_in_a_picture_of_the_whole_page(browser: Any, pages: dict[str, Path], kind: str) -> None:
     """What is never scrolled to is drawn when there is time."""
-    page = look(browser, pages[kind], (1280, 640)).page
+    page = look(browser, pages[kind], (1280, 640), idle=True).page
     until(lambda: page.evaluate(BLANK) == [], "every chart")
     until(lambda: " s. The scales" in page.locator(".panel .note").first.text_content(), "the elastic line")
     assert page.evaluate("scrollY") == 0

@@ -35,7 +35,7 @@ def window(browser: Any, tmp_path_factory: pytest.TempPathFactory) -> Any:
     """Its report, open."""
     path = tmp_path_factory.mktemp("newest") / "report.html"
     path.write_text(short_report(), encoding="utf-8")
-    window = look(browser, path, LOW, unfolded=True, busy=True)
+    window = look(browser, path, LOW, unfolded=True)
     window.page.wait_for_selector(f"{STATUS}:text('Move a slider')")
     return window
 

@@ -17,10 +17,11 @@ from tmodes.result import Result
 
 AXE = Path(__file__).resolve().parents[2] / "web" / "node_modules" / "axe-core" / "axe.min.js"
 INK = """id => { const c = document.querySelector(`[data-chart=${id}] canvas`); const d = c.getContext('2d')
-  .getImageData(0, 0, c.width, c.height).data; const seen = new Set();
-  for (let k = 0; k < d.length; k += 4) if (d[k + 3] > 200) seen.add((d[k] << 16) + (d[k + 1] << 8) + d[k + 2]);
-  return seen.size }"""
-"""How many colours a chart shows."""
+  .getImageData(0, 0, c.width, c.height).data; const seen = new Set(); let count = 0;
+  for (let k = 0; k < d.length; k += 4) { if (d[k + 3] > 200) seen.add((d[k] << 16) + (d[k + 1] << 8) + d[k + 2]);
+    count += d[k + 3] > 60 && d[k + 3] < 140 }
+  return [seen.size, count] }"""
+"""How many colours a chart shows, and how many of its pixels are pale."""
 LINE = "document.querySelector('[data-chart=tip_deviation] .time-line').style.transform"
 PLAY = ".transport .play"
 
@@ -36,8 +37,8 @@ def shown(window: Any) -> float:
     return float(window.page.locator(".transport .time").inner_text().split(" s of")[0])
 
 
-def ink(window: Any, chart: str) -> int:
-    """How many colours a chart shows, once it is drawn."""
+def ink(window: Any, chart: str) -> list[int]:
+    """How many colours a chart shows, and how many of its pixels are pale, once it is drawn."""
     window.page.locator(f"[data-chart={chart}]").scroll_into_view_if_needed()
     window.page.wait_for_selector(f"[data-chart={chart}] canvas")
     return window.page.evaluate(INK, chart)
@@ -49,7 +50,7 @@ def seek(window: Any, share: float) -> None:
 
 def test_charts_are_drawn_in_colours(window: Any) -> None:
     window.page.wait_for_selector("[data-chart=tip_deviation] canvas")
-    assert ink(window, "tip_deviation") > 20
+    assert ink(window, "tip_deviation")[0] > 20
     assert window.page.locator(".scene canvas").bounding_box()["width"] > 500
 
 

@@ -143,7 +143,7 @@ def test_charts_are_on_paper(browser: Any, compared: Path, reports: dict[str, Pa
     """All are drawn, also those never looked at; as in the light scheme though the screen is dark, until it is done."""
     shown, printed = [], []
     for scheme in ("light", "dark"):
-        page = look(browser, compared if kind == "compared" else reports["good"], (1280, 640), scheme).page
+        page = look(browser, compared if kind == "compared" else reports["good"], (1280, 640), scheme, idle=True).page
         count = page.locator(".chart-grid .chart").count()
         until(lambda page=page, count=count: page.locator(".chart-grid .chart canvas").count() == count, "all charts")
         before = page.evaluate(PAPER)

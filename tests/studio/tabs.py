@@ -12,13 +12,13 @@ from typing import Any
 
 import pytest
 
+from browsing import OPTIONS, never_idle
 from patience import LONG, WAIT
 from tmodes.report import pack
 
 __all__ = ["Tab", "address", "browser", "drag", "opened", "tab"]
 
 BUILT = Path(pack.__file__).parent / "web" / "studio.js"
-LAUNCH = ("--no-sandbox", "--enable-unsafe-swiftshader", "--use-gl=angle", "--use-angle=swiftshader")
 
 
 @pytest.fixture(scope="module")
@@ -49,7 +49,7 @@ def browser(chromium: str) -> Iterator[Any]:
     if not BUILT.exists():
         pytest.skip("needs the built page: python tools/web.py")
     with sync_api.sync_playwright() as playwright:
-        found = playwright.chromium.launch(executable_path=chromium, args=list(LAUNCH))
+        found = playwright.chromium.launch(executable_path=chromium, args=list(OPTIONS))
         yield found
         found.close()
 
@@ -98,6 +98,7 @@ class Tab:
 
 def opened(browser: Any, address: str) -> Iterator[Tab]:
     page = browser.new_page(viewport={"width": 1280, "height": 800})
+    never_idle(page)
     tab = Tab(page)
     page.goto(address)
     page.wait_for_selector(".chart canvas")

@@ -4,6 +4,7 @@ import type { Fact, LiveBundle } from "../contract";
 import type { Live, LiveRun } from "../contract_parts";
 import { button, make, put, save } from "../dom";
 import { digits, info } from "../format";
+import { spare } from "../spare";
 import type { Settings } from "./address";
 import { byKind, effects, nameOf } from "./effects";
 import { makeSlider, type SliderRow } from "./slider";
@@ -131,6 +132,7 @@ export function mountSliders(
 
   /** The most effective settings first, once that is known; nothing moves under who uses them. */
   async function rank(opened: Live): Promise<void> {
+    if (asked > 0 || closed) return;
     const found = await effects(opened, rows, () => asked === 0 && !closed);
     if (found === null || asked > 0 || closed) return;
     order.hidden = false;
@@ -146,6 +148,7 @@ export function mountSliders(
     place([...rows].sort((one, other) => size(other) - size(one)).slice(0, LEADING));
   }
 
+  const ranking = spare(() => live && rank(live).catch(() => undefined)); // it fails where somebody wants a run
   place(byKind(rows, LEADING));
   element.append(make("div", { class: "bar" }, make("h3", { text: "What if" }), reset, keep), status, bar, first, more);
   void options.open(bundle).then(
@@ -155,7 +158,7 @@ export function mountSliders(
       keep.disabled = false;
       status.textContent = "Move a slider to run the simulation again in this page.";
       if (!unchanged()) changed();
-      else rank(opened).catch(() => undefined); // somebody wants a run
+      else ranking.ask();
     },
     (error: unknown) => {
       const info = error instanceof Error ? error.message : String(error);
@@ -175,6 +178,7 @@ export function mountSliders(
       closed = true;
       cancelAnimationFrame(scheduled);
       ended();
+      ranking.end();
       live?.close();
       element.replaceChildren();
     },

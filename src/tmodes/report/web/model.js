@@ -1,4 +1,4 @@
-/* tmodes, built from bf7a1a6c7639989e; BSD-3-Clause */
+/* tmodes, built from e6f0e51631e176be; BSD-3-Clause */
 
 // src/live/engine_error.ts
 var EngineError = class extends Error {
