@@ -11,7 +11,7 @@ OPTIONS = (
     "--enable-unsafe-swiftshader",
     "--use-gl=angle",
     "--use-angle=swiftshader",
-    "--disable-gpu-compositing",  # scenes are drawn by WebGL in software as before; the text around them needs no shaders
+    "--disable-gpu-compositing",  # scenes are WebGL in software all the same; text needs no shaders
 )
 WITHOUT_WEBGL = ("--no-sandbox", "--disable-gpu", "--disable-software-rasterizer", "--disable-3d-apis")
 
