@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from tmodes.analysis.statics.equilibrium import robot_rest
+from tmodes.analysis.statics.at_rest import robot_rest
 from tmodes.model.model import Model
 from tmodes.sheet import Robot
 

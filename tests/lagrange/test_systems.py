@@ -14,7 +14,7 @@ import pytest
 import tmodes
 from arm.run.sheets import arm
 from tmodes.analysis.modes.modes import modes_about
-from tmodes.analysis.statics.equilibrium import robot_rest
+from tmodes.analysis.statics.at_rest import robot_rest
 from tmodes.errors import InputError, InputErrors
 from tmodes.simulation.simulate import simulate_motion
 

@@ -12,7 +12,7 @@ from lagrange.robot2010 import TO_PAPER, symbols
 from oracle.line import line
 from oracle.oracle import contact_map, oracle
 from tmodes.analysis.modes.of_sheet import sheet_frequencies
-from tmodes.analysis.statics.equilibrium import robot_rest
+from tmodes.analysis.statics.at_rest import robot_rest
 from tmodes.simulation.plan import planned
 
 FINE = {

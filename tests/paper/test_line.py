@@ -8,7 +8,7 @@ import pytest
 from lagrange.robot2010 import TO_PAPER, close, lines, terms
 from oracle.line import angles, line
 from oracle.parameters import random_parameters, random_state
-from tmodes.analysis.statics.equilibrium import robot_rest
+from tmodes.analysis.statics.at_rest import robot_rest
 
 PHI = np.array([0.302, 0.012, 0.3, -0.004, -0.02, 0.29])
 PHID = np.array([0.5, -0.2, 0.45, 0.05, -0.1, 0.6])

@@ -9,7 +9,7 @@ import pytest
 
 import command
 import tmodes
-import tmodes.analysis.statics.equilibrium
+import tmodes.analysis.statics.at_rest
 import tmodes.chain.lowering
 import tmodes.io.yaml_file
 import tmodes.result.assemble
@@ -17,7 +17,7 @@ import tmodes.result.result
 import tmodes.simulation.start
 from arm.see.runs import swinging
 from tmodes.analysis.modes.of_sheet import sheet_frequencies
-from tmodes.analysis.statics.equilibrium import robot_rest
+from tmodes.analysis.statics.at_rest import robot_rest
 from tmodes.analysis.statics.loads import Load
 from tmodes.result import Result
 from tmodes.sheet import Robot
@@ -26,10 +26,10 @@ from tmodes.sheet import Robot
 @pytest.fixture
 def counts(monkeypatch: pytest.MonkeyPatch) -> Counter[str]:
     """How often the rest is solved, a sheet is lowered, and each analysis is made."""
-    tmodes.analysis.statics.equilibrium._solved.clear()
+    tmodes.analysis.statics.at_rest._solved.clear()
     found: Counter[str] = Counter()
 
-    count(found, monkeypatch, tmodes.analysis.statics.equilibrium, "equilibrium")
+    count(found, monkeypatch, tmodes.analysis.statics.at_rest, "equilibrium")
     count(found, monkeypatch, tmodes.chain.lowering, "lowered")
     for name in ("line_series", "frequencies_about", "after_move", "summary_errors", "end_modes"):
         count(found, monkeypatch, tmodes.result.assemble, name)

@@ -14,7 +14,7 @@ from see.scenes import arm_result, robot_result
 from tmodes.analysis.modes.modes import modes_about
 from tmodes.analysis.modes.of_sheet import servos_of
 from tmodes.analysis.spectrum import MotorState
-from tmodes.analysis.statics.equilibrium import robot_rest
+from tmodes.analysis.statics.at_rest import robot_rest
 from tmodes.report.data import modes_of
 from tmodes.report.pack import Coarse, TwoParts, displaced, kept, pack, stations_shown, steady
 from tmodes.report.scene import line_of, scene_of

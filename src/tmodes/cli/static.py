@@ -71,7 +71,7 @@ def static(
     base turn at constant speed, about that motion, with its centrifugal forces.
     """
     from tmodes.analysis.describe.describe import statics_info
-    from tmodes.analysis.statics.equilibrium import robot_rest
+    from tmodes.analysis.statics.at_rest import robot_rest
     from tmodes.analysis.statics.loads import Load, point_index
     from tmodes.model.model import Model
 

@@ -13,8 +13,9 @@ from tmodes.analysis.modes.modes import MotorState, moving_coordinates
 from tmodes.analysis.modes.of_sheet import local_servos
 from tmodes.analysis.modes.shapes import MOST_WHOLE
 from tmodes.analysis.quasistatic import gross_motion, sprung
+from tmodes.analysis.statics.at_rest import robot_rest
 from tmodes.analysis.statics.compliance import spring_rows
-from tmodes.analysis.statics.equilibrium import Equilibrium, robot_rest
+from tmodes.analysis.statics.equilibrium import Equilibrium
 from tmodes.analysis.validity import yield_strength
 from tmodes.chain.chain import Chain
 from tmodes.equations.line.schedule import ROOTS, Lines

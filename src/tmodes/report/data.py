@@ -163,7 +163,7 @@ def _modes(result: Result) -> list[dict[str, Any]]:
     from tmodes.analysis.modes.closed_loop import feedback_of
     from tmodes.analysis.modes.modes import modes_about
     from tmodes.analysis.modes.of_sheet import servos_of
-    from tmodes.analysis.statics.equilibrium import robot_rest
+    from tmodes.analysis.statics.at_rest import robot_rest
 
     known = actual(result)
     robot = known.robot

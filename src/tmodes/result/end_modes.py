@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from tmodes.analysis.modes.of_sheet import frequencies_about
-from tmodes.analysis.statics.equilibrium import robot_rest
+from tmodes.analysis.statics.at_rest import robot_rest
 from tmodes.analysis.statics.steady import steady_rates
 from tmodes.errors import SimulationError
 from tmodes.kinds.signals.registry import constant_signal

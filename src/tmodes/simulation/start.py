@@ -10,7 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.analysis.spectrum import Spectrum, spectrum_of
-from tmodes.analysis.statics.equilibrium import Equilibrium, robot_rest
+from tmodes.analysis.statics.at_rest import robot_rest
+from tmodes.analysis.statics.equilibrium import Equilibrium
 from tmodes.chain.chain import Chain
 from tmodes.errors import InputError, SimulationError
 from tmodes.integrate.choice import chosen_method, implicit_method

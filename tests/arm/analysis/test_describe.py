@@ -10,7 +10,7 @@ import pytest
 from arm.analysis.sheets import clamped_sheet, locked_sheet
 from tmodes.analysis.describe.describe import describe, statics_info
 from tmodes.analysis.modes.of_sheet import servos_of, vibrations
-from tmodes.analysis.statics.equilibrium import first_commands, robot_rest
+from tmodes.analysis.statics.at_rest import first_commands, robot_rest
 from tmodes.analysis.statics.loads import Load
 from tmodes.kinds.links.beam_functions import bare_beam
 from tmodes.kinds.links.strain import Beam, BeamPiece

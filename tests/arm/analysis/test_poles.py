@@ -14,7 +14,7 @@ from scipy.optimize import linear_sum_assignment
 from contracts.test_controllers import robot
 from tmodes.analysis.modes.of_sheet import vibrations
 from tmodes.analysis.modes.shapes import assigned
-from tmodes.analysis.statics.equilibrium import robot_rest
+from tmodes.analysis.statics.at_rest import robot_rest
 from tmodes.model.model import Model
 from tmodes.sheet import Robot
 from tmodes.simulation.start import run_setup

@@ -12,7 +12,7 @@ from scipy.linalg import eigh
 import tmodes
 from tmodes.analysis.describe.describe import describe, statics_info
 from tmodes.analysis.modes.of_sheet import vibrations
-from tmodes.analysis.statics.equilibrium import robot_rest
+from tmodes.analysis.statics.at_rest import robot_rest
 from tmodes.sheet import Robot
 
 UP = [0, 0, 1]

@@ -9,7 +9,8 @@ import pytest
 
 from command import tmodes
 from tmodes import load
-from tmodes.analysis.statics.equilibrium import Load, robot_rest
+from tmodes.analysis.statics.at_rest import robot_rest
+from tmodes.analysis.statics.equilibrium import Load
 from tmodes.analysis.statics.reactions import reactions
 from tmodes.sheet import Robot
 

@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from tmodes.analysis.statics.equilibrium import robot_rest
+from tmodes.analysis.statics.at_rest import robot_rest
 from tmodes.analysis.statics.loads import first_value, sheet_loads
 from tmodes.sheet import Robot
 from tmodes.simulation.simulate import simulate_motion

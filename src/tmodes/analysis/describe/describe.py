@@ -10,8 +10,9 @@ import numpy as np
 
 from tmodes.analysis.describe.links import gear_rows, joint_rows, link_rows, notices, rest_notices
 from tmodes.analysis.line.line import LinkLines, elastic_line
+from tmodes.analysis.statics.at_rest import robot_rest
 from tmodes.analysis.statics.compliance import DIRECTIONS, PointCompliance, missing_functions, point_compliance
-from tmodes.analysis.statics.equilibrium import Equilibrium, robot_rest
+from tmodes.analysis.statics.equilibrium import Equilibrium
 from tmodes.analysis.statics.path import Progress
 from tmodes.analysis.statics.reactions import reactions
 from tmodes.analysis.statics.steady import base_spin, steady_rates

@@ -14,7 +14,8 @@ from tmodes.analysis.describe.links import steady_notices
 from tmodes.analysis.modes.closed_loop import feedback_of
 from tmodes.analysis.modes.modes import Mode, MotorState, Servo, closed_loop_poles, modes_about
 from tmodes.analysis.modes.shapes import assigned
-from tmodes.analysis.statics.equilibrium import Equilibrium, robot_rest
+from tmodes.analysis.statics.at_rest import robot_rest
+from tmodes.analysis.statics.equilibrium import Equilibrium
 from tmodes.analysis.statics.path import Progress
 from tmodes.chain.chain import Motor
 from tmodes.model.model import Model
@@ -64,7 +65,7 @@ def frequencies_about(robot: Robot, rest: Equilibrium, *only: str) -> dict[str, 
 def sheet_frequencies(robot: Robot, *, contact: bool = True) -> dict[str, list[dict[str, Any]]]:
     """The same about the rest or the steady motion of a data sheet; ``contact``: in contact where it has one.
 
-    Errors as of :func:`tmodes.analysis.statics.equilibrium.robot_rest`.
+    Errors as of :func:`tmodes.analysis.statics.at_rest.robot_rest`.
     """
     return frequencies_about(robot, robot_rest(robot, contact=contact, moving=True))
 
@@ -82,7 +83,7 @@ def vibrations(
     at their first command.
 
     ``controlled`` is there only where a drive has a controller. Errors as of
-    :func:`tmodes.analysis.statics.equilibrium.robot_rest`.
+    :func:`tmodes.analysis.statics.at_rest.robot_rest`.
 
     ``frequency_error`` of a mode: by which share it is higher than with two more functions a direction, None where that
     is not known (robots of more than 60 coordinates, segments, modes without a partner); ``converged``: within 1 %.

@@ -1,28 +1,25 @@
-"""Static equilibrium of a model, and of a robot as its sheet states it: the pose, and whether it is stable."""
+"""Static equilibrium of a model: the pose, and whether it is stable."""
 
 from __future__ import annotations
 
-from collections import OrderedDict
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
-from typing import Any
+from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from tmodes.analysis.quasistatic import gear_inputs, sprung
-from tmodes.analysis.statics.loads import Load, acts_of, first_value, sheet_loads, surface_act
+from tmodes.analysis.statics.loads import Load, acts_of, surface_act
 from tmodes.analysis.statics.path import LoadPath, Progress, follow
 from tmodes.analysis.statics.stability import moving_stability
-from tmodes.analysis.statics.steady import base_spin, is_unsteady, steady_rates, whole_rates
+from tmodes.analysis.statics.steady import is_unsteady, whole_rates
 from tmodes.analysis.statics.system import StaticSystem
 from tmodes.errors import InputError
 from tmodes.frame import rotation_vector
 from tmodes.kinds.contacts.registry import Contact
 from tmodes.model.model import Model
-from tmodes.sheet import Robot
 
-__all__ = ["Equilibrium", "Load", "driven", "equilibrium", "first_commands", "free_coordinates", "robot_rest"]
+__all__ = ["Equilibrium", "Load", "driven", "equilibrium", "free_coordinates"]
 
 Array = NDArray[np.float64]
 
@@ -187,62 +184,3 @@ def _check_numbers(values: Mapping[str, float]) -> None:
     for name, value in values.items():
         if not abs(value) <= LARGEST:
             raise InputError(name, repr(value), f"a finite value within {LARGEST:g}", "give it in radians or meters")
-
-
-def robot_rest(
-    robot: Robot,
-    loads: Sequence[Load] = (),
-    *,
-    model: Model | None = None,
-    held: Mapping[str, float] | None = None,
-    sheet: bool = True,
-    contact: bool = True,
-    moving: bool = False,
-    progress: Progress = lambda stage, share: None,
-) -> Equilibrium:
-    """Static equilibrium of a robot under its weight, the loads of its data sheet at time 0 (``sheet``) and ``loads``.
-
-    Driven coordinates are held at ``held``, else at their first command, else at the sheet's initial coordinates, else
-    at 0; ``contact`` False leaves the sheet's contact out; ``moving``: about motion of drives and base at constant
-    speed. One that was solved before is taken again. Errors as of :func:`equilibrium`.
-    """
-    model = model or Model(robot.chain())
-    known = {name: value for name, value in robot.initial.coordinates.items() if name in model.coordinates}
-    commands = first_commands(robot, model) | dict(held or {})
-    acting = [*(sheet_loads(robot) if sheet else ()), *loads]
-    touched = robot.contact if contact else None
-    rates, spin = (steady_rates(robot, model), base_spin(robot)) if moving else ({}, None)
-    key = _key(model, acting, commands, known, touched), *rates.items(), spin is not None and tuple(spin)
-    if key not in _solved:
-        how = {"start": known, "contact": touched, "rates": rates, "spin": spin, "progress": progress}
-        _solved[key] = equilibrium(model, acting, held=commands, **how)
-        while len(_solved) > _KEPT:
-            _solved.popitem(last=False)
-    return replace(_solved[key], model=model)  # whose points and rigid links may have other names
-
-
-_solved: OrderedDict[Any, Equilibrium] = OrderedDict()
-_KEPT = 8
-
-
-def _key(
-    model: Model, loads: Sequence[Load], held: Mapping[str, float], start: Mapping[str, float], contact: Any
-) -> tuple[Any, ...]:
-    """All that an equilibrium follows from: structure and numbers of the equations, and what acts."""
-    structure = tuple(model.passes.schedule(name).key for name in ("inertia", "elastic"))
-    numbers = model.parameters.tobytes(), model.at_rest().tobytes()
-    acting = tuple((load.point, *load.wrench().tolist(), load.follows) for load in loads)
-    touched = contact and (contact.fingerprint(), contact.model_dump_json())
-    return structure, model.coordinates, numbers, acting, tuple(held.items()), tuple(start.items()), touched
-
-
-def first_commands(robot: Robot, model: Model) -> dict[str, float]:
-    """Coordinates whose position a drive commands, at time 0 [rad, m]; a motor's where its gear is elastic."""
-    commands = {}
-    for drive in robot.drives:
-        if drive.command.is_motion:
-            motor = f"{drive.joint}.motor"
-            name = motor if motor in model.coordinates else drive.joint
-            if name in model.coordinates:
-                commands[name] = first_value(robot, drive.signal)
-    return commands

@@ -8,8 +8,9 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
+from tmodes.analysis.statics.descent import descend
 from tmodes.analysis.statics.stability import Stability, stability_of
-from tmodes.analysis.statics.system import Root, StaticSystem, descend, newton
+from tmodes.analysis.statics.system import Root, StaticSystem, newton
 from tmodes.errors import SimulationError
 
 __all__ = ["LoadPath", "Progress", "Station", "follow"]

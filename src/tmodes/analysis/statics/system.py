@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from tmodes.analysis.statics.loads import Act, Pose
 from tmodes.model.model import Model
 
-__all__ = ["Forces", "Root", "StaticSystem", "descend", "newton", "relative_residual"]
+__all__ = ["Forces", "Root", "StaticSystem", "newton", "relative_residual", "solved"]
 
 Array = NDArray[np.float64]
 
@@ -122,7 +122,6 @@ SINGULAR = 1e15
 
 MOST_STEPS = 25
 MOST_HALVINGS = 8
-MOST_DESCENT = 2000
 
 SETTLED = 1e-12
 """Newton step over 1 + |q| below which it has settled."""
@@ -135,12 +134,6 @@ GOOD = 1e-9
 
 SMALL_TURN = 1e-6
 """Deflection [rad, m] whose force is the level of a robot that carries next to nothing."""
-
-NEARLY = 1e-6
-"""Step of the descent [rad, m] from which Newton's method takes over."""
-
-LONGEST = 0.5
-"""Longest step of the descent [rad, m]."""
 
 
 class Root(NamedTuple):
@@ -157,7 +150,7 @@ def newton(system: StaticSystem, q: Array, factor: float) -> Root | None:
     for _ in range(MOST_STEPS):
         stiffness = system.stiffness(q, factor)[system.block]
         forces = system.forces(q, factor)
-        step = _solved(stiffness, forces.rest)
+        step = solved(stiffness, forces.rest)
         if step is None:
             return None
         size = float(np.abs(step).max(initial=0.0))
@@ -185,7 +178,7 @@ def _left(forces: Forces, stiffness: Array) -> tuple[float, float]:
     return left / level if level else 0.0, left
 
 
-def _solved(matrix: Array, right: Array) -> Array | None:
+def solved(matrix: Array, right: Array) -> Array | None:
     """The solution, the shortest one along what nothing holds; None for numbers that are not finite."""
     if not (np.isfinite(matrix).all() and np.isfinite(right).all()):
         return None
@@ -206,42 +199,10 @@ def _searched(system: StaticSystem, q: Array, step: Array, factor: float, stiffn
     for _ in range(MOST_HALVINGS):
         moved = q.copy()
         moved[system.free] -= share * step
-        following = _solved(stiffness, system.forces(moved, factor).rest)
+        following = solved(stiffness, system.forces(moved, factor).rest)
         if following is not None and np.abs(following).max(initial=0.0) <= (1 - share / 4) * np.abs(step).max():
             return moved
         if np.abs(step).max() <= ROUNDING:
             return moved
         share /= 2
     return moved
-
-
-def descend(system: StaticSystem, q: Array, factor: float) -> Root | None:
-    """The pose to which a robot sinks when it moves slowly in a thick fluid, downhill all the way.
-
-    Linearly implicit Euler steps of M q' = -r(q), each longer as the force falls (Kelley & Keyes, "Convergence analysis
-    of pseudo-transient continuation", SIAM J. Numer. Anal. 35, 1998). None where it comes to no rest.
-    """
-    forces = system.forces(q, factor)
-    pace = 1.0
-    for _ in range(MOST_DESCENT):
-        mass, stiffness = system.reduced(q, factor)
-        if not forces.rest.any():
-            return Root(q, 0.0, stiffness)
-        step = _solved(stiffness + _damper(mass, stiffness, forces.rest) / pace, forces.rest)
-        if step is None:
-            return None
-        size = float(np.abs(step).max())
-        if size <= NEARLY and pace > 1:
-            return newton(system, q, factor)
-        q = q.copy()
-        q[system.free] -= step * min(1.0, LONGEST / size)
-        found = system.forces(q, factor)
-        pace *= float(np.clip(np.linalg.norm(forces.rest) / max(np.linalg.norm(found.rest), 1e-300), 0.5, 2.0))
-        forces = found
-    return None
-
-
-def _damper(mass: Array, stiffness: Array, force: Array) -> Array:
-    """A fluid in which the robot turns by about its springs' pace, or, without springs, by about a radian in a step."""
-    own = np.diagonal(mass)
-    return mass * max(float((np.abs(np.diagonal(stiffness)) / own).max()), float((np.abs(force) / own).max()))

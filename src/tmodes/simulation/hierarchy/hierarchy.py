@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from tmodes.analysis.error_parts import tips, without_elasticity
 from tmodes.analysis.modes.modes import modes_about
-from tmodes.analysis.statics.equilibrium import robot_rest
+from tmodes.analysis.statics.at_rest import robot_rest
 from tmodes.errors import InputError, SimulationError
 from tmodes.model.model import Model
 from tmodes.sheet import Robot

@@ -1,0 +1,84 @@
+"""Static equilibrium of a robot as its sheet states it; what was found before is taken again."""
+
+from __future__ import annotations
+
+from collections import OrderedDict
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from typing import Any
+
+from tmodes.analysis.statics.equilibrium import Equilibrium, Load, equilibrium
+from tmodes.analysis.statics.loads import first_value, sheet_loads
+from tmodes.analysis.statics.path import Progress
+from tmodes.analysis.statics.steady import base_spin, steady_rates
+from tmodes.errors import SimulationError
+from tmodes.model.model import Model
+from tmodes.sheet import Robot
+
+__all__ = ["first_commands", "robot_rest"]
+
+
+def robot_rest(
+    robot: Robot,
+    loads: Sequence[Load] = (),
+    *,
+    model: Model | None = None,
+    held: Mapping[str, float] | None = None,
+    sheet: bool = True,
+    contact: bool = True,
+    moving: bool = False,
+    progress: Progress = lambda stage, share: None,
+) -> Equilibrium:
+    """Static equilibrium of a robot under its weight, the loads of its data sheet at time 0 (``sheet``) and ``loads``.
+
+    Driven coordinates are held at ``held``, else at their first command, else at the sheet's initial coordinates, else
+    at 0; ``contact`` False leaves the sheet's contact out; ``moving``: about motion of drives and base at constant
+    speed. What was found before, a rest or that there is none, is taken again. Errors as of :func:`equilibrium`.
+    """
+    model = model or Model(robot.chain())
+    known = {name: value for name, value in robot.initial.coordinates.items() if name in model.coordinates}
+    commands = first_commands(robot, model) | dict(held or {})
+    acting = [*(sheet_loads(robot) if sheet else ()), *loads]
+    touched = robot.contact if contact else None
+    rates, spin = (steady_rates(robot, model), base_spin(robot)) if moving else ({}, None)
+    key = _key(model, acting, commands, known, touched), *rates.items(), spin is not None and tuple(spin)
+    if key not in _solved:
+        how = {"start": known, "contact": touched, "rates": rates, "spin": spin, "progress": progress}
+        try:
+            _solved[key] = equilibrium(model, acting, held=commands, **how)
+        except SimulationError as none:  # to find that out takes longest
+            _solved[key] = str(none)
+        while len(_solved) > _KEPT:
+            _solved.popitem(last=False)
+    found = _solved[key]
+    if isinstance(found, str):
+        raise SimulationError(found)
+    return replace(found, model=model)  # whose points and rigid links may have other names
+
+
+_solved: OrderedDict[Any, Equilibrium | str] = OrderedDict()
+"""By what they follow from: rests, and for robots that have none, why."""
+_KEPT = 8
+
+
+def _key(
+    model: Model, loads: Sequence[Load], held: Mapping[str, float], start: Mapping[str, float], contact: Any
+) -> tuple[Any, ...]:
+    """All that an equilibrium follows from: structure and numbers of the equations, and what acts."""
+    structure = tuple(model.passes.schedule(name).key for name in ("inertia", "elastic"))
+    numbers = model.parameters.tobytes(), model.at_rest().tobytes()
+    acting = tuple((load.point, *load.wrench().tolist(), load.follows) for load in loads)
+    touched = contact and (contact.fingerprint(), contact.model_dump_json())
+    return structure, model.coordinates, numbers, acting, tuple(held.items()), tuple(start.items()), touched
+
+
+def first_commands(robot: Robot, model: Model) -> dict[str, float]:
+    """Coordinates whose position a drive commands, at time 0 [rad, m]; a motor's where its gear is elastic."""
+    commands = {}
+    for drive in robot.drives:
+        if drive.command.is_motion:
+            motor = f"{drive.joint}.motor"
+            name = motor if motor in model.coordinates else drive.joint
+            if name in model.coordinates:
+                commands[name] = first_value(robot, drive.signal)
+    return commands

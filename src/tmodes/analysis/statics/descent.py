@@ -1,0 +1,72 @@
+"""From a robot that hardly anything holds to where it hangs: downhill, slowly, in a thick fluid."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tmodes.analysis.statics.system import Root, StaticSystem, newton, solved
+
+__all__ = ["descend"]
+
+Array = NDArray[np.float64]
+
+MOST_DESCENT = 2000
+MOST_SLOWER = 60
+
+NEARLY = 1e-6
+"""Step of the descent [rad, m] from which Newton's method takes over."""
+
+SLOWEST = 1e-9
+"""Damper of a coordinate in the descent, over the largest one, that is none."""
+
+LONGEST = 0.5
+"""Longest step of the descent [rad, m]."""
+
+
+def descend(system: StaticSystem, q: Array, factor: float) -> Root | None:
+    """The pose to which a robot sinks when it moves slowly in a thick fluid, downhill all the way.
+
+    Linearly implicit Euler steps of D q' = -r(q), each longer as the force falls (Kelley & Keyes, "Convergence analysis
+    of pseudo-transient continuation", SIAM J. Numer. Anal. 35, 1998). None where it comes to no rest.
+    """
+    forces = system.forces(q, factor)
+    pace = 1.0
+    for _ in range(MOST_DESCENT):
+        stiffness = system.stiffness(q, factor)[system.block]
+        if not forces.rest.any():
+            return Root(q, 0.0, stiffness)
+        if not (np.isfinite(stiffness).all() and np.isfinite(forces.rest).all()):
+            return None
+        damper = _damper(stiffness, forces.rest)
+        pace = _downhill(stiffness, damper, pace)
+        step = solved(stiffness + damper / pace, forces.rest)
+        if step is None:
+            return None
+        size = float(np.abs(step).max())
+        if size <= NEARLY and pace > 1:
+            return newton(system, q, factor)
+        q = q.copy()
+        q[system.free] -= step * min(1.0, LONGEST / size)
+        found = system.forces(q, factor)
+        pace *= float(np.clip(np.linalg.norm(forces.rest) / max(np.linalg.norm(found.rest), 1e-300), 0.5, 2.0))
+        forces = found
+    return None
+
+
+def _damper(stiffness: Array, force: Array) -> Array:
+    """A fluid in which each coordinate moves by about its own spring's pace, or, without one, 1 rad or m in a step.
+
+    One damper for each: a gear that springs back would drag along, by inertia, what hangs loose behind it.
+    """
+    own = np.maximum(np.abs(np.diagonal(stiffness)), np.abs(force))
+    return np.diag(np.maximum(own, SLOWEST * own.max()))
+
+
+def _downhill(stiffness: Array, damper: Array, pace: float) -> float:
+    """The pace, or a slower one, with which a step leads downhill: stiffness and damper together hold the pose."""
+    for _ in range(MOST_SLOWER):
+        if np.linalg.eigvalsh((stiffness + stiffness.T) / 2 + damper / pace)[0] > 0:
+            break
+        pace /= 2
+    return pace
