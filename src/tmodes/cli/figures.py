@@ -7,14 +7,12 @@ from typing import Annotated
 
 import typer
 
-from tmodes.cli.options import result_file, stored_result
+from tmodes.cli.options import is_study, result_file, stored_result
 from tmodes.cli.show import ResultArgument
+from tmodes.cli.study_text import unfinished
 from tmodes.cli.terminal import warn, working
 
 __all__ = ["figures"]
-
-STUDY = "study.json"
-"""What the folder of a study has, and that of a run has not."""
 
 
 def figures(
@@ -37,7 +35,7 @@ def figures(
     from tmodes.plot import save_figures
 
     formats = ["svg", *(["png"] if png else []), *(["pdf"] if pdf else [])]
-    if (result / STUDY).is_file():
+    if is_study(result):
         _of_study(result, out or result / "figures", formats, names or None)
         return
     stored, file = stored_result(result), result_file(result)
@@ -48,16 +46,15 @@ def figures(
 
 
 def _of_study(place: Path, folder: Path, formats: list[str], names: list[str] | None) -> None:
-    from tmodes.plot.studies import save_study_figures
+    from tmodes.plot.studies import check_names, save_study_figures
     from tmodes.study.page import figure_data
     from tmodes.study.result import load_study
 
+    check_names(names or ())
     with working() as progress:
         progress("reading", 0.0)
         study = load_study(place)
-        data = figure_data(study, progress)
+        data = figure_data(study, progress, bands=names is None or "bands" in names)
         written = save_study_figures(data, folder, formats, names, lambda k, n, _: progress("figures", k / max(n, 1)))
     print(f"wrote   {len(written)} files to {folder}")
-    if not study.complete:
-        done, cases = study.cover.done, len(study.design.values)
-        warn([f"these are {done:,} of {cases:,} cases; the same `tmodes study` computes the others"])
+    warn(unfinished(study))

@@ -37,6 +37,7 @@ __all__ = [
     "chosen_robot",
     "chosen_sheet",
     "integration_changes",
+    "is_study",
     "plain",
     "result_file",
     "stored_result",
@@ -220,6 +221,11 @@ def result_file(path: Path) -> Path:
             raise file_error(path, "the name of a robot", "a result file, or the folder of a run", hint)
         raise file_error(path, "nothing", "a result file, or the folder of a run", hint)
     return path
+
+
+def is_study(path: Path) -> bool:
+    """Whether a path means the folder of a study, which has what that of a run has not."""
+    return (path / "study.json").is_file()
 
 
 def stored_result(path: Path) -> Result:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from tmodes.cli.options import AsJson, plain, result_file, stored_result
+from tmodes.cli.options import AsJson, is_study, plain, result_file, stored_result
 from tmodes.cli.summary_text import integration_lines, print_summary, result_record
 from tmodes.cli.terminal import print_json, print_table, warn
 from tmodes.errors import InputError
@@ -32,7 +32,7 @@ MOST_MODES = 8
 PLAIN_UNITS = str.maketrans({"·": " ", "µ": "u", "Ω": "ohm", "²": "^2", "³": "^3", "–": "-"})
 """Units for terminals that know no other letters."""
 
-ResultArgument = Annotated[Path, typer.Argument(metavar="RESULT", help="A result.nc, or the folder of a run.")]
+ResultArgument = Annotated[Path, typer.Argument(metavar="RESULT", help="A result.nc, or the folder of a run or study.")]
 
 
 def show(
@@ -43,9 +43,14 @@ def show(
     """What a stored result says: how the run ended, the numbers that matter, frequencies, and every course in a line.
 
     Of what is known along a link (deflection, moment) the value of the largest size at each instant is shown.
+
+    Of a study, its folder: what its quantities are over all cases, as the study has reported it.
     """
     from tmodes.cli.series import first_series, series_of_result
 
+    if is_study(result):
+        _show_study(result, as_json=as_json)
+        return
     stored = stored_result(result)
     data = stored.record
     chosen = list(series_of_result(data)) if everything or as_json else first_series(data)
@@ -54,6 +59,23 @@ def show(
         print_json({"file": str(result_file(result)), **result_record(stored), "series": series})
         return
     _show(stored, result_file(result), chosen, sum(1 for _ in series_of_result(data)))
+
+
+def _show_study(place: Path, *, as_json: bool) -> None:
+    from tmodes.cli.study_text import print_study, study_info, unfinished
+    from tmodes.study.result import load_study
+    from tmodes.study.store import PAGE
+
+    study = load_study(place)
+    if not study.stored.has_table:
+        missing = unfinished(study)
+        got = missing[0].partition(";")[0] if missing else f"no {study.parquet.name} of these cases"
+        hint = "give the same `tmodes study` again: it computes the rest"
+        raise file_error(place, got, "a study that is complete", hint)
+    files = {"table": study.parquet, "page": place / PAGE}
+    info = study_info(study) | {"files": {what: str(file) for what, file in files.items() if file.is_file()}}
+    print_json(info) if as_json else print_study(info)
+    warn(info["warnings"])
 
 
 def _extremes(one: Series) -> dict[str, float]:

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from tmodes.study.result import StudyResult
     from tmodes.study.study import Study
 
-__all__ = ["notice_slow", "print_study", "study_info"]
+__all__ = ["notice_slow", "print_study", "study_info", "unfinished"]
 
 PERCENTILES = (1, 5, 25, 50, 75, 95, 99)
 SHOWN = (5, 50, 95)
@@ -30,6 +30,14 @@ def notice_slow(study: Study) -> None:
     if slow:
         names, verb = ", ".join(slow), "needs" if len(slow) == 1 else "need"
         notice(f"{names} {verb} the whole result of each case, which is run by itself: slow")
+
+
+def unfinished(result: StudyResult) -> list[str]:
+    """What is said of a study that was interrupted."""
+    if result.complete:
+        return []
+    done, cases = result.cover.done, len(result.design.values)
+    return [f"these are {done:,} of {cases:,} cases; the same `tmodes study` computes the others"]
 
 
 def study_info(result: StudyResult) -> dict[str, Any]:

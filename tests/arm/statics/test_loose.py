@@ -83,4 +83,6 @@ def test_what_falls_has_no_rest_which_is_found_out_once(monkeypatch):
 def test_a_run_that_is_to_start_at_rest_says_so_before_it_starts():
     with pytest.raises(SimulationError, match="static equilibrium: coordinate b has no spring"):
         run_setup(arm(SLIDE, state="rest"))
-    assert run_setup(arm(TURN, state="rest")).rest.stable
+    rest = run_setup(arm(TURN, state="rest")).rest
+    assert rest is not None
+    assert rest.stable

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import json
+
 import numpy as np
 import pytest
 
@@ -41,6 +43,36 @@ def test_a_sensitivity_has_its_indices(method, samples, name, tmp_path):
         (one,) = data["effects"]
         assert one["spread"] == found.indices["spread"][0].tolist()
         assert one["size"] == np.column_stack([found.indices["size"][0], found.intervals["size"][0]]).tolist()
+
+
+def test_a_wrong_name_is_reported_before_anything_is_computed(tmp_path, monkeypatch):
+    monkeypatch.setattr("tmodes.study.result.load_study", lambda folder: pytest.fail("the study was read"))
+    (tmp_path / "study.json").write_text("{}", encoding="utf-8")
+    assert "got 'tornad'. Did you mean `tornado`" in tmodes("figures", tmp_path, "tornad", code=2).stderr
+
+
+DRAWN = """
+format: 1
+kind: study
+name: drawn
+parameters:
+  z: {distribution: {type: uniform, low: 0, high: 1}}
+quantities:
+  sag: {expression: "1/(0.1 + z)", unit: mm}
+plan: {type: monte_carlo, runs: 40}
+"""
+
+
+def test_a_study_is_shown_as_it_was_reported(tmp_path):
+    sheet, folder = tmp_path / "study.yaml", tmp_path / "out"
+    sheet.write_text(DRAWN, encoding="utf-8")
+    reported = tmodes("study", sheet, "--out", folder).stdout
+    assert "40 cases" in reported
+    assert str(folder / "study.html") in reported
+    assert tmodes("show", folder).stdout == reported
+    assert json.loads(tmodes("show", folder, "--json").stdout)["good"] == 40
+    (folder / "table.parquet").unlink()
+    assert "no table.parquet of these cases" in tmodes("show", folder, code=4).stderr
 
 
 def test_an_optimization_has_its_front(tmp_path):

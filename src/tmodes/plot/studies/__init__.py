@@ -11,9 +11,9 @@ from tmodes.plot.studies import (
     surface,
     swings,
 )
-from tmodes.plot.studies.contract import STUDY_FIGURES, StudyFigure, save_study_figures
+from tmodes.plot.studies.contract import STUDY_FIGURES, StudyFigure, check_names, save_study_figures
 
 __all__ = [
-    "STUDY_FIGURES", "StudyFigure", "bands", "cases", "distribution", "effects", "indices", "pareto", "responses",
-    "save_study_figures", "surface", "swings",
+    "STUDY_FIGURES", "StudyFigure", "bands", "cases", "check_names", "distribution", "effects", "indices", "pareto",
+    "responses", "save_study_figures", "surface", "swings",
 ]  # fmt: skip

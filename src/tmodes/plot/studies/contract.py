@@ -107,10 +107,7 @@ def save_study_figures(
     :class:`tmodes.errors.ResultFileError` when a file cannot be written.
     """
     check_writable(folder, ROOM)
-    for name in names or ():
-        if name not in STUDY_FIGURES:
-            hint = meant(name, STUDY_FIGURES, "choose among these")
-            raise InputError("figures", repr(name), f"some of {', '.join(STUDY_FIGURES)}", hint)
+    check_names(names or ())
     for unknown in sorted(set(formats) - set(FORMATS)):
         raise InputError("formats", repr(unknown), f"some of {', '.join(FORMATS)}", "choose one of these")
     wanted = [
@@ -132,3 +129,11 @@ def save_study_figures(
                 temporary.write_bytes(rendered(drawn, kind))
     progress(len(wanted), len(wanted), "")
     return written
+
+
+def check_names(names: Sequence[str]) -> None:
+    """Raise :class:`tmodes.errors.InputError` for a name that no figure of studies has."""
+    for name in names:
+        if name not in STUDY_FIGURES:
+            hint = meant(name, STUDY_FIGURES, "choose among these")
+            raise InputError("figures", repr(name), f"some of {', '.join(STUDY_FIGURES)}", hint)

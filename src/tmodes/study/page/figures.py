@@ -14,9 +14,12 @@ __all__ = ["figure_data"]
 
 
 def figure_data(
-    result: StudyResult, progress: Callable[[str, float], None] = lambda stage, share: None
+    result: StudyResult, progress: Callable[[str, float], None] = lambda stage, share: None, *, bands: bool = True
 ) -> dict[str, Any]:
-    """What :func:`tmodes.plot.studies.save_study_figures` draws of a study, a sensitivity or an optimization."""
+    """What :func:`tmodes.plot.studies.save_study_figures` draws of a study, a sensitivity or an optimization.
+
+    ``bands``: also the motion of the tip, for which a hundred cases are run again.
+    """
     study, plan = result.study, result.study.sheet.plan
     if study.sheet.optimize and plan.name_of_kind() == "list" and result.complete:
         from tmodes.study.optimize.stored_optimum import stored_designs
@@ -24,7 +27,7 @@ def figure_data(
         found, designs = stored_designs(study, result.rows)
         return designs_data(found, study, designs)[2]
     indices, effects = _of_sensitivity(result)
-    return shown_data(result, progress, indices=indices) | {"effects": effects}
+    return shown_data(result, progress, bands=bands, indices=indices) | {"effects": effects}
 
 
 def _of_sensitivity(result: StudyResult) -> tuple[list[dict[str, Any]], list[dict[str, Any]]]:

@@ -52,19 +52,25 @@ def write_page(
     return Path(path)
 
 
-def shown_data(result: StudyResult, progress: Progress, **found: Any) -> dict[str, Any]:
-    """The data of the page, without a report; ``found`` as of :func:`write_page`."""
+def shown_data(result: StudyResult, progress: Progress, *, bands: bool = True, **found: Any) -> dict[str, Any]:
+    """The data of the page, without a report, ``bands``: with the motion of the tip; ``found`` as of `write_page`."""
     rows = result.shown_rows
-    return _shown(result, rows, _columns(result.study, rows, {}), progress, **found)
+    return _shown(result, rows, _columns(result.study, rows, {}), progress, motion=bands, **found)
 
 
 def _shown(
-    result: StudyResult, rows: Rows, info: Mapping[str, ColumnInfo], progress: Progress, **more: Any
+    result: StudyResult,
+    rows: Rows,
+    info: Mapping[str, ColumnInfo],
+    progress: Progress,
+    *,
+    motion: bool = True,
+    **more: Any,
 ) -> dict[str, Any]:
     """The data of the page; the motion of the tip only where cases come as often as their distributions say."""
     study = result.study
     drawn = study.sheet.plan.draws
-    bands = tip_bands(study, rows, progress) if drawn else []
+    bands = tip_bands(study, rows, progress) if drawn and motion else []
     return page_data(study.sheet.name, rows, info, labels=result.design.labels, bands=bands, drawn=drawn, **more)
 
 
