@@ -19,6 +19,10 @@ from tmodes.frame import along
 PAYLOAD = '[data-path="links.link.bodies.payload.mass"] input[type=number]'
 STATUS = ".sliders-panel [role=status]"
 WORST = "[data-fact='deviation.max'] strong"
+EFFECTS = """[...document.querySelectorAll('.sliders-panel .slider')].map((one) => [one.dataset.path,
+  one.querySelector('.effect').textContent, Boolean(one.closest('.leading')),
+  one.querySelector('input[type=number]').valueAsNumber])"""
+"""Path of each slider, what one per cent of it does, whether it is among the first, and its number."""
 VALUE = "[data-chart=tip_deviation] .toggle .value"
 
 
@@ -37,9 +41,33 @@ def window(browser: Any, tmp_path_factory: pytest.TempPathFactory) -> Any:
     return window
 
 
+def tip_error(robot: Any) -> float:
+    """The number with which the page leads [m]."""
+    return run(robot).summary()["tip_error"]["commanded"]["max_m"]
+
+
 def give(window: Any, text: str) -> None:
     window.page.locator(PAYLOAD).fill(text)
     window.page.wait_for_selector(f"{STATUS}:text('Simulated in')")
+
+
+def test_the_settings_that_lead_are_the_most_effective_ones(browser: Any, tmp_path: Path, robot: Any) -> None:
+    """Once the page has time: the largest change of the tip error for one per cent of a setting, as natively."""
+    (tmp_path / "report.html").write_text(short_report(), encoding="utf-8")
+    window = look(browser, tmp_path / "report.html", (1280, 1000), unfolded=True, idle=True)
+    window.page.wait_for_selector(".sliders-panel .note:text('Behind each setting: the change of the')")
+    shown = window.page.evaluate(EFFECTS)
+    values = {path: value for path, _, _, value in shown}
+    shares = {path: float(text.removesuffix(" %")) if text else 0.0 for path, text, _, _ in shown}
+    leading = [path for path, _, leads, _ in shown if leads]
+    assert len(leading) == 5
+    assert min(shares[path] for path in leading) >= max(share for path, share in shares.items() if path not in leading)
+    assert [shares[path] for path in leading] == sorted((shares[path] for path in leading), reverse=True)
+    whole = tip_error(robot)
+    for path in (leading[0], "links.link.bodies.payload.mass"):
+        more = tip_error(robot.with_({path: 1.01 * values[path]}))
+        assert shares[path] == pytest.approx(100 * abs(more - whole) / whole, rel=0.06)  # two digits are shown
+    window.page.context.close()
 
 
 def test_a_changed_payload_is_simulated_as_natively(window: Any, robot: Any) -> None:
