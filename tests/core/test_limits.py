@@ -152,6 +152,12 @@ def test_large_bending_is_warned_of(robot):
     )
 
 
+def test_no_equilibrium_is_reported(robot):
+    """A load that no contact can carry with it is refused before the run."""
+    with pytest.raises(SimulationError, match="equilibrium"):
+        run_setup(robot.with_({"payload.mass": 1e12}))
+
+
 CASES = list(bad_numbers())
 
 

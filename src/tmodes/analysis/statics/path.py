@@ -44,6 +44,9 @@ SOFT = 1e-9
 LOOSE = 1e7
 """Change [rad, m] per load factor of a robot that its springs hold nowhere."""
 
+ABSURD = 1e9
+"""The same of a robot that springs hold, which no mass and no load brings about that is meant."""
+
 MOST_STEPS = 1000
 
 
@@ -124,26 +127,33 @@ def _next(system: StaticSystem, here: Station, step: float) -> Station | None:
 
 def _first(system: StaticSystem, q: Array) -> Station:
     """The unloaded robot, or one with a little load where its springs hold it (almost) nowhere: loose joints, play."""
-    held = stability_of(*system.reduced(q, 0.0)).margin != 0.0
-    root = newton(system, q, 0.0) if held else None
+    mass, springs = system.reduced(q, 0.0)
+    own = np.abs(np.diagonal(springs))
+    sprung = bool(own.min(initial=np.inf) > SOFT * own.max(initial=0.0))
+    held = stability_of(mass, springs).margin != 0.0
+    root = newton(system, q, 0.0) if held or sprung else None
     start = _at(system, root, 0.0) if root else None
-    if start is not None and np.abs(start.tangent).max(initial=0.0) <= LOOSE:
+    pace = np.abs(start.tangent).max(initial=0.0) if start else np.inf
+    if start and held and pace <= LOOSE:
         return start
-    root = descend(system, q, LITTLE)
+    absurd = sprung and ABSURD < pace < np.inf
+    root = None if absurd else descend(system, q, LITTLE)
     if root is None:
-        stiffness = np.abs(np.diagonal(system.stiffness(q, 0.0)[system.block]))
-        softest = int(stiffness.argmin())
-        loose = system.model.coordinates[system.free[softest]]
-        if stiffness[softest] > SOFT * stiffness.max():
-            raise SimulationError(
-                f"static equilibrium: none was found near the start, where springs hold every coordinate (the softest "
-                f"is {loose}, {stiffness[softest]:.3g} N*m/rad or N/m); check masses, loads and the contact's preload"
-            )
-        raise SimulationError(
-            f"static equilibrium: coordinate {loose} has no spring and does not come to rest; hold it, or give it a "
-            "spring"
-        )
+        softest = int(own.argmin())
+        raise SimulationError(_restless(system.model.coordinates[system.free[softest]], own[softest], sprung=sprung))
     return _at(system, root, LITTLE)
+
+
+def _restless(loose: str, stiffness: float, *, sprung: bool) -> str:
+    """Why there is no rest: what the springs hold cannot be carried, or the softest coordinate has none."""
+    if sprung:
+        return (
+            f"static equilibrium: none was found near the start, where springs hold every coordinate (the softest "
+            f"is {loose}, {stiffness:.3g} N*m/rad or N/m); check masses, loads and the contact's preload"
+        )
+    return (
+        f"static equilibrium: coordinate {loose} has no spring and does not come to rest; hold it, or give it a spring"
+    )
 
 
 def _at(system: StaticSystem, root: Root, factor: float) -> Station:

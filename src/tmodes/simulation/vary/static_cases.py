@@ -12,13 +12,8 @@ from numpy.typing import NDArray
 
 from tmodes.analysis.describe.links import link_rows
 from tmodes.analysis.modes.modes import MotorState, moving_coordinates
-from tmodes.analysis.statics.equilibrium import (
-    Equilibrium,
-    first_commands,
-    free_coordinates,
-    robot_rest,
-    starting_pose,
-)
+from tmodes.analysis.statics.at_rest import first_commands, robot_rest
+from tmodes.analysis.statics.equilibrium import Equilibrium, free_coordinates, starting_pose
 from tmodes.analysis.statics.path import STRAY
 from tmodes.analysis.statics.system import ROUNDING, SETTLED
 from tmodes.model.forms import Form, Range
