@@ -10,7 +10,7 @@ from collections.abc import Iterator
 import pytest
 from hypothesis import settings
 
-from tmodes.kinds.registry import USED
+from tmodes.kinds.outside import USED
 
 os.environ["MPLBACKEND"] = "Agg"
 

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from tmodes.errors import TmodesError
     from tmodes.gradients.gradient import adjoint_gradient, forward_sensitivities
     from tmodes.gradients.quantities import Functional, tracking_error
-    from tmodes.kinds.registry import use
+    from tmodes.kinds.outside import use
     from tmodes.model.model import Model
     from tmodes.report.notebook import show
     from tmodes.result.result import Result
@@ -73,7 +73,7 @@ _HOMES = {
     "show": "tmodes.report.notebook.show",
     "simulate_batch": "tmodes.simulation.vary.simulate.simulate_batch",
     "tracking_error": "tmodes.gradients.quantities.tracking_error",
-    "use": "tmodes.kinds.registry.use",
+    "use": "tmodes.kinds.outside.use",
 }
 
 

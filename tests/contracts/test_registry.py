@@ -9,6 +9,7 @@ import pytest
 
 import tmodes
 import tmodes.plot
+from command import tmodes as command
 from tmodes.errors import InputError, TmodesError
 from tmodes.integrate.registry import INTEGRATORS
 from tmodes.kinds.contacts.registry import CONTACTS, SURFACES
@@ -16,7 +17,8 @@ from tmodes.kinds.controllers.registry import CONTROLLERS
 from tmodes.kinds.drives.registry import DRIVES
 from tmodes.kinds.joints.registry import JOINTS
 from tmodes.kinds.links.registry import LINKS
-from tmodes.kinds.registry import ENTRY_POINTS, REGISTRIES, Registry, UnknownKindError
+from tmodes.kinds.outside import ENTRY_POINTS, USED
+from tmodes.kinds.registry import REGISTRIES, Registry, UnknownKindError
 from tmodes.kinds.signals.registry import SIGNALS
 
 FAMILIES = (CONTACTS, CONTROLLERS, DRIVES, tmodes.plot.FIGURES, INTEGRATORS, JOINTS, LINKS, SIGNALS, SURFACES)
@@ -81,3 +83,28 @@ def test_an_entry_point_is_loaded_when_it_is_asked_for(offered: str) -> None:
     finally:
         SIGNALS.unregister("offered_ramp")
         sys.modules.pop("offered_kinds", None)
+
+
+BROKEN = {
+    "SyntaxError: '(' was never closed": "x = 1\ny = (",
+    "ValueError: two lines": "import json\n\ndef late():\n    raise ValueError('two\\nlines')\n\nlate()",
+    "JSONDecodeError: Expecting value": "import json\n\njson.loads('')",
+    "ModuleNotFoundError: No module named 'no_such_library'": "import no_such_library",
+    "TypeError": "from tmodes.kinds.signals.registry import SIGNALS\nSIGNALS.register(int, 1)",
+}
+LINES = dict(zip(BROKEN, (2, 4, 3, 1, 2), strict=True))
+
+
+@pytest.mark.parametrize("words", BROKEN)
+def test_code_that_cannot_be_loaded_is_reported_at_its_line(words: str, tmp_path: Path) -> None:
+    """It is the user's file that is wrong; nothing is kept of it."""
+    file = tmp_path / f"broken_kinds_{LINES[words]}.py"
+    file.write_text(BROKEN[words], encoding="utf-8")
+    with pytest.raises(InputError) as wrong:
+        tmodes.use(str(file))
+    assert wrong.value.where == f"{file.name}:{LINES[words]}"
+    assert wrong.value.got.startswith(words)
+    assert str(file) in wrong.value.expected
+    assert str(file.resolve()) not in USED
+    done = command("--use", file, "check", "spong1987", code=2)
+    assert f"{file.name}:{LINES[words]}: " in done.stderr

@@ -23,7 +23,7 @@ import tmodes
 from patience import LONG, until
 from studio.test_looks import ELASTICITY, URDF, sent, stl
 from tmodes.errors import InputError
-from tmodes.kinds.registry import USED
+from tmodes.kinds.outside import USED
 from tmodes.kinds.signals.registry import SIGNALS
 from tmodes.studio.folders import make_within, own_folder
 from tmodes.studio.looks import MOST_KEPT, Shelf

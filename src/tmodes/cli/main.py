@@ -76,7 +76,7 @@ def _options(
 ) -> None:
     del version
     if use:
-        from tmodes.kinds.registry import use as load_kinds
+        from tmodes.kinds.outside import use as load_kinds
 
         load_kinds(*use)
 

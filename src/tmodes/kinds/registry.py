@@ -1,32 +1,25 @@
 """Kinds by name: for each family one registry, with the members of tmodes and those that a user registers.
 
 A member is a class below the contract of its family, or an object of it. A kind is found only after its module has
-been imported: by the user's script, or on request (:func:`use`). A data sheet names kinds and never causes an import.
+been imported: by the user's script, or on request (:mod:`tmodes.kinds.outside`). A data sheet names kinds and never
+causes an import.
 """
 
 from __future__ import annotations
 
 import hashlib
-import importlib
 import inspect
-import runpy
 import sys
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from difflib import get_close_matches
 from functools import cached_property
-from importlib.metadata import entry_points
-from pathlib import Path
 from typing import Any, ClassVar, TypeVar
 
 from tmodes.errors import InputError
 
 __all__ = [
-    "ENTRY_POINTS", "REGISTRIES", "USED", "NamedKind", "Registry", "UnknownKindError",
-    "outside_digest", "source_digest", "use",
+    "REGISTRIES", "NamedKind", "Registry", "UnknownKindError", "outside_digest", "source_digest",
 ]  # fmt: skip
-
-ENTRY_POINTS = "tmodes.kinds"
-"""Group of the entry points by which installed packages offer kinds."""
 
 Member = TypeVar("Member")
 Given = TypeVar("Given")
@@ -129,10 +122,6 @@ REGISTRIES: dict[str, Registry[Any]] = {}
 """The registries of all families that are imported, by their nouns."""
 
 
-USED: list[str] = []
-"""What :func:`use` has loaded, for other processes of the same program; files by their whole paths."""
-
-
 class NamedKind:
     """A stateless object that holds all that one kind of joint, drive, ... is; two of one class are equal."""
 
@@ -155,51 +144,6 @@ class NamedKind:
 
     def __repr__(self) -> str:
         return f"<{type(self).__name__} {self.name}>"
-
-
-def use(*names: str) -> list[str]:
-    """Load kinds from outside, so that data sheets of this process can name them; the names that were loaded.
-
-    ``names``: entry points of the group ``tmodes.kinds`` that installed packages offer, modules, or Python files; none:
-    all entry points. This runs their code; only a person asks for it, never a sheet or a result.
-
-    Raises :class:`tmodes.errors.InputError` for a name that is none of these.
-    """
-    offered = {point.name: point for point in entry_points(group=ENTRY_POINTS)}
-    for name in names or tuple(offered):
-        known = name
-        if name in offered:
-            offered[name].load()
-        elif name.endswith(".py") and Path(name).is_file():
-            known = str(Path(name).resolve())
-            _run(Path(known))
-        else:
-            _import(name, offered)
-        USED.append(known)
-    return list(names or offered)
-
-
-def _run(file: Path) -> None:
-    """Import a file as a module under its own name, once."""
-    if file.stem not in sys.modules:
-        sys.path.insert(0, str(file.parent))
-        try:
-            importlib.import_module(file.stem)
-        finally:
-            sys.path.remove(str(file.parent))
-    elif Path(getattr(sys.modules[file.stem], "__file__", None) or "").resolve() != file:
-        runpy.run_path(str(file), run_name=file.stem)
-
-
-def _import(name: str, offered: Iterable[str]) -> None:
-    try:
-        importlib.import_module(name)
-    except ModuleNotFoundError as error:
-        if error.name and not name.startswith(error.name):
-            raise
-        known = ", ".join(offered) or "none is installed"
-        expected = f"an entry point of the group {ENTRY_POINTS} ({known}), a module, or a Python file"
-        raise InputError("kinds", repr(name), expected, "check the spelling and the path") from error
 
 
 def source_digest(cls: type[Any]) -> str:

@@ -16,7 +16,7 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from tmodes.kinds.registry import USED, use
+from tmodes.kinds.outside import USED, use
 
 __all__ = ["Draw", "drawn", "helpers_for"]
 

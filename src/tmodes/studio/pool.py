@@ -13,7 +13,7 @@ from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
-from tmodes.kinds.registry import USED
+from tmodes.kinds.outside import USED
 from tmodes.studio.folders import remove
 
 __all__ = ["Pool", "WorkerLost"]

@@ -63,7 +63,7 @@ def main() -> None:
     answers = _Answers(os.fdopen(os.dup(sys.stdout.fileno()), "wb"))
     os.dup2(sys.stderr.fileno(), sys.stdout.fileno())  # what a library prints is no answer
     orders = _Orders(sys.stdin.buffer)
-    from tmodes.kinds.registry import use
+    from tmodes.kinds.outside import use
     from tmodes.studio.work import Workshop
 
     if sys.argv[1:]:

@@ -11,7 +11,7 @@ import pytest
 import tmodes
 from study.core.studies import short, study
 from tmodes.errors import InputError
-from tmodes.kinds.registry import use
+from tmodes.kinds.outside import use
 from tmodes.study.quantities import function
 from tmodes.study.rows import joined
 

@@ -16,8 +16,8 @@ import xarray as xr
 from command import tmodes
 from study.core.studies import short
 from tmodes.errors import SimulationError, TmodesError
+from tmodes.study.quantities.call import called
 from tmodes.study.ways import results
-from tmodes.study.ways.call import called
 
 ALARMS = pytest.mark.skipif(not hasattr(signal, "setitimer"), reason="needs a system with alarms")
 VALUES = np.array([[1.0], [0.9]])
@@ -157,10 +157,12 @@ def test_it_may_close_its_output_and_leave_the_folder(tmp_path, monkeypatch):
     def leaves(result):
         os.chdir("/")
         sys.stdout.close()
+        os.close(1)
         return 1.0
 
     assert called(leaves, NOTHING, 60.0) == 1.0
     print("both streams are open", file=sys.stderr)
+    assert os.write(1, b"the descriptor too\n")
     assert Path.cwd().samefile(tmp_path)
 
 
@@ -182,6 +184,7 @@ from tmodes.study.quantities.function import quantity
 @quantity("noisy")
 def noisy(result):
     print("noise")
+    os.write(1, b"of compiled code\\n")
     return 1.0
 """
 
@@ -190,6 +193,7 @@ def test_what_it_prints_is_not_in_the_json(tmp_path):
     (tmp_path / "noisy.py").write_text(NOISY, encoding="utf-8")
     (tmp_path / "study.yaml").write_text(STUDY, encoding="utf-8")
     line = ["study", tmp_path / "study.yaml", "--out", tmp_path / "out", "--no-page", "--json", "--threads", 1]
-    done = tmodes("--use", tmp_path / "noisy.py", *line)
+    done = tmodes("--use", tmp_path / "noisy.py", *line, env=os.environ)
     assert json.loads(done.stdout)["good"] == 3
     assert done.stderr.count("noise\n") == 3
+    assert done.stderr.count("of compiled code\n") == 3

@@ -19,7 +19,7 @@ from __future__ import annotations
 
 import hashlib
 import json
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, ClassVar
 
@@ -106,8 +106,15 @@ class Quantity(Kind, family="quantity of interest", key="type"):
         """Its values (m,) in its own unit, and why a case has none, by its index, where it has a reason of its own."""
         raise NotImplementedError
 
-    def of_result(self, result: Any) -> tuple[float, str, str]:
-        """Of a kind that needs the ``result``: the number that one gives, its unit, and why there is none, if so."""
+    def function(self) -> str:
+        """Name of the Python function that is called with each result; empty: none."""
+        return ""
+
+    def of_result(self, result: Any, function: Callable[[Any], float] | None = None) -> tuple[float, str, str]:
+        """Of a kind that needs the ``result``: the number that one gives, its unit, and why there is none, if so.
+
+        ``function``: what stands for the name that :meth:`function` gives.
+        """
         raise NotImplementedError
 
     def name_issues(self, names: Sequence[str]) -> Iterator[Issue]:

@@ -27,9 +27,10 @@ from typing import Any, ClassVar, Literal
 
 from pydantic import Field
 
-from tmodes.errors import InputError
+from tmodes.errors import InputError, TmodesError
 from tmodes.kinds.schema.quantity import Issue
 from tmodes.kinds.schema.quantity import quantity as number_field
+from tmodes.study.quantities.call import called
 from tmodes.study.quantities.contract import QUANTITIES, Asked, Found, Needs, Quantity
 
 __all__ = [
@@ -71,6 +72,18 @@ class Function(Quantity):
     def needs(self) -> Needs:
         """The result of the run."""
         return Needs(result=True)
+
+    def function(self) -> str:
+        """That of its name."""
+        return self.name
+
+    def of_result(self, result: Any, function: Own | None = None) -> tuple[float, str, str]:
+        """What the function returns; not-a-number, and why, where it raises, hangs or gives no number."""
+        assert function is not None  # noqa: S101
+        try:
+            return called(function, result, self.timeout), self.unit or "-", ""
+        except TmodesError as error:
+            return float("nan"), self.unit or "-", str(error)
 
     def values(self, asked: Asked) -> Found:
         """What the function returned."""
@@ -120,14 +133,14 @@ def function_of(name: str, given: Mapping[str, Own], which: str) -> Own:
 
 def function_issues(one: Quantity, given: Mapping[str, Own]) -> Iterator[Issue]:
     """A quantity whose function is neither given nor registered."""
-    if isinstance(one, Function):
+    if wanted := one.function():
         try:
-            function_of(one.name, given, "name")
+            function_of(wanted, given, "name")
         except InputError as error:
             yield Issue("name", error.got, error.expected, error.hint)
 
 
 def function_digest(one: Quantity, given: Mapping[str, Own]) -> str:
     """Digest of the code of a quantity's function; empty of other kinds, and where it is not known here."""
-    known = {**REGISTERED, **given}
-    return code_digest(known[one.name]) if isinstance(one, Function) and one.name in known else ""
+    own = {**REGISTERED, **given}.get(one.function())
+    return code_digest(own) if own else ""

@@ -62,7 +62,7 @@ class Summary(Quantity):
         assert asked.own is not None  # noqa: S101
         return asked.own, asked.own_reasons
 
-    def of_result(self, result: Any) -> tuple[float, str, str]:
+    def of_result(self, result: Any, function: Any = None) -> tuple[float, str, str]:  # noqa: ARG002
         """The number at the path; not-a-number, and why, where a summary says that there is none.
 
         What one group of the summary needs is computed for it alone, where that is known: the whole summary may take

@@ -17,14 +17,13 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.errors import InputError, InputErrors, SimulationError, TmodesError
+from tmodes.errors import InputError, InputErrors, SimulationError
 from tmodes.io.sheet_check import sheet_data
-from tmodes.kinds.registry import USED, use
+from tmodes.kinds.outside import USED, use
 from tmodes.result.run import run
 from tmodes.sheet import Robot
 from tmodes.study.quantities import Needs, Quantity
-from tmodes.study.quantities.function import Function, function_of
-from tmodes.study.ways.call import called
+from tmodes.study.quantities.function import function_of
 from tmodes.study.ways.part import Part
 
 __all__ = ["by_results"]
@@ -66,7 +65,8 @@ def by_results(
     They run in processes where there are several cases and several cores, and the ``functions`` can be sent there.
     Raises :class:`tmodes.errors.InputError` for a key that no summary has.
     """
-    own = {name: function_of(one.name, functions, name) for name, one in _functions(quantities).items()}
+    called = {name: one.function() for name, one in quantities.items()}
+    own = {name: function_of(function, functions, name) for name, function in called.items() if function}
     kinds = {name: (type(one), one.model_dump()) for name, one in quantities.items()}
     task = _Task(sheet_data(robot), kinds, needs.errors)
     size = len(next(iter(vary.values())))
@@ -82,10 +82,6 @@ def by_results(
                     part.reasons.setdefault(name, {})[k] = why
             progress("results", (k + 1) / size)
     return part
-
-
-def _functions(quantities: Mapping[str, Quantity]) -> dict[str, Function]:
-    return {name: one for name, one in quantities.items() if isinstance(one, Function)}
 
 
 @contextmanager
@@ -147,20 +143,10 @@ def _ran(task: _Task, functions: Functions, changes: Mapping[str, float]) -> _Ca
     except SimulationError as error:
         return _Case("failed", str(error), "", clock.process_time() - began, {})
     kinds = task.quantities.items() if result.success else ()
-    numbers = {name: _number(kind.of(data), functions.get(name), result) for name, (kind, data) in kinds}
+    numbers = {name: kind.of(data).of_result(result, functions.get(name)) for name, (kind, data) in kinds}
     reason = "" if result.status == "finished" else result.message
     return _Case(result.status, reason, result.actual.integration.method, clock.process_time() - began, numbers)
 
 
 _ESTIMATES = {"error": "error_estimate", "model_error": "model_error"}
 """Settings by the first key of a summary for which they are made."""
-
-
-def _number(quantity: Quantity, function: Callable[[Any], float] | None, result: Any) -> tuple[float, str, str]:
-    """The number of a quantity, its unit, and why there is none."""
-    if function is None or not isinstance(quantity, Function):
-        return quantity.of_result(result)
-    try:
-        return called(function, result, quantity.timeout), quantity.unit or "-", ""
-    except TmodesError as error:
-        return float("nan"), quantity.unit or "-", str(error)

@@ -10,7 +10,7 @@ import signal
 import sys
 import threading
 from collections.abc import Callable, Iterator
-from contextlib import chdir, contextmanager, redirect_stdout
+from contextlib import chdir, contextmanager, redirect_stdout, suppress
 from pathlib import Path
 from typing import Any
 
@@ -27,7 +27,7 @@ def called(function: Own, result: Any, timeout: float) -> float:
     """One finite number of a result; raises :class:`tmodes.errors.TmodesError` that says why there is none."""
     own = _own_view(result)
     try:
-        with _limited(timeout), redirect_stdout(_Aside()), chdir(Path.cwd()):
+        with _limited(timeout), _descriptor_aside(), redirect_stdout(_Aside()), chdir(Path.cwd()):
             value = function(own)
     except _TooLongError:
         raise TmodesError(f"TimeoutError: took longer than {timeout:g} s") from None
@@ -73,6 +73,24 @@ class _Aside(io.TextIOBase):
     def write(self, text: str, /) -> int:
         """Write on standard error."""
         return sys.stderr.write(text)
+
+
+@contextmanager
+def _descriptor_aside() -> Iterator[None]:
+    """What compiled code writes, or a program that the function starts, goes there too; it may close the descriptor."""
+    try:
+        sys.stdout.flush()
+        kept = os.dup(1)
+    except (OSError, ValueError, AttributeError):  # a process without output
+        yield
+        return
+    try:
+        with suppress(OSError):
+            os.dup2(2, 1)
+        yield
+    finally:
+        os.dup2(kept, 1)
+        os.close(kept)
 
 
 def _own_view(result: Any) -> Any:

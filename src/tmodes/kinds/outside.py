@@ -1,0 +1,97 @@
+"""Kinds of a user's own: loaded from Python files, modules and installed packages, when a person asks for it."""
+
+from __future__ import annotations
+
+import importlib
+import runpy
+import sys
+import sysconfig
+import traceback
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
+from importlib.metadata import entry_points
+from pathlib import Path
+
+from tmodes.errors import InputError, TmodesError
+
+__all__ = ["ENTRY_POINTS", "USED", "use"]
+
+ENTRY_POINTS = "tmodes.kinds"
+"""Group of the entry points by which installed packages offer kinds."""
+
+USED: list[str] = []
+"""What :func:`use` has loaded, for other processes of the same program; files by their whole paths."""
+
+
+def use(*names: str) -> list[str]:
+    """Load kinds from outside, so that data sheets of this process can name them; the names that were loaded.
+
+    ``names``: entry points of the group ``tmodes.kinds`` that installed packages offer, modules, or Python files; none:
+    all entry points. This runs their code; only a person asks for it, never a sheet or a result.
+
+    Raises :class:`tmodes.errors.InputError` for a name that is none of these, and for code that cannot be loaded, with
+    the line at which it fails.
+    """
+    offered = {point.name: point for point in entry_points(group=ENTRY_POINTS)}
+    for name in names or tuple(offered):
+        known = name
+        with _mistakes_located(name):
+            if name in offered:
+                offered[name].load()
+            elif name.endswith(".py") and Path(name).is_file():
+                known = str(Path(name).resolve())
+                _run(Path(known))
+            else:
+                _import(name, offered)
+        USED.append(known)
+    return list(names or offered)
+
+
+def _run(file: Path) -> None:
+    """Import a file as a module under its own name, once."""
+    if file.stem not in sys.modules:
+        sys.path.insert(0, str(file.parent))
+        try:
+            importlib.import_module(file.stem)
+        finally:
+            sys.path.remove(str(file.parent))
+    elif Path(getattr(sys.modules[file.stem], "__file__", None) or "").resolve() != file:
+        runpy.run_path(str(file), run_name=file.stem)
+
+
+def _import(name: str, offered: Iterable[str]) -> None:
+    try:
+        importlib.import_module(name)
+    except ModuleNotFoundError as error:
+        if error.name and not name.startswith(error.name):
+            raise
+        known = ", ".join(offered) or "none is installed"
+        expected = f"an entry point of the group {ENTRY_POINTS} ({known}), a module, or a Python file"
+        raise InputError("kinds", repr(name), expected, "check the spelling and the path") from error
+
+
+_LONGEST = 500
+"""Characters of what an error says."""
+
+
+@contextmanager
+def _mistakes_located(name: str) -> Iterator[None]:
+    """What a user's code raises while it is loaded is a mistake there, and not a fault of tmodes."""
+    try:
+        yield
+    except TmodesError:
+        raise
+    except Exception as error:
+        said = " ".join(f"{type(error).__name__}: {error}".split())[:_LONGEST]
+        raise InputError(
+            "kinds", said, f"code that can be loaded from {name}", "correct it there", _place(error)
+        ) from error
+
+
+def _place(error: Exception) -> str:
+    """File and line of the user's code at which it failed: the last of the traceback outside of tmodes and Python."""
+    if isinstance(error, SyntaxError) and error.filename:
+        return f"{Path(error.filename).name}:{error.lineno}"
+    ours = (str(Path(__file__).parents[1]), "<frozen", sysconfig.get_path("stdlib"))
+    own = [frame for frame in traceback.extract_tb(error.__traceback__) if not frame.filename.startswith(ours)]
+    return f"{Path(own[-1].filename).name}:{own[-1].lineno}" if own else ""
