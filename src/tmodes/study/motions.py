@@ -43,12 +43,18 @@ def write_motions(folder: Folder, wanted: Collection[int], progress: Progress) -
                     path.write_bytes(_netcdf(folder.study.sheet.name, case, kept[case], name))
 
 
+_NUMBERS = ("states", "tip", "time")
+"""Variables with a checksum, which whoever reads them compares: a damaged file is an error and no motion."""
+
+
 def _block_of(file: Path) -> str | None:
-    """The block of which a motion that is there comes; None where there is none, or one that cannot be read."""
+    """The block of which a motion that is there comes; None where there is none, or one that cannot be read whole."""
     import h5py
 
     try:
         with h5py.File(file) as opened:
+            for name in _NUMBERS:
+                opened[name][()]  # pyright: ignore[reportIndexIssue]
             return str(opened.attrs["block"])
     except (OSError, KeyError):
         return None
@@ -72,5 +78,6 @@ def _netcdf(study: str, case: int, motion: Kept, block: str) -> bytes:
         {"study": study, "case": case, "block": block},
     )
     buffer = io.BytesIO()
-    data.to_netcdf(buffer, engine="h5netcdf")
+    checked = {name: {"fletcher32": True, "chunksizes": data[name].shape} for name in _NUMBERS}
+    data.to_netcdf(buffer, engine="h5netcdf", encoding=checked)
     return buffer.getvalue()

@@ -65,3 +65,22 @@ def test_motions_open_as_netcdf(tmp_path):
         assert motion.attrs["case"] == 40
         assert np.all(motion["states"].values == 40.0)
         assert motion["time"].attrs["units"] == "s"
+
+
+def test_a_damaged_motion_is_an_error_to_its_reader_and_written_again(tmp_path):
+    """One bit in the numbers; a study that is run again reads them."""
+    xarray = pytest.importorskip("xarray")
+    study = fake(data(100, block=50, keep={"every": 40}))
+    run_study(study, tmp_path)
+    file = tmp_path / "trajectories" / "case_000040.nc"
+    whole = file.read_bytes()
+    place = whole.index(np.full(4, 40.0).tobytes())
+    file.write_bytes(whole[:place] + bytes([whole[place] ^ 1]) + whole[place + 1 :])
+    with xarray.open_dataset(file, engine="h5netcdf") as motion, pytest.raises(OSError, match="filter"):
+        motion["states"].load()
+    untouched = tmp_path / "trajectories" / "case_000080.nc"
+    before = untouched.stat().st_mtime_ns
+    run_study(study, tmp_path)
+    with xarray.open_dataset(file, engine="h5netcdf") as motion:
+        assert np.all(motion["states"].values == 40.0)
+    assert untouched.stat().st_mtime_ns == before
