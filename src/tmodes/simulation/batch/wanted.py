@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -35,6 +36,7 @@ class Wanted:
     times: Array
     out: Array
     folds: bool
+    _last: list[tuple[Schedule, Array]] = field(default_factory=list, repr=False)
 
     @property
     def given(self) -> int:
@@ -52,16 +54,31 @@ class Wanted:
         if not count:
             self.out[place] = np.nan
             return
+        whole = np.array_equal(times, self.times)
+        rows = self._rows(schedule) if whole else schedule.rows_at(times)
         wanted = model.series(self.shown, self.given, after=model.plan.is_sampled)
         blocks = {
             "time": times[:, None], "state": np.hstack([run.states[:, :size], table[:count]]),
-            "row": schedule.rows_at(times), "step": np.zeros((count, 1)),
+            "row": rows, "step": np.zeros((count, 1)),
         }  # fmt: skip
         found = evaluate_wide(parameters, wanted, blocks, count)["series"]
         if self.folds:
-            self.out[place] = folded(found, times)
+            self.out[place] = folded(found, times, self.weights if whole else time_weights(times))
         else:
             self.out[place, :count], self.out[place, count:] = found, np.nan
+
+    @cached_property
+    def weights(self) -> Array:
+        """Weights (n,) of all samples in a mean over time."""
+        return time_weights(self.times)
+
+    def _rows(self, schedule: Schedule) -> Array:
+        """Its rows at all samples; those of the last one are kept, which is most often that of all runs."""
+        known, rows = self._last[0] if self._last else (None, self.times)
+        if known is not schedule:
+            rows = schedule.rows_at(self.times)
+            self._last[:] = [(schedule, rows)]  # at once: other threads read it
+        return rows
 
 
 def time_weights(times: Array) -> Array:
@@ -72,12 +89,14 @@ def time_weights(times: Array) -> Array:
     return (np.append(steps, 0.0) + np.insert(steps, 0, 0.0)) / 2
 
 
-def folded(series: Array, times: Array) -> Array:
-    """What series (n, m) are reduced to, (m, 6), in the order of :data:`tmodes.compile.lanes.series.SUMS`."""
+def folded(series: Array, times: Array, weights: Array) -> Array:
+    """What series (n, m) are reduced to, (m, 6), in the order of :data:`tmodes.compile.lanes.series.SUMS`.
+
+    ``weights`` (n,): of the samples in a mean over time.
+    """
     if not len(series):
         return np.full((series.shape[1], len(SUMS)), np.nan)
-    weights, last = time_weights(times), series[-1]
-    sums = series.max(axis=0), series.min(axis=0), weights @ series, weights @ series**2, last
+    sums = series.max(axis=0), series.min(axis=0), weights @ series, weights @ series**2, series[-1]
     return np.column_stack([*sums, times[series.argmax(axis=0)]])
 
 
@@ -88,7 +107,7 @@ class Given:
         self.wanted, each = wanted, wanted.table.shape[1:]
         self.apart = len(wanted.table) > 1
         self.table = np.empty((WIDTH, *each)) if self.apart else wanted.table[0]
-        self.weights = time_weights(wanted.times)
+        self.weights = wanted.weights
         self.sums = private(len(wanted.shown), len(SUMS), WIDTH)
 
     @property

@@ -20,7 +20,6 @@ from tmodes.integrate.settings import Integration
 from tmodes.simulation import native_run
 from tmodes.simulation.batch.result import COUNTS
 from tmodes.simulation.batch.side_by_side import error_sum, info, lane_run
-from tmodes.simulation.batch.wanted import time_weights
 from tmodes.simulation.batch.work import Work
 from tmodes.simulation.parts import Trajectory
 
@@ -136,7 +135,7 @@ class Block:
         found = np.full((size, len(self.work.times), series.count), np.nan)
         if series.folds:
             found = np.repeat(np.tile(_SUMS, series.count)[:, None], size, axis=1)
-        arrays = {"table": table, "weights": time_weights(wanted.times), "series": found}
+        arrays = {"table": table, "weights": wanted.weights, "series": found}
         return arrays, apart * table[0].size
 
     def _schedules(self) -> tuple[dict[str, NDArray[Any]], dict[str, int]]:
