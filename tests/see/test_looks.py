@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 
 from arm.see.runs import result_of
@@ -12,11 +13,17 @@ from patience import until
 from see.conftest import seed_result
 from see.looking import look
 from see.pixels import drawn_under, notes_of, robot_pixels
+from see.scenes import arm_result
 from see.test_page import AXE
 from tmodes import load, show
+from tmodes.io.mesh_file import box, sphere
+from tmodes.io.urdf_shapes import LinkShape
+from tmodes.report.meshes import with_shapes
 
 PHONE = (390, 844)
 SIZES = ((1280, 800), (1920, 1080), PHONE)
+THICK = [LinkShape("hand", "#102030", sphere(0.25)), LinkShape("rod", "#102030", box([0.8, 0.2, 0.2]))]
+"""Parts that reach far beyond the lines of their links."""
 BLANK = """[...document.querySelectorAll('.chart-grid .chart')].filter((one) => !one.querySelector('canvas'))
   .map((one) => one.dataset.chart)"""
 CUT = """() => { const view = document.querySelector('.scene-view').getBoundingClientRect();
@@ -32,7 +39,7 @@ BUTTONS = """[...document.querySelectorAll('main :is(button, select, input)')]
 
 @pytest.fixture(scope="module")
 def pages(tmp_path_factory: pytest.TempPathFactory, reports: dict[str, Path]) -> dict[str, Path]:
-    """A report, the viewer of two runs, and a robot at rest."""
+    """A report, the viewer of two runs, robots with thick parts and at rest."""
     folder = tmp_path_factory.mktemp("looks")
     first = seed_result()
     two = show(first, seed_result(contact=False), names=["touching", "free"])
@@ -41,6 +48,7 @@ def pages(tmp_path_factory: pytest.TempPathFactory, reports: dict[str, Path]) ->
         "two": two.save(folder / "two.html"),
         "same": show(first, first, names=["one", "other"]).save(folder / "same.html"),
         "bent": show(result_of("pendulum")).save(folder / "bent.html"),
+        "thick": show(with_shapes(arm_result(), THICK)).save(folder / "thick.html"),
         "rest": show(load("spong1987")).save(folder / "rest.html"),
         "long": show(load("flexarm1990")).save(folder / "long.html"),
     }
@@ -52,6 +60,13 @@ def covered(frame: Any) -> dict[str, int]:
     picture = robot_pixels(frame)
     assert drawn_under(picture, (0, 0, picture.shape[1] - 4, picture.shape[0])) > 300
     return {name: drawn_under(picture, box) for name, box in boxes.items()}
+
+
+def at_the_edge(picture: np.ndarray) -> int:
+    """Pixels of the robot next to an edge of the view."""
+    high, wide, _ = picture.shape
+    edges = (0, 0, 7, high), (wide - 11, 0, wide - 4, high), (0, 0, wide - 4, 7), (0, high - 7, wide - 4, high)
+    return sum(drawn_under(picture, edge) for edge in edges)
 
 
 @pytest.mark.parametrize("width", [700, 1100])
@@ -71,12 +86,13 @@ def test_in_a_notebook_the_view_is_as_wide_as_its_cell(browser: Any, tmp_path: P
 
 
 @pytest.mark.parametrize("size", SIZES)
-@pytest.mark.parametrize("kind", ["report", "two", "bent", "rest"])
-def test_no_note_covers_the_robot_or_is_cut(browser: Any, pages: dict[str, Path], kind: str, size: Any) -> None:
+@pytest.mark.parametrize("kind", ["report", "two", "bent", "rest", "thick"])
+def test_no_note_covers_the_robot_nor_is_either_cut(browser: Any, pages: dict[str, Path], kind: str, size: Any) -> None:
     window = look(browser, pages[kind], size)
     assert window.page.evaluate(CUT) == []
     assert window.page.evaluate("document.documentElement.scrollWidth") == size[0]
     assert {name: count for name, count in covered(window.page).items() if count} == {}
+    assert at_the_edge(robot_pixels(window.page)) == 0
     assert window.said == []
     window.page.context.close()
 

@@ -96,6 +96,25 @@ def test_it_is_silent_alone_and_within_its_window(browser: Any, made: Path, size
     window.page.context.close()
 
 
+TOUCHING = """[...document.querySelectorAll('.study-area .axes')].flatMap((one) => {
+  const words = [...one.querySelectorAll('text')].map((text) => [text.textContent, text.getBoundingClientRect()])
+    .filter(([words]) => words);
+  return words.flatMap(([a, p], k) => words.slice(k + 1).filter(([, q]) =>
+    p.left < q.right && q.left < p.right && p.top < q.bottom && q.top < p.bottom).map(([b]) => [a, b]));
+})"""
+
+
+@pytest.mark.parametrize("size", [1e-3, 1.0, 1e5])
+def test_no_words_of_axes_touch(browser: Any, tmp_path: Path, size: float) -> None:
+    """However long the numbers are."""
+    rows = made_rows()
+    rows.quantities["peak"][:] = size * (2 + 1e-2 * rows.quantities["peak"])
+    page = opened(browser, written(tmp_path / "study.html", rows, objectives=("peak", "end"), front=[0, 1])).page
+    assert page.locator(".axes").count() >= 4
+    assert page.evaluate(TOUCHING) == []
+    page.context.close()
+
+
 @pytest.mark.parametrize("scheme", ["light", "dark"])
 def test_axe_finds_nothing(window: Window, scheme: str) -> None:
     if not AXE.is_file():

@@ -4,6 +4,7 @@ import type { Page } from "../contract";
 import type { Widths } from "./links";
 import { openingOf, type Opening } from "./opening";
 import { forceScale } from "./shown";
+import { surfacesAt } from "./surfaces";
 import { round125 } from "./units";
 
 export interface Extent extends Widths {
@@ -17,6 +18,7 @@ export interface Extent extends Widths {
 }
 
 const FRAMES = 60;
+const SURFACED = 4; // of so many of these frames one, for surfaces: they have many places
 
 /** Places [k, 3] that a picture of all runs has to show, with their elasticity so many times enlarged. */
 export function placesOf(page: Page, factor: number, { reach, floor }: Extent): number[] {
@@ -36,6 +38,7 @@ export function placesOf(page: Page, factor: number, { reach, floor }: Extent): 
         const tip = contact ? contact.at.data[k] + scale * contact.force.data[k] : scene.tip.data[k];
         found.push(tip + more(end + c));
       }
+      if (frame % (SURFACED * every) === 0) found.push(...surfacesAt(scene, frame, more));
     }
   }
   return found;

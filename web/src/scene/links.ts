@@ -9,6 +9,7 @@ import { Bent, distances } from "./bent";
 import type { Motion } from "./motion";
 import { SCALE, step } from "./palette";
 import type { Painted } from "./shown";
+import { surfaced } from "./surfaces";
 import { Sweep, type SectionSizes } from "./sweep";
 
 /** What a robot is made of, whatever moves it. */
@@ -66,7 +67,7 @@ export class RobotView {
   ) {
     const plain = this.material(look.link, false);
     const painted = look.painted === "none" ? plain : this.material("#ffffff", true);
-    const meshed = new Set(body.meshes.flatMap((mesh) => mesh.along ?? [mesh.link]));
+    const meshed = surfaced(body);
     this.sweeps = body.links.map((link, k) => {
       if (k >= motion.links || meshed.has(k)) return null;
       const sweep = new Sweep(motion.stations, sizes(link, motion.stations, widths), look.fine ? 24 : 10);

@@ -8,6 +8,7 @@ import type { Entry, Notes } from "./notes";
 import type { Palette } from "./palette";
 import type { Settings } from "./settings";
 import { forceScale, type Range, type ShownRun } from "./shown";
+import { surfaced } from "./surfaces";
 import { digits, readable } from "./units";
 
 const NOTHING = 1e-12; // m, N m, ...: rounding
@@ -149,7 +150,10 @@ export abstract class Sight<Kind extends ShownRun = ShownRun> {
   /** What is drawn thicker than it is, or of a thickness that nobody reported. */
   protected thick(): string {
     const { least } = this.given.extent;
-    const sections = this.runs.flatMap(({ run }) => run.scene.links.map(({ section }) => section));
+    const sections = this.runs.flatMap(({ run: { scene } }) => {
+      const hidden = surfaced(scene);
+      return scene.links.filter((_, k) => !hidden.has(k)).map(({ section }) => section);
+    });
     const thin = sections.some((section) => section && Math.min(...section.sizes.data) < least);
     const unit = readable("m", 2 * least);
     if (thin) return `; links are drawn at least ${digits(2 * least * unit.factor)} ${unit.name} thick`;

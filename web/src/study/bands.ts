@@ -1,18 +1,18 @@
 // Percentiles of the motion over time, as bands about the median; and what no case beats in two objectives.
 import { plain } from "../format";
 import type { Band, Pareto } from "./contract";
-import { axes, chart, dots, line, named, svg, type Box } from "./draw";
+import { axes, chart, dots, gutter, line, named, svg, type Box } from "./draw";
 import { rangeOf, scale } from "./scale";
 import type { Store } from "./store";
 
 export function mountBand(host: HTMLElement, band: Band): void {
   chart(host, band.title, 250, (root, width, height) => {
-    const box: Box = { left: 62, top: 10, right: width - 12, bottom: height - 40 };
+    const [top, bottom] = [10, height - 40];
     const [times, count] = [band.times.data, band.times.data.length];
     const row = (k: number) => band.values.data.subarray(k * count, (k + 1) * count) as Float32Array;
+    const y = scale(rangeOf(band.values.data, null, band.nominal ? [...band.nominal.data] : []), [bottom, top], 5);
+    const box: Box = { left: gutter(y), top, right: width - 12, bottom };
     const x = scale([times[0], times[count - 1]], [box.left, box.right], Math.max(3, width / 90));
-    const y = scale(rangeOf(band.values.data, null, band.nominal ? [...band.nominal.data] : []), [box.bottom,
-      box.top], 5);
     axes(root, box, x, y, ["time [s]", `${band.label} [${band.unit}]`]);
     const points = (values: ArrayLike<number>): [number, number][] =>
       Array.from(times, (time, j) => [x.at(time), y.at(values[j])] as [number, number]).filter(([, at]) =>
@@ -38,9 +38,10 @@ function pairs(shares: number[]): string {
 export function mountPareto(host: HTMLElement, store: Store, pareto: Pareto): void {
   const [one, two] = [store.column(pareto.x), store.column(pareto.y)];
   const view = chart(host, "Best designs", 280, (root, width, height) => {
-    const box: Box = { left: 62, top: 10, right: width - 12, bottom: height - 40 };
+    const [top, bottom] = [10, height - 40];
+    const y = scale(rangeOf(two.values.data, two.labels), [bottom, top], 5, two.labels);
+    const box: Box = { left: gutter(y), top, right: width - 12, bottom };
     const x = scale(rangeOf(one.values.data, one.labels), [box.left, box.right], Math.max(3, width / 90), one.labels);
-    const y = scale(rangeOf(two.values.data, two.labels), [box.bottom, box.top], 5, two.labels);
     axes(root, box, x, y, [named(one), named(two)]);
     const at = (row: number): [number, number] => [x.at(one.values.data[row]), y.at(two.values.data[row])];
     const all = [...Array(store.size).keys()].filter((row) => at(row).every(Number.isFinite));

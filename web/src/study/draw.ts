@@ -60,6 +60,11 @@ export function chart(
   return { redraw, element };
 }
 
+/** Width at the left [px] for the numbers of an ordinate and, left of them, what it measures. */
+export function gutter(y: Scale): number {
+  return 28 + 7.4 * Math.max(2, ...y.ticks.map(([, word]) => word.length));
+}
+
 /** Axes with their words; `x` or `y` may be left out. */
 export function axes(root: SVGSVGElement, box: Box, x: Scale | null, y: Scale | null, words: [string, string]): void {
   const group = svg("g", { class: "axes" });

@@ -1,6 +1,6 @@
 // How a quantity is distributed over all cases, with its percentiles, and where the chosen case is.
 import { plain } from "../format";
-import { axes, chart, named, svg, type Box } from "./draw";
+import { axes, chart, gutter, named, svg, type Box } from "./draw";
 import { rangeOf, scale } from "./scale";
 import type { Store } from "./store";
 
@@ -9,16 +9,17 @@ const MARKED = [5, 50, 95];
 export function mountHistogram(host: HTMLElement, store: Store): void {
   const view = chart(host, "Distribution", 252, (root, width, height) => {
     const column = store.shown;
-    const box: Box = { left: 52, top: 38, right: width - 10, bottom: height - 40 };
     if (!column.edges || !column.counts) return;
     const [edges, counts] = [column.edges.data, column.counts.data];
+    const [top, bottom] = [38, height - 40];
+    const y = scale([0, 1.05 * Math.max(...counts)], [bottom, top], 4);
+    const box: Box = { left: gutter(y), top, right: width - 10, bottom };
     const x = scale(rangeOf(edges), [box.left, box.right], Math.max(3, width / 90));
-    const y = scale([0, 1.05 * Math.max(...counts)], [box.bottom, box.top], 4);
     axes(root, box, x, y, [named(column), "cases"]);
     for (let k = 0; k < counts.length; k += 1) {
-      const [left, top] = [x.at(edges[k]), y.at(counts[k])];
-      root.append(svg("rect", { x: left, y: top, width: Math.max(0.5, x.at(edges[k + 1]) - left - 1),
-        height: box.bottom - top, class: "bar-area" }));
+      const [left, upper] = [x.at(edges[k]), y.at(counts[k])];
+      root.append(svg("rect", { x: left, y: upper, width: Math.max(0.5, x.at(edges[k + 1]) - left - 1),
+        height: box.bottom - upper, class: "bar-area" }));
     }
     const ends = [-Infinity, -Infinity]; // of the names in the lower and the upper row
     for (const [share, value] of column.percentiles.filter(([one]) => MARKED.includes(one))) {

@@ -2,7 +2,7 @@
 import { make } from "../dom";
 import { plain } from "../format";
 import type { Column } from "./contract";
-import { axes, chart, dots, line, named, svg, type Box } from "./draw";
+import { axes, chart, dots, gutter, line, named, svg, type Box } from "./draw";
 import { rangeOf, scale } from "./scale";
 import type { Store } from "./store";
 
@@ -20,9 +20,10 @@ function response(host: HTMLElement, store: Store, parameter: Column): void {
   const view = chart(host, `Response to ${parameter.title || parameter.name}`, 230, (root, width, height) => {
     const column = store.shown;
     const [given, found] = [parameter.values.data, column.values.data];
-    const box: Box = { left: 62, top: 10, right: width - 12, bottom: height - 40 };
+    const [top, bottom] = [10, height - 40];
+    const y = scale(rangeOf(found), [bottom, top], 5);
+    const box: Box = { left: gutter(y), top, right: width - 12, bottom };
     const x = scale(rangeOf(given, parameter.labels), [box.left, box.right], Math.max(3, width / 90), parameter.labels);
-    const y = scale(rangeOf(found), [box.bottom, box.top], 5);
     axes(root, box, x, y, [named(parameter), named(column)]);
     const [near, far, lost]: [number, number][][] = [[], [], []];
     const step = Math.max(1, Math.floor(store.size / MOST_POINTS));
@@ -104,11 +105,11 @@ function surface(host: HTMLElement, store: Store, one: Column, two: Column): voi
   const view = chart(host, `Response to ${one.title || one.name} and ${two.title || two.name}`, 300, (root, width,
     height) => {
     const column = store.shown;
-    const box: Box = { left: 62, top: 10, right: width - 84, bottom: height - 40 };
     const [xs, ys] = [one, two].map(({ values }) => [...new Set(values.data)].sort((a, b) => a - b));
     const [left, top] = [edgesOf(xs), edgesOf(ys)];
+    const y = scale([top[0], top[ys.length]], [height - 40, 10], 5, two.labels);
+    const box: Box = { left: gutter(y), top: 10, right: width - 84, bottom: height - 40 };
     const x = scale([left[0], left[xs.length]], [box.left, box.right], Math.max(3, width / 90), one.labels);
-    const y = scale([top[0], top[ys.length]], [box.bottom, box.top], 5, two.labels);
     const values = column.values.data;
     const [low, high] = extremes(values);
     axes(root, box, x, y, [named(one), named(two)]);

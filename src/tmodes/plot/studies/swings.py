@@ -32,7 +32,7 @@ class Swings(StudyFigure):
         return "" if of_quantity(data, "tornados", quantity) else "too few cases"
 
     def draw(self, data: Data, quantity: Data) -> Any:
-        """Bars from the base to where a parameter is low (blue) and high (red)."""
+        """Bars from the base to where a parameter is low (blue) and high (orange)."""
         found = of_quantity(data, "tornados", quantity)
         assert found is not None  # noqa: S101
         titles = titles_of(data)
@@ -47,5 +47,5 @@ class Swings(StudyFigure):
         axes.grid(visible=False, axis="y")
         axes.use_sticky_edges = False
         axes.margins(x=0.05)
-        axes.set(xlabel=axis_name(quantity), title=f"{self.title} (blue: low, red: high)")
+        axes.set(xlabel=axis_name(quantity), title=f"{self.title} (blue: low, orange: high)")
         return figure

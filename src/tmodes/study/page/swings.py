@@ -19,9 +19,9 @@ Labels = Mapping[int, str]
 _FEWEST = 20
 """Good cases without which no tenth has two of them."""
 
-_TENTHS = "Median over the cases in the lowest (blue) and the highest (red) tenth of each parameter"
+_TENTHS = "Median over the cases in the lowest (blue) and the highest (orange) tenth of each parameter"
 _CHOICES = "; of what is chosen from a list: the choice with the least and that with the largest median"
-_ENDS = "Each parameter alone at its lowest (blue) and its highest (red) value, all others nominal"
+_ENDS = "Each parameter alone at its lowest (blue) and its highest (orange) value, all others nominal"
 
 
 def swings(rows: Rows, labels: Labels, chosen: Mapping[str, bool]) -> list[dict[str, Any]]:
