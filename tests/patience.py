@@ -14,7 +14,7 @@ __all__ = ["LONG", "WAIT", "bounded", "steady", "until"]
 
 T = TypeVar("T")
 
-LONG = 30.0
+LONG = 300.0
 """Seconds after which a state is believed never to come; what holds does not depend on how long it took."""
 
 WAIT = 1e3 * LONG
