@@ -5,6 +5,7 @@
 
 from __future__ import annotations
 
+import os
 import subprocess
 import sys
 import time
@@ -19,7 +20,7 @@ FOLDERS = ("src", "tools", "tests", "benchmarks")
 CHECKS: dict[str, tuple[tuple[str, ...], ...]] = {
     "lint": ((PYTHON, "-m", "ruff", "check", *FOLDERS),),
     "format": ((PYTHON, "-m", "ruff", "format", "--check", *FOLDERS),),
-    "types": ((PYTHON, "-m", "basedpyright", "--pythonpath", PYTHON),),
+    "types": ((PYTHON, "-m", "basedpyright", "--pythonpath", PYTHON, "--threads", str(os.cpu_count() or 1)),),
     "imports": ((str(Path(PYTHON).with_name("lint-imports")),),),
     "docs": tuple(
         (PYTHON, f"tools/{tool}.py", "--check")
