@@ -1,7 +1,8 @@
-"""Takes the pictures of docs/gallery.md from pages that commands made: ``python tools/gallery.py [NAME…]``.
+"""Takes the pictures of the pages in docs/: ``python tools/gallery.py [NAME…]``.
 
-Needs a Chromium browser and playwright (``pip install -e ".[test]"``). Each picture's command is next to it on the
-page; this runs it, opens what it wrote, does what the caption says, and takes the picture.
+Needs a Chromium browser and playwright (``pip install -e ".[test]"``). Each picture's command is next to it in
+docs/gallery.md or docs/how-stiff.md; this runs it in a folder with the files of examples/studies, opens what it wrote,
+does what the caption says, and takes the picture.
 """
 
 from __future__ import annotations
@@ -18,11 +19,13 @@ from typing import Any
 
 __all__ = ["SHOTS", "Shot", "main"]
 
-TARGET = Path(__file__).resolve().parents[1] / "docs" / "images"
+ROOT = Path(__file__).resolve().parents[1]
+TARGET = ROOT / "docs" / "images"
 BROWSERS = ("chromium", "chromium-browser", "google-chrome")
 FLAGS = ["--no-sandbox", "--enable-unsafe-swiftshader", "--use-gl=angle", "--use-angle=swiftshader"]
 TMODES = (sys.executable, "-m", "tmodes.cli.main")
-SIZE = {"width": 1280, "height": 800}
+WIDTH, WAIT = 1280, 60_000
+DRAWN = ".scene-view canvas, .study-area > svg:not(:empty)"
 
 
 @dataclass(frozen=True)
@@ -34,63 +37,42 @@ class Shot:
 
     commands: tuple[str, ...]
     page: str
-    act: Callable[[Any], None]
+    act: Callable[[Any], None] = lambda page: None
     scheme: str = "light"
-
-
-def _seek(page: Any, share: float) -> None:
-    page.get_by_label("Time", exact=True).last.evaluate(
-        f"bar => {{ bar.value = {1000 * share}; bar.dispatchEvent(new Event('input')); }}"
-    )
-
-
-def _slide(page: Any, label: str, share: float) -> None:
-    """Move a slider to a share of its way."""
-    page.get_by_label(label).first.evaluate(
-        "(bar, share) => { bar.value = String(Number(bar.min) + share * (Number(bar.max) - Number(bar.min)));"
-        " bar.dispatchEvent(new Event('input')); bar.dispatchEvent(new Event('change')); }",
-        share,
-    )
-
-
-def _report(page: Any) -> None:
-    _seek(page, 0.7)
-
-
-def _arm(page: Any) -> None:
-    _seek(page, 0.35)
-    _slide(page, "Deformation", 0.45)
+    height: int = 800
 
 
 def _mode(page: Any) -> None:
-    page.get_by_role("button", name="Show the mode").nth(1).click()
+    page.locator("button[aria-label^='Show the mode']").nth(1).click()
     page.evaluate("scrollTo(0, 0)")
 
 
-def _compare(page: Any) -> None:
-    _seek(page, 0.4)
-
-
 def _what_if(page: Any) -> None:
-    page.get_by_label("mass at the tip, in kg").fill("1.2")
-    page.wait_for_selector("text=the run as it was")
-    _seek(page, 0.7)
+    page.get_by_label("mass, payload on link, in kg").first.fill("1.2")
+    page.wait_for_selector("text=run as it was", timeout=WAIT)
 
 
 def _studio(page: Any) -> None:
-    page.wait_for_selector("canvas", timeout=60_000)
-    page.get_by_label("mass at the tip").first.fill("800")
-    page.wait_for_selector("text=New curves", timeout=60_000)
-    _seek(page, 0.7)
+    line = page.locator(".line", has_text="New curves")
+    line.wait_for(timeout=WAIT)
+    page.evaluate("document.querySelector('.line').textContent = ''")
+    page.locator("[data-slider='links.0.bodies.0.mass'] input.number").fill("1.2")
+    page.keyboard.press("Enter")
+    line.wait_for(timeout=WAIT)
 
 
+def _worst(page: Any) -> None:
+    page.get_by_role("button", name="largest", exact=True).click()
+
+
+_SEED = ("run filipovic2010 --out seed",)
 SHOTS: dict[str, Shot] = {
-    "report": Shot(("run filipovic2010 --out seed",), "seed/report.html", _report),
-    "report-dark": Shot(("run filipovic2010 --out seed",), "seed/report.html", _report, "dark"),
-    "what-if": Shot(("run filipovic2010 --out seed",), "seed/report.html", _what_if),
-    "arm": Shot(("run manutec_r3 --out manutec",), "manutec/report.html", _arm),
-    "mode": Shot(("run deluca_siciliano1991 --out deluca",), "deluca/report.html", _mode),
-    "compare": Shot(
+    "gallery-report": Shot(_SEED, "seed/report.html"),
+    "gallery-report-dark": Shot(_SEED, "seed/report.html", scheme="dark"),
+    "gallery-what-if": Shot(_SEED, "seed/report.html", _what_if),
+    "gallery-arm": Shot(("run manutec_r3 --out manutec",), "manutec/report.html"),
+    "gallery-mode": Shot(("run deluca_siciliano1991 --out deluca",), "deluca/report.html", _mode),
+    "gallery-compare": Shot(
         (
             "run filipovic2010 --out known",
             "run filipovic2010 --set payload.mass=0.6 --out heavier",
@@ -98,9 +80,19 @@ SHOTS: dict[str, Shot] = {
             "view known heavier softer --out compare.html --no-open",
         ),
         "compare.html",
-        _compare,
     ),
-    "studio": Shot((), "studio filipovic2010 --no-open --folder my-robot", _studio),
+    "gallery-studio": Shot((), "studio filipovic2010 --no-open --folder my-robot", _studio),
+    "how-stiff-sweep": Shot(("study gear_sweep.yaml --out sweep",), "sweep/study.html", height=470),
+    "how-stiff-known": Shot(("study gear_known.yaml --out spread",), "spread/study.html", _worst),
+    "how-stiff-both": Shot(("study gear_and_payload.yaml --out both",), "both/study.html", height=560),
+    "how-stiff-compared": Shot(
+        (
+            "run filipovic2010 --out before",
+            "run filipovic2010 --set gear.stiffness=11800 --set gear.damping=4.1 --out after",
+            "view before after --out compared.html --no-open",
+        ),
+        "compared.html",
+    ),
 }
 
 
@@ -114,10 +106,12 @@ def main(wanted: list[str]) -> int:
         return 2
     from playwright.sync_api import sync_playwright
 
-    with tempfile.TemporaryDirectory() as work, sync_playwright() as engine:
+    with tempfile.TemporaryDirectory() as folder, sync_playwright() as engine:
+        work = Path(folder) / "work"
+        shutil.copytree(ROOT / "examples" / "studies", work)
         opened = engine.chromium.launch(executable_path=browser, args=FLAGS)
         for name in wanted or SHOTS:
-            _take(opened, name, SHOTS[name], Path(work))
+            _take(opened, name, SHOTS[name], work)
         opened.close()
     return 0
 
@@ -127,14 +121,15 @@ def _take(browser: Any, name: str, shot: Shot, work: Path) -> None:
         words = command.split()
         if not (work / words[words.index("--out") + 1]).exists():
             subprocess.run([*TMODES, *words], cwd=work, check=True, capture_output=True)
-    context = browser.new_context(viewport=SIZE, color_scheme=shot.scheme, reduced_motion="reduce")
+    size = {"width": WIDTH, "height": shot.height}
+    context = browser.new_context(viewport=size, color_scheme=shot.scheme, reduced_motion="reduce")
     with _address(shot.page, work) as address:
         page = context.new_page()
         page.goto(address)
-        page.wait_for_selector("canvas", timeout=60_000)
+        page.wait_for_selector(DRAWN, timeout=WAIT)
         shot.act(page)
         page.wait_for_timeout(3000)  # software rendering takes its time
-        target = TARGET / f"gallery-{name}.png"
+        target = TARGET / f"{name}.png"
         page.screenshot(path=target)
         context.close()
     print(f"{target.name}: {target.stat().st_size / 1e3:.0f} kB")
@@ -149,8 +144,10 @@ def _address(page: str, work: Path) -> Iterator[str]:
     words = page.split()
     (work / words[words.index("--folder") + 1]).mkdir(exist_ok=True)  # its name is in the picture
     with subprocess.Popen([*TMODES, *words], cwd=work, stdout=subprocess.PIPE, text=True) as server:
-        yield next(line.split()[1] for line in server.stdout or () if line.startswith("open"))
-        server.terminate()
+        try:
+            yield next(word for line in server.stdout or () for word in line.split() if word.startswith("http://"))
+        finally:
+            server.terminate()
 
 
 if __name__ == "__main__":
