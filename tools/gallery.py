@@ -83,7 +83,7 @@ SHOTS: dict[str, Shot] = {
     ),
     "gallery-studio": Shot((), "studio filipovic2010 --no-open --folder my-robot", _studio),
     "how-stiff-sweep": Shot(("study gear_sweep.yaml --out sweep",), "sweep/study.html", height=470),
-    "how-stiff-known": Shot(("study gear_known.yaml --out spread",), "spread/study.html", _worst),
+    "how-stiff-known": Shot(("study gear_known.yaml --out known",), "known/study.html", _worst),
     "how-stiff-both": Shot(("study gear_and_payload.yaml --out both",), "both/study.html", height=560),
     "how-stiff-compared": Shot(
         (
@@ -107,20 +107,24 @@ def main(wanted: list[str]) -> int:
     from playwright.sync_api import sync_playwright
 
     with tempfile.TemporaryDirectory() as folder, sync_playwright() as engine:
-        work = Path(folder) / "work"
-        shutil.copytree(ROOT / "examples" / "studies", work)
         opened = engine.chromium.launch(executable_path=browser, args=FLAGS)
         for name in wanted or SHOTS:
-            _take(opened, name, SHOTS[name], work)
+            _take(opened, name, SHOTS[name], _made(Path(folder), SHOTS[name].commands))
         opened.close()
     return 0
 
 
+def _made(place: Path, commands: tuple[str, ...]) -> Path:
+    """The folder in which some commands ran, once, next to the files of the examples."""
+    work = place / f"{[*dict.fromkeys(shot.commands for shot in SHOTS.values())].index(commands)}"
+    if not work.exists():
+        shutil.copytree(ROOT / "examples" / "studies", work)
+        for command in commands:
+            subprocess.run([*TMODES, *command.split()], cwd=work, check=True, capture_output=True)
+    return work
+
+
 def _take(browser: Any, name: str, shot: Shot, work: Path) -> None:
-    for command in shot.commands:
-        words = command.split()
-        if not (work / words[words.index("--out") + 1]).exists():
-            subprocess.run([*TMODES, *words], cwd=work, check=True, capture_output=True)
     size = {"width": WIDTH, "height": shot.height}
     context = browser.new_context(viewport=size, color_scheme=shot.scheme, reduced_motion="reduce")
     with _address(shot.page, work) as address:

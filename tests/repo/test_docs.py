@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 
+from gallery import SHOTS
 from links import broken_links, pages
 from notation_doc import quantities
 from tmodes.io.forms import F2010
@@ -42,3 +43,20 @@ def test_broken_link_is_found(tmp_path: Path) -> None:
         "[here](page.md#part) [gone](gone.md) ![no](no.png) [far](https://example.org/x)\n```\n[x](y)\n```\n"
     )
     assert list(broken_links(page)) == ["gone.md", "no.png"]
+
+
+IMAGES = ROOT / "docs" / "images"
+
+
+@pytest.mark.parametrize("name", [image.stem for image in sorted(IMAGES.iterdir())])
+def test_a_picture_is_shown_next_to_the_commands_that_make_its_page(name: str) -> None:
+    """Each is one that a tool takes again, by commands that a reader sees on the same page."""
+    showing = [page for page in pages(ROOT) if f"images/{name}.png" in page.read_text(encoding="utf-8")]
+    assert showing
+    if name == "stick-slip":  # of tools/friction_picture.py
+        return
+    said = "\n".join(page.read_text(encoding="utf-8") for page in showing if page.parent == ROOT / "docs")
+    shot = SHOTS[name]
+    commands = [*shot.commands, *([] if shot.page.endswith(".html") else [shot.page])]
+    for command in commands:
+        assert f"tmodes {command.replace(' --no-open', '')}" in said.replace(" --no-open", ""), command
