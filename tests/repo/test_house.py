@@ -8,6 +8,8 @@ from pathlib import Path
 
 import pytest
 
+from mutants import FAULTS
+
 ROOT = Path(__file__).resolve().parents[2]
 LONGEST = 250
 """Lines of a source file."""
@@ -91,3 +93,11 @@ def test_every_source_file_reports_what_it_is() -> None:
         if (text := file.read_text(encoding="utf-8")).strip() and not text.startswith('"""')
     ]
     assert silent == []
+
+
+def test_the_faults_of_the_mutation_check_fit_their_files() -> None:
+    """Each changes one place of the program as it is now, and names tests that are there."""
+    for fault in FAULTS:
+        text = (ROOT / "src" / "tmodes" / fault.file).read_text(encoding="utf-8")
+        assert text.count(fault.old) == 1, fault
+        assert all((ROOT / test).exists() for test in fault.tests.split()), fault

@@ -22,6 +22,7 @@ from tmodes.integrate.settings import Integration
 from tmodes.kinds.signals.schedule import MergedSchedule
 from tmodes.report.page import error_table
 from tmodes.result.assemble import Assembly
+from tmodes.result.errors import summary_figures
 from tmodes.result.summary import summarise_result
 from tmodes.sheet import Robot
 from tmodes.simulation.parts import Trajectory
@@ -152,3 +153,12 @@ def test_errors_are_left_out_where_that_is_asked() -> None:
     result = tmodes.run(turning(MOVE).with_({"integration.error_estimate": False}))
     assert result.summary()["error"] is None
     assert result.summary()["status"] == "finished"
+
+
+def test_the_error_of_a_deflection_is_that_at_its_largest() -> None:
+    """As the summary reports it: the distance of all directions, whatever one of them does."""
+    end = np.array([[3.0, 0.0, 0.0], [0.0, 4.0, 0.0], [2.9, 0.0, 3.9]])
+    deflection = np.stack([np.zeros((3, 3)), end], axis=1)[:, None]
+    values = {"deflection": deflection, "moment": np.zeros((3, 1, 2, 3)), "stress": np.zeros((3, 0, 2))}
+    found = {one.name: one.sample for one in summary_figures(values, {"bending_link": ["rod"], "stressed_link": []})}
+    assert found["links.rod.deflection.max_m"] == 2

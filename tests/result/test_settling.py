@@ -11,8 +11,9 @@ import pytest
 import tmodes
 from arm.see.runs import sheet
 from tmodes.analysis.vibration import residual_vibration, settled_after
-from tmodes.result.settling import BAND
+from tmodes.result.settling import BAND, at_rest_from
 from tmodes.sheet import Robot
+from tmodes.simulation.start import run_setup
 
 STIFFNESS, INERTIA, RATIO, LENGTH = 40.0, 0.4, 0.1, 0.5
 FREQUENCY = np.sqrt(STIFFNESS / INERTIA)
@@ -134,3 +135,18 @@ def test_a_run_that_ends_within_the_move():
     assert result.settling["time_s"] is None
     assert "simulate longer" in result.settling["reason"]
     assert json.loads(result.data.attrs["settling"]) == result.settling
+
+
+def test_noise_ends_where_a_run_is_continued():
+    """A robot whose setpoint is disturbed comes to rest; all other signals keep their values."""
+    noisy = {"reference.noise.deviation": 1e-3, "reference.noise.seed": 3}
+    setup = run_setup(tmodes.load("filipovic2010").with_(noisy).pair().real)
+    noise = [drive.noise for drive in setup.planned.plan.drives if drive.noise >= 0]
+    assert noise
+    before = setup.planned.signals.at(1.5)
+    still, _ = at_rest_from(setup, 1.5, setup.start, 2.0)
+    for time in (0.0, 0.7, 2.0):
+        after = still.planned.signals.at(time)
+        assert np.all(before[noise] != 0)
+        assert np.all(after[noise] == 0)
+        assert np.delete(after, noise) == pytest.approx(np.delete(before, noise), rel=1e-12)
