@@ -29,7 +29,7 @@ def narrow() -> None:
 
 if __name__ == "__main__":
     del sys.argv[0]
-    if not sys.argv:
+    if not sys.argv or sys.argv[0] in ("-h", "--help"):
         sys.exit(__doc__)
     narrow()
     runpy.run_module(sys.argv[0], run_name="__main__", alter_sys=True)

@@ -47,6 +47,8 @@ def _made(sheet: Any, method: str) -> bytes:
 if __name__ == "__main__":
     from .page_robots import ROBOTS
 
+    if len(sys.argv) != 3 or sys.argv[1] not in ROBOTS:
+        sys.exit(f"{__doc__}\nROBOT is one of: {', '.join(ROBOTS)}")
     sheet = ROBOTS[sys.argv[1]][1]()
     began = time.perf_counter()
     wasm = _made(sheet, sys.argv[2])
