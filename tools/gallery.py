@@ -14,6 +14,7 @@ import tempfile
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -114,13 +115,13 @@ def main(wanted: list[str]) -> int:
     return 0
 
 
+@cache
 def _made(place: Path, commands: tuple[str, ...]) -> Path:
     """The folder in which some commands ran, once, next to the files of the examples."""
-    work = place / f"{[*dict.fromkeys(shot.commands for shot in SHOTS.values())].index(commands)}"
-    if not work.exists():
-        shutil.copytree(ROOT / "examples" / "studies", work)
-        for command in commands:
-            subprocess.run([*TMODES, *command.split()], cwd=work, check=True, capture_output=True)
+    work = Path(tempfile.mkdtemp(dir=place))
+    shutil.copytree(ROOT / "examples" / "studies", work, dirs_exist_ok=True)
+    for command in commands:
+        subprocess.run([*TMODES, *command.split()], cwd=work, check=True, capture_output=True)
     return work
 
 

@@ -41,6 +41,20 @@ def sentence(which: str, got: str, expected: str, hint: str) -> str:
     return f"{issue}; {hint}" if hint else issue
 
 
+_LONGEST = 500
+"""Characters of a reason."""
+
+
+def error_words(error: BaseException) -> str:
+    """The kind of an error and what it says, in one line that every file and terminal can show."""
+    try:
+        text = f"{type(error).__name__}: {error}"
+    except Exception:
+        text = f"{type(error).__name__}, whose own text cannot be made"
+    line = " ".join(text[:_LONGEST].split())
+    return "".join(one if one.isprintable() else ascii(one)[1:-1] for one in line)
+
+
 @dataclass(eq=False)
 class InputError(TmodesError):
     """One wrong value: which it is, what was given, what is expected, and a hint how to correct it.

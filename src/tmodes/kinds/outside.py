@@ -12,7 +12,7 @@ from contextlib import contextmanager
 from importlib.metadata import entry_points
 from pathlib import Path
 
-from tmodes.errors import InputError, TmodesError
+from tmodes.errors import InputError, TmodesError, error_words
 
 __all__ = ["ENTRY_POINTS", "USED", "use"]
 
@@ -70,10 +70,6 @@ def _import(name: str, offered: Iterable[str]) -> None:
         raise InputError("kinds", repr(name), expected, "check the spelling and the path") from error
 
 
-_LONGEST = 500
-"""Characters of what an error says."""
-
-
 @contextmanager
 def _mistakes_located(name: str) -> Iterator[None]:
     """What a user's code raises while it is loaded is a mistake there, and not a fault of tmodes."""
@@ -82,10 +78,8 @@ def _mistakes_located(name: str) -> Iterator[None]:
     except TmodesError:
         raise
     except Exception as error:
-        said = " ".join(f"{type(error).__name__}: {error}".split())[:_LONGEST]
-        raise InputError(
-            "kinds", said, f"code that can be loaded from {name}", "correct it there", _place(error)
-        ) from error
+        expected = f"code that can be loaded from {name}"
+        raise InputError("kinds", error_words(error), expected, "correct it there", _place(error)) from error
 
 
 def _place(error: Exception) -> str:

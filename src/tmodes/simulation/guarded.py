@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tmodes.errors import SimulationError
+from tmodes.errors import SimulationError, error_words
 
 __all__ = ["Controller", "Guarded"]
 
@@ -38,7 +38,7 @@ class Guarded:
         try:
             effort = np.asarray(self.controller(time, q, v), dtype=float)
         except Exception as error:
-            raise self._failed(time, f"{type(error).__name__}: {error}", "an answer") from error
+            raise self._failed(time, error_words(error), "an answer") from error
         wanted = f"an array of shape ({len(self.joints)},), the efforts of {', '.join(self.joints)}"
         if effort.shape != (len(self.joints),):
             raise self._failed(time, f"an array of shape {effort.shape}", wanted)

@@ -16,7 +16,7 @@ from typing import Any
 
 import numpy as np
 
-from tmodes.errors import TmodesError
+from tmodes.errors import TmodesError, error_words
 
 __all__ = ["called"]
 
@@ -34,7 +34,7 @@ def called(function: Own, result: Any, timeout: float) -> float:
     except KeyboardInterrupt:
         raise
     except BaseException as error:  # what a library raises to end a task is an error here as any other
-        raise TmodesError(_words(error)) from error
+        raise TmodesError(error_words(error)) from error
     return _number(value)
 
 
@@ -43,7 +43,7 @@ def _number(value: Any) -> float:
     try:
         found = np.asarray(float(value) if type(value) is int else value)
     except Exception as error:
-        what = f"`{type(value).__name__}`, of which none can be made ({_words(error)})"
+        what = f"`{type(value).__name__}`, of which none can be made ({error_words(error)})"
         raise TmodesError(f"the function must return one number, got {what}") from error
     if found.shape or not (np.issubdtype(found.dtype, np.integer) or np.issubdtype(found.dtype, np.floating)):
         what = f"an array of shape {found.shape}" if found.shape else f"`{type(value).__name__}`"
@@ -51,20 +51,6 @@ def _number(value: Any) -> float:
     if not np.isfinite(found):
         raise TmodesError(f"the function must return a finite number, got {float(found)!r}")
     return float(found)
-
-
-_LONGEST = 500
-"""Characters of a reason."""
-
-
-def _words(error: BaseException) -> str:
-    """The kind of an error and what it says, in one line that every file and terminal can show."""
-    try:
-        text = f"{type(error).__name__}: {error}"
-    except Exception:
-        text = f"{type(error).__name__}, whose own text cannot be made"
-    line = " ".join(text[:_LONGEST].split())
-    return "".join(one if one.isprintable() else ascii(one)[1:-1] for one in line)
 
 
 class _Aside(io.TextIOBase):
