@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import json
+from types import SimpleNamespace
 
 import pytest
 
 from command import tmodes
+from tmodes.cli.summary_text import integration_lines
 from tmodes.result import Result
 
 SHORT = ["--duration", "0.2", "--no-contact", "--no-report"]
@@ -55,6 +57,19 @@ def test_passes_of_lanes_are_reported(tmp_path):
     info = tmodes("run", "spong1987", *options, "--out", tmp_path).stdout
     assert "evaluations in " in info
     assert "passes of four lanes" in info
+
+
+def test_steps_of_two_methods_are_not_all_of_the_last():
+    """Where a run turns out stiff, each part says by which method its steps are."""
+    counts = {"rejected": 4, "evaluations": 700, "method": "extrapolation", "passes": 9, "mean_step_s": None}
+    parts = {"1": {"from_s": 0.0, "method": "dormand_prince", "steps": 100},
+             "2": {"from_s": 0.5, "method": "extrapolation", "steps": 1}}  # fmt: skip
+    for more, first in (({"parts": parts}, "101 (4 rejected), 700 evaluations"),
+                        ({}, "101 of extrapolation (4 rejected), 700 evaluations in 9 passes of four lanes")):  # fmt: skip
+        result = SimpleNamespace(statistics={"real": {"steps": 101, **counts, **more}}, timing={})
+        lines = list(integration_lines(result, {"error": None, "model_error": None}))
+        assert lines[0] == f"steps   {first}"
+        assert len(lines) == 2 + len(more.get("parts", ()))
 
 
 @pytest.mark.parametrize("method", ["auto", "extrapolation", "rosenbrock", "midpoint"])

@@ -49,8 +49,10 @@ def integration_lines(result: Any, summary: dict[str, Any]) -> Iterator[str]:
 
 
 def _steps(info: dict[str, Any]) -> str:
-    text = f"{info['steps']:,} of {info['method']} ({info['rejected']:,} rejected), {info['evaluations']:,} evaluations"
-    if info.get("passes"):
+    alone = not info.get("parts")  # else the parts say by which method their steps are
+    by = f" of {info['method']}" if alone else ""
+    text = f"{info['steps']:,}{by} ({info['rejected']:,} rejected), {info['evaluations']:,} evaluations"
+    if alone and info.get("passes"):
         text += f" in {info['passes']:,} passes of four lanes"
     if info.get("mean_step_s"):
         text += f"; smallest {info['smallest_step_s']:.2g} s, mean {info['mean_step_s']:.2g} s"
