@@ -64,8 +64,8 @@ def test_steps_of_two_methods_are_not_all_of_the_last():
     counts = {"rejected": 4, "evaluations": 700, "method": "extrapolation", "passes": 9, "mean_step_s": None}
     parts = {"1": {"from_s": 0.0, "method": "dormand_prince", "steps": 100},
              "2": {"from_s": 0.5, "method": "extrapolation", "steps": 1}}  # fmt: skip
-    for more, first in (({"parts": parts}, "101 (4 rejected), 700 evaluations"),
-                        ({}, "101 of extrapolation (4 rejected), 700 evaluations in 9 passes of four lanes")):  # fmt: skip
+    whole = "101 of extrapolation (4 rejected), 700 evaluations in 9 passes of four lanes"
+    for more, first in (({"parts": parts}, "101 (4 rejected), 700 evaluations"), ({}, whole)):
         result = SimpleNamespace(statistics={"real": {"steps": 101, **counts, **more}}, timing={})
         lines = list(integration_lines(result, {"error": None, "model_error": None}))
         assert lines[0] == f"steps   {first}"
