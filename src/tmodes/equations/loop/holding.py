@@ -27,12 +27,20 @@ _REST = 1e-7
 _DECAY = 10.0
 """Rate [1/s] at which what is left of a slip decays while the point sticks; taken at the end of an implicit step."""
 
-_SINGULAR = 1e-14
-"""Share of the mobility that is added in each direction: some have none, as across a slider."""
+_LEAST = 1e-14
+"""Share of the mobility that is added along each tangent: no quotient by zero."""
 
+_DEPENDENT = 1e-9
+"""The smaller principal mobility along the surface over the larger one up to which the point moves along a line only.
 
-_HELD = 1e-18
-"""Mobility [1/kg] up to which joints that stick hold the point already: of what they bear the contact takes nothing."""
+A slider moves so, and what is left across is rounding in whatever direction the robot is turned.
+"""
+
+_ROUNDING = 1e-12
+"""Share of the point's acceleration up to which what a trial force changes of it is rounding.
+
+Where that is all, joints that stick hold the point already: of what they bear the contact takes nothing.
+"""
 
 
 class Holding(OfTouch):
@@ -55,7 +63,9 @@ class Holding(OfTouch):
     def share(self, pose: Any, before: Any, one: Any, two: Any, p: Any, mode: Any, step: Any) -> list[list[Any]]:
         """Shares of both trials that act, and the force on the point that they are: zeros where it does not stick.
 
-        Of (pose of the point, acceleration less gravity without and with each trial, numbers, mode, h).
+        Of (pose of the point, acceleration less gravity without and with each trial, numbers, mode, h). The mobility
+        along the surface (2, 2) is inverted; where it is of rank one by its determinant, which is the same whatever the
+        tangents, by its pseudo-inverse, of such a matrix its transpose over the sum of its squares.
         """
         met, slip, normal = self._met(pose, p, mode)
         along = _tangents(met.direction)
@@ -63,12 +73,16 @@ class Holding(OfTouch):
         decay = _DECAY / (1 + _DECAY * step[0])
         wanted = [-decay * v.dot(t, slip) - v.dot(t, motion) for t in along]
         (a, b), (c, d) = ([v.dot(t, v.sub(v.vec(after), v.vec(before))) for after in (one, two)] for t in along)
-        least = _SINGULAR * (f.fabs(a) + f.fabs(d)) + 1e-100
+        noise = _ROUNDING * v.total([_size(v.vec(each)) for each in (before, one, two)])
+        whole, line = f.fabs(a) + f.fabs(d), a * a + b * b + c * c + d * d + 1e-200
+        is_line = f.fabs(a * d - b * c) <= whole * f.fmax(_DEPENDENT * whole, noise)
+        sticks = (_slips(mode) < 0.5) * (f.fabs(normal) > 0) * (whole > noise)
+        along_line = [(a * wanted[0] + c * wanted[1]) / line, (b * wanted[0] + d * wanted[1]) / line]
+        least = _LEAST * whole + 1e-100
         a, d = a + least, d + least
-        moves = f.fabs(a) + f.fabs(d) > _HELD * (1 + f.fabs(normal))
-        sticks = (_slips(mode) < 0.5) * (f.fabs(normal) > 0) * moves
-        scale = sticks / (a * d - b * c)
-        shares = [scale * (d * wanted[0] - b * wanted[1]), scale * (a * wanted[1] - c * wanted[0])]
+        scale = 1 / (a * d - b * c)
+        anywhere = [scale * (d * wanted[0] - b * wanted[1]), scale * (a * wanted[1] - c * wanted[0])]
+        shares = [sticks * f.if_else(is_line, *pair) for pair in zip(along_line, anywhere, strict=True)]
         held = v.add(*(v.scale(share * (1 + f.fabs(normal)), t) for share, t in zip(shares, along, strict=True)))
         return [shares, held]
 
