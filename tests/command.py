@@ -3,20 +3,37 @@
 from __future__ import annotations
 
 import io
+import os
+import signal
 import subprocess
 import sys
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from contextlib import chdir, nullcontext, redirect_stderr, redirect_stdout
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 from unittest.mock import patch
 
 from tmodes.cli.main import main
 
-__all__ = ["COMMAND", "Done", "called", "tmodes"]
+__all__ = ["COMMAND", "Done", "called", "started", "tmodes"]
 
 COMMAND = [sys.executable, "-m", "tmodes.cli.entry"]
 """The command in a process of its own, for what only that shows: signals, streams, environment."""
+
+
+def started(line: Sequence[object], **more: Any) -> subprocess.Popen[str]:
+    """A program that hears signals as in a terminal.
+
+    A child inherits what its parent ignores: SIGINT in the background of a script, SIGHUP under `nohup`.
+    """
+    heard = None if os.name == "nt" else _hear
+    return subprocess.Popen([*map(str, line)], text=True, preexec_fn=heard, **more)  # noqa: PLW1509 - no threads yet
+
+
+def _hear() -> None:
+    for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+        signal.signal(number, signal.SIG_DFL)
 
 
 @dataclass(frozen=True)

@@ -8,29 +8,25 @@ from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 
+from command import started
 from patience import until
 
 __all__ = ["running"]
 
 _KEEP_OFTEN = """
-import signal
-signal.signal(signal.SIGINT, signal.default_int_handler)
 from tmodes.io import checkpoint
 checkpoint.RunJournal.__init__.__defaults__ = (0.05,)
 from tmodes.cli.entry import start
 start()
 """
-"""The command, but for its journals: they keep the progress every twentieth of a second, not every two seconds.
-
-Ctrl-C is heard even where the tests run in the background of a shell, which makes its children deaf to it.
-"""
+"""The command, but for its journals: they keep the progress every twentieth of a second, not every two seconds."""
 
 
 @contextmanager
 def running(line: Sequence[object], out: Path, stage: str) -> Iterator[subprocess.Popen[str]]:
     """The command line, started, once the journal of a stage of its run has records; the caller ends it."""
     command = [sys.executable, "-c", _KEEP_OFTEN, *map(str, line), "--out", str(out)]
-    with subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True) as process:
+    with started(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE) as process:
         try:
             journal = out / f".checkpoint-{stage}"
             before = journal.stat().st_size if journal.exists() else 0

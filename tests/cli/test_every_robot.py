@@ -14,7 +14,7 @@ from pathlib import Path
 import pytest
 
 import tmodes
-from command import COMMAND, Done, called
+from command import COMMAND, Done, called, started
 from command import tmodes as done_by
 from patience import LONG
 from tmodes.robots import installed_models
@@ -47,7 +47,7 @@ def run(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory
 def studio(name: str, folder: Path) -> Iterator[str]:
     """The address of a studio that is started with a robot, and ended as by Ctrl-C."""
     line = [*COMMAND, "studio", name, "--folder", str(folder), "--no-open"]
-    with subprocess.Popen(line, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
+    with started(line, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
         try:
             assert process.stdout is not None
             address = re.search(r"http\S+", process.stdout.readline())

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from command import COMMAND
+from command import COMMAND, started
 from patience import LONG, until
 from tmodes import plot
 from tmodes.plot import drawing, figure
@@ -93,9 +93,9 @@ def test_interrupts_are_heard_again() -> None:
 @pytest.mark.skipif(sys.platform == "win32", reason="a terminal of POSIX sends Ctrl-C to a group of processes")
 def test_ctrl_c_ends_all_of_them_quietly(stored, tmp_path) -> None:
     """Sent to the command and its helpers, as a terminal does."""
-    process = subprocess.Popen(
+    process = started(
         [sys.executable, "-W", "error", *COMMAND[1:], "figures", str(stored), "--png", "--out", str(tmp_path)],
-        stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, start_new_session=True,
+        stdout=subprocess.PIPE, stderr=subprocess.PIPE, start_new_session=True,
     )  # fmt: skip
     until(lambda: any(file.suffix == ".svg" and file.name[0] != "." for file in tmp_path.iterdir()), "a figure")
     os.killpg(process.pid, signal.SIGINT)

@@ -13,6 +13,7 @@ from typing import Any
 import pytest
 
 from browsing import OPTIONS, never_idle
+from command import started
 from patience import LONG, WAIT
 from tmodes.report import pack
 
@@ -35,7 +36,7 @@ def address(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
         "--folder",
         str(folder),
     ]
-    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as running:
+    with started(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as running:
         assert running.stdout is not None
         yield running.stdout.readline().split()[1]
         running.send_signal(signal.SIGTERM)

@@ -10,6 +10,7 @@ from pathlib import Path
 
 import pytest
 
+from command import started
 from patience import steady, until
 from studio.tabs import Tab, drag, opened
 from studio.test_looks import ELASTICITY, stl
@@ -239,7 +240,7 @@ def test_no_width_makes_the_page_scroll_sideways(tab, size):
 
 def studio_of_its_own(folder: Path, *more: str) -> subprocess.Popen[str]:
     command = [sys.executable, "-m", "tmodes.cli.entry", "studio", "--no-open", "--folder", str(folder), *more]
-    return subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
+    return started(command, stdout=subprocess.PIPE)
 
 
 HASTE = """

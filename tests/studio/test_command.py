@@ -12,6 +12,7 @@ from contextlib import contextmanager
 import httpx
 import pytest
 
+from command import started as program
 from patience import LONG, until
 
 COMMAND = [sys.executable, "-m", "tmodes.cli.entry", "studio", "--no-open"]
@@ -20,8 +21,7 @@ COMMAND = [sys.executable, "-m", "tmodes.cli.entry", "studio", "--no-open"]
 @contextmanager
 def started(*arguments: object, **more) -> Iterator[subprocess.Popen[str]]:
     """A studio as a process, which ends with the test, whatever that finds."""
-    command = [*COMMAND, *map(str, arguments)]
-    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, **more) as running:
+    with program([*COMMAND, *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE, **more) as running:
         try:
             yield running
         finally:
@@ -124,7 +124,7 @@ def test_a_program_in_the_working_folder_is_not_run(tmp_path):
     (tmp_path / "json.py").write_text("raise SystemExit('mine')", encoding="utf-8")
     (tmp_path / "tmodes.py").write_text("raise SystemExit('mine')", encoding="utf-8")
     command = [sys.executable, "-P", "-m", "tmodes.cli.entry", "studio", "--no-open"]
-    with subprocess.Popen(command, cwd=tmp_path, text=True, stdout=subprocess.PIPE) as running:
+    with program(command, cwd=tmp_path, stdout=subprocess.PIPE) as running:
         assert running.stdout is not None
         address = running.stdout.readline().split()[1]
         with httpx.Client(trust_env=False, timeout=LONG) as client:

@@ -14,6 +14,7 @@ from urllib.parse import unquote, urlsplit
 
 import pytest
 
+from command import started
 from patience import LONG, until
 from tmodes.studio.folders import door
 
@@ -77,9 +78,7 @@ def test_the_browsers_command_line_holds_no_token(session, tmp_path):
                        f"import os\nos.rename({str(noted)!r} + 'x', {str(noted)!r})\n", encoding="utf-8")  # fmt: skip
     browser.chmod(0o700)
     command = [sys.executable, "-m", "tmodes.cli.entry", "studio", "--folder", str(tmp_path)]
-    with subprocess.Popen(
-        command, stdout=subprocess.PIPE, text=True, env=os.environ | {"BROWSER": str(browser)}
-    ) as run:
+    with started(command, stdout=subprocess.PIPE, env=os.environ | {"BROWSER": str(browser)}) as run:
         assert run.stdout is not None
         address = run.stdout.readline().split()[1]
         until(noted.exists)

@@ -20,6 +20,7 @@ import httpx
 import pytest
 
 import tmodes
+from command import started
 from patience import LONG, until
 from studio.test_looks import ELASTICITY, URDF, sent, stl
 from tmodes.errors import InputError
@@ -81,8 +82,7 @@ def running(tmp_path: Path) -> Iterator[Running]:
     browser.chmod(0o700)
     more = {"TMPDIR": str(places[0]), "XDG_RUNTIME_DIR": str(places[1]), "BROWSER": str(browser)}
     command = [sys.executable, "-m", "tmodes.cli.entry", "studio", "--folder", str(tmp_path)]
-    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=os.environ | more,
-                          preexec_fn=_mortal) as process:  # noqa: PLW1509 # fmt: skip
+    with started(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, env=os.environ | more) as process:
         try:
             assert process.stdout is not None
             base, _, token = process.stdout.readline().split()[1].partition("/?token=")
@@ -91,11 +91,6 @@ def running(tmp_path: Path) -> Iterator[Running]:
                 yield Running(process, client, places)
         finally:
             process.kill()
-
-
-def _mortal() -> None:
-    """As in a terminal, also where the tests run under `nohup`."""
-    signal.signal(signal.SIGHUP, signal.SIG_DFL)
 
 
 def begin(studio: Running, sheet, product: str = "curves") -> str:

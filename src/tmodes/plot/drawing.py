@@ -61,7 +61,7 @@ def drawn(draw: Draw, result: Any, names: Sequence[str], stored: Path | None) ->
         yield lambda place: (None if _take_first(taken, place) else arrivals.of(place)) or draw(result, names[place])
     finally:
         for helper in helpers:
-            helper.terminate()
+            helper.kill()  # SIGTERM may be ignored, as by the script that started the command
             helper.join()
 
 

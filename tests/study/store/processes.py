@@ -10,7 +10,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
-from command import COMMAND
+from command import COMMAND, started
 from patience import until
 
 __all__ = ["Cluster", "blocks_in", "cluster", "command", "ended", "reached"]
@@ -18,8 +18,7 @@ __all__ = ["Cluster", "blocks_in", "cluster", "command", "ended", "reached"]
 
 def command(*arguments: object, cwd: Path | None = None) -> subprocess.Popen[str]:
     """The command ``tmodes``, started."""
-    line = [*COMMAND, *map(str, arguments)]
-    return subprocess.Popen(line, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, cwd=cwd)
+    return started([*COMMAND, *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE, cwd=cwd)
 
 
 def ended(process: subprocess.Popen[str]) -> tuple[int, str, str]:
