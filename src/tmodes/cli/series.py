@@ -16,9 +16,9 @@ if TYPE_CHECKING:
 __all__ = ["ASCII", "BLOCKS", "Series", "first_series", "series_of_result", "sparkline", "steps_for"]
 
 FIRST = (
-    "deviation", "tip", "deformation", "penetration", "contact_force_radial", "contact_force_normal", "voltage",
-    "current", "effort", "motor_torque", "gear_torque", "stress", "deflection", "bending_moment", "moment",
-    "energy_balance", "q",
+    "deviation", "tip", "deformation", "penetration", "surface_displacement", "contact_force_radial",
+    "contact_force_normal", "voltage", "current", "effort", "motor_torque", "gear_torque", "stress", "deflection",
+    "bending_moment", "moment", "energy_balance", "q",
 )  # fmt: skip
 """What a reader asks first; a result may have any other, which ``--all`` shows."""
 

@@ -123,7 +123,7 @@ _REFERENCE = {
 """The same of a run with a reference, which has a deviation from it."""
 
 _SOMETIMES = {
-    "time": "contact_force_normal contact_force_normal_nominal penetration",
+    "time": "contact_force_normal contact_force_normal_nominal penetration surface_displacement surface_velocity",
     "time axis": "contact_force tip_commanded",
     "time error_part axis": "tip_error tip_error_nominal",
     "time drive": "voltage current",

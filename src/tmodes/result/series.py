@@ -102,6 +102,7 @@ def motion_series(run: RunData, count: int) -> Variables:
     points = run.points
     electric = any(node.joint.motor and node.joint.motor.resistance is not None for node in run.chain.nodes)
     energy, work = (np.column_stack([*kinds.values()]) for kinds in (run.energies, run.works))
+    moved = (None, None) if run.surface is None else run.surface.T
     series: Series = {
         "q": ("coordinate", run.q, MIXED, "coordinates"),
         "v": ("coordinate", run.v, f"({MIXED}) s-1", "rates of the coordinates"),
@@ -124,7 +125,9 @@ def motion_series(run: RunData, count: int) -> Variables:
         "tip_velocity": ("axis", points.velocity[:, 0], "m s-1", "tip velocity"),
         "contact_force": ("axis", run.contact_force, "N", "force by the point on the surface"),
         "contact_force_normal": ("", run.contact_normal, "N", "its part into the surface"),
-        "penetration": ("", run.penetration, "m", "how far the point is inside of the surface"),
+        "penetration": ("", run.penetration, "m", "how far the point is inside of the surface, where that is"),
+        "surface_displacement": ("", moved[0], "m", "displacement of a surface with mass, along the push on it"),
+        "surface_velocity": ("", moved[1], "m s-1", "velocity of a surface with mass, along the push on it"),
         "energy": ("energy_kind", energy, "J", "energy"),
         "work": ("work_kind", work, "J", "work since the start: of motor, loads and base comes in, the others go out"),
         "energy_balance": ("", run.energy_balance, "J", "energy less its start less work in plus work out"),

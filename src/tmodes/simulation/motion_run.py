@@ -35,7 +35,8 @@ class RunData(Trajectory):
     ``current``, 0 where there is no electric side; ``wanted``, the value of the drive's signal; ``gear_torque``, 0
     where no gear is elastic. ``controls`` (n, states): own states of the controllers, after the samples at each time.
     ``points``: motion of the named points. ``contact_force`` (n, 3), by the point on the surface; ``contact_normal``
-    (n,) its part into the surface; ``penetration`` (n,) [m]; ``contact_fold`` (n,), see
+    (n,) its part into the surface; ``penetration`` (n,) [m]; ``surface`` (n, 2): displacement [m] and velocity [m/s],
+    into it, of a surface with mass that only pushes; ``contact_fold`` (n,), see
     :func:`tmodes.simulation.warnings.jam_warnings`; None without contact. ``base`` (n, 24): acceleration less gravity
     (6) and rate (3) in base axes, pose and velocity in the world (15). ``energies`` and ``works`` (n,) [J] by kind:
     works of ``motor``, ``loads`` and ``base`` are brought in, the others taken out. ``reference``: the same of the
@@ -56,6 +57,7 @@ class RunData(Trajectory):
     contact_force: Array | None = None
     contact_normal: Array | None = None
     penetration: Array | None = None
+    surface: Array | None = None
     contact_fold: Array | None = None
     base: Array
     energies: dict[str, Array]
@@ -126,6 +128,8 @@ def gathered(setup: RunSetup, trajectory: Trajectory, rows: Array | None = None)
         "contact_force": seen["contact"][:, :3], "contact_normal": seen["contact"][:, 3],
         "penetration": seen["contact"][:, 4], "contact_fold": seen["contact_fold"][:, 0],
     }  # fmt: skip
+    if plan.plan.surface_names:
+        contact["surface"] = states[:, loop.layout.surface]
     return RunData(
         **vars(trajectory), setup=setup, q=q, v=v, a=a, effort=effort, voltage=voltage, current=current, wanted=wanted,
         gear_torque=seen["gear"], controls=seen["controls"], points=model.points(q, v, a, base=moving), **contact,

@@ -132,6 +132,9 @@ def _others(setup: RunSetup, seen: _Seen) -> dict[str, Quantity]:
         found[f"contact.{name}"] = Quantity(
             unit, lambda at, part=part, column=column: seen.observed(at)[part][:, column]
         )
+    for column, (name, unit) in enumerate(zip(setup.planned.plan.surface_names, ("m", "m/s"), strict=False)):
+        place = setup.model.layout.surface.start + column
+        found[name] = Quantity(unit, lambda at, place=place: at.states[:, place])
     return found
 
 

@@ -13,6 +13,7 @@ from tmodes.equations.loop.contact_kernels import CONTACT_OUTPUTS
 from tmodes.equations.loop.control_kernels import WINDING, needed_kernel
 from tmodes.equations.loop.friction import contact_fold
 from tmodes.equations.loop.instant import Instant
+from tmodes.equations.loop.landing import against_kernel
 from tmodes.equations.loop.layout import WORKS
 from tmodes.equations.loop.narrow import narrow_rates
 from tmodes.equations.loop.plan import Driver, LoopParts
@@ -141,7 +142,8 @@ class Powers:
         info, power = self._call(touch.touch.info(), pose, motion, self.loop.touch, self.instant.mode, held)
         solved = self.solution.first.contact
         self.powers["contact"].append(power if solved is None else solved.part(2, 1))
-        return info
+        switching = self.instant.switching
+        return self._call(against_kernel(), info, switching.mode, switching.own)[0] if switching.landing else info
 
     def _power_of_base(self) -> None:
         """Power of what moves the base."""

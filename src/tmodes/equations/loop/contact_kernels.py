@@ -22,7 +22,9 @@ from tmodes.kinds.kernel.spatial import FORCE, INERTIA, Force, Inertia
 __all__ = ["CONTACT_OUTPUTS", "MODE", "SLIP", "TOUCHES", "LawAt", "Touch", "contact_law"]
 
 CONTACT_OUTPUTS = 6
-"""What is known of a contact: force by the point on the surface (3), its normal part, penetration and its rate."""
+"""What is known of a contact: force by the point on the surface (3), its normal part, penetration and its rate.
+
+The penetration is that of the surface where it is: of one with mass that only pushes, at its own displacement."""
 
 SLIP, TOUCHES, MODE = 3, 3, 4
 """Of a contact that sticks and slips the direction of its slip, zeros while it sticks: a unit vector that the slip has
@@ -94,8 +96,9 @@ class Touch:
         return [p[_LAW + k] for k in range(len(self.sheet.numbers()))]
 
     def _push(self, p: Any, met: Meeting) -> Any:
-        """Force of the law, before a surface that only pushes limits it."""
-        depth = ca.if_else(met.depth > _LEAST, met.depth, _LEAST) if self.sheet.unilateral else met.depth
+        """Force of the law, before a surface that only pushes limits it; what carries a mass acts on both sides."""
+        pushes = self.sheet.unilateral and not self.lands
+        depth = ca.if_else(met.depth > _LEAST, met.depth, _LEAST) if pushes else met.depth
         return self.sheet.normal_force(self.law(p), depth, met.rate)
 
     def _acts(self, met: Meeting, push: Any, mode: Any) -> Any:

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from tmodes.equations.loop.contact_kernels import MODE, TOUCHES
+from tmodes.equations.loop.contact_kernels import CONTACT_OUTPUTS, MODE, TOUCHES
 from tmodes.equations.loop.of_touch import OfTouch
 from tmodes.equations.recursion.hinge import POSE
 from tmodes.kinds.contacts.contract import SURFACE
@@ -17,7 +17,7 @@ from tmodes.kinds.kernel import functions as f
 from tmodes.kinds.kernel.schedule import Kernel, kernel
 from tmodes.kinds.kernel.spatial import FORCE
 
-__all__ = ["OWN", "Landing", "jump_kernel"]
+__all__ = ["OWN", "Landing", "against_kernel", "jump_kernel"]
 
 OWN = 2
 """Displacement [m] of the surface along the direction into it, and its rate [m/s]."""
@@ -76,6 +76,13 @@ class Landing(OfTouch):
         rate = f.if_else(touches * (1 - stays) > 0.5, met.rate, moved)
         new = [f.if_else(holds > 0.5, met.depth, place), f.if_else(holds > 0.5, after, rate)]
         return [[impulse], [holds], new, [impulse * (met.rate + after) / 2]]
+
+
+@kernel("land info", (CONTACT_OUTPUTS, MODE, OWN), (CONTACT_OUTPUTS,))
+def against_kernel(info: Any, mode: Any, own: Any) -> list[list[Any]]:
+    """(what is known of a contact, mode, own state) -> the same, the penetration against where the surface is."""
+    apart = (f.if_else(mode[TOUCHES] > 0.5, 0.0, info[4 + k] - own[k]) for k in range(OWN))
+    return [[*(info[k] for k in range(4)), *apart]]
 
 
 def jump_kernel(size: int) -> Kernel:

@@ -45,6 +45,8 @@ def _states(setup: RunSetup) -> Iterator[tuple[str, Shown]]:
     for k, name in enumerate(setup.model.coordinates):
         yield f"{name}.position", Shown("state", (layout.q.start + k,))
         yield f"{name}.velocity", Shown("state", (layout.v.start + k,))
+    for k, name in enumerate(setup.planned.plan.surface_names):
+        yield name, Shown("state", (layout.surface.start + k,))
 
 
 def _drives(setup: RunSetup) -> Iterator[tuple[str, Shown]]:
