@@ -1,44 +1,44 @@
 """Scalars of a file or the command line: bare words of YAML 1.2, numbers, and numbers with their unit (``"600 mm"``).
 
 Text is held against a closed grammar before the unit library sees it: a number and a few unit words, with ``*``, ``/``,
-one-digit powers and one level of parentheses. Inside tmodes every number is a plain float in SI units.
+one-digit powers and one level of parentheses; :mod:`tmodes.io.unit_words` says what people write for these. Inside
+tmodes every number is a plain float in SI units.
 """
 
 from __future__ import annotations
 
 import math
 import re
+from contextlib import suppress
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, lru_cache
 from numbers import Real
 from typing import Any
 
 from tmodes.errors import InputError
+from tmodes.io.unit_words import UNIT, angular, cyclic, guesses, readings, spelt
 from tmodes.io.words import shown
 
 __all__ = ["EVERYDAY", "FLOAT", "NotANumber", "finite_float", "library_factor", "number", "parse_assignment", "scalar"]
 
 NUMBER = r"[-+]?(?:\.[0-9]+|[0-9]+(?:\.[0-9]*)?)(?:[eE][-+]?[0-9]+)?"
 FLOAT = re.compile(NUMBER)
-WORD = r"[A-Za-zµμΩ°]{1,20}(?:(?:\^|\*\*)-?[1-9])?[²³]?"
-TIMES = r"(?: ?[*·/] ?| )"
-WORDS = rf"{WORD}(?:{TIMES}{WORD}){{0,5}}"
-UNIT = rf"(?:1 ?/ ?)?(?:{WORDS}|\({WORDS}\))(?:{TIMES}(?:{WORD}|\({WORDS}\))){{0,2}}"
-QUANTITY = re.compile(rf"({NUMBER}) ?({UNIT})?")
 COMMA = re.compile(r"([-+]?[0-9]+),([0-9]+)([^,]*)")
 INFINITE = re.compile(r"[-+]?\.?(inf|Inf|INF|infinity|Infinity)")
 LONGEST = 80
 
 EVERYDAY = {
-    "m": {"m": 1.0, "mm": 1e-3, "cm": 0.01, "um": 1e-6, "µm": 1e-6},
-    "rad": {"rad": 1.0, "mrad": 1e-3, "deg": math.pi / 180, "°": math.pi / 180},
-    "kg": {"kg": 1.0, "g": 1e-3},
-    "s": {"s": 1.0, "ms": 1e-3},
-    "m/s": {"m/s": 1.0, "mm/s": 1e-3},
-    "rad/s": {"rad/s": 1.0, "deg/s": math.pi / 180},
-    "N": {"N": 1.0, "kN": 1e3},
-    "N*m": {"N*m": 1.0, "N m": 1.0, "N mm": 1e-3},
-    "Pa": {"Pa": 1.0, "kPa": 1e3, "MPa": 1e6, "GPa": 1e9},
+    "m": {"mm": 1e-3, "cm": 0.01, "um": 1e-6},
+    "rad": {"mrad": 1e-3, "deg": math.pi / 180},
+    "kg": {"g": 1e-3},
+    "s": {"ms": 1e-3},
+    "m/s": {"mm/s": 1e-3},
+    "rad/s": {"deg/s": math.pi / 180},
+    "N": {"kN": 1e3},
+    "N*m": {"N*mm": 1e-3},
+    "N*m/rad": {"N*m": 1.0},
+    "N*m*s/rad": {"N*m*s": 1.0},
+    "Pa": {"kPa": 1e3, "MPa": 1e6, "GPa": 1e9},
     "-": {"percent": 0.01},
 }
 """Factors as the unit library gives them, by unit of the place and text: it takes half a second to load."""
@@ -75,13 +75,22 @@ def number(value: Any, unit: str) -> float:
 def _from_text(text: str, unit: str) -> float:
     if INFINITE.fullmatch(text):
         return float(text.replace(".", ""))
-    match = QUANTITY.fullmatch(text) if len(text) <= LONGEST else None
-    if match is None:
+    plain = spelt(text) if len(text) <= LONGEST else ""
+    figures = FLOAT.match(plain)
+    unit_text = plain[figures.end() :].removeprefix(" ") if figures else ""
+    if figures is None or not (unit_text == "" or UNIT.fullmatch(unit_text)):
         raise NotANumber(f"the text {shown(text)}", _hint_text(text, unit))
-    value = finite_float(match[1])
+    value = finite_float(figures[0])
     if value is None:
-        raise NotANumber(f"{shown(match[1])}, which no double can hold", "write a number of sensible size")
-    return value if match[2] is None else _converted(value, match[2], unit)
+        raise NotANumber(f"{shown(figures[0])}, which no double can hold", "write a number of sensible size")
+    if not unit_text:
+        return value
+    try:
+        return _converted(value, _factor(unit_text, unit), text)
+    except _WrongUnit as error:
+        own = text[len(text) - len(unit_text) :] if text.endswith(unit_text) else unit_text
+        got = f"{shown(text)} with the unit {shown(own)}, which is {error.reason}"
+        raise NotANumber(got, error.hint or _hint_unit(figures[0], unit_text, unit)) from None
 
 
 def _hint_text(text: str, unit: str) -> str:
@@ -91,37 +100,82 @@ def _hint_text(text: str, unit: str) -> str:
     return f"write a number{_in(unit)}{example}"
 
 
-def _converted(value: float, unit_text: str, unit: str) -> float:
+def _hint_unit(figures: str, unit_text: str, unit: str) -> str:
+    """What a wrong unit was probably meant to be, else what would be right."""
+    for guess in guesses(unit_text):
+        with suppress(_WrongUnit):
+            _checked_factor(guess, unit)
+            return f'did you mean "{figures} {guess}"?'
+    if unit == "-":
+        return "leave the unit out"
+    return f'write the number in {unit}, or with a unit that converts to it, such as "{figures} {unit}"'
+
+
+def _converted(value: float, factor: float, text: str) -> float:
     """The value in our unit. Divides where the factor is one over a whole number: 700 mm is 0.7 m to the last digit."""
-    factor = _factor(unit_text, unit)
     whole = round(1 / factor) if 1e-15 < factor < 1 else 0
     result = value / whole if whole and whole * factor == 1.0 else value * factor
     if not math.isfinite(result):
-        raise NotANumber(f"{value!r} {unit_text}, which no double can hold", "write a number of sensible size")
+        raise NotANumber(f"{shown(text)}, which no double can hold", "write a number of sensible size")
     return result
 
 
+@dataclass
+class _WrongUnit(ValueError):
+    """Why a unit does not belong in a place, and how to fix it where that is known."""
+
+    reason: str
+    hint: str = ""
+
+
+@lru_cache(1000)
 def _factor(unit_text: str, unit: str) -> float:
-    factor = EVERYDAY.get(unit, {}).get(unit_text)
-    return library_factor(unit_text, unit) if factor is None else factor
+    """Our units in one of a text: of its first reading that has our dimension."""
+    refused: list[_WrongUnit] = []
+    factors: dict[str, float] = {}
+    for count, reading in enumerate(readings(unit_text)):
+        try:
+            factors[reading] = _checked_factor(reading, unit)
+        except _WrongUnit as error:
+            refused.append(error)
+        else:
+            if count == 0:
+                break
+    if len({*factors.values()}) > 1:
+        raise _WrongUnit(f"either {' or '.join(factors)}", "write the one that is meant")
+    if not factors:
+        raise next((error for error in refused if error.reason != _UNKNOWN), refused[0])
+    return next(iter(factors.values()))
+
+
+_UNKNOWN, _OTHER = "unknown", "of another dimension"
+
+
+def _checked_factor(unit_text: str, unit: str) -> float:
+    """Our units in one of a text in the library's spelling; raises :class:`_WrongUnit`.
+
+    An angle is no dimension of the library: it belongs only where our unit has one, and may be left out there.
+    """
+    turns = "rad" in unit
+    if turns and cyclic(unit_text):
+        raise _WrongUnit("of turns or of radians", "write rpm or rev/s for turns, else rad/s")
+    factor = 1.0 if unit_text == unit else EVERYDAY.get(unit, {}).get(unit_text)
+    factor = library_factor(unit_text, unit) if factor is None else factor
+    if (angular(unit_text) and not turns) or ("percent" in unit_text and unit != "-"):
+        raise _WrongUnit(_OTHER)
+    return factor
 
 
 def library_factor(unit_text: str, unit: str) -> float:
-    """Our units in one of a text, by the unit library; raises :class:`NotANumber` for what is no unit of this kind."""
+    """Our units in one of a text, by the unit library; raises a ValueError for what is no unit of this kind."""
     ours = "dimensionless" if unit == "-" else unit
     try:
         one, two = (float(_registry().Quantity(count, unit_text).to(ours).magnitude) for count in (1.0, 2.0))
     except Exception as error:  # the library raises errors of many families; each means: not this unit
-        reason = "of another dimension" if type(error).__name__ == "DimensionalityError" else "unknown"
-        raise _wrong_unit(unit_text, reason, unit) from None
+        raise _WrongUnit(_OTHER if type(error).__name__ == "DimensionalityError" else _UNKNOWN) from None
     if not math.isclose(two, 2 * one):  # decibels and the like are no factors
-        raise _wrong_unit(unit_text, "not a plain factor", unit)
+        raise _WrongUnit("not a plain factor")
     return one
-
-
-def _wrong_unit(unit_text: str, reason: str, unit: str) -> NotANumber:
-    hint = f"write the number{_in(unit)}, or with a unit that converts to it"
-    return NotANumber(f"the unit {shown(unit_text)}, which is {reason}", hint if unit != "-" else "leave the unit out")
 
 
 @cache
