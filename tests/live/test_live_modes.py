@@ -91,11 +91,18 @@ def test_parts_of_the_deformations_are_the_native_ones(pairs: list[tuple[dict[st
         assert_parts_equal(run, result)
 
 
-@pytest.mark.parametrize("changes", [{"loads": _LOADS, "contact": None}, {"contact": _BALL}], ids=["loads", "ball"])
+_SPRINGS = {"joints.j1.spring": {"stiffness": 200.0, "rest": 0.3, "damping": 0.4}, "contact": None}
+
+
+@pytest.mark.parametrize(
+    "changes",
+    [{"loads": _LOADS, "contact": None}, {"contact": _BALL}, _SPRINGS],
+    ids=["loads", "ball", "parallel spring"],
+)
 def test_what_acts_on_the_points_is_in_modes_and_parts(changes: dict[str, Any], tmp_path: Path) -> None:
-    """A load that follows its point, whose stiffness is not symmetric, a dead one; a hollow ball that is pressed."""
+    """A load that follows its point, whose stiffness is not symmetric, a dead one; a hollow ball that is pressed; a spring beside a gear."""
     for run, result in both(two_links().with_(changes), tmp_path, 2):
-        assert "loads" in changes or float(result.data["contact_force_normal"][0]) > 1.0
+        assert not changes["contact"] or float(result.data["contact_force_normal"][0]) > 1.0
         assert_same_modes(run["vibration"]["modes"], modes_of(result), EQUAL, SHAPE)
         assert_parts_equal(run, result)
 

@@ -12,7 +12,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tmodes.analysis.quasistatic import deflections, elastic_names, gear_inputs, sprung
+from tmodes.analysis.quasistatic import deflections, gear_inputs, sprung
 from tmodes.model.model import Model
 
 __all__ = ["FREE", "PARTS", "element_steps", "straight", "substitutions", "tips", "without_elasticity"]
@@ -23,16 +23,13 @@ PARTS = ("controller", "gears", "links")
 """The parts: drives off their setpoints; deflection of the gears, and joints that are free; bending of the links."""
 
 FREE = "free joints"
-"""Joints with neither a drive nor a gear, whose motion is with that of the gears."""
+"""Joints with neither a drive nor a gear nor a spring, whose motion is with that of the gears."""
 
 
 def without_elasticity(model: Model, q: Array) -> Array:
     """Coordinates (n, nq) of the robot at ``q`` without any elasticity, its motors where they are."""
-    straight, names = q.copy(), model.coordinates
-    bent = deflections(model, q)
-    for k, name in enumerate(elastic_names(model)):
-        if name.endswith(".gear") and name not in names:
-            straight[:, names.index(name.removesuffix(".gear"))] -= bent[:, k]
+    straight, joints = q.copy(), sprung(model)
+    straight[:, joints] -= deflections(model, q)[:, : len(joints)]
     straight[:, model.deformations] = 0.0
     return straight
 
@@ -67,7 +64,7 @@ def element_steps(model: Model, straightened: Array, actual: Array) -> tuple[lis
     and the shapes (n, nq) that they lead to.
     """
     places = [
-        ("gears" if axis.axis.drive.has_gear else FREE, axis.axis.name, [axis.angle])
+        ("gears" if axis.axis.element else FREE, axis.axis.name, [axis.angle])
         for axis in model.parts.axes if not (axis.axis.drive.is_driven and axis.input == axis.angle)
     ]  # fmt: skip
     links = [(one.node.name, [*range(model.nq)[one.link.own]]) for one in model.parts.nodes if one.link]

@@ -53,8 +53,8 @@ class Split:
 
 
 def elastic_names(model: Model) -> tuple[str, ...]:
-    """``joint.gear`` of each elastic gear, then the links' coordinates."""
-    gears = [f"{model.coordinates[joint]}.gear" for joint in sprung(model)]
+    """``joint.gear`` of each elastic gear, ``joint.spring`` of a joint on its spring alone; the links' coordinates."""
+    gears = [axis.axis.element for axis in model.parts.axes if axis.axis.element]
     return (*gears, *(model.coordinates[k] for k in model.deformations))
 
 
@@ -103,12 +103,15 @@ def held_shape(
 
 
 def sprung(model: Model) -> list[int]:
-    """Coordinates of the joints behind an elastic gear, in the order of the nodes."""
-    return [axis.angle for axis in model.parts.axes if axis.axis.drive.has_gear]
+    """Coordinates of the joints behind an elastic gear, or on a spring alone, in the order of the nodes."""
+    return [axis.angle for axis in model.parts.axes if axis.axis.element]
 
 
 def gear_inputs(model: Model, values: Array, *, rest: bool = False) -> Array:
-    """Gear inputs of these joints (n, gears) from motor angles (or their rates); of locked motors ``rest``, or 0."""
+    """Gear inputs of these joints (n, gears) from motor angles (or their rates).
+
+    Of locked motors and of springs without a drive: where they are relaxed with ``rest``, else 0.
+    """
     couplings = np.eye(len(model.motors)) if model.chain.couplings is None else np.asarray(model.chain.couplings)
     motors, column = values[:, model.motors] @ couplings.T, 0
     columns = []
@@ -116,8 +119,8 @@ def gear_inputs(model: Model, values: Array, *, rest: bool = False) -> Array:
         if axis.motor >= 0:
             columns.append(motors[:, column])
             column += 1
-        elif axis.axis.drive.has_gear:
-            columns.append(np.full(len(values), axis.node.joint.rest if rest else 0.0))
+        elif axis.axis.element:
+            columns.append(np.full(len(values), axis.axis.rest if rest else 0.0))
     return np.stack(columns, axis=1) if columns else np.zeros((len(values), 0))
 
 

@@ -26,7 +26,10 @@ from tmodes.kinds.drives.registry import drive_kind
 from tmodes.kinds.joints.contract import Coordinate, JointKind
 from tmodes.kinds.links.contract import Link
 
-__all__ = ["Axis", "Chain", "Friction", "Gear", "Joint", "Motor", "Node", "Point", "line_before", "node_of_line"]
+__all__ = [
+    "Axis", "Chain", "Friction", "Gear", "Joint", "Motor", "Node", "ParallelSpring", "Point", "joint_of_element",
+    "line_before", "node_of_line",
+]  # fmt: skip
 
 Array = NDArray[np.float64]
 
@@ -86,6 +89,18 @@ class Gear:
     backlash_rounding: float = 1e-5
 
 
+@dataclass(frozen=True)
+class ParallelSpring:
+    """Between the links of a joint, beside what drives it: -stiffness (q - rest) - damping q' on its coordinate q.
+
+    ``stiffness`` [N*m/rad or N/m], ``rest`` [rad or m], ``damping`` [N*m*s/rad or N*s/m].
+    """
+
+    stiffness: float
+    rest: float = 0.0
+    damping: float = 0.0
+
+
 class Axis(NamedTuple):
     """A coordinate of a joint: its name among the coordinates of the chain, its unit, its drive."""
 
@@ -99,13 +114,30 @@ class Axis(NamedTuple):
         """Name of its motor's coordinate."""
         return f"{self.name}.motor"
 
+    @property
+    def element(self) -> str:
+        """Name of the elastic element that alone says where the joint is: a gear, or a spring of a joint without drive.
+
+        Empty where there is none.
+        """
+        if self.drive.has_gear:
+            return f"{self.name}.gear"
+        return f"{self.name}.spring" if self.joint.spring and not self.drive.is_driven else ""
+
+    @property
+    def rest(self) -> float:
+        """Where that element is relaxed [rad or m], but for one whose motor turns."""
+        spring = None if self.drive.has_gear else self.joint.spring
+        return spring.rest if spring else self.joint.rest
+
 
 @dataclass(frozen=True, eq=False)
 class Joint:
     """A joint: ``axis`` (3,), a unit vector in the joint frame; ``friction`` acts on the joint's own rates.
 
-    ``drive``, ``motor``, ``gear`` and ``friction`` are those of each of its coordinates; ``drives``: where the kinds of
-    drive differ between them. ``parameters``: further numbers of its kind; ``drive_parameters``: of its kind of drive.
+    ``drive``, ``motor``, ``gear``, ``friction`` and ``spring`` are those of each of its coordinates; ``drives``: where
+    the kinds of drive differ between them. ``parameters``: further numbers of its kind;
+    ``drive_parameters``: of its kind of drive.
     """
 
     name: str
@@ -116,6 +148,7 @@ class Joint:
     motor: Motor | None = None
     gear: Gear | None = None
     friction: Friction = Friction()
+    spring: ParallelSpring | None = None
     rest: float = 0.0
     """Where the locked motor of a spring stands [rad or m]."""
     lower: float = -np.inf
@@ -204,6 +237,11 @@ class Chain:
     def tip(self) -> Point:
         """The point that is called the tip: the first of ``points``, else the end of the last node."""
         return self.points[0] if self.points else Point("tip", len(self.nodes) - 1)
+
+
+def joint_of_element(name: str) -> str:
+    """The joint's coordinate of ``joint.gear`` and of ``joint.spring``."""
+    return name.removesuffix(".gear").removesuffix(".spring")
 
 
 def node_of_line(chain: Chain, name: str) -> Node | None:

@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.chain.chain import Chain, Friction, Gear, Joint, Motor, Node, Point
+from tmodes.chain.chain import Chain, Friction, Gear, Joint, Motor, Node, ParallelSpring, Point
 from tmodes.frame import Placement
 from tmodes.kinds.drives.contract import DriveKind
 from tmodes.kinds.drives.drive import FrictionSheet, MotorSheet
@@ -84,6 +84,7 @@ def _joint(sheet: JointSheet, placement: Placement, robot: Robot) -> Joint:
     drives, limits = tuple(_drive(sheet, name, robot) for name in sheet.coordinates), sheet.limits
     drive, gear = drives[0], sheet.gear
     gear = Gear(gear.stiffness, gear.torque_limits, gear.damping, gear.backlash) if gear else None
+    spring = ParallelSpring(*sheet.spring.model_dump().values()) if sheet.spring else None
     lower, upper = (limits.lower, limits.upper) if limits else (None, None)
     return Joint(
         name=sheet.name,
@@ -94,6 +95,7 @@ def _joint(sheet: JointSheet, placement: Placement, robot: Robot) -> Joint:
         motor=_motor(sheet.motor) if sheet.motor and drive.takes_effort else None,
         gear=gear if drive.has_gear else None,
         friction=_friction(sheet.friction),
+        spring=spring,
         rest=sheet.locked_at,
         lower=-np.inf if lower is None else lower,
         upper=np.inf if upper is None else upper,

@@ -46,9 +46,9 @@ def _print(info: dict[str, Any]) -> None:
     print(f"{count or 'no'} {moves}, {info['total_mass_kg']:.4g} kg")
     for note in info["notes"]:
         print(f"note: {note}")
-    joints = [[one["name"], one["type"], one["kind"], one["carries"], one["command"] or "held", _limits(one)]
+    joints = [[one["name"], one["type"], one["kind"], one["carries"], one["command"] or _undriven(one), _limits(one)]
               for one in info["joints"]]  # fmt: skip
-    print_known("Joints (A active, L locked; E elastic, R rigid gear)",
+    print_known("Joints (A active, L locked, F free; E elastic, R rigid gear)",
                 ["joint", "type", "kind", "carries", "drive", "limits"], joints)  # fmt: skip
     columns = ["link", "model", "mass [kg]", "length [m]", "EI y, z [N*m^2]", "GJ [N*m^2]", "EA [N]",
                "alone y, z [Hz]"]  # fmt: skip
@@ -61,6 +61,10 @@ def _print(info: dict[str, Any]) -> None:
         gears = [[one["joint"], ", ".join(f"{k:.4g}" for k in one["stiffness"]), one["unit"],
                   _number(one["stiffness_over_EI_per_L"])] for one in info["gears"]]  # fmt: skip
         print_known("Gears", ["joint", "stiffness", "unit", "over EI/L of the link"], gears)
+    if info["springs"]:
+        springs = [[one["joint"], *map(_number, (one["stiffness"], one["rest"], one["damping"])), one["unit"]]
+                   for one in info["springs"]]  # fmt: skip
+        print_known("Springs of joints", ["joint", "stiffness", "rest", "damping", "unit of stiffness"], springs)
     if info["sag"]:
         travel = ", ".join(numbers(info["sag"]["displacement_m"], 1e3, 1.0))
         print(f"Sag of the tip under weight: {travel} mm (x, y, z), turned by {info['sag']['rotation_rad']:.4g} rad\n")
@@ -74,6 +78,11 @@ def _link(one: dict[str, Any]) -> list[str]:
     shown = ", ".join(_ends(pair) for pair in bending) if bending[0] else "-"
     rings = ", ".join(_number(value) for value in bare) if "bare_bend_y_Hz" in one else "-"
     return [one["name"], one["model"], f"{one['mass_kg']:.4g}", _number(one["length_m"]), shown, *others, rings]
+
+
+def _undriven(one: dict[str, Any]) -> str:
+    """What a joint without a drive does."""
+    return "free" if one["state"] == "free" else "held"
 
 
 def _ends(pair: list[float | None] | None) -> str:

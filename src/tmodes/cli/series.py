@@ -70,11 +70,11 @@ def _farthest(variable: Labelled) -> tuple[list[str], NDArray[np.float64]]:
 
 
 def _coordinate_units(data: Record) -> dict[str, str]:
-    """Unit of each coordinate of a robot; a gear's deflection has that of its joint."""
+    """Unit of each coordinate of a robot; the deflection of a gear or spring has that of its joint."""
     if "coordinate_unit" not in data.coords:
         return {}
     info = dict(zip(map(str, data["coordinate"].values), map(str, data["coordinate_unit"].values), strict=True))
-    return info | {f"{name}.gear": unit for name, unit in info.items()}
+    return info | {f"{name}.{element}": unit for name, unit in info.items() for element in ("gear", "spring")}
 
 
 def _own_unit(info: str, word: str, units: dict[str, str]) -> str:

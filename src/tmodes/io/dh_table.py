@@ -26,7 +26,7 @@ from tmodes.kinds.schema.frames import Convention
 __all__ = ["sheet_of_table"]
 
 NUMBERS = ("a", "alpha", "d", "theta")
-OF_JOINT = ("type", "state", "locked_at", "limits", "friction", "motor", "gear")
+OF_JOINT = ("type", "state", "locked_at", "limits", "friction", "motor", "gear", "spring")
 OF_LINK = ("bodies", "beam")
 KEYS = ("name", "link", *NUMBERS, *OF_JOINT, *OF_LINK)
 OWN = ("kind", "convention", "rows")

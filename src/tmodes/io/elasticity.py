@@ -28,7 +28,7 @@ from tmodes.io.yaml_file import Positions, nearest_line, read_yaml
 
 __all__ = ["read_elasticity"]
 
-OF_JOINT = ("state", "locked_at", "limits", "friction", "motor", "gear")
+OF_JOINT = ("state", "locked_at", "limits", "friction", "motor", "gear", "spring")
 OF_LINK = ("beam", "bodies", "keep_inertial")
 KEEP = ("rigid", "replaced")
 OF_URDF = ("name", "type", "parent", "child", "origin", "from", "axis", "dh")

@@ -90,6 +90,7 @@ _RULES = (
     Rule(r"contact\.friction", "environment", 3.0, log=False),
     Rule(r"contact\.preload", "environment", 3.0, room=20.0, log=False),
     Rule(r"joints\.\*\.gear\.damping", "gear", real=True),
+    Rule(r"joints\.\*\.spring\.(stiffness|damping)", "gear", real=True),
     Rule(r"links\.\*\.beam\.(modes\.\*\.)?damping_time", "links"),
     Rule(r"joints\.\*\.motor\.(inertia|friction\.viscous)", "motor"),
     Rule(r"joints\.\*\.friction\.viscous", "motor"),

@@ -162,9 +162,11 @@ def _modes(robot: Robot, ended: Robot, model: Model) -> tuple[dict[str, Any] | N
         return None, "its modes have other coordinates than its run"
     servos = local_servos(robot, rest.model)
     names = list(model.coordinates)
-    gears, links = spring_rows(rest.model)
-    springs = [{"element": name, "rows": [angle], "gear": True} for name, angle in gears.items()]
-    springs += [{"element": name, "rows": rows, "gear": False} for name, rows in links.items()]
+    gears, links, parallel = spring_rows(rest.model)
+    beside = dict(parallel.values())
+    springs = [{"element": name, "rows": [k], "gear": True, "beside": beside.get(k, -1)} for name, k in gears.items()]
+    springs += [{"element": name, "rows": rows, "gear": False, "beside": -1} for name, rows in links.items()]
+    springs += [{"element": name, "rows": [k], "gear": False, "beside": n} for name, (k, n) in parallel.items()]
     return {
         "rest": rest.q,
         "end": _end(ended),

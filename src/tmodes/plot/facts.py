@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from tmodes.chain.chain import joint_of_element
 from tmodes.plot.ranges import seen
 from tmodes.plot.style import INSTANTS
 
@@ -92,7 +93,7 @@ def effort_unit(data: Any, joint: str) -> str:
 
 def deformation_unit(data: Any, name: str) -> str:
     """Unit of an elastic coordinate."""
-    own = name if name in data["coordinate"].values else name.removesuffix(".gear")
+    own = name if name in data["coordinate"].values else joint_of_element(name)
     unit = str(data["coordinate_unit"].sel(coordinate=own).values) if own in data["coordinate"].values else "rad"
     return "-" if unit == "1" else unit
 

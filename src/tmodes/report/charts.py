@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from tmodes.chain.chain import joint_of_element
 from tmodes.frame import along
 from tmodes.plot.facts import command_of, deformation_unit, drive_unit, effort_unit, names_of
 from tmodes.report.drafts import Draft, Line, in_readable_units, line_of, run_spectra
@@ -99,7 +100,11 @@ def _owner(data: Any, name: str) -> str:
 def _element(data: Any, owner: str, unit: str, names: Sequence[str], places: Sequence[int]) -> Iterator[Draft]:
     for first in range(0, len(places), _TOGETHER):
         part = places[first : first + _TOGETHER]
-        title = f"Gear of {owner.removesuffix('.gear')}" if owner.endswith(".gear") else f"Link {owner}"
+        title = (
+            f"Link {owner}"
+            if owner not in names
+            else f"{owner.rpartition('.')[2].title()} of {joint_of_element(owner)}"
+        )
         if len(places) > _TOGETHER:
             title += f", coordinates {first + 1} to {first + len(part)} of {len(places)}"
         lines = tuple(

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.analysis.energy import largest_flow
+from tmodes.chain.chain import joint_of_element
 from tmodes.errors import InputError
 from tmodes.frame import along
 from tmodes.result.settling import BAND, plain_vibration, settling, vibration
@@ -133,7 +134,7 @@ _PARTS = {
 
 def _deformation_units(data: Record, names: list[str]) -> list[str]:
     units = dict(zip(map(str, data["coordinate"].values), map(str, data["coordinate_unit"].values), strict=True))
-    return [units.get(name, units.get(name.removesuffix(".gear"), "rad")) for name in names]
+    return [units.get(name, units.get(joint_of_element(name), "rad")) for name in names]
 
 
 def _links(data: Record, time: Array) -> dict[str, dict[str, Any]]:

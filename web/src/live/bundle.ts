@@ -138,7 +138,8 @@ export interface ModesInfo {
   weight: Numbers;
   cases: { name: string; moving: number[] }[];
   servos: { coordinate: number; element: string }[];
-  springs: { element: string; rows: number[]; gear: boolean }[];
+  /** `beside`: place in the numbers of the chain of the stiffness of a parallel spring on that joint; -1: none. */
+  springs: { element: string; rows: number[]; gear: boolean; beside: number }[];
   /** Numbers of the chain that make dry friction. */
   dry: number[];
 }

@@ -126,10 +126,12 @@ function storedIn(
     return sum;
   };
   const { springs, servos } = bundle.modes!;
-  const found = springs.map(({ element, rows, gear }) => {
+  const found = springs.map(({ element, rows, gear, beside }) => {
+    const parallel = beside < 0 ? 0 : blocks.chain[beside];
+    if (!gear && beside >= 0) return { element, energy: parallel * shape[rows[0]] ** 2 };
     if (!gear) return { element, energy: rows.reduce((sum, row) => sum + shape[row] * force(row), 0) };
-    const own = elastic[rows[0] * (n + 1)];
-    return { element, energy: own ? force(rows[0]) ** 2 / own : 0 };
+    const own = elastic[rows[0] * (n + 1)] - parallel;
+    return { element, energy: own ? (force(rows[0]) - parallel * shape[rows[0]]) ** 2 / own : 0 };
   });
   if (!controlled) return found;
   return [

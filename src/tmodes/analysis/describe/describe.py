@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from tmodes.analysis.describe.links import gear_rows, joint_rows, link_rows, notices, rest_notices
+from tmodes.analysis.describe.links import gear_rows, joint_rows, link_rows, notices, parallel_rows, rest_notices
 from tmodes.analysis.line.line import LinkLines, elastic_line
 from tmodes.analysis.statics.at_rest import robot_rest
 from tmodes.analysis.statics.compliance import DIRECTIONS, PointCompliance, missing_functions, point_compliance
@@ -54,6 +54,7 @@ def describe(
         "joints": joint_rows(robot),
         "links": links,
         "gears": gear_rows(robot, links),
+        "springs": parallel_rows(robot),
         "sag": sag(rest) if rest else None,
         "stiffness": compliance_table(rest) if rest else None,
     }

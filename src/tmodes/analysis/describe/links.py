@@ -12,11 +12,11 @@ from tmodes.analysis.statics.loads import first_value
 from tmodes.analysis.statics.steady import base_spin
 from tmodes.analysis.validity import link_ranges
 from tmodes.chain.chain import Chain, Node
-from tmodes.kinds.joints.joint import JointSheet
+from tmodes.kinds.joints.joint import JointSheet, JointState
 from tmodes.sheet import Robot
 from tmodes.sheet.parts import LinkSheet
 
-__all__ = ["gear_rows", "joint_rows", "link_rows", "notices", "rest_notices", "steady_notices"]
+__all__ = ["gear_rows", "joint_rows", "link_rows", "notices", "parallel_rows", "rest_notices", "steady_notices"]
 
 
 def joint_rows(robot: Robot) -> list[dict[str, Any]]:
@@ -30,6 +30,7 @@ def joint_rows(robot: Robot) -> list[dict[str, Any]]:
             "carries": joint.child,
             "motor": joint.motor is not None,
             "command": commands.get(joint.name),
+            "state": str(joint.state),
             "lower": joint.limits.lower if joint.limits else None,
             "upper": joint.limits.upper if joint.limits else None,
             "unit": joint.unit,
@@ -39,7 +40,9 @@ def joint_rows(robot: Robot) -> list[dict[str, Any]]:
 
 
 def _letters(joint: JointSheet) -> str:
-    """AE, LE, AR or LR; a fixed joint is LR: locked and rigid."""
+    """AE, LE, AR, LR or F; a fixed joint is LR: locked and rigid."""
+    if joint.state is JointState.FREE:
+        return "F"
     active = joint.is_active and joint.kind.moves
     return f"{'A' if active else 'L'}{'E' if joint.is_elastic else 'R'}"
 
@@ -106,6 +109,15 @@ def gear_rows(robot: Robot, links: Sequence[Mapping[str, Any]]) -> list[dict[str
             }
         )
     return rows
+
+
+def parallel_rows(robot: Robot) -> list[dict[str, Any]]:
+    """Each spring beside a motor or on a free joint, with the unit of its stiffness."""
+    joints = [(joint, joint.spring) for joint in robot.joints if joint.spring]
+    return [
+        {"joint": joint.name, **spring.model_dump(), "unit": joint.kind.coordinates[0].stiffness_unit}
+        for joint, spring in joints
+    ]
 
 
 FIRST_FREQUENCY = (0.05, 5e3)

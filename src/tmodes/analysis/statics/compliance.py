@@ -14,8 +14,15 @@ from tmodes.errors import SimulationError
 from tmodes.model.model import Model
 
 __all__ = [
-    "DIRECTIONS", "LOADS", "PointCompliance", "Spring", "missing_functions",
-    "point_compliance", "spring_rows", "springs_of",
+    "DIRECTIONS",
+    "LOADS",
+    "PointCompliance",
+    "Spring",
+    "SpringRows",
+    "missing_functions",
+    "point_compliance",
+    "spring_rows",
+    "springs_of",
 ]  # fmt: skip
 
 Array = NDArray[np.float64]
@@ -87,32 +94,52 @@ class Spring(NamedTuple):
 
 
 def springs_of(model: Model, q: Array) -> dict[str, Spring]:
-    """Each spring of a robot about a pose: ``joint.gear``, ``link.bend_y``, ``link.twist``, ...
+    """Each spring of a robot about a pose: ``joint.gear``, ``joint.spring``, ``link.bend_y``, ``link.twist``, ...
 
     Together they are the slope of the elastic forces; the weight has no part in it.
     """
     elastic = model.stiffness(q, base=model.at_rest(gravity=0.0))
     found: dict[str, Spring] = {}
-    gears, links = spring_rows(model)
-    for name, angle in gears.items():
+    rows = spring_rows(model)
+    for name, (angle, number) in rows.parallel.items():
+        left, stiffness = np.zeros((1, model.nq)), float(model.parameters[number])
+        left[0, angle] = 1.0
+        elastic[angle, angle] -= stiffness  # what is left is the gear's
+        found[name] = Spring(left, stiffness * left)
+    for name, angle in rows.gears.items():
         row = elastic[[angle]]
         own = row[0, angle]
         found[name] = Spring(row / own if own else np.zeros_like(row), row)
-    for name, own in links.items():
+    for name, own in rows.links.items():
         left = np.zeros((len(own), model.nq))
         left[np.arange(len(own)), own] = 1.0
         found[name] = Spring(left, elastic[own])
     return found
 
 
-def spring_rows(model: Model) -> tuple[dict[str, int], dict[str, list[int]]]:
-    """The joint of each elastic gear, and the coordinates of each kind of bending of a link, by the springs' names."""
-    axes = [axis for axis in model.parts.axes if axis.drive and axis.drive.ranges]
-    gears = {f"{axis.axis.name}.gear": axis.angle for axis in axes}
+class SpringRows(NamedTuple):
+    """By the springs' names: the joint of each elastic gear, the coordinates of each kind of bending of a link.
+
+    ``parallel``: of each parallel spring its joint, and the place of its stiffness in the model's parameters.
+    """
+
+    gears: dict[str, int]
+    links: dict[str, list[int]]
+    parallel: dict[str, tuple[int, int]]
+
+
+def spring_rows(model: Model) -> SpringRows:
+    """Where the springs of a robot act."""
+    gears = {f"{axis.axis.name}.gear": axis.angle for axis in model.parts.axes if axis.drive and axis.drive.ranges}
+    parallel = {
+        f"{axis.axis.name}.spring": (axis.angle, axis.drive_numbers.start + axis.drive.spring_start)
+        for axis in model.parts.axes
+        if axis.drive and axis.drive_numbers and axis.drive.spring
+    }
     links: dict[str, list[int]] = {}
     for k in model.deformations:
         links.setdefault(model.coordinates[k].rstrip("0123456789"), []).append(int(k))
-    return gears, links
+    return SpringRows(gears, links, parallel)
 
 
 def point_compliance(rest: Equilibrium, point: int = 0) -> PointCompliance:

@@ -98,8 +98,9 @@ class Powers:
         blocks = (driver.kind_numbers, *self.way.motor(part), *self.way.angle(part))
         forces, _, lost = self._call(driver.kind.elastic(), *blocks)
         self.powers["friction"].append(lost.part(1, 1))
-        if part.motor >= 0:
+        if part.motor >= 0 or driver.kind.spring:
             self.powers["gear_damping"].append(lost.part(0, 1))
+        if part.motor >= 0:
             return forces.part(1, 1), self._gear_torque(driver, forces)
         if part.given < 0:
             return forces.part(0, 1), None

@@ -193,7 +193,7 @@ class LoopParts:
     def _driver(self, plan: DrivePlan, controls: int) -> Driver:
         part = next(axis for axis in self.parts.axes if axis.axis.name == plan.joint)
         kind, slot = part.drive, part.drive_numbers
-        if kind is None or slot is None:
+        if part.given >= 0 or kind is None or slot is None:
             joint, free = part.node.joint, drive_kind("effort")
             kind, slot = drive_kernels(joint, free), self.parts.numbers.block(drive_numbers(joint, free))
         currents = self.plan.currents

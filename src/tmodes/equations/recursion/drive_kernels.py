@@ -7,7 +7,7 @@ the torques start from the angles and rates that are given.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 from tmodes.chain.chain import Friction, Gear, Joint, Motor
 from tmodes.kinds.drives.contract import FRICTION, Angles, DriveKind, DriveLaw, Dry
@@ -24,12 +24,30 @@ SIDES = 4
 """Of motor and joint: the direction of slip (-1, 0, 1), and the inertia that holds it where it sticks."""
 
 
+SPRING = 3
+"""Numbers of a parallel spring."""
+
+
+class _Pull(NamedTuple):
+    """What a parallel spring takes from a joint: effort, its slopes, energy stored, power lost."""
+
+    torque: Any
+    stiffness: Any
+    damping: Any
+    energy: Any
+    lost: Any
+
+    def inertia(self, step: Any) -> Any:
+        """What it adds to the joint's inertia in an implicit step."""
+        return step * self.damping + step * step * self.stiffness
+
+
 @dataclass(frozen=True)
 class DriveKernels:
     """Structure of a drive: ``ranges`` of the gear's stiffness (0: no gear), whether it has a dead zone.
 
     ``dry_motor``, ``dry_joint``: structure of the dry friction there; ``bare``: no inertia and no friction at all, the
-    effort goes to the joint as it is.
+    effort goes to the joint as it is. ``spring``: a parallel spring acts on the joint, whatever its drive.
     """
 
     kind: DriveKind
@@ -38,16 +56,22 @@ class DriveKernels:
     dry_motor: Dry = Dry.NONE
     dry_joint: Dry = Dry.NONE
     bare: bool = False
+    spring: bool = False
 
     @property
     def key(self) -> str:
         """The structure in words."""
         dry = f" motor {self.dry_motor} joint {self.dry_joint}{' bare' * self.bare}"
-        return f"{self.kind.key} ranges {self.ranges}{' dead zone' * self.dead_zone}{dry}"
+        return f"{self.kind.key} ranges {self.ranges}{' dead zone' * self.dead_zone}{dry}{' spring' * self.spring}"
 
     @property
     def size(self) -> int:
         """Numbers of its parameters."""
+        return self.spring_start + SPRING * self.spring
+
+    @property
+    def spring_start(self) -> int:
+        """Where the numbers of a parallel spring begin, its stiffness first."""
         return 2 * FRICTION + 2 + (2 * self.ranges + 2 if self.ranges else 0) + self.kind.own_numbers
 
     @property
@@ -67,6 +91,12 @@ class DriveKernels:
             p, ranges=self.ranges, dead_zone=self.dead_zone, dry_motor=self.dry_motor, dry_joint=self.dry_joint,
             own=self.kind.own_numbers, sides=own,
         )  # fmt: skip
+
+    def _spring(self, p: Any, ga: Any, gad: Any) -> _Pull:
+        """What a parallel spring does: nothing where there is none."""
+        stiffness, rest, damping = (p[self.spring_start + k] for k in range(SPRING))
+        torque, deflection = stiffness * (ga - rest) + damping * gad, ga - rest
+        return _Pull(torque, stiffness, damping, stiffness * deflection * deflection / 2, damping * gad * gad)
 
     @kernel("friction widths {0.key}", ("size",), (2,))
     def widths(self, p: Any) -> list[list[Any]]:
@@ -98,6 +128,9 @@ class DriveKernels:
             kept = share / (1 + share * sides[1])
             given, share = pull * (share - kept), kept
             push, own = push - given * force, own + given * pull
+        if self.spring:
+            spring = self._spring(p, ga[0], gad[0])
+            push, own = push - spring.torque, own + spring.inertia(h)
         return [[push], [own + sides[3] if of_joint else own], [force, pull, share]]
 
     @kernel("motor", (3, 1), (1,))
@@ -113,6 +146,9 @@ class DriveKernels:
         torque, stiffness = law.spring(th[0] - ga[0])
         torque = torque + law.damping * (thd[0] - gad[0])
         own = h * (law.damping + joint_slope) + h * h * stiffness
+        if self.spring:
+            spring = self._spring(p, ga[0], gad[0])
+            torque, own = torque - spring.torque, own + spring.inertia(h)
         return [[torque - joint], [own + sides[3] if self.set_sides[1] else own]]
 
     @kernel("elastic {0.key}", ("size", 1, 1, 1, 1), (2, 1, 2))
@@ -122,8 +158,11 @@ class DriveKernels:
         Of (parameters, th, th', ga, ga'); signs as on the left side of the equations of motion.
         """
         found = self.kind.elastic(self._law(p), Angles(th[0], thd[0], ga[0], gad[0]))
-        lost = [found.lost_in_gear, found.lost_in_friction]
-        return [[found.on_joint, found.on_motor], [found.energy], lost]
+        on_joint, energy, lost = found.on_joint, found.energy, found.lost_in_gear
+        if self.spring:
+            spring = self._spring(p, ga[0], gad[0])
+            on_joint, energy, lost = on_joint + spring.torque, energy + spring.energy, lost + spring.lost
+        return [[on_joint, found.on_motor], [energy], [lost, found.lost_in_friction]]
 
     @kernel("coupled {0.key}", ("size", 1, 1, 1, 1, SIDES), (1, 1))
     def coupled(self, p: Any, angle: Any, speed: Any, ga: Any, gad: Any, sides: Any) -> list[list[Any]]:
@@ -133,7 +172,8 @@ class DriveKernels:
         """
         law = self._law(p, sides)
         torque = law.spring(angle[0] - ga[0])[0] + law.damping * (speed[0] - gad[0])
-        return [[torque - law.joint_friction(gad[0])[0]], [torque]]
+        effort = torque - law.joint_friction(gad[0])[0]
+        return [[effort - self._spring(p, ga[0], gad[0]).torque if self.spring else effort], [torque]]
 
     @kernel("coupled motor {0.key}", ("size", 1, 1, 1, SIDES), (3, 1, 1))
     def coupled_motor(self, p: Any, thd: Any, effort: Any, load: Any, sides: Any) -> list[list[Any]]:
@@ -148,8 +188,11 @@ class DriveKernels:
         law = self._law(p)
         rate, joint = speed[0] - gad[0], law.joint_friction(gad[0])[0]
         torque = law.spring(angle[0] - ga[0])[0] + law.damping * rate
-        lost = [law.damping * rate * rate, joint * gad[0]]
-        return [[joint - torque], [law.stored(angle[0] - ga[0])], lost]
+        on_joint, energy, lost = joint - torque, law.stored(angle[0] - ga[0]), law.damping * rate * rate
+        if self.spring:
+            spring = self._spring(p, ga[0], gad[0])
+            on_joint, energy, lost = on_joint + spring.torque, energy + spring.energy, lost + spring.lost
+        return [[on_joint], [energy], [lost, joint * gad[0]]]
 
 
 @kernel("sides of slip", (SIDES // 2,), (SIDES,))
@@ -171,12 +214,15 @@ def mixing_kernel(count: int, *, transposed: bool) -> Kernel:
 
 def drive_kernels(joint: Joint, kind: DriveKind) -> DriveKernels:
     """The kernels of a drive of a joint's coordinates."""
+    if kind.is_given:  # its motion is an input, so that nothing but energy and effort of a spring is left
+        return DriveKernels(kind, spring=joint.spring is not None)
     gear = joint.gear if kind.has_gear else None
     dry_motor = joint.motor.friction.dry if joint.motor else Dry.NONE
     ranges, dead_zone = len(gear.stiffness) if gear else 0, bool(gear and gear.backlash > 0)
     still = joint.motor is None or (joint.motor.inertia == 0 and not _is_rough(joint.motor.friction))
-    bare = kind.carries_rotor and still and not _is_rough(joint.friction)
-    return DriveKernels(kind, ranges, dead_zone, dry_motor, joint.friction.dry, bare)
+    spring = joint.spring is not None
+    bare = kind.carries_rotor and still and not _is_rough(joint.friction) and not spring
+    return DriveKernels(kind, ranges, dead_zone, dry_motor, joint.friction.dry, bare, spring)
 
 
 def _is_rough(friction: Friction) -> bool:
@@ -190,7 +236,9 @@ def drive_numbers(joint: Joint, kind: DriveKind) -> list[float]:
     gear = joint.gear if kind.has_gear else None
     if gear:
         numbers += [*gear.stiffness, *_ends(gear), gear.damping, gear.backlash, gear.backlash_rounding]
-    return [*numbers, *(joint.drive_parameters if kind.own_numbers else ())]
+    spring = joint.spring
+    own = joint.drive_parameters if kind.own_numbers else ()
+    return [*numbers, *own, *((spring.stiffness, spring.rest, spring.damping) if spring else ())]
 
 
 def _packed(friction: Friction) -> list[float]:

@@ -156,7 +156,7 @@ class Driven:
     def drive(self, axis: AxisPart) -> tuple[Slot, Slot]:
         """Effort on a coordinate of a joint (of a prescribed one its acceleration), and inertia that its drive adds."""
         none = self.way.none[1]
-        if axis.drive is None or axis.drive_numbers is None:
+        if axis.given >= 0 or axis.drive is None or axis.drive_numbers is None:
             return self.given_acceleration(axis), none
         if axis.drive.bare and not self.feedback:
             return self.effort.part(axis.effort, 1), none

@@ -47,7 +47,8 @@ class LinkPart:
 class AxisPart:
     """A coordinate of a joint and its drive: kernels and numbers, and indices (-1 where it has none).
 
-    ``index``: of the node; ``place``: of the coordinate in its joint; ``drive`` is None where the motion is given.
+    ``index``: of the node; ``place``: of the coordinate in its joint; ``drive`` is None where the motion is given and
+    no parallel spring acts.
     """
 
     axis: Axis
@@ -184,7 +185,7 @@ class Parts:
     def _axis(self, index: int, node: Node, place: int, axis: Axis) -> AxisPart:
         angle, effort, given = (places.get(axis.name, -1) for places in self._places)
         kernels = numbers = None
-        if not axis.drive.is_given:
+        if not axis.drive.is_given or node.joint.spring:
             kernels = drive_kernels(node.joint, axis.drive)
             numbers = self.numbers.block(drive_numbers(node.joint, axis.drive))
         motor = self._places[0][axis.motor] if axis.drive.has_motor else -1

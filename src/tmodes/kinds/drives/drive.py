@@ -22,7 +22,7 @@ from tmodes.kinds.schema.quantity import (
     positive,
 )
 
-__all__ = ["FrictionSheet", "GearSheet", "MotorNumbers", "MotorSheet", "Side"]
+__all__ = ["FrictionSheet", "GearSheet", "MotorNumbers", "MotorSheet", "Side", "SpringSheet"]
 
 _Stiffness = Annotated[float, Field(gt=0.0, allow_inf_nan=True)]
 _Limit = Annotated[float, Field(gt=0.0, le=LARGEST)]
@@ -125,6 +125,19 @@ class MotorSheet(DataSheet):
             torque_constant=(self.torque_constant or 1.0) * ratio,
             inductance=self.inductance,
         )
+
+
+class SpringSheet(DataSheet):
+    """A linear spring and damper between the links of a joint, beside its motor and gear.
+
+    On the coordinate q of the joint: -stiffness (q - rest) - damping q'.
+    """
+
+    stiffness: float = not_negative("N*m/rad|N/m", "k", "stiffness of the spring beside the motor")
+    rest: float = any_sign(
+        "rad|m", "q_k", "position of the joint at which the spring is relaxed", default=0.0, plausible=(-700.0, 700.0)
+    )
+    damping: float = dissipation("N*m*s/rad|N*s/m", "d", "damping beside the motor", default=0.0)
 
 
 class GearSheet(DataSheet):

@@ -12,7 +12,7 @@ import numpy as np
 from pydantic import ConfigDict, Field, SerializeAsAny, ValidationInfo, field_validator
 from pydantic_core import PydanticKnownError
 
-from tmodes.kinds.drives.drive import FrictionSheet, GearSheet, MotorSheet
+from tmodes.kinds.drives.drive import FrictionSheet, GearSheet, MotorSheet, SpringSheet
 from tmodes.kinds.drives.registry import DRIVES
 from tmodes.kinds.joints.registry import JOINTS, JointKind
 from tmodes.kinds.schema.frames import DenavitHartenberg, Origin, Vector, list_of_numbers
@@ -97,6 +97,9 @@ class JointSheet(DataSheet):
     friction: FrictionSheet | None = Field(default=None, description="friction at the joint; none: no friction")
     motor: MotorSheet | None = Field(default=None, description="motor; none: the joint's effort is the input")
     gear: GearSheet | None = Field(default=None, description="elastic gear; none: rigid")
+    spring: SpringSheet | None = Field(
+        default=None, description="spring between the joint's links, beside motor and gear; none: no spring"
+    )
 
     @field_validator("parameters", mode="before")
     @classmethod
@@ -139,13 +142,16 @@ class JointSheet(DataSheet):
     def _drive_issues(self) -> Iterator[Issue]:
         active = self.is_active
         if not self.kind.moves:
-            for name in ("motor", "gear", "friction", "limits"):
+            for name in ("motor", "gear", "spring", "friction", "limits"):
                 if getattr(self, name) is not None:
                     hint = f"remove `{name}`, or make the joint revolute or prismatic"
                     yield Issue(name, f"a {name} on a {self.type} joint", "left out: the joint does not move", hint)
         elif active and self.is_elastic and self.motor is None:
             hint = "add `motor`, write `state: locked`, or remove the gear"
             yield Issue("motor", "nothing", "a motor, because the joint has an elastic gear", hint)
+        elif self.is_locked and self.spring is not None:
+            hint = "write `state: free` for a joint on its spring alone, or remove `spring`"
+            yield Issue("spring", "a spring on a locked joint", "left out: the joint does not move", hint)
         yield from self._named_drive_issues()
         if active and self.locked_at:
             hint = "write `state: locked`, or give the position under `initial`"

@@ -1,4 +1,4 @@
-/* tmodes, built from cf92377939a17e24; BSD-3-Clause */
+/* tmodes, built from cdf90b56d932826c; BSD-3-Clause */
 
 // src/live/engine_error.ts
 var EngineError = class extends Error {

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from tmodes.analysis.quasistatic import elastic_names, sprung
+from tmodes.chain.chain import joint_of_element
 from tmodes.equations.loop.lean import Shown
 from tmodes.errors import InputError
 from tmodes.io.words import nearest
@@ -28,7 +29,7 @@ def units_of(setup: RunSetup) -> dict[str, str]:
     found = {name: quantity.unit for name, quantity in run_quantities(setup).items()}
     units = dict(zip(setup.model.coordinates, coordinate_units(setup), strict=True))
     for name in elastic_names(setup.mechanics):
-        found[f"deformation.{name}"] = units.get(name, units.get(name.removesuffix(".gear"), "rad"))
+        found[f"deformation.{name}"] = units.get(name, units.get(joint_of_element(name), "rad"))
     return found | dict.fromkeys(DISTANCES, "m")
 
 
