@@ -100,7 +100,7 @@ _SPRINGS = {"joints.j1.spring": {"stiffness": 200.0, "rest": 0.3, "damping": 0.4
     ids=["loads", "ball", "parallel spring"],
 )
 def test_what_acts_on_the_points_is_in_modes_and_parts(changes: dict[str, Any], tmp_path: Path) -> None:
-    """A load that follows its point, whose stiffness is not symmetric, a dead one; a hollow ball that is pressed; a spring beside a gear."""
+    """Loads that follow their point (their stiffness is not symmetric) or not, a hollow ball, a spring by a gear."""
     for run, result in both(two_links().with_(changes), tmp_path, 2):
         assert not changes["contact"] or float(result.data["contact_force_normal"][0]) > 1.0
         assert_same_modes(run["vibration"]["modes"], modes_of(result), EQUAL, SHAPE)
