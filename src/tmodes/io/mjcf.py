@@ -5,7 +5,8 @@ The file is looked through before MuJoCo opens it: no file outside the robot's f
 MuJoCo's joint stands at an anchor in its body's frame; the sheet's link frame stands at its joint. So a link's frame
 has the body's axes and lies at the anchor of the body's last joint. A body with several joints is carried by frames
 without mass between them. A joint whose position is `ref` in the drawn pose is turned back by it, so that its
-positions are MuJoCo's own.
+positions are MuJoCo's own. Actuators become drives (:mod:`.mjcf_drives`); what is not taken is named
+(:mod:`.mjcf_read`).
 """
 
 from __future__ import annotations
@@ -22,12 +23,16 @@ from numpy.typing import NDArray
 
 from tmodes.errors import InputError
 from tmodes.io.files import FilePath, Folders, Roots, folders_of
+from tmodes.io.mjcf_drives import MOST_LOADS, Servo, compensation, servos
+from tmodes.io.mjcf_read import MJCF
 from tmodes.io.units import finite_float
+from tmodes.io.unread import Left, few, sentences
 from tmodes.io.words import shown, shown_path
 from tmodes.io.xml_file import Element, read_xml
 from tmodes.io.yaml_file import Positions
 from tmodes.kinds.links.body import entries
 from tmodes.kinds.schema.axes import matrix_quaternion, quaternion_matrix, rotation_about
+from tmodes.sheet.robot import MOST_LETTERS, MOST_NOTICES
 from tmodes.sheet.topology import BASE
 
 __all__ = ["check_mjcf", "sheet_of_mjcf"]
@@ -41,6 +46,9 @@ OTHER_KINDS = {0: "a free joint (a free-flying base)", 1: "a ball joint"}
 
 FOLDER_KEYS = ("meshdir", "texturedir", "assetdir")
 FILE_KEYS = ("file", "fileright", "fileleft", "fileup", "filedown", "filefront", "fileback")
+_EQUAL_JOINTS = 2
+"""Of mjtEq: one joint's position is a polynomial of another's."""
+
 NOT_BODIES = {"replicate", "composite", "flexcomp", "flex", "attach", "plugin", "extension"}
 SIZES = ("nrow", "ncol", "width", "height", "size")
 MOST = {"size": 1e6} | dict.fromkeys(("hfield", "texture", "numeric"), 8192.0)
@@ -123,10 +131,37 @@ def sheet_of_mjcf(
         raise InputError("the model", "no body", "bodies and joints", "check that this is a robot", source)
     name = root.attributes.get("model", "").strip()[:100] or "mjcf"
     renamed = f"The file's body {BASE}, which is not the ground, is called {BASE}_frame here."
-    changed = {"assumed": renamed, "notices": [renamed]} if BASE in reader.names else {}
-    data: dict[str, Any] = {"format": 1, "kind": "arm", "name": name} | changed
-    data |= {"gravity": model.opt.gravity.tolist(), "joints": reader.joints, "links": reader.links}
+    if BASE in reader.names:
+        reader.said.append(renamed)
+    reader.hold_followers()
+    assumed = " ".join(reader.said)
+    gravity = np.zeros(3) if model.opt.disableflags & _GRAVITY_OFF else model.opt.gravity
+    data: dict[str, Any] = {"format": 1, "kind": "arm", "name": name}
+    data |= {"gravity": gravity.tolist(), "joints": reader.joints, "links": reader.links}
+    data |= {key: group for key, group in (("drives", reader.drives), *reader.borne(gravity)) if group}
+    left = [one for root in elements for one in MJCF.left(root)]
+    notices = [*reader.said, *sentences([*left, *reader.left, *_untouched(model)])]
+    data |= {"assumed": assumed[:MOST_LETTERS]} if assumed else {}
+    data |= {"notices": [notice[:MOST_LETTERS] for notice in notices[:MOST_NOTICES]]} if notices else {}
     return data, reader.positions
+
+
+_GRAVITY_OFF, _CONTACT_OFF = 1 << 7, 1 << 4
+"""Bits of mjtDisableBit."""
+
+
+def _untouched(model: Any) -> Iterator[Left]:
+    """Geoms of a moving body that MuJoCo lets touch other bodies or the ground."""
+    solid = [k for k in range(model.ngeom) if model.geom_contype[k] or model.geom_conaffinity[k]]
+    moving = {int(model.geom_bodyid[k]) for k in solid if model.body_weldid[model.geom_bodyid[k]]}
+    several = len({int(model.body_weldid[model.geom_bodyid[k]]) for k in solid}) > 1
+    if moving and several and not model.opt.disableflags & _CONTACT_OFF:
+        effect = "bodies pass through each other; what touches is said under `contact`"
+        yield from (Left("the contact of <geom>", effect, _body(model, body)) for body in sorted(moving))
+
+
+def _body(model: Any, body: int) -> str:
+    return f"body {model.body(body).name or body}"
 
 
 def _compiled(path: FilePath, source: str, folders: Folders) -> Any:
@@ -140,7 +175,8 @@ def _compiled(path: FilePath, source: str, folders: Folders) -> Any:
     except ValueError as error:
         got = f"a model that MuJoCo refuses ({shown(' '.join(str(error).split()))})"
         raise InputError("the model", got, "a valid MJCF", "correct what MuJoCo reports", source) from None
-    more = {"equality constraints": model.neq, "tendons": model.ntendon, "mocap bodies": model.nmocap}
+    loops = int(np.count_nonzero(model.eq_type != _EQUAL_JOINTS)) if model.neq else 0
+    more = {"equality constraints of bodies or tendons": loops, "mocap bodies": model.nmocap}
     for what, count in more.items():
         if count:
             got = f"a model with {what}, which no tree of joints with one axis has"
@@ -157,7 +193,10 @@ class _Reader:
         self.names = [model.body(i).name or f"body_{i}" for i in range(model.nbody)]
         self.frames = [BASE, *(f"{BASE}_frame" if name == BASE else name for name in self.names[1:])]
         self.anchors = np.zeros((model.nbody, 3))
-        self.driven = {int(joint) for joint in model.actuator_trnid[:, 0]} if model.nu else set()
+        self.servos, self.left = servos(model)
+        self.drives: list[dict[str, Any]] = []
+        self.said: list[str] = []
+        self.weighed: dict[int, tuple[str, Array]] = {}
         self.joints: list[dict[str, Any]] = []
         self.links: list[dict[str, Any]] = []
         self.positions: Positions = {"": 1, "joints": 1, "links": 1}
@@ -198,24 +237,60 @@ class _Reader:
             raise self._fault(name, OTHER_KINDS[kind], "hinge or slide", hint)
         data: dict[str, Any] = {"name": name, "type": "revolute" if kind == HINGE else "prismatic"}
         data["axis"] = model.jnt_axis[joint].tolist()
-        friction = {"viscous": float(model.dof_damping[dof]), "coulomb": float(model.dof_frictionloss[dof])}
-        data |= {"limits": limits} if (limits := _limits(model, joint)) else {}
+        servo = self.servos.get(joint, Servo(most=np.inf))
+        inertia = float(model.dof_armature[dof]) + servo.inertia
+        viscous = float(model.dof_damping[dof]) + servo.viscous
+        friction = {"viscous": viscous, "coulomb": float(model.dof_frictionloss[dof])}
+        data |= {"limits": limits} if (limits := _limits(model, joint, servo.most)) else {}
         data |= {"friction": friction} if any(friction.values()) else {}
         for field, index in (("jnt_stiffnesspoly", joint), ("dof_dampingpoly", dof)):
             if np.any(getattr(model, field, np.zeros((index + 1, 1)))[index]):
                 raise self._fault(name, "a nonlinear spring or damper", "a linear one", "give one number")
-        stiffness, armature = float(model.jnt_stiffness[joint]), float(model.dof_armature[dof])
-        if stiffness:
-            return data | self._spring(joint, name, stiffness, armature)
-        return data | ({"motor": {"inertia": armature, "side": "joint"}} if armature else {})
+        return data | self._driven(joint, name, float(model.jnt_stiffness[joint]), inertia)
 
-    def _spring(self, joint: int, name: str, stiffness: float, armature: float) -> dict[str, Any]:
-        if joint in self.driven or armature:
-            got = "a spring next to an actuator" if joint in self.driven else "a spring next to an armature"
-            hint = "remove one of them, or write the arm as a sheet with an elastic gear"
-            raise self._fault(name, got, "a passive spring, or none", hint)
+    def _driven(self, joint: int, name: str, stiffness: float, inertia: float) -> dict[str, Any]:
+        """Spring, motor and drive; a joint on a spring alone is free, and with a rotor it has a drive of no effort."""
         rest = float(self.model.qpos_spring[self.model.jnt_qposadr[joint]])
-        return {"state": "locked", "locked_at": rest, "gear": {"stiffness": stiffness, "damping": 0.0}}
+        data: dict[str, Any] = {"spring": {"stiffness": stiffness, "rest": rest}} if stiffness else {}
+        servo = self.servos.get(joint)
+        if servo is None and stiffness and not inertia:
+            return data | {"state": "free"}
+        if servo or stiffness:
+            self.drives.append((servo or Servo()).drive(name))
+        elif self.model.nu:
+            effect = "it is held where it starts; write `state: free` for one that moves by itself"
+            self.left.append(Left("a joint without an actuator", effect, name))
+        return data | ({"motor": {"inertia": inertia, "side": "joint"}} if inertia else {})
+
+    def hold_followers(self) -> None:
+        """Hold each joint that an equality ties to another, where it stands with the other's drawn pose."""
+        model = self.model
+        joints = {joint["name"]: joint for joint in self.joints}
+        for k in range(model.neq):
+            if not model.eq_active0[k]:
+                continue
+            one, other = int(model.eq_obj1id[k]), int(model.eq_obj2id[k])
+            name, leader = (model.joint(j).name or f"joint_{j + 1}" if j >= 0 else "" for j in (one, other))
+            at = float(model.qpos0[model.jnt_qposadr[one]] + model.eq_data[k, 0])
+            follower = joints[name]
+            for key in ("spring", "motor", "gear"):
+                follower.pop(key, None)
+            follower |= {"state": "locked", "locked_at": at}
+            self.drives = [drive for drive in self.drives if drive["joint"] != name]
+            tied = f"coupled to {leader} by an equality, which is not modelled" if leader else "fixed by an equality"
+            self.said.append(f"joint {name} is {tied}: it is held at {at:.6g}.")
+
+    def borne(self, gravity: Array) -> list[tuple[str, list[dict[str, Any]]]]:
+        """Points and loads of what is compensated of the weight of bodies."""
+        pairs = list(compensation(self.model, self.weighed, gravity))
+        if len(pairs) > MOST_LOADS:
+            effect = "more bodies than a sheet has loads have it, and gravity acts on them in full"
+            self.left += [Left("`gravcomp` of <body>", effect, _body(self.model, body)) for body in self.weighed]
+            pairs = []
+        if pairs:
+            names = few([point["link"] for point, _ in pairs])
+            self.said.append(f"gravcomp is taken as loads that bear that share of the weight of a body: {names}.")
+        return [("points", [point for point, _ in pairs]), ("loads", [load for _, load in pairs])]
 
     def _weigh(self, body: int, link: str) -> None:
         model, mass = self.model, float(self.model.body_mass[body])
@@ -224,6 +299,7 @@ class _Reader:
         axes = quaternion_matrix(np.roll(model.body_iquat[body], -1))
         inertia = entries(axes @ np.diag(model.body_inertia[body]) @ axes.T)
         center = (model.body_ipos[body] - self.anchors[body]).tolist()
+        self.weighed[body] = link, center
         self.positions[f"links.{len(self.links)}"] = self.lines.get(("body", self.names[body]), 1)
         bodies = [{"name": link, "mass": mass, "center": center, "inertia": inertia}]
         self.links.append({"name": link, "bodies": bodies})
@@ -237,13 +313,14 @@ class _Reader:
         return InputError(f"joint {shown(name)}", got, expected, hint, f"{self.source}:{line}")
 
 
-def _limits(model: Any, joint: int) -> dict[str, float]:
+def _limits(model: Any, joint: int, most: float) -> dict[str, float]:
+    """Of position and effort; ``most``: what the actuators can do together."""
     limits: dict[str, float] = {}
     if model.jnt_limited[joint]:
         limits["lower"], limits["upper"] = model.jnt_range[joint].tolist()
-    if model.jnt_actfrclimited[joint] and model.jnt_actfrcrange[joint, 1] > 0:
-        limits["effort"] = float(model.jnt_actfrcrange[joint, 1])
-    return limits
+    if model.jnt_actfrclimited[joint]:
+        most = min(most, float(np.abs(model.jnt_actfrcrange[joint]).max()))
+    return limits | ({"effort": most} if np.isfinite(most) else {})
 
 
 def _origin(turn: Array, place: Array) -> dict[str, list[float]]:
