@@ -16,12 +16,14 @@ from pathlib import Path
 from typing import NamedTuple, Self
 
 from tmodes.errors import ResultFileError, sentence
+from tmodes.io.plain_file import parsed_json, whole_file
 from tmodes.io.words import shown_path
 
 __all__ = ["FolderLock", "atomic_write", "check_writable", "file_error", "process_state", "real_path"]
 __all__ += ["remove_orphans", "this_place"]
 
 LOCK_NAME = ".tmodes.lock"
+MOST_LOCK = 1 << 16
 YOUNG = 10.0  # age [s] below which a lock without content is believed to be one that is just being written
 
 
@@ -158,6 +160,17 @@ class _Holder(NamedTuple):
         return self.place == this_place() and (not runs or reused)
 
 
+def _holder(content: bytes) -> _Holder:
+    """Who a lock names; raises TypeError where another version of tmodes has written it, ValueError where none has."""
+    found = parsed_json(content)
+    if not isinstance(found, dict):
+        raise ValueError("a lock that names nobody")
+    holder = _Holder(**found)
+    if type(holder.pid) is not int or not all(isinstance(one, str) for one in holder[1:]):
+        raise TypeError("a lock of other fields")
+    return holder
+
+
 class FolderLock:
     """One writer per folder: ``with FolderLock(folder): ...``; a second one is refused before it touches anything.
 
@@ -186,7 +199,7 @@ class FolderLock:
 
     def __exit__(self, *_: object) -> None:
         with suppress(OSError):
-            if self.path.read_bytes() == self._content:
+            if whole_file(self.path, MOST_LOCK) == self._content:
                 self.path.unlink()
 
     def _remove_stale(self) -> None:
@@ -198,16 +211,21 @@ class FolderLock:
         _create(removing)
         try:
             stale = self._refuse_if_held()
-            if self.path.read_bytes() == stale:
+            if whole_file(self.path, MOST_LOCK) == stale:
                 self.path.unlink()
         finally:
             removing.unlink()
 
     def _refuse_if_held(self) -> bytes:
         """The content of a lock that nobody holds."""
-        content, age = self.path.read_bytes(), time.time() - self.path.stat().st_mtime
         try:
-            holder = _Holder(**json.loads(content))
+            content, age = whole_file(self.path, MOST_LOCK), time.time() - self.path.stat().st_mtime
+        except FileNotFoundError:
+            raise
+        except OSError as error:
+            raise self._refusal(f"a lock that cannot be read (“{error.strerror}”)") from error
+        try:
+            holder = _holder(content)
         except TypeError as error:
             raise self._refusal("a lock of another version of tmodes") from error
         except ValueError as error:

@@ -14,6 +14,7 @@ import json
 import math
 import os
 import struct
+import sys
 import time as clock
 import zlib
 from collections.abc import Mapping
@@ -25,6 +26,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from tmodes.io.atomic import atomic_write, file_error
+from tmodes.io.plain_file import regular_file
 
 __all__ = ["Checkpoint", "CheckpointWriter", "Record", "RunJournal", "read_checkpoint", "run_identity"]
 
@@ -64,8 +66,7 @@ def read_checkpoint(path: str | os.PathLike[str], identity: str) -> Checkpoint:
     than this program, or belongs to another run. Sizes are checked against the length of the file before use.
     """
     try:
-        with Path(path).open("rb") as file:
-            size = os.fstat(file.fileno()).st_size
+        with regular_file(path, sys.maxsize) as (file, size):
             _read_header(path, file, size, identity)
             return _read_records(file, size)
     except (OSError, ValueError) as error:

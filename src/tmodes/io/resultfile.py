@@ -13,8 +13,8 @@ import hashlib
 import io
 import math
 import os
-import stat
 import struct
+import sys
 import zlib
 from collections.abc import Callable
 from pathlib import Path
@@ -24,6 +24,7 @@ from tmodes.errors import ResultFileError
 from tmodes.io.atomic import atomic_write, check_writable, file_error, real_path
 from tmodes.io.labelled import Labelled, Record
 from tmodes.io.netcdf import decoded, encoded
+from tmodes.io.plain_file import regular_file
 
 if TYPE_CHECKING:
     from xarray import Dataset
@@ -88,43 +89,43 @@ def _seal(body: memoryview) -> bytes:
 
 
 def _believed(path: Path, max_bytes: int) -> memoryview:
-    """The body of a file whose seal matches it."""
-    content = _content(path, max_bytes)
-    body, seal = content[:-SEAL_BYTES], content[-SEAL_BYTES:]
-    if len(content) <= SEAL_BYTES or seal[: len(MAGIC)] != MAGIC:
-        kind = "a file without the seal of tmodes at its end"
-        found = f"{kind}: cut short, lengthened, or foreign" if content[:8] == HDF5_MAGIC else f"{kind}: foreign"
-        raise file_error(path, found, "a result file", AGAIN)
-    if zlib.crc32(seal[: SEAL.size]) != CHECK.unpack(seal[SEAL.size :])[0]:
-        raise file_error(path, "a damaged seal", "a seal that matches its own checksum", AGAIN)
-    _, version, _, length, digest = SEAL.unpack(seal[: SEAL.size])
-    if version != FORMAT_VERSION:
-        expected = f"version {FORMAT_VERSION}"
-        raise file_error(path, f"format version {version}", expected, "read it with the tmodes that wrote it, or newer")
-    if length != len(body):
-        raise file_error(path, f"{len(body):,} bytes before the seal", f"{length:,} bytes, as its seal says", AGAIN)
-    if hashlib.sha256(body).digest() != digest:
-        raise file_error(path, "damaged content", "content that matches its SHA-256", AGAIN)
-    return body
-
-
-def _content(path: Path, max_bytes: int) -> memoryview:
-    """All bytes of a file; what and how large it is are checked before it is opened or read."""
+    """The body of a file whose seal matches it; what its last bytes refuse is not read."""
     try:
-        if not stat.S_ISREG(path.stat().st_mode):
-            raise file_error(path, "something that is not a file", "a result file", "name the result file itself")
-        with path.open("rb") as file:
-            size = os.fstat(file.fileno()).st_size
+        with regular_file(path, sys.maxsize) as (file, size):
             if size == 0:
                 raise file_error(path, "an empty file", "a result file", AGAIN)
             if size > max_bytes:
                 raise file_error(path, f"{size:,} bytes", f"at most {max_bytes:,}", "allow more with max_bytes")
-            return memoryview(file.read(size))
+            start, place = file.read(len(HDF5_MAGIC)), max(0, size - SEAL_BYTES)
+            file.seek(place)
+            digest = _sealed_digest(path, start, file.read(SEAL_BYTES), place)
+            file.seek(0)
+            body = memoryview(file.read(place))
     except (OSError, ValueError, MemoryError) as error:
         reason = getattr(error, "strerror", None) or str(error)
         raise file_error(
             path, f"“{reason}”", "a file that can be read", "check the name and the permissions"
         ) from error
+    if hashlib.sha256(body).digest() != digest:
+        raise file_error(path, "damaged content", "content that matches its SHA-256", AGAIN)
+    return body
+
+
+def _sealed_digest(path: Path, start: bytes, seal: bytes, length: int) -> bytes:
+    """The digest of a body of so many bytes, as its seal says."""
+    if not length or seal[: len(MAGIC)] != MAGIC:
+        kind = "a file without the seal of tmodes at its end"
+        found = f"{kind}: cut short, lengthened, or foreign" if start == HDF5_MAGIC else f"{kind}: foreign"
+        raise file_error(path, found, "a result file", AGAIN)
+    if zlib.crc32(seal[: SEAL.size]) != CHECK.unpack(seal[SEAL.size :])[0]:
+        raise file_error(path, "a damaged seal", "a seal that matches its own checksum", AGAIN)
+    _, version, _, stated, digest = SEAL.unpack(seal[: SEAL.size])
+    if version != FORMAT_VERSION:
+        expected = f"version {FORMAT_VERSION}"
+        raise file_error(path, f"format version {version}", expected, "read it with the tmodes that wrote it, or newer")
+    if stated != length:
+        raise file_error(path, f"{length:,} bytes before the seal", f"{stated:,} bytes, as its seal says", AGAIN)
+    return digest
 
 
 def _check_storable(record: Record) -> None:

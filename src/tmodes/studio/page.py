@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import html
-import json
 from importlib import resources
 from typing import Any
 
 from fastapi import FastAPI, Request, Response
 
 from tmodes.errors import InputError
+from tmodes.io.plain_file import parsed_json
 from tmodes.io.words import shown
 
 __all__ = ["add_page", "body_of", "document", "sheet_of", "word_of", "words_of"]
@@ -72,17 +72,12 @@ async def body_of(request: Request) -> dict[str, Any]:
     if kind != "application/json":
         raise InputError("content-type", shown(kind), "application/json", "send JSON")
     try:
-        data = json.loads(await request.body(), parse_constant=_no_number)
-    except (ValueError, RecursionError) as error:
-        reason = "too many levels" if isinstance(error, RecursionError) else str(error)[:200]
-        raise InputError("body", f"no JSON ({reason})", "a JSON object", "send what the page sends") from None
+        data = parsed_json(await request.body())
+    except ValueError as error:
+        raise InputError("body", f"no JSON ({str(error)[:200]})", "a JSON object", "send what the page sends") from None
     if not isinstance(data, dict):
         raise InputError("body", shown(data), "a JSON object", "send what the page sends")
     return data
-
-
-def _no_number(text: str) -> float:
-    raise ValueError(f"{text} is no number of JSON")
 
 
 def sheet_of(data: dict[str, Any]) -> dict[str, Any]:

@@ -10,22 +10,26 @@ study folder, and what a worker on another machine sends back.
 from __future__ import annotations
 
 import hashlib
-import json
+import io
 import math
 import struct
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from functools import cache
+from typing import Any, BinaryIO
 
 import numpy as np
 from numpy.typing import NDArray
+from pydantic import TypeAdapter
 
 from tmodes.errors import ResultFileError
 from tmodes.io.atomic import file_error
+from tmodes.io.plain_file import parsed_json
 from tmodes.study.addresses import canonical, cases_address
 from tmodes.study.rows import STATUS, Kept, Rows
 
-__all__ = ["BLOCK_FORMAT", "MOST_BLOCK", "PREFIX", "Block", "Label", "label_of", "pack", "unpack"]
+__all__ = ["BLOCK_FORMAT", "MOST_BLOCK", "PREFIX", "Block", "Label", "label_of", "pack", "refused", "unpack"]
+__all__ += ["unpack_from"]
 
 BLOCK_FORMAT = 1
 MAGIC = b"TMBLOCK\n"
@@ -116,17 +120,22 @@ def pack(block: Block) -> bytes:
 
 
 def unpack(data: bytes | memoryview, which: object) -> Block:
-    """The block that bytes hold; ``which`` names them in messages.
+    """The block that bytes hold; raises as :func:`unpack_from`."""
+    return unpack_from(io.BytesIO(data), len(data), which)
+
+
+def unpack_from(file: BinaryIO, size: int, which: object) -> Block:
+    """The block of an open file of ``size`` bytes; ``which`` names it in messages.
 
     Raises :class:`tmodes.errors.ResultFileError` for what is no whole block of this version: sizes are compared with
-    the length, digests with the content, and the address with the cases.
+    the length, digests with the content, and the address with the cases; what its first bytes refuse is not read.
     """
     try:
-        header, payload = _parts(memoryview(data), which)
-        return _block(header, _arrays(header["arrays"], payload))
+        header, payload = _parts(file, size, which)
+        return _block(header, _arrays(header.arrays, payload))
     except ResultFileError:
         raise
-    except (ValueError, KeyError, TypeError, IndexError, AttributeError, RecursionError, OverflowError) as error:
+    except (ValueError, KeyError, TypeError, IndexError, AttributeError, OverflowError, MemoryError) as error:
         raise refused(which, f"a block whose parts do not fit together ({error})") from error
 
 
@@ -135,27 +144,46 @@ def refused(which: object, got: str, expected: str = "a whole block of this stud
     return file_error(which, got, expected, "delete this file to compute its cases again, or name another folder")
 
 
-def _parts(data: memoryview, which: object) -> tuple[Any, memoryview]:
-    if len(data) < PREFIX.size:
-        raise refused(which, f"{len(data)} bytes")
-    magic, version, head, body, head_digest, body_digest = PREFIX.unpack(data[: PREFIX.size])
+def _parts(file: BinaryIO, size: int, which: object) -> tuple[_Header, memoryview]:
+    if size < PREFIX.size:
+        raise refused(which, f"{size} bytes")
+    magic, version, head, body, head_digest, body_digest = PREFIX.unpack(file.read(PREFIX.size))
     if magic != MAGIC:
         raise refused(which, "a file of another kind")
     if version != BLOCK_FORMAT:
         raise file_error(which, f"format version {version}", f"version {BLOCK_FORMAT}", "upgrade tmodes")
-    if head > MOST_HEADER or body > MOST_PAYLOAD or PREFIX.size + head + body != len(data):
-        raise refused(which, f"{len(data):,} bytes, where its start says {PREFIX.size + head + body:,}")
-    header, payload = data[PREFIX.size : PREFIX.size + head], data[PREFIX.size + head :]
-    if hashlib.sha256(header).digest() != head_digest or hashlib.sha256(payload).digest() != body_digest:
+    if head > MOST_HEADER or body > MOST_PAYLOAD or PREFIX.size + head + body != size:
+        raise refused(which, f"{size:,} bytes, where its start says {PREFIX.size + head + body:,}")
+    header = _checked(file.read(head), head_digest, which)
+    return _header().validate_json(header, strict=True), memoryview(_checked(file.read(body), body_digest, which))
+
+
+@dataclass(frozen=True)
+class _Header:
+    """What the JSON of a header holds: what a block is of, units by quantity, states by kept case, and the arrays."""
+
+    label: Label
+    units: dict[str, str]
+    kept: dict[str, list[str]]
+    arrays: list[tuple[str, str, tuple[int, ...]]]
+
+
+@cache
+def _header() -> TypeAdapter[_Header]:
+    return TypeAdapter(_Header)
+
+
+def _checked(content: bytes, digest: bytes, which: object) -> bytes:
+    if hashlib.sha256(content).digest() != digest:
         raise refused(which, "a content that does not match its checksum")
-    return json.loads(bytes(header)), payload
+    return content
 
 
-def _arrays(index: list[Any], payload: memoryview) -> dict[str, NDArray[Any]]:
+def _arrays(index: Sequence[tuple[str, str, tuple[int, ...]]], payload: memoryview) -> dict[str, NDArray[Any]]:
     found: dict[str, NDArray[Any]] = {}
     start = 0
     for name, kind, shape in index:
-        if kind not in _TYPES or name in found or any(not isinstance(n, int) or n < 0 for n in shape):
+        if kind not in _TYPES or name in found or any(n < 0 for n in shape):
             raise ValueError(f"array {name!r}")
         length = math.prod(shape) * np.dtype(kind).itemsize
         if length > len(payload) - start:
@@ -167,24 +195,23 @@ def _arrays(index: list[Any], payload: memoryview) -> dict[str, NDArray[Any]]:
     return found
 
 
-def _block(header: Any, arrays: dict[str, NDArray[Any]]) -> Block:
-    label = Label(**header["label"])
-    count = label.count
-    if not (0 < count <= MOST_BLOCK and label.first >= 0):
-        raise ValueError(f"{count} cases from {label.first}")
-    words = json.loads(bytes(arrays["words"]))
+def _block(header: _Header, arrays: dict[str, NDArray[Any]]) -> Block:
+    label, count = header.label, header.label.count
+    if not (0 < count <= MOST_BLOCK and label.first >= 0 and math.isfinite(label.wall)):
+        raise ValueError(f"{count} cases from {label.first} in {label.wall} s")
+    words = [str(word) for word in parsed_json(bytes(arrays["words"]))]
     texts = {of: [words[index] for index in arrays[of].tolist()] for of in ("reason", "method")}
     columns = {of: _columns(arrays, f"{of}/") for of in ("parameter", "quantity")}
     kept = {
         int(case): Kept(*(arrays[f"kept/{case}/{part}"] for part in _KEPT), names=tuple(names))
-        for case, names in header["kept"].items()
+        for case, names in header.kept.items()
     }
     if any(_not_fitting(motion) for motion in kept.values()):
         raise ValueError("a motion of the wrong shape")
     case = np.arange(label.first, label.end, dtype=np.int64)
     status = [STATUS[code] for code in arrays["status"].tolist()]
     rows = Rows(
-        case, columns["parameter"], columns["quantity"], header["units"], status, **texts,
+        case, columns["parameter"], columns["quantity"], header.units, status, **texts,
         seconds=arrays["seconds"], kept=kept, errors=arrays.get("errors", np.zeros(0)),
     )  # fmt: skip
     lengths = {len(part) for part in (*columns["parameter"].values(), *columns["quantity"].values(), status)}

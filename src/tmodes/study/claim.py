@@ -18,7 +18,8 @@ __all__ = ["locked"]
 def locked(folder: Folder, *, overwrite: bool = False) -> Iterator[Folder]:
     """The folder, locked for one writer, and checked; what does not belong to it is refused.
 
-    ``overwrite``: what an earlier study has left there is removed. Raises :class:`tmodes.errors.ResultFileError`.
+    ``overwrite``: what an earlier study has left there is removed, once nothing refuses the next one.
+    Raises :class:`tmodes.errors.ResultFileError`.
     """
     path = folder.path
     check_writable(path, folder.room())
@@ -26,7 +27,7 @@ def locked(folder: Folder, *, overwrite: bool = False) -> Iterator[Folder]:
         _refuse_links(path)
         if overwrite:
             _remove_study(path)
-        if os.path.lexists(path / STUDY_FILE):
+        elif os.path.lexists(path / STUDY_FILE):
             if description(path)["base"] != folder.base:
                 hint = "name another folder (--out), or replace what is there (--overwrite)"
                 raise file_error(
@@ -58,12 +59,29 @@ def _refuse_foreign(path: Path) -> None:
 
 
 def _remove_study(path: Path) -> None:
-    """Remove the files of a study, and nothing else; its description last: what is left halfway is still known."""
-    hint = "remove it by hand, or name another folder"
-    found = [path / TABLE, path / PAGE, *(path / MOTIONS).glob("case_*.nc")]
-    found += [file for file in (path / BLOCKS).glob("*.block") if NAME.fullmatch(file.name)]
+    """Remove the files of a study, and nothing else; its description last: what is left halfway is still known.
+
+    Nothing is removed where something would be in the way of the next one.
+    """
+    blocks = path / BLOCKS
+    found = [path / TABLE, path / PAGE, *(path / MOTIONS).glob("case_*.nc"), *_blocks_in(blocks), path / STUDY_FILE]
+    if folder := next((file for file in found if file.is_dir() and not file.is_symlink()), None):
+        raise file_error(folder, "a folder", "a file of a study", "move it, or name another folder")
     try:
-        for file in [*found, path / STUDY_FILE]:
+        for file in found:
             file.unlink(missing_ok=True)
     except OSError as error:
+        hint = "remove it by hand, or name another folder"
         raise ResultFileError(f"{path} cannot be emptied: {error.strerror}; {hint}") from error
+
+
+def _blocks_in(folder: Path) -> list[Path]:
+    """The files of the folder of blocks, all of which are blocks; what killed writers left there is not counted."""
+    if not os.path.lexists(folder):
+        return []
+    if not folder.is_dir():
+        raise file_error(folder, "a file", "the folder of blocks", "move it, or name another folder")
+    found = [file for file in folder.iterdir() if not file.name.startswith(".tmodes-")]
+    if foreign := next((file for file in found if not NAME.fullmatch(file.name)), None):
+        raise file_error(foreign, "a file that is no block", "a block of a study", "move it, or name another folder")
+    return found

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from collections import Counter
 from collections.abc import Generator, Iterator, Mapping, Sequence
 from contextlib import closing, contextmanager
@@ -13,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.io.atomic import file_error
+from tmodes.io.plain_file import regular_file
 from tmodes.study.extra import needed
 from tmodes.study.rows import GOOD, STATUS, Rows
 
@@ -73,7 +75,7 @@ class Columns:
         """The table, open; what cannot be read of it is an error of the file."""
         pa, pq = needed("pyarrow", "study"), needed("pyarrow.parquet", "study")
         try:
-            with self.path.open("rb") as opened:
+            with regular_file(self.path, sys.maxsize) as (opened, _):
                 yield pq.ParquetFile(opened)
         except (OSError, pa.ArrowException) as error:
             hint = "run the study again: the same command writes the table from what is stored"

@@ -120,5 +120,5 @@ def load_study(
     if info["base"] != stored.base or info["cases"] != len(design.values):
         hint = "read it with the version of tmodes that has written it, or run the study again"
         raise file_error(path / BLOCKS, "a study whose data mean something else here", "the same study", hint)
-    stored.engine, stored.table = info["engine"], info.get("table", "")
+    stored.engine, stored.table = info["engine"], info["table"]
     return StudyResult(study, path, design, stored)

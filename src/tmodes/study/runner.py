@@ -53,6 +53,7 @@ def run_study(
     place = place_of(on, How(threads, insecure, tls, dict(resources or {})))
     progress("planning", 0.0)
     design = study.design()
+    place.refuse()
     with (
         _nothing_left(Path(folder)),
         locked(Folder.of(Path(folder), study, design.values), overwrite=overwrite) as here,

@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 import hashlib
-import json
 import os
 import re
-import stat
+import sys
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -16,8 +15,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.io.atomic import atomic_write, file_error
+from tmodes.io.plain_file import parsed_json, regular_file, whole_file
 from tmodes.study.addresses import base_of, canonical, cases_address, engine_of_blocks, in_order
-from tmodes.study.blocks import Block, Label, label_of, pack, refused, unpack
+from tmodes.study.blocks import Block, Label, label_of, pack, refused, unpack_from
 from tmodes.study.cover import Cover, covered
 from tmodes.study.kept_size import kept_count, motion_bytes
 from tmodes.study.rows import Rows
@@ -30,6 +30,9 @@ STUDY_FILE, BLOCKS, TABLE, MOTIONS = "study.json", "blocks", "table.parquet", "t
 PAGE = "study.html"
 MOST_DESCRIPTION = 1 << 28
 MOST_BLOCK_FILE = 1 << 35
+_DESCRIPTION = {"engine": str, "base": str, "cases": int, "data": dict, "table": str}
+"""What study.json holds besides its format, kind and digest."""
+
 NAME = re.compile(r"[0-9a-f]{40}\.block")
 
 
@@ -83,7 +86,11 @@ class Folder:
         """A block from its file, verified; its name is that of its content."""
         if not NAME.fullmatch(file.name):
             raise refused(file, "a file that is no block")
-        block = unpack(plain_bytes(file, MOST_BLOCK_FILE), file)
+        try:
+            with regular_file(file, MOST_BLOCK_FILE, links=False) as (opened, size):
+                block = unpack_from(opened, size, file)
+        except OSError as error:
+            raise refused(file, f"“{error.strerror}” when reading", "a file that can be read") from error
         if block.label.name != file.name:
             raise refused(file, "a block under the name of another")
         if block.label.base != self.base:
@@ -159,24 +166,8 @@ def _digest(info: Mapping[str, Any]) -> str:
 
 
 def _file_digest(file: Path) -> str:
-    with file.open("rb") as opened:
+    with regular_file(file, sys.maxsize) as (opened, _):
         return hashlib.file_digest(opened, "sha256").hexdigest()
-
-
-def plain_bytes(file: Path, most: int) -> bytes:
-    """Content of a file that is no link; raises ResultFileError where it is one, is too long, or cannot be read."""
-    try:
-        handle = os.open(file, os.O_RDONLY | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_BINARY", 0))
-        with open(handle, "rb") as opened:  # noqa: PTH123 - of a handle
-            info = os.fstat(handle)
-            if file.is_symlink() or not stat.S_ISREG(info.st_mode):
-                raise refused(file, "a link, or no file", "a file")
-            if info.st_size > most:
-                raise refused(file, f"{info.st_size:,} bytes", f"at most {most:,} bytes")
-            return opened.read(info.st_size)
-    except OSError as error:
-        link = " (a link)" if file.is_symlink() else ""
-        raise refused(file, f"“{error.strerror}” when reading{link}", "a file that can be read") from error
 
 
 def description(path: Path) -> dict[str, Any]:
@@ -186,14 +177,18 @@ def description(path: Path) -> dict[str, Any]:
         raise file_error(f"folder {path}", f"no {STUDY_FILE} in it", "the folder of a study", "run a study into it")
     hint = "name another folder, or run the study with --overwrite"
     try:
-        info = json.loads(plain_bytes(file, MOST_DESCRIPTION))
-        digest = info.pop("digest", None)
-    except (ValueError, AttributeError, RecursionError) as error:
+        info = parsed_json(whole_file(file, MOST_DESCRIPTION, links=False))
+    except OSError as error:
+        raise file_error(file, f"“{error.strerror}” when reading", "a file that can be read", hint) from error
+    except ValueError as error:
         raise file_error(file, "no JSON of a study folder", "the description of a study", hint) from error
-    if info.get("kind") != "study folder":
+    if not isinstance(info, dict) or info.get("kind") != "study folder":
         raise file_error(file, "a file of another kind", "the description of a study", hint)
     if info.get("format") != FOLDER_FORMAT:
         raise file_error(file, f"format {info.get('format')!r}", f"format {FOLDER_FORMAT}", "upgrade tmodes")
+    digest = info.pop("digest", None)
     if digest != _digest(info):
         raise file_error(file, "a content that does not match its digest", "the description of a study", hint)
-    return info
+    if wrong := [name for name, kind in _DESCRIPTION.items() if not isinstance(info.get(name, kind()), kind)]:
+        raise file_error(file, f"another kind of value under {wrong[0]}", "the description of a study", hint)
+    return {name: kind() for name, kind in _DESCRIPTION.items()} | info

@@ -82,7 +82,7 @@ def test_a_byte_order_mark_and_other_encodings_are_read() -> None:
 def test_a_file_that_is_too_large_is_not_read(tmp_path) -> None:
     path = tmp_path / "big.urdf"
     path.write_bytes(b"<robot>" + b" " * MOST_BYTES)
-    with pytest.raises(InputError, match=f"at most {MOST_BYTES} bytes"):
+    with pytest.raises(InputError, match=f"at most {MOST_BYTES:,} bytes"):
         read_xml(path)
     with pytest.raises(InputError, match="a directory"):
         read_xml(tmp_path)

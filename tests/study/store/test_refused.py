@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import hashlib
 import json
+import os
 import struct
+import tracemalloc
 from dataclasses import replace
 
 import numpy as np
@@ -11,9 +14,12 @@ import pytest
 
 from study.store.fake import data, fake
 from tmodes.errors import InputError, ResultFileError
+from tmodes.io.atomic import LOCK_NAME
+from tmodes.study.addresses import canonical
 from tmodes.study.blocks import PREFIX, pack, unpack
+from tmodes.study.places import dask
 from tmodes.study.runner import run_study
-from tmodes.study.store import BLOCKS, STUDY_FILE, description
+from tmodes.study.store import BLOCKS, STUDY_FILE, TABLE, Folder, description
 
 SHEET = data(100, ("peak", "sag"), block=50, keep={"cases": [3]})
 
@@ -142,9 +148,91 @@ def test_overwrite_replaces_a_study_and_nothing_else(folder):
     assert not [*(folder / "trajectories").glob("*.nc")]
 
 
+def test_overwrite_removes_nothing_where_something_is_in_the_way(folder):
+    """A file of another's among the blocks, a folder in place of the table: refused each time, and all is there."""
+    for place, made in ((folder / BLOCKS / "notes.txt", False), (folder / "study.html", True)):
+        place.mkdir() if made else place.write_text("mine")
+        before = {file: file.read_bytes() for file in folder.rglob("*") if file.is_file()}
+        for _ in range(2):
+            with pytest.raises(ResultFileError, match=place.name):
+                run_study(fake(data(80, robot="another")), folder, overwrite=True)
+        assert {file: file.read_bytes() for file in folder.rglob("*") if file.is_file()} == before
+        place.rmdir() if made else place.unlink()
+    assert run_study(fake(data(80, robot="another")), folder, overwrite=True).complete
+
+
+def test_overwrite_removes_nothing_where_no_scheduler_answers(folder, monkeypatch):
+    monkeypatch.setattr(dask, "CONNECT", "0.2s")
+    before = [*folder.rglob("*")]
+    with pytest.raises(InputError, match="no answer"):
+        run_study(fake(data(80, robot="another")), folder, "dask://127.0.0.1:9", overwrite=True)
+    assert [*folder.rglob("*")] == before
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="this system has no named pipes")
+@pytest.mark.parametrize("which", ["block", "description", "lock", "table"])
+def test_a_pipe_is_refused_and_does_not_block(which, folder, block):
+    names = {"block": block, "description": folder / STUDY_FILE, "lock": folder / LOCK_NAME, "table": folder / TABLE}
+    names[which].unlink(missing_ok=True)
+    os.mkfifo(names[which])
+    if which == "table":
+        stored = Folder.of(folder, fake(SHEET), fake(SHEET).design().values)
+        stored.table = "0" * 64
+        assert not stored.has_table
+        return
+    with pytest.raises(ResultFileError, match="pipe"):
+        run_study(fake(SHEET), folder)
+
+
+@pytest.mark.parametrize("content", ["[" * 60_000, "[]", '{"pid": "x"}', "1" * 6000])
+def test_a_lock_of_nobody(content, folder):
+    """Refused while it is young, as that of another version, or taken over."""
+    lock = folder / LOCK_NAME
+    lock.write_text(content)
+    with pytest.raises(ResultFileError, match="a lock "):
+        run_study(fake(SHEET), folder)
+    os.utime(lock, (0, 0))
+    if not content.startswith("{"):
+        assert run_study(fake(SHEET), folder).complete
+
+
+def test_a_block_that_is_longer_than_its_start_says_is_not_read(folder, block):
+    """Three gigabytes, of which the disk has none."""
+    os.truncate(block, 3 * 2**30)
+    tracemalloc.start()
+    with pytest.raises(ResultFileError, match="its start says"):
+        Folder.of(folder, fake(SHEET), fake(SHEET).design().values).labels()
+    assert tracemalloc.get_traced_memory()[1] < 1e6
+    tracemalloc.stop()
+
+
+@pytest.mark.parametrize("change", [
+    {"wall": float("inf")}, {"wall": float("nan")}, {"first": float("inf")}, {"first": 10**400}, {"engine": 1.5},
+    {"keys": {"peak": float("inf")}}, {"failed": "many"}, {"count": [1]},
+], ids=str)  # fmt: skip
+def test_a_sealed_header_with_other_values(change, block):
+    """Whoever can write a file can also make its checksums."""
+    content = block.read_bytes()
+    magic, version, size, body, _, digest = PREFIX.unpack(content[: PREFIX.size])
+    header = json.loads(content[PREFIX.size : PREFIX.size + size])
+    header["label"] |= change
+    text = json.dumps(header).encode()
+    start = PREFIX.pack(magic, version, len(text), body, hashlib.sha256(text).digest(), digest)
+    with pytest.raises(ResultFileError):
+        unpack(start + text + content[PREFIX.size + size :], "block")
+
+
+def sealed_again(info):
+    info = {key: value for key, value in info.items() if key != "digest"}
+    return json.dumps(info | {"digest": hashlib.sha256(canonical(info)).hexdigest()})
+
+
 DAMAGED = {
     "no JSON": lambda info: "{",
     "another kind": lambda info: json.dumps(info | {"kind": "recipe"}),
+    "a file of another kind": lambda info: "[]",
+    "no JSON of a study": lambda info: json.dumps(info | {"cases": float("inf")}),
+    "another kind of value under data": lambda info: sealed_again(info | {"data": []}),
     "format 2.*upgrade|got format 2; upgrade": lambda info: json.dumps(info | {"format": 2}),
     "does not match its digest": lambda info: json.dumps(info | {"cases": 99}),
     "no JSON of": lambda info: "[" * 100_000,

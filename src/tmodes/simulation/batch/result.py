@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import sys
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
@@ -16,6 +17,7 @@ from numpy.typing import NDArray
 from tmodes.errors import InputError
 from tmodes.integrate.settings import MOST_BYTES
 from tmodes.io.atomic import FolderLock, atomic_write, check_writable, file_error
+from tmodes.io.plain_file import parsed_json, regular_file, whole_file
 from tmodes.simulation.parts import Trajectory
 
 __all__ = [
@@ -183,17 +185,22 @@ def load_batch(folder: str | os.PathLike[str]) -> BatchRun:
     place = Path(folder)
     hint = "give the folder of a batch that came to its end"
     try:
-        info = json.loads((place / _SUMMARY).read_text(encoding="utf-8"))
-        states = np.load(place / _STATES, mmap_mode="r", allow_pickle=False)
-        times = np.load(place / _TIMES, allow_pickle=False)
+        info = parsed_json(whole_file(place / _SUMMARY, MOST_BYTES))
+        states, times = _mapped(place / _STATES), np.array(_mapped(place / _TIMES))
         if info["format"] != BATCH_FORMAT:
             raise file_error(place / _SUMMARY, f"format {info['format']!r}", f"format {BATCH_FORMAT}", "update tmodes")
-        tips = np.load(place / _TIPS, mmap_mode="r", allow_pickle=False) if info["tips"] else None
+        tips = _mapped(place / _TIPS) if info["tips"] else None
         batch = _batch(info, times, states, tips)
     except (OSError, ValueError, KeyError, TypeError, AttributeError) as error:
         got = getattr(error, "strerror", None) or str(error)
         raise file_error(f"folder {place}", f"no whole batch: {got}", "a batch", hint) from error
     return replace(batch, folder=place)
+
+
+def _mapped(path: Path) -> Array:
+    """The array of a file, which stays there."""
+    with regular_file(path, sys.maxsize):
+        return np.load(path, mmap_mode="r", allow_pickle=False)
 
 
 def _batch(info: dict[str, Any], times: Array, states: Array, tips: Array | None) -> BatchRun:

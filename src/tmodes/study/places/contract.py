@@ -98,6 +98,10 @@ class Place(ABC):
         such device.
         """
 
+    def refuse(self) -> None:
+        """Raise :class:`tmodes.errors.InputError` where it does not answer: asked before a folder is touched."""
+        return
+
     @abstractmethod
     def run(self, job: Job) -> None:
         """Compute all tasks of the job. What it raises leaves the blocks that are done where they are."""

@@ -55,19 +55,26 @@ class Dask(Place):
             return cls(f"tcp://{address}")
         return cls(f"tls://{address}", security(how.tls))
 
+    def refuse(self) -> None:
+        """A scheduler that does not answer."""
+        self._connected().close()
+
     def run(self, job: Job) -> None:
         """Connect, and have all blocks computed."""
         from dask import config
-        from distributed import Client
 
         config.set({"distributed.admin.large-graph-warning-threshold": "1GB"})
+        with self._connected() as client:
+            work_through(client, job)
+
+    def _connected(self) -> Any:
+        from distributed import Client
+
         try:
-            client = Client(self.address, security=self.security, timeout=CONNECT)
+            return Client(self.address, security=self.security, timeout=CONNECT)
         except (OSError, TimeoutError) as error:
             hint = "start it with `dask scheduler`, and check address and certificates"
             raise InputError("--on", f"no answer of {self.address}", "a scheduler that runs", hint) from error
-        with client:
-            work_through(client, job)
 
 
 def _loopback(host: str) -> bool:
