@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import sys
 from pathlib import Path
 
@@ -20,6 +21,7 @@ from tmodes.kinds.links.registry import LINKS
 from tmodes.kinds.outside import ENTRY_POINTS, USED
 from tmodes.kinds.registry import REGISTRIES, Registry, UnknownKindError
 from tmodes.kinds.signals.registry import SIGNALS
+from tmodes.robots import text as text_of_robot
 
 FAMILIES = (CONTACTS, CONTROLLERS, DRIVES, tmodes.plot.FIGURES, INTEGRATORS, JOINTS, LINKS, SIGNALS, SURFACES)
 
@@ -90,9 +92,12 @@ BROKEN = {
     "ValueError: two lines": "import json\n\ndef late():\n    raise ValueError('two\\nlines')\n\nlate()",
     "JSONDecodeError: Expecting value": "import json\n\njson.loads('')",
     "ModuleNotFoundError: No module named 'no_such_library'": "import no_such_library",
+    "SystemExit: 3": "import sys\n\nsys.exit(3)",
+    "GeneratorExit": "raise GeneratorExit",
+    "Own: mine": "class Own(BaseException): ...\n\nraise Own('mine')",
     "TypeError": "from tmodes.kinds.signals.registry import SIGNALS\nSIGNALS.register(int, 1)",
 }
-LINES = dict(zip(BROKEN, (2, 4, 3, 1, 2), strict=True))
+LINES = dict(zip(BROKEN, (2, 4, 3, 1, 3, 1, 3, 2), strict=True))
 
 
 @pytest.mark.parametrize("words", BROKEN)
@@ -108,3 +113,38 @@ def test_code_that_cannot_be_loaded_is_reported_at_its_line(words: str, tmp_path
     assert str(file.resolve()) not in USED
     done = command("--use", file, "check", "spong1987", code=2)
     assert f"{file.name}:{LINES[words]}: " in done.stderr
+
+
+@pytest.mark.parametrize("name", ["numpy.py", "json.py", "scipy.py", "my.kinds.py"])
+def test_a_file_under_the_name_of_another_module(name: str, tmp_path: Path) -> None:
+    """It gets a name of its own, takes the place of none, and finds the installed ones and what lies beside it."""
+    file = tmp_path / name
+    file.write_text("import numpy, beside\nassert numpy.pi > beside.THREE\n" + MODULE, encoding="utf-8")
+    (tmp_path / "beside.py").write_text("THREE = 3", encoding="utf-8")
+    (tmp_path / "yaml.py").write_text("raise ValueError", encoding="utf-8")
+    before = sys.modules.copy()
+    try:
+        tmodes.use(str(file))
+        assert "offered_ramp" in SIGNALS
+        assert {key: sys.modules[key] for key in before} == before
+        tmodes.use(str(file))  # once
+    finally:
+        SIGNALS.unregister("offered_ramp")
+        for key in sys.modules.keys() - before.keys():
+            del sys.modules[key]
+
+
+def test_sys_exit_of_a_kind_is_no_success(tmp_path: Path) -> None:
+    """It leaves after the sheet was read; the message names the line."""
+    file = tmp_path / "leaving_kinds.py"
+    text = MODULE.replace("return ", "raise SystemExit(0)\n        return ")
+    file.write_text(text, encoding="utf-8")
+    (sheet := tmp_path / "own.yaml").write_text(
+        re.sub(r"signal: \{.*\}", "signal: {type: offered_ramp}", text_of_robot("spong1987")), encoding="utf-8"
+    )
+    try:
+        done = command("--use", file, "run", sheet, "--out", tmp_path / "run", code=2)
+    finally:
+        SIGNALS.unregister("offered_ramp")
+        sys.modules.pop("leaving_kinds", None)
+    assert "leaving_kinds.py:" in done.stderr

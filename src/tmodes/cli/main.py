@@ -28,7 +28,7 @@ from tmodes.cli.show import show, view
 from tmodes.cli.static import static
 from tmodes.cli.studio import studio
 from tmodes.cli.study import study
-from tmodes.errors import InputError, TmodesError
+from tmodes.errors import InputError, TmodesError, error_words
 
 __all__ = ["app", "main"]
 
@@ -95,14 +95,27 @@ def main() -> None:
         code = error.exit_code
     except (KeyboardInterrupt, typer.Abort):
         code = INTERRUPTED
-    except (BrokenPipeError, SystemExit):
-        # The reader of our output went away (| head), of which rich and typer make an exit: nothing to say, no fault.
+    except BrokenPipeError:
         code = 0
     except Exception as error:
         code = _explained(error)
+    except BaseException as error:
+        code = _left(error)
     if code == INTERRUPTED:
         _say("tmodes: interrupted" + ("" if "batch" in sys.argv[1:2] else "; run the same command again to continue"))
     _leave(code)
+
+
+def _left(error: BaseException) -> int:
+    """Say what has ended the program, past all that handles errors; the exit code."""
+    from tmodes.kinds.outside import own_place
+
+    if isinstance(error.__context__, BrokenPipeError):
+        return 0  # the reader of our output went away (| head), of which rich makes an exit: nothing to say, no fault
+    got, expected = error_words(error), "code that leaves the program to tmodes"
+    wrong = InputError("code of your own", got, expected, "raise an error, or return", own_place(error))
+    _say(f"tmodes: {wrong}")
+    return wrong.exit_code
 
 
 def _explained(error: Exception) -> int:

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import hashlib
 import importlib
-import runpy
+import importlib.util
 import sys
 import sysconfig
 import traceback
@@ -14,7 +15,7 @@ from pathlib import Path
 
 from tmodes.errors import InputError, TmodesError, error_words
 
-__all__ = ["ENTRY_POINTS", "USED", "use"]
+__all__ = ["ENTRY_POINTS", "USED", "own_place", "use"]
 
 ENTRY_POINTS = "tmodes.kinds"
 """Group of the entry points by which installed packages offer kinds."""
@@ -48,15 +49,33 @@ def use(*names: str) -> list[str]:
 
 
 def _run(file: Path) -> None:
-    """Import a file as a module under its own name, once."""
-    if file.stem not in sys.modules:
-        sys.path.insert(0, str(file.parent))
-        try:
-            importlib.import_module(file.stem)
-        finally:
-            sys.path.remove(str(file.parent))
-    elif Path(getattr(sys.modules[file.stem], "__file__", None) or "").resolve() != file:
-        runpy.run_path(str(file), run_name=file.stem)
+    """Import a file as a module, once: under its own name, or where another module has that, under one of its path."""
+    name = file.stem if _is_free(file.stem, file) else f"{file.stem}_{hashlib.sha256(bytes(file)).hexdigest()[:8]}"
+    if name in sys.modules:
+        return
+    spec = importlib.util.spec_from_file_location(name, file)
+    assert spec is not None  # noqa: S101
+    assert spec.loader is not None  # noqa: S101
+    sys.modules[name] = module = importlib.util.module_from_spec(spec)
+    sys.path.append(str(file.parent))  # last: no file there takes the place of an installed module
+    try:
+        spec.loader.exec_module(module)
+    except BaseException:
+        sys.modules.pop(name, None)
+        raise
+    finally:
+        sys.path.remove(str(file.parent))
+
+
+def _is_free(name: str, file: Path) -> bool:
+    """Whether no other module than this file is or could be imported under a name."""
+    if not name.isidentifier():
+        return False
+    if name in sys.modules:
+        found = getattr(sys.modules[name], "__file__", None)
+        return found is not None and Path(found).resolve() == file
+    spec = importlib.util.find_spec(name)
+    return spec is None or (spec.origin is not None and Path(spec.origin).resolve() == file)
 
 
 def _import(name: str, offered: Iterable[str]) -> None:
@@ -75,14 +94,14 @@ def _mistakes_located(name: str) -> Iterator[None]:
     """What a user's code raises while it is loaded is a mistake there, and not a fault of tmodes."""
     try:
         yield
-    except TmodesError:
+    except (TmodesError, KeyboardInterrupt):
         raise
-    except Exception as error:
+    except BaseException as error:  # sys.exit there ends no command of ours
         expected = f"code that can be loaded from {name}"
-        raise InputError("kinds", error_words(error), expected, "correct it there", _place(error)) from error
+        raise InputError("kinds", error_words(error), expected, "correct it there", own_place(error)) from error
 
 
-def _place(error: Exception) -> str:
+def own_place(error: BaseException) -> str:
     """File and line of the user's code at which it failed: the last of the traceback outside of tmodes and Python."""
     if isinstance(error, SyntaxError) and error.filename:
         return f"{Path(error.filename).name}:{error.lineno}"
