@@ -12,7 +12,7 @@ All numbers are SI and reflected to the joint side of the reducer. Everything he
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import partial
 from typing import NamedTuple
@@ -232,6 +232,15 @@ class Chain:
     def sliding(self) -> set[str]:
         """Names of the coordinates of joints and motors that are distances [m]."""
         return {name for axis in self.axes if axis.coordinate.slides for name in (axis.name, axis.motor)}
+
+    def units(self, coordinates: Iterable[str]) -> dict[str, str]:
+        """Unit of each coordinate: of a joint or motor that slides m, of a link's stretch and shear none, else rad."""
+        joints, sliding = {name for axis in self.axes for name in (axis.name, axis.motor)}, self.sliding
+        units = {}
+        for name in coordinates:
+            plain = name not in joints and name.rpartition(".")[2].startswith(("stretch", "shear"))
+            units[name] = "-" if plain else "m" if name in sliding else "rad"
+        return units
 
     @property
     def tip(self) -> Point:

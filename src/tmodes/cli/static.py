@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Annotated
 
@@ -12,6 +11,7 @@ from tmodes.cli.options import AsJson, FixInertia, Roots, Settings, SheetArgumen
 from tmodes.cli.statics_text import print_statics
 from tmodes.cli.terminal import print_json, warn, working
 from tmodes.errors import InputError
+from tmodes.io.units import finite_number
 from tmodes.io.words import meant, shown
 
 if TYPE_CHECKING:
@@ -145,7 +145,7 @@ def three_of(which: str, text: str, unit: str) -> list[float]:
     words = text.split(",")
     if len(words) != 3:
         raise InputError(which, repr(text), "three numbers", "write x, y and z, like 0,0,-10")
-    return [_number(which, word, unit, "three finite numbers") for word in words]
+    return [finite_number(which, word, unit, "three finite numbers", most=LARGEST) for word in words]
 
 
 def pose_of(text: str | None, sheet: Robot) -> dict[str, float]:
@@ -170,17 +170,4 @@ def held_of(text: str, sheet: Robot, which: str = "--hold") -> tuple[str, float]
     if not (name and equals and value):
         raise InputError(which, repr(text), "COORDINATE=VALUE", "write it like shoulder=0.5 or shoulder=45deg")
     slides = any(joint.name == name.removesuffix(".motor") and joint.type == "prismatic" for joint in sheet.joints)
-    return name, _number(f"{which} {name}", value, "m" if slides else "rad", "a number")
-
-
-def _number(which: str, text: str, unit: str, expected: str) -> float:
-    from tmodes.io.units import NotANumber, number
-
-    try:
-        value = number(text, unit)
-    except NotANumber as error:
-        raise InputError(which, error.got, f"{expected} [{unit}]", error.hint) from None
-    if not math.isfinite(value) or abs(value) > LARGEST:
-        bounds = f"{expected} [{unit}], at most {LARGEST:g}"
-        raise InputError(which, shown(text), bounds, "correct the exponent or the unit")
-    return value
+    return name, finite_number(f"{which} {name}", value, "m" if slides else "rad", most=LARGEST)

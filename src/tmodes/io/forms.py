@@ -115,7 +115,8 @@ def _with_units(node: Any, name: str = "") -> Any:
         for key, value in node.items()
     }
     if name in SHORTHANDS and "type" not in inside:
-        inside["anyOf"] = [*inside.get("anyOf", []), SHORTHANDS[name]]
+        text = [WITH_UNIT] if SHORTHANDS[name]["type"] == "number" else []
+        inside["anyOf"] = [*inside.get("anyOf", []), SHORTHANDS[name], *text]
     return inside
 
 

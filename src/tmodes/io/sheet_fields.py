@@ -10,8 +10,8 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Any, get_args, get_origin
 
-from tmodes.io.forms import form_of
-from tmodes.io.sheet_words import ChainPlace, Step, at, fields, is_group, kind_of, own_unit
+from tmodes.io.forms import SHORTHANDS, form_of
+from tmodes.io.sheet_words import ChainPlace, Step, at, fields, is_group, kind_of, members_of, own_unit
 from tmodes.kinds.joints.registry import JOINTS
 from tmodes.kinds.schema.kind import form_of_field
 
@@ -108,12 +108,19 @@ def _quantities(
         inner = inside(place, key, value, here, data)
         if inner is None or (item is None and inner.may_be_left_out):
             continue
+        inner = _as_one(inner, key) if isinstance(item, str) else inner
         # the items of a list or a group, where one belongs, are quantities themselves
         holds_more = isinstance(item, (list, dict)) and get_origin(chosen(inner.members, item)) in {tuple, dict}
         if inner.unit is not None and not holds_more:
             yield value, key, here, inner
         else:
             yield from _quantities(inner, item, here, data, parts)
+
+
+def _as_one(place: ChainPlace, key: Step) -> ChainPlace:
+    """A group in whose place one number may stand, as that number, with the unit of what it is of."""
+    first = next(iter(fields(place.members[0]).values()), None) if key in SHORTHANDS and place.unit is None else None
+    return replace(place, unit=own_unit(first)) if first and members_of(first.annotation) == [float] else place
 
 
 def named(steps: Sequence[Step], data: Any) -> str:

@@ -11,11 +11,11 @@ import numpy as np
 from tmodes.io.sheet_check import sheet_data
 from tmodes.io.sheet_fields import named, quantities
 from tmodes.io.sheet_plausible_beam import implausible_beams
-from tmodes.kinds.schema.frames import Origin
+from tmodes.kinds.schema.frames import TURN, Origin
 from tmodes.sheet import Robot
 from tmodes.sheet.checks import coordinate_count
 
-__all__ = ["implausible_numbers", "notices_about", "reading_notices"]
+__all__ = ["implausible_numbers", "notices_about", "reading_notices", "turned"]
 
 GRAVITY = 30.0
 """Largest usual gravity [m/s^2]: that of Jupiter is 24.8."""
@@ -128,19 +128,40 @@ def _motion(robot: Robot) -> Iterator[str]:
     if (pull := math.hypot(*robot.gravity)) > GRAVITY:
         yield f"gravity {_oddity(pull, 'm/s^2', (0.0, GRAVITY))}"
     yield from _limits(robot)
+    yield from _initial(robot)
     yield from _signals(robot)
     if (count := coordinate_count(robot)) > MANY:
         info = "each answer takes long; fewer functions or segments will do for most links"
         yield f"the arm has {count} coordinates, more than {MANY}: {info}"
 
 
+def turned(angle: float) -> str:
+    """An angle [rad] of many turns, with the question whether degrees were meant."""
+    turns = f"{angle:g} rad, {abs(angle) / (2 * math.pi):.3g} turns"
+    return f'{turns}; was it meant in deg (factor {math.pi / 180:.4g})? Then write "{angle:g} deg"'
+
+
 def _limits(robot: Robot) -> Iterator[str]:
     for joint in robot.joints:
-        if joint.unit == "m" and joint.limits:
-            for name in ("lower", "upper"):
-                value = getattr(joint.limits, name)
-                if value is not None and abs(value) > TRAVEL:
-                    yield _far(f"joints.{joint.name}.limits.{name}", value)
+        for name in ("lower", "upper") if joint.limits else ():
+            value = getattr(joint.limits, name) or 0.0
+            path = f"joints.{joint.name}.limits.{name}"
+            if joint.unit == "m" and abs(value) > TRAVEL:
+                yield _far(path, value)
+            elif joint.unit == "rad" and abs(value) > TURNS and _as_degrees(value):
+                yield f"{path} is {turned(value)}"
+
+
+def _as_degrees(angle: float) -> bool:
+    """Whether a number looks like degrees: a whole one of at most two turns."""
+    return angle.is_integer() and abs(angle) <= math.degrees(TURNS)
+
+
+def _initial(robot: Robot) -> Iterator[str]:
+    turning = {name for joint in robot.joints if joint.unit == "rad" for name in joint.coordinates}
+    for name, value in robot.initial.coordinates.items():
+        if name.removesuffix(".motor") in turning and abs(value) > TURN:
+            yield f"initial.coordinates.{name} is {turned(value)}"
 
 
 def _signals(robot: Robot) -> Iterator[str]:
@@ -153,8 +174,7 @@ def _signals(robot: Robot) -> Iterator[str]:
         if slides and abs(value) > TRAVEL:
             yield _far(f"{path}.signal", value)
         elif not slides and abs(value) > TURNS:
-            turned = f"{value:g} rad, {abs(value) / (2 * math.pi):.3g} turns"
-            yield f"{path}.signal goes to {turned}; was it meant in deg (factor {math.pi / 180:.4g})?"
+            yield f"{path}.signal goes to {turned(value)}"
 
 
 def _far(path: str, value: float) -> str:

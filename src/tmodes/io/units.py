@@ -19,7 +19,17 @@ from tmodes.errors import InputError
 from tmodes.io.unit_words import UNIT, angular, cyclic, guesses, readings, spelt
 from tmodes.io.words import shown
 
-__all__ = ["EVERYDAY", "FLOAT", "NotANumber", "finite_float", "library_factor", "number", "parse_assignment", "scalar"]
+__all__ = [
+    "EVERYDAY",
+    "FLOAT",
+    "NotANumber",
+    "finite_float",
+    "finite_number",
+    "library_factor",
+    "number",
+    "parse_assignment",
+    "scalar",
+]
 
 NUMBER = r"[-+]?(?:\.[0-9]+|[0-9]+(?:\.[0-9]*)?)(?:[eE][-+]?[0-9]+)?"
 FLOAT = re.compile(NUMBER)
@@ -70,6 +80,21 @@ def number(value: Any, unit: str) -> float:
     if math.isnan(result):
         raise NotANumber(".nan (not a number)", "write a finite number")
     return result
+
+
+def finite_number(
+    which: str, value: Any, unit: str, expected: str = "a finite number", *, most: float = math.inf
+) -> float:
+    """As :func:`number`, of finite size at most ``most``; raises :class:`tmodes.errors.InputError` that names it."""
+    wanted = expected if unit == "-" else f"{expected} [{unit}]"
+    try:
+        found = number(value.item() if getattr(value, "shape", None) == () else value, unit)
+    except NotANumber as error:
+        raise InputError(which, error.got, wanted, error.hint) from None
+    if not (math.isfinite(found) and abs(found) <= most):
+        size = "" if math.isinf(most) else f", at most {most:g} in size"
+        raise InputError(which, shown(value), f"{wanted}{size}", "correct the exponent or the unit")
+    return found
 
 
 def _from_text(text: str, unit: str) -> float:

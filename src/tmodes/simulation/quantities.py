@@ -88,11 +88,8 @@ def _coordinates(setup: RunSetup) -> dict[str, Quantity]:
 
 
 def coordinate_units(setup: RunSetup) -> list[str]:
-    """Unit of each coordinate: of a sliding joint m, of a link's stretch and shear none, of all others rad."""
-    units = dict.fromkeys(setup.model.coordinates, "rad")
-    units |= {name: "-" for name in units if name.rpartition(".")[2].startswith(("stretch", "shear"))}
-    units |= dict.fromkeys(setup.planned.chain.sliding, "m")
-    return [units[name] for name in setup.model.coordinates]
+    """Unit of each coordinate, as :meth:`tmodes.chain.chain.Chain.units`."""
+    return [*setup.planned.chain.units(setup.model.coordinates).values()]
 
 
 def _drives(setup: RunSetup, seen: _Seen) -> dict[str, Quantity]:

@@ -30,7 +30,7 @@ BAD_SHARE = 0.05
 
 
 def describe(
-    robot: Robot, held: Mapping[str, float] | None = None, progress: Progress = lambda stage, share: None
+    robot: Robot, held: Mapping[str, float | str] | None = None, progress: Progress = lambda stage, share: None
 ) -> dict[str, Any]:
     """All that ``tmodes describe`` prints of a robot, as plain data with units in the names.
 
@@ -100,7 +100,7 @@ def link_states(rest: Equilibrium, lines: LinkLines | None = None) -> list[dict[
 
 
 def _rest(
-    robot: Robot, model: Model, held: Mapping[str, float] | None, progress: Progress
+    robot: Robot, model: Model, held: Mapping[str, float | str] | None, progress: Progress
 ) -> tuple[Equilibrium | None, list[str]]:
     try:
         return robot_rest(robot, model=model, held=held, sheet=False, contact=False, progress=progress), []

@@ -12,11 +12,13 @@ from tmodes.analysis.statics.loads import first_value
 from tmodes.analysis.statics.steady import base_spin
 from tmodes.analysis.validity import link_ranges
 from tmodes.chain.chain import Chain, Node
+from tmodes.io.sheet_plausible import turned
 from tmodes.kinds.joints.joint import JointSheet, JointState
+from tmodes.kinds.schema.frames import TURN
 from tmodes.sheet import Robot
 from tmodes.sheet.parts import LinkSheet
 
-__all__ = ["gear_rows", "joint_rows", "link_rows", "notices", "parallel_rows", "rest_notices", "steady_notices"]
+__all__ = ["gear_rows", "joint_rows", "link_rows", "notices", "parallel_rows", "pose_notices", "rest_notices"]
 
 
 def joint_rows(robot: Robot) -> list[dict[str, Any]]:
@@ -171,11 +173,15 @@ def _thick(chain: Chain) -> Iterator[str]:
 
 def rest_notices(robot: Robot, rest: Equilibrium) -> list[str]:
     """What is uncertain about a robot at rest: unstable, bent beyond its models, past a joint's limits."""
-    return [*_stability(rest), *_ranges(rest), *_limits(robot, rest), *steady_notices(robot, rest)]
+    return [*_stability(rest), *_ranges(rest), *_limits(robot, rest), *pose_notices(robot, rest)]
 
 
-def steady_notices(robot: Robot, rest: Equilibrium) -> Iterator[str]:
-    """Where the motion at constant speed changes as seen by the robot, and where its base is not as it is placed."""
+def pose_notices(robot: Robot, rest: Equilibrium) -> Iterator[str]:
+    """What is odd about the pose: angles of more than a turn, a motion that is not steady, a base that is tilted."""
+    names, units = rest.model.coordinates, rest.model.chain.units(rest.model.coordinates)
+    for k in sorted({*range(len(names))} - {*rest.free.tolist()}):
+        if units[names[k]] == "rad" and abs(rest.q[k]) > TURN:
+            yield f"{names[k]} is held at {turned(float(rest.q[k]))}"
     if rest.unsteady:
         yield (
             "the motion at constant speed is not steady: weight, loads or other joints turn as seen by what moves; "

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.analysis.describe.describe import NOTHING_MOVES, link_states
-from tmodes.analysis.describe.links import steady_notices
+from tmodes.analysis.describe.links import pose_notices
 from tmodes.analysis.modes.closed_loop import feedback_of
 from tmodes.analysis.modes.modes import Mode, MotorState, Servo, closed_loop_poles, modes_about
 from tmodes.analysis.modes.shapes import assigned
@@ -74,7 +74,7 @@ def vibrations(
     robot: Robot,
     *,
     contact: bool = False,
-    held: Mapping[str, float] | None = None,
+    held: Mapping[str, float | str] | None = None,
     progress: Progress = lambda stage, share: None,
 ) -> Vibrations:
     """Modes for each state of the motors about the rest under its loads, and whether the links' models hold there.
@@ -128,7 +128,7 @@ def _states(robot: Robot, rest: Equilibrium, progress: Progress, only: Sequence[
 
 def _notices(robot: Robot, rest: Equilibrium, info: dict[str, list[dict[str, Any]]]) -> list[str]:
     found = [] if rest.model.nq else [f"no modes: {NOTHING_MOVES}"]
-    found += [*steady_notices(robot, rest)]
+    found += [*pose_notices(robot, rest)]
     if rest.model.nq > MOST_CHECKED and finer(robot):
         found.append(f"whether the modes are converged was not checked: more than {MOST_CHECKED} coordinates")
     if any(row["converged"] is False for modes in info.values() for row in modes):

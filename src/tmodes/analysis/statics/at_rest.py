@@ -8,6 +8,7 @@ from dataclasses import replace
 from typing import Any
 
 from tmodes.analysis.statics.equilibrium import Equilibrium, Load, equilibrium
+from tmodes.analysis.statics.given import coordinate_numbers
 from tmodes.analysis.statics.loads import first_value, sheet_loads
 from tmodes.analysis.statics.path import Progress
 from tmodes.analysis.statics.steady import base_spin, steady_rates
@@ -23,7 +24,7 @@ def robot_rest(
     loads: Sequence[Load] = (),
     *,
     model: Model | None = None,
-    held: Mapping[str, float] | None = None,
+    held: Mapping[str, float | str] | None = None,
     sheet: bool = True,
     contact: bool = True,
     moving: bool = False,
@@ -31,13 +32,14 @@ def robot_rest(
 ) -> Equilibrium:
     """Static equilibrium of a robot under its weight, the loads of its data sheet at time 0 (``sheet``) and ``loads``.
 
-    Driven coordinates are held at ``held``, else at their first command, else at the sheet's initial coordinates, else
-    at 0; ``contact`` False leaves the sheet's contact out; ``moving``: about motion of drives and base at constant
-    speed. What was found before, a rest or that there is none, is taken again. Errors as of :func:`equilibrium`.
+    Driven coordinates are held at ``held`` (numbers [rad, m], or text with a unit), else at their first command, else
+    at the sheet's initial coordinates, else at 0; ``contact`` False leaves the sheet's contact out; ``moving``: about
+    motion of drives and base at constant speed. What was found before, a rest or that there is none, is taken again.
+    Errors as of :func:`equilibrium`.
     """
     model = model or Model(robot.chain())
     known = {name: value for name, value in robot.initial.coordinates.items() if name in model.coordinates}
-    commands = first_commands(robot, model) | dict(held or {})
+    commands = first_commands(robot, model) | coordinate_numbers(model, held)
     acting = [*(sheet_loads(robot) if sheet else ()), *loads]
     touched = robot.contact if contact else None
     rates, spin = (steady_rates(robot, model), base_spin(robot)) if moving else ({}, None)

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from tmodes.analysis.quasistatic import gear_inputs, sprung
+from tmodes.analysis.statics.given import check_names, coordinate_numbers
 from tmodes.analysis.statics.loads import Load, acts_of, surface_act
 from tmodes.analysis.statics.path import LoadPath, Progress, follow
 from tmodes.analysis.statics.stability import moving_stability
@@ -87,11 +88,11 @@ def equilibrium(
     model: Model,
     loads: Sequence[Load] = (),
     *,
-    held: Mapping[str, float] | None = None,
+    held: Mapping[str, float | str] | None = None,
     free: Sequence[str] = (),
-    start: Mapping[str, float] | None = None,
+    start: Mapping[str, float | str] | None = None,
     contact: Contact | None = None,
-    rates: Mapping[str, float] | None = None,
+    rates: Mapping[str, float | str] | None = None,
     spin: ArrayLike | None = None,
     progress: Progress = lambda stage, share: None,
 ) -> Equilibrium:
@@ -110,9 +111,10 @@ def equilibrium(
     acts = acts_of(model, loads)
     acts += [surface_act(model, contact)] if contact else []
     turning = None if spin is None else np.asarray(spin, dtype=float)
-    moving = whole_rates(model, rates, base=turning is not None)
-    system = StaticSystem(model, acts, free_coordinates(model, held or {}, free), moving, turning)
-    pose = starting_pose(model, held or {}, start or {})
+    fixed, first = coordinate_numbers(model, held), coordinate_numbers(model, start)
+    moving = whole_rates(model, coordinate_numbers(model, rates, rate=True), base=turning is not None)
+    system = StaticSystem(model, acts, free_coordinates(model, fixed, free), moving, turning)
+    pose = starting_pose(model, fixed, first)
     return _info(system, follow(system, pose, progress), pose)
 
 
@@ -135,10 +137,6 @@ def _info(system: StaticSystem, path: LoadPath, pose: Array) -> Equilibrium:
     )  # fmt: skip
 
 
-LARGEST = 1e6
-"""Largest value of a coordinate that is held [rad, m]."""
-
-
 def driven(model: Model) -> list[int]:
     """Coordinates that a drive holds: motors before elastic gears, and joints driven directly or prescribed."""
     return sorted(axis.input for axis in model.parts.axes if axis.axis.drive.is_driven)
@@ -146,7 +144,7 @@ def driven(model: Model) -> list[int]:
 
 def free_coordinates(model: Model, held: Mapping[str, float], free: Sequence[str]) -> NDArray[np.intp]:
     """Indices of the coordinates to be found: all but the driven ones and ``held``, and those named ``free``."""
-    _check_names(model, (*held, *free))
+    check_names(model, (*held, *free))
     both = sorted({*held} & {*free})
     if both:
         got, hint = "a coordinate that is also held", "take it out of one of the two"
@@ -158,9 +156,7 @@ def free_coordinates(model: Model, held: Mapping[str, float], free: Sequence[str
 
 def starting_pose(model: Model, held: Mapping[str, float], start: Mapping[str, float]) -> Array:
     """The unloaded pose (nq,): ``held`` and ``start`` as given, joints behind gears where their motors put them."""
-    _check_names(model, start)
     given = {**start, **held}
-    _check_numbers(given)
     q = np.zeros(model.nq)
     names = list(model.coordinates)
     q[model.motors] = [given.get(names[k], given.get(names[k].removesuffix(".motor"), 0.0)) for k in model.motors]
@@ -168,19 +164,3 @@ def starting_pose(model: Model, held: Mapping[str, float], start: Mapping[str, f
     for name, value in given.items():
         q[names.index(name)] = value
     return q
-
-
-def _check_names(model: Model, names: Iterable[str]) -> None:
-    from difflib import get_close_matches
-
-    for name in names:
-        if name not in model.coordinates:
-            close = get_close_matches(name, model.coordinates, 1)
-            hint = f"did you mean `{close[0]}`?" if close else "check the spelling"
-            raise InputError("coordinate", f"`{name}`", f"one of {', '.join(model.coordinates)}", hint)
-
-
-def _check_numbers(values: Mapping[str, float]) -> None:
-    for name, value in values.items():
-        if not abs(value) <= LARGEST:
-            raise InputError(name, repr(value), f"a finite value within {LARGEST:g}", "give it in radians or meters")

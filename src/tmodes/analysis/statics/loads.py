@@ -6,13 +6,15 @@ from abc import ABC, abstractmethod
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from tmodes.equations.loop.contact_kernels import LawAt, contact_law
 from tmodes.errors import InputError
+from tmodes.io.units import finite_number
+from tmodes.io.words import shown
 from tmodes.kinds.contacts.registry import Contact, Surface
 from tmodes.kinds.schema.axes import cross_matrix
 from tmodes.kinds.signals.contract import Signal
@@ -30,7 +32,7 @@ LARGEST = 1e12
 
 @dataclass(frozen=True)
 class Load:
-    """A force [N] and a moment [N*m] on a named point.
+    """A force [N] and a moment [N*m] on a named point: three numbers each, also as text with a unit.
 
     ``follows`` False: both keep their direction in the world (dead load). True: they are given in the axes of the
     point and turn with it (follower load).
@@ -137,12 +139,12 @@ def point_index(model: Model, name: str) -> int:
     return names.index(name)
 
 
-def _three(which: str, values: ArrayLike, unit: str) -> Array:
-    array = np.asarray(values, dtype=float)
-    if array.shape != (3,) or not (np.abs(array) <= LARGEST).all():
-        expected = f"three finite numbers in {unit}, none beyond {LARGEST:g}"
-        raise InputError(which, str(values), expected, "give x, y and z")
-    return array
+def _three(which: str, values: Any, unit: str) -> Array:
+    """Three numbers in a unit, each perhaps as text with its own."""
+    given = values.tolist() if isinstance(values, np.ndarray) else values
+    if not isinstance(given, (list, tuple)) or len(given) != 3:
+        raise InputError(which, shown(given), f"three numbers in {unit}", "give x, y and z")
+    return np.array([finite_number(which, value, unit, "three finite numbers", most=LARGEST) for value in given])
 
 
 class Touch(NamedTuple):

@@ -15,6 +15,8 @@ from typing import Any, NamedTuple, Self
 from pydantic import BaseModel, ConfigDict, Field, ValidationInfo, field_validator, model_validator
 from pydantic_core import PydanticCustomError
 
+from tmodes.errors import InputError
+
 __all__ = [
     "LARGEST", "SMALLEST", "DataSheet", "Issue", "any_sign", "dissipation", "not_negative", "plain_texts",
     "positive", "quantity", "refuse", "span_info",
@@ -72,6 +74,14 @@ class DataSheet(BaseModel):
         """Values that do not fit together."""
         yield from ()
 
+    def __setattr__(self, name: str, value: Any) -> None:
+        """Refused: what is checked once stays as it is. Raises :class:`tmodes.errors.InputError`."""
+        raise _unchanging(self, name, value)
+
+    def __delattr__(self, name: str) -> None:
+        """Refused, as an assignment."""
+        raise _unchanging(self, name, None)
+
     @classmethod
     def members(cls) -> tuple[type[DataSheet], ...]:
         """The sheets that may stand where this one is named: itself, or those of all registered kinds of a family."""
@@ -92,6 +102,16 @@ class DataSheet(BaseModel):
                 bounds = {"smallest": smallest, "largest": LARGEST}
                 raise PydanticCustomError("arithmetic", "from {smallest} to {largest}", bounds)
         return value
+
+
+def _unchanging(sheet: DataSheet, name: str, value: Any) -> InputError:
+    """The error of an assignment to a sheet, with what takes its place."""
+    known = name in type(sheet).model_fields
+    hint = f'take a changed robot: robot = robot.with_({{"{name}": {value!r:.60}}})'
+    if not hasattr(sheet, "with_"):
+        hint = f'take a changed robot by the whole path: robot.with_({{"joints.NAME. ... .{name}": {value!r:.60}}})'
+    hint = hint if known else f"its fields are {', '.join(type(sheet).model_fields)}"
+    return InputError(name, "an assignment", "left as it is: a data sheet does not change", hint)
 
 
 def quantity(
