@@ -15,7 +15,8 @@ from numpy.typing import ArrayLike, NDArray
 from tmodes.model.model import Model
 
 __all__ = [
-    "Split", "deflections", "elastic_names", "gear_inputs", "gross_motion", "held_shape", "split_motion", "sprung",
+    "Split", "deflections", "elastic_names", "gear_inputs", "gross_motion", "held_shape", "loose_gears",
+    "split_motion", "sprung",
 ]  # fmt: skip
 
 Array = NDArray[np.float64]
@@ -105,6 +106,21 @@ def held_shape(
 def sprung(model: Model) -> list[int]:
     """Coordinates of the joints behind an elastic gear, or on a spring alone, in the order of the nodes."""
     return [axis.angle for axis in model.parts.axes if axis.axis.element]
+
+
+def loose_gears(model: Model, q: ArrayLike) -> dict[str, float]:
+    """The gears whose teeth are apart in a pose (nq,), by their joints' coordinates; half of the play [rad, m] of each.
+
+    Their springs and dampers do not act there.
+    """
+    axes = [axis.axis for axis in model.parts.axes if axis.axis.element]
+    found = zip(sprung(model), axes, deflections(model, q)[0], strict=False)
+    gears = [(joint, axis.joint.gear if axis.drive.has_gear else None, deflection) for joint, axis, deflection in found]
+    return {
+        model.coordinates[joint]: gear.backlash
+        for joint, gear, deflection in gears
+        if gear and gear.backlash > 0 and abs(deflection) <= gear.backlash
+    }
 
 
 def gear_inputs(model: Model, values: Array, *, rest: bool = False) -> Array:

@@ -78,15 +78,13 @@ class Gear:
     """An elastic gear between motor and joint.
 
     ``stiffness`` [N*m/rad] of each range of the torque, rising ``limits`` [N*m] between the ranges (K1/K2/K3 with
-    T1/T2; one number and no limit: linear); ``damping`` [N*m*s/rad]; ``backlash`` [rad] half-width of the dead zone,
-    rounded over ``backlash_rounding`` [rad].
+    T1/T2; one number and no limit: linear); ``damping`` [N*m*s/rad]; ``backlash`` [rad] half-width of the play.
     """
 
     stiffness: tuple[float, ...]
     limits: tuple[float, ...] = ()
     damping: float = 0.0
     backlash: float = 0.0
-    backlash_rounding: float = 1e-5
 
 
 @dataclass(frozen=True)

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.equations.loop.closed_loop import ClosedLoop
+from tmodes.equations.recursion.parts import AxisPart
 from tmodes.errors import InputError, SimulationError
 from tmodes.integrate.method import EULER
 from tmodes.integrate.registry import integrator
@@ -47,7 +48,7 @@ class Lowered:
         """The run, with its steps.
 
         Raises :class:`tmodes.errors.InputError` for a sampled controller and for dry friction that sticks, which are
-        not differentiated, and :class:`tmodes.errors.SimulationError` where the force of a contact jumped on the way:
+        not differentiated, and :class:`tmodes.errors.SimulationError` where a force jumped on the way:
         how the time of the jump moves with the numbers is part of the derivative, and not seen.
         """
         if self.model.plan.is_sampled:
@@ -73,7 +74,20 @@ class Lowered:
                 "whose force jumps there; expected a force without jumps. End the run before, or set "
                 "contact.damping and contact.preload to 0"
             )
+        damped = [axis.axis for axis in self.model.loop.parts.axes if _jumps(axis)]
+        if done.contact_changes and damped:
+            raise SimulationError(
+                f"derivatives of a run: in the play of the gear of {damped[0].name} teeth met or parted, where the "
+                "torque of its damper jumps; expected a torque without jumps. End the run before, or set "
+                f"joints.{damped[0].joint.name}.gear.damping to 0"
+            )
         return Replay(self.rates, self.parameters, done, len(self.model.coordinates))
+
+
+def _jumps(axis: AxisPart) -> bool:
+    """Whether the torque of a gear jumps where its teeth meet."""
+    gear = axis.axis.joint.gear
+    return bool(axis.drive and axis.drive.dead_zone and gear and gear.damping > 0)
 
 
 def lowered(sheet: Robot) -> Lowered:

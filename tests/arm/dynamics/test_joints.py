@@ -79,27 +79,31 @@ def test_rising_gear_follows_its_table(wound: float) -> None:
     np.testing.assert_allclose(found, [torque, 0.0, -torque, 0.0], atol=1e-12)
 
 
-def test_backlash_is_a_dead_zone_rounded_at_its_edges() -> None:
-    """No torque inside, full stiffness outside, and the torque is the slope of the stored energy everywhere."""
-    width, rounding = 0.01, 1e-4
-    gear = replace(LINEAR, backlash=width, backlash_rounding=rounding)
-    model = Model(replace(arm(elastic("a", gear), joint("b")), gravity=np.zeros(3)))
+@pytest.mark.parametrize("gear", [LINEAR, RISING])
+def test_nothing_crosses_a_play_and_beyond_it_teeth_only_push(gear: Gear) -> None:
+    """Spring and damper from where the teeth meet on, as far as these push; the torque is the slope of the energy."""
+    width = 0.01
+    model = Model(replace(arm(elastic("a", replace(gear, backlash=width)), joint("b")), gravity=np.zeros(3)))
+    without = Model(replace(arm(elastic("a", gear), joint("b")), gravity=np.zeros(3)))
 
-    def torque(wound: float) -> float:
-        q = np.array([wound, 0.0, 0.0])
-        return float(np.asarray(model.inverse_dynamics(q, np.zeros(3), np.zeros(3)))[0])
+    def torque(of: Model, wound: float, rate: float = 0.0) -> float:
+        """On the motor, without its friction."""
+        q, v = np.array([wound, 0.0, 0.0]), np.array([rate, 0.0, 0.0])
+        return float(np.asarray(of.inverse_dynamics(q, v, np.zeros(3)))[0]) - 0.1 * rate
 
     def energy(wound: float) -> float:
         return float(model.energies(np.array([wound, 0.0, 0.0]), np.zeros(3))["elastic_gear"])
 
-    assert torque(0.0) == pytest.approx(0.0, abs=1e-12)
-    for wound in (0.003, 0.0099, 0.01, 0.0101, 0.02, -0.02, -0.01):
-        exact = 100 * np.sign(wound) * max(abs(wound) - width, 0.0)
-        assert torque(wound) == pytest.approx(exact, abs=100 * rounding)
+    for wound, rate in ((0.0, 3.0), (0.003, -2.0), (-0.0099, 50.0), (0.01, 1.0)):
+        assert torque(model, wound, rate) == 0.0
+        assert energy(wound) == 0.0
+    for wound in (0.0101, 0.02, 0.1, -0.02, -0.2):
+        beyond = wound - np.sign(wound) * width
+        for rate in (0.0, 2.0 * np.sign(wound), -1e-3 * np.sign(wound)):
+            assert torque(model, wound, rate) == pytest.approx(torque(without, beyond, rate), rel=1e-12)
+        assert torque(model, wound, -1e4 * np.sign(wound)) == 0.0
         slope = (energy(wound + 1e-6) - energy(wound - 1e-6)) / 2e-6
-        assert torque(wound) == pytest.approx(slope, rel=1e-5, abs=1e-6)
-    stiffness = (torque(0.03) - torque(0.02)) / 0.01
-    assert stiffness == pytest.approx(100.0, rel=1e-3)
+        assert torque(model, wound) == pytest.approx(slope, rel=1e-5)
 
 
 @pytest.mark.parametrize("name", ["twist_and_bend", "branched", "curved_and_stretched"])

@@ -14,6 +14,7 @@ from tmodes.analysis.describe.links import pose_notices
 from tmodes.analysis.modes.closed_loop import feedback_of
 from tmodes.analysis.modes.modes import Mode, MotorState, Servo, closed_loop_poles, modes_about
 from tmodes.analysis.modes.shapes import assigned
+from tmodes.analysis.quasistatic import loose_gears
 from tmodes.analysis.statics.at_rest import robot_rest
 from tmodes.analysis.statics.equilibrium import Equilibrium
 from tmodes.analysis.statics.path import Progress
@@ -129,6 +130,11 @@ def _states(robot: Robot, rest: Equilibrium, progress: Progress, only: Sequence[
 def _notices(robot: Robot, rest: Equilibrium, info: dict[str, list[dict[str, Any]]]) -> list[str]:
     found = [] if rest.model.nq else [f"no modes: {NOTHING_MOVES}"]
     found += [*pose_notices(robot, rest)]
+    found += [
+        f"the gear of {name} is within its play of {play:.3g} either side here: neither spring nor damper acts; for "
+        "modes with its teeth pressed together give a load or a pose that presses them"
+        for name, play in loose_gears(rest.model, rest.q).items()
+    ]
     if rest.model.nq > MOST_CHECKED and finer(robot):
         found.append(f"whether the modes are converged was not checked: more than {MOST_CHECKED} coordinates")
     if any(row["converged"] is False for modes in info.values() for row in modes):

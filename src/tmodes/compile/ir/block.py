@@ -143,12 +143,13 @@ def write_samples(module: Any, schedule: Any, numbers: Double, name: str) -> Non
 class ScheduleRate:
     """A schedule as the right-hand side of the time loops; sizes count numbers, which may be vectors of lanes.
 
-    ``step_offset``: where in the held memory the length of an implicit step is put; ``gate_offset``: where two numbers
-    stand that are both positive while a force acts that starts and ends; None where there is none. ``call_from``: as
-    ``call`` with one more pointer after the state, to the coordinates and rates that springs start from. ``sampled``:
-    the state after the samples at a knot, as a function of the same kind; None where nothing is sampled. ``switches``:
-    where the ``switch_count`` numbers stand that end what sticks or slips; ``switched``: the state after such an end.
-    ``narrow``: where the ``narrow_count`` rates of narrow friction stand, and their widths behind them.
+    ``step_offset``: where in the held memory the length of an implicit step is put; ``gate_offset``: where the
+    ``gate_count`` pairs of numbers stand that are both positive while a force acts that starts and ends; None: no pair.
+    ``call_from``: as ``call`` with one more pointer after the state, to the coordinates and rates that springs start
+    from. ``sampled``: the state after the samples at a knot, as a function of the same kind; None where nothing is
+    sampled. ``switches``: where the ``switch_count`` numbers stand that end what sticks or slips; ``switched``: the
+    state after such an end. ``narrow``: where the ``narrow_count`` rates of narrow friction stand, and their widths
+    behind them.
     """
 
     prepare: Any
@@ -158,6 +159,7 @@ class ScheduleRate:
     row: int
     step_offset: int | None
     gate_offset: int | None = None
+    gate_count: int = 0
     call_from: Any = None
     sampled: ScheduleRate | None = None
     switches: int = 0
@@ -190,13 +192,13 @@ def write_rate(module: Any, schedule: Any, numbers: Double, name: str) -> Schedu
     write = partial(_write_call, module, schedule, main, numbers)
     call = write(f"{name}.call", ("state", "row"))
     call_from = write(f"{name}.call_from", ("state", "start", "row")) if "start" in inputs else None
-    gate = main.memory.offset(schedule.gate) if schedule.gate else None
+    gate = (main.memory.offset(schedule.gate), schedule.gate.size // 2) if schedule.gate else (None, 0)
     sampled, switched = write_jumps(module, schedule, numbers, name)
     sizes = (main.memory.workspace, schedule.output_size, inputs["row"].size)
     switches = (main.memory.offset(schedule.switches), schedule.switches.size) if schedule.switches else (0, 0)
     narrow = (main.memory.offset(schedule.narrow), schedule.narrow.size // 2) if schedule.narrow else (0, 0)
     jumps = (sampled, switches[0], switches[1], switched, narrow[0], narrow[1])
-    return ScheduleRate(prepare, call, *sizes, step, gate, call_from, *jumps)
+    return ScheduleRate(prepare, call, *sizes, step, *gate, call_from, *jumps)
 
 
 def write_jumps(module: Any, schedule: Any, numbers: Double, name: str) -> list[ScheduleRate | None]:

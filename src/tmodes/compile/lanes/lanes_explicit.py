@@ -153,23 +153,20 @@ def _write_fixed(loop: LanesLoop, tableau: Tableau) -> None:
     loop.take(taken, step.time_after, step.last)
 
 
-_CELLS = ("gate0", "gate1")
-
-
 def _begin_gate(loop: LanesLoop, state: str, into: str) -> None:
-    """The gate at the start of the first steps, which all lanes take together; then it is in the memory."""
+    """The gates at the start of the first steps of a call, which all lanes take together; then they are known."""
     if loop.rate.gate_offset is None:
         return
     b = loop.builder
     unknown = b.fcmp_ordered("==", loop.get("gate_known"), loop.constant(0.0))
     with b.if_then(loop.any(unknown), likely=False):
-        loop.evaluate(loop.get("t"), state, into)
+        loop.evaluate(loop.get("t"), state, into)  # not counted: how often a loop is called must not be seen
         _keep(loop, unknown)
         loop.put("gate_known", loop.constant(1.0))
 
 
 def _keep(loop: LanesLoop, where: Any) -> None:
-    for label, value in zip(_CELLS, gate_numbers(loop), strict=True):
+    for label, value in zip(loop.gates, gate_numbers(loop), strict=True):
         loop.put(label, value, where)
 
 
@@ -181,7 +178,7 @@ def _meet_gate(loop: LanesLoop, h: Any, accepted: Any, length: str = "h") -> Any
     if loop.rate.gate_offset is None:
         return accepted
     b = loop.builder
-    changed, missed, shorter = gate_change(loop, [loop.get(label) for label in _CELLS], h)
+    changed, missed, shorter = gate_change(loop, [loop.get(label) for label in loop.gates], h)
     missed = b.and_(accepted, missed)
     loop.put(length, shorter, missed)
     loop.count("rejected", missed)

@@ -18,13 +18,10 @@ from tmodes.compile.ir.emit import F64, I64, POINTER, VOID, at, counted, declare
 from tmodes.compile.loops.frame import Frame
 from tmodes.compile.loops.time_loop import CELLS, Status
 
-__all__ = ["LANE_ARGUMENTS", "LANE_CELLS", "LANE_OPTIONS", "WIDTH", "LanesLoop", "Series"]
+__all__ = ["LANE_ARGUMENTS", "LANE_OPTIONS", "WIDTH", "LanesLoop", "Series"]
 
 WIDTH = Wide.stride
 """Runs side by side."""
-
-LANE_CELLS = (*CELLS, "gate_known", "gate0", "gate1")
-"""Memory of a loop between calls, one double for each lane of each."""
 
 LANE_OPTIONS = ("step", "rtol", "atol", "chunk", "bound", "most", "most_events", "event_time")
 """Settings of a loop, the same for all lanes; ``most``: attempted steps of a run after which it is given up."""
@@ -83,22 +80,25 @@ class LanesLoop(Frame):
         self.lanes = Wide(module)
         super().__init__(name, rate, self.lanes, kinds, guarded)
         b = self.builder
-        self.cell = {label: self.local(label) for label in (*LANE_CELLS, "start", "end", "total")}
+        self.gates = [f"gate{k}" for k in range(2 * rate.gate_count)]
+        further = ("start", "end", "total", "gate_known", *self.gates)
+        self.cell = {label: self.local(label) for label in (*CELLS, *further)}
         self.done = b.alloca(F64, name="done")
         self._lay_out(scratch_arrays)
         b.call(rate.prepare, [self.argument["p"], self.array["held"]])
-        for slot, label in enumerate(LANE_CELLS):
+        for slot, label in enumerate(CELLS):
             self.put(label, self.numbers.load(b, self.argument["memory"], slot))
         if rate.sampled is not None:
             b.call(rate.sampled.prepare, [self.argument["p"], self.array["sampling"]])
         if series is not None:
             b.call(series.rate.prepare, [self.argument["p"], self.array["showing"]])
         b.store(number(0.0), self.done)
+        self.put("gate_known", self.constant(0.0))
         self.enter_segments()
         self.again, self.leave = self.block("again"), self.block("leave")
         b.branch(self.again)
         b.position_at_end(self.leave)
-        for slot, label in enumerate(LANE_CELLS):
+        for slot, label in enumerate(CELLS):
             self.numbers.store(b, self.get(label), self.argument["memory"], slot)
         b.ret_void()
         b.position_at_end(self.again)

@@ -1,7 +1,8 @@
 """Where a force starts or ends within a step: a step that changes the state of a gate is shortened onto the change.
 
-A gate is open while both of its numbers are positive: the depth of a point inside a surface, and the push of spring and
-damper. A smooth method that steps over the change would not see it, or see it too late, and its error estimate neither.
+A gate is open while both of its numbers are positive: the depth of a point inside a surface, or of the teeth of a gear
+with play in each other, and the push of spring and damper. A smooth method that steps over the change would not see it,
+or see it too late, and its error estimate neither.
 """
 
 from __future__ import annotations
@@ -18,36 +19,47 @@ __all__ = ["Gate", "gate_change", "gate_numbers"]
 
 
 def gate_numbers(loop: Frame) -> list[Any]:
-    """Both numbers of a gate as the last evaluation left them."""
+    """Both numbers of each gate as the last evaluation left them."""
     assert loop.rate.gate_offset is not None  # noqa: S101
-    return [loop.numbers.load(loop.builder, loop.array["held"], loop.rate.gate_offset + k) for k in range(2)]
+    places = range(loop.rate.gate_offset, loop.rate.gate_offset + 2 * loop.rate.gate_count)
+    return [loop.numbers.load(loop.builder, loop.array["held"], k) for k in places]
 
 
 def gate_change(loop: Frame, before: list[Any], h: Any) -> tuple[Any, Any, Any]:
     """Whether a gate changed since ``before``, whether the step must be shortened, and to what."""
-    b, zero, now = loop.builder, loop.constant(0.0), gate_numbers(loop)
+    b, now = loop.builder, gate_numbers(loop)
+    each = [_one_change(loop, before[k : k + 2], now[k : k + 2]) for k in range(0, len(now), 2)]
+    changed, share = each[0]
+    for another, its in each[1:]:
+        one = loop.constant(1.0)
+        first = b.select(changed, share, one), b.select(another, its, one)
+        changed, share = b.or_(changed, another), loop.intrinsic("minnum", *first)
+    size = loop.intrinsic("maxnum", loop.intrinsic("fabs", loop.get("t")), loop.constant(1.0))
+    shortest = b.fmul(loop.constant(SHORTEST), size)
+    missed = b.and_(changed, b.fcmp_ordered(">", h, shortest))
+    return changed, missed, loop.intrinsic("maxnum", b.fmul(h, share), shortest)
+
+
+def _one_change(loop: Frame, before: list[Any], now: list[Any]) -> tuple[Any, Any]:
+    """Whether one gate changed, and at which share of the step."""
+    b, zero = loop.builder, loop.constant(0.0)
     was, is_ = (b.and_(*(b.fcmp_ordered(">", x, zero) for x in pair)) for pair in (before, now))
     depth_turned = b.fcmp_ordered("<=", b.fmul(before[0], now[0]), zero)
     old, new = (b.select(depth_turned, pair[0], pair[1]) for pair in (before, now))
     share = b.fdiv(old, b.fsub(old, new))
     least, most = loop.constant(0.05), loop.constant(0.95)
     usable = b.and_(b.fcmp_ordered(">", share, least), b.fcmp_ordered("<", share, most))
-    share = b.select(usable, share, loop.constant(0.5))
-    size = loop.intrinsic("maxnum", loop.intrinsic("fabs", loop.get("t")), loop.constant(1.0))
-    shortest = b.fmul(loop.constant(SHORTEST), size)
-    changed = b.xor(was, is_)
-    missed = b.and_(changed, b.fcmp_ordered(">", h, shortest))
-    return changed, missed, loop.intrinsic("maxnum", b.fmul(h, share), shortest)
+    return b.xor(was, is_), b.select(usable, share, loop.constant(0.5))
 
 
 class Gate:
-    """Watches the gate of a loop's right-hand side; does nothing where there is none."""
+    """Watches the gates of a loop's right-hand side; does nothing where there is none."""
 
     def __init__(self, loop: TimeLoop, *, implicit: bool = False) -> None:
         """``implicit``: of a method whose steps may be long where the motion is stiff."""
         self.loop, self.gated, self.switches = loop, loop.rate.gate_offset is not None, Switches(loop)
         self.narrow = Narrow(loop, watched=implicit)
-        self.before = [loop.local(f"gate{k}") for k in range(2)] if self.gated else []
+        self.before = [loop.local(f"gate{k}") for k in range(2 * loop.rate.gate_count)]
 
     @property
     def exists(self) -> bool:

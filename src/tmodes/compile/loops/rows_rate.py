@@ -55,11 +55,11 @@ class _Writer:
         watched = sum(slot.size for slot in s.watched)
         call, sizes = self._call(rows, end), (end + watched, s.output_size, s.inputs["row"].size)
         sampled, switched = write_jumps(self.module, s, double, self.name)
-        gate = end if s.gate else None
+        gate = (end, s.gate.size // 2) if s.gate else (None, 0)
         count = s.switches.size if s.switches else 0
-        narrow = (end + 2 * bool(s.gate), s.narrow.size // 2) if s.narrow else (0, 0)
+        narrow = (end + 2 * gate[1], s.narrow.size // 2) if s.narrow else (0, 0)
         jumps = (sampled, end + watched - count, count, switched, narrow[0], narrow[1])
-        return RowsRate(prepare, call, *sizes, step, gate, None, *jumps, rows, state, start)
+        return RowsRate(prepare, call, *sizes, step, *gate, None, *jumps, rows, state, start)
 
     def _offset(self, slot: Any) -> int:
         return self.main.memory.offset(slot) * self.lanes.stride

@@ -61,6 +61,7 @@ class Instant(Serving):
         self.switching = Switching(self)
         self.mode = self.switching.mode
         self._push()
+        self._mesh()
         self.begin = self._drive()
         self.solution = solved(self, self.begin)
         self.recursion, self.accelerations = self.solution.first, self.solution.accelerations
@@ -97,6 +98,16 @@ class Instant(Serving):
             self.mass_step = self.step if self.euler and moves else self.none[1]
             step = self.mass_step if moves else None
             self.way.touched(touch.point, touch.touch, self.loop.touch, wrench, step, self.mode)
+
+    def _mesh(self) -> None:
+        """Gates of gears with play."""
+        coupled = self.way.coupled_inputs()
+        blocks = [self.schedule.gate] if self.schedule.gate else []
+        for axis in self.parts.axes:
+            if axis.drive and axis.drive_numbers and axis.drive.dead_zone:
+                at_input = coupled.get(axis.motor) or self.way.motor(axis)
+                blocks += self.call(axis.drive.teeth(), axis.drive_numbers, *at_input, *self.way.angle(axis))
+        self.schedule.gate = self.pack(*blocks) if len(blocks) > 1 else next(iter(blocks), None)
 
     def _drive(self) -> Callable[[], Dynamics]:
         """Efforts of the servos, and the motions that are given: the start of the dynamics, as often as asked."""

@@ -14,11 +14,14 @@ from tmodes.kinds.drives.contract import FRICTION, Angles, DriveKind, DriveLaw, 
 from tmodes.kinds.kernel import vectors as v
 from tmodes.kinds.kernel.schedule import Kernel, kernel
 
-__all__ = ["LOCK", "SIDES", "DriveKernels", "drive_kernels", "drive_numbers", "mixing_kernel", "sides_kernel"]
+__all__ = ["LOCK", "SIDES", "TEETH", "DriveKernels", "drive_kernels", "drive_numbers", "mixing_kernel", "sides_kernel"]
 
 LOCK = 1e30
 """Inertia [kg*m^2, kg] of a coordinate that sticks: it keeps its rate, and this times its acceleration is the force
 that dry friction has to bear."""
+
+TEETH = 8
+"""Numbers of :meth:`DriveLaw.teeth`."""
 
 SIDES = 4
 """Of motor and joint: the direction of slip (-1, 0, 1), and the inertia that holds it where it sticks."""
@@ -72,7 +75,7 @@ class DriveKernels:
     @property
     def spring_start(self) -> int:
         """Where the numbers of a parallel spring begin, its stiffness first."""
-        return 2 * FRICTION + 2 + (2 * self.ranges + 2 if self.ranges else 0) + self.kind.own_numbers
+        return 2 * FRICTION + 2 + (2 * self.ranges + 1 if self.ranges else 0) + self.kind.own_numbers
 
     @property
     def set_sides(self) -> tuple[bool, bool]:
@@ -143,9 +146,8 @@ class DriveKernels:
         """(parameters, th, th', ga, ga', h, sides) -> (effort on the joint, own inertia), of a motor that follows."""
         law, h = self._law(p, sides), step[0]
         joint, joint_slope = law.joint_friction(gad[0])
-        torque, stiffness = law.spring(th[0] - ga[0])
-        torque = torque + law.damping * (thd[0] - gad[0])
-        own = h * (law.damping + joint_slope) + h * h * stiffness
+        gear = law.gear(th[0] - ga[0], thd[0] - gad[0])
+        torque, own = gear.torque, h * (gear.damping + joint_slope) + h * h * gear.stiffness
         if self.spring:
             spring = self._spring(p, ga[0], gad[0])
             torque, own = torque - spring.torque, own + spring.inertia(h)
@@ -164,6 +166,12 @@ class DriveKernels:
             on_joint, energy, lost = on_joint + spring.torque, energy + spring.energy, lost + spring.lost
         return [[on_joint, found.on_motor], [energy], [lost, found.lost_in_friction]]
 
+    @kernel("teeth {0.key}", ("size", 1, 1, 1, 1), (TEETH,))
+    def teeth(self, p: Any, th: Any, thd: Any, ga: Any, gad: Any) -> list[list[Any]]:
+        """(parameters, th, th', ga, ga') -> see :meth:`DriveLaw.teeth`, of a gear with play; th: at its input."""
+        law = self._law(p)
+        return [law.teeth(*self.kind.wound(law, Angles(th[0], thd[0], ga[0], gad[0])))]
+
     @kernel("coupled {0.key}", ("size", 1, 1, 1, 1, SIDES), (1, 1))
     def coupled(self, p: Any, angle: Any, speed: Any, ga: Any, gad: Any, sides: Any) -> list[list[Any]]:
         """Gear of a coupled drive, explicit.
@@ -171,7 +179,7 @@ class DriveKernels:
         (parameters, angle and rate of its input, ga, ga', sides) -> (effort on the joint, torque of the gear).
         """
         law = self._law(p, sides)
-        torque = law.spring(angle[0] - ga[0])[0] + law.damping * (speed[0] - gad[0])
+        torque = law.gear(angle[0] - ga[0], speed[0] - gad[0]).torque
         effort = torque - law.joint_friction(gad[0])[0]
         return [[effort - self._spring(p, ga[0], gad[0]).torque if self.spring else effort], [torque]]
 
@@ -186,9 +194,8 @@ class DriveKernels:
     def coupled_elastic(self, p: Any, angle: Any, speed: Any, ga: Any, gad: Any) -> list[list[Any]]:
         """(parameters, input angle, its rate, ga, ga') -> (force on ga, energy, power lost in gear and joint)."""
         law = self._law(p)
-        rate, joint = speed[0] - gad[0], law.joint_friction(gad[0])[0]
-        torque = law.spring(angle[0] - ga[0])[0] + law.damping * rate
-        on_joint, energy, lost = joint - torque, law.stored(angle[0] - ga[0]), law.damping * rate * rate
+        gear, joint = law.gear(angle[0] - ga[0], speed[0] - gad[0]), law.joint_friction(gad[0])[0]
+        on_joint, energy, lost = joint - gear.torque, law.stored(angle[0] - ga[0]), gear.lost
         if self.spring:
             spring = self._spring(p, ga[0], gad[0])
             on_joint, energy, lost = on_joint + spring.torque, energy + spring.energy, lost + spring.lost
@@ -235,7 +242,7 @@ def drive_numbers(joint: Joint, kind: DriveKind) -> list[float]:
     numbers = [motor.inertia, joint.rest, *_packed(motor.friction), *_packed(joint.friction)]
     gear = joint.gear if kind.has_gear else None
     if gear:
-        numbers += [*gear.stiffness, *_ends(gear), gear.damping, gear.backlash, gear.backlash_rounding]
+        numbers += [*gear.stiffness, *_ends(gear), gear.damping, gear.backlash]
     spring = joint.spring
     own = joint.drive_parameters if kind.own_numbers else ()
     return [*numbers, *own, *((spring.stiffness, spring.rest, spring.damping) if spring else ())]

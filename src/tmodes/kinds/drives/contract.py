@@ -10,11 +10,11 @@ from abc import abstractmethod
 from enum import StrEnum
 from typing import Any, ClassVar, NamedTuple
 
-from tmodes.kinds.kernel.functions import fabs, sqrt
+from tmodes.kinds.kernel.functions import fabs, fmax, sqrt
 from tmodes.kinds.registry import NamedKind, Registry
 from tmodes.kinds.schema.quantity import DataSheet
 
-__all__ = ["DRIVES", "FRICTION", "Angles", "DriveKind", "DriveLaw", "Dry", "Elastic", "Forward"]
+__all__ = ["DRIVES", "FRICTION", "Angles", "DriveKind", "DriveLaw", "Dry", "Elastic", "Forward", "Mesh"]
 
 FRICTION = 5
 """Numbers of a friction law."""
@@ -43,6 +43,15 @@ class Dry(StrEnum):
         return self in {Dry.DROPS, Dry.FALLS}
 
 
+class Mesh(NamedTuple):
+    """What a gear does at an instant: ``torque`` on the joint, ``stiffness`` and ``damping`` there, power ``lost``."""
+
+    torque: Any
+    stiffness: Any
+    damping: Any
+    lost: Any
+
+
 class DriveLaw:
     """The parameters of a drive by name, and the laws that they are in."""
 
@@ -65,12 +74,12 @@ class DriveLaw:
         self.inertia, self.rest = p[0], p[1]
         self._motor, self._joint = [p[2 + i] for i in range(5)], [p[7 + i] for i in range(5)]
         r = ranges
-        self.stiffness, self.ends, self.damping, self.backlash, self.rounding = [0.0], [], 0.0, 0.0, 1.0
+        self.stiffness, self.ends, self.damping, self.backlash = [0.0], [], 0.0, 0.0
         if r:
             self.stiffness = [p[12 + i] for i in range(r)]
             self.ends = [p[12 + r + i] for i in range(r - 1)]
-            self.damping, self.backlash, self.rounding = p[11 + 2 * r], p[12 + 2 * r], p[13 + 2 * r]
-        first = 14 + 2 * r if r else 12
+            self.damping, self.backlash = p[11 + 2 * r], p[12 + 2 * r]
+        first = 13 + 2 * r if r else 12
         self.own = [p[first + k] for k in range(own)]
 
     def motor_friction(self, rate: Any) -> tuple[Any, Any]:
@@ -93,9 +102,47 @@ class DriveLaw:
         """Largest dry friction of motor and joint at rest."""
         return self._motor[1] + self._motor[2], self._joint[1] + self._joint[2]
 
+    def gear(self, deflection: Any, rate: Any) -> Mesh:
+        """Spring and damper of the gear at a deflection and its rate.
+
+        Behind a play they act while its teeth press on each other: nothing acts within the play, and nothing pulls the
+        teeth together, so they part where the damper would hold more than the spring gives; what the spring still has
+        then is lost.
+        """
+        if not self._dead_zone:
+            torque, stiffness = self.spring(deflection)
+            return Mesh(torque + self.damping * rate, stiffness, self.damping, self.damping * rate * rate)
+        side, over = _sign(deflection), fabs(deflection) - self.backlash
+        spring, stiffness = self._beyond(over)
+        push = spring + self.damping * (side * rate)
+        meets = over > 0
+        presses = meets * (push > 0)
+        lost = (presses * push - meets * spring) * (side * rate)
+        return Mesh(side * presses * push, presses * stiffness, presses * self.damping, lost)
+
+    def teeth(self, deflection: Any, rate: Any) -> list[Any]:
+        """Pairs of numbers, of the teeth on the positive side, then on the negative, each pair positive for a while.
+
+        How deep they are in each other, and their push: while they press on each other. Then the first alone: while
+        their spring holds energy.
+        """
+        found = []
+        for side in (1.0, -1.0):
+            over = side * deflection - self.backlash
+            found += [over, self._beyond(over)[0] + self.damping * (side * rate), over, 1.0]
+        return found
+
     def spring(self, deflection: Any) -> tuple[Any, Any]:
-        """Torque of the spring and its stiffness at a deflection (the rounding of a dead zone's edges aside)."""
-        x, slope = self._free(deflection)
+        """Torque of the spring alone and its stiffness at a deflection; none within a play."""
+        if not self._dead_zone:
+            return self._beyond(deflection)
+        over = fabs(deflection) - self.backlash
+        torque, stiffness = self._beyond(over)
+        meets = over > 0
+        return _sign(deflection) * meets * torque, meets * stiffness
+
+    def _beyond(self, x: Any) -> tuple[Any, Any]:
+        """Torque and stiffness at a deflection from where the teeth meet."""
         torque, stiffness = self.stiffness[0] * x, self.stiffness[0]
         side = (x > 0) - (x < 0) if self.ends else 0.0
         for end, step in self._steps():
@@ -103,14 +150,14 @@ class DriveLaw:
             beyond = over > 0
             torque = torque + side * beyond * step * over
             stiffness = stiffness + beyond * step
-        return torque * slope, stiffness * slope * slope
+        return torque, stiffness
 
     def stored(self, deflection: Any) -> Any:
         """Energy of the spring.
 
         Eq. (24) [stated]: Epel_xi = 1/2 Cxi xi^2, with xi = gamma - theta. {test_elastic_energy_terms}
         """
-        x, _ = self._free(deflection)
+        x = fmax(fabs(deflection) - self.backlash, 0.0) if self._dead_zone else deflection
         energy = self.stiffness[0] * x * x / 2
         for end, step in self._steps():
             over = fabs(x) - end
@@ -121,13 +168,9 @@ class DriveLaw:
         """Deflection at which each further range begins, and by how much the stiffness changes there."""
         return [(end, self.stiffness[i + 1] - self.stiffness[i]) for i, end in enumerate(self.ends)]
 
-    def _free(self, deflection: Any) -> tuple[Any, Any]:
-        """What is left of a deflection outside the dead zone, smooth, and its slope."""
-        if not self._dead_zone:
-            return deflection, 1.0
-        ahead, behind = deflection - self.backlash, deflection + self.backlash
-        near, far = sqrt(ahead**2 + self.rounding**2), sqrt(behind**2 + self.rounding**2)
-        return deflection + (near - far) / 2, 1 + (ahead / near - behind / far) / 2
+
+def _sign(x: Any) -> Any:
+    return (x > 0) - (x < 0) * 1.0
 
 
 def _friction(p: list[Any], rate: Any, dry: Dry, side: Any) -> tuple[Any, Any]:
@@ -209,6 +252,12 @@ class DriveKind(NamedKind):
     def carries_rotor(self) -> bool:
         """The rotor turns with the joint, whose inertia it adds to."""
         return self.takes_effort and not self.has_motor
+
+    def wound(self, law: DriveLaw, at: Angles) -> tuple[Any, Any]:
+        """Deflection of the gear and its rate."""
+        if self.has_motor:
+            return at.motor - at.joint, at.motor_rate - at.joint_rate
+        return law.rest - at.joint, 0.0 - at.joint_rate
 
     @abstractmethod
     def forward(self, law: DriveLaw, at: Angles, effort: Any, held: Any, step: Any) -> Forward:

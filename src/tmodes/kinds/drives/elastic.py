@@ -30,14 +30,13 @@ class ElasticDrive(DriveKind):
         Slip (40): the motor's row is in volts, the others in N*m {test_motor_row_is_in_newton_metres}
         """
         joint, joint_slope = law.joint_friction(at.joint_rate)
-        torque, stiffness = law.spring(at.motor - at.joint)
-        torque = torque + law.damping * (at.motor_rate - at.joint_rate)
-        added = step * law.damping + step * step * stiffness
+        gear = law.gear(*self.wound(law, at))
+        added = step * gear.damping + step * step * gear.stiffness
         motor, motor_slope = law.motor_friction(at.motor_rate)
         share = 1 / (law.inertia + step * motor_slope + held + added)
-        rest = effort - torque - motor
+        rest = effort - gear.torque - motor
         own = added - added * added * share + step * joint_slope
-        return Forward(torque - joint + added * share * rest, own, (rest, added, share))
+        return Forward(gear.torque - joint + added * share * rest, own, (rest, added, share))
 
     def elastic(self, law: DriveLaw, at: Angles) -> Elastic:
         """Spring and damper of the gear, friction of joint and motor.
@@ -45,10 +44,8 @@ class ElasticDrive(DriveKind):
         Eq. (25) [stated]: Phi_xi = 1/2 Bxi xi'^2, half of the power lost. {test_rayleigh_terms}
         """
         joint, _ = law.joint_friction(at.joint_rate)
-        torque, _ = law.spring(at.motor - at.joint)
-        rate = at.motor_rate - at.joint_rate
-        torque = torque + law.damping * rate
+        gear = law.gear(*self.wound(law, at))
         motor, _ = law.motor_friction(at.motor_rate)
         lost = joint * at.joint_rate + motor * at.motor_rate
         energy = law.stored(at.motor - at.joint)
-        return Elastic(joint - torque, torque + motor, energy, law.damping * rate * rate, lost)
+        return Elastic(joint - gear.torque, gear.torque + motor, energy, gear.lost, lost)

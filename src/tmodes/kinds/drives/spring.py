@@ -21,16 +21,13 @@ class Spring(DriveKind):
         """Spring and damper less friction of the joint."""
         del effort, held
         joint, joint_slope = law.joint_friction(at.joint_rate)
-        torque, stiffness = law.spring(law.rest - at.joint)
-        torque = torque + law.damping * (0.0 - at.joint_rate)
-        added = step * law.damping + step * step * stiffness
-        return Forward(torque - joint, added + step * joint_slope)
+        gear = law.gear(*self.wound(law, at))
+        added = step * gear.damping + step * step * gear.stiffness
+        return Forward(gear.torque - joint, added + step * joint_slope)
 
     def elastic(self, law: DriveLaw, at: Angles) -> Elastic:
         """Spring and damper, friction of the joint."""
         joint, _ = law.joint_friction(at.joint_rate)
-        torque, _ = law.spring(law.rest - at.joint)
-        rate = 0.0 - at.joint_rate
-        torque = torque + law.damping * rate
+        gear = law.gear(*self.wound(law, at))
         lost = joint * at.joint_rate
-        return Elastic(joint - torque, torque, law.stored(law.rest - at.joint), law.damping * rate * rate, lost)
+        return Elastic(joint - gear.torque, gear.torque, law.stored(law.rest - at.joint), gear.lost, lost)

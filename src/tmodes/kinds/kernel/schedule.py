@@ -108,7 +108,7 @@ class Schedule:
     calls: list[tuple[Kernel, tuple[Slot, ...], tuple[Slot, ...]]] = field(default_factory=list)
     changing: int = 0
     gate: Slot | None = None
-    """Two numbers, both positive while a force acts that starts and ends at once."""
+    """Pairs of numbers, each pair positive while a force acts that starts and ends at once."""
     sampled: Schedule | None = None
     """Of a right-hand side with sampled controllers: (time, state, row, step) -> the state after the samples there."""
     switches: Slot | None = None

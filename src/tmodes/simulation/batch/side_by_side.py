@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tmodes.compile.lanes.lanes_loop import LANE_ARGUMENTS, LANE_CELLS, LANE_OPTIONS, WIDTH
+from tmodes.compile.lanes.lanes_loop import LANE_ARGUMENTS, LANE_OPTIONS, WIDTH
 from tmodes.compile.loops.time_loop import CELLS, Status
 from tmodes.integrate.settings import Integration
 from tmodes.simulation import native_run
@@ -40,7 +40,7 @@ class Room:
             size = work.model.lean.layout.size
         self.loop, self.work = library[method], work
         self.given = None if wanted is None else Given(wanted)
-        self.memory, self.options = private(len(LANE_CELLS), WIDTH), private(len(LANE_OPTIONS))
+        self.memory, self.options = private(len(CELLS), WIDTH), private(len(LANE_OPTIONS))
         self.state, self.slope = private(size, WIDTH), private(size, WIDTH)
         self.parameters = private(work.inputs.parameters.shape[1], WIDTH)
         self.scratch, self.places = private(_scratch_size(library, method)), private(WIDTH)
@@ -66,7 +66,7 @@ class Room:
 
     def cell(self, name: str) -> Array:
         """A number of the loop's memory, of each lane."""
-        return self.memory[LANE_CELLS.index(name)]
+        return self.memory[CELLS.index(name)]
 
     def advance(self, steps: int) -> None:
         """Let the native loop do at most so many steps; it holds no lock of Python."""
