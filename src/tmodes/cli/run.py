@@ -78,12 +78,16 @@ def run(
         )  # fmt: skip
         place = out or Path("results") / folder_name(sheet.name)
         folder = _folder(place, sheet, overwrite, urdf, live=live, spent=progress.spent if timing else None)
-        result = _computed(folder, sheet, progress, [folder.report] * report + [folder.draw] * figures)
+        result, fault = _computed(folder, sheet, progress, [folder.report] * report + [folder.draw] * figures)
     _say(result, folder, as_json, progress.spent if timing else {})
+    if fault:
+        raise fault
     if open_page and folder.report_file.exists():
         opened(folder.report_file)
+    if _unfinished(result):
+        raise typer.Exit(130)
     if not result.success:
-        raise typer.Exit(130 if result.status == "interrupted" else 3)
+        raise typer.Exit(3)
 
 
 def _folder(
@@ -104,7 +108,10 @@ def _folder(
     return RunFolder(path, sheet, overwrite, shapes, live=live, spent=spent)
 
 
-def _computed(folder: RunFolder, sheet: Robot, progress: Stages, products: list[Callable[[Any, Any], None]]) -> Any:
+def _computed(
+    folder: RunFolder, sheet: Robot, progress: Stages, products: list[Callable[[Any, Any], None]]
+) -> tuple[Any, Exception | None]:
+    """The result, and why not all ``products`` of it could be made."""
     from tmodes.io.sheet_plausible import notices_about
 
     with folder:
@@ -115,9 +122,22 @@ def _computed(folder: RunFolder, sheet: Robot, progress: Stages, products: list[
         except SimulationError:
             warn(notices_about(sheet))  # a wrong unit is the likely cause
             raise
-        for make in products if result.status != "interrupted" else ():
-            make(result, progress)
-    return result
+        if _unfinished(result):
+            return result, None
+        faults = []
+        for make in products:
+            try:
+                make(result, progress)
+            except Exception as error:  # the others are made, and the numbers are said, all the same
+                faults.append(error)
+    return result, next(iter(faults), None)
+
+
+def _unfinished(result: Any) -> bool:
+    """Whether Ctrl-C ended the run, or what is computed of it."""
+    from tmodes.result.derived import is_unfinished
+
+    return result.status == "interrupted" or is_unfinished(result.record)
 
 
 def _say(result: Any, folder: RunFolder, as_json: bool, spent: Mapping[str, list[float]]) -> None:

@@ -41,6 +41,8 @@ def integration_lines(result: Any, summary: dict[str, Any]) -> Iterator[str]:
         yield f"        from t = {part['from_s']:.4g} s on by {part['method']}: {part['steps']:,} steps"
     if summary["error"] is None:
         yield "error   not estimated"
+    elif not summary["error"]["how"]:
+        yield f"error   of the integration not estimated: {summary['error']['why']}"
     else:
         yield f"error   of the integration, by {summary['error']['how']}: < holds in 99 % of runs, ≈ is an estimate"
     if model := summary["model_error"]:
@@ -121,11 +123,13 @@ def summary_rows(summary: dict[str, Any]) -> Iterator[Row]:
         value = f"{force['min_N']:.3f} ... {force['max_N']:.3f} N"
         errors = _errors(summary, "contact_force.max_N", 1.0, "N")
         yield "contact force", value, *errors, f"mean {force['mean_N']:.3f} N"
-    energy = summary["energy"]
-    yield "energy balance", f"{energy['worst_residual_J']:.1e} J", "", "", f"of {energy['moved_J']:.3g} J moved"
+    if energy := summary["energy"]:
+        yield "energy balance", f"{energy['worst_residual_J']:.1e} J", "", "", f"of {energy['moved_J']:.3g} J moved"
 
 
 def _tip(summary: dict[str, Any]) -> Iterator[Row]:
+    from tmodes.result.summary import settling_reason
+
     errors, settling = summary["tip_error"], summary["settling"]
     for which, path in _ERRORS.items():
         if which in errors:
@@ -147,9 +151,12 @@ def _tip(summary: dict[str, Any]) -> Iterator[Row]:
     if settling["time_s"] is not None:
         limit = f"within {settling['limit_m'] * 1e3:.3g} mm of its rest ({100 * settling['band']:g} % of the move)"
         yield "settling after the move", f"{settling['time_s']:.3f} s", "", "", limit
+    else:
+        yield "settling after the move", "-", "", "", f"not seen: {settling_reason(settling)}"
     for which, one in summary["vibration"].items():
-        if one["amplitude_m"] is not None:
-            yield f"residual vibration, {which}", f"{one['amplitude_m'] * 1e3:.4g} mm", "", "", vibration_words(one)
+        known = one["amplitude_m"] is not None
+        value, words = (f"{one['amplitude_m'] * 1e3:.4g} mm", vibration_words(one)) if known else ("-", one["reason"])
+        yield f"residual vibration, {which}", value, "", "", words
 
 
 def vibration_words(one: dict[str, Any]) -> str:

@@ -140,6 +140,7 @@ def save_figures(
 
     Raises :class:`tmodes.errors.InputError` for an unknown format or name, and
     :class:`tmodes.errors.ResultFileError` when a file cannot be written; a file is either complete or as it was before.
+    Where a figure cannot be drawn its error is raised once all others are written.
     """
     for unknown in sorted(set(formats) - set(FORMATS)):
         raise InputError("formats", repr(unknown), f"some of {', '.join(FORMATS)}", "choose one of these")
@@ -150,12 +151,20 @@ def save_figures(
         got = f"{unknown}, which is left out: {reason}" if reason else f"the unknown figure {unknown!r}"
         raise InputError("figures", got, f"some of {', '.join(figures)}", "choose among these")
     chosen, report, written = list(figures if names is None else names), progress or _say_nothing, []
+    faults: list[Exception] = []
     with drawn(partial(_files, tuple(formats)), result, chosen, stored) as files:
         for done, name in enumerate(chosen):
             report(done, len(chosen), name)
-            for kind, content in files(done).items():
+            try:
+                contents = files(done)
+            except Exception as error:
+                faults.append(error)
+                continue
+            for kind, content in contents.items():
                 written.append(Path(folder) / f"{name}.{kind}")
                 with atomic_write(written[-1]) as temporary:
                     temporary.write_bytes(content)
     report(len(chosen), len(chosen), "")
+    if faults:
+        raise faults[0]
     return written

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -13,6 +13,7 @@ from tmodes.frame import along
 from tmodes.plot.facts import command_of, deformation_unit, drive_unit, effort_unit, names_of
 from tmodes.report.drafts import Draft, Line, in_readable_units, line_of, run_spectra
 from tmodes.result import Result
+from tmodes.result.derived import Derives
 
 __all__ = ["charts_of", "contact_parts", "drafts_of", "energy_charts", "tip_charts"]
 
@@ -25,9 +26,12 @@ _SAME = 2e-3
 _PARTS = {"real": "", "reference": "_nominal", "stationary": "_stationary", "oscillatory": "_oscillatory"}
 
 
-def charts_of(results: Sequence[Result]) -> list[list[dict[str, Any]]]:
-    """The charts of each run as ``Chart`` of ``web/src/contract.ts``; charts of one name have one unit in all runs."""
-    runs = [drafts_of(result) for result in results]
+def charts_of(results: Sequence[Result], made: Sequence[Derives] = ()) -> list[list[dict[str, Any]]]:
+    """The charts of each run as ``Chart`` of ``web/src/contract.ts``; charts of one name have one unit in all runs.
+
+    ``made``: what notes of each run which charts could not be drawn.
+    """
+    runs = [drafts_of(*one) for one in zip(results, made or [Derives() for _ in results], strict=True)]
     shown = {draft.id for run in runs for draft in run if _shows(draft)}
     return in_readable_units([[draft for draft in run if draft.id in shown] for run in runs])
 
@@ -37,21 +41,15 @@ def _shows(draft: Draft) -> bool:
     return draft.group == "energy" or any(np.any(line.values) for line in draft.lines)
 
 
-def drafts_of(result: Result) -> list[Draft]:
-    """The charts of a run in SI units, the first of each group being the one to look at first."""
-    return list(_drafts(result))
+def drafts_of(result: Result, made: Derives | None = None) -> list[Draft]:
+    """The charts of a run in SI units, the first of each group being the one to look at first.
 
-
-def _drafts(result: Result) -> Iterator[Draft]:
-    data = result.record
-    yield from _causes(data)
-    yield from tip_charts(data)
-    yield from _contact(data)
-    yield from _deformations(data)
-    yield from _joints(data)
-    yield from _controllers(data)
-    yield from energy_charts(data)
-    yield from run_spectra(result)
+    ``made`` notes which could not be drawn.
+    """
+    made, found = made or Derives(), list[Draft]()
+    for name, drafts in _DRAFTS.items():
+        found += made.attempt(f"charts of the {name}", lambda of=drafts: [*of(result)], lambda _: [])
+    return found
 
 
 def _causes(data: Any) -> Iterator[Draft]:
@@ -252,3 +250,16 @@ def _kinds(data: Any, name: str) -> tuple[Line, ...]:
     labels = [str(label).replace("_", " ") for label in data[f"{name}_kind"].values]
     lines = [line_of(data, (name, k), label, "real") for k, label in enumerate(labels)]
     return tuple(line for line in lines if np.any(line.values)) or tuple(lines[:1])
+
+
+_DRAFTS: dict[str, Callable[[Result], Iterator[Draft]]] = {
+    "error of the tip": lambda result: _causes(result.record),
+    "tip": lambda result: tip_charts(result.record),
+    "contact": lambda result: _contact(result.record),
+    "deformations": lambda result: _deformations(result.record),
+    "joints": lambda result: _joints(result.record),
+    "controllers": lambda result: _controllers(result.record),
+    "energies": lambda result: energy_charts(result.record),
+    "spectra": run_spectra,
+}
+"""Groups of charts in their order."""

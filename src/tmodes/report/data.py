@@ -23,6 +23,7 @@ from tmodes.report.scene import frames_of, line_of, lines_at, scene_of
 from tmodes.report.scene_parts import actual
 from tmodes.report.sentence import result_sentence
 from tmodes.result import Result
+from tmodes.result.derived import Derives, sentences
 from tmodes.result.early import LATER
 
 __all__ = ["early_facts", "facts_of", "live_page", "modes_of", "page_data", "robot_name", "sheet_of"]
@@ -44,8 +45,9 @@ def page_data(
     somebody drags; of an early result (:func:`tmodes.result.early.early_result`) without the numbers it lacks.
     """
     names = names or names_by_difference(results) or [robot_name(result) for result in results]
-    charts = charts_of(results)
-    runs = [_run(*one, light=light) for one in zip(results, names, charts, strict=True)]
+    made = [Derives() for _ in results]
+    charts = charts_of(results, made)
+    runs = [_run(*one, light=light) for one in zip(results, names, charts, made, strict=True)]
     subtitle = _title(results[0]) if len(results) == 1 else f"{len(results)} runs side by side"
     own = {robot_name(result) for result in results}
     same = len(results) > 1 and len(own) == 1 and not any(name.startswith(min(own)) for name in names)
@@ -80,42 +82,48 @@ def _title(result: Result) -> str:
     return str(json.loads(result.record.attrs["robot"]).get("title") or "")
 
 
-def _run(result: Result, name: str, charts: list[dict[str, Any]], *, light: bool) -> dict[str, Any]:
+def _run(result: Result, name: str, charts: list[dict[str, Any]], made: Derives, *, light: bool) -> dict[str, Any]:
+    """One run; what ``made`` cannot compute is left out, and stands among the warnings."""
     data = result.record
     times, missing = np.asarray(data["time"].values, dtype=float), actual(result).missing
     unknown = [f"shown by what the result holds alone, because its robot cannot be rebuilt: {missing}"]
     unknown = unknown if missing and not any(missing in one for one in result.warnings) else []
-    facts = early_facts(result) if light else facts_of(result)
-    frames = frames_of(result)
-    return {
+    facts = early_facts(result, made) if light else facts_of(result, made)
+    frames, said = frames_of(result), result.status == "finished" and not light
+    parts = {
+        "sentence": made.attempt("sentence", lambda: result_sentence(result.summary()) if said else "", lambda _: ""),
+        "events": made.attempt("events", lambda: events_of(result, facts), lambda _: []),
+        "line": made.attempt("elastic line", lambda: line_of(result, frames), lambda _: None),
+        "modes": made.attempt("modes", lambda: [] if light else modes_of(result), lambda _: []),
+        "sheet": "" if light else sheet_of(result),
+    }
+    return parts | {
         "name": name,
         "status": result.status,
         "success": result.success,
         "message": result.message,
-        "sentence": result_sentence(result.summary()) if result.status == "finished" and not light else "",
-        "warnings": [*result.warnings, *unknown],
+        "warnings": [*result.warnings, *unknown, *sentences(made.failed)],
         "duration": float(times[-1]),
         "facts": [asdict(fact) for fact in facts],
-        "events": events_of(result, facts),
         "charts": charts,
         "scene": scene_of(result, frames),
-        "line": line_of(result, frames),
-        "modes": [] if light else modes_of(result),
-        "sheet": "" if light else sheet_of(result),
     }
 
 
-def facts_of(result: Result) -> list[Fact]:
-    """The numbers that matter, most important first; none of a robot with kinds that are not known here."""
+def facts_of(result: Result, made: Derives | None = None) -> list[Fact]:
+    """The numbers that matter, most important first; none of a robot with kinds that are not known here.
+
+    ``made`` notes which could not be computed.
+    """
     try:
-        return list(run_facts(result, result.summary()))
+        return run_facts(result, result.summary(), made)
     except (InputError, InputErrors):
         return []
 
 
-def early_facts(result: Result) -> list[Fact]:
+def early_facts(result: Result, made: Derives | None = None) -> list[Fact]:
     """Those of an early result, without the numbers that it does not know."""
-    return [fact for fact in facts_of(result) if not fact.id.startswith(LATER)]
+    return [fact for fact in facts_of(result, made) if not fact.id.startswith(LATER)]
 
 
 def sheet_of(result: Result) -> str:

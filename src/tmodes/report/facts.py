@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -12,7 +12,8 @@ from tmodes.analysis.validity import yield_strength
 from tmodes.plot.facts import drive_unit, effort_unit, names_of
 from tmodes.report.markup import Markup, tag, written
 from tmodes.result import Result
-from tmodes.result.summary import largest_elements, mean_over_time
+from tmodes.result.derived import Derives
+from tmodes.result.summary import largest_elements, mean_over_time, settling_reason
 from tmodes.sheet import Robot
 
 __all__ = ["Fact", "energy_facts", "fact_list", "frequency_facts", "run_facts", "tracking_facts", "vibration_fact"]
@@ -81,7 +82,7 @@ def _error(largest: dict[str, Any], own: str, name: str, causes: dict[str, Any])
 def _settling(known: dict[str, Any]) -> Fact:
     name = "Settling after the move"
     if known["time_s"] is None:
-        return Fact("settling", name, None, "s", f"not seen: {known['reason']}")
+        return Fact("settling", name, None, "s", f"not seen: {settling_reason(known)}")
     within = f"until the tip stays within {written(known['limit_m'], 'm')} of its rest"
     return Fact("settling", name, known["time_s"], "s", f"{within}, {100 * known['band']:g} % of the move")
 
@@ -117,19 +118,30 @@ def energy_facts(known: dict[str, Any]) -> Iterator[Fact]:
 _ROUNDING = 1e-15
 
 
-def run_facts(result: Result, summary: dict[str, Any]) -> Iterator[Fact]:
-    """From a result and its summary; what there is not is left out."""
-    data, robot = result.record, result.robot
-    yield from tracking_facts(summary)
-    yield from _worst(summary["links"], "deflection", "max_m", "m", "Largest deflection of a link")
-    yield from _worst(summary["links"], "bending_moment", "max_Nm", "N m", "Largest bending moment", "moment.max")
-    yield from _stress(robot, summary["links"])
-    yield from _gear(summary["deformations"])
-    yield from _drives(data)
-    yield from _limits(robot, data)
-    yield from _contact(summary["contact_force"])
-    yield from frequency_facts(summary["first_frequency_Hz"])
-    yield from energy_facts(summary["energy"])
+def run_facts(result: Result, summary: dict[str, Any], made: Derives | None = None) -> list[Fact]:
+    """From a result and its summary; what there is not is left out, and what cannot be computed, noted by ``made``."""
+    made = made or Derives()
+    data, robot, links = result.record, result.robot, summary["links"]
+    groups: dict[str, Callable[[], Iterator[Fact]]] = {
+        "tip": lambda: tracking_facts(summary),
+        "deflections": lambda: _worst(links, "deflection", "max_m", "m", "Largest deflection of a link"),
+        "moments": lambda: _worst(links, "bending_moment", "max_Nm", "N m", "Largest bending moment", "moment.max"),
+        "stresses": lambda: _stress(robot, links),
+        "gears": lambda: _gear(summary["deformations"]),
+        "drives": lambda: _drives(data),
+        "limits": lambda: _limits(robot, data),
+        "contact": lambda: _contact(summary["contact_force"]),
+        "frequencies": lambda: frequency_facts(summary["first_frequency_Hz"]),
+        "energy": lambda: energy_facts(summary["energy"]) if summary["energy"] else iter(()),
+        "deviation": lambda: _square(data),
+    }
+    return [
+        fact for name, facts in groups.items()
+        for fact in made.attempt(f"numbers of the {name}", lambda of=facts: [*of()], lambda _: [])
+    ]  # fmt: skip
+
+
+def _square(data: Any) -> Iterator[Fact]:
     if "deviation" in data:
         square = mean_over_time(data["time"].values, data["deviation"].values ** 2)
         yield Fact("deviation.rms", "Tip error to nominal, rms", float(np.sqrt(square)), "m", "over the run")

@@ -20,6 +20,7 @@ from tmodes.plot import save_figures
 from tmodes.report.meshes import with_shapes
 from tmodes.report.page import write_report
 from tmodes.result import Result
+from tmodes.result.derived import is_unfinished
 from tmodes.result.run import ready_to_run, result_bytes, run
 from tmodes.sheet import Robot
 
@@ -83,7 +84,7 @@ class RunFolder:
         if not self.result_file.exists():
             return
         earlier = self._earlier()
-        if earlier and earlier.status == "interrupted":
+        if earlier and (earlier.status == "interrupted" or is_unfinished(earlier.record)):
             self.continues = self.overwrite = True
         elif earlier and earlier.success and not self.report_file.exists():
             self.continues, self._done = True, earlier
@@ -109,16 +110,31 @@ class RunFolder:
         self._lock.__exit__(kind, value, trace)
 
     def simulate(self, progress: Progress) -> Any:
-        """Run, store the result, and drop the checkpoints that it replaces."""
+        """Run, store the motion, then what is computed of it too, and drop the checkpoints that this replaces.
+
+        Ctrl-C after the motion leaves it stored, and the checkpoints, so that the same command computes the rest.
+        """
         if self._done:
             return self._done
-        result = run(self.robot, progress=progress, journals=self._journal).complete(progress)
-        progress("saving", 0.0)
-        result = with_shapes(result, self._shapes)
-        result.save(self.result_file, overwrite=self.overwrite)
-        if result.status != "interrupted":
+        result = run(self.robot, progress=progress, journals=self._journal)
+        self._save(result.begun())
+        result, heard = result.complete(progress), False
+        try:
+            progress("saving", 0.0)
+        except KeyboardInterrupt:
+            heard = True
+        result = self._save(result)
+        if heard:
+            raise KeyboardInterrupt
+        if result.status != "interrupted" and not is_unfinished(result.record):
             for journal in self._journals.values():
                 journal.remove()
+        return result
+
+    def _save(self, result: Result) -> Result:
+        result = with_shapes(result, self._shapes)
+        result.save(self.result_file, overwrite=self.overwrite)
+        self.overwrite = True
         return result
 
     def report(self, result: Any, progress: Progress) -> None:

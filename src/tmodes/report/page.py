@@ -161,8 +161,9 @@ def frequency_tables(frequencies: dict[str, list[dict[str, Any]]]) -> Markup:
 
 def error_table(info: dict[str, Any] | None, model: dict[str, Any] | None = None) -> Markup:
     """The estimated errors of the integration and of the link models in each number of the summary, where known."""
-    if info is None:
-        return tag("p", "The error of the integration was not estimated.", class_="note")
+    if info is None or not info["how"]:
+        why = f": {info['why']}" if info else "."
+        return tag("p", f"The error of the integration was not estimated{why}", class_="note")
     figures = info["figures"].items()
     rows = [_error_row(name, value, "≈" if name in info["approximate"] else "<") for name, value in figures]
     head, how = ["Number", "Error [SI]"], f"Error of the integration, by {info['how']}"

@@ -1,11 +1,11 @@
-"""What a run shows, from its trajectories: each part is computed once, when it is first asked for."""
+"""What a run shows, from its trajectories: each part is computed once, when first asked for, and may fail alone."""
 
 from __future__ import annotations
 
 import json
 import platform
 from collections.abc import Callable
-from functools import cached_property
+from functools import cached_property, partial
 from importlib.metadata import version
 from typing import Any
 
@@ -20,14 +20,24 @@ from tmodes.analysis.statics.steady import steady_rates
 from tmodes.errors import SimulationError
 from tmodes.io.labelled import Record
 from tmodes.io.sheet_plausible import implausible_numbers, reading_notices
+from tmodes.result.derived import INTERRUPTED, NOT_YET, Derives, derived
 from tmodes.result.elements import element_errors
 from tmodes.result.end_modes import end_modes, with_elements
 from tmodes.result.errors import summary_errors
 from tmodes.result.lines import carried_series, line_series
 from tmodes.result.model_errors import model_errors
+from tmodes.result.paths import part_names
 from tmodes.result.record import RESULT_FORMAT, STATUSES
-from tmodes.result.series import Variables, coordinates_of, motion_series, record_of
-from tmodes.result.settling import BAND, AfterMove, after_move, move_end, plain_vibration
+from tmodes.result.series import Variables, coordinates_of, error_series, motion_series, record_of
+from tmodes.result.settling import (
+    BAND,
+    AfterMove,
+    after_move,
+    move_end,
+    not_settled,
+    plain_vibration,
+    unknown_vibration,
+)
 from tmodes.sheet import Robot
 from tmodes.simulation.motion_run import RunData
 
@@ -36,14 +46,22 @@ __all__ = ["Assembly"]
 Progress = Callable[[str, float], None]
 
 
-class Assembly:
+def _no_progress(stage: str, share: float) -> None:
+    del stage, share
+
+
+class Assembly(Derives):
     """A run of a robot whose sheet as known is ``known``, and all that a result shows of it.
 
-    The time axis is that of the actual robot, as far as its reference came too.
+    The time axis is that of the actual robot, as far as its reference came too. ``progress`` receives stages and shares
+    of what takes long.
     """
+
+    progress: Progress = staticmethod(_no_progress)
 
     def __init__(self, run: RunData, known: Robot) -> None:
         self.run, self.known = run, known
+        self._afters: dict[str, AfterMove] = {}
 
     @cached_property
     def _whole(self) -> int:
@@ -77,31 +95,44 @@ class Assembly:
         return line_places(self.run.chain, self.run.robot.integration.line_points)
 
     @cached_property
-    def _motion(self) -> Variables:
+    def _bare(self) -> Variables:
         return motion_series(self.run, self.count)
 
-    @cached_property
+    @derived("paths", lambda self, reason: ({}, []))
+    def _paths(self) -> tuple[Variables, list[str]]:
+        """The tip's error by cause, and the names of the causes."""
+        return _finite(error_series(self.run, self.count)), part_names(self.run)
+
+    @property
+    def _motion(self) -> Variables:
+        return self._bare | self._paths[0]
+
+    @derived("lines", lambda self, reason: ({}, {"link": [], "bending_link": [], "stressed_link": []}, []))
     def _lines(self) -> tuple[Variables, dict[str, list[str]], list[str]]:
-        return line_series(self.run, self.stations, self.count)
+        lines, names, notices = line_series(self.run, self.stations, self.count)
+        return _finite(lines), names, notices
+
+    def _record(self, variables: Variables, names: dict[str, list[str]]) -> Record:
+        labels = names | ({"error_part": self._paths[1]} if "tip_error" in variables else {})
+        return record_of(variables, coordinates_of(self.run, self.count, labels, self.stations))
 
     @cached_property
     def moving(self) -> tuple[Record, list[str]]:
         """What a picture that changes needs of the series, and the warnings but those of lines and frequencies."""
         carried, names, notices = carried_series(self.run, self.stations, self.count)
-        labels = coordinates_of(self.run, self.count, names, self.stations)
-        return record_of(self._motion | carried, labels), [*self._noticed, *notices]
+        return self._record(self._motion | carried, names), [*self._noticed, *notices]
 
     @cached_property
     def motion(self) -> Record:
         """Motion, drives, points, contact and energies, without the elastic lines."""
-        return record_of(self._motion, coordinates_of(self.run, self.count, {}, self.stations))
+        return self._record(self._motion, {})
 
-    @cached_property
+    @derived("move_end", lambda self, reason: None)
     def move_end(self) -> float | None:
         """When the last signal stops changing [s]; None where one never does."""
         return move_end(self.run.planned)
 
-    @cached_property
+    @derived("frequencies", lambda self, reason: ({}, []))
     def _frequencies(self) -> tuple[dict[str, list[dict[str, Any]]], list[str]]:
         setup = self.run.setup
         try:
@@ -116,7 +147,7 @@ class Assembly:
         """Natural frequencies about the rest or the steady motion, by the state of the motors."""
         return self._frequencies[0]
 
-    @cached_property
+    @derived("end_frequencies", lambda self, reason: {})
     def end_frequencies(self) -> dict[str, list[dict[str, Any]]]:
         """Modes about the pose at the end: of the ``actual`` robot as it runs, of the ``nominal`` with locked motors.
 
@@ -125,28 +156,37 @@ class Assembly:
         found = {"actual": end_modes(self.run, "controlled", "locked")}
         return found | ({"nominal": end_modes(self.run.reference, "locked")} if self.run.reference else {})
 
-    @cached_property
-    def _after(self) -> dict[str, AfterMove]:
-        """The actual and the nominal run after the move, continued until their tips are at rest."""
-        runs = {"actual": self.run, "nominal": self.run.reference}
-        return {name: after_move(run, self.move_end) for name, run in runs.items() if run}
+    @property
+    def _ran(self) -> dict[str, RunData]:
+        """The actual run, and the nominal one where there is one."""
+        return {"actual": self.run} | ({"nominal": self.run.reference} if self.run.reference else {})
 
-    @cached_property
+    def _after(self, which: str) -> AfterMove:
+        """One of the runs after the move, continued until its tip is at rest, as far as it may take."""
+        if which not in self._afters:
+            self._afters[which] = after_move(self._ran[which], self.move_end, partial(self.progress, "settling"))
+        return self._afters[which]
+
+    @derived("settling", lambda self, reason: not_settled(reason))
     def settling(self) -> dict[str, Any]:
         """When the actual tip has settled to its own rest, by continuing the run."""
         return self.settled(BAND)
 
     def settled(self, band: float) -> dict[str, Any]:
         """The same with another band."""
-        return self._after["actual"].settling(band)
+        return self._after("actual").settling(band)
 
     @cached_property
     def vibration(self) -> dict[str, Any]:
         """The vibration of the ``actual`` and the ``nominal`` tip after the move, by mode."""
-        found = {name: plain_vibration(after.vibration()) for name, after in self._after.items()}
-        return {name: with_elements(one, self.end_frequencies[name]) for name, one in found.items()}
+        names = {"actual": "vibration", "nominal": "vibration.nominal"}
+        return {which: self.attempt(names[which], partial(self._vibration, which), unknown_vibration)
+                for which in self._ran}  # fmt: skip
 
-    @cached_property
+    def _vibration(self, which: str) -> dict[str, Any]:
+        return with_elements(plain_vibration(self._after(which).vibration()), self.end_frequencies.get(which, []))
+
+    @derived("elements", lambda self, reason: {})
     def elements(self) -> dict[str, Any]:
         """What each gear and link has of the largest error of the tip."""
         return element_errors(self.run, self.count)
@@ -166,47 +206,69 @@ class Assembly:
             found["off"] = found["tip"] - found["tip_commanded"]
         return found, labels
 
-    @cached_property
+    @derived("errors", lambda self, reason: {"how": "", "figures": {}, "approximate": [], "why": reason})
     def errors(self) -> dict[str, Any]:
         """The estimated errors of the numbers of the summary."""
-        return summary_errors(self.run, self.stations, *self.series)
+        return summary_errors(self.run, self.stations, *self.series, partial(self.progress, "integration error"))
 
-    @cached_property
+    @derived("model_errors", lambda self, reason: {"how": "", "figures": {}, "why": reason})
     def model_errors(self) -> dict[str, Any]:
         """The estimated errors of the link models in the same numbers."""
-        return model_errors(self.run, self.stations, *self.series)
+        series = self.series
+        if why := self.failed.get("lines"):
+            raise SimulationError(f"it takes the elastic lines of the links, which are not computed: {why}")
+        return model_errors(self.run, self.stations, *series, partial(self.progress, "model error"))
 
     @cached_property
     def warnings(self) -> list[str]:
         """What a reader must know: of the run, of the sheet, and of what its models are good for."""
         return [*self._noticed, *self._frequencies[1], *self._lines[2]]
 
-    @cached_property
+    @derived("checks", lambda self, reason: [*self.run.warnings])
     def _noticed(self) -> list[str]:
         return [*self.run.warnings, *implausible_numbers(self.known), *reading_notices(self.known)]
 
     def attributes(self, progress: Progress) -> dict[str, Any]:
         """Where the record comes from, and what was computed of it, as plain data and JSON."""
+        computed = {name: self._told(name, stage, progress) for name, stage in _KEPT.items()}
+        return self._described(computed)
+
+    def _described(self, computed: dict[str, Any]) -> dict[str, Any]:
         status, message = self.ending
         info = provenance(self.run, self.known) | {"status": status, "message": message}
-        for name, stage in _KEPT.items():
+        info |= {_STORED_AS.get(name, name): json.dumps(value) for name, value in computed.items()}
+        return info | ({"not_computed": json.dumps(self.failed)} if self.failed else {})
+
+    def _told(self, name: str, stage: str, progress: Progress) -> Any:
+        """A number, after its stage was reported; Ctrl-C meanwhile ends the computing of this and all further ones."""
+        try:
             progress(stage, 0.0)
-            info[_STORED_AS.get(name, name)] = json.dumps(getattr(self, name))
-        return info
+            return getattr(self, name)
+        except KeyboardInterrupt:
+            self.stopped = INTERRUPTED
+            return getattr(self, name)
 
-    def whole(self, progress: Progress = lambda stage, share: None) -> Record:
-        """The whole record; ``progress`` receives the stages.
+    def whole(self, progress: Progress = _no_progress) -> Record:
+        """The whole record; ``progress`` receives the stages. What cannot be computed stands in ``failed``."""
+        self.progress = progress
+        series = self._told("all_series", "lines", progress)
+        attributes = self.attributes(progress)
+        self.progress = _no_progress
+        return series.assign_attrs(attributes)
 
-        Raises :class:`tmodes.errors.SimulationError` for lines that memory does not hold.
-        """
-        progress("lines", 0.0)
-        return self.all_series.assign_attrs(self.attributes(progress))
+    @property
+    def begun(self) -> Record:
+        """The series of the motion, of which nothing is computed yet: what is stored before anything can fail."""
+        empty = Assembly(self.run, self.known)
+        empty.stopped = NOT_YET
+        computed = {name: getattr(empty, name) for name in _KEPT}
+        return empty._record(self._bare, {}).assign_attrs(empty._described(computed))
 
     @cached_property
     def all_series(self) -> Record:
         """The whole record without its attributes."""
         lines, names, _ = self._lines
-        return record_of(self._motion | lines, coordinates_of(self.run, self.count, names, self.stations))
+        return self._record(self._motion | lines, names)
 
 
 _KEPT = {
@@ -217,6 +279,14 @@ _KEPT = {
 """What is computed of a run and kept with it, and the stage that computes it."""
 
 _STORED_AS = {"elements": "tip_error_elements"}
+
+
+def _finite(variables: Variables) -> Variables:
+    """The same; raises :class:`tmodes.errors.SimulationError` for numbers that are not finite."""
+    for name, (_, values, _, _) in variables.items():
+        if not np.isfinite(values).all():
+            raise SimulationError(f"the series {name} has a number that is not finite")
+    return variables
 
 
 def ending(run: RunData) -> tuple[str, str]:

@@ -16,6 +16,7 @@ from pydantic import Field, FiniteFloat, TypeAdapter, ValidationError
 from typing_extensions import TypedDict
 
 from tmodes.io.atomic import file_error
+from tmodes.result.derived import failed_in
 from tmodes.sheet.robot import RECURSION
 
 if TYPE_CHECKING:
@@ -38,7 +39,7 @@ class _Mode(TypedDict):
 class _Settling(TypedDict):
     time_s: FiniteFloat | None
     band: FiniteFloat
-    limit_m: FiniteFloat
+    limit_m: FiniteFloat | None
     reason: str
 
 
@@ -89,6 +90,7 @@ class _Attributes(TypedDict, total=False):
     errors: _Errors | _Empty | None
     model_errors: _Errors | _Empty | None
     move_end: FiniteFloat | None
+    not_computed: dict[str, str]
     meshes: list[_Group]
 
 
@@ -100,7 +102,7 @@ _SERIES = {
     "time": "energy_balance",
     "time axis": "tip tip_velocity",
     "time coordinate": "q v a",
-    "time deformation_kind": "deformation deformation_stationary deformation_oscillatory",
+    "time deformation_kind": "deformation",
     "time drive": "wanted effort gear_torque",
     "time energy_kind": "energy",
     "time work_kind": "work",
@@ -121,6 +123,9 @@ _REFERENCE = {
     "time drive": "gear_torque_nominal",
 }
 """The same of a run with a reference, which has a deviation from it."""
+
+_OF_LINES = {"time deformation_kind": "deformation_stationary deformation_oscillatory"}
+"""The same of what is computed with the lines of the links."""
 
 _SOMETIMES = {
     "time": "contact_force_normal contact_force_normal_nominal penetration surface_displacement surface_velocity",
@@ -192,7 +197,13 @@ def _times(data: Record) -> Wrong:
 
 
 def _series(data: Record) -> Wrong:
-    asked = [(_SERIES, True), (_REFERENCE, "deviation" in data or "tip_nominal" in data), (_SOMETIMES, False)]
+    drawn = "lines" not in failed_in(data)
+    asked = [
+        (_SERIES, True),
+        (_OF_LINES, drawn),
+        (_REFERENCE, "deviation" in data or "tip_nominal" in data),
+        (_SOMETIMES, False),
+    ]
     for table, needed in asked:
         for dims, names in ((tuple(key.split()), names.split()) for key, names in table.items()):
             for name in names:

@@ -7,7 +7,7 @@ from typing import Any
 
 from tmodes.result.assemble import provenance
 from tmodes.result.result import Result
-from tmodes.result.settling import BAND
+from tmodes.result.settling import not_settled
 
 __all__ = ["LATER", "early_result"]
 
@@ -17,7 +17,7 @@ LATER = ("settling", "vibration", "frequency")
 _NOT_YET: dict[str, Any] = {
     "frequencies": {},
     "vibration": {},
-    "settling": {"time_s": None, "band": BAND, "limit_m": None, "move_m": None, "reason": "not yet known"},
+    "settling": not_settled("not yet known"),
 }
 
 

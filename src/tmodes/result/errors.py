@@ -85,18 +85,20 @@ class Figure(NamedTuple):
 
 
 def summary_errors(
-    run: RunData, stations: Array, first: Mapping[str, Array], names: Mapping[str, list[str]]
-) -> dict[str, Any]:
+    run: RunData, stations: Array, first: Mapping[str, Array], names: Mapping[str, list[str]],
+    progress: Callable[[float], None] = lambda share: None,
+) -> dict[str, Any]:  # fmt: skip
     """``how`` errors are estimated, and ``figures``: the error of each number by its path in the summary.
 
     ``approximate``: which of them are estimates, where the others are bounds. ``tip_m`` is that of the tip's position
     [m], the largest of some samples over the run. The error of the nominal run counts too. ``first``: the series of the
-    run, whose dimensions have labels ``names``. Empty where it is not known.
+    run, whose dimensions have labels ``names``. Empty where it is not known. ``progress`` is given the share of each
+    run that is done. Raises KeyboardInterrupt where it is interrupted.
     """
     if not run.robot.integration.error_estimate:
         return {}
     runs = [one for one in (run, run.reference) if one is not None]
-    again = [second_run(one.setup, one) for one in runs]
+    again = [second_run(one.setup, one, progress) for one in runs]
     seconds = [one for one in again if one is not None]
     if len(seconds) < len(runs):
         return {}

@@ -7,7 +7,7 @@ link gets masses and springs nearer to those of a beam of its section.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from typing import Any
 
@@ -55,12 +55,13 @@ def compared_chain(chain: Chain) -> Chain | str:
 
 
 def model_errors(
-    run: RunData, stations: Array, first: Mapping[str, Array], names: Mapping[str, list[str]]
-) -> dict[str, Any]:
+    run: RunData, stations: Array, first: Mapping[str, Array], names: Mapping[str, list[str]],
+    progress: Callable[[float], None] = lambda share: None,
+) -> dict[str, Any]:  # fmt: skip
     """``how`` the errors of the link models are estimated, and ``figures``: that of each number by its path.
 
     Arguments as of :func:`tmodes.result.errors.summary_errors`. ``why``: why there are none; empty where nothing bends
-    or they are not asked for.
+    or they are not asked for. Raises KeyboardInterrupt where it is interrupted.
     """
     runs = [one for one in (run, run.reference) if one is not None]
     chains = [compared_chain(one.chain) for one in runs]
@@ -70,7 +71,7 @@ def model_errors(
     if run.status not in {"finished", STOPPED} or run.setup.callback:
         why = "a Python function controls the robot" if run.setup.callback else "the run did not reach its end"
     pairs = [(one, chain) for one, chain in zip(runs, chains, strict=True) if isinstance(chain, Chain) and not why]
-    compared = [_compared(*pair, float(run.times[-1])) for pair in pairs]
+    compared = [_compared(*pair, float(run.times[-1]), progress) for pair in pairs]
     others, count = [one for one in compared if one is not None], len(first["tip"])
     if len(others) < len(runs) or any(len(trajectory.times) < count for _, trajectory in others):
         return {"how": "", "figures": {}, "why": why or "the robot with its links changed does not come as far"}
@@ -110,7 +111,9 @@ def uncertainty(chain: Chain, variables: Mapping[str, Array], names: Mapping[str
     return max([*shares, *(link.uncertainty("", 0.0) for link in links.values() if not link.projected)], default=0.0)
 
 
-def _compared(run: RunData, chain: Chain, until: float) -> tuple[RunSetup, Trajectory] | None:
+def _compared(
+    run: RunData, chain: Chain, until: float, progress: Callable[[float], None]
+) -> tuple[RunSetup, Trajectory] | None:
     """The same run with a compared chain; None where it cannot go as far."""
     setup = run.setup
     robot = run.robot.model_copy(update={"integration": run.robot.integration.quick()})
@@ -120,7 +123,9 @@ def _compared(run: RunData, chain: Chain, until: float) -> tuple[RunSetup, Traje
         return None
     settings = robot.integration.model_copy(update={"duration": until})
     motion = (other.model, other.model.numbers, other.planned.schedule, other.start)
-    trajectory = integrate(*motion, settings, otherwise=setup.otherwise)
+    trajectory = integrate(*motion, settings, progress, otherwise=setup.otherwise)
+    if trajectory.status == "interrupted":
+        raise KeyboardInterrupt
     return (other, trajectory) if trajectory.status == "finished" else None
 
 

@@ -19,6 +19,7 @@ from typing import TYPE_CHECKING, Any, Self, cast
 from tmodes import upward
 from tmodes.io.labelled import Record
 from tmodes.result import record
+from tmodes.result.derived import failed_in, sentences
 from tmodes.result.record import absent_kinds
 from tmodes.result.settling import BAND
 from tmodes.result.summary import summarise_result, vibrations
@@ -75,8 +76,15 @@ class Result:
         """The same run with another record."""
         return type(self)(record, self.timing, self._assembly)
 
+    def begun(self) -> Self:
+        """The motion alone, nothing computed of it: what is stored first. Of a result that is complete, itself."""
+        return type(self)(live.begun, self.timing) if (live := self.assembly) else self
+
     def complete(self, progress: Callable[[str, float], None]) -> Self:
-        """Compute all that is stored of it, which :attr:`data` else does, and report the stages; returns itself."""
+        """Compute all that is stored of it, which :attr:`data` else does, and report the stages; returns itself.
+
+        What fails is left out, see :attr:`not_computed`; Ctrl-C leaves out what is not computed by then.
+        """
         if live := self.assembly:
             self._record = live.whole(progress)
         return self
@@ -163,10 +171,16 @@ class Result:
     def warnings(self) -> tuple[str, ...]:
         """What the run has to say about itself, as sentences; of a file also which of its kinds are absent here."""
         if live := self.assembly:
-            return tuple(live.warnings)
+            return (*live.warnings, *sentences(live.failed))
         kept = self.record
         older = [] if "vibration" in kept.attrs else [record.OLDER]
-        return (*record.from_json(kept, "warnings"), *(record.NOTICE.format(one) for one in self._absent), *older)
+        further = [*(record.NOTICE.format(one) for one in self._absent), *sentences(self.not_computed), *older]
+        return (*record.from_json(kept, "warnings"), *further)
+
+    @property
+    def not_computed(self) -> dict[str, str]:
+        """The numbers that could not be computed of the run, by name, and why; of a live one those asked for so far."""
+        return dict(live.failed) if (live := self.assembly) else failed_in(self.record)
 
     @cached_property
     def _absent(self) -> list[UnknownKindError]:

@@ -11,12 +11,12 @@ from tmodes.analysis.error_parts import without_elasticity
 from tmodes.analysis.quasistatic import deflections, elastic_names
 from tmodes.chain.chain import line_before
 from tmodes.io.labelled import Record
-from tmodes.result.paths import error_parts, part_names
+from tmodes.result.paths import error_parts
 from tmodes.simulation.motion_run import RunData
 
 __all__ = [
-    "MIXED", "Series", "Variables", "coordinate_units", "coordinates_of", "motion_series", "over_time", "record_of",
-    "run_wrenches", "straight_shape",
+    "MIXED", "Series", "Variables", "coordinate_units", "coordinates_of", "error_series", "motion_series", "over_time",
+    "record_of", "run_wrenches", "straight_shape",
 ]  # fmt: skip
 
 Array = NDArray[np.float64]
@@ -53,7 +53,6 @@ def coordinates_of(run: RunData, count: int, names: dict[str, list[str]], statio
         "controller_state": list(run.planned.plan.control_names),
         "point": [point.name for point in run.model.parts.points],
         "axis": list(AXES),
-        "error_part": part_names(run),
         "plane": ["y", "z"],
         "moment_kind": ["torsion", "y", "z"],
         "energy_kind": list(run.energies),
@@ -132,11 +131,11 @@ def motion_series(run: RunData, count: int) -> Variables:
         "work": ("work_kind", work, "J", "work since the start: of motor, loads and base comes in, the others go out"),
         "energy_balance": ("", run.energy_balance, "J", "energy less its start less work in plus work out"),
     }  # fmt: skip
-    found = over_time(series, count) | (_reference(run, run.reference, count) if run.reference else {})
-    return found | _errors(run, count)
+    return over_time(series, count) | (_reference(run, run.reference, count) if run.reference else {})
 
 
-def _errors(run: RunData, count: int) -> Variables:
+def error_series(run: RunData, count: int) -> Variables:
+    """The commanded path of the tip, and its error by cause; nothing where no drive has a setpoint."""
     parts = error_parts(run, count)
     if parts is None:
         return {}

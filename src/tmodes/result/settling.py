@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
@@ -19,7 +20,10 @@ if TYPE_CHECKING:
     from tmodes.simulation.plan import Planned
     from tmodes.simulation.start import RunSetup
 
-__all__ = ["BAND", "AfterMove", "after_move", "move_end", "plain_vibration", "settling", "vibration"]
+__all__ = [
+    "BAND", "AfterMove", "after_move", "move_end", "not_settled", "plain_vibration", "settling", "unknown_vibration",
+    "vibration",
+]  # fmt: skip
 
 Array = NDArray[np.float64]
 
@@ -36,6 +40,12 @@ _DECAYS = 6.0
 """Decay times of the slowest motion over which a run is continued."""
 
 _SAMPLES = 20_000
+
+_MOST_WORK = 0.5
+"""Steps of a continuation over those of the run itself, at most."""
+
+_NEGLIGIBLE = 100_000
+"""Steps times coordinates that a continuation may always take: about a second of computing."""
 
 _LAST, _STEADY = 0.2, 0.5
 """Share of the time after the move, at its end, in which the tip must stay within this share of the band."""
@@ -54,19 +64,24 @@ _BEYOND = 2.0
 class AfterMove:
     """The tip of a run (n, 3) [m] at its samples, and at those of its continuation with all signals at rest.
 
-    ``end``: of the move [s], None where it has none; ``finished`` [s]: where the run itself ends; ``reason``: why it
-    was not continued, or what ended the continuation.
+    ``end``: of the move [s], None where it has none; ``finished`` [s]: where the run itself ends; ``cut``: what ended
+    the continuation before all was seen.
     """
 
     times: Array
     tip: Array
     end: float | None
     finished: float
-    reason: str = ""
+    cut: str = ""
+
+    @property
+    def beyond(self) -> dict[str, Any]:
+        """Time [s] that was looked at after the end of the run, and what ended that."""
+        return {"continued_s": float(self.times[-1]) - self.finished, "cut": self.cut}
 
     def settling(self, band: float = BAND) -> dict[str, Any]:
-        """When the tip stays near its own rest, see :func:`settling`."""
-        return settling(self.times, self.tip, self.end, self.finished, band)
+        """When the tip stays near its own rest, see :func:`settling`; and how far the run was continued for it."""
+        return settling(self.times, self.tip, self.end, self.finished, band) | self.beyond
 
     def vibration(self) -> Residual:
         """The vibration at the end of the move, about the slowly moving mean."""
@@ -84,7 +99,7 @@ def settling(times: Array, tip: Array, end: float | None, finished: float, band:
     rest = last.mean(axis=0)
     far, spread = (np.linalg.norm(part - rest, axis=1) for part in (tip[times <= finished * (1 + 1e-9)], last))
     limit = max(band * float(far.max()), _NO_MOVE)
-    info: dict[str, Any] = {"time_s": None, "band": band, "limit_m": limit, "move_m": float(far.max()), "reason": ""}
+    info = not_settled("", band) | {"limit_m": limit, "move_m": float(far.max())}
     if end is None:
         return info | {"reason": "what moves the robot changes up to the end of the run"}
     if times[-1] <= end * (1 + 1e-9):
@@ -94,6 +109,16 @@ def settling(times: Array, tip: Array, end: float | None, finished: float, band:
         seen = f"the tip still moves by {2 * spread.max():.3g} m before t = {times[-1]:.4g} s"
         return info | {"reason": f"{seen}: a vibration that does not decay, or a run that is too short"}
     return info | {"time_s": settled_after(times, tip, rest, limit, end), "rest_m": rest.tolist()}
+
+
+def not_settled(reason: str, band: float = BAND) -> dict[str, Any]:
+    """What stands in the place of the settling where there is none."""
+    return {"time_s": None, "band": band, "limit_m": None, "move_m": None, "reason": reason}
+
+
+def unknown_vibration(reason: str) -> dict[str, Any]:
+    """What stands in the place of a residual vibration where there is none."""
+    return plain_vibration(Residual(None, (), reason))
 
 
 def vibration(times: Array, tip: Array, end: float | None) -> Residual:
@@ -121,11 +146,13 @@ def plain_vibration(found: Residual) -> dict[str, Any]:
     return {"amplitude_m": found.amplitude, "modes": modes, "reason": found.reason}
 
 
-def after_move(run: RunData, end: float | None) -> AfterMove:
+def after_move(run: RunData, end: float | None, progress: Callable[[float], None] = lambda share: None) -> AfterMove:
     """A run and its continuation until its tip is at rest: some decay times of its slowest motion, up to 30 s.
 
     All signals keep their last value, noise ends. Only the samples are looked at where a run did not reach its end,
     where its signals change up to its end, where a Python function controls it, and where a vibration does not decay.
+    The continuation takes at most half of the steps of the run itself, or about a second of computing; ``progress`` is
+    given the share that is done. Raises KeyboardInterrupt where it is interrupted.
     """
     times, tip = run.times, run.points.position[:, 0]
     alone = AfterMove(times, tip, end, float(times[-1]))
@@ -133,15 +160,27 @@ def after_move(run: RunData, end: float | None) -> AfterMove:
     stops = end is not None and end <= times[-1] * (1 + 1e-9)
     if not stops or run.status != "finished" or setup.callback or min(decays, default=1.0) <= 0:
         return alone
-    horizon = max(min(_HORIZON, _DECAYS / min(decays, default=1.0)), _SHORTEST)
+    horizon, left, best = max(min(_HORIZON, _DECAYS / min(decays, default=1.0)), _SHORTEST), _work(run), alone
     while True:
-        done, later = _continued(setup, run, horizon)
-        if done.status != "finished":
-            return replace(alone, reason=f"continued beyond its end, the run was lost: {done.message}")
+        done, later = _continued(setup, run, horizon, left, progress)
         found = replace(alone, times=np.append(times, times[-1] + done.times[1:]), tip=np.concatenate([tip, later[1:]]))
+        best = found if found.times[-1] >= best.times[-1] else best
+        left -= done.statistics["steps"] + done.statistics["rejected"]
+        if done.status == "stopped" or left <= 0:
+            return replace(
+                best, cut=f"what it may take ended at t = {best.times[-1]:.4g} s: half of the run's own steps"
+            )
+        if done.status != "finished":
+            return replace(alone, cut=f"continued beyond its end, the run was lost: {done.message}")
         if horizon >= _HORIZON or found.settling()["time_s"] is not None:
             return found
         horizon = min(2 * horizon, _HORIZON)
+
+
+def _work(run: RunData) -> int:
+    """Steps that a continuation may take."""
+    own = run.statistics.get("steps", 0) + run.statistics.get("rejected", 0)
+    return max(int(_MOST_WORK * own), _NEGLIGIBLE // max(len(run.coordinates), 1))
 
 
 def _decays(run: RunData) -> list[float]:
@@ -153,7 +192,9 @@ def _decays(run: RunData) -> list[float]:
     return [spectrum.slowest_decay, *map(float, creeping)]
 
 
-def _continued(setup: RunSetup, run: RunData, duration: float) -> tuple[Trajectory, Array]:
+def _continued(
+    setup: RunSetup, run: RunData, duration: float, steps: int, progress: Callable[[float], None]
+) -> tuple[Trajectory, Array]:
     """The run from where it ended, all signals at rest, and its tip at each sample (n, 3) [m]."""
     from tmodes.simulation.motion_run import tip_positions
     from tmodes.simulation.trajectory import integrate
@@ -161,12 +202,14 @@ def _continued(setup: RunSetup, run: RunData, duration: float) -> tuple[Trajecto
     setup, state = at_rest_from(setup, float(run.times[-1]), run.states[-1], duration)
     step = max(1, np.ceil(duration / _SAMPLES / setup.robot.integration.output_step))
     given = setup.robot.integration
-    settings = given.model_copy(update={"duration": duration, "output_step": float(step * given.output_step)})
+    settings = given.model_copy(
+        update={"duration": duration, "output_step": float(step * given.output_step), "max_steps": steps}
+    )
     if not integrator(settings.method).adaptive:
         settings = settings.chosen("dormand_prince")
-    later = setup.otherwise and setup.otherwise.model_copy(update={"duration": duration})
+    later = setup.otherwise and setup.otherwise.model_copy(update={"duration": duration, "max_steps": steps})
     schedule = setup.planned.schedule
-    done = integrate(setup.model, setup.model.numbers, schedule, state, settings, otherwise=later)
+    done = integrate(setup.model, setup.model.numbers, schedule, state, settings, progress, otherwise=later)
     if done.status == "interrupted":
         raise KeyboardInterrupt
     return done, tip_positions(setup, done.times, done.states)
@@ -181,7 +224,7 @@ def at_rest_from(setup: RunSetup, time: float, state: Array, duration: float) ->
     still = np.zeros((len(values), 1, plan.signals.degree + 1))
     still[:, 0, 0] = values
     each = [plan.each[k].schedule(duration) if k in clocks else Schedule(knots, still[k]) for k in range(len(values))]
-    signals = merge(each) if each else plan.signals
+    signals = merge(each) if each else MergedSchedule(knots, still.transpose(1, 0, 2))
     kept = state.copy()
     for driver in setup.model.loop.drivers:
         if driver.plan.servo is None:

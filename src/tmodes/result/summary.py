@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -13,12 +14,13 @@ from tmodes.analysis.energy import largest_flow
 from tmodes.chain.chain import joint_of_element
 from tmodes.errors import InputError
 from tmodes.frame import along
-from tmodes.result.settling import BAND, plain_vibration, settling, vibration
+from tmodes.result.derived import Derives, failed_in
+from tmodes.result.settling import BAND, not_settled, plain_vibration, settling, vibration
 
 if TYPE_CHECKING:
     from tmodes.io.labelled import Record
 
-__all__ = ["largest_elements", "mean_over_time", "summarise_result", "tip_errors", "vibrations"]
+__all__ = ["largest_elements", "mean_over_time", "settling_reason", "summarise_result", "tip_errors", "vibrations"]
 
 Array = NDArray[np.float64]
 
@@ -34,26 +36,21 @@ def summarise_result(
     ``band`` [-] is the share of the move within which the tip counts as settled, between 0 and 1; for the usual one the
     run itself was continued (:mod:`tmodes.result.settling`), for any other ``settled`` continues it, else its samples
     are looked at.
+    A group that cannot be computed is empty, and stands in ``not_computed`` with the reason.
     Raises :class:`tmodes.errors.InputError` for a band out of range.
     """
     if not 0 < band < 1:
         raise InputError("band", str(band), "a number between 0 and 1", f"{BAND} is the usual one")
-    time = np.asarray(data["time"].values, dtype=float)
-    return {
-        "status": data.attrs["status"],
-        "first_frequency_Hz": _first_frequencies(data),
-        "deviation": _deviation(data, time) if "deviation" in data else None,
-        "tip_error": tip_errors(data),
-        "settling": _settling(data, time, band, settled),
-        "vibration": vibrations(data),
-        "joints": _joints(data, time),
-        "deformations": _deformations(data, time),
-        "links": _links(data, time),
-        "contact_force": _contact(data, time),
-        "energy": _energy(data),
-        "error": _errors(data, "errors"),
-        "model_error": _errors(data, "model_errors"),
-    }
+    time, groups = np.asarray(data["time"].values, dtype=float), Derives()
+    found: dict[str, Any] = {"status": data.attrs["status"]}
+    for name, (compute, without) in _GROUPS.items():
+        found[name] = groups.attempt(name, partial(compute, data, time), without)
+    found["settling"] = groups.attempt("settling", partial(_settling, data, time, band, settled), _not_settled(band))
+    return found | {"not_computed": failed_in(data) | groups.failed}
+
+
+def _not_settled(band: float) -> Callable[[str], dict[str, Any]]:
+    return lambda reason: not_settled(reason, band)
 
 
 def _settling(
@@ -80,6 +77,11 @@ def vibrations(data: Record) -> dict[str, Any]:
     return {
         which: plain_vibration(vibration(time, _path(data, name), end)) for which, name in paths.items() if name in data
     }
+
+
+def settling_reason(known: dict[str, Any]) -> str:
+    """Why no settling is seen: by what was looked at, and what ended that."""
+    return "; ".join(filter(None, [known["reason"], known.get("cut", "")]))
 
 
 def _joints(data: Record, time: Array) -> dict[str, dict[str, Any]]:
@@ -185,8 +187,10 @@ def _first_frequencies(data: Record) -> dict[str, float | None]:
 _CASES = ("locked", "controlled")
 
 
-def _deviation(data: Record, time: Array) -> dict[str, float]:
+def _deviation(data: Record, time: Array) -> dict[str, float] | None:
     """The largest distance of the actual tip from the nominal one [m], when it is reached [s], and that at the end."""
+    if "deviation" not in data:
+        return None
     deviation = data["deviation"].values
     worst = int(np.argmax(deviation))
     return {"max_m": float(deviation[worst]), "time_of_max_s": float(time[worst]), "end_m": float(deviation[-1])}
@@ -249,3 +253,28 @@ def largest_elements(one: dict[str, Any]) -> list[tuple[str, float]]:
 
 
 _MOST_ELEMENTS = 4
+
+
+def _nothing(reason: str) -> Any:
+    del reason
+
+
+def _none_of_them(reason: str) -> dict[str, Any]:
+    del reason
+    return {}
+
+
+_GROUPS: dict[str, tuple[Callable[[Any, Array], Any], Callable[[str], Any]]] = {
+    "first_frequency_Hz": (lambda data, time: _first_frequencies(data), lambda reason: dict.fromkeys(_CASES)),
+    "deviation": (_deviation, _nothing),
+    "tip_error": (lambda data, time: tip_errors(data), _none_of_them),
+    "vibration": (lambda data, time: vibrations(data), _none_of_them),
+    "joints": (_joints, _none_of_them),
+    "deformations": (_deformations, _none_of_them),
+    "links": (_links, _none_of_them),
+    "contact_force": (_contact, _nothing),
+    "energy": (lambda data, time: _energy(data), _nothing),
+    "error": (lambda data, time: _errors(data, "errors"), _nothing),
+    "model_error": (lambda data, time: _errors(data, "model_errors"), _nothing),
+}
+"""Groups of a summary: how each is computed, and what stands there where it cannot be."""

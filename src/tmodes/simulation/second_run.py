@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 
 from tmodes.integrate.settings import Integration
@@ -12,12 +13,15 @@ from tmodes.simulation.stops import STOPPED
 __all__ = ["second_run"]
 
 
-def second_run(setup: RunSetup, first: Trajectory) -> Trajectory | None:
+def second_run(
+    setup: RunSetup, first: Trajectory, progress: Callable[[float], None] = lambda share: None
+) -> Trajectory | None:
     """A run from the same start to the same end, of the same samples, with finer steps.
 
     Every piece of the signals is halved too: where pieces, not tolerances, hold the steps short, these are refined all
     the same. None where there is no such run: the first one did not reach its end, a Python function controls it, or
-    the second one is lost. Raises KeyboardInterrupt where it is interrupted.
+    the second one is lost. ``progress`` is given the share that is done. Raises KeyboardInterrupt where it is
+    interrupted.
     """
     if first.status not in {"finished", STOPPED} or setup.callback or len(first.times) < 2:
         return None
@@ -29,7 +33,7 @@ def second_run(setup: RunSetup, first: Trajectory) -> Trajectory | None:
     robot = setup.robot.model_copy(update={"integration": refined(setup.robot.integration)})
     planned = replace(setup.planned, signals=signals, schedule=signals.schedule)
     later = setup.otherwise and refined(setup.otherwise)
-    second = run_trajectory(replace(setup, robot=robot, planned=planned, otherwise=later))
+    second = run_trajectory(replace(setup, robot=robot, planned=planned, otherwise=later), progress)
     if second.status == "interrupted":
         raise KeyboardInterrupt
     return second if second.status == "finished" and len(second.times) == len(first.times) else None
