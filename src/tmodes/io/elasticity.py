@@ -22,6 +22,7 @@ from tmodes.errors import InputError, InputErrors
 from tmodes.io.elasticity_beam import give_mass, length_along, line_of, place_beam, riding_body
 from tmodes.io.files import FilePath, Roots, folders_of
 from tmodes.io.urdf import UrdfRobot, read_urdf
+from tmodes.io.urdf_tree import mimic_notice
 from tmodes.io.words import meant, shown, shown_path
 from tmodes.io.xacro import read_xacro
 from tmodes.io.yaml_file import Positions, nearest_line, read_yaml
@@ -55,6 +56,7 @@ def read_elasticity(
     overlay = _Overlay(robot, positions, shown_path(path))
     overlay.lay("joints", data.get("joints"), [joint["name"] for joint in overlay.sheet["joints"]], overlay.joint)
     overlay.lay("links", data.get("links"), [joint["child"] for joint in overlay.sheet["joints"]], overlay.link)
+    overlay.couplings()
     overlay.the_rest(data)
     if overlay.errors:
         raise InputErrors(overlay.errors)
@@ -140,6 +142,14 @@ class _Overlay:
             raise InputError(f"{which}.keep_inertial", "a link without `beam`", "a link with a beam", hint)
         if bodies:
             link["bodies"] = [*link.get("bodies", []), *bodies]
+
+    def couplings(self) -> None:
+        """What is said of joints that mimic others, by the states that they have now."""
+        before = mimic_notice(self.robot.followers, self.robot.data["joints"])
+        after = mimic_notice(self.robot.followers, self.sheet["joints"])
+        if before != after:
+            self.sheet["assumed"] = self.sheet["assumed"].replace(before, after)
+            self.sheet["notices"] = [after if one == before else one for one in self.sheet["notices"]]
 
     def the_rest(self, data: dict[str, Any]) -> None:
         """Take over the other groups of a sheet as they are."""

@@ -27,6 +27,7 @@ from tmodes.io.mjcf_drives import MOST_LOADS, Servo, compensation, servos
 from tmodes.io.mjcf_read import MJCF
 from tmodes.io.units import finite_float
 from tmodes.io.unread import Left, few, sentences
+from tmodes.io.urdf_parts import hold
 from tmodes.io.words import shown, shown_path
 from tmodes.io.xml_file import Element, read_xml
 from tmodes.io.yaml_file import Positions
@@ -272,10 +273,7 @@ class _Reader:
             one, other = int(model.eq_obj1id[k]), int(model.eq_obj2id[k])
             name, leader = (model.joint(j).name or f"joint_{j + 1}" if j >= 0 else "" for j in (one, other))
             at = float(model.qpos0[model.jnt_qposadr[one]] + model.eq_data[k, 0])
-            follower = joints[name]
-            for key in ("spring", "motor", "gear"):
-                follower.pop(key, None)
-            follower |= {"state": "locked", "locked_at": at}
+            hold(joints[name], at)
             self.drives = [drive for drive in self.drives if drive["joint"] != name]
             tied = f"coupled to {leader} by an equality, which is not modelled" if leader else "fixed by an equality"
             self.said.append(f"joint {name} is {tied}: it is held at {at:.6g}.")

@@ -48,19 +48,26 @@ class Format:
         if tag in self.idle or within in self.idle:
             return
         if tag in self.owners:
-            name = element.attributes.get("name") or element.attributes.get("class")
-            owner = f"{tag} {name[:100]}" if name else f"{tag} in line {element.line}"
+            owner = _label(element)
         known = self.read.get(within, self.read.get(tag))
         if known is None:
             effect = self.effects.get(within, self.effects.get(tag, LEFT_OUT))
-            yield Left(f"<{tag[:60]}>", effect, owner or f"line {element.line}")
+            yield Left(f"<{tag[:60]}>", effect, owner or _label(element))
             return
         for name in element.attributes:
-            if name not in known and f"{tag}@{name}" not in self.idle:
+            declares = name.partition(":")[0] == "xmlns"
+            if name not in known and not declares and f"{tag}@{name}" not in self.idle:
                 what = f"`{name[:60]}` of <{tag[:60]}>"
                 yield Left(what, self.effects.get(f"{tag}@{name}", LEFT_OUT), owner or f"line {element.line}")
         for child in element.children:
             yield from self.left(child, tag, owner)
+
+
+def _label(element: Element) -> str:
+    """Its tag with its name, else with its line."""
+    given = element.attributes
+    name = given.get("name") or given.get("class") or given.get("reference")
+    return f"{element.tag[:60]} {name[:100]}" if name else f"{element.tag[:60]} in line {element.line}"
 
 
 def sentences(found: Iterable[Left]) -> list[str]:

@@ -1,8 +1,8 @@
 """Read a URDF into the plain data of a robot's sheet.
 
-Links, joints, inertias, limits and friction are read; names stay. Geometry is not loaded: only the checked paths of its
-files are kept. What other programs put next to them (gazebo, transmission, ros2_control) is passed over; what is
-misspelt is not. Format: http://wiki.ros.org/urdf/XML.
+Links, joints, inertias, limits, friction, rotors and springs are read; names stay. Geometry is not loaded: only the
+checked paths of its files are kept. What changes the motion and is not read is named (:mod:`.urdf_read`); what is
+misspelt is refused. Format: http://wiki.ros.org/urdf/XML.
 """
 
 from __future__ import annotations
@@ -16,9 +16,12 @@ import numpy as np
 
 from tmodes.errors import InputError, InputErrors
 from tmodes.io.files import FilePath, Folders, Roots, folders_of
+from tmodes.io.unread import few, sentences
 from tmodes.io.urdf_body import ImpossibleBodyError, body_of, says_massless
-from tmodes.io.urdf_parts import MOVING, UrdfJoint, joint_ends, joint_of
-from tmodes.io.urdf_tree import Tree, name_of, sheet_of, tree_of
+from tmodes.io.urdf_motors import motor_and_spring, said_of_drives, without_rotor
+from tmodes.io.urdf_parts import MOVING, Follows, UrdfJoint, joint_ends, joint_of
+from tmodes.io.urdf_read import URDF
+from tmodes.io.urdf_tree import Tree, followers, name_of, sheet_of, tree_of
 from tmodes.io.words import shown
 from tmodes.io.xml_file import Element, read_xml
 from tmodes.io.yaml_file import Positions
@@ -33,7 +36,8 @@ TOP = {"link", "joint", "material", "gazebo", "transmission", "sensor", "ros2_co
 class UrdfRobot:
     """What a URDF says: ``data`` and ``positions`` of a robot's sheet, bodies and files of geometry by link.
 
-    ``links``: their elements by names in the sheet; ``root``: that of the file; ``folders``: where its files may lie.
+    ``links``: their elements by names in the sheet; ``root``: that of the file; ``folders``: where its files may lie;
+    ``followers``: joints that mimic another.
     """
 
     data: dict[str, Any]
@@ -43,6 +47,7 @@ class UrdfRobot:
     links: dict[str, Element]
     root: Element
     folders: Folders
+    followers: Mapping[str, Follows] = field(default_factory=dict)
 
 
 @dataclass
@@ -54,6 +59,7 @@ class _Reading:
     bodies: dict[str, dict[str, Any]] = field(default_factory=dict)
     errors: list[InputError] = field(default_factory=list)
     impossible: dict[str, ImpossibleBodyError] = field(default_factory=dict)
+    unread: dict[tuple[str, str], dict[str, None]] = field(default_factory=dict)
 
     def refuse(self, further: Iterable[InputError] = ()) -> None:
         """Raise what is wrong, and where anything is, what else may be, from the first line on."""
@@ -94,10 +100,17 @@ def urdf_robot(
     reading.refuse(reading.impossible.values())  # which of these links stand still is not known yet
     tree = tree_of(robot, reading.links, list(reading.joints.values()))
     notices = list(_made_possible(reading, _standing(tree), fix_inertia=fix_inertia))
+    said = _tried(reading, said_of_drives, robot) or {}
     unweighed = {*weighed, *reading.impossible}  # a mass that was refused is reported once
     reading.errors.extend(massless(tree, reading.links, reading.bodies, unweighed))
     meshes = {name: _meshes(name, link, folders, reading) for name, link in reading.links.items()}
+    notices += _unread_meshes(reading)
     joints = [_tried(reading, joint_of, joint) or {} for joint in tree.joints]
+    driven = _driven(robot)
+    for data in joints:
+        if data.get("type") != "fixed" and (words := said.get(data.get("name", ""))):
+            data.update(motor_and_spring(words, driven=data["name"] in driven))
+    notices += sentences([*URDF.left(robot), *without_rotor(said)])
     reading.refuse()
     if not joints:
         raise robot.fault("the robot", "no joint", "at least one joint", "add <joint>: what does not move is no robot")
@@ -106,7 +119,13 @@ def urdf_robot(
     files = {names[link]: paths for link, paths in meshes.items() if paths}
     data, positions = sheet_of(robot, tree, joints, reading.links, bodies, notices)
     elements = {names[link]: element for link, element in reading.links.items()}
-    return UrdfRobot(data, positions, bodies, files, elements, robot, folders)
+    return UrdfRobot(data, positions, bodies, files, elements, robot, folders, followers(tree.joints))
+
+
+def _driven(robot: Element) -> set[str]:
+    """Joints that a transmission or ros2_control names: something moves them."""
+    named = (one for tag in ("transmission", "ros2_control") for group in robot.all(tag) for one in group.within())
+    return {one.attributes.get("name", "") for one in named if one.tag == "joint"}
 
 
 def _check_root(robot: Element) -> None:
@@ -190,10 +209,24 @@ def _tried(reading: _Reading, read: Any, *what: Any) -> Any:
 
 
 def _meshes(name: str, link: Element, folders: Folders, reading: _Reading) -> list[Path]:
-    """The checked paths of a link's files of geometry; those that are not there are left out."""
-    named = [one for one in link.within() if one.tag in {"mesh", "texture"} and "filename" in one.attributes]
-    files = [(one.attributes["filename"].strip(), f"link {name}: {one.tag}", one.place) for one in named]
-    return [path for file in files if (path := _tried(reading, folders.find, *file)) is not None]
+    """The checked paths of a link's files of geometry; those that are not there, or may not be read, are left out."""
+    found = []
+    for one in link.within():
+        if one.tag in {"mesh", "texture"} and "filename" in one.attributes:
+            try:
+                path = folders.find(one.attributes["filename"].strip(), f"link {name}: {one.tag}", one.place)
+            except InputError as error:
+                reading.unread.setdefault((error.hint, error.expected), {})[f"{name} ({error.got})"] = None
+            else:
+                found += [path] if path else []
+    return found
+
+
+def _unread_meshes(reading: _Reading) -> Iterator[str]:
+    """A sentence for each reason for which files of geometry are not read; no motion depends on them."""
+    for (hint, expected), names in reading.unread.items():
+        info = f"{few([*names])}; expected {expected}: {hint}"
+        yield f"shapes of links are not drawn, as their files may not be read: {info}."
 
 
 HINT = "give it a mass and an inertia, make the joint fixed, or remove both"

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
 from tmodes.io.units import finite_float
+from tmodes.io.unread import few
+from tmodes.io.urdf_motors import OF_DYNAMICS
 from tmodes.io.words import meant, shown
 from tmodes.io.xml_file import Element
 
-__all__ = ["MOVING", "Follows", "UrdfJoint", "follows", "joint_ends", "joint_of"]
+__all__ = ["MOVING", "Follows", "UrdfJoint", "follows", "hold", "joint_ends", "joint_of", "zero_limits"]
 
 KINDS = {"revolute": "revolute", "continuous": "revolute", "prismatic": "prismatic", "fixed": "fixed"}
 """What each type of a URDF's joint is in the sheet."""
@@ -85,6 +88,25 @@ def follows(joint: UrdfJoint) -> Follows | None:
     return Follows(element.text("joint", which), factor, element.number("offset", f"{which} offset", 0.0))
 
 
+def hold(joint: dict[str, Any], at: float) -> None:
+    """Lock a joint of the sheet at a position [rad or m]; what only a joint that moves has goes."""
+    for key in ("motor", "spring", "gear"):
+        joint.pop(key, None)
+    joint |= {"state": "locked", "locked_at": at}
+
+
+def zero_limits(joints: Iterable[dict[str, Any]]) -> str:
+    """A sentence on joints that may neither move nor push by their limits; empty where there is none."""
+    names = [
+        joint["name"] for joint in joints if 0.0 in (joint.get("limits", {}).get(key) for key in ("speed", "effort"))
+    ]
+    if not names:
+        return ""
+    info = "is taken as it stands, so that any motion or effort is beyond it"
+    hint = "where it says that the limit is not known, leave the attribute out"
+    return f"A velocity or effort of 0 in <limit> {info}: {few(names)}; {hint}."
+
+
 def _end(element: Element, tag: str, which: str) -> str:
     end = element.only(tag, which)
     if end is None:
@@ -105,16 +127,18 @@ def _axis(element: Element, which: str) -> list[float]:
 
 
 def _limits(joint: UrdfJoint, which: str) -> dict[str, float]:
-    """Those limits that the file states; zero speed or effort is how many files say "not known"."""
+    """Those limits that the file states; a zero is one."""
     element = joint.element.only("limit", which, {"lower", "upper", "effort", "velocity"})
     if element is None:
         return {}
     limits: dict[str, float] = {} if joint.type == "continuous" else _range(element, which)
     for key, name in (("speed", "velocity"), ("effort", "effort")):
+        if name not in element.attributes:
+            continue
         value = _limit(element, name, which)
         if value < 0.0:
             raise element.fault(f"{which}: {name}", f"{value:g}", "a limit not less than 0", "correct the sign")
-        if 0.0 < value <= BOUNDLESS:
+        if value <= BOUNDLESS:
             limits[key] = value
     return limits
 
@@ -140,7 +164,7 @@ def _limit(element: Element, name: str, which: str) -> float:
 
 
 def _friction(element: Element, which: str) -> dict[str, float]:
-    dynamics = element.only("dynamics", which, {"damping", "friction"})
+    dynamics = element.only("dynamics", which, {"damping", "friction", *OF_DYNAMICS})
     if dynamics is None:
         return {}
     friction = {"viscous": "damping", "coulomb": "friction"}

@@ -6,20 +6,21 @@ own in a sheet.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 from tmodes.errors import InputError
-from tmodes.io.urdf_parts import MOVING, Follows, UrdfJoint, follows
+from tmodes.io.unread import few
+from tmodes.io.urdf_parts import MOVING, Follows, UrdfJoint, follows, hold, zero_limits
 from tmodes.io.words import meant, shown
 from tmodes.io.xml_file import Element
 from tmodes.io.yaml_file import Positions
 from tmodes.sheet.robot import MOST_LETTERS, MOST_NOTICES
 from tmodes.sheet.topology import BASE
 
-__all__ = ["Tree", "name_of", "sheet_of", "tree_of"]
+__all__ = ["Tree", "followers", "mimic_notice", "name_of", "sheet_of", "tree_of"]
 
 MOST_NAMES = 8
 
@@ -97,13 +98,18 @@ def _names(names: dict[str, Element] | list[str]) -> str:
     return ", ".join(few) + (f" and {len(names) - MOST_NAMES} more" if len(names) > MOST_NAMES else "")
 
 
-def hold_followers(joints: tuple[UrdfJoint, ...], data: list[dict[str, Any]]) -> str:
-    """Lock each joint that mimics, and the one it follows, where the mimic's own equation holds; what was locked.
+def followers(joints: Iterable[UrdfJoint]) -> dict[str, Follows]:
+    """The joints that mimic another, by their names."""
+    return {joint.name: said for joint in joints if (said := follows(joint))}
 
-    The leader stands at zero, or at its limit next to zero. Raises :class:`tmodes.errors.InputError` for a leader
+
+def hold_followers(joints: tuple[UrdfJoint, ...], data: list[dict[str, Any]]) -> dict[str, Follows]:
+    """Lock each joint that mimics where its equation puts it with its leader's zero; what was locked.
+
+    The leader moves; for that its zero is its limit next to zero. Raises :class:`tmodes.errors.InputError` for a leader
     that does not exist, does not move, or follows another itself.
     """
-    info = {joint.name: said for joint in joints if (said := follows(joint))}
+    info = followers(joints)
     moving = {joint.name: sheet for joint, sheet in zip(joints, data, strict=True) if joint.type in MOVING}
     for joint in joints:
         if joint.name in info:
@@ -112,9 +118,8 @@ def hold_followers(joints: tuple[UrdfJoint, ...], data: list[dict[str, Any]]) ->
         leader = moving[said.leader]
         limits = leader.get("limits", {})
         nearest = min(max(0.0, limits.get("lower", 0.0)), limits.get("upper", float("inf")))
-        leader |= {"state": "locked", "locked_at": nearest}
-        moving[name] |= {"state": "locked", "locked_at": said.factor * leader["locked_at"] + said.offset}
-    return _notice(info)
+        hold(moving[name], said.factor * nearest + said.offset)
+    return info
 
 
 def _check_leader(joint: UrdfJoint, leader: str, moving: dict[str, Any], info: dict[str, Follows]) -> None:
@@ -127,12 +132,18 @@ def _check_leader(joint: UrdfJoint, leader: str, moving: dict[str, Any], info: d
         raise joint.element.fault(which, got, "a joint that moves by itself", hint)
 
 
-def _notice(info: dict[str, Follows]) -> str:
-    if not info:
-        return ""
-    pairs = ", ".join(f"{name} (follows {said.leader})" for name, said in info.items())
-    few = pairs if len(pairs) <= 1500 else pairs[:1500] + " ..."
-    return f"Joints coupled by mimic are held with those they follow, which is no part of the file: {few}."
+def mimic_notice(info: Mapping[str, Follows], joints: Sequence[dict[str, Any]]) -> str:
+    """What became of the joints that follow others, by the ``joints`` of the sheet; empty where there are none."""
+    held = {joint["name"]: joint.get("locked_at", 0.0) for joint in joints if joint.get("state") == "locked"}
+    both = {
+        True: [f"{name} at {held[name]:.6g} (follows {said.leader})" for name, said in info.items() if name in held],
+        False: [f"{name} (follows {said.leader})" for name, said in info.items() if name not in held],
+    }
+    words = {
+        True: "Couplings by mimic are not modelled; these joints are held while those they follow move",
+        False: "Couplings by mimic are not modelled; these joints move by themselves",
+    }
+    return " ".join(f"{words[still]}: {few(names)}." for still, names in both.items() if names)
 
 
 def name_of(link: str, tree: Tree) -> str:
@@ -156,7 +167,7 @@ def sheet_of(
     ``changed``: notices of what the file says and the sheet does not.
     The root stands on the ground by a fixed joint of its own, so that it keeps its name.
     """
-    notices = [hold_followers(tree.joints, joints)]
+    notices = [mimic_notice(hold_followers(tree.joints, joints), joints)]
     for joint in joints:
         joint |= {"parent": name_of(joint["parent"], tree), "child": name_of(joint["child"], tree)}
     lines = [joint.element.line for joint in tree.joints]
@@ -174,7 +185,7 @@ def sheet_of(
     data: dict[str, Any] = {"format": 1, "kind": "arm", "name": title}
     if info := " ".join(filter(None, notices)):
         data["assumed"] = info
-    if read := [*filter(None, notices), *changed]:
+    if read := [*filter(None, notices), *filter(None, (zero_limits(joints),)), *changed]:
         data["notices"] = [notice[:MOST_LETTERS] for notice in read[:MOST_NOTICES]]
     data |= {"joints": joints, "links": [{"name": name, "bodies": [bodies[name]]} for name in weighing]}
     positions = dict.fromkeys(("", "name", "joints", "links"), robot.line)

@@ -9,10 +9,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Mapping
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from tmodes.errors import InputError
 from tmodes.io.files import FilePath, Folders, Roots, folders_of
 from tmodes.io.urdf import UrdfRobot, urdf_robot
 from tmodes.io.words import meant, nearest, shown
@@ -87,7 +89,10 @@ class _Expansion:
 
     def _plain(self, element: Element, scope: Scope, depth: int) -> Element:
         attributes = {name: self._text(element, text, scope) for name, text in element.attributes.items()}
-        return Element(element.tag, attributes, element.source, element.line, self.inside(element, scope, depth + 1))
+        made = Element(element.tag, attributes, element.source, element.line, self.inside(element, scope, depth + 1))
+        with suppress(InputError):  # formulas in the texts of other programs may be of no kind that is read here
+            made.texts.append(self._text(element, element.content, scope))
+        return made
 
     def _text(self, element: Element, text: str, scope: Scope) -> str:
         return filled(text, element, scope) if "$" in text else text

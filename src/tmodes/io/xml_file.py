@@ -1,7 +1,7 @@
 """Read an XML file into plain elements that know their line; nothing of XML that can harm is understood.
 
-A robot's file needs elements and attributes. A document type (with it every entity, and every file or address that an
-entity could name) is refused, size, depth and number of elements are bounded, and text between elements is not kept.
+A robot's file needs elements, attributes and a few short texts. A document type (with it every entity, and every file
+or address that an entity could name) is refused; size, depth and number of elements are bounded, long texts are cut.
 Attributes are read as names, numbers and triples, each refused with its file, line, element and fix.
 """
 
@@ -26,6 +26,9 @@ MOST_DEPTH = 100
 MOST_ATTRIBUTES = 100
 LONGEST_ATTRIBUTE = 20_000
 LONGEST_NAME = 100
+MOST_TEXTS = 5
+"""Pieces of text that are kept of an element: a number or a name comes in one."""
+
 MOST_MAGNITUDE = 1e12
 
 
@@ -41,6 +44,7 @@ class Element:
     source: str
     line: int
     children: list[Element] = field(default_factory=list)
+    texts: list[str] = field(default_factory=list)
 
     @property
     def place(self) -> str:
@@ -96,6 +100,15 @@ class Element:
             got, most = f"a text of {len(text)} characters", f"at most {LONGEST_NAME} printable characters"
             raise self.fault(which, got, most, "shorten it, or look for a missing quote")
         return text
+
+    @property
+    def content(self) -> str:
+        """The text inside, without space around it."""
+        return "".join(self.texts).strip()
+
+    def value(self, which: str) -> float:
+        """The finite number that it stands for: its attribute ``value``, or the text inside."""
+        return self._finite(self.attributes.get("value", self.content).strip(), which)
 
     def number(self, name: str, which: str, default: float | None = None) -> float:
         """The finite number of an attribute, ``default`` where it is missing and may be."""
@@ -204,6 +217,7 @@ class _Builder:
         self.parser = expat.ParserCreate()
         self.parser.StartElementHandler = self._start
         self.parser.EndElementHandler = lambda _: self.open.pop()
+        self.parser.CharacterDataHandler = self._text
         self.parser.StartDoctypeDeclHandler = self._document_type
 
     def error(self, got: str, expected: str, hint: str) -> InputError:
@@ -231,6 +245,11 @@ class _Builder:
         element = Element(tag, attributes, self.source, self.parser.CurrentLineNumber)
         (self.open[-1].children if self.open else self.top).append(element)
         self.open.append(element)
+
+    def _text(self, text: str) -> None:
+        texts = self.open[-1].texts
+        if len(texts) < MOST_TEXTS and not text.isspace():
+            texts.append(text[:LONGEST_NAME])
 
     def _bound(self, what: str, count: int, most: int) -> None:
         if count > most:

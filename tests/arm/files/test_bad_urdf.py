@@ -8,6 +8,7 @@ import pytest
 
 from patience import bounded
 from tmodes.errors import InputError, InputErrors
+from tmodes.io.sheet_check import sheet_from_data
 from tmodes.io.sheet_files import read_sheet
 
 GOOD = """<?xml version="1.0"?>
@@ -237,7 +238,6 @@ CASES = {
         "Did you mean `shoulder`?",
     ),
     "mimic of itself": ("<dynamics", '<mimic joint="elbow"/><dynamics', "'elbow', which mimics 'elbow' itself"),
-    "mesh that climbs": ("</robot>", MESH + joint("j", "fore", "m"), "which climbs with `..`"),
     "xacro in a urdf": ("</robot>", '<xacro:if value="1"/></robot>', "save the file with the ending .xacro"),
     "another root": ("robot", "model", "the root element must be <robot>, got <model>"),
 }
@@ -286,7 +286,11 @@ def test_others_tags_are_passed_over_and_infinite_limits_are_none(tmp_path: Path
     text = GOOD.replace("</robot>", extra).replace('lower="-2" upper="2"', 'lower="-1e+16" upper="inf"')
     path = tmp_path / "good.urdf"
     path.write_text(text.replace('velocity="2"/>\n    <dyn', 'velocity="0" gear_velocity="10"/>\n    <dyn'))
-    assert read_sheet(path)[0]["joints"][2]["limits"] == {"effort": 10.0}
+    data = read_sheet(path)[0]
+    assert data["joints"][2]["limits"] == {"speed": 0.0, "effort": 10.0}
+    assert any("of 0 in <limit>" in one and "elbow" in one for one in data["notices"])
+    assert any("gear_velocity" in one and "elbow" in one for one in data["notices"])
+    assert not any("mu1" in one for one in data["notices"])
 
 
 def test_a_massless_frame_is_fine_between_joints_and_on_a_fixed_one(tmp_path: Path) -> None:
@@ -326,8 +330,77 @@ def test_coupled_joints_are_held_where_their_equation_holds(tmp_path: Path) -> N
     text = GOOD.replace('lower="-1" upper="1"', 'lower="0.2" upper="1"')
     path.write_text(text.replace("<dynamics", '<mimic joint="shoulder" multiplier="-2" offset="0.1"/><dynamics'))
     data = read_sheet(path)[0]
-    assert [joint.get("locked_at") for joint in data["joints"]] == [None, 0.2, pytest.approx(-2 * 0.2 + 0.1)]
-    assert "elbow (follows shoulder)" in data["assumed"]
+    assert [joint.get("locked_at") for joint in data["joints"]] == [None, None, pytest.approx(-2 * 0.2 + 0.1)]
+    assert "elbow at -0.3 (follows shoulder)" in data["assumed"]
+
+
+def test_a_mesh_that_may_not_be_read_is_a_notice(tmp_path: Path) -> None:
+    path = tmp_path / "good.urdf"
+    path.write_text(GOOD.replace("</robot>", MESH + joint("j", "fore", "m")))
+    data = read_sheet(path)[0]
+    (notice,) = data["notices"]
+    assert "m (" in notice
+    assert "which climbs" in notice
+
+
+DIALECTS = {
+    "transmission": (
+        '<transmission name="t"><joint name="elbow"/><actuator name="m"><mechanicalReduction>50</mechanicalReduction>'
+        '<drake:rotor_inertia value="2e-5"/></actuator></transmission>',
+        {"motor": {"inertia": 2e-5, "side": "motor", "ratio": 50.0}},
+    ),
+    "drake": (
+        '<transmission name="t"><joint name="elbow"/><actuator name="m"><drake:gear_ratio value="-20"/>'
+        '<drake:rotor_inertia value="2e-5"/></actuator></transmission>',
+        {"motor": {"inertia": 2e-5, "side": "motor", "ratio": -20.0}},
+    ),
+    "gazebo": (
+        '<gazebo reference="elbow"><springStiffness>12.5</springStiffness>'
+        "<springReference>0.3</springReference></gazebo>",
+        {"state": "free", "spring": {"stiffness": 12.5, "rest": 0.3}},
+    ),
+}
+
+
+@pytest.mark.parametrize("dialect", DIALECTS)
+def test_rotors_and_springs_of_a_joint(dialect: str, tmp_path: Path) -> None:
+    text, wanted = DIALECTS[dialect]
+    path = tmp_path / "good.urdf"
+    path.write_text(GOOD.replace("</robot>", f"{text}</robot>"))
+    data, positions, source = read_sheet(path)
+    elbow = next(joint for joint in data["joints"] if joint["name"] == "elbow")
+    assert {key: elbow.get(key) for key in wanted} == wanted
+    assert "notices" not in data
+    assert sheet_from_data(data, positions, source).joints
+
+
+def test_rotor_and_spring_in_dynamics(tmp_path: Path) -> None:
+    path = tmp_path / "good.urdf"
+    path.write_text(GOOD.replace("<dynamics", '<dynamics armature="0.02" stiffness="30" spring_reference="-0.1"'))
+    elbow = next(joint for joint in read_sheet(path)[0]["joints"] if joint["name"] == "elbow")
+    assert elbow["motor"] == {"inertia": 0.02, "side": "joint"}
+    assert elbow["spring"] == {"stiffness": 30.0, "rest": -0.1}
+    assert "state" not in elbow
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ('<gazebo reference="fore"><turnGravityOff>true</turnGravityOff></gazebo>', ["turnGravityOff", "gazebo fore"]),
+        ('<gazebo><plugin name="swim" filename="libhydro.so"/></gazebo>', ["plugin", "swim"]),
+        ('<loop_joint name="closing" type="revolute"/>', ["loop_joint"]),
+        (
+            '<transmission name="t"><joint name="elbow"/><actuator name="m"><mechanicalReduction>50'
+            "</mechanicalReduction></actuator></transmission>",
+            ["mechanicalReduction", "elbow"],
+        ),
+    ],
+)
+def test_what_changes_the_motion_and_is_not_read_is_named(text: str, words: list[str], tmp_path: Path) -> None:
+    path = tmp_path / "good.urdf"
+    path.write_text(GOOD.replace("</robot>", f"{text}</robot>"))
+    (notice,) = read_sheet(path)[0]["notices"]
+    assert all(word in notice for word in words), notice
 
 
 def test_a_link_that_is_called_as_the_ground_is_renamed_and_reported(tmp_path: Path) -> None:
@@ -351,7 +424,6 @@ def test_a_chain_of_3000_links_takes_bounded_time(tmp_path: Path) -> None:
     with bounded(5.0):
         data = read_sheet(path)[0]
     assert len(data["joints"]) == 3000
-    from tmodes.io.sheet_check import sheet_from_data
 
     with bounded(10.0), pytest.raises(InputErrors, match="500"):
         sheet_from_data(data)

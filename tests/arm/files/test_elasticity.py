@@ -183,9 +183,13 @@ def test_a_link_that_the_urdf_does_not_weigh_gets_its_mass_here(tmp_path: Path) 
 def test_joints_that_are_held_for_a_mimic_can_be_let_go(tmp_path: Path) -> None:
     urdf = URDF.replace('<axis xyz="1 0 0"/>', '<axis xyz="1 0 0"/><mimic joint="lift" offset="0.3"/>')
     held = read_sheet(file_of(tmp_path, "gravity: 9.81\n", urdf))[0]["joints"]
-    assert [joint.get("locked_at") for joint in held if "state" in joint] == [0.0, 0.3]
-    free = sheet_from_data(*read_sheet(file_of(tmp_path, "joints: {lift: {state: active}}\n", urdf)))
-    assert [joint.name for joint in free.joints if joint.state == "locked"] == ["turn"]
+    assert [joint.get("locked_at") for joint in held if "state" in joint] == [0.3]
+    free = sheet_from_data(*read_sheet(file_of(tmp_path, "joints: {turn: {state: active}}\n", urdf)))
+    assert [joint.name for joint in free.joints if joint.state == "locked"] == []
+    (notice,) = free.notices
+    assert "turn (follows lift)" in notice
+    assert notice == free.assumed
+    assert "held" not in notice
 
 
 def test_a_xacro_is_read_as_well(tmp_path: Path) -> None:

@@ -98,7 +98,7 @@ def test_held_joints_are_reported(tmp_path: Path, capsys: pytest.CaptureFixture[
     )
     robot = load(path)
     (note,) = robot.held_notices
-    assert "two (follows one)" in note
+    assert "two at 0 (follows one)" in note
     assert notices_about(robot) == []
     assert describe(robot)["notes"] == [note]
     check(str(path))

@@ -17,7 +17,7 @@ from tmodes.kinds.drives.registry import DRIVES
 from tmodes.kinds.joints.registry import JOINTS, JointKind
 from tmodes.kinds.schema.frames import DenavitHartenberg, Origin, Vector, list_of_numbers
 from tmodes.kinds.schema.kind import NameOf, NumbersOf
-from tmodes.kinds.schema.quantity import DataSheet, Issue, any_sign, positive
+from tmodes.kinds.schema.quantity import DataSheet, Issue, any_sign, not_negative
 
 __all__ = ["JointSheet", "JointState", "JointType", "Limits", "MeasuredFrom"]
 
@@ -56,8 +56,8 @@ class Limits(DataSheet):
 
     lower: float | None = any_sign("rad|m", "q_min", "lowest position", default=None, plausible=(-700.0, 700.0))
     upper: float | None = any_sign("rad|m", "q_max", "highest position", default=None, plausible=(-700.0, 700.0))
-    speed: float | None = positive("rad/s|m/s", "v_max", "highest speed", default=None, plausible=(1e-3, 1e3))
-    effort: float | None = positive("N*m|N", "tau_max", "highest effort", default=None, plausible=(1e-4, 1e6))
+    speed: float | None = not_negative("rad/s|m/s", "v_max", "highest speed", default=None, plausible=(1e-3, 1e3))
+    effort: float | None = not_negative("N*m|N", "tau_max", "highest effort", default=None, plausible=(1e-4, 1e6))
 
     def _issues(self) -> Iterator[Issue]:
         if self.lower is not None and self.upper is not None and self.lower > self.upper:
