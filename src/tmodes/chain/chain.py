@@ -227,6 +227,13 @@ class Chain:
         return [axis for node in self.nodes for axis in node.joint.axes]
 
     @property
+    def coordinates(self) -> tuple[str, ...]:
+        """Names: ``joint.motor`` of each elastic drive, joints, then ``link.kind`` of each link."""
+        axes, bending = self.axes, (node for node in self.nodes if node.link.bends)
+        links = (f"{node.name}.{coordinate}" for node in bending for coordinate in node.link.coordinates)
+        return *(axis.motor for axis in axes if axis.drive.has_motor), *(axis.name for axis in axes), *links
+
+    @property
     def sliding(self) -> set[str]:
         """Names of the coordinates of joints and motors that are distances [m]."""
         return {name for axis in self.axes if axis.coordinate.slides for name in (axis.name, axis.motor)}

@@ -15,7 +15,7 @@ from tmodes.kinds.schema.quantity import SMALLEST, Issue
 from tmodes.sheet.parts import Command, DriveSheet, TipSheet
 from tmodes.sheet.topology import BASE, tree_issues
 
-__all__ = ["MOST_COORDINATES", "command_issue", "coordinate_count", "sheet_issues"]
+__all__ = ["MOST_COORDINATES", "command_issue", "coordinate_count", "sheet_issues", "unknown_name"]
 
 MOST_COORDINATES = 2_000
 """Largest number of coordinates of a robot."""
@@ -35,22 +35,23 @@ def sheet_issues(robot: Any) -> list[Issue]:
             *_drives(robot),
             *_rotors(robot),
             *_couplings(robot),
-            *_initial(robot),
             *_links(robot),
             *_size(robot),
         ]
-        or (list(upward("Robot.mass_issues")(robot)) if robot.equations == "recursion" else [])
+        or list(upward("Robot.chain_issues")(robot))
     )
 
 
-def _unknown(path: str, name: str, known: Iterable[str], hint: str = "check the spelling") -> Iterator[Issue]:
-    """An issue when a name is none of those that are known."""
+def unknown_name(
+    path: str, name: str, known: Iterable[str], hint: str = "check the spelling", of: str = "name"
+) -> Iterator[Issue]:
+    """An issue when a name, ``of`` a kind, is none of those that are known."""
     known = list(known)
     if name not in known:
         close = get_close_matches(name, known, n=1)
         info = ", ".join(known[:MOST_REPORTED]) + ("..." if len(known) > MOST_REPORTED else "")
         hint = f"did you mean `{close[0]}`?" if close else hint
-        yield Issue(path, f"the unknown name `{name}`", f"one of {info}" if known else "no name", hint)
+        yield Issue(path, f"the unknown {of} `{name}`", f"one of {info}" if known else f"no {of}", hint)
 
 
 def _points(robot: Any) -> Iterator[Issue]:
@@ -64,13 +65,13 @@ def _points(robot: Any) -> Iterator[Issue]:
             yield Issue(f"points.{index}.name", got, expected, "rename the point")
         names.append(point.name)
     for index, load in enumerate(robot.loads):
-        yield from _unknown(f"loads.{index}.point", load.point, names, "add it under `points`")
+        yield from unknown_name(f"loads.{index}.point", load.point, names, "add it under `points`")
     if robot.contact:
-        yield from _unknown("contact.point", robot.contact.point, names, "add it under `points`")
+        yield from unknown_name("contact.point", robot.contact.point, names, "add it under `points`")
 
 
 def _point(robot: Any, path: str, point: TipSheet) -> Iterator[Issue]:
-    yield from _unknown(f"{path}.link", point.link, [joint.child for joint in robot.joints])
+    yield from unknown_name(f"{path}.link", point.link, [joint.child for joint in robot.joints])
     if point.at is not None and robot.link(point.link).beam is None:
         hint = "remove `at`, and give the position in the link's frame"
         yield Issue(f"{path}.at", f"{point.at:g}", "left out: the link has no beam", hint)
@@ -85,7 +86,7 @@ def _drives(robot: Any) -> Iterator[Issue]:
         if drive.joint in joints and drive.joint not in active:
             yield Issue(f"{path}.joint", f"`{drive.joint}`, which does not move", "an active joint", "remove the drive")
         elif drive.joint not in joints:
-            yield from _unknown(f"{path}.joint", drive.joint, active)
+            yield from unknown_name(f"{path}.joint", drive.joint, active)
         else:
             yield from _drive(path, drive, joints[drive.joint])
         if drive.joint in seen:
@@ -130,9 +131,9 @@ def _couplings(robot: Any) -> Iterator[Issue]:
     elastic = [name for joint in robot.joints if joint.is_elastic and joint.is_active for name in joint.coordinates]
     hint = "couplings are between the gears of active joints"
     for joint, factors in robot.couplings.items():
-        yield from _unknown(f"couplings.{joint}", joint, elastic, hint)
+        yield from unknown_name(f"couplings.{joint}", joint, elastic, hint)
         for motor in factors:
-            yield from _unknown(f"couplings.{joint}.{motor}", motor, elastic, hint)
+            yield from unknown_name(f"couplings.{joint}.{motor}", motor, elastic, hint)
     if {*robot.couplings, *(motor for factors in robot.couplings.values() for motor in factors)} <= {*elastic}:
         yield from _singular(robot.couplings, elastic)
 
@@ -152,14 +153,6 @@ def _singular(couplings: Mapping[str, Mapping[str, float]], names: list[str]) ->
         got = f"a singular matrix, smallest over largest singular value {sizes[-1] / max(sizes[0], SMALLEST):.1e}"
         hint = f"correct the factors: motors that turn by {info} move no gear"
         yield Issue("couplings", got, "factors by which every motor moves a gear", hint)
-
-
-def _initial(robot: Any) -> Iterator[Issue]:
-    names = [name for joint in robot.joints for name in (joint.name, joint.child, *joint.coordinates)]
-    for group in ("coordinates", "rates"):
-        for name in getattr(robot.initial, group):
-            if name not in names and name.rpartition(".")[0] not in names:
-                yield from _unknown(f"initial.{group}.{name}", name, names)
 
 
 def _links(robot: Any) -> Iterator[Issue]:

@@ -205,3 +205,8 @@ class Initial(DataSheet):
     state: InitialState = Field(default=InitialState.REST, strict=False, description="rest or zero")
     coordinates: dict[str, Number] = by_name("coordinate", "q", "coordinate -> value [coordinate]")
     rates: dict[str, Number] = by_name("coordinate/s", "v", "coordinate -> rate [coordinate/s]")
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """The coordinates that are given."""
+        return (*self.coordinates, *self.rates)

@@ -191,7 +191,6 @@ def placed_state(robot: Robot, plan: Planned, model: LoopModel, q: Array) -> Arr
     names, layout = model.coordinates, model.layout
     state = np.zeros(layout.size)
     state[layout.controls] = model.plan.controls
-    _refuse_unknown_feedback(model)
     state[layout.q] = q
     motors = {name.removesuffix(".motor"): name for name in names if name.endswith(".motor")}
     for group, block in (("coordinates", layout.q), ("rates", layout.v)):
@@ -208,16 +207,6 @@ def placed_state(robot: Robot, plan: Planned, model: LoopModel, q: Array) -> Arr
             for block, derivative in ((layout.q, 0), (layout.v, 1)):
                 state[block][driver.coordinate] = plan.signals.at(0.0, derivative)[driver.plan.signal]
     return state
-
-
-def _refuse_unknown_feedback(model: LoopModel) -> None:
-    for drive in model.plan.drives:
-        law = drive.servo.controller if drive.servo else None
-        unknown = law.unknown(model.coordinates) if law else []
-        if unknown:
-            known = ", ".join(model.coordinates[:8]) + ("..." if len(model.coordinates) > 8 else "")
-            which = f"controller of {drive.joint}"
-            raise InputError(which, f"the unknown coordinate {unknown[0]!r}", f"one of {known}", "correct it")
 
 
 def undeformed(names: tuple[str, ...], held: Mapping[str, float]) -> Array:

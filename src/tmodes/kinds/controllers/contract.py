@@ -30,6 +30,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Any, ClassVar
 
+from tmodes.errors import InputError
 from tmodes.kinds.schema.kind import Kind
 
 __all__ = ["CONTROLLERS", "Controller", "Measured", "OwnState"]
@@ -59,7 +60,10 @@ class Measured:
     drives: tuple[str, ...] = ()
 
     def coordinate(self, name: str) -> tuple[Any, Any]:
-        """Position and rate of a coordinate by its name."""
+        """Position and rate of a coordinate by name; raises :class:`tmodes.errors.InputError` for an unknown one."""
+        if name not in self.names:
+            hint = "name it in `unknown`, which is asked when the sheet is read"
+            raise InputError("controller", f"the unknown coordinate `{name}`", f"one of {', '.join(self.names)}", hint)
         place = self.names.index(name)
         return self.q[place], self.v[place]
 
