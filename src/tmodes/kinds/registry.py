@@ -8,14 +8,14 @@ causes an import.
 from __future__ import annotations
 
 import hashlib
-import inspect
-import sys
+import secrets
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from difflib import get_close_matches
-from functools import cached_property
+from functools import cache, cached_property
 from typing import Any, ClassVar, TypeVar
 
 from tmodes.errors import InputError
+from tmodes.kinds.code_identity import UnidentifiedError, code_digest
 
 __all__ = [
     "REGISTRIES", "NamedKind", "Registry", "UnknownKindError", "outside_digest", "source_digest",
@@ -163,10 +163,10 @@ def _class_of(member: Any) -> type[Any]:
     return member if isinstance(member, type) else type(member)
 
 
+@cache
 def _source(member: type[Any]) -> str:
-    """Source of the module of a class, else the byte code of its functions."""
+    """Digest of a class and what it names; one that nobody can identify is another in each process."""
     try:
-        return inspect.getsource(sys.modules[member.__module__])
-    except (OSError, TypeError, KeyError):
-        functions = [value for value in vars(member).values() if inspect.isfunction(value)]
-        return repr([(f.__code__.co_code, f.__code__.co_consts, f.__code__.co_names) for f in functions])
+        return code_digest(member)
+    except UnidentifiedError:
+        return secrets.token_hex()

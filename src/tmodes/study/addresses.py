@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 import json
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -81,4 +82,5 @@ def restricted(study: Study, names: Sequence[str]) -> Study:
     own = {
         key: value for key, value in sheet.items() if key != "optimize"
     }  # it may name the quantities that are left out
-    return study.from_data({**study.data, "study": {**own, "quantities": quantities}}, functions=study.functions)
+    found = study.from_data({**study.data, "study": {**own, "quantities": quantities}}, functions=study.functions)
+    return replace(found, identified=study.identified)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import json
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from typing import Any
 
 import tmodes
@@ -13,7 +13,7 @@ from tmodes.io.sheet_check import sheet_data
 from tmodes.kinds.registry import outside_digest
 from tmodes.sheet import Robot
 from tmodes.study.order import ordered
-from tmodes.study.quantities.function import function_digest
+from tmodes.study.quantities.function import Identity
 from tmodes.study.sheet import StudySheet
 
 __all__ = ["base_digest", "engine_version", "quantity_digests", "whole_digest"]
@@ -36,13 +36,14 @@ def base_digest(sheet: StudySheet, robot: Robot | None, choices: Mapping[str, An
     return _digest([engine_version(), outside_digest(), robot and sheet_data(robot), meant])
 
 
-def quantity_digests(sheet: StudySheet, functions: Mapping[str, Callable[[Any], float]]) -> dict[str, str]:
-    """Digest of each quantity by its name."""
+def quantity_digests(sheet: StudySheet, functions: Mapping[str, Identity]) -> dict[str, str]:
+    """Digest of each quantity by its name; ``functions``: identities by their names."""
     needs = {name: one.needs().names for name, one in sheet.quantities.items()}
     found: dict[str, str] = {}
     for name in ordered(needs):
         own = sheet.quantities[name]
-        found[name] = _digest([own.digest(found), function_digest(own, functions)])
+        function = functions.get(own.function())
+        found[name] = _digest([own.digest(found), function.digest if function else ""])
     return {name: found[name] for name in sheet.quantities}
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 import os
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager, suppress
@@ -24,6 +25,8 @@ __all__ = ["run_study"]
 
 Progress = Callable[[str, float], None]
 
+_LOG = logging.getLogger("tmodes")
+
 
 def run_study(
     study: Study,
@@ -37,19 +40,24 @@ def run_study(
     tls: Path | None = None,
     resources: Mapping[str, str] | None = None,
     progress: Progress = lambda stage, share: None,
-    notice: Callable[[str], None] = lambda text: None,
+    notice: Callable[[str], None] = _LOG.warning,
 ) -> StudyResult:
     """Compute what is missing of a study in its folder, and write the table and the motions that it keeps.
 
     ``on``: where: ``local``, ``dask://HOST:PORT``, ``dask+tls://HOST:PORT``, ``slurm`` or ``gpu``. ``recompute``: cases
     that another version of the engine has computed are computed again; its blocks stay. ``overwrite``: what another
     study left in the folder is removed. ``insecure``, ``tls``, ``resources``: see :class:`tmodes.study.places.How`.
+    ``notice`` is given sentences about what is done otherwise than asked; by default they are warnings of the log.
 
     Killed at any moment, the same call computes only what is missing. Raises :class:`tmodes.errors.ResultFileError`
     for a folder that is damaged, foreign, in use, or without room; :class:`tmodes.errors.InputError` for a wrong place.
     """
     needed("pyarrow", "study")
     refuse_names(study)
+    study = study.fixed()
+    for name, one in (study.identified or {}).items():
+        if one.unknown:
+            notice(f"the function `{name}` is called again for every case, whatever the folder has: {one.unknown}")
     place = place_of(on, How(threads, insecure, tls, dict(resources or {})))
     progress("planning", 0.0)
     design = study.design()

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property, reduce
 from operator import or_
 from pathlib import Path
@@ -23,6 +23,7 @@ from tmodes.study.mapping import Target, target_of
 from tmodes.study.plans import Design
 from tmodes.study.plans.contract import MOST_CASES
 from tmodes.study.quantities import Needs
+from tmodes.study.quantities.function import Identity, function_identities
 from tmodes.study.rows import Rows
 from tmodes.study.sheet import StudySheet
 from tmodes.study.space import Dimension, ParameterSpace, correlation_matrix
@@ -52,6 +53,8 @@ class Study:
     functions: Mapping[str, Callable[[Any], float]] = field(default_factory=dict)
     places: Mapping[str, str] = field(default_factory=dict)
     """File and line of each quantity, by its name, for messages; empty without a file."""
+    identified: Mapping[str, Identity] | None = None
+    """What the functions are known by while the study runs; None: by what they are when it is asked."""
 
     @classmethod
     def from_data(cls, data: Mapping[str, Any], functions: Mapping[str, Callable[[Any], float]] | None = None) -> Self:
@@ -154,10 +157,16 @@ class Study:
         """Digest of all that the rows of a case depend on besides its values and quantities: robot, paths, engine."""
         return base_digest(self.sheet, self.robot, self.choices)
 
-    @cached_property
+    def fixed(self) -> Self:
+        """The study with its functions known as what they are now, whatever becomes of what they depend on."""
+        if self.identified is not None:
+            return self
+        return replace(self, identified=function_identities(self.sheet.quantities.values(), self.functions))
+
+    @property
     def quantity_identities(self) -> dict[str, str]:
-        """Digest of each quantity, by its name: of its own definition, and of those that it needs."""
-        return quantity_digests(self.sheet, self.functions)
+        """Digest of each quantity, by its name: of its own definition, of its function, and of those that it needs."""
+        return quantity_digests(self.sheet, self.fixed().identified or {})
 
     @property
     def identity(self) -> str:

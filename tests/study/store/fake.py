@@ -41,6 +41,10 @@ class FakeStudy:
     before: Callable[[int], None] = lambda first: None
     needs: Needs = field(default_factory=lambda: Needs(static=("x",)))
     robot: Any = None
+    identified: Any = None
+
+    def fixed(self) -> FakeStudy:
+        return self
 
     def from_data(self, info: Mapping[str, Any], functions: Any = None) -> FakeStudy:
         return FakeStudy(info, functions or {}, self.calls, self.before, self.needs)

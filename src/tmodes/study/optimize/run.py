@@ -61,7 +61,7 @@ def optimize(
 
     Raises :class:`tmodes.errors.InputError` for what is wrong in the sheet, before anything runs.
     """
-    asked = _asked(study)
+    asked, study = _asked(study), study.fixed()
     space = design_space(study, asked.design)
     _refuse_stuck(space)
     names = (*study.names, *study.sheet.quantities, *(functionals or {}))

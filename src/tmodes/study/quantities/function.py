@@ -14,34 +14,27 @@ arrays cannot be written, and returns one number; what it raises is the reason o
 own copy, and what it prints goes to standard error. One that takes longer than ``timeout`` seconds is stopped, where a
 system has alarms (not on Windows) and it runs Python code; a process of its own that does not come back from other code
 is ended, and with it the run of the study, which the same command resumes.
+
+Stored numbers are those of a function as long as all is the same on which it depends
+(:mod:`tmodes.kinds.code_identity`); one of which nobody can say that is called again by every run.
 """
 
 from __future__ import annotations
 
-import hashlib
-import inspect
-import sys
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from types import CodeType
-from typing import Any, ClassVar, Literal
+import secrets
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from typing import Any, ClassVar, Literal, NamedTuple
 
 from pydantic import Field
 
 from tmodes.errors import InputError, TmodesError
+from tmodes.kinds.code_identity import UnidentifiedError, code_digest
 from tmodes.kinds.schema.quantity import Issue
 from tmodes.kinds.schema.quantity import quantity as number_field
 from tmodes.study.quantities.call import called
 from tmodes.study.quantities.contract import QUANTITIES, Asked, Found, Needs, Quantity
 
-__all__ = [
-    "REGISTERED",
-    "Function",
-    "code_digest",
-    "function_digest",
-    "function_issues",
-    "function_of",
-    "quantity",
-]
+__all__ = ["REGISTERED", "Function", "Identity", "function_identities", "function_issues", "function_of", "quantity"]
 
 Own = Callable[[Any], float]
 
@@ -91,35 +84,6 @@ class Function(Quantity):
         return asked.own, asked.own_reasons
 
 
-def code_digest(function: Own) -> str:
-    """Digest of a function: of the source of its module, where it has one, of its byte code and what it closes over.
-
-    What it calls in other modules is not seen.
-    """
-    try:
-        text = inspect.getsource(sys.modules[function.__module__])
-    except (OSError, TypeError, KeyError, AttributeError):
-        text = ""
-    held = [repr(cell.cell_contents) for cell in getattr(function, "__closure__", None) or ()]
-    code, name = getattr(function, "__code__", None), getattr(function, "__qualname__", type(function).__qualname__)
-    parts = [text, name, _plain_code(code), held, repr(getattr(function, "__defaults__", None))]
-    return hashlib.sha256(repr(parts).encode()).hexdigest()
-
-
-def _plain_code(code: Any) -> list[Any]:
-    """Byte code with its names and constants, those of inner functions too."""
-    if not isinstance(code, CodeType):
-        return []
-    return [code.co_code, code.co_names, [_plain_constant(one) for one in code.co_consts]]
-
-
-def _plain_constant(one: Any) -> Any:
-    """A constant by what it holds: no address in memory, no order of a set."""
-    if isinstance(one, frozenset):
-        return sorted(map(repr, one))
-    return _plain_code(one) if isinstance(one, CodeType) else repr(one)
-
-
 def function_of(name: str, given: Mapping[str, Own], which: str) -> Own:
     """The function of a name, of those ``given`` or registered; raises :class:`tmodes.errors.InputError`."""
     known = {**REGISTERED, **given}
@@ -140,7 +104,21 @@ def function_issues(one: Quantity, given: Mapping[str, Own]) -> Iterator[Issue]:
             yield Issue("name", error.got, error.expected, error.hint)
 
 
-def function_digest(one: Quantity, given: Mapping[str, Own]) -> str:
-    """Digest of the code of a quantity's function; empty of other kinds, and where it is not known here."""
-    own = {**REGISTERED, **given}.get(one.function())
-    return code_digest(own) if own else ""
+class Identity(NamedTuple):
+    """What a function is known by: a ``digest`` of all that it depends on; of one that has none, and why, any other."""
+
+    digest: str
+    unknown: str = ""
+
+
+def function_identities(quantities: Iterable[Quantity], given: Mapping[str, Own]) -> dict[str, Identity]:
+    """The identities of the functions of quantities, by their names, as they are now; without those not known here."""
+    known = {**REGISTERED, **given}
+    return {name: _identity(known[name]) for name in {one.function() for one in quantities} & known.keys()}
+
+
+def _identity(function: Own) -> Identity:
+    try:
+        return Identity(code_digest(function))
+    except UnidentifiedError as error:
+        return Identity(secrets.token_hex(), str(error))

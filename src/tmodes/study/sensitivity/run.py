@@ -77,7 +77,7 @@ def _refuse_correlated(study: Study) -> None:
 def with_plan(study: Study, plan: dict[str, Any]) -> Study:
     """The same study by another plan. Raises :class:`tmodes.errors.InputError` for a plan that is none."""
     data = {**study.data, "study": {**study.data["study"], "plan": plan, "keep": {}}}
-    return replace(Study.from_data(data, functions=study.functions), places=study.places)
+    return replace(Study.from_data(data, functions=study.functions), places=study.places, identified=study.identified)
 
 
 def _rows(study: Study, design: Design, folder: Any, progress: Progress, where: dict[str, Any]) -> Rows:

@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 
 from tmodes.errors import InputError, InputErrors, SimulationError
 from tmodes.io.sheet_check import sheet_data
+from tmodes.kinds.code_identity import UnidentifiedError, code_digest
 from tmodes.kinds.outside import USED, use
 from tmodes.result.run import run
 from tmodes.sheet import Robot
@@ -88,15 +89,18 @@ def by_results(
 def _mapped(
     task: _Task, functions: Functions, workers: int
 ) -> Iterator[Callable[[Sequence[dict[str, float]]], Iterator[_Case]]]:
-    """How cases are run: over processes, else one after the other here."""
-    sent = _to_send(functions)
-    if workers < 2 or sent is None:
+    """How cases are run: over processes where the functions are the same there, else one after the other here."""
+    sent = _to_send(functions) if workers > 1 else None
+    if sent is None:
         yield lambda changes: (_ran(task, functions, change) for change in changes)
         return
     context = multiprocessing.get_context("spawn")
     with ProcessPoolExecutor(workers, context, _begin, (task, sent, tuple(USED))) as pool:
         try:
-            yield lambda changes: pool.map(_ran_there, changes)
+            if pool.submit(_digests_there).result() == _digests(functions):
+                yield lambda changes: pool.map(_ran_there, changes)
+            else:
+                yield lambda changes: (_ran(task, functions, change) for change in changes)
         except BrokenProcessPool as error:
             asked = "".join(f"`{name}`, which may hang or end it, and at " for name in functions)
             raise SimulationError(
@@ -108,10 +112,28 @@ def _mapped(
             raise
 
 
-def _to_send(functions: Functions) -> bytes | None:
-    """The functions as bytes; None where another process could not find one, such as one within another function."""
+def _digests(functions: Functions) -> dict[str, str]:
+    """What the functions depend on; raises UnidentifiedError where one has no digest."""
+    return {name: code_digest(function) for name, function in functions.items()}
+
+
+def _digests_there() -> dict[str, str]:
     try:
+        return _digests(_HERE[0][1])
+    except UnidentifiedError:
+        return {}
+
+
+def _to_send(functions: Functions) -> bytes | None:
+    """The functions as bytes; None where another process could not find one, such as one within another function.
+
+    None, too, where nobody can say whether one would be the same there.
+    """
+    try:
+        _digests(functions)
         return pickle.dumps(dict(functions))
+    except UnidentifiedError:
+        return None
     except (pickle.PicklingError, AttributeError, TypeError):
         return None
 
