@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from arm.run.test_jolts import hinged, ramps
 from tmodes import load
 from tmodes.io.mesh_file import box
 from tmodes.io.urdf_shapes import LinkShape
@@ -280,3 +281,28 @@ def test_what_lands_sticks_and_slips_does_so_in_the_page(tmp_path: Path) -> None
     assert not touched[0][0]
     assert touched[0].any()
     assert touched[1][0]
+
+
+def test_jumps_of_a_given_motion_give_the_same_impulse_in_the_page(tmp_path: Path) -> None:
+    """At the start and underway, the first one also as a slider changes what it moves."""
+    joints = [
+        {"name": "h", "type": "revolute", "child": "hub", "axis": [0, 0, 1]},
+        {"name": "p", "type": "revolute", "child": "l", "axis": [0, 0, 1], "origin": {"position": [0.4, 0, 0]},
+         "motor": {"inertia": 0.1, "side": "joint"}, "gear": {"stiffness": 80.0, "damping": 0.1}},
+    ]  # fmt: skip
+    signals = {"h": ramps(0.0, 0.5, 0.5, 0.1), "p": ramps(0.0, 0.0, 0.2, 0.2)}
+    arm = hinged(
+        signals["h"], joints=joints, integration={
+            "method": "dormand_prince", "duration": 0.5, "output_step": 0.02, "relative_tolerance": 1e-10,
+            "absolute_tolerance": 1e-12,
+        }, drives=[{"joint": name, "command": "prescribed", "signal": one} for name, one in signals.items()],
+    )  # fmt: skip
+    lighter = {"links.l.bodies.b.mass": 0.7}
+    first, live = result_of(arm), live_map(arm.pair(), (0.0, 1.0))
+    bundle = live_bundle(first)
+    assert bundle is not None
+    values = [unchanged(live), [lighter.get(slider.path, slider.value) for slider in live.sliders]]
+    results = [first, result_of(arm.with_(lighter))]
+    for run, result in zip(live_in_node(bundle, values, tmp_path), results, strict=True):
+        assert worst_difference(run["series"], result.data, scales(result.data))[0] < 1e-8
+        assert np.abs(np.diff(result.data["v"].sel(coordinate="p").values)).max() > 1.0

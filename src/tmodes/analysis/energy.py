@@ -24,15 +24,14 @@ def energy_lost(residual: NDArray[np.float64], moved: float, tolerance: float) -
 
 
 def energy_sentence(
-    times: NDArray[np.float64], residual: NDArray[np.float64], moved: float, tolerance: float, hint: str
+    times: NDArray[np.float64], residual: NDArray[np.float64], moved: float, tolerance: float, cause: str
 ) -> str:
-    """A residual [J] beyond ``tolerance`` of the energy moved [J], in words, with its fix; empty within it."""
+    """A residual [J] beyond ``tolerance`` of the energy moved [J], in words, with its cause; empty within it."""
     first = energy_lost(residual, moved, tolerance)
     if first is None:
         return ""
     worst = float(np.abs(residual).max())
     return (
         f"the energy balance is off first at t = {float(times[first]):.4g} s, by {worst:.2g} J at worst, "
-        f"{worst / moved if moved else np.inf:.1e} of the energy moved ({moved:.3g} J): the integration is too "
-        f"coarse; {hint}"
+        f"{worst / moved if moved else np.inf:.1e} of the energy moved ({moved:.3g} J): {cause}"
     )

@@ -17,7 +17,7 @@ from tmodes.integrate.settings import Integration
 from tmodes.kinds.contacts.registry import Contact
 from tmodes.kinds.signals.schedule import Schedule
 from tmodes.sheet import Robot
-from tmodes.simulation.loop import LoopModel
+from tmodes.simulation.loop import LoopModel, refuse_switches
 from tmodes.simulation.recording import MOST_BYTES, record
 from tmodes.simulation.replay import Replay
 from tmodes.simulation.start import RunSetup, run_setup
@@ -47,26 +47,15 @@ class Lowered:
     def recorded(self, most_bytes: float = MOST_BYTES) -> Replay:
         """The run, with its steps.
 
-        Raises :class:`tmodes.errors.InputError` for a sampled controller and for dry friction that sticks, which are
-        not differentiated, and :class:`tmodes.errors.SimulationError` where a force jumped on the way:
-        how the time of the jump moves with the numbers is part of the derivative, and not seen.
+        Raises :class:`tmodes.errors.InputError` for a sampled controller, for given motions whose rates jump and for
+        dry friction that sticks, which are not differentiated, and :class:`tmodes.errors.SimulationError` where a
+        force jumped on the way: how the time of the jump moves with the numbers is part of the derivative, and not
+        seen.
         """
         if self.model.plan.is_sampled:
             hint = "take a controller in continuous time, or vary the numbers in a batch"
             raise InputError("drives", "a sampled controller", "controllers in continuous time for derivatives", hint)
-        for axis, _ in self.model.loop.slipping.values():
-            got, expected = "dry friction that sticks", "dry friction that is a smooth function of the rate"
-            hint = "set `smoothing` of the friction, or vary the numbers in a batch"
-            raise InputError(f"joints.{axis.axis.joint.name}.friction", got, f"{expected} for derivatives", hint)
-        if self.contact and self.model.loop.modes and not self.contact.sticks:
-            got, hint = f"{self.contact.moving_mass:g} kg on a surface that only pushes", "vary the numbers in a batch"
-            raise InputError("contact.mass", got, "none, for derivatives of a run: speeds jump at a touch", hint)
-        if self.model.loop.modes:
-            expected, hint = (
-                "a speed, for derivatives of a run",
-                "add `friction_velocity: 0.001`, or vary it in a batch",
-            )
-            raise InputError("contact.friction_velocity", "friction that sticks", expected, hint)
+        refuse_switches(self.model, "derivatives of a run", "vary the numbers in a batch")
         done = record(self.model, self.parameters, self.schedule, self.start, self.settings, most_bytes)
         if done.contact_changes and self.contact and self.contact.jumps:
             raise SimulationError(

@@ -30,7 +30,7 @@ Array = NDArray[np.float64]
 
 
 def driven_by(setup: RunSetup) -> RunSetup:
-    """The setup with the efforts of its servos taken from the rows."""
+    """The setup with the efforts of its servos taken from the rows; nothing in it switches at instants."""
     plan = setup.planned.plan
     drives = tuple(
         replace(

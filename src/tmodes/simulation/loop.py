@@ -16,13 +16,14 @@ from tmodes.equations.loop.closed_loop import ClosedLoop
 from tmodes.equations.loop.layout import StateLayout
 from tmodes.equations.loop.lean import LeanLoop, Shown, series_schedule
 from tmodes.equations.loop.plan import LoopPlan
+from tmodes.errors import InputError
 from tmodes.integrate.method import EULER, EXPLICIT, JACOBIAN
 from tmodes.integrate.registry import integrator
 from tmodes.kinds.kernel.schedule import Schedule
 from tmodes.model.passes import derivatives, evaluate
 from tmodes.simulation.plan import Planned
 
-__all__ = ["Blocks", "LoopModel", "Loops", "loop_numbers", "whole"]
+__all__ = ["Blocks", "LoopModel", "Loops", "loop_numbers", "refuse_switches", "whole"]
 
 Array = NDArray[np.float64]
 Blocks = dict[str, Array]
@@ -144,7 +145,10 @@ class LoopModel:
         return evaluate(numbers, self.loop.rate, blocks, len(blocks["time"]))["rate"]
 
     def settled(self, state: ArrayLike, row: ArrayLike, parameters: Array | None = None) -> Array:
-        """States (..., size) after all that sticks, slips or touches has switched as it must at time 0."""
+        """States (..., size) after all that sticks, slips or touches has switched as it must at time 0.
+
+        Works begin with nothing: those of impulses at the start are before the run.
+        """
         schedule, before = self.loop.switched, np.asarray(state, dtype=float)
         numbers = self.numbers if parameters is None else parameters
         for _ in range(MOST_SWITCHES if schedule else 0):
@@ -153,6 +157,8 @@ class LoopModel:
             if np.array_equal(after, before, equal_nan=True):
                 break
             before = after
+        if schedule:
+            before[..., self.layout.works] = 0.0
         return before
 
     def observe(
@@ -192,6 +198,28 @@ class LoopModel:
         states = np.asarray(state, dtype=float).reshape(count, self.layout.size)
         rows = np.asarray(row, dtype=float).reshape(count, self.plan.row_size)
         return {"time": times, "state": states, "row": rows, "step": np.zeros((count, 1))}
+
+
+def refuse_switches(model: LoopModel, asked: str, otherwise: str) -> None:
+    """Refuse what switches at instants, where ``asked`` has none; ``otherwise``: what else may be done.
+
+    Raises :class:`tmodes.errors.InputError` for a given motion whose rate jumps, dry friction that sticks, and a
+    surface with mass that only pushes.
+    """
+    plan = model.plan
+    if plan.jolts:
+        got, expected = "a given motion whose rate jumps", f"given motions without jumps of their rates, for {asked}"
+        raise InputError("drives", got, expected, f"smooth the motion, or {otherwise}")
+    for axis, _ in model.loop.slipping.values():
+        expected = f"dry friction that is a smooth function of the rate, for {asked}"
+        hint = f"set `smoothing` of the friction, or {otherwise}"
+        raise InputError(f"joints.{axis.axis.joint.name}.friction", "dry friction that sticks", expected, hint)
+    if plan.touch and plan.touch.touch.sheet.sticks:
+        hint = f"add `friction_velocity: 0.001`, or {otherwise}"
+        raise InputError("contact.friction_velocity", "friction that sticks", f"a speed, for {asked}", hint)
+    if plan.touch and plan.touch.touch.lands:
+        got = f"{plan.touch.touch.sheet.moving_mass:g} kg on a surface that only pushes"
+        raise InputError("contact.mass", got, f"none, for {asked}: speeds jump at a touch", otherwise)
 
 
 def loop_numbers(loop: ClosedLoop, rest: Planned) -> Blocks:

@@ -16,14 +16,14 @@ from tmodes.equations.loop.plan import DrivePlan, LoadPlan, LoopPlan, TouchPlan,
 from tmodes.errors import InputError
 from tmodes.kinds.drives.contract import DriveKind
 from tmodes.kinds.drives.registry import drive_kind
-from tmodes.kinds.signals.registry import Clock, MergedSchedule, constant_signal, merge
+from tmodes.kinds.signals.registry import Clock, Jolts, MergedSchedule, constant_signal, merge
 from tmodes.kinds.signals.schedule import Schedule
 from tmodes.sheet.parts import Command, DriveSheet, InitialState, LoadFrame
 
 if TYPE_CHECKING:
     from tmodes.sheet import Robot
 
-__all__ = ["Follow", "Planned", "free_drive", "initial_value", "planned"]
+__all__ = ["WAYS", "Follow", "Planned", "free_drive", "initial_value", "planned", "refuse_jumps"]
 
 
 class Follow(StrEnum):
@@ -96,8 +96,11 @@ def planned(robot: Robot, follow: Follow = Follow.SHEET, like: Chain | None = No
     loads = tuple(_loads(robot, names, signals))
     base = () if follow is Follow.HELD else tuple(_base(robot, signals))
     touch = _touch(robot, chain, names, follow)
+    jolts = () if follow is Follow.HELD else tuple(_jolts(robot, chain, drives, base, signals))
+    if jolts:  # a jump at the very end is after the run
+        signals.schedules = [schedule.until(signals.until) for schedule in signals.schedules]
     merged = merge(signals.schedules) if signals.schedules else _nothing(signals.until)
-    plan = LoopPlan(chain, tuple(drives), len(signals.schedules), merged.degree, loads, touch, base)
+    plan = LoopPlan(chain, tuple(drives), len(signals.schedules), merged.degree, loads, touch, base, jolts)
     return Planned(chain, plan, merged.schedule, merged, tuple(undriven), tuple(signals.info), tuple(loose))
 
 
@@ -164,12 +167,56 @@ def _loads(robot: Robot, names: list[str], signals: _Signals) -> Iterator[LoadPl
         yield LoadPlan(names.index(load.point), load.frame is LoadFrame.SECTION, wrench, signal)
 
 
+WAYS = ("x", "y", "z", "roll", "pitch", "yaw")
+"""The motions of the base by name."""
+
+
 def _base(robot: Robot, signals: _Signals) -> Iterator[int]:
     if robot.base_motion is None:
         return
     still = constant_signal(0.0)
-    for name in ("x", "y", "z", "roll", "pitch", "yaw"):
+    for name in WAYS:
         yield signals.add(getattr(robot.base_motion, name) or still, f"base_motion.{name}")
+
+
+def _jolts(
+    robot: Robot, chain: Chain, drives: list[DrivePlan], base: tuple[int, ...], signals: _Signals
+) -> Iterator[tuple[int, int]]:
+    """Signals of given motions whose rates jump, and the signals of these jumps.
+
+    A joint whose motion is given stands still before time 0, where no other initial rate is given than those of such
+    joints; the robot moves with its base then. A motor behind an elastic gear moves nothing but its rotor at once.
+    """
+    prescribed = {drive.joint for drive in robot.drives if drive.command is Command.PRESCRIBED}
+    from_rest = set(robot.initial.rates) <= {name for joint in prescribed for name in (joint, f"{joint}.motor")}
+    given = dict.fromkeys(base, False)
+    places = {drive.joint: drive.signal for drive in drives}
+    for axis in chain.axes:
+        if axis.name in prescribed and (axis.drive.is_given or (axis.joint.motor and axis.joint.motor.inertia)):
+            given[places[axis.name]] = axis.drive.is_given and from_rest
+    for signal, rests in given.items():
+        jumps = Jolts(signals.info[signal], rests)
+        if jumps.jump(signals.until):
+            yield signal, signals.add(jumps, "jolts")
+
+
+def refuse_jumps(robot: Robot, plan: Planned) -> None:
+    """Raises :class:`tmodes.errors.InputError` where a joint or the base would have to jump in position."""
+    rigid = {axis.name for axis in plan.chain.axes if axis.drive.is_given}
+    places = {drive.joint: drive.signal for drive in plan.plan.drives}
+    given = {
+        places[drive.joint]: f"drives.{index}.signal"
+        for index, drive in enumerate(robot.drives)
+        if drive.command is Command.PRESCRIBED and drive.joint in rigid
+    }
+    given |= {k: f"base_motion.{name}" for k, name in zip(plan.plan.base, WAYS, strict=False)}
+    signals = plan.signals
+    for place, path in given.items():
+        far = MergedSchedule(signals.knots, signals.coefficients[:, [place]]).gaps()[1][:, 0]
+        if far.any():
+            got = f"a jump in position at t = {signals.knots[1:][far.argmax()]:.6g} s"
+            hint = "move there in a short time, or let a controller follow it (`command: position`)"
+            raise InputError(path, got, "a motion without jumps in position, which no finite force gives", hint)
 
 
 def _touch(robot: Robot, chain: Chain, names: list[str], follow: Follow) -> TouchPlan | None:

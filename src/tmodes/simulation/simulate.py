@@ -19,6 +19,7 @@ from tmodes.integrate.settings import refuse_too_large
 from tmodes.sheet import Robot, RobotPair
 from tmodes.sheet.parts import Command
 from tmodes.simulation.callback import Controller, driven_by, fixed_steps, run_with_controller
+from tmodes.simulation.loop import refuse_switches
 from tmodes.simulation.motion_run import RunData, bytes_per_sample, gathered
 from tmodes.simulation.parts import Journal, Trajectory
 from tmodes.simulation.plan import Follow
@@ -80,7 +81,9 @@ def simulate_motion(
     real = run_setup(pair.real)
     stops = run_stops(real, tuple(stop))
     _refuse(real)
-    if controller is None:
+    if controller is not None:
+        refuse_switches(real.model, "a Python controller", "take a controller of the sheet")
+    else:
         stops.refuse_at_start(Instants(np.zeros(1), real.start[None, :], real.first_row[None, :]))
     setups, verdict, why = _prepared(pair, real).by_method()
     if controller and pair.real.integration.method == AUTO:

@@ -21,7 +21,7 @@ from tmodes.model.model import Model
 from tmodes.sheet import Robot
 from tmodes.simulation.loop import LoopModel
 from tmodes.simulation.parts import Journal, Trajectory
-from tmodes.simulation.plan import Follow, Planned, initial_value, planned, starts_at_rest
+from tmodes.simulation.plan import Follow, Planned, initial_value, planned, refuse_jumps, starts_at_rest
 from tmodes.simulation.stops import Stops
 from tmodes.simulation.trajectory import integrate
 
@@ -115,6 +115,7 @@ def run_setup(
     """
     like = like if like and _same(robot, like.robot) else None
     plan = planned(robot, follow, like.planned.chain if like else chain)
+    refuse_jumps(robot, plan)
     model, mechanics = LoopModel(plan.plan), Model(plan.chain, trials=True)
     held = held_at_start(robot, model)
     rest = None

@@ -9,8 +9,10 @@ from numpy.typing import NDArray
 
 from tmodes.analysis.energy import energy_sentence
 from tmodes.kinds.contacts.registry import Contact
+from tmodes.kinds.signals.registry import MergedSchedule
 from tmodes.sheet.robot import RECURSION
 from tmodes.simulation.motion_run import RunData
+from tmodes.simulation.plan import WAYS
 from tmodes.simulation.start import RunSetup
 
 __all__ = ["jam_warnings", "jumps", "no_motion", "run_warnings", "start_warnings"]
@@ -18,11 +20,7 @@ __all__ = ["jam_warnings", "jumps", "no_motion", "run_warnings", "start_warnings
 Array = NDArray[np.float64]
 
 _SAME = 1e-6
-"""A jump smaller than this share of the largest value is rounding of a fitted signal."""
-
-_SLOW = 1e-3
-"""Largest rate times the time of the run, over the largest position, below which a rate may be nothing but rounding:
-a formula is fitted to 1e-12 of its value by at least 16 pieces of degree 7, its rate so to about 1e-9."""
+"""A difference smaller than this share of the largest value is rounding."""
 
 
 def start_warnings(setup: RunSetup) -> list[str]:
@@ -30,12 +28,23 @@ def start_warnings(setup: RunSetup) -> list[str]:
     info = [f"joint {name} has no drive: it is held where it starts" for name in setup.planned.undriven]
     info += [f"joint {name} has no drive: it moves freely with its initial rate" for name in setup.planned.loose]
     info += _left_out(setup)
-    jumping = jumps(setup)
-    if jumping:
-        info.append(f"the arm does not feel the jolt of a jump, its impulse on the arm is left out: {jumping}")
+    info += _begun(setup)
     if setup.robot.contact:
         info += _touching(setup, setup.robot.contact)
     return info
+
+
+def _begun(setup: RunSetup) -> Iterator[str]:
+    """Motions that begin at once: their first rates are no rest."""
+    plan, powers = setup.planned.plan, setup.planned.signals.coefficients[0]
+    jolts = dict(plan.jolts)
+    for driver in setup.model.loop.drivers:
+        signal, unit = driver.plan.signal, "m/s" if driver.plan.joint in setup.planned.chain.sliding else "rad/s"
+        if signal in jolts and powers[jolts[signal], 1]:
+            yield (
+                f"joint {driver.plan.joint} begins with {powers[jolts[signal], 1]:.4g} {unit} at t = 0, and gives what "
+                "it carries an impulse; to begin otherwise, name the rates after it in `initial.rates`"
+            )
 
 
 def _left_out(setup: RunSetup) -> Iterator[str]:
@@ -54,41 +63,17 @@ def _touching(setup: RunSetup, sheet: Contact) -> Iterator[str]:
 
 
 def jumps(setup: RunSetup) -> str:
-    """The first jump of a position or its rate that a rigid drive or the base would have to make; empty without any.
-
-    What counts is measured by the largest position, or rate, within the pieces: at its ends a move may be at rest.
-    """
+    """The first jump of a position or its rate that a rigid drive or the base would have to make; empty without any."""
     plan, signals = setup.planned.plan, setup.planned.signals
     rigid = [d for d in setup.model.loop.drivers if d.plan.servo is None and d.part.motor < 0]
     exact = {driver.plan.signal: f"the motion of joint {driver.plan.joint}" for driver in rigid}
-    exact |= {k: f"the base's {name}" for k, name in zip(plan.base, _WAYS, strict=False)}
-    lengths, sizes = np.diff(signals.knots), np.zeros(len(exact))
+    exact |= {k: f"the base's {name}" for k, name in zip(plan.base, WAYS, strict=False)}
+    own = MergedSchedule(signals.knots, signals.coefficients[:, list(exact)])
     for derivative, name in ((0, "position"), (1, "rate")):
-        own = np.polynomial.polynomial.polyder(signals.coefficients[:, list(exact)], derivative, axis=2)
-        powers = np.asarray(own, dtype=np.float64)
-        sizes = np.maximum(_largest(powers, lengths), sizes * _SLOW / (signals.knots[-1] - signals.knots[0]))
-        gaps = np.abs(powers[1:, :, 0] - _values(powers, lengths)[:-1])
-        for what, far in zip(exact.values(), (gaps > _SAME * sizes).T, strict=True):
+        for what, far in zip(exact.values(), own.gaps(derivative)[1].T, strict=True):
             if far.any():
                 return f"{what} jumps in {name} at t = {signals.knots[1:][far.argmax()]:.6g} s"
     return ""
-
-
-def _largest(powers: Array, lengths: Array) -> Array:
-    """Magnitudes (signals,) of polynomials within their pieces; 0 only where all of them vanish."""
-    shares = np.linspace(0.0, 1.0, powers.shape[2] + 1)
-    return np.max([np.abs(_values(powers, share * lengths)).max(axis=0) for share in shares], axis=0)
-
-
-def _values(powers: Array, times: Array) -> Array:
-    """Polynomials (pieces, signals, degree + 1) at a time [s] (pieces,) after the start of each piece."""
-    values = np.zeros(powers.shape[:2])
-    for k in reversed(range(powers.shape[2])):
-        values = values * times[:, None] + powers[:, :, k]
-    return values
-
-
-_WAYS = ("x", "y", "z", "roll", "pitch", "yaw")
 
 
 _NO_MOTION, _LEAST_ENERGY = 0.1, 1e-4
@@ -98,8 +83,7 @@ _NO_MOTION, _LEAST_ENERGY = 0.1, 1e-4
 def no_motion(run: RunData) -> str:
     """Why a run that reached its end cannot be right: energy from nowhere. Empty where it may be.
 
-    Motions that are given may jump, whose impulses are left out; systems of other energies than their motion's are
-    not judged.
+    Systems of other energies than their motion's are not judged, and no motion that is given.
     """
     given = run.planned.plan.base or any(driver.plan.servo is None for driver in run.setup.model.loop.drivers)
     off, moved = float(np.abs(run.energy_balance).max()), run.energy_moved
@@ -110,10 +94,27 @@ def no_motion(run: RunData) -> str:
 
 def run_warnings(run: RunData) -> list[str]:
     """Limits passed, a contact that jams, energy that does not add up; with the first time and the worst value."""
-    tolerance, hint = run.robot.integration.energy_tolerance, "lower integration.relative_tolerance or integration.step"
-    energy = energy_sentence(run.times, run.energy_balance, run.energy_moved, tolerance, hint)
+    tolerance = run.robot.integration.energy_tolerance
+    energy = energy_sentence(run.times, run.energy_balance, run.energy_moved, tolerance, _cause(run))
     jammed = [] if run.contact_fold is None else jam_warnings(run.times, run.contact_fold)
     return [*([energy] if energy else []), *jammed, *_limits(run)]
+
+
+def _cause(run: RunData) -> str:
+    """Why energy is missing: at least half of it at a jump of a motor's position, or the integration."""
+    off, signals = run.energy_balance, run.planned.signals
+    far = signals.gaps()[1]
+    for driver in run.setup.model.loop.drivers:
+        if driver.plan.servo is not None or driver.part.motor < 0:
+            continue
+        jumps = signals.knots[1:-1][far[:, driver.plan.signal]]
+        after = np.unique(np.clip(np.searchsorted(run.times, jumps), 1, len(run.times) - 1))
+        if len(run.times) > 1 and 2 * np.abs(off[after] - off[after - 1]).sum() > np.abs(off).max():
+            return (
+                f"the motor of joint {driver.plan.joint} jumps in position at t = {jumps[0]:.6g} s, and what that does "
+                "to its gear's spring and damper is not counted; move it in a short time"
+            )
+    return "the integration is too coarse; lower integration.relative_tolerance or integration.step"
 
 
 def jam_warnings(time: Array, fold: Array) -> list[str]:

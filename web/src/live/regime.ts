@@ -23,9 +23,9 @@ export interface Regime {
 
 const MOST_SWITCHES = 100;
 
-/** A first state after all that sticks, slips or touches has switched, as simulation/loop.py. */
+/** A first state after all that sticks, slips or touches has switched, as simulation/loop.py; works begin with nothing. */
 function settled(
-  engine: Engine, name: Name, blocks: Blocks, schedule: signals.Schedule, state: Float64Array,
+  engine: Engine, bundle: Bundle, name: Name, blocks: Blocks, schedule: signals.Schedule, state: Float64Array,
 ): Float64Array {
   const time = new Float64Array(1);
   const inputs = { time, row: signals.rowsAt(schedule, time), step: new Float64Array(1) };
@@ -34,7 +34,7 @@ function settled(
     state = engine.sample(`${name}.switched`, blocks.parameters, { ...inputs, state }, 1).state;
     if (state.every((value, i) => value === before[i])) break;
   }
-  return state;
+  return state.fill(0, ...bundle.runs[name]!.state.works);
 }
 
 /** It in motion with these numbers; raises an error where it cannot start. */
@@ -53,7 +53,7 @@ export async function moved(
       parameters: blocks.parameters,
       knots: schedule.knots,
       rows: signals.rowsOf(schedule),
-      state: settled(engine, name, blocks, schedule, firstState(engine, bundle, values, name, schedule)),
+      state: settled(engine, bundle, name, blocks, schedule, firstState(engine, bundle, values, name, schedule)),
       times: doubles(bundle.times),
       settings,
     },

@@ -149,7 +149,7 @@ class ScheduleRate:
     from. ``sampled``: the state after the samples at a knot, as a function of the same kind; None where nothing is
     sampled. ``switches``: where the ``switch_count`` numbers stand that end what sticks or slips; ``switched``: the
     state after such an end. ``narrow``: where the ``narrow_count`` rates of narrow friction stand, and their widths
-    behind them.
+    behind them. ``jolts``: a sample at the instant of a switch at a knot is of the state after it.
     """
 
     prepare: Any
@@ -167,6 +167,7 @@ class ScheduleRate:
     switched: ScheduleRate | None = None
     narrow: int = 0
     narrow_count: int = 0
+    jolts: bool = False
 
     @property
     def changes(self) -> bool:
@@ -197,7 +198,7 @@ def write_rate(module: Any, schedule: Any, numbers: Double, name: str) -> Schedu
     sizes = (main.memory.workspace, schedule.output_size, inputs["row"].size)
     switches = (main.memory.offset(schedule.switches), schedule.switches.size) if schedule.switches else (0, 0)
     narrow = (main.memory.offset(schedule.narrow), schedule.narrow.size // 2) if schedule.narrow else (0, 0)
-    jumps = (sampled, switches[0], switches[1], switched, narrow[0], narrow[1])
+    jumps = (sampled, switches[0], switches[1], switched, narrow[0], narrow[1], schedule.jolts)
     return ScheduleRate(prepare, call, *sizes, step, *gate, call_from, *jumps)
 
 

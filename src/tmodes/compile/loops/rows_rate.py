@@ -58,7 +58,7 @@ class _Writer:
         gate = (end, s.gate.size // 2) if s.gate else (None, 0)
         count = s.switches.size if s.switches else 0
         narrow = (end + 2 * gate[1], s.narrow.size // 2) if s.narrow else (0, 0)
-        jumps = (sampled, end + watched - count, count, switched, narrow[0], narrow[1])
+        jumps = (sampled, end + watched - count, count, switched, narrow[0], narrow[1], s.jolts)
         return RowsRate(prepare, call, *sizes, step, *gate, None, *jumps, rows, state, start)
 
     def _offset(self, slot: Any) -> int:

@@ -96,6 +96,7 @@ class TimeLoop(Frame):
             self.array["settling"] = scratch(b, rate.switched.held_size, "settling")
             self.array["after"] = scratch(b, self.size, "after")
             b.call(rate.switched.prepare, [self.argument["p"], self.array["settling"]])
+        self.begun = self.local("begun")
         for slot, label in enumerate(CELLS):
             self.put(label, load(b, self.argument["memory"], slot))
         self.put("done", number(0.0))
@@ -117,6 +118,8 @@ class TimeLoop(Frame):
         b, sampled, switched = self.builder, self.rate.sampled, self.rate.switched
         if sampled is None and switched is None:
             return
+        if self.rate.jolts:
+            b.store(number(0.0), self.begun)
         after = b.fadd(self.get("segment"), number(1.0))
         with b.if_then(b.fcmp_ordered(">", after, self.get("sampled")), likely=False):
             if sampled is not None:
@@ -124,7 +127,21 @@ class TimeLoop(Frame):
                 self.copy("y", "after")
             self.put("sampled", after)
             self.put("switching", number(1.0))
+            if self.rate.jolts:
+                b.store(number(1.0), self.begun)
         switch(self, Status.CHATTERING)
+        if self.rate.jolts:
+            self._show_again()
+
+    def _show_again(self) -> None:
+        """A sample at a knot is of the state after the switches there."""
+        b = self.builder
+        shown = b.icmp_signed(">", self.integer("sample"), whole(0))
+        last = b.sub(b.select(shown, self.integer("sample"), whole(1)), whole(1))
+        here = b.fcmp_ordered("==", load(b, self.argument["times"], last), self.get("t"))
+        with b.if_then(b.and_(b.and_(shown, here), b.fcmp_ordered(">", b.load(self.begun, typ=F64), number(0.0)))):
+            self.array["shown"] = at(b, self.argument["out"], b.mul(last, whole(self.size)))
+            self.copy("shown", "y")
 
     def step_until(self, end: Any) -> tuple[Any, Any, Any]:
         """Length of the next step, whether it ends on ``end``, and the time after it; fails where it is too short."""

@@ -18,7 +18,7 @@ from tmodes.equations.loop.layout import WORKS
 from tmodes.equations.loop.narrow import narrow_rates
 from tmodes.equations.loop.plan import Driver, LoopParts
 from tmodes.equations.loop.serving import sampled_state
-from tmodes.equations.loop.signals_kernels import power_kernel
+from tmodes.equations.loop.signals_kernels import base_motion, power_kernel
 from tmodes.equations.loop.switching import switched_state
 from tmodes.equations.recursion.body_kernels import times_kernel
 from tmodes.equations.recursion.hinge import POSE
@@ -159,8 +159,8 @@ class Powers:
 @kernel("power of base", (FORCE, 3, POSE), (1,))
 def _power_of_base(push: Any, rate: Any, pose: Any) -> list[list[Any]]:
     """(force on the base in its axes, its rate, its pose) -> power [W]."""
-    velocity = v.matvec(v.transpose(v.tri(pose)), v.vec(pose, 12))
-    return [[v.dot(v.vec(push), v.vec(rate)) + v.dot(v.vec(push, 3), velocity)]]
+    motion = base_motion(rate, pose)
+    return [[v.dot(v.vec(push), v.vec(motion)) + v.dot(v.vec(push, 3), v.vec(motion, 3))]]
 
 
 class ClosedLoop(LoopParts):
@@ -196,7 +196,7 @@ class ClosedLoop(LoopParts):
         surface = instant.switching.surface_rate
         works = Powers(instant).works if self.keeps_works else []
         still = [self.parts.none[1]] * self.modes
-        instant.schedule.often = True
+        instant.schedule.often, instant.schedule.jolts = True, bool(self.plan.jolts)
         instant.schedule.sampled, instant.schedule.switched = self.sampled, self.switched
         instant.schedule.switches, instant.schedule.narrow = instant.switching.functions, narrow_rates(instant)
         further = (*currents, *controls, *surface, *works, *still)
@@ -211,7 +211,7 @@ class ClosedLoop(LoopParts):
     @cached_property
     def switched(self) -> Schedule | None:
         """(time, state, row, step) -> the state after a switch of what sticks and slips; None where nothing does."""
-        return switched_state(Instant(self)) if self.modes else None
+        return switched_state(Instant(self, jolted=True)) if self.modes else None
 
     @cached_property
     def observe(self) -> Schedule:

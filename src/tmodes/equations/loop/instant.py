@@ -39,12 +39,13 @@ class Instant(Serving):
         after: bool = False,
         posed: bool = False,
         given: int = 0,
+        jolted: bool = False,
     ) -> None:
         """``apart``: springs, dampers and servos start from an input of their own, ``start`` (coordinates, rates).
 
         ``euler``: the state has the rates of the start, so that a surface can be taken at the end of the step too.
         ``after``: controllers are shown as they are after the samples with which the row begins. ``posed``: poses are
-        asked for; ``given``: numbers behind the state that are compared with.
+        asked for; ``given``: numbers behind the state that are compared with. ``jolted``: rates may jump here.
         """
         super().__init__(loop, implicit=apart, given=given)
         self.posed = posed or bool(self.plan.loads or self.plan.touch)
@@ -58,7 +59,7 @@ class Instant(Serving):
         self.own: dict[int, Slot] = {}
         self.dead: dict[int, Slot] = {}
         self.mass_step = self.none[1]
-        self.switching = Switching(self)
+        self.switching = Switching(self, jolted=jolted)
         self.mode = self.switching.mode
         self._push()
         self._mesh()
@@ -109,8 +110,11 @@ class Instant(Serving):
                 blocks += self.call(axis.drive.teeth(), axis.drive_numbers, *at_input, *self.way.angle(axis))
         self.schedule.gate = self.pack(*blocks) if len(blocks) > 1 else next(iter(blocks), None)
 
-    def _drive(self) -> Callable[[], Dynamics]:
-        """Efforts of the servos, and the motions that are given: the start of the dynamics, as often as asked."""
+    def _drive(self) -> Callable[..., Dynamics]:
+        """Efforts of the servos, and the motions that are given: the start of the dynamics, as often as asked.
+
+        Of other accelerations of the joints whose motions are given, where it is called with these.
+        """
         efforts: dict[str, Slot] = {}
         feedback: dict[str, Slot] = {}
         given: dict[str, Slot] = {}
@@ -141,8 +145,8 @@ class Instant(Serving):
 
         sides = self.switching.sides
 
-        def start() -> Dynamics:
-            begun = self.loop.mechanics.dynamics(self.way, Drives(effort, moved, self.step, self.start, swing, sides))
+        def start(pushed: Slot = moved) -> Dynamics:
+            begun = self.loop.mechanics.dynamics(self.way, Drives(effort, pushed, self.step, self.start, swing, sides))
             begun.followed = followed
             return begun
 

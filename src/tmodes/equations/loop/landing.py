@@ -14,6 +14,7 @@ from tmodes.equations.loop.of_touch import OfTouch
 from tmodes.equations.recursion.hinge import POSE
 from tmodes.kinds.contacts.contract import SURFACE
 from tmodes.kinds.kernel import functions as f
+from tmodes.kinds.kernel import vectors as v
 from tmodes.kinds.kernel.schedule import Kernel, kernel
 from tmodes.kinds.kernel.spatial import FORCE
 
@@ -45,6 +46,12 @@ class Landing(OfTouch):
         met, _, change = self.touch.change(pose, motion, p)
         moved = ((met.rate, own[1]), (change, self._free(p, own)))
         return [[f.if_else(mode[TOUCHES] > 0.5, *pair) for pair in moved]]
+
+    @kernel("land kept {0.key}", (POSE, "size", OWN, 1), (OWN,))
+    def kept(self, pose: Any, p: Any, own: Any, touches: Any) -> list[list[Any]]:
+        """(pose, numbers, own state, whether they touched) -> own state, exactly at the point where they touched."""
+        depth = self.touch.meeting(p, v.vec(pose, 9), v.vec(pose, 12)).depth
+        return [[f.if_else(touches[0] > 0.5, depth, own[0]), own[1]]]
 
     @kernel("land end {0.key}", (POSE, FORCE, "size", MODE, OWN), (1,))
     def function(self, pose: Any, motion: Any, p: Any, mode: Any, own: Any) -> list[list[Any]]:

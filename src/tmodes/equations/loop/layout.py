@@ -17,8 +17,8 @@ BROUGHT_IN = 3
 class StateLayout(NamedTuple):
     """Where a state holds what: coordinates, rates, motor currents [A], own states of controllers and of a surface.
 
-    Then works [J] and modes: of coordinates with dry friction (0 while one sticks, else the sign of its slip) and of a
-    contact. They switch at instants.
+    Then works [J] and modes: of coordinates with dry friction (0 while one sticks, else the sign of its slip), of a
+    contact, and of given motions whose rates jump. They switch at instants.
     """
 
     q: slice

@@ -73,7 +73,10 @@ class TouchPlan:
 
 @dataclass(frozen=True, eq=False)
 class LoopPlan:
-    """A chain in a run. ``base``: the six signals that move it, or none. Signals are polynomials of ``degree``."""
+    """A chain in a run. ``base``: the six signals that move it, or none. Signals are polynomials of ``degree``.
+
+    ``jolts``: signals whose rates jump -> the signals of these jumps, see :class:`tmodes.kinds.signals.registry.Jolts`.
+    """
 
     chain: Chain
     drives: tuple[DrivePlan, ...]
@@ -82,6 +85,7 @@ class LoopPlan:
     loads: tuple[LoadPlan, ...] = ()
     touch: TouchPlan | None = None
     base: tuple[int, ...] = ()
+    jolts: tuple[tuple[int, int], ...] = ()
 
     @property
     def row_size(self) -> int:
@@ -117,8 +121,8 @@ class LoopPlan:
 
     @property
     def aside(self) -> set[int]:
-        """Signals that move nothing by themselves: noise on what controllers see, and their clocks."""
-        return {place for drive in self.drives for place in (drive.noise, drive.clock)}
+        """Signals that move nothing by themselves: noise on what controllers see, their clocks, and jumps of rates."""
+        return {place for drive in self.drives for place in (drive.noise, drive.clock)} | {k for _, k in self.jolts}
 
     @property
     def is_sampled(self) -> bool:
@@ -180,6 +184,9 @@ class LoopParts:
             got, expected = "what sticks or is met", f"a smooth law with the equations `{chain.equations}`"
             hint = "add `friction_velocity: 0.001`; a surface that only pushes, or is rough, has no mass here"
             raise InputError("contact", got, expected, hint)
+        if plan.jolts and plan.touch and not self.mechanics.base_moves:
+            got, expected = "a rate that jumps", f"a rate without jumps, in contact, with `{chain.equations}`"
+            raise InputError("drives", got, expected, "smooth the motion, or take `equations: recursion`")
         numbers = self.parts.numbers
         begin = [sum(d.servo.states for d in plan.drives[:k] if d.servo) for k in range(len(plan.drives))]
         self.drivers = tuple(self._driver(drive, first) for drive, first in zip(plan.drives, begin, strict=True))
@@ -218,8 +225,12 @@ class LoopParts:
 
     @property
     def modes(self) -> int:
-        """How many numbers say what sticks and what slips: of coordinates, then of the point that touches."""
-        return len(self.slipping) + (self.plan.touch.touch.modes if self.plan.touch else 0)
+        """How many numbers say what sticks and what slips: of coordinates, then of the point that touches.
+
+        Where rates jump, one more: 1 plus the time [s] of the last jump.
+        """
+        touch = self.plan.touch.touch.modes if self.plan.touch else 0
+        return len(self.slipping) + touch + bool(self.plan.jolts)
 
     @property
     def layout(self) -> StateLayout:

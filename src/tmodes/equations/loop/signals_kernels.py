@@ -11,7 +11,16 @@ from tmodes.kinds.kernel import vectors as v
 from tmodes.kinds.kernel.schedule import Kernel, kernel
 from tmodes.kinds.kernel.spatial import FORCE
 
-__all__ = ["BASE_NUMBERS", "SIGNAL", "base_kernel", "load_kernel", "power_kernel", "replacing_kernel", "signal_kernel"]
+__all__ = [
+    "BASE_NUMBERS",
+    "SIGNAL",
+    "base_kernel",
+    "base_motion",
+    "load_kernel",
+    "power_kernel",
+    "replacing_kernel",
+    "signal_kernel",
+]
 
 SIGNAL = 3
 """What is known of a signal at an instant: value, rate, acceleration."""
@@ -69,6 +78,11 @@ def base_kernel(numbers: Any, *signals: Any) -> list[list[Any]]:
         v.vec(change), v.matvec(v.transpose(world), linear), rate,
         world, v.add(place, v.matvec(placed, travel[0])), v.matvec(placed, travel[1]),
     )]  # fmt: skip
+
+
+def base_motion(rate: Any, pose: Any) -> list[Any]:
+    """Rate and velocity (6) of the base in its own axes, from its rate in them and its pose."""
+    return [*v.vec(rate), *v.matvec(v.transpose(v.tri(pose)), v.vec(pose, 12))]
 
 
 def _turned(angle: v.Vector) -> v.Matrix:

@@ -15,6 +15,7 @@ from typing import Any, NamedTuple
 from tmodes.equations.loop.contact_kernels import SLIP
 from tmodes.equations.loop.friction import with_wrench
 from tmodes.equations.loop.holding import Holding
+from tmodes.equations.loop.jolts import Jolting, given_works
 from tmodes.equations.loop.landing import OWN, Landing, jump_kernel
 from tmodes.equations.loop.layout import WORKS
 from tmodes.equations.loop.rubbing import Rubbing
@@ -31,34 +32,44 @@ _STILL = 1e-18
 
 
 class Switched(NamedTuple):
-    """After a switch: rates of all coordinates, own states of a surface, work [J] of an impulse, and all modes."""
+    """After a switch: rates of all coordinates, own states of a surface, works [J] of an impulse, and all modes."""
 
     rates: Slot
     surface: list[Slot]
-    work: Slot | None
+    works: dict[str, Slot]
     modes: list[Slot]
 
 
 class Switching:
     """Modes of an instant's coordinates with dry friction; ``sides`` of each: direction of slip, inertia that holds.
 
-    ``mode``: of the point that touches, zeros where it has none of its own.
+    ``mode``: of the point that touches, zeros where it has none of its own. ``jolts``: jumps of given rates, where they
+    are asked for; nothing sticks then, and a surface with mass that only pushes is apart.
     """
 
-    def __init__(self, serving: Serving) -> None:
+    def __init__(self, serving: Serving, *, jolted: bool = False) -> None:
         self.serving, self.places = serving, tuple(serving.loop.slipping)
         first = serving.loop.layout.modes.start
         self.modes = [serving.state.part(first + k, 1) for k in range(len(self.places))]
+        last = serving.loop.layout.modes.stop - 1
+        self.memory = [serving.state.part(last, 1)] if serving.plan.jolts else []
+        self.jolts = Jolting(serving, *self.memory) if jolted and self.memory else None
         pairs = zip(self.places, self.modes, strict=True)
-        self.sides = {place: serving.call(_side(), mode)[0] for place, mode in pairs}
+        self.sides = {place: self._held(serving.call(_side(), mode)[0]) for place, mode in pairs}
         touch = serving.plan.touch
         self.holding = Holding(touch.touch) if touch and touch.touch.sheet.sticks else None
         self.landing = Landing(touch.touch) if touch and touch.touch.lands else None
-        last = serving.loop.layout.modes.stop - 1
+        last -= len(self.memory)
         slip = serving.state.part(first + len(self.places), SLIP) if self.holding else serving.none[SLIP]
-        touches = serving.state.part(last, 1) if self.landing else serving.loop.always.part(0, 1)
+        self.touched = serving.state.part(last, 1) if self.landing else serving.loop.always.part(0, 1)
+        touches = self._held(self.touched) if self.landing else self.touched
+        self._of_touch = [*[slip] * bool(self.holding), *[touches] * bool(self.landing)]
         self.mode = serving.pack(slip, touches) if touch else slip
         self.own = serving.state.part(serving.loop.layout.surface.start, OWN)
+
+    def _held(self, block: Slot) -> Slot:
+        """What holds, but where a rate jumps."""
+        return self.jolts.loosened(block) if self.jolts else block
 
     @cached_property
     def _known(self) -> list[Slot]:
@@ -86,6 +97,15 @@ class Switching:
         return serving.pack(*found) if found else None
 
     @property
+    def _kept(self) -> list[Slot]:
+        """The own states of a surface, where there is one, when it is left at once by a jump."""
+        serving: Any = self.serving
+        if not self.landing:
+            return []
+        pose, _, numbers, _ = self._touched
+        return list(serving.call(self.landing.kept(), pose, numbers, self.own, self.touched))
+
+    @property
     def _touched(self) -> list[Slot]:
         """Of the point: pose, acceleration less gravity, numbers of the contact, mode."""
         serving: Any = self.serving
@@ -109,7 +129,7 @@ class Switching:
         if self.holding:
             found += serving.call(self.holding.switched(), *self._touched, serving.solution.held)
         if not self.landing:
-            return Switched(rates, [], None, found)
+            return Switched(rates, [], {}, [*found, *self.memory])
         point, numbers, wrenches = serving.plan.touch.point, serving.loop.touch, serving.way.wrenches
         pose, before, *more = self._touched
         (push,) = serving.call(Rubbing(self.landing.touch).unit_push(), pose, numbers, wrenches[point])
@@ -119,20 +139,47 @@ class Switching:
         )
         blocks = (serving.pack(*each.accelerations) for each in (serving.solution, pushed))
         (rates,) = serving.call(jump_kernel(size), rates, *blocks, impulse)
-        return Switched(rates, [own], work, [*found, touches])
+        works = given_works(serving, (serving.solution.first, pushed.first), impulse) | {"contact": work}
+        return Switched(rates, [own], works, [*found, touches, *self.memory])
+
+    def jolted(self) -> Switched | None:
+        """What jumps of given rates change; None where there are none."""
+        if self.jolts is None:
+            return None
+        rates, works = self.jolts.jolted()
+        return Switched(rates, self._kept, works, [*self.modes, *self._of_touch, self.jolts.remembered])
 
 
 def switched_state(instant: Any) -> Schedule:
-    """(time, state, row, step) -> the state after one switch; called until nothing changes any more."""
+    """(time, state, row, step) -> the state after one switch; called until nothing changes any more.
+
+    Where the rate of a given motion jumps, that comes first.
+    """
+    blocks, jolted = _blocks(instant, instant.switching.switched()), instant.switching.jolted()
+    if jolted is not None:
+        both = instant.pack(*blocks), instant.pack(*_blocks(instant, jolted))
+        blocks = list(instant.call(_chosen(both[0].size), *both, instant.switching.jolts.acts))
+    instant.schedule.output("state", *blocks)
+    return instant.schedule
+
+
+def _blocks(instant: Any, after: Switched) -> list[Slot]:
+    """The state after a switch, in blocks."""
     layout, state = instant.loop.layout, instant.state
-    rates, surface, work, modes = instant.switching.switched()
     rest = state.part(layout.v.stop, layout.surface.start - layout.v.stop)
     works = [state.part(layout.works.start + k, 1) for k in range(len(WORKS))]
-    if work is not None:
-        contact = WORKS.index("contact")
-        (works[contact],) = instant.call(_sum(), works[contact], work)
-    instant.schedule.output("state", state.part(0, layout.q.stop), rates, rest, *surface, *works, *modes)
-    return instant.schedule
+    for name, work in after.works.items():
+        (works[WORKS.index(name)],) = instant.call(_sum(), works[WORKS.index(name)], work)
+    return [state.part(0, layout.q.stop), after.rates, rest, *after.surface, *works, *after.modes]
+
+
+def _chosen(size: int) -> Kernel:
+    """(block, another, which) -> the first where ``which`` is 0, else the other."""
+
+    def build(one: Any, other: Any, which: Any) -> list[list[Any]]:
+        return [[f.if_else(which[0] > 0.5, other[k], one[k]) for k in range(size)]]
+
+    return Kernel(f"chosen {size}", (size, size, 1), (size,), build)
 
 
 @kernel("sum of two", (1, 1), (1,))

@@ -115,6 +115,8 @@ class Schedule:
     """Numbers that are positive while what sticks, slips or touches continues to do so."""
     switched: Schedule | None = None
     """Of a right-hand side with ``switches``: (time, state, row, step) -> the state after what ends there."""
+    jolts: bool = False
+    """Whether ``switched`` changes rates because given motions jump: a sample there is after it."""
     narrow: Slot | None = None
     """Rates at which friction changes within a narrow band about zero, then the width of each band."""
     zeros: tuple[Slot, ...] = ()

@@ -4,9 +4,19 @@ from __future__ import annotations
 
 from tmodes.kinds.signals import constant, expression, noise, quintic, sine, step, table, total, trapezoid
 from tmodes.kinds.signals.contract import SIGNALS, Signal
-from tmodes.kinds.signals.schedule import Clock, MergedSchedule, merge
+from tmodes.kinds.signals.schedule import Clock, Jolts, MergedSchedule, merge
 
-__all__ = ["BUILT_IN", "SIGNALS", "Clock", "MergedSchedule", "Signal", "constant_signal", "merge", "quintic_move"]
+__all__ = [
+    "BUILT_IN",
+    "SIGNALS",
+    "Clock",
+    "Jolts",
+    "MergedSchedule",
+    "Signal",
+    "constant_signal",
+    "merge",
+    "quintic_move",
+]
 
 BUILT_IN = (constant, step, trapezoid, quintic, sine, table, expression, noise, total)
 """The modules whose members are registered."""

@@ -8,13 +8,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from math import comb
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from tmodes.errors import InputError
 
-__all__ = ["Clock", "MergedSchedule", "Schedule", "merge"]
+__all__ = ["Clock", "Jolts", "MergedSchedule", "Schedule", "merge"]
 
 
 @dataclass(frozen=True)
@@ -99,6 +100,22 @@ class MergedSchedule:
             value = value * tau + column[piece]
         return value
 
+    def gaps(self, derivative: int = 0) -> tuple[NDArray[np.float64], NDArray[np.bool_]]:
+        """By how much each value, or derivative, jumps at inner knots (knots, signals), and where that is no rounding.
+
+        What counts is measured by the largest position, or rate, within the pieces: at its ends a move may be at rest.
+        """
+        lengths = np.diff(self.knots)
+        orders = [
+            np.asarray(np.polynomial.polynomial.polyder(self.coefficients, order, axis=2), dtype=np.float64)
+            for order in range(derivative + 1)
+        ]
+        sizes = np.zeros(self.coefficients.shape[1])
+        for powers in orders:
+            sizes = np.maximum(_largest(powers, lengths), sizes * _SLOW / (self.knots[-1] - self.knots[0]))
+        gaps = orders[-1][1:, :, 0] - _values(orders[-1], lengths)[:-1]
+        return gaps, np.abs(gaps) > _SAME_VALUE * sizes
+
     def halved(self) -> MergedSchedule:
         """The same signals with a knot in the middle of each piece too."""
         lengths = np.diff(self.knots)
@@ -111,6 +128,28 @@ class MergedSchedule:
     def schedule(self) -> Schedule:
         """All in one row for each piece, as compiled code reads them."""
         return Schedule(self.knots, self.coefficients.reshape(len(self.coefficients), -1))
+
+
+_SAME_VALUE = 1e-6
+"""A jump smaller than this share of the largest value is rounding of a fitted signal."""
+
+_SLOW = 1e-3
+"""Largest rate times the time of the run, over the largest position, below which a rate may be nothing but rounding:
+a formula is fitted to 1e-12 of its value by at least 16 pieces of degree 7, its rate so to about 1e-9."""
+
+
+def _largest(powers: NDArray[np.float64], lengths: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Magnitudes (signals,) of polynomials within their pieces; 0 only where all of them vanish."""
+    shares = np.linspace(0.0, 1.0, powers.shape[2] + 1)
+    return np.max([np.abs(_values(powers, share * lengths)).max(axis=0) for share in shares], axis=0)
+
+
+def _values(powers: NDArray[np.float64], times: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Polynomials (pieces, signals, degree + 1) at a time [s] (pieces,) after the start of each piece."""
+    values = np.zeros(powers.shape[:2])
+    for k in reversed(range(powers.shape[2])):
+        values = values * times[:, None] + powers[:, :, k]
+    return values
 
 
 def merge(schedules: Sequence[Schedule]) -> MergedSchedule:
@@ -180,6 +219,50 @@ class Clock:
         shown = np.round(times / self.output_step) * self.output_step
         starts = np.where(np.abs(times - shown) < _SAME * self.output_step, shown, times)
         return Schedule(np.append(starts, until), np.tile([0.0, 1.0], (count, 1)))
+
+    def move_ends(self, reach: float = 1.0) -> float | None:
+        """Never."""
+        del reach
+
+
+_BEYOND, _LOOKS = 2.0, 201
+"""How far a motion is looked at whether its speed is constant, over the time of the run, and at how many instants."""
+
+
+@dataclass(frozen=True)
+class Jolts:
+    """The jumps of a signal's rate, as a signal of their own.
+
+    From each jump to the next it is a line that is exactly 0 at the jump and whose slope is by how much the rate jumps.
+    ``from_rest``: what the signal moves stands still before time 0, so that its first rate is a jump too, but of a
+    motion at constant speed to the end of the run and beyond.
+    """
+
+    signal: Any
+    from_rest: bool
+
+    def schedule(self, until: float) -> Schedule:
+        """A piece from each jump to the next, up to ``until`` [s]."""
+        moved = self.signal.schedule(until).until(until)
+        gaps, counts = MergedSchedule(moved.knots, moved.coefficients[:, None, :]).gaps(1)
+        kept = counts[:, 0]
+        times, slopes = moved.knots[1:-1][kept], np.concatenate([[self._first(until)], gaps[kept, 0]])
+        return Schedule(np.concatenate([[0.0], times, [until]]), np.column_stack([0 * slopes, slopes]))
+
+    def _first(self, until: float) -> float:
+        """By how much the rate jumps at time 0."""
+        try:
+            longer = self.signal.schedule(_BEYOND * until)
+        except InputError:  # it has no value there
+            longer = self.signal.schedule(until)
+        rates = longer.at(np.linspace(0.0, longer.knots[-1], _LOOKS), 1)
+        largest = np.abs(rates).max()
+        moves = self.from_rest and np.ptp(rates) > _SAME_VALUE * largest
+        return float(rates[0]) if moves and abs(rates[0]) > _SAME_VALUE * largest else 0.0
+
+    def jump(self, until: float) -> bool:
+        """Whether any is there."""
+        return bool(self.schedule(until).coefficients.any())
 
     def move_ends(self, reach: float = 1.0) -> float | None:
         """Never."""
