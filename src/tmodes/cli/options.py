@@ -81,7 +81,10 @@ TrustPaths = Annotated[
     bool, typer.Option("--trust-paths", help="Let a robot's file name other files anywhere on this machine.")
 ]
 FixInertia = Annotated[
-    bool, typer.Option("--fix-inertia", help="Take the nearest possible inertia where that of a URDF is impossible.")
+    bool,
+    typer.Option(
+        "--fix-inertia", help="Raise the moments that no joint uses where an inertia of a URDF is impossible."
+    ),
 ]
 IntegratorOption = Annotated[
     str | None,

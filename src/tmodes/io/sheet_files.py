@@ -42,7 +42,7 @@ def read_file(path: FilePath, roots: Roots = (), trust_paths: bool = False, *, f
 
     ``.urdf``; ``.xacro``; ``.xml``: URDF or MJCF by its root element; else YAML: a robot's sheet, a Denavit-Hartenberg
     table (``kind: dh``) or an elasticity file (with ``urdf:``). Files that a robot's file names must lie in its folder
-    or in ``roots``, unless ``trust_paths``; ``fix_inertia``: impossible inertias of a URDF become the nearest possible
+    or in ``roots``, unless ``trust_paths``; ``fix_inertia``: impossible inertias of a URDF are raised to possible
     ones, with a notice. Raises :class:`tmodes.errors.InputError` or :class:`tmodes.errors.InputErrors`.
     """
     ending = Path(path).suffix.lower()

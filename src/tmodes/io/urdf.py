@@ -7,7 +7,8 @@ misspelt is refused. Format: http://wiki.ros.org/urdf/XML.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator, Mapping
+import math
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -21,6 +22,7 @@ from tmodes.io.urdf_body import ImpossibleBodyError, body_of, says_massless
 from tmodes.io.urdf_motors import motor_and_spring, said_of_drives, without_rotor
 from tmodes.io.urdf_parts import MOVING, Follows, UrdfJoint, joint_ends, joint_of
 from tmodes.io.urdf_read import URDF
+from tmodes.io.urdf_repair import POSES, Mover, inertia_of
 from tmodes.io.urdf_tree import Tree, followers, name_of, sheet_of, tree_of
 from tmodes.io.words import shown
 from tmodes.io.xml_file import Element, read_xml
@@ -29,6 +31,9 @@ from tmodes.io.yaml_file import Positions
 __all__ = ["UrdfRobot", "massless", "read_urdf", "urdf_robot"]
 
 MOST_ERRORS = 100
+ROUNDING = 1e-6
+"""Tenths of a per cent by which a frequency may fall unsaid."""
+
 TOP = {"link", "joint", "material", "gazebo", "transmission", "sensor", "ros2_control"}
 
 
@@ -89,7 +94,7 @@ def urdf_robot(
 ) -> UrdfRobot:
     """The robot of a URDF's root element; see :func:`read_urdf`.
 
-    ``fix_inertia``: impossible inertias of moving links too become the nearest possible ones, each with a notice.
+    ``fix_inertia``: impossible inertias of moving links too are raised to possible ones, each with a notice.
     """
     _check_root(robot)
     reading = _Reading()
@@ -99,13 +104,14 @@ def urdf_robot(
         reading.errors.append(robot.fault("the robot", "no link", "made of links and joints", "add <link> and <joint>"))
     reading.refuse(reading.impossible.values())  # which of these links stand still is not known yet
     tree = tree_of(robot, reading.links, list(reading.joints.values()))
-    notices = list(_made_possible(reading, _standing(tree), fix_inertia=fix_inertia))
     said = _tried(reading, said_of_drives, robot) or {}
     unweighed = {*weighed, *reading.impossible}  # a mass that was refused is reported once
     reading.errors.extend(massless(tree, reading.links, reading.bodies, unweighed))
     meshes = {name: _meshes(name, link, folders, reading) for name, link in reading.links.items()}
-    notices += _unread_meshes(reading)
     joints = [_tried(reading, joint_of, joint) or {} for joint in tree.joints]
+    if not all(joints):
+        reading.refuse(reading.impossible.values())
+    notices = [*_made_possible(reading, tree, joints, fix_inertia=fix_inertia), *_unread_meshes(reading)]
     driven = _driven(robot)
     for data in joints:
         if data.get("type") != "fixed" and (words := said.get(data.get("name", ""))):
@@ -147,7 +153,7 @@ def _read(element: Element, reading: _Reading) -> None:
         try:
             body = body_of(element, name)
         except ImpossibleBodyError as error:
-            reading.impossible[name], body = error, error.nearest
+            reading.impossible[name], body = error, error.stands
         if body:
             reading.bodies[name] = body
     elif element.tag == "joint":
@@ -172,25 +178,41 @@ def _standing(tree: Tree) -> set[str]:
     return found
 
 
-def _made_possible(reading: _Reading, standing: set[str], *, fix_inertia: bool) -> Iterator[str]:
+def _made_possible(
+    reading: _Reading, tree: Tree, joints: Sequence[dict[str, Any]], *, fix_inertia: bool
+) -> Iterator[str]:
     """Notices of what was taken in place of an impossible mass or inertia; the others are errors."""
+    standing, mover, added = _standing(tree), Mover(joints), {}
     for name, error in reading.impossible.items():
-        if not (name in standing or fix_inertia) or (name not in standing and error.nearest is None):
-            error.hint += "" if error.nearest is None else "; or take the nearest possible one: --fix-inertia"
+        body = error.stands
+        if not (name in standing or fix_inertia) or (name not in standing and body is None):
+            error.hint += "" if body is None else "; or let its unused moments be raised: --fix-inertia"
             reading.errors.append(error)
+        elif body and "inertia" in body:
+            reading.bodies[name] = mover.repaired(name, body)
+            added[name] = inertia_of(reading.bodies[name]) - inertia_of(body)
+    for name, error in reading.impossible.items():
+        if error in reading.errors:
             continue
-        taken = "no mass" if error.nearest is None else _moments(error.nearest)
-        why = "; it stands still with the base, so that no motion depends on it" if name in standing else ""
-        yield f"{error.which} is not possible ({error.got}): {taken} is taken{why}"
+        taken = _moments(inertia_of(reading.bodies[name])) if name in added else "no mass"
+        effect = "it stands still with the base, so that no motion depends on it"
+        if name not in standing:
+            effect = _fall(mover.largest_fall(reading.bodies, name, added[name]))
+        yield f"{error.which} is not possible ({error.got}): {taken} is taken; {effect}"
 
 
-def _moments(body: dict[str, Any]) -> str:
-    """The nearest moments in words."""
-    if "inertia" not in body:
-        return "a point mass"
-    xx, yy, zz, xy, xz, yz = (body["inertia"][pair] for pair in ("xx", "yy", "zz", "xy", "xz", "yz"))
-    moments = np.linalg.eigvalsh([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
-    return f"the nearest possible one, with {', '.join(f'{max(moment, 0.0):.6g}' for moment in moments)} kg*m^2,"
+def _fall(share: float | None) -> str:
+    """How much a natural frequency falls at most, in words."""
+    if share is None:
+        return "how much that lowers a natural frequency is not known"
+    most = math.ceil(1000 * share - ROUNDING) / 10
+    return f"that lowers a natural frequency by at most {most:g} % (rigid links, {POSES} poses)"
+
+
+def _moments(matrix: Any) -> str:
+    """The moments that are taken, in words."""
+    moments = np.linalg.eigvalsh(matrix)
+    return f"one with raised moments, {', '.join(f'{max(moment, 0.0):.6g}' for moment in moments)} kg*m^2,"
 
 
 def _refuse_second(name: str, kind: str, element: Element, first: Element | None) -> None:

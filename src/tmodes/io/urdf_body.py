@@ -1,4 +1,4 @@
-"""A URDF's links as rigid bodies of the sheet: what each element may say, and the body nearest to an impossible one."""
+"""A URDF's links as rigid bodies of the sheet: what each element may say, and what is impossible of it."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import numpy as np
 
 from tmodes.errors import InputError
 from tmodes.io.xml_file import Element
-from tmodes.kinds.links.body import entries, nearest_inertia, principal_moments
+from tmodes.kinds.links.body import entries, principal_moments
 
 __all__ = ["ImpossibleBodyError", "body_of", "says_massless"]
 
@@ -17,15 +17,15 @@ COMPONENTS = ("xx", "yy", "zz", "xy", "xz", "yz")
 
 
 class ImpossibleBodyError(InputError):
-    """A mass or an inertia that no body has, and the nearest body that has one, or None."""
+    """A mass or an inertia that no body has; the body as it ``stands``, None where its mass is the fault."""
 
-    nearest: dict[str, Any] | None = None
+    stands: dict[str, Any] | None = None
 
     @classmethod
-    def of(cls, error: InputError, nearest: dict[str, Any] | None) -> ImpossibleBodyError:
-        """The error with the nearest body."""
+    def of(cls, error: InputError, stands: dict[str, Any] | None) -> ImpossibleBodyError:
+        """The error with what stands in the file."""
         made = cls(error.which, error.got, error.expected, error.hint, error.where)
-        made.nearest = nearest
+        made.stands = stands
         return made
 
 
@@ -57,7 +57,7 @@ def body_of(link: Element, name: str) -> dict[str, Any] | None:
     try:
         return _body(name, mass, origin, _inertia(inertial, mass, which))
     except ImpossibleBodyError as error:
-        error.nearest = _body(name, mass, origin, error.nearest or {})
+        error.stands = _body(name, mass, origin, error.stands or {})
         raise
 
 
@@ -114,5 +114,5 @@ def _inertia(inertial: Element, mass: float, which: str) -> dict[str, float]:
         got = f"principal moments {low:.6g}, {middle:.6g} and {high:.6g}"
         hint = "check the unit, the signs and that it is about the center of mass; a plate's own is Ixx + Iyy = Izz"
         fault = element.fault(f"{which}: inertia", got, f"moments of a rigid body: {RULES[broken]}", hint)
-        raise ImpossibleBodyError.of(fault, entries(nearest_inertia(matrix)))
+        raise ImpossibleBodyError.of(fault, entries(matrix))
     return values

@@ -35,7 +35,7 @@ def load(
 
     A file is a data sheet, a Denavit-Hartenberg table, URDF, xacro, MJCF, an elasticity file of a URDF, or a sheet of
     the 2010 robot. ``changes`` are values by dotted path; ``roots`` and ``trust_paths`` say where the files that a file
-    names may lie; ``fix_inertia``: impossible inertias of a URDF become the nearest possible ones. Raises
+    names may lie; ``fix_inertia``: impossible inertias of a URDF are raised to possible ones. Raises
     :class:`tmodes.errors.InputError` when there is no such robot or it cannot be read, and
     :class:`tmodes.errors.InputErrors` with all wrong values and their lines.
     """

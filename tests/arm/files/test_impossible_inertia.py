@@ -6,13 +6,14 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from scipy.linalg import eigh
 
 from tmodes.analysis.describe.describe import describe
 from tmodes.chain.lowering import lowered
 from tmodes.cli.sheets import check
 from tmodes.errors import InputErrors
 from tmodes.io.sheet_plausible import notices_about
-from tmodes.kinds.links.body import nearest_inertia, principal_moments
+from tmodes.kinds.links.body import principal_moments, raised_inertia
 from tmodes.model.model import Model
 from tmodes.robots.load import load
 
@@ -70,21 +71,58 @@ def test_what_moves_is_an_error_unless_it_is_to_be_fixed(moments: object, tmp_pa
 
 
 @pytest.mark.parametrize("seed", range(20))
-def test_no_possible_inertia_is_nearer(seed: int) -> None:
+def test_raised_moments_are_possible_and_those_about_a_joint_stay(seed: int) -> None:
     numbers = np.random.default_rng(seed)
-    given = numbers.normal(size=(3, 3))
-    given = given + given.T
-    nearest = nearest_inertia(given)
-    assert not principal_moments(nearest)[1]
-    distance = np.linalg.norm(nearest - given)
-    for _ in range(200):
-        points = numbers.normal(size=(4, 3)) * np.exp(numbers.normal())
-        second = points.T @ points
-        other = np.trace(second) * np.eye(3) - second
-        for share in (1.0, 0.1, 0.01):
-            mixed = (1 - share) * nearest + share * other  # the real inertias are a convex cone
-            assert np.linalg.norm(mixed - given) >= distance * (1 - 1e-9)
-    assert np.allclose(nearest_inertia(nearest), nearest, atol=1e-12)
+    frame = np.linalg.qr(numbers.normal(size=(3, 3)))[0]
+    low, middle = numbers.uniform(0, 1, 2) * (seed % 3 > 0, 1)
+    given = frame @ np.diag([low, middle, low + middle + numbers.uniform(0.1, 1)]) @ frame.T
+    axis = frame[:, seed % 3] if seed % 2 else numbers.normal(size=3)
+    raised = raised_inertia(given, axis)
+    assert not principal_moments(raised)[1]
+    assert axis @ raised @ axis == pytest.approx(axis @ given @ axis, rel=1e-12)
+    assert np.linalg.eigvalsh(raised - given)[0] > -1e-12
+    assert np.trace(raised - given) == pytest.approx(np.max(np.linalg.eigvalsh(given)) - low - middle, rel=1e-9)
+    assert np.allclose(raised_inertia(raised, axis), raised, atol=1e-12)
+    second = np.trace(raised) / 2 * np.eye(3) - raised
+    assert np.linalg.eigvalsh(second)[0] > -1e-12
+
+
+@pytest.mark.parametrize("moments", [(0.0, 0.0, 0.1), (0.1, 0.0, 0.02)])
+def test_a_planar_arm_with_one_moment_keeps_its_mass_matrix(moments: object, tmp_path: Path) -> None:
+    robot = load(urdf(tmp_path, GOOD, GOOD, moments), fix_inertia=True)
+    (notice,) = notices_about(robot)
+    zz = moments[2]  # type: ignore[index]
+    assert Model(lowered(robot)).mass_matrix([0.3]) == pytest.approx(np.array([[zz]]), rel=1e-12)
+    assert "at most 0 %" in notice
+
+
+def test_the_fall_of_a_frequency_is_bounded(tmp_path: Path) -> None:
+    """Two joints turn a link about both of its small moments: one of them must be raised."""
+    inertia = '<inertia ixx="{}" iyy="{}" izz="{}" ixy="0" ixz="0" iyz="0"/>'
+
+    def text(*moments: float) -> str:
+        body = f'<inertial><mass value="0.1"/>{inertia.format(*moments)}</inertial>'
+        ring = f'<inertial><mass value="1"/>{inertia.format(0.02, 0.02, 0.02)}</inertial>'
+        ends = '<parent link="{}"/><child link="{}"/><axis xyz="{}"/>'
+        return (
+            f'<robot name="r"><link name="g"/><link name="a">{ring}</link><link name="b">{body}</link>'
+            f'<joint name="one" type="continuous">{ends.format("g", "a", "1 0 0")}</joint>'
+            f'<joint name="two" type="continuous">{ends.format("a", "b", "0 1 0")}</joint></robot>'
+        )
+
+    path = tmp_path / "two.urdf"
+    path.write_text(text(0.01, 0.01, 0.03))
+    robot = load(path, fix_inertia=True)
+    (notice,) = notices_about(robot)
+    told = float(notice.partition("at most ")[2].partition(" %")[0]) / 100
+    mass = Model(lowered(robot)).mass_matrix([0.0, 0.0])
+    given = np.diag([0.02 + 0.01, 0.01])
+    stiffness = np.diag([7.0, 3.0])
+    before, after = (np.sqrt(eigh(stiffness, one, eigvals_only=True)) for one in (given, np.squeeze(mass)))
+    falls = 1 - after / before
+    assert falls.max() > 0.05
+    assert falls.max() <= told
+    assert told < 0.5
 
 
 def test_held_joints_are_reported(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

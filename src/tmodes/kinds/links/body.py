@@ -13,7 +13,7 @@ from tmodes.kinds.schema.axes import rpy_matrix
 from tmodes.kinds.schema.frames import TURN, Vector, list_of_numbers
 from tmodes.kinds.schema.quantity import DataSheet, Issue, any_sign, not_negative, quantity
 
-__all__ = ["BodySheet", "Inertia", "entries", "nearest_inertia", "principal_moments"]
+__all__ = ["BodySheet", "Inertia", "entries", "principal_moments", "raised_inertia"]
 
 ROUNDING = 1e-4
 """Share of the largest principal moment by which printed digits may violate the triangle inequality [-]."""
@@ -38,18 +38,20 @@ def principal_moments(matrix: ArrayLike) -> tuple[NDArray[np.float64], Literal["
     return moments, "triangle" if low + middle < (1 - ROUNDING) * high else ""
 
 
-def nearest_inertia(matrix: ArrayLike) -> NDArray[np.float64]:
-    """The inertia (3, 3) of a real body that is nearest to a matrix, by the sum of the squares of the differences.
+def raised_inertia(matrix: ArrayLike, uses: ArrayLike = ()) -> NDArray[np.float64]:
+    """An inertia (3, 3) of a real body that is a given one with as little added as it takes.
 
-    The axes stay. The moments are sums of two of the second moments of mass along the axes, none of which is negative.
+    Negative moments become zero; what the largest is above the sum of the others is added about an axis square to its
+    own, and as far as that goes square to the ``uses`` (k, 3), the longer the more, whose moments then stay.
     """
-    from scipy.optimize import nnls
-
     moments, axes = np.linalg.eigh(np.asarray(matrix, dtype=float))
-    sums = np.ones((3, 3)) - np.eye(3)
-    size = float(np.abs(moments).max()) or 1.0
-    second, _ = nnls(sums, moments / size)
-    return axes @ np.diag(size * (sums @ second)) @ axes.T
+    low, middle, high = moments = np.maximum(moments, 0.0)
+    raised, plane = axes @ np.diag(moments) @ axes.T, axes[:, :2]
+    inside = np.reshape(np.asarray(uses, dtype=float), (-1, 3)) @ plane
+    sizes, directions = np.linalg.eigh(inside.T @ inside)
+    one_is_used = sizes[1] - sizes[0] > 1e-12 * np.sum(np.square(uses))
+    share = np.outer(directions[:, 0], directions[:, 0]) if one_is_used else np.eye(2) / 2
+    return raised + max(0.0, high - low - middle) * plane @ share @ plane.T
 
 
 def entries(matrix: NDArray[np.float64]) -> dict[str, float]:
