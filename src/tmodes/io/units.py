@@ -114,7 +114,7 @@ def _from_text(text: str, unit: str) -> float:
         return _converted(value, _factor(unit_text, unit), text)
     except _WrongUnit as error:
         own = text[len(text) - len(unit_text) :] if text.endswith(unit_text) else unit_text
-        got = f"{shown(text)} with the unit {shown(own)}, which is {error.reason}"
+        got = f"the unit {shown(own)} of {shown(text)}, which is {error.reason}"
         raise NotANumber(got, error.hint or _hint_unit(figures[0], unit_text, unit)) from None
 
 

@@ -16,7 +16,7 @@ from tmodes.simulation.plan import planned
 from tmodes.simulation.start import RunSetup
 from tmodes.simulation.stops import Instants, Quantity, Stop, Stops, resolved
 
-__all__ = ["coordinate_units", "refuse_wrong_stops", "run_quantities", "run_stops"]
+__all__ = ["coordinate_units", "named_setup", "refuse_wrong_stops", "run_quantities", "run_stops"]
 
 Array = NDArray[np.float64]
 
@@ -45,8 +45,13 @@ def refuse_wrong_stops(robot: Robot) -> None:
     Raises :class:`tmodes.errors.InputError`.
     """
     if robot.integration.stop:
-        plan = planned(robot)
-        run_stops(RunSetup(robot, plan, LoopModel(plan.plan), np.zeros(0), Model(plan.chain)))
+        run_stops(named_setup(robot))
+
+
+def named_setup(robot: Robot) -> RunSetup:
+    """A setup without a state to start from, of which only the names are asked; nothing is compiled for it."""
+    plan = planned(robot)
+    return RunSetup(robot, plan, LoopModel(plan.plan), np.zeros(0), Model(plan.chain))
 
 
 def run_quantities(setup: RunSetup) -> dict[str, Quantity]:

@@ -185,5 +185,6 @@ def _factor(own: str, wanted: str, name: str, places: Mapping[str, str]) -> floa
     except NotANumber as error:
         hint = f"write a unit that {own} converts to, or leave it out"
         which, where = f"quantities.{name}.unit", places.get(name, "")
-        raise InputError(which, error.got, f"a unit of {own}", hint, where) from None
+        got = error.got.replace(f" of '1 {wanted}'", "")
+        raise InputError(which, got, f"a unit of {own}", hint, where) from None
     return 1.0 / one if not math.isclose(1.0 / one, round(1.0 / one), rel_tol=1e-12) else float(round(1.0 / one))

@@ -21,7 +21,7 @@ from tmodes.study.filled import filled_places
 from tmodes.study.resolve import resolved_parameters, resolved_plan, words_of_path
 from tmodes.study.sheet import StudySheet
 from tmodes.study.shorthand import Shorthands, expanded
-from tmodes.study.study import Study, study_problems
+from tmodes.study.study import Study, study_problems, unknown_names
 
 __all__ = ["read_study", "study_from_data", "study_of_robot"]
 
@@ -91,6 +91,8 @@ def _of_robot(
     try:
         places = filled_places(plain, found.filled)
         study = _checked(plain, changed, found.positions, found.source, problems, places, functions, folder)
+        if wrong := list(unknown_names(study)):
+            raise located(wrong, plain, found.positions, found.source)
     except InputErrors as errors:
         raise InputErrors([*map(found.as_written, errors.errors), *found.errors]) from None
     if found.errors:

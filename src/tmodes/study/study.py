@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from functools import cached_property, reduce
 from operator import or_
@@ -13,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes import upward
-from tmodes.errors import InputError
+from tmodes.errors import InputError, InputErrors
 from tmodes.io.sheet_check import sheet_data
 from tmodes.io.sheet_problems import Problem
 from tmodes.sheet import Robot
@@ -28,7 +29,7 @@ from tmodes.study.rows import Rows
 from tmodes.study.sheet import StudySheet
 from tmodes.study.space import Dimension, ParameterSpace, correlation_matrix
 
-__all__ = ["Study", "study_problems"]
+__all__ = ["Study", "study_problems", "unknown_names"]
 
 Array = NDArray[np.float64]
 Progress = Callable[[str, float], None]
@@ -195,6 +196,27 @@ def study_problems(study: Study, *, functions_known: bool) -> Iterator[Problem]:
             (("quantities", name, *each[:1]), InputError("", *each[1:]))
             for each in function_issues(one, study.functions)
         )
+
+
+def unknown_names(study: Study) -> Iterator[Problem]:
+    """Names and paths in quantities that neither the robot has nor one with an entry of a choice."""
+    for name, one in study.sheet.quantities.items() if study.robot else ():
+        for key, *words in one.robot_issues(_robots(study)):
+            yield ("quantities", name, key), InputError("", *words)
+
+
+_MOST_CHOICES = 40
+"""Entries of choices whose robots are asked for names that the study's own robot has not."""
+
+
+def _robots(study: Study) -> Iterator[Robot]:
+    """The robot, and it with each entry of a choice, but for those that it does not take."""
+    assert study.robot is not None  # noqa: S101
+    yield study.robot
+    entries = [entry for entries in study.choices.values() for entry in entries]
+    for entry in entries[:_MOST_CHOICES]:
+        with suppress(InputError, InputErrors):
+            yield study.robot.with_(entry)
 
 
 def _size(study: Study) -> Iterator[Problem]:

@@ -185,7 +185,7 @@ def test_what_holds_at_the_start_is_reported_at_once() -> None:
 @pytest.mark.parametrize(
     ("stop", "info"),
     [("tip.w < 1", "unknown name 'tip.w'.*Did you mean `tip"), ("slide.positon < 1", "Did you mean `slide.position`"),
-     ("tip.z < 1 rad", "'rad', which is of another dimension.* in m"), ("tip.z <= 1", "write > or <"),
+     ("tip.z < 1 rad", "'rad' of '1 rad', which is of another dimension.* in m"), ("tip.z <= 1", "write > or <"),
      ("tip.z", "what is compared"), ("tip.z < 1 < 2", "one comparison"), ("tip.z < one", "got the text 'one'"),
      ("tip.z < inf", "infinite"), ("__import__('os').remove('x') < 1", "a name, > or <"), ("", "a name, > or <")],
 )  # fmt: skip

@@ -240,10 +240,7 @@ def test_motions_are_kept_whatever_is_asked():
 @pytest.mark.parametrize(
     ("quantity", "message"),
     [
-        ({"series": "deviatio", "reduce": "max"}, r"[dD]id you mean `deviation`"),
         ({"series": "deviation", "reduce": "max", "unit": "kg"}, "which is of another dimension"),
-        ({"summary": "deviation.max"}, "Did you mean `max_m`"),
-        ({"summary": "deviation"}, "the path of a number: one of max_m"),
     ],
 )
 def test_what_is_wrong_with_the_study_itself_is_raised(quantity, message):

@@ -90,8 +90,6 @@ def test_a_file_that_is_wrong(name, tmp_path):
 
 
 RUN = {
-    "series": ("series: tip.x", "series: tipx", "quantities.y.series: unknown series 'tipx'. Did you mean `tip.x`?"),
-    "static": ("series: tip.x, reduce: max", "static: sagg", "quantities.y.static: unknown number 'sagg'"),
     "unit": ("reduce: max", "reduce: max, unit: kg", "quantities.y.unit must be a unit of m, got the unit 'kg'"),
 }
 

@@ -25,7 +25,7 @@ from tmodes.simulation.vary.refused import refused_cases
 from tmodes.simulation.vary.simulate import changes_of, checked
 from tmodes.simulation.vary.static_cases import StaticCases, masses_of
 
-__all__ = ["StaticNumbers", "static_numbers"]
+__all__ = ["StaticNumbers", "refuse_unknown_numbers", "static_numbers"]
 
 Array = NDArray[np.float64]
 
@@ -111,7 +111,7 @@ class _Rows:
         if not len(self.going):
             return
         first = self._robot(int(self.going[0]))
-        _refuse_unknown(self.names, masses_of(first))
+        refuse_unknown_numbers(self.names, masses_of(first))
         whole = np.array([*self.given.values()])[:, self.going]
         usual = self.going[np.isfinite(whole).all(axis=0) & (whole != 0).all(axis=0)]
         done = self._at_once(usual, progress) if len(usual) > _FEW else np.zeros(0, dtype=np.int64)
@@ -178,7 +178,8 @@ def _is_moved(robot: Robot) -> bool:
     return bool(robot.loads or robot.contact or moves)
 
 
-def _refuse_unknown(names: Sequence[str], masses: Mapping[str, float]) -> None:
+def refuse_unknown_numbers(names: Sequence[str], masses: Mapping[str, float]) -> None:
+    """Raise :class:`tmodes.errors.InputError` for a name that is none; ``masses`` of the robot by their names."""
     if not names:
         raise InputError("names", "none", "at least one", "write `sag`")
     known = [*_SAG, "frequency.locked.1", *masses]

@@ -19,7 +19,7 @@ from __future__ import annotations
 
 import hashlib
 import json
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, ClassVar
 
@@ -27,11 +27,13 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import Field
 
+from tmodes.errors import TmodesError
 from tmodes.io.words import meant
 from tmodes.kinds.schema.kind import Kind
 from tmodes.kinds.schema.quantity import Issue
+from tmodes.sheet import Robot
 
-__all__ = ["QUANTITIES", "Array", "Asked", "Found", "Needs", "Quantity"]
+__all__ = ["QUANTITIES", "Array", "Asked", "Found", "Needs", "Quantity", "in_any"]
 
 Array = NDArray[np.float64]
 
@@ -83,6 +85,20 @@ class Asked:
     own_reasons: Mapping[int, str] = field(default_factory=dict)
 
 
+def in_any(robots: Iterable[Robot], issues: Callable[[Robot], Iterator[Issue]]) -> Iterator[Issue]:
+    """What is wrong with a name that none of the robots has: that of the first; a robot that cannot run is left out."""
+    first: list[Issue] = []
+    for robot in robots:
+        try:
+            found = list(issues(robot))
+        except TmodesError:  # which is said, with the case, where it is run
+            continue
+        if not found:
+            return
+        first = first or found
+    yield from first
+
+
 class Quantity(Kind, family="quantity of interest", key="type"):
     """A number of each case."""
 
@@ -123,6 +139,10 @@ class Quantity(Kind, family="quantity of interest", key="type"):
             if name not in names:
                 hint = meant(name, names, "write the name of a parameter or of a quantity")
                 yield Issue("", f"the unknown name {name!r}", f"one of {', '.join(names[:12])}", hint)
+
+    def robot_issues(self, robots: Iterable[Robot]) -> Iterator[Issue]:  # noqa: ARG002
+        """What is wrong with the names of the robot that it needs: none of the ``robots`` of the study has them."""
+        yield from ()
 
     def digest(self, others: Mapping[str, str]) -> str:
         """Digest of all that its values follow from; ``others``: digests of what it needs, by name."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from typing import ClassVar, Literal
 
 import numpy as np
@@ -10,8 +10,11 @@ from pydantic import Field
 
 from tmodes.errors import InputError
 from tmodes.kinds.schema.quantity import Issue
+from tmodes.sheet import Robot
+from tmodes.simulation.quantities import named_setup
 from tmodes.simulation.vary.reductions import Reduction, refuse_unknown_rules
-from tmodes.study.quantities.contract import QUANTITIES, Asked, Found, Needs, Quantity
+from tmodes.simulation.vary.series import refuse_unknown_series, units_of
+from tmodes.study.quantities.contract import QUANTITIES, Asked, Found, Needs, Quantity, in_any
 
 __all__ = ["Series"]
 
@@ -38,6 +41,17 @@ class Series(Quantity):
             refuse_unknown_rules([Reduction(self.series, self.reduce)])
         except InputError as error:
             yield Issue("reduce", error.got, error.expected, error.hint)
+
+    def robot_issues(self, robots: Iterable[Robot]) -> Iterator[Issue]:
+        """A series that a run of the robot has not."""
+
+        def issues(robot: Robot) -> Iterator[Issue]:
+            try:
+                refuse_unknown_series([self.series], list(units_of(named_setup(robot.pair().real))))
+            except InputError as error:
+                yield Issue("series", error.got, error.expected, error.hint)
+
+        yield from in_any(robots, issues)
 
     def own_unit(self, asked: Asked) -> str:
         """That of the series; of a time s."""

@@ -2,12 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Iterator
 from typing import ClassVar, Literal
 
 import numpy as np
 from pydantic import Field
 
-from tmodes.study.quantities.contract import QUANTITIES, Asked, Found, Needs, Quantity
+from tmodes.errors import InputError
+from tmodes.kinds.schema.quantity import Issue
+from tmodes.sheet import Robot
+from tmodes.simulation.vary.static_cases import masses_of
+from tmodes.simulation.vary.static_numbers import refuse_unknown_numbers
+from tmodes.study.quantities.contract import QUANTITIES, Asked, Found, Needs, Quantity, in_any
 
 __all__ = ["Static"]
 
@@ -24,6 +30,17 @@ class Static(Quantity):
     def needs(self) -> Needs:
         """One static number."""
         return Needs(static=(self.name,))
+
+    def robot_issues(self, robots: Iterable[Robot]) -> Iterator[Issue]:
+        """A number that the robot at rest has not."""
+
+        def issues(robot: Robot) -> Iterator[Issue]:
+            try:
+                refuse_unknown_numbers([self.name], masses_of(robot))
+            except InputError as error:
+                yield Issue("name", error.got, error.expected, error.hint)
+
+        yield from in_any(robots, issues)
 
     def own_unit(self, asked: Asked) -> str:
         """That of the number."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import Any, ClassVar, Literal
 
 from pydantic import Field
@@ -11,15 +11,11 @@ from pydantic import Field
 from tmodes.errors import InputError
 from tmodes.io.words import meant, shown
 from tmodes.kinds.schema.quantity import Issue
-from tmodes.study.quantities.contract import QUANTITIES, Asked, Found, Needs, Quantity
+from tmodes.sheet import Robot
+from tmodes.study.quantities.contract import QUANTITIES, Asked, Found, Needs, Quantity, in_any
+from tmodes.study.quantities.summary_paths import names_in_summary, path_issues
 
-__all__ = ["KEYS", "Summary", "summary_number"]
-
-KEYS = (
-    *("first_frequency_Hz", "deviation", "tip_error", "settling", "vibration", "joints", "deformations", "links"),
-    *("contact_force", "energy", "error", "model_error"),
-)
-"""First keys of a summary that lead to numbers."""
+__all__ = ["Summary", "summary_number"]
 
 _UNITS = {"s": "s", "m": "m", "Hz": "Hz", "N": "N", "Nm": "N*m", "Pa": "Pa", "J": "J", "rad": "rad"}
 """Units by the ending of a key."""
@@ -47,11 +43,12 @@ class Summary(Quantity):
         return Needs(result=True, errors=frozenset({first} & {"error", "model_error"}))
 
     def name_issues(self, names: Sequence[str]) -> Iterator[Issue]:  # noqa: ARG002
-        """A path whose first key no summary has; its further keys depend on the robot."""
-        first = self.path.partition(".")[0]
-        if first not in KEYS:
-            hint = meant(first, KEYS, "see: tmodes run --json")
-            yield Issue("path", f"the unknown key {first!r}", f"one of {', '.join(KEYS)}", hint)
+        """A path that no summary has, whatever the names of its robot."""
+        yield from path_issues(self.path, {})
+
+    def robot_issues(self, robots: Iterable[Robot]) -> Iterator[Issue]:
+        """A path with a name that the robot has not."""
+        yield from in_any(robots, lambda robot: path_issues(self.path, names_in_summary(robot)))
 
     def own_unit(self, asked: Asked) -> str:
         """By the ending of its key."""
