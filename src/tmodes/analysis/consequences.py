@@ -10,8 +10,6 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-import numpy as np
-
 from tmodes.analysis.describe.links import link_rows
 from tmodes.chain.chain import Chain
 from tmodes.chain.mass import Carried, carried_by_joints
@@ -19,14 +17,17 @@ from tmodes.sheet import Robot
 
 __all__ = ["consequences"]
 
-SAG = 0.1
-"""Deflection of a gear under the weight that it carries beyond which a number is likely wrong [rad], or [m]."""
+SAG = 0.25
+"""Deflection of a gear under the weight that it carries beyond which a number is likely wrong [rad], or [m].
+
+Springs of elastic actuators and leaf springs deflect by 0.1 to 0.2 rad.
+"""
 
 BENDING = 0.1
 """Deflection of a link under a weight at its end, over its length."""
 
-APART = 15.0
-"""How many times slower than the middle one of the other joints a joint may be on its gear [-]."""
+APART, SLOW = 15.0, 0.5
+"""How many times slower than the middle one of the others a joint on its gear may be [-], and down to where [Hz]."""
 
 DAMPING = 1.0
 """Damping ratio of a gear, or of a link's first bending, beyond which it does not oscillate [-]."""
@@ -47,6 +48,16 @@ class _Gear:
     damping: float
     unit: str
     carried: Carried
+
+    @property
+    def sag(self) -> float:
+        """Deflection under the weight that it carries [``length``]."""
+        return self.carried.weight / self.stiffness
+
+    @property
+    def length(self) -> str:
+        """Unit of a deflection."""
+        return self.unit.partition("/")[2]
 
     @property
     def rate(self) -> float:
@@ -78,24 +89,30 @@ def _gears(robot: Robot, chain: Chain) -> list[_Gear]:
 
 
 def _sagging(gears: list[_Gear]) -> Iterator[str]:
-    for gear in gears:
-        sag, length = gear.carried.weight / gear.stiffness, gear.unit.partition("/")[2]
-        if sag > SAG:
-            yield (
-                f"{gear.path}.stiffness = {gear.stiffness:g} {gear.unit}: the {gear.carried.mass:.4g} kg that it "
-                f"carries deflect it by about {sag:.3g} {length} under their weight; is a mass in g, or the stiffness "
-                "in kN*m/rad or per degree?"
-            )
+    """Gears that give too much: a mass is wrong where all that carry it do, a stiffness where one of them does."""
+    sagging = [gear for gear in gears if gear.sag > SAG]
+    if len(sagging) > 1:
+        each = ", ".join(f"{gear.path} {gear.sag:.3g} {gear.length}" for gear in sagging)
+        yield (
+            f"several gears deflect far under the {max(gear.carried.mass for gear in sagging):.4g} kg that they "
+            f"carry: {each}; is a mass in g, or are their stiffnesses in kN*m/rad or per degree?"
+        )
+    for gear in sagging if len(sagging) == 1 else ():
+        yield (
+            f"{gear.path}.stiffness = {gear.stiffness:g} {gear.unit}: the {gear.carried.mass:.4g} kg that it "
+            f"carries deflect it by about {gear.sag:.3g} {gear.length} under their weight; is a mass in g, or the "
+            "stiffness in kN*m/rad or per degree?"
+        )
 
 
 def _slow(gears: list[_Gear]) -> Iterator[str]:
     """Gears that are much softer than the others, for what they carry."""
     for gear in gears:
-        others = [other for other in gears if other is not gear and other.unit == gear.unit]
+        others = sorted(other.rate for other in gears if other is not gear and other.unit == gear.unit)
         if not others:
             continue
-        usual = float(np.median([other.rate for other in others]))
-        if gear.rate * APART < usual:
+        usual = others[(len(others) - 1) // 2]  # the lower one of two: a single gear that is too stiff accuses no other
+        if gear.rate * APART < usual and gear.rate < 2 * math.pi * SLOW:
             yield (
                 f"{gear.path}.stiffness = {gear.stiffness:g} {gear.unit}: its joint alone has a frequency of "
                 f"{gear.rate / (2 * math.pi):.3g} Hz, those on the other gears about {usual / (2 * math.pi):.3g} Hz; "

@@ -178,18 +178,40 @@ def yield_strength(robot: Robot, name: str) -> float | None:
 
 
 def _buckling(model: Model, time: Array, line: LinkLine) -> Iterator[str]:
-    """Axial compression against pi^2 EI/(4 L^2), a link clamped at its root and free at its tip."""
-    link = model.chain.nodes[line.node].link
+    """Axial compression against pi^2 EI/(4 L^2), a link clamped at its root and free at its tip.
+
+    Only of such links while they are nearly straight: one whose root nothing holds, or that carries further joints, has
+    another load, and one that is bent is computed as it is bent.
+    """
+    node, link = model.chain.nodes[line.node], model.chain.nodes[line.node].link
     free = [name for name in ("bend_y", "bend_z") if link.functions[name]]
     stiffness = [float(link.stiffness_at(name, line.s).min()) for name in free]
-    if not stiffness:
+    if not stiffness or not _is_cantilever(model, line.node):
         return
     critical = float(np.pi**2 * min(stiffness) / (4 * line.length**2))
+    straight = np.ones(len(time), bool) if line.shape is None else np.abs(line.shape.slope).max(axis=(1, 2)) < _STRAIGHT
     yield from _beyond(
-        time, -line.axial.min(axis=1), critical,
-        f"link {line.name} is pressed beyond its buckling load pi^2 EI/(4 L^2) = {critical:.4g} N", "N",
-        "it may buckle: shorten it, stiffen it, or press less",
+        time, np.where(straight, -line.axial.min(axis=1), 0.0), critical,
+        f"link {node.name} is pressed beyond its buckling load as a cantilever, pi^2 EI/(4 L^2) = {critical:.4g} N",
+        "N", "the straight link is not stable there: raise EI, or press less",
     )  # fmt: skip
+
+
+def _is_cantilever(model: Model, index: int) -> bool:
+    """Whether a link's tip carries no joint that moves, and nothing between its root and the base is free."""
+    nodes = model.chain.nodes
+    if any(node.parent == index and node.joint.moves for node in nodes):
+        return False
+    while index >= 0:
+        drives = [axis.drive for axis in nodes[index].joint.axes]
+        if any(not (drive.is_driven or drive.has_gear) for drive in drives):
+            return False
+        index = nodes[index].parent
+    return True
+
+
+_STRAIGHT = 0.2
+"""Largest slope of a link that counts as straight [rad]."""
 
 
 def _beyond(time: Array, value: Array, bound: float, what: str, unit: str, hint: str) -> Iterator[str]:

@@ -73,6 +73,26 @@ def test_each_slip_is_named_with_its_likely_cause(path: str, value: Any, words: 
     assert any(words in sentence for sentence in found)
 
 
+@pytest.mark.parametrize("name", ["base_turn", "shoulder", "elbow"])
+@pytest.mark.parametrize("factor", [1e-3, 1e3])
+def test_the_cause_is_on_the_gear_that_is_wrong(name: str, factor: float) -> None:
+    path = f"joints.{name}.gear.stiffness"
+    accused = {
+        word for one in consequences(desk_arm(**{path: 16000.0 * factor})) for word in one.split() if "gear" in word
+    }
+    assert {word.removesuffix(":") for word in accused} <= {path, f"joints.{name}.gear", "gears"}
+
+
+@pytest.mark.parametrize("stiffness", [30.0, 60.0, 16000.0])
+def test_leaf_springs_are_no_slip(stiffness: float) -> None:
+    """A series elastic joint of a few Hz before stiff ones, in a plane without weight."""
+    robot = desk_arm(gravity=0.0)
+    assert (
+        consequences(robot.with_({"joints.base_turn.gear.stiffness": stiffness, "joints.base_turn.gear.damping": 0.0}))
+        == []
+    )
+
+
 @pytest.mark.parametrize("initial", [{"state": "zero"}, {"state": "rest"}, {}])
 def test_a_robot_that_nothing_moves_is_reported_as_run_reports_it(initial: Any, capsys: Any, tmp_path: Any) -> None:
     path = tmp_path / "idle.yaml"

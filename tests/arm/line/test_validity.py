@@ -111,6 +111,17 @@ def test_buckling_load_is_reported() -> None:
     assert "1025 N" in found[0]
 
 
+def test_a_buckling_load_is_only_that_of_a_straight_cantilever() -> None:
+    push = np.array([-2000.0, 0.0, 0.0, 0.0, 0.0, 0.0])[None, None]
+    free = Robot.from_data(sheet()).with_({"joints.hub.state": "free", "joints.hub.limits": None})
+    model, bent = Model(free.chain()), np.zeros((2, 1, 7))
+    bent[1, 0, 1] = 1.5
+    for q in bent:
+        found = run_warnings(free, model, np.zeros(1), q, elastic_line(model, q, wrenches=push))
+        assert not [line for line in found if "buckling" in line]
+    assert not [line for line in info(bent[1], wrenches=push) if "buckling" in line]
+
+
 def test_range_of_strain_and_of_segments_is_reported() -> None:
     bent = rows(3, {4: 12.0}, 1)
     assert any("rod turns by more than 1 rad between two of its points" in line for line in info(bent))
