@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from tmodes.cli.options import AsJson, is_study, plain, result_file, stored_result
-from tmodes.cli.summary_text import integration_lines, print_summary, result_record
+from tmodes.cli.summary_text import integration_lines, print_event_count, print_events, print_summary, result_record
 from tmodes.cli.terminal import print_json, print_table, warn
 from tmodes.errors import InputError
 from tmodes.io.atomic import atomic_write, file_error
@@ -38,11 +38,15 @@ ResultArgument = Annotated[Path, typer.Argument(metavar="RESULT", help="A result
 def show(
     result: ResultArgument,
     everything: Annotated[bool, typer.Option("--all", help="Every series, not only the first ones.")] = False,
+    events: Annotated[bool, typer.Option("--events", help="What happened when: touch, stick, slip, teeth.")] = False,
     as_json: AsJson = False,
 ) -> None:
     """What a stored result says: how the run ended, the numbers that matter, frequencies, and every course in a line.
 
     Of what is known along a link (deflection, moment) the value of the largest size at each instant is shown.
+
+    With `--events` its events alone: when and where a contact touched, friction stuck or slipped, teeth of a gear with
+    play met, a joint passed its limit, and at which speed; `--json` has them always.
 
     Of a study, its folder: what its quantities are over all cases, as the study has reported it.
     """
@@ -57,6 +61,9 @@ def show(
     if as_json:
         series = [{"variable": one.variable, "of": one.of, "unit": one.unit} | _extremes(one) for one in chosen]
         print_json({"file": str(result_file(result)), **result_record(stored), "series": series})
+        return
+    if events:
+        print_events(stored)
         return
     _show(stored, result_file(result), chosen, sum(1 for _ in series_of_result(data)))
 
@@ -85,6 +92,7 @@ def _extremes(one: Series) -> dict[str, float]:
 def _show(stored: Result, file: Path, chosen: list[Series], total: int) -> None:
     summary = print_summary(stored)
     print(f"end     {plain(stored.message)}")
+    print_event_count(stored)
     for line in integration_lines(stored, summary):
         print(line)
     if modes := list(_modes(stored.frequencies)):

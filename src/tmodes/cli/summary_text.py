@@ -3,15 +3,27 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
 
+from tmodes.cli.options import plain
 from tmodes.cli.terminal import print_table
+from tmodes.result.events import counted
 
 if TYPE_CHECKING:
     from tmodes.report.folder import RunFolder
     from tmodes.result import Result
 
-__all__ = ["error_of", "integration_lines", "print_run", "print_summary", "result_record", "summary_rows"]
+__all__ = [
+    "error_of",
+    "integration_lines",
+    "print_event_count",
+    "print_events",
+    "print_run",
+    "print_summary",
+    "result_record",
+    "summary_rows",
+]
 
 
 def result_record(result: Result) -> dict[str, Any]:
@@ -19,7 +31,28 @@ def result_record(result: Result) -> dict[str, Any]:
     return {
         "status": result.status, "message": result.message, "warnings": list(result.warnings),
         "summary": result.summary(), "frequencies": result.frequencies, "statistics": result.statistics,
+        "events": [asdict(event) for event in result.events],
     }  # fmt: skip
+
+
+def print_event_count(result: Result) -> None:
+    """Print how many events there are of each kind, where there are any."""
+    if events := result.events:
+        print(f"events  {len(events):,}: {counted(events)} (tmodes show --events)")
+
+
+def print_events(result: Result) -> None:
+    """Print what happened at instants as a table."""
+    rows = [
+        (f"{event.time:.9g}", event.kind, plain(event.place), f"{event.direction:+d}" if event.direction else "",
+         f"{event.speed:.6g}" if event.unit else "-", event.unit)
+        for event in result.events
+    ]  # fmt: skip
+    if not rows:
+        print(f"{plain(result.name)}: no events")
+        return
+    columns = ["time [s]", "event", "where", "direction", "speed", "unit"]
+    print_table(f"{plain(result.name)}: {len(rows):,} events", columns, rows)
 
 
 def error_of(summary: dict[str, Any], path: str, factor: float, unit: str) -> str:
@@ -74,6 +107,7 @@ def print_run(result: Result, folder: RunFolder) -> None:
     summary = print_summary(result)
     if result.status == "finished":  # any other ending is reported with the errors
         print(f"end     {result.message}")
+    print_event_count(result)
     for line in integration_lines(result, summary):
         print(line)
     print(f"open    {folder.report_file}" if folder.report_file.exists() else "no report was written")

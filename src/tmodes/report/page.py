@@ -15,6 +15,7 @@ from tmodes.report.facts import fact_list
 from tmodes.report.markup import Markup, power_of_ten, table, tag, written
 from tmodes.report.parts import SECTIONS, application, document, policy, rows_of, section, status, title_of, warnings
 from tmodes.result import Result
+from tmodes.result.events import counted
 from tmodes.sheet import Robot
 
 __all__ = ["error_table", "frequency_tables", "page", "summary_tables", "write_report"]
@@ -105,6 +106,7 @@ def _sheet(robot: Robot) -> tuple[Markup | None, ...]:
 def _provenance(result: Result, robot: Robot, spent: Mapping[str, Sequence[float]]) -> Markup:
     attributes = result.record.attrs
     method = {"method": attributes["method"], "end": result.message}
+    method |= {"events": counted(result.events)} if result.events else {}
     times = [[stage, *(f"{time:.2f}" for time in each)] for stage, each in spent.items()]
     return section(
         "provenance",

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import platform
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from functools import cached_property, partial
 from importlib.metadata import version
 from typing import Any
@@ -24,6 +24,7 @@ from tmodes.result.derived import INTERRUPTED, NOT_YET, Derives, derived
 from tmodes.result.elements import element_errors
 from tmodes.result.end_modes import end_modes, with_elements
 from tmodes.result.errors import summary_errors
+from tmodes.result.events import event_labels, event_series
 from tmodes.result.lines import carried_series, line_series
 from tmodes.result.model_errors import model_errors
 from tmodes.result.paths import part_names
@@ -39,6 +40,8 @@ from tmodes.result.settling import (
     unknown_vibration,
 )
 from tmodes.sheet import Robot
+from tmodes.simulation.event import Event
+from tmodes.simulation.events import cut_short, events_of
 from tmodes.simulation.motion_run import RunData
 
 __all__ = ["Assembly"]
@@ -112,9 +115,11 @@ class Assembly(Derives):
         lines, names, notices = line_series(self.run, self.stations, self.count)
         return _finite(lines), names, notices
 
-    def _record(self, variables: Variables, names: dict[str, list[str]]) -> Record:
+    def _record(
+        self, variables: Variables, names: dict[str, list[str]], further: Mapping[str, Any] | None = None
+    ) -> Record:
         labels = names | ({"error_part": self._paths[1]} if "tip_error" in variables else {})
-        return record_of(variables, coordinates_of(self.run, self.count, labels, self.stations))
+        return record_of(variables, coordinates_of(self.run, self.count, labels, self.stations) | dict(further or {}))
 
     @cached_property
     def moving(self) -> tuple[Record, list[str]]:
@@ -222,7 +227,8 @@ class Assembly(Derives):
     @cached_property
     def warnings(self) -> list[str]:
         """What a reader must know: of the run, of the sheet, and of what its models are good for."""
-        return [*self._noticed, *self._frequencies[1], *self._lines[2]]
+        short = cut_short(self.run)
+        return [*self._noticed, *self._frequencies[1], *self._lines[2], *([short] if short else [])]
 
     @derived("checks", lambda self, reason: [*self.run.warnings])
     def _noticed(self) -> list[str]:
@@ -268,7 +274,13 @@ class Assembly(Derives):
     def all_series(self) -> Record:
         """The whole record without its attributes."""
         lines, names, _ = self._lines
-        return self._record(self._motion | lines, names)
+        return self._record(self._motion | lines | event_series(self.events), names, event_labels(self.events))
+
+    @derived("events", lambda self, reason: ())
+    def events(self) -> tuple[Event, ...]:
+        """What happened at instants, as far as the result goes."""
+        last = self.run.times[self.count - 1]
+        return tuple(event for event in events_of(self.run) if event.time <= last)
 
 
 _KEPT = {

@@ -134,6 +134,7 @@ _SOMETIMES = {
     "time drive": "voltage current",
     "time stressed_link s": "stress",
     "time controller_state": "controller_states",
+    "event": "event_time event_speed event_direction",
 }
 """Series that a record may have, by their dimensions."""
 

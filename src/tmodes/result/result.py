@@ -4,7 +4,7 @@
 
 Dimensions: ``time``, ``coordinate``, ``deformation_kind`` (``joint.gear`` and the links' coordinates), ``drive``,
 ``point``, ``axis`` (x, y, z), ``link`` (all that are drawn), ``bending_link``, ``stressed_link``, ``plane`` and
-``moment_kind`` (in section axes), ``s`` (0 root, 1 tip), ``energy_kind``, ``work_kind``.
+``moment_kind`` (in section axes), ``s`` (0 root, 1 tip), ``energy_kind``, ``work_kind``, ``event``.
 """
 
 from __future__ import annotations
@@ -20,6 +20,7 @@ from tmodes import upward
 from tmodes.io.labelled import Record
 from tmodes.result import record
 from tmodes.result.derived import failed_in, sentences
+from tmodes.result.events import read_events
 from tmodes.result.record import absent_kinds
 from tmodes.result.settling import BAND
 from tmodes.result.summary import summarise_result, vibrations
@@ -30,6 +31,7 @@ if TYPE_CHECKING:
     from tmodes.kinds.registry import UnknownKindError
     from tmodes.result.assemble import Assembly
     from tmodes.sheet import Robot
+    from tmodes.simulation.event import Event
     from tmodes.simulation.motion_run import RunData
 
 __all__ = ["Result", "assemble_result"]
@@ -166,6 +168,15 @@ class Result:
     def vibration(self) -> dict[str, Any]:
         """Residual vibration of the ``actual`` and the ``nominal`` tip at the end of the move, by mode [Hz, m]."""
         return live.vibration if (live := self.assembly) else vibrations(self.record)
+
+    @property
+    def events(self) -> tuple[Event, ...]:
+        """What happened at instants: touch and release, stick and slip, teeth, limits, the end by a condition.
+
+        Each has ``time`` [s], ``kind``, ``place``, and ``speed`` with its ``unit``. In the data they are the variables
+        along the dimension ``event``; a file of an earlier version has none.
+        """
+        return live.events if (live := self.assembly) else read_events(self.record)
 
     @property
     def warnings(self) -> tuple[str, ...]:

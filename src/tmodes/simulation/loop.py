@@ -176,6 +176,11 @@ class LoopModel:
         found = evaluate(numbers, self.loop.observe, blocks, len(blocks["time"]))
         return found | {"drives": found["drives"].reshape(len(found["drives"]), -1, 4)}
 
+    def witnessed(self, time: ArrayLike, state: ArrayLike, row: ArrayLike) -> dict[str, Array]:
+        """What tells events apart, of n instants; see :attr:`tmodes.equations.loop.closed_loop.ClosedLoop.witness`."""
+        blocks = self._blocks(time, state, row)
+        return evaluate(self.numbers, self.loop.witness, blocks, len(blocks["time"]))
+
     def jacobian(self, time: float, state: Array, row: Array, parameters: Array | None = None) -> Array:
         """Derivative of the rates by the state (without works), exact, (..., m, m) of states (..., size)."""
         m = self.layout.works.start

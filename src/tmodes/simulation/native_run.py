@@ -13,7 +13,7 @@ from tmodes.integrate.registry import integrator
 from tmodes.integrate.settings import Integration
 from tmodes.kinds.signals.schedule import Schedule
 from tmodes.simulation.loop import LoopModel
-from tmodes.simulation.parts import Lost, Trajectory, chattered, completed, sample_times, used_up
+from tmodes.simulation.parts import MOST_CHANGES, Change, Lost, Trajectory, chattered, completed, sample_times, used_up
 
 __all__ = ["BOUND", "EVENT_TIME", "MOST_EVENTS", "NativeRun"]
 
@@ -54,6 +54,7 @@ class NativeRun:
         self.samples = np.zeros((len(self.times), len(self.state))) if samples is None else samples
         self.samples[0] = self.state
         self.looks, self.seen = 0.0, np.zeros(1)
+        self.changes: tuple[Change, ...] = ()
         self._put(sample=1.0, fresh=1.0, old_error=1e-4)
 
     def cell(self, name: str) -> float:
@@ -91,13 +92,35 @@ class NativeRun:
 
     def advance(self, steps: int) -> None:
         """Let the native loop do at most so many steps, and no more than the settings allow."""
-        steps = min(steps, max(1, self.first.max_steps - int(self.cell("steps") + self.cell("rejected"))))
-        values = self.arguments(self.change.most(steps, self.cell)).values()
-        self.loop(*(value if isinstance(value, int) else value.ctypes.data for value in values))
+        steps = min(steps, max(1, self.first.max_steps - self._tried))
+        end = self._tried + self.change.most(steps, self.cell)
+        going = True
+        while going:
+            values = self.arguments(end - self._tried).values()
+            self.loop(*(value if isinstance(value, int) else value.ctypes.data for value in values))
+            going = self._paused() and self._tried < end
         if self.status is Status.STIFF:
             self._put(status=float(Status.RUNNING), **self.change.switched(self.cell))
         elif self.running:
             self._put(**self.change.judged(self.cell))
+
+    @property
+    def _tried(self) -> int:
+        return int(self.cell("steps") + self.cell("rejected"))
+
+    def keep_changes(self) -> None:
+        """Keep what changes from now on: see :class:`Change`."""
+        self._put(pause=1.0)
+
+    def _paused(self) -> bool:
+        """Whether the loop only paused at a change, which is kept then; also one at the end of the run."""
+        paused, ended = self.cell("met") == 2.0, not self.running
+        if not self.cell("pause") or not (paused or (ended and self.cell("met"))):
+            return False
+        before = self.slope if self.model.loop.modes and paused else self.state
+        self.changes = (*self.changes, Change(self.cell("t"), before.copy(), self.state.copy()))
+        self._put(met=0.0, pause=float(len(self.changes) < MOST_CHANGES))
+        return paused
 
     def arguments(self, steps: int) -> dict[str, Any]:
         """Those of the native loop, for at most so many steps: arrays, and whole numbers."""
@@ -130,12 +153,15 @@ class NativeRun:
         return {
             "memory": self.memory, "state": self.state, "slope": self.slope, "parts": self.parts,
             "samples": self.samples[: self.done],
+            "changes": np.array([[time, *before, *after] for time, before, after in self.changes]),
         }  # fmt: skip
 
     def resume(self, record: dict[str, Array]) -> None:
         """Continue where a record ends."""
         self.memory[:], self.state[:], self.slope[:] = record["memory"], record["state"], record["slope"]
         self.parts[:], self.samples[: self.done] = record["parts"], record["samples"]
+        halves = (np.split(row[1:], 2) for row in record["changes"])
+        self.changes = tuple(Change(row[0], *half) for row, half in zip(record["changes"], halves, strict=True))
         if self.status is Status.STOPPED_BY_CONDITION:
             self.times[self.done - 1] = self.cell("t")
 
@@ -145,6 +171,7 @@ class NativeRun:
         near = time - 1e-9 * self.first.output_step  # as close to a sample, it takes its place
         done = max(int(np.searchsorted(self.times, near)), int(time > 0))
         self.times[done], self.samples[done] = time, state
+        self.changes = tuple(change for change in self.changes if change.time <= time)
         self._put(t=time, sample=done + 1.0, status=float(Status.STOPPED_BY_CONDITION))
 
     def end(self) -> Trajectory:
@@ -154,7 +181,8 @@ class NativeRun:
     def trajectory(self, status: str, message: str) -> Trajectory:
         """The run so far."""
         samples = slice(self.done)
-        return Trajectory(self.times[samples], self.samples[samples], status, message, self.statistics())
+        known = self.times[samples], self.samples[samples], status, message, self.statistics()
+        return Trajectory(*known, changes=self.changes)
 
     def _ending(self) -> tuple[str, str]:
         if self.status is Status.FINISHED:

@@ -13,7 +13,17 @@ from numpy.typing import NDArray
 from tmodes.compile.loops.time_loop import Status
 from tmodes.integrate.settings import Integration
 
-__all__ = ["Journal", "Lost", "Trajectory", "chattered", "completed", "sample_times", "used_up"]
+__all__ = [
+    "MOST_CHANGES",
+    "Change",
+    "Journal",
+    "Lost",
+    "Trajectory",
+    "chattered",
+    "completed",
+    "sample_times",
+    "used_up",
+]
 
 
 class Journal(Protocol):
@@ -28,6 +38,18 @@ class Journal(Protocol):
         ...
 
 
+MOST_CHANGES = 2000
+"""Changes of a run that are kept."""
+
+
+class Change(NamedTuple):
+    """An instant [s] at which a force starts or ends, or something switches: the states (size,) before and after."""
+
+    time: float
+    before: NDArray[np.float64]
+    after: NDArray[np.float64]
+
+
 @dataclass(frozen=True, eq=False)
 class Trajectory:
     """Samples of a run: ``times`` (n,) [s], ``states`` (n, size).
@@ -36,6 +58,7 @@ class Trajectory:
     stopped (steps or time of computing are used up), interrupted.
     ``statistics``: steps, rejected, evaluations, ...; the same for the same run, whatever the machine. ``seconds``: of
     computing in this process, for each simulated second, or of the run in a batch; no part of a result.
+    ``changes``: the first :data:`MOST_CHANGES`, of a run by itself. ``ended_by``: the stop condition that ended it.
     """
 
     times: NDArray[np.float64]
@@ -44,6 +67,8 @@ class Trajectory:
     message: str
     statistics: dict[str, Any] = field(default_factory=dict)
     seconds: float = 0.0
+    changes: tuple[Change, ...] = ()
+    ended_by: str = ""
 
 
 def sample_times(settings: Integration) -> NDArray[np.float64]:

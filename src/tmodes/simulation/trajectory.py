@@ -49,6 +49,7 @@ def integrate(
         otherwise = otherwise or later_settings(settings, "dormand_prince")
         settings = settings.chosen("dormand_prince")
     run = NativeRun(model, parameters, schedule.until(settings.duration), state, settings, otherwise=otherwise)
+    run.keep_changes()
     going = WatchedRun(run, stops) if stops else run
     if journal and (record := journal.restore()):
         going.resume(record)

@@ -7,6 +7,7 @@ closer together, until two neighbours in time hold the change between them.
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
@@ -16,7 +17,7 @@ from tmodes.compile.loops.due_samples import SEEN
 from tmodes.compile.loops.time_loop import CELLS, Status
 from tmodes.integrate.registry import integrator
 from tmodes.simulation.native_run import NativeRun
-from tmodes.simulation.parts import Trajectory
+from tmodes.simulation.parts import Change, Trajectory
 from tmodes.simulation.stops import STOPPED, Instants, Stops
 
 __all__ = ["WatchedRun"]
@@ -83,7 +84,7 @@ class WatchedRun:
     def _beyond(self, points: _Points) -> Array:
         return self.stops.beyond(self._instants(points))
 
-    def _first_change(self, points: _Points, before: dict[str, Array]) -> tuple[_Points, _Points] | None:
+    def _first_change(self, points: _Points, before: _Kept) -> tuple[_Points, _Points] | None:
         """The last point at which no condition holds, and the first at which one does; None where none triggers."""
         beyond = self._beyond(points)
         holds = np.flatnonzero((beyond > 0).any(axis=1))
@@ -94,7 +95,7 @@ class WatchedRun:
                     return found
         return None if not len(holds) else (_one(points, max(end - 1, 0)), _one(points, end))
 
-    def _moment(self, a: _Points, b: _Points, which: int, before: dict[str, Array]) -> tuple[_Points, _Points] | None:
+    def _moment(self, a: _Points, b: _Points, which: int, before: _Kept) -> tuple[_Points, _Points] | None:
         """The same between two points of one step at which no condition holds, about the highest value of one."""
         start = self._before_step(b.times[0], before)
         for _ in range(_ROUNDS):
@@ -110,19 +111,19 @@ class WatchedRun:
             a, b = _one(line, left), _one(line, right)
         return None
 
-    def _line(self, a: _Points, b: _Points, start: dict[str, Array]) -> _Points:
+    def _line(self, a: _Points, b: _Points, start: _Kept) -> _Points:
         """Two points of the step from ``start``, and those between that part their time."""
         times = np.unique(np.linspace(a.times[0], b.times[0], _PARTS + 1)[1:-1])
         finer = self._dense(start, times[(times > a.times[0]) & (times < b.times[0])], a.segments[0])
         return _joined(a, finer, b)
 
-    def _narrowed(self, a: _Points, b: _Points, start: dict[str, Array]) -> tuple[_Points, _Points]:
+    def _narrowed(self, a: _Points, b: _Points, start: _Kept) -> tuple[_Points, _Points]:
         """Neighbours among points between two of the step from ``start``, of which only the second is beyond."""
         line = self._line(a, b, start)
         place = int((self._beyond(line) > 0).any(axis=1).argmax())
         return _one(line, max(place - 1, 0)), _one(line, place)
 
-    def _before_step(self, end: float, before: dict[str, Array]) -> dict[str, Array]:
+    def _before_step(self, end: float, before: _Kept) -> _Kept:
         """What the run had before the step in which it came to the time ``end``."""
         run, after = self.run, _kept(self.run)
         _put(run, before)
@@ -140,18 +141,18 @@ class WatchedRun:
         run.advance(steps)
         run.looks = 0.0
 
-    def _dense(self, start: dict[str, Array], times: Array, segment: np.int64) -> _Points:
+    def _dense(self, start: _Kept, times: Array, segment: np.int64) -> _Points:
         """The motion at some times within the step from ``start``."""
         run, after = self.run, _kept(self.run)
         _put(run, start)
         states = np.zeros((len(times), len(run.state)))
         info = run.arguments(1) | {"times": times, "out": states, "samples": len(times)}
-        run.memory[CELLS.index("sample")] = 0.0
+        run.memory[[CELLS.index(name) for name in ("sample", "pause")]] = 0.0
         run.loop(*(value if isinstance(value, int) else value.ctypes.data for value in info.values()))
         _put(run, after)
         return _Points(times, np.full(len(times), segment), states)
 
-    def _end(self, a: _Points, b: _Points, before: dict[str, Array]) -> None:
+    def _end(self, a: _Points, b: _Points, before: _Kept) -> None:
         """End the run where the condition triggers, between two points: there its last sample is."""
         run = self.run
         if a.times[0] < b.times[0]:
@@ -174,7 +175,7 @@ class WatchedRun:
             return run.end()
         stop = self.stops.stops[int(self.ended[0])]
         info = stop.info(run.cell("t"), *self.ended[1:]) + run.change.words(run.cell("stiff_time"))
-        return run.trajectory(STOPPED, info)
+        return replace(run.trajectory(STOPPED, info), ended_by=stop.text)
 
     def record(self) -> dict[str, Array]:
         """All that the run needs to continue."""
@@ -195,17 +196,25 @@ def _joined(*parts: _Points) -> _Points:
     return _Points(*(np.concatenate(values) for values in zip(*parts, strict=True)))
 
 
-def _kept(run: NativeRun) -> dict[str, Array]:
-    """A copy of what a step changes, its samples not counted: they are written again as they were."""
-    return {name: getattr(run, name).copy() for name in _CHANGING}
+class _Kept(NamedTuple):
+    """What a step changes, its samples not counted: they are written again as they were."""
+
+    arrays: tuple[Array, ...]
+    changes: tuple[Change, ...]
 
 
-def _put(run: NativeRun, kept: dict[str, Array]) -> None:
-    for name in _CHANGING:
-        getattr(run, name)[:] = kept[name]
+def _kept(run: NativeRun) -> _Kept:
+    return _Kept(tuple(array.copy() for array in _changing(run)), run.changes)
 
 
-_CHANGING = ("memory", "state", "slope", "parts")
+def _put(run: NativeRun, kept: _Kept) -> None:
+    for array, before in zip(_changing(run), kept.arrays, strict=True):
+        array[:] = before
+    run.changes = kept.changes
+
+
+def _changing(run: NativeRun) -> tuple[Array, ...]:
+    return run.memory, run.state, run.slope, run.parts
 
 
 def _peaks(beyond: Array) -> list[tuple[int, int]]:

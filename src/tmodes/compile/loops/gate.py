@@ -98,6 +98,7 @@ class Gate:
             with self.loop.builder.if_then(changed, likely=False):
                 self._count()
                 self.loop.put("switching", number(1.0))
+                self.loop.put("met", number(1.0))
             chatters = self.loop.builder.fcmp_ordered(">", self.loop.get("burst"), self.loop.option("most_events"))
             self.loop.stop_if(chatters, Status.CHATTERING)
         self._keep()

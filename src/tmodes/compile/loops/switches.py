@@ -39,12 +39,17 @@ def switch(loop: Any, endless: Any) -> None:
     b.position_at_end(check)
     b.cbranch(b.fcmp_ordered(">", loop.get("switching"), number(0.0)), turn, done)
     b.position_at_end(turn)
+    first = b.fcmp_ordered("==", loop.get("switching"), number(1.0))
+    with b.if_then(b.and_(first, b.fcmp_ordered(">", loop.get("pause"), number(0.0)))):
+        loop.copy("k1", "y")  # it is fresh after this turn
     loop.call(switched, loop.get("t"), "y", "after", "settling")
     changed = loop.local("changed")
     b.store(number(0.0), changed)
     with counted(b, loop.size, "component") as i:
         apart = b.fcmp_unordered("!=", loop.load("y", i), loop.load("after", i))
         b.store(b.select(apart, number(1.0), b.load(changed, typ=F64)), changed)
+        told = b.and_(apart, b.icmp_signed(">=", i, whole(loop.guarded)))  # not where what sticks only comes to rest
+        loop.put("met", b.select(told, number(1.0), loop.get("met")))
     loop.copy("y", "after")
     loop.add("switching", 1.0)
     loop.stop_if(b.fcmp_ordered(">", loop.get("switching"), number(MOST_SWITCHES)), endless)
@@ -103,6 +108,7 @@ class Switches:
         b.position_at_end(met)
         with b.if_then(crossed, likely=False):
             loop.put("switching", one)
+            loop.put("met", one)
             loop.add("switches", 1.0)
 
 

@@ -23,13 +23,15 @@ __all__ = ["ARGUMENTS", "CELLS", "OPTIONS", "AdaptiveStep", "Status", "TimeLoop"
 CELLS = (
     "t", "h", "segment", "index", "sample", "fresh", "old_error", "steps", "rejected", "evaluations", "status",
     "smallest", "stiff", "calm", "stiff_time", "events", "burst", "burst_time", "passes", "sampled", "switching",
-    "wish", "switches", "cut", "errors",
+    "wish", "switches", "cut", "errors", "pause", "met",
 )  # fmt: skip
 """Memory of a loop between calls, one double each.
 
 ``sampled``: segments whose samples of controllers are taken. ``switching``: a change of a mode was met, ``switches``
 counts them, ``wish`` is the length of a step before it was shortened onto one, ``cut`` that of a fixed step after it.
-``errors``: sum of the estimated errors of the steps that were taken, over their tolerance.
+``errors``: sum of the estimated errors of the steps that were taken, over their tolerance. ``pause``: not 0 ends a call
+after each instant at which a force starts or ends, or something switches; ``met`` is 2 then, and ``k1`` the state
+before the switch. The caller sets ``met`` to 0.
 """
 
 OPTIONS = ("step", "rtol", "atol", "chunk", "bound", "watch", "most_events", "event_time", "looks")
@@ -117,6 +119,7 @@ class TimeLoop(Frame):
         """At the start of each segment, once: the state after the samples there; what the jump of a signal ends."""
         b, sampled, switched = self.builder, self.rate.sampled, self.rate.switched
         if sampled is None and switched is None:
+            self._pause()
             return
         if self.rate.jolts:
             b.store(number(0.0), self.begun)
@@ -132,6 +135,7 @@ class TimeLoop(Frame):
         switch(self, Status.CHATTERING)
         if self.rate.jolts:
             self._show_again()
+        self._pause()
 
     def _show_again(self) -> None:
         """A sample at a knot is of the state after the switches there."""
@@ -142,6 +146,17 @@ class TimeLoop(Frame):
         with b.if_then(b.and_(b.and_(shown, here), b.fcmp_ordered(">", b.load(self.begun, typ=F64), number(0.0)))):
             self.array["shown"] = at(b, self.argument["out"], b.mul(last, whole(self.size)))
             self.copy("shown", "y")
+
+    def _pause(self) -> None:
+        """Leave after an instant at which something changed, where that is wanted."""
+        if not self.rate.changes:
+            return
+        b = self.builder
+        met = b.fcmp_ordered("==", self.get("met"), number(1.0))
+        wanted = b.and_(b.fcmp_ordered(">", self.get("pause"), number(0.0)), met)
+        with b.if_then(wanted, likely=False):
+            self.put("met", number(2.0))
+        self.stop_if(wanted, Status.RUNNING)
 
     def step_until(self, end: Any) -> tuple[Any, Any, Any]:
         """Length of the next step, whether it ends on ``end``, and the time after it; fails where it is too short."""

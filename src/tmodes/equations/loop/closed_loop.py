@@ -110,8 +110,7 @@ class Powers:
         """The torque in an elastic gear: the force on the motor less the motor's friction."""
         moving = (self.way.motor(driver.part)[1], self.none[1], self.none[1], self.way.sides(driver.part))
         motor = self._call(driver.kind.coupled_motor(), driver.kind_numbers, *moving)[1]
-        less = Kernel("difference", (1, 1), (1,), lambda x, y: [[x[0] - y[0]]])
-        return self._call(less, forces.part(1, 1), motor)[0]
+        return self._call(_difference(), forces.part(1, 1), motor)[0]
 
     def _needed(self, k: int, driver: Driver, load: Slot) -> None:
         signal, inertia = self.instant.signals[driver.plan.signal], driver.kind_numbers.part(0, 1)
@@ -154,6 +153,11 @@ class Powers:
         (force,) = self._call(times_kernel(), inertia, self.way.base.part(0, FORCE), bias)
         moved = self.way.base.part(FORCE, 3), self.way.base.part(FORCE + 3, POSE)
         self.powers["base"] += self._call(_power_of_base(), force, *moved)
+
+
+@kernel("difference", (1, 1), (1,))
+def _difference(x: Any, y: Any) -> list[list[Any]]:
+    return [[x[0] - y[0]]]
 
 
 @kernel("power of base", (FORCE, 3, POSE), (1,))
@@ -212,6 +216,28 @@ class ClosedLoop(LoopParts):
     def switched(self) -> Schedule | None:
         """(time, state, row, step) -> the state after a switch of what sticks and slips; None where nothing does."""
         return switched_state(Instant(self, jolted=True)) if self.modes else None
+
+    @cached_property
+    def witness(self) -> Schedule:
+        """(time, state, row, step) -> what tells events apart.
+
+        gate: pairs of numbers; contact (6); sliding speed of its point; rates of the deflections of gears with play.
+        """
+        instant = Instant(self)
+        touch, none = self.plan.touch, instant.none[1]
+        coupled, rates = instant.way.coupled_inputs(), []
+        for axis in self.parts.axes:
+            if axis.drive and axis.drive.dead_zone:
+                given = coupled.get(axis.motor) or instant.way.motor(axis)
+                rates += instant.call(_difference(), given[1], instant.way.angle(axis)[1])
+        sliding = [none]
+        if touch and self.touch:
+            sliding = [*instant.call(touch.touch.sliding(), instant.solution.point(touch.point)[0], self.touch)]
+        gate = [instant.schedule.gate] if instant.schedule.gate else []
+        shown = {"gate": gate, "contact": [Powers(instant).contact], "sliding": sliding, "gear_rates": rates}
+        for name, blocks in shown.items():
+            instant.schedule.output(name, *blocks)
+        return instant.schedule.only(tuple(shown))
 
     @cached_property
     def observe(self) -> Schedule:

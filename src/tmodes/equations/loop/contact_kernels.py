@@ -225,6 +225,13 @@ class Touch:
             force = v.add(force, self.rub(p, whole, met, velocity))
         return [[*force, whole, met.depth, met.rate], [v.dot(force, velocity)]]
 
+    @kernel("sliding {0.key}", (POSE, "size"), (1,))
+    def sliding(self, pose: Any, p: Any) -> list[list[Any]]:
+        """(pose of the point, numbers) -> speed along the surface, against it."""
+        velocity = v.vec(pose, 12)
+        slip = self.slip(p, self.meeting(p, v.vec(pose, 9), velocity), velocity)[1]
+        return [[ca.sqrt(v.dot(slip, slip))]]
+
 
 def _point(pose: Any, axes: Any, rate: Any, offset: Any) -> tuple[v.Vector, v.Vector, v.Vector, v.Vector]:
     """Position and velocity of a point of a frame, its arm, and the frame's rate, all in world axes."""
