@@ -2,7 +2,8 @@
 
 Samples are taken as a sum of decaying exponentials, whose rates follow from a matrix pencil (Hua & Sarkar, IEEE
 Transactions on Acoustics, Speech, and Signal Processing 38, 1990) of all axes together: what rings is vibration, what
-does not is the slowly moving mean.
+does not is the slowly moving mean. Single exponentials of a vibration that is not quite linear cancel, their sum does
+not: its size is that of the sum, and those of about the same frequency are one mode.
 """
 
 from __future__ import annotations
@@ -12,7 +13,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["FEWEST", "Mode", "Residual", "residual_vibration", "settled_after"]
+__all__ = ["FEWEST", "Mode", "Residual", "fitted", "residual_vibration", "settled_after"]
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -28,30 +29,62 @@ _RANKS = 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8
 _RINGS = 0.4
 """Damping ratio from which on a motion creeps rather than rings."""
 
-_WRONG, _NOTHING = 0.01, 1e-4
-"""Error of the sum (rms), over the vibration, and over the whole motion, from which on it is not trusted."""
+_WRONG, _NOTHING = (1e-3, 0.01), 1e-4
+"""Error of the sum (rms), over the vibration, that is wanted and that is taken; over the whole motion, negligible."""
 
-_CANCELS = 3.0
-"""Sum of the modes' amplitudes over the largest vibration: above it they cancel, and none is real."""
+_WINDOWS = 1, 2, 4, 8
+"""Parts of the samples that are looked at, until one is such a sum: frequencies drift with the size."""
+
+_NEAR = 0.05
+"""Difference of two frequencies over the larger one up to which they are one mode."""
+
+_WEIGHTY = 0.3
+"""Envelope over its largest value up to which a vibration counts where modes are weighed against each other."""
+
+_DRIFTS = 0.01
+"""Change of a frequency over itself from which on it is said."""
+
+_PERIODIC = 0.5
+"""Share of a spectrum about its peak from which on a motion that is no sum of exponentials has a period."""
 
 _STRONG = 1e-3
 """Amplitude over the largest above which a frequency must be sampled well."""
 
 
 class Mode(NamedTuple):
-    """``amplitude`` at the start: the largest distance from the mean during a turn, without its decay."""
+    """A vibration of about one frequency.
+
+    ``amplitude``: its largest envelope, the distance from the mean within a turn; ``share`` of the whole vibration's
+    energy (of the squares of distances), which the shares of all modes add up to but for what they do not explain;
+    ``drift``: frequency [Hz] in its first and its last turn, where these differ; ``poles`` [1/s] that it is made of.
+    """
 
     frequency_Hz: float
     damping_ratio: float
     amplitude: float
+    share: float = 1.0
+    drift: tuple[float, float] | None = None
+    poles: tuple[complex, ...] = ()
 
 
 class Residual(NamedTuple):
-    """``amplitude`` of the vibration at the start, that of its modes together; None, with a ``reason``, if unknown."""
+    """A vibration, about the slowly moving mean.
+
+    ``amplitude``: the largest value of its envelope, never more than the range of the motion; None, with a ``reason``,
+    where it is not known. ``largest``: the largest distance from the mean that is seen, at ``time``, and ``along`` (k,)
+    the axes. ``unexplained``: share that the modes do not have. ``slow``: poles [1/s] of the mean, ``span`` [s]: time
+    after the start in which this is so.
+    """
 
     amplitude: float | None
     modes: tuple[Mode, ...] = ()
     reason: str = ""
+    largest: float = 0.0
+    time: float = 0.0
+    along: tuple[float, ...] = ()
+    unexplained: float = 0.0
+    slow: tuple[complex, ...] = ()
+    span: float = 0.0
 
 
 def settled_after(times: Array, values: Array, rest: ArrayLike, limit: float, since: float) -> float | None:
@@ -71,22 +104,34 @@ def settled_after(times: Array, values: Array, rest: ArrayLike, limit: float, si
 
 
 def residual_vibration(times: Array, values: Array, since: float | None = None) -> Residual:
-    """The vibration in evenly spaced samples ``values`` (n, k) of a motion that nothing drives; at ``since`` [s]."""
+    """The vibration in evenly spaced samples ``values`` (n, k) of a motion that nothing drives, from ``since`` [s] on.
+
+    Of one decaying vibration the amplitude is its envelope at ``since``.
+    """
     if len(times) < FEWEST:
         return Residual(None, (), "the run ends with the move")
     start = float(times[0]) if since is None else since
-    kept = slice(0, None, _stride(times, values))
-    t, y = times[kept][:_MOST_SAMPLES] - start, values[kept][:_MOST_SAMPLES]
-    y = y - y.mean(axis=0)
-    size = float(np.abs(y).max())
+    size = float(np.abs(values - values.mean(axis=0)).max())
     if size <= 1e-12:
         return Residual(0.0)
-    windows = _shapes(y)
-    for rank in _RANKS:
-        poles = _poles(*windows, float(t[1] - t[0]), rank)
-        if poles is not None and (found := _checked(t, y, size, poles)):
+    for part in _WINDOWS:
+        count = len(times) // part
+        if count >= FEWEST and (found := _of_window(times[:count] - start, values[:count])):
             return found
-    return Residual(None, (), "the motion after the move is not a sum of decaying vibrations")
+    return _by_period(times - start, values)
+
+
+def _of_window(times: Array, values: Array) -> Residual | None:
+    """The vibration in some samples; None where they are no sum of decaying exponentials."""
+    kept = slice(0, None, _stride(times, values))
+    t, y = times[kept][:_MOST_SAMPLES], values[kept][:_MOST_SAMPLES]
+    y = y - y.mean(axis=0)
+    windows = _shapes(y)
+    known = [poles for rank in _RANKS if (poles := _poles(*windows, float(t[1] - t[0]), rank)) is not None]
+    inside = times <= t[-1]
+    whole = times[inside], values[inside] - values[kept][:_MOST_SAMPLES].mean(axis=0)
+    sums = (_checked(t, y, poles, wrong, *whole) for wrong in _WRONG for poles in known)
+    return next(filter(None, sums), None)
 
 
 def _stride(times: Array, values: Array) -> int:
@@ -120,32 +165,136 @@ def _poles(sizes: Array, shapes: Array, width: int, step: float, rank: float) ->
     return np.log(factors) / step if len(factors) else None
 
 
-def _checked(t: Array, y: Array, size: float, poles: Complex) -> Residual | None:
-    """The vibration by these rates; None where their sum is not the motion."""
-    length = float(t[-1] - t[0])
+def fitted(times: Array, values: Array, poles: Complex) -> Complex:
+    """Coefficients (terms, k) of exponentials of these ``poles``, conjugates among them, that make up values (n, k)."""
+    basis: Any = np.exp(np.outer(times, poles))
+    return np.linalg.lstsq(basis, values.astype(complex), rcond=None)[0]
+
+
+def _checked(t: Array, y: Array, poles: Complex, limit: float, times: Array, values: Array) -> Residual | None:
+    """The vibration by these rates; None where their sum is not the motion ``y`` (n, k), to a share ``limit`` of it.
+
+    ``values``: the same motion at all ``times``.
+    """
+    length, size = float(t[-1] - t[0]), float(np.abs(y).max())
     poles = (np.minimum(poles.real, 1.0 / length) + 1j * poles.imag).astype(complex)
-    basis = np.exp(np.outer(t, poles))
-    parts: Any = np.linalg.lstsq(basis, y.astype(complex), rcond=None)[0]  # (terms, k)
+    parts, basis = fitted(t, y, poles), np.exp(np.outer(t, poles))
     wrong = float(np.sqrt(np.mean(np.sum(np.abs(basis @ parts - y) ** 2, axis=1))))
     turns = np.abs(poles.imag) * length / (2 * np.pi)
     rings = (turns > 0) & (-poles.real < _RINGS * np.abs(poles))
     slow = rings & (turns < 1.0)
-    vibration = float(np.linalg.norm((basis[:, rings & ~slow] @ parts[rings & ~slow]).real, axis=1).max(initial=0.0))
-    if wrong > max(_WRONG * vibration, _NOTHING * size):
+    fast = rings & ~slow
+    apart = y - (basis[:, ~fast] @ parts[~fast]).real
+    vibration = float(np.linalg.norm((basis[:, fast] @ parts[fast]).real, axis=1).max(initial=0.0))
+    if wrong > max(limit * vibration, _NOTHING * size) or vibration > (width := _diameter(y)):
         return None
-    creeping = [_mode(poles[k], parts[k]).amplitude for k in np.flatnonzero(slow & (poles.imag > 0))]
-    modes = tuple(sorted((_mode(poles[k], parts[k]) for k in np.flatnonzero(rings & ~slow & (poles.imag > 0))),
-                         key=lambda mode: -mode.amplitude))  # fmt: skip
-    modes = tuple(mode for mode in modes if mode.amplitude > max(wrong, 1e-9 * size))
-    total = sum(mode.amplitude for mode in modes)
-    if total > _CANCELS * max(vibration, wrong):
-        return None
-    if max(creeping, default=0.0) > max(total, wrong, _NOTHING * size):
+    one = np.flatnonzero(fast & (poles.imag > 0))
+    signals = _Signals(np.append(0.0, t), poles[one], 2 * parts[one])
+    amplitude = float(signals.envelope(np.arange(len(one))).max(initial=0.0))
+    if _creeps(poles, parts, slow) > max(amplitude, wrong, _NOTHING * size):
         return Residual(None, (), "less than one period of the vibration is seen after the move: simulate longer")
-    return Residual(total, modes)
+    modes = _modes(signals, apart, length, max(wrong, 1e-9 * size))
+    if not modes:
+        return Residual(0.0, span=length)
+    slowly: Any = np.exp(np.outer(times, poles[~fast]))
+    seen = values - (slowly @ parts[~fast]).real
+    far = np.linalg.norm(seen, axis=1)
+    return Residual(
+        min(amplitude, width), modes, "", float(far.max()), float(times[far.argmax()]),
+        tuple(map(float, np.abs(seen).max(axis=0))), max(1.0 - sum(mode.share for mode in modes), 0.0),
+        tuple(poles[~fast].tolist()), length,
+    )  # fmt: skip
 
 
-def _mode(pole: complex, part: Complex) -> Mode:
-    """Of one of a pair; its place is twice the real part of ``part`` turning, an ellipse."""
-    largest = np.sqrt(2 * (np.vdot(part, part).real + abs(np.sum(part * part))))
-    return Mode(float(pole.imag / (2 * np.pi)), float(-pole.real / abs(pole)), float(largest))
+def _creeps(poles: Complex, parts: Complex, slow: NDArray[np.bool_]) -> float:
+    """The largest amplitude of what turns, but not once within the samples."""
+    pairs = (_Signals(np.zeros(1), poles[[k]], 2 * parts[[k]]) for k in np.flatnonzero(slow & (poles.imag > 0)))
+    return max((float(one.envelope(np.zeros(1, dtype=int))[0]) for one in pairs), default=0.0)
+
+
+class _Signals(NamedTuple):
+    """Turning exponentials: ``poles`` (m,) and ``parts`` (m, k), whose real part is the motion, at ``times`` (n,)."""
+
+    times: Array
+    poles: Complex
+    parts: Complex
+
+    def of(self, group: NDArray[np.intp], order: int = 0) -> Complex:
+        """The sum of some, or its derivative, (n, k)."""
+        basis: Any = np.exp(np.outer(self.times, self.poles[group]))
+        return basis @ (self.parts[group] * self.poles[group, None] ** order)
+
+    def envelope(self, group: NDArray[np.intp]) -> Array:
+        """The largest distance within a turn, without its decay (n,): the end of a turning vector draws an ellipse."""
+        turning = self.of(group)
+        squares = np.sum(np.abs(turning) ** 2, axis=1) + np.abs(np.sum(turning**2, axis=1))
+        return np.sqrt(squares / 2)
+
+
+def _modes(signals: _Signals, apart: Array, length: float, least: float) -> tuple[Mode, ...]:
+    """The modes of a vibration whose distances from its mean are ``apart`` (n, k), larger than ``least``."""
+    whole = signals.envelope(np.arange(len(signals.poles)))[1:]
+    weighty = np.flatnonzero(whole >= _WEIGHTY * whole.max(initial=0.0))
+    seen = slice(int(weighty[-1]) + 1 if len(weighty) else len(whole))
+    energy = float(np.sum(apart[seen] ** 2))
+    found = []
+    for group in _groups(signals.poles, length):
+        turning, envelope = signals.of(group), signals.envelope(group)
+        if envelope.max() > least:
+            weight = np.sum(np.abs(turning) ** 2)
+            pole = complex(np.sum(turning.conj() * signals.of(group, 1)) / weight)
+            share = float(np.sum(turning.real[1:][seen] * apart[seen])) / energy
+            drift = _drift(signals, group, envelope, pole.imag) if len(group) > 1 else None
+            poles = tuple(signals.poles[group].tolist())
+            found.append(
+                Mode(pole.imag / (2 * np.pi), -pole.real / abs(pole), float(envelope.max()), share, drift, poles)
+            )
+    return tuple(sorted(found, key=lambda mode: -mode.amplitude))
+
+
+def _groups(poles: Complex, length: float) -> list[NDArray[np.intp]]:
+    """Poles that are one mode: of about one frequency, by its share, by their decay, or by the time that is seen."""
+    order = np.argsort(poles.imag)
+    sorted_poles = poles[order]
+    near = np.maximum(_NEAR * sorted_poles.imag[1:], 2 * np.pi / length)
+    near = np.maximum(near, np.abs(sorted_poles.real[1:]) / 2 + np.abs(sorted_poles.real[:-1]) / 2)
+    splits = np.flatnonzero(np.diff(sorted_poles.imag) > near) + 1
+    return np.split(order, splits) if len(order) else []
+
+
+def _drift(signals: _Signals, group: NDArray[np.intp], envelope: Array, rate: float) -> tuple[float, float] | None:
+    """Frequency [Hz] in the first and the last turn in which a vibration counts; None where both are the same."""
+    turning, turn = signals.of(group), 2 * np.pi / rate
+    strong = signals.times[envelope >= _WEIGHTY * envelope.max()]
+    slope, ends = signals.of(group, 1), []
+    for begin in (0.0, max(float(strong[-1]) - turn, 0.0)):
+        here = (signals.times >= begin) & (signals.times <= begin + turn)
+        weight = np.sum(np.abs(turning[here]) ** 2)
+        ends.append(float(np.sum(turning[here].conj() * slope[here]).imag / weight / (2 * np.pi)))
+    return (ends[0], ends[1]) if abs(ends[1] - ends[0]) > _DRIFTS * abs(ends[0]) else None
+
+
+def _diameter(y: Array) -> float:
+    """The largest distance of two samples (n, k)."""
+    squares = np.sum(y**2, axis=1)
+    return float(np.sqrt(max(np.max(squares[:, None] + squares - 2 * y @ y.T), 0.0)))
+
+
+def _by_period(times: Array, values: Array) -> Residual:
+    """The distance from a mean over one period, of a motion that has one; without its modes."""
+    none = Residual(None, (), "the motion after the move is not a sum of decaying vibrations")
+    window = np.hanning(len(times))[:, None]
+    power = np.sum(np.abs(np.fft.rfft((values - values.mean(axis=0)) * window, axis=0)) ** 2, axis=1)
+    peak = int(power.argmax())
+    if peak < 2 or power[peak // 2 : 2 * peak].sum() < _PERIODIC * power.sum() or peak > len(times) // 8:
+        return none
+    count = round(len(times) / peak)
+    mean = np.stack([np.convolve(column, np.full(count, 1.0 / count), "valid") for column in values.T], axis=1)
+    first = (count - 1) // 2
+    apart = values[first : first + len(mean)] - mean
+    far = np.linalg.norm(apart, axis=1)
+    reason = "the motion after the move is not a sum of decaying vibrations: its distance from a mean over one period"
+    return Residual(
+        float(far.max()), (), reason, float(far.max()), float(times[first + far.argmax()]),
+        tuple(map(float, np.abs(apart).max(axis=0))), 1.0,
+    )  # fmt: skip

@@ -162,7 +162,7 @@ def summary_rows(summary: dict[str, Any]) -> Iterator[Row]:
 
 
 def _tip(summary: dict[str, Any]) -> Iterator[Row]:
-    from tmodes.result.summary import settling_reason
+    from tmodes.result.summary import settling_reason, vibration_words
 
     errors, settling = summary["tip_error"], summary["settling"]
     for which, path in _ERRORS.items():
@@ -188,21 +188,10 @@ def _tip(summary: dict[str, Any]) -> Iterator[Row]:
     else:
         yield "settling after the move", "-", "", "", f"not seen: {settling_reason(settling)}"
     for which, one in summary["vibration"].items():
-        known = one["amplitude_m"] is not None
-        value, words = (f"{one['amplitude_m'] * 1e3:.4g} mm", vibration_words(one)) if known else ("-", one["reason"])
+        value = "-" if one["amplitude_m"] is None else f"{one['amplitude_m'] * 1e3:.4g} mm"
+        words = vibration_words(one, lambda length: f"{length * 1e3:.3g} mm")
         yield f"residual vibration, {which}", value, "", "", words
 
-
-def vibration_words(one: dict[str, Any]) -> str:
-    """The strongest modes of a residual vibration."""
-    modes = [mode for mode in one["modes"] if mode["amplitude_m"] > _WEAK * one["amplitude_m"]][:_MOST_MODES]
-    each = (f"{mode['amplitude_m'] * 1e3:.3g} mm at {mode['frequency_Hz']:.3g} Hz" for mode in modes)
-    names = (f" ({name})" if (name := mode.get("element")) else "" for mode in modes)
-    return ", ".join(map("".join, zip(each, names, strict=True)))
-
-
-_MOST_MODES, _WEAK = 3, 0.01
-"""Modes of a vibration that are named, and share of it below which a mode is not."""
 
 _ERRORS = {"commanded": "tip_error.commanded.max_m", "nominal": "deviation.max_m"}
 """Paths from which the tip's error is measured, and where the uncertainty of the largest one is."""

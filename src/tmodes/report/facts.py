@@ -13,7 +13,7 @@ from tmodes.plot.facts import drive_unit, effort_unit, names_of
 from tmodes.report.markup import Markup, tag, written
 from tmodes.result import Result
 from tmodes.result.derived import Derives
-from tmodes.result.summary import largest_elements, mean_over_time, settling_reason
+from tmodes.result.summary import largest_elements, mean_over_time, settling_reason, vibration_words
 from tmodes.sheet import Robot
 
 __all__ = ["Fact", "energy_facts", "fact_list", "frequency_facts", "run_facts", "tracking_facts", "vibration_fact"]
@@ -88,14 +88,9 @@ def _settling(known: dict[str, Any]) -> Fact:
 
 
 def vibration_fact(which: str, known: dict[str, Any]) -> Fact:
-    """Amplitude of the ``actual`` or ``nominal`` tip at the end of the move, about its slowly moving mean [m]."""
+    """Amplitude of the ``actual`` or ``nominal`` tip after the move, about its slowly moving mean [m]."""
     own = "vibration.residual" if which == "actual" else f"vibration.{which}"
-    modes = [
-        f"{written(mode['amplitude_m'], 'm')} at {mode['frequency_Hz']:.3g} Hz"
-        + (f" ({name})" if (name := mode.get("element")) else "")
-        for mode in known["modes"][:3]
-    ]
-    note = known["reason"] or ", ".join(modes) or "no mode rings"
+    note = vibration_words(known, lambda length: written(length, "m")) or "no mode rings"
     return Fact(own, f"Residual vibration, {which}", known["amplitude_m"], "m", note)
 
 

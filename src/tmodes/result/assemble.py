@@ -22,7 +22,7 @@ from tmodes.io.labelled import Record
 from tmodes.io.sheet_plausible import implausible_numbers, reading_notices
 from tmodes.result.derived import INTERRUPTED, NOT_YET, Derives, derived
 from tmodes.result.elements import element_errors
-from tmodes.result.end_modes import end_modes, with_elements
+from tmodes.result.end_modes import end_modes
 from tmodes.result.errors import summary_errors
 from tmodes.result.events import event_labels, event_series
 from tmodes.result.lines import carried_series, line_series
@@ -39,6 +39,7 @@ from tmodes.result.settling import (
     plain_vibration,
     unknown_vibration,
 )
+from tmodes.result.vibrating import mode_elements
 from tmodes.sheet import Robot
 from tmodes.simulation.event import Event
 from tmodes.simulation.events import cut_short, events_of
@@ -184,12 +185,14 @@ class Assembly(Derives):
     @cached_property
     def vibration(self) -> dict[str, Any]:
         """The vibration of the ``actual`` and the ``nominal`` tip after the move, by mode."""
-        names = {"actual": "vibration", "nominal": "vibration.nominal"}
-        return {which: self.attempt(names[which], partial(self._vibration, which), unknown_vibration)
+        return {which: self.attempt(_VIBRATIONS[which], partial(self._vibration, which), unknown_vibration)
                 for which in self._ran}  # fmt: skip
 
     def _vibration(self, which: str) -> dict[str, Any]:
-        return with_elements(plain_vibration(self._after(which).vibration()), self.end_frequencies.get(which, []))
+        after, run = self._after(which), self._ran[which]
+        found = after.vibration()
+        elements = self.attempt(_ELEMENTS[which], lambda: mode_elements(run, *after.later(), found), lambda _: [])
+        return plain_vibration(found, elements, after.beyond)
 
     @derived("elements", lambda self, reason: {})
     def elements(self) -> dict[str, Any]:
@@ -289,6 +292,9 @@ _KEPT = {
     "elements": "tip error",
 }  # fmt: skip
 """What is computed of a run and kept with it, and the stage that computes it."""
+
+_VIBRATIONS = {"actual": "vibration", "nominal": "vibration.nominal"}
+_ELEMENTS = {"actual": "vibration.elements", "nominal": "vibration.nominal.elements"}
 
 _STORED_AS = {"elements": "tip_error_elements"}
 

@@ -26,7 +26,9 @@ _WORDS = {
     "end_frequencies": "modes at the end", "settling": "settling", "vibration": "residual vibration",
     "vibration.nominal": "residual vibration of the nominal run", "errors": "error of the integration",
     "model_errors": "error of the link models", "elements": "tip error by element", "checks": "checks of the models",
-    "move_end": "end of the move", "events": "list of events", "scales": "energy of the tip's modes",
+    "move_end": "end of the move", "events": "list of events",
+    "vibration.elements": "elements of the residual vibration",
+    "vibration.nominal.elements": "elements of the residual vibration of the nominal run",
 }  # fmt: skip
 """The numbers in words."""
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import Any
 
 from tmodes.analysis.modes.of_sheet import frequencies_about
@@ -13,12 +12,9 @@ from tmodes.kinds.signals.registry import constant_signal
 from tmodes.sheet import Robot
 from tmodes.simulation.motion_run import RunData
 
-__all__ = ["end_modes", "held_at", "with_elements"]
+__all__ = ["end_modes", "held_at"]
 
 Modes = list[dict[str, Any]]
-
-_ALIKE = 0.05
-"""Share by which the frequency of a vibration may differ from that of the mode that it is."""
 
 
 def end_modes(run: RunData, *states: str) -> Modes:
@@ -47,15 +43,3 @@ def held_at(robot: Robot, end: float, place: dict[str, float]) -> Robot:
     loads = [one.model_copy(update={"signal": still(one.signal)}) for one in robot.loads]
     initial = robot.initial.model_copy(update={"coordinates": place})
     return robot.model_copy(update={"drives": tuple(drives), "loads": tuple(loads), "initial": initial})
-
-
-def with_elements(vibration: dict[str, Any], modes: Sequence[dict[str, Any]]) -> dict[str, Any]:
-    """A residual vibration whose modes have the dominant ``element`` of the robot's mode of that frequency."""
-    ringing = [mode for mode in modes if mode["damped_frequency_Hz"]]
-
-    def element(frequency: float) -> str:
-        near = min(ringing, key=lambda mode: abs(mode["damped_frequency_Hz"] - frequency), default=None)
-        close = near is not None and abs(near["damped_frequency_Hz"] - frequency) <= _ALIKE * frequency
-        return str(near["element"]) if near is not None and close else ""
-
-    return vibration | {"modes": [one | {"element": element(one["frequency_Hz"])} for one in vibration["modes"]]}

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
@@ -62,16 +62,20 @@ _BEYOND = 2.0
 
 @dataclass(frozen=True, eq=False)
 class AfterMove:
-    """The tip of a run (n, 3) [m] at its samples, and at those of its continuation with all signals at rest.
+    """A run and its continuation with all signals at rest: its tip (n, 3) [m] and coordinates (n, nq) at ``times``.
 
-    ``end``: of the move [s], None where it has none; ``finished`` [s]: where the run itself ends; ``cut``: what ended
-    the continuation before all was seen.
+    ``end``: of the move [s], None where it has none; ``finished`` [s]: where the run itself ends; ``join``: its sample
+    from which it is continued, from there on at every ``stride``-th step; ``cut``: what ended the continuation before
+    all was seen.
     """
 
     times: Array
     tip: Array
+    q: Array
     end: float | None
     finished: float
+    join: int
+    stride: int = 1
     cut: str = ""
 
     @property
@@ -83,9 +87,21 @@ class AfterMove:
         """When the tip stays near its own rest, see :func:`settling`; and how far the run was continued for it."""
         return settling(self.times, self.tip, self.end, self.finished, band) | self.beyond
 
+    @property
+    def _even(self) -> NDArray[np.intp]:
+        """Samples at equal times, those of the continuation among them."""
+        own = np.arange(self.join % self.stride, self.join, self.stride)
+        return np.concatenate([own, np.arange(self.join, len(self.times))])
+
     def vibration(self) -> Residual:
         """The vibration at the end of the move, about the slowly moving mean."""
-        return vibration(self.times, self.tip, self.end)
+        return vibration(self.times[self._even], self.tip[self._even], self.end)
+
+    def later(self) -> tuple[Array, Array]:
+        """Times after the end of the move [s], and the coordinates then."""
+        end = self.end or 0.0
+        kept = self._even[self.times[self._even] >= end * (1 - 1e-12)]
+        return self.times[kept] - end, self.q[kept]
 
 
 def settling(times: Array, tip: Array, end: float | None, finished: float, band: float = BAND) -> dict[str, Any]:
@@ -137,13 +153,21 @@ def vibration(times: Array, tip: Array, end: float | None) -> Residual:
     return residual_vibration(times[:count][:kept], tip[:count][:kept], end)
 
 
-def plain_vibration(found: Residual) -> dict[str, Any]:
-    """The same as plain data, SI units."""
+def plain_vibration(
+    found: Residual, elements: Sequence[str] = (), beyond: Mapping[str, Any] | None = None
+) -> dict[str, Any]:
+    """The same as plain data, SI units; ``elements``: of each mode, ``beyond``: of :class:`AfterMove`."""
     modes = [
-        {"frequency_Hz": mode.frequency_Hz, "damping_ratio": mode.damping_ratio, "amplitude_m": mode.amplitude}
-        for mode in found.modes
-    ]
-    return {"amplitude_m": found.amplitude, "modes": modes, "reason": found.reason}
+        {"frequency_Hz": mode.frequency_Hz, "damping_ratio": mode.damping_ratio, "amplitude_m": mode.amplitude,
+         "share": mode.share, "drift_Hz": mode.drift and [*mode.drift]}
+        | ({"element": elements[k]} if elements else {}) for k, mode in enumerate(found.modes)
+    ]  # fmt: skip
+    known = found.amplitude is not None
+    return {
+        "amplitude_m": found.amplitude, "modes": modes, "reason": found.reason,
+        "largest_m": found.largest if known else None, "time_of_largest_s": found.time if known else None,
+        "along_m": dict(zip("xyz", found.along, strict=False)), "unexplained": found.unexplained,
+    } | dict(beyond or {})  # fmt: skip
 
 
 def after_move(run: RunData, end: float | None, progress: Callable[[float], None] = lambda share: None) -> AfterMove:
@@ -154,27 +178,37 @@ def after_move(run: RunData, end: float | None, progress: Callable[[float], None
     The continuation takes at most half of the steps of the run itself, or about a second of computing; ``progress`` is
     given the share that is done. Raises KeyboardInterrupt where it is interrupted.
     """
-    times, tip = run.times, run.points.position[:, 0]
-    alone = AfterMove(times, tip, end, float(times[-1]))
+    times, tip, last = run.times, run.points.position[:, 0], len(run.times) - 1
     setup, decays = run.setup, _decays(run)
+    alone = AfterMove(times, tip, run.q, end, float(times[-1]), last)
     stops = end is not None and end <= times[-1] * (1 + 1e-9)
-    if not stops or run.status != "finished" or setup.callback or min(decays, default=1.0) <= 0:
+    if end is None or not stops or run.status != "finished" or setup.callback or min(decays, default=1.0) <= 0:
         return alone
+    last = _last_even(times, end)
     horizon, left, best = max(min(_HORIZON, _DECAYS / min(decays, default=1.0)), _SHORTEST), _work(run), alone
     while True:
-        done, later = _continued(setup, run, horizon, left, progress)
-        found = replace(alone, times=np.append(times, times[-1] + done.times[1:]), tip=np.concatenate([tip, later[1:]]))
+        done, tips, stride = _continued(setup, run, last, horizon, left, progress)
+        later = done.states[1:, setup.model.layout.q]
+        found = replace(
+            alone, times=np.append(times[: last + 1], times[last] + done.times[1:]), join=last, stride=stride,
+            tip=np.concatenate([tip[: last + 1], tips[1:]]), q=np.concatenate([run.q[: last + 1], later]),
+        )  # fmt: skip
         best = found if found.times[-1] >= best.times[-1] else best
         left -= done.statistics["steps"] + done.statistics["rejected"]
         if done.status == "stopped" or left <= 0:
-            return replace(
-                best, cut=f"what it may take ended at t = {best.times[-1]:.4g} s: half of the run's own steps"
-            )
+            return replace(best, cut=f"not looked at beyond t = {best.times[-1]:.4g} s: half of the run's own steps")
         if done.status != "finished":
             return replace(alone, cut=f"continued beyond its end, the run was lost: {done.message}")
         if horizon >= _HORIZON or found.settling()["time_s"] is not None:
             return found
         horizon = min(2 * horizon, _HORIZON)
+
+
+def _last_even(times: Array, end: float) -> int:
+    """The last sample, or the one before where the last follows a shorter step and the move has ended by then."""
+    last = len(times) - 1
+    shorter = last > 1 and times[last] - times[last - 1] < (1 - 1e-6) * (times[1] - times[0])
+    return last - 1 if shorter and times[last - 1] >= end else last
 
 
 def _work(run: RunData) -> int:
@@ -193,17 +227,17 @@ def _decays(run: RunData) -> list[float]:
 
 
 def _continued(
-    setup: RunSetup, run: RunData, duration: float, steps: int, progress: Callable[[float], None]
-) -> tuple[Trajectory, Array]:
-    """The run from where it ended, all signals at rest, and its tip at each sample (n, 3) [m]."""
+    setup: RunSetup, run: RunData, sample: int, duration: float, steps: int, progress: Callable[[float], None]
+) -> tuple[Trajectory, Array, int]:
+    """The run from a sample on, all signals at rest, its tip at each sample (n, 3) [m], and how far these are apart."""
     from tmodes.simulation.motion_run import tip_positions
     from tmodes.simulation.trajectory import integrate
 
-    setup, state = at_rest_from(setup, float(run.times[-1]), run.states[-1], duration)
-    step = max(1, np.ceil(duration / _SAMPLES / setup.robot.integration.output_step))
+    setup, state = at_rest_from(setup, float(run.times[sample]), run.states[sample], duration)
     given = setup.robot.integration
+    stride = max(1, int(np.ceil(duration / _SAMPLES / given.output_step)))
     settings = given.model_copy(
-        update={"duration": duration, "output_step": float(step * given.output_step), "max_steps": steps}
+        update={"duration": duration, "output_step": stride * given.output_step, "max_steps": steps}
     )
     if not integrator(settings.method).adaptive:
         settings = settings.chosen("dormand_prince")
@@ -212,7 +246,7 @@ def _continued(
     done = integrate(setup.model, setup.model.numbers, schedule, state, settings, progress, otherwise=later)
     if done.status == "interrupted":
         raise KeyboardInterrupt
-    return done, tip_positions(setup, done.times, done.states)
+    return done, tip_positions(setup, done.times, done.states), stride
 
 
 def at_rest_from(setup: RunSetup, time: float, state: Array, duration: float) -> tuple[RunSetup, Array]:

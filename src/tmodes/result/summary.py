@@ -20,7 +20,10 @@ from tmodes.result.settling import BAND, not_settled, plain_vibration, settling,
 if TYPE_CHECKING:
     from tmodes.io.labelled import Record
 
-__all__ = ["largest_elements", "mean_over_time", "settling_reason", "summarise_result", "tip_errors", "vibrations"]
+__all__ = [
+    "largest_elements", "mean_over_time", "settling_reason", "summarise_result", "tip_errors", "vibration_words",
+    "vibrations",
+]  # fmt: skip
 
 Array = NDArray[np.float64]
 
@@ -82,6 +85,33 @@ def vibrations(data: Record) -> dict[str, Any]:
 def settling_reason(known: dict[str, Any]) -> str:
     """Why no settling is seen: by what was looked at, and what ended that."""
     return "; ".join(filter(None, [known["reason"], known.get("cut", "")]))
+
+
+def vibration_words(one: dict[str, Any], length: Callable[[float], str]) -> str:
+    """A residual vibration besides its amplitude: what is seen of it, its strongest modes; ``length`` in words."""
+    said = [one["reason"]]
+    if one.get("largest_m"):
+        axes = ", ".join(f"{axis} {length(size)}" for axis, size in one["along_m"].items() if size)
+        said.append(f"farthest from its mean {length(one['largest_m'])} ({axes})")
+    if modes := [mode for mode in one["modes"] if mode["amplitude_m"] > _WEAK * one["amplitude_m"]][:_MOST_MODES]:
+        said.append(", ".join(_mode_words(mode, length) for mode in modes))
+    if one["modes"] and one.get("unexplained", 0.0) > _WEAK:
+        said.append(f"{one['unexplained']:.0%} in no mode")
+    return "; ".join(filter(None, [*said, one.get("cut", "")]))
+
+
+def _mode_words(mode: dict[str, Any], length: Callable[[float], str]) -> str:
+    named = [mode.get("element", "")]
+    if drift := mode.get("drift_Hz"):
+        named.append(f"{drift[0]:.3g} to {drift[1]:.3g} Hz as it decays")
+    if "share" in mode:
+        named.append(f"{mode['share']:.0%}")
+    more = ", ".join(filter(None, named))
+    return f"{length(mode['amplitude_m'])} at {mode['frequency_Hz']:.3g} Hz{more and f' ({more})'}"
+
+
+_MOST_MODES, _WEAK = 3, 0.01
+"""Modes of a vibration that are named, and share of it below which a mode is not."""
 
 
 def _joints(data: Record, time: Array) -> dict[str, dict[str, Any]]:

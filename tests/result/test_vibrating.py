@@ -1,0 +1,140 @@
+"""Residual vibration as it is seen: never more than the motion, the same however long is drawn, by what moves."""
+
+from __future__ import annotations
+
+import os
+from typing import Any
+
+import numpy as np
+import pytest
+
+from random_robots import KINDS, random_robot
+from tmodes.analysis.vibration import residual_vibration
+from tmodes.result.assemble import Assembly
+from tmodes.result.settling import AfterMove
+from tmodes.sheet import Robot
+from tmodes.simulation.simulate import simulate_motion
+
+COUNT = int(os.environ.get("TMODES_RANDOM_RUNS", "0"))
+"""Random robots of each kind; of 0 one of some kinds."""
+
+ALONE = {"integration.error_estimate": False, "integration.model_error": False}
+
+
+def vibrating(robot: Robot) -> tuple[dict[str, Any], dict[str, AfterMove]]:
+    """Residual vibrations of a robot's run, and the motions that they are of."""
+    made = Assembly(simulate_motion(robot.with_(ALONE)), robot)
+    found = made.vibration
+    assert made.failed == {}
+    return found, made._afters
+
+
+def width(points: np.ndarray) -> float:
+    """The largest distance of two points of a motion, to that of its samples."""
+    some = points[:: max(1, len(points) // 1000)]
+    return float(np.linalg.norm(some[:, None] - some, axis=2).max())
+
+
+@pytest.mark.parametrize("kind", KINDS if COUNT else ("gears", "spatial", "sampled", "falling"))
+def test_never_more_than_the_motion(kind: str) -> None:
+    """Of random runs: size and distance within the range after the move, shares of modes, elements that do move."""
+    for seed in range(COUNT or 1):
+        found, motions = vibrating(random_robot(kind, 400 + seed))
+        for which, one in found.items():
+            if one["amplitude_m"] is None:
+                assert one["reason"]
+                continue
+            after = motions[which]
+            assert after.end is not None
+            late = after.times >= after.end * (1 - 1e-12)
+            most = 1.005 * width(after.tip[late]) + 1e-12
+            assert one["amplitude_m"] <= most
+            assert one["largest_m"] <= most
+            assert max(one["along_m"].values(), default=0.0) <= one["largest_m"] + 1e-15
+            assert sum(mode["share"] for mode in one["modes"]) + one["unexplained"] == pytest.approx(1.0, abs=0.02) or (
+                not one["modes"]
+            )
+
+
+@pytest.mark.parametrize(("omega", "ratio"), [(20.0, 0.03), (31.0, 0.0), (12.0, 0.15)])
+@pytest.mark.parametrize("phase", [0.0, 1.1, 2.5])
+def test_one_decaying_vibration(omega: float, ratio: float, phase: float) -> None:
+    """Its size is its envelope at the end of the command, the distance seen that of its samples; also by direction."""
+    time = np.linspace(0.0, 4.0, 2001)
+    swing = np.exp(-ratio * omega * time) * np.cos(omega * np.sqrt(1 - ratio**2) * time + phase)
+    points = np.stack([3 + 0.03 * swing, 0.04 * swing, 0 * swing + 0.2 * np.exp(-time)], axis=1)
+    found = residual_vibration(time + 7.0, points, 7.0)
+    assert found.amplitude == pytest.approx(0.05, rel=1e-4)
+    assert found.largest == pytest.approx(0.05 * np.abs(swing).max(), rel=1e-3)
+    assert found.along == pytest.approx([0.03 * np.abs(swing).max(), 0.04 * np.abs(swing).max(), 0.0], abs=1e-5)
+    assert len(found.modes) == 1
+    assert found.modes[0].share == pytest.approx(1.0, abs=1e-4)
+    assert found.unexplained < 1e-4
+
+
+def test_two_vibrations_are_two_modes() -> None:
+    """Their largest envelope is the sum of both, which is seen when they meet; each has its share."""
+    time = np.linspace(0.0, 10.0, 5001)
+    one, other = 0.02 * np.cos(15 * time), 0.01 * np.sin(23 * time)
+    found = residual_vibration(time, np.stack([one + other, one * 0, one * 0], axis=1))
+    assert found.amplitude == pytest.approx(0.03, rel=1e-3)
+    assert [mode.amplitude for mode in found.modes] == pytest.approx([0.02, 0.01], rel=1e-3)
+    assert [mode.share for mode in found.modes] == pytest.approx([0.8, 0.2], abs=0.01)
+    assert [mode.drift for mode in found.modes] == [None, None]
+
+
+def test_a_frequency_that_drifts_is_said() -> None:
+    """A swing whose period shrinks as it decays is one mode with two frequencies, not many that cancel."""
+    time = np.linspace(0.0, 20.0, 4001)
+    size = np.exp(-0.1 * time)
+    turned = np.cumsum(2 * np.pi * (1.0 - 0.1 * size**2)) * time[1]
+    found = residual_vibration(time, np.stack([0.3 * size * np.cos(turned), 0 * time, 0 * time], axis=1))
+    assert found.amplitude == pytest.approx(0.3, rel=0.01)
+    assert len(found.modes) == 1
+    assert found.modes[0].drift is not None
+    assert found.modes[0].drift == pytest.approx((0.91, 0.98), abs=0.01)
+    assert sum(mode.amplitude for mode in found.modes) < 0.31
+
+
+def test_a_period_without_modes() -> None:
+    """What is no sum of decaying vibrations has the distance that is seen from a mean over its period, and says so."""
+    time = np.linspace(0.0, 10.0, 2001)
+    random = np.random.default_rng(5)
+    jumps = np.repeat(random.uniform(0.6, 1.0, 21), 100)[:2001]
+    found = residual_vibration(time, np.stack([0.1 * jumps * np.sin(2 * np.pi * 2 * time), 0 * time], axis=1))
+    assert found.reason
+    assert found.modes == ()
+    assert found.amplitude == pytest.approx(0.1 * jumps.max(), rel=0.1)
+
+
+def rod(**more: Any) -> Robot:
+    """A rod of spring steel that bends by more than half its length, in one plane; it can bend in the other too."""
+    beam = {"model": "strain", "functions": {"bend_y": 3, "bend_z": 1}, "length": 1.0, "damping_time": 2e-3,
+            "material": {"young": "200 GPa", "shear": "77 GPa", "density": 7850.0},
+            "section": {"shape": "round", "diameter": "5 mm"}}  # fmt: skip
+    joint = {"name": "grip", "type": "revolute", "child": "rod", "axis": [0, -1, 0],
+             "motor": {"inertia": 0.3, "side": "joint", "friction": {"viscous": 0.05}},
+             "gear": {"stiffness": 400.0, "damping": 0.5}}  # fmt: skip
+    drive = {"joint": "grip", "command": "position",
+             "signal": {"type": "quintic", "start": 0.2, "end": 1.2, "duration": 0.6},
+             "controller": {"type": "pd", "position_gain": 600.0, "velocity_gain": 20.0}}  # fmt: skip
+    links = [{"name": "rod", "beam": beam, "bodies": [{"name": "fish", "mass": 0.25, "inertia": 1e-5, "at": 1.0}]}]
+    return Robot.from_data({"format": 1, "kind": "arm", "name": "fishing_rod", "gravity": 9.81, "joints": [joint],
+                            "links": links, "drives": [drive],
+                            "integration": {"duration": 2.0, "output_step": 2e-3} | more})  # fmt: skip
+
+
+def test_a_rod_that_swings_far() -> None:
+    """About the half of its range, of its bending in that plane alone, and the same however long is drawn."""
+    sizes = []
+    for duration in (0.9, 2.0007, 8.0):
+        found, motions = vibrating(rod(duration=duration))
+        one, after = found["actual"], motions["actual"]
+        swung = after.tip[after.times >= 0.6]
+        assert one["amplitude_m"] < np.linalg.norm(np.ptp(swung, axis=0))
+        assert one["amplitude_m"] == pytest.approx(np.linalg.norm(np.ptp(swung, axis=0)) / 2, rel=0.1)
+        assert {mode["element"] for mode in one["modes"]} == {"rod.bend_y"}
+        assert one["modes"][0]["share"] > 0.9
+        assert one["along_m"]["y"] == 0.0
+        sizes.append(one["amplitude_m"])
+    assert sizes == pytest.approx([sizes[0]] * 3, rel=0.01)
