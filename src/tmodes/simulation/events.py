@@ -49,7 +49,7 @@ def _changes(run: RunData) -> Iterator[Event]:
     before, after = (np.array([getattr(change, name) for change in run.changes]) for name in ("before", "after"))
     times, after = np.insert(times, 0, 0.0), np.concatenate([run.states[:1], after])
     before = np.concatenate([run.states[:1], before])
-    seen = [model.witnessed(times, states, rows.rows_at(times)) for states in (before, after)]
+    seen = [model.event_data(times, states, rows.rows_at(times)) for states in (before, after)]
     reader = _Reader(run, before, after, *seen)
     for k in range(1, len(times)):
         for kind, place, speed, unit, direction in reader.at(k):
@@ -60,7 +60,7 @@ _Found = Iterator[tuple[str, str, float, str, float]]
 
 
 class _Reader:
-    """Reads events off the states before and after each change, and what is witnessed there."""
+    """Reads events off the states before and after each change, and the event data there."""
 
     def __init__(
         self, run: RunData, before: Array, after: Array, was: Mapping[str, Array], found: Mapping[str, Array]

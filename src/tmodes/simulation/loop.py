@@ -176,10 +176,10 @@ class LoopModel:
         found = evaluate(numbers, self.loop.observe, blocks, len(blocks["time"]))
         return found | {"drives": found["drives"].reshape(len(found["drives"]), -1, 4)}
 
-    def witnessed(self, time: ArrayLike, state: ArrayLike, row: ArrayLike) -> dict[str, Array]:
-        """What tells events apart, of n instants; see :attr:`tmodes.equations.loop.closed_loop.ClosedLoop.witness`."""
+    def event_data(self, time: ArrayLike, state: ArrayLike, row: ArrayLike) -> dict[str, Array]:
+        """What distinguishes events, of n instants: gates, contact, sliding speed, rates of gears with play."""
         blocks = self._blocks(time, state, row)
-        return evaluate(self.numbers, self.loop.witness, blocks, len(blocks["time"]))
+        return evaluate(self.numbers, self.loop.event_data, blocks, len(blocks["time"]))
 
     def jacobian(self, time: float, state: Array, row: Array, parameters: Array | None = None) -> Array:
         """Derivative of the rates by the state (without works), exact, (..., m, m) of states (..., size)."""

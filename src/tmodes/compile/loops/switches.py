@@ -48,8 +48,8 @@ def switch(loop: Any, endless: Any) -> None:
     with counted(b, loop.size, "component") as i:
         apart = b.fcmp_unordered("!=", loop.load("y", i), loop.load("after", i))
         b.store(b.select(apart, number(1.0), b.load(changed, typ=F64)), changed)
-        told = b.and_(apart, b.icmp_signed(">=", i, whole(loop.guarded)))  # not where what sticks only comes to rest
-        loop.put("met", b.select(told, number(1.0), loop.get("met")))
+        kept = b.and_(apart, b.icmp_signed(">=", i, whole(loop.guarded)))  # not where what sticks only comes to rest
+        loop.put("met", b.select(kept, number(1.0), loop.get("met")))
     loop.copy("y", "after")
     loop.add("switching", 1.0)
     loop.stop_if(b.fcmp_ordered(">", loop.get("switching"), number(MOST_SWITCHES)), endless)

@@ -218,8 +218,8 @@ class ClosedLoop(LoopParts):
         return switched_state(Instant(self, jolted=True)) if self.modes else None
 
     @cached_property
-    def witness(self) -> Schedule:
-        """(time, state, row, step) -> what tells events apart.
+    def event_data(self) -> Schedule:
+        """(time, state, row, step) -> what distinguishes events.
 
         gate: pairs of numbers; contact (6); sliding speed of its point; rates of the deflections of gears with play.
         """
