@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import subprocess
 import sys
+from typing import Any
 
 import numpy as np
 import pytest
@@ -146,3 +147,13 @@ def test_refused_settings_tell_the_least_and_the_largest_value(name, assignment,
     with pytest.raises(InputErrors) as errors:
         tmodes.load(name, {path: value})
     assert span in str(errors.value)
+
+
+def test_one_condition_needs_no_list(robot):
+    assert robot.with_({"integration.stop": "tip.z < -5 m"}).integration.stop == ("tip.z < -5 m",)
+    result = tmodes.run(robot.with_(SHORT), stop="tip.speed > 0.05 m/s")
+    assert result.status == "stopped_by_condition"
+    cases: list[Any] = [5, [5]]
+    for wrong in cases:
+        with pytest.raises(InputError, match="stop must be text"):
+            tmodes.run(robot, stop=wrong)

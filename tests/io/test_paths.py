@@ -10,6 +10,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+import tmodes
 from io_cases import SHEET, number_paths, value_of
 from tmodes.errors import InputError, InputErrors
 from tmodes.io.sheet_check import sheet_from_data as robot_from_data
@@ -17,6 +18,7 @@ from tmodes.io.sheet_paths import changed_places
 from tmodes.io.units import parse_assignment
 from tmodes.io.yaml_file import parse_yaml
 from tmodes.robots.load import load
+from tmodes.sheet import Robot
 from tmodes.simulation.vary.lanes import changed_sheet
 
 
@@ -149,6 +151,8 @@ def test_a_path_through_something_else_is_reported(data: dict[str, Any]) -> None
         ("title=~", None),
         ("gravity=1e400", "1e400"),
         ("name=[1, *a, &b !!x]", "[1, *a, &b !!x]"),
+        ("s={type: step, end: 45 deg, at: [1, 2 m]}", {"type": "step", "end": "45 deg", "at": [1, "2 m"]}),
+        ("b=[{mass: 1}, {mass: 2}]", [{"mass": 1}, {"mass": 2}]),
     ],
 )
 def test_assignment(text: str, value: Any) -> None:
@@ -156,6 +160,12 @@ def test_assignment(text: str, value: Any) -> None:
     assert path == text.partition("=")[0].strip()
     assert read == value
     assert type(read) is type(value)
+
+
+@pytest.mark.parametrize("text", ["a={b", "a={b: &c 1, d: !!x 2}", "a={b: 1, b: 2}"])
+def test_a_group_that_is_none_is_refused(text: str) -> None:
+    with pytest.raises(InputError, match="--set a"):
+        parse_assignment(text)
 
 
 @pytest.mark.parametrize("text", ["", "gear.stiffness", "=3", "gear.stiffness=", "a=" + "9" * 3000])
@@ -171,3 +181,33 @@ def test_any_assignment_is_read_or_refused(text: str) -> None:
     except InputError as error:
         path = error.hint
     assert path
+
+
+@pytest.mark.parametrize(
+    ("robot", "path", "meant"),
+    [
+        ("manutec_r3", "payload.mass", "links.b6.bodies.load.mass"),
+        ("flexarm1990", "payload.mass", "links.forearm.bodies"),
+        ("manutec_r3", "actual.gear.stiffness", "real.gear.stiffness"),
+        ("manutec_r3", "gear.stiffness", "joints.joint1.gear.stiffness"),
+        ("manutec_r3", "integration.dt", "integration.output_step"),
+        ("manutec_r3", "links.b2.mass", "links.b2.bodies.b2.mass"),
+    ],
+)
+def test_a_path_of_another_robot_leads_to_one_of_this(robot: str, path: str, meant: str) -> None:
+    with pytest.raises(InputError) as caught:
+        tmodes.load(robot, {path: 1.0})
+    assert caught.value.hint.startswith(f"did you mean `{meant}")
+
+
+def test_the_key_of_another_program_is_known() -> None:
+    data = {
+        "format": 1,
+        "kind": "arm",
+        "name": "x",
+        "actual": {},
+        "joints": [{"name": "j", "type": "fixed", "child": "l"}],
+    }
+    with pytest.raises(InputErrors) as caught:
+        Robot.from_data(data)
+    assert "`real`" in caught.value.errors[0].hint

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import pytest
 
 import tmodes
@@ -66,7 +68,6 @@ def test_one_of_several_numbers_for_which_the_sheet_has_one() -> None:
     ("path", "value", "words"),
     [
         (ALL, 0.0, "a factor from 0.001 to 1000"),
-        (ALL, "5 kN*m/rad", "a factor"),
         (ALL, True, "a factor"),
         ("real:gear.stiffness", float("nan"), "a factor"),
         ("joints.*.gear.stifness", 2.0, "no number there"),
@@ -83,3 +84,11 @@ def test_a_factor_that_acts_on_others_too_is_not_taken_for_one_of_its_own() -> N
     robot = loaded("ur5_elastic").with_({"real.joints.shoulder_pan_joint.gear.stiffness": 0.9})
     with pytest.raises(InputError, match="several factors"):
         robot.with_({"real:joints.shoulder_pan_joint.gear.stiffness.0": 0.5})
+
+
+@pytest.mark.parametrize(("value", "stiffness"), [("5 kNm/rad", 5e3), ("inf", math.inf), (math.inf, math.inf)])
+def test_a_value_with_its_unit_sets_all(value: object, stiffness: float) -> None:
+    changed = tmodes.load("manutec_r3").with_({"joints.*.gear.stiffness": value})
+    found = [one for joint in changed.joints if joint.gear for one in joint.gear.stiffness]
+    assert found
+    assert set(found) == {stiffness}

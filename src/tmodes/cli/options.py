@@ -57,8 +57,9 @@ Settings = Annotated[
         "--set",
         metavar="PATH=VALUE",
         help="Change a number of the robot; may be given often: --set payload.mass=0.8  --set real.gear.stiffness=0.5. "
-        "As the sliders of a page: a path with * multiplies all that it names, --set 'joints.*.gear.stiffness=1.2'; "
-        "real:PATH=0.5 sets actual / nominal.",
+        "A group or list as in YAML: --set 'drives.0.signal={type: constant, value: 0.4}'. As the sliders of a page: a "
+        "path with * multiplies all that it names, --set 'joints.*.gear.stiffness=1.2' (with a unit, or inf, it sets "
+        "them); real:PATH=0.5 sets actual / nominal.",
     ),
 ]
 ReadingOption = Annotated[

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from difflib import get_close_matches
 from typing import Any, Self
 
-from pydantic import Field, SerializerFunctionWrapHandler, model_serializer, model_validator
+from pydantic import Field, SerializerFunctionWrapHandler, field_validator, model_serializer, model_validator
 
 from tmodes.errors import InputError
 from tmodes.integrate.condition import MOST, Condition
@@ -79,6 +79,11 @@ class Integration(DataSheet):
     max_wall_time: float = positive(
         "s", "wall", "seconds of computing after which a run gives up", default=3600.0, span=True
     )
+
+    @field_validator("stop", mode="before")
+    @classmethod
+    def _one_is_a_list_of_one(cls, value: Any) -> Any:
+        return (value,) if isinstance(value, str) else value
 
     @model_serializer(mode="wrap")
     def _as_given(self, write: SerializerFunctionWrapHandler) -> dict[str, Any]:

@@ -1,7 +1,7 @@
 """What sliders change and ``--set`` takes besides a number's own path.
 
-``joints.*.gear.stiffness`` multiplies all that stand there by a factor, ``real:PATH`` sets actual over nominal of what
-stands at a path, wherever the sheet has that factor.
+``joints.*.gear.stiffness`` multiplies all that stand there by a factor, or sets them to a value with its unit or to
+``inf``; ``real:PATH`` sets actual over nominal of what stands at a path, wherever the sheet has that factor.
 """
 
 from __future__ import annotations
@@ -37,12 +37,14 @@ def single_changes(path: str, value: Any, data: Mapping[str, Any]) -> dict[str, 
     """
     if not is_grouped(path):
         return {path: value}
-    if isinstance(value, bool) or not isinstance(value, (int, float)) or not 1 / LARGEST <= value <= LARGEST:
-        expected, hint = f"a factor from {1 / LARGEST:g} to {LARGEST:g}", "name each item to set a value with its unit"
-        raise InputError(path, shown(value), expected, hint)
+    given = not path.startswith(REAL) and (isinstance(value, str) or (isinstance(value, float) and math.isinf(value)))
+    if not given:
+        _refuse_no_factor(path, value)
     numbers = _numbers(path.removeprefix(REAL), data)
     if not numbers:
         raise InputError(path, "no number there", "a path at which the sheet has one", "see: tmodes describe")
+    if given:
+        return {path_of(steps, data): value for steps, _ in numbers}
     if not path.startswith(REAL):
         return {path_of(steps, data): number * value for steps, number in numbers}
     entries = {path_of(steps, data): real_entry(data, path_of(steps, data))[0] for steps, _ in numbers}
@@ -51,6 +53,15 @@ def single_changes(path: str, value: Any, data: Mapping[str, Any]) -> dict[str, 
             hint = "change the entries of `real` themselves"
             raise InputError(path, f"several factors on {own}, or one that acts on others too", "one of its own", hint)
     return {f"real.{entry}": value for entry in entries.values()}
+
+
+def _refuse_no_factor(path: str, value: Any) -> None:
+    if isinstance(value, bool) or not isinstance(value, (int, float)) or not 1 / LARGEST <= value <= LARGEST:
+        expected = f"a factor from {1 / LARGEST:g} to {LARGEST:g}"
+        hint = (
+            "leave the factor within these" if path.startswith(REAL) else "to set all to one value, write its unit too"
+        )
+        raise InputError(path, shown(value), expected, hint)
 
 
 def later_changes(data: Mapping[str, Any], changes: Mapping[str, Any]) -> dict[str, Any]:

@@ -149,11 +149,40 @@ def _unknown(
     start = own_path(named(before, data), data)
     meant = nearest(where, known)
     found = ".".join(filter(None, (start, meant, *beyond))) if meant else ""
-    found = found or _first(data, lambda steps: steps[-1] == where)
+    if found and beyond and not _leads(found, data):
+        found = ""
     if not before:  # a path may differ in capital letters and hyphens alone
         found = _first(data, lambda steps: plain(own_path(named(steps, data), data)) == plain(path)) or found
+    if not (isinstance(value, (list, tuple)) and where.isdecimal()):  # the names that there are say more
+        found = found or _alike(path, data)
     expected = f"one of {', '.join(known[:MOST_LISTED])}" if known else f"no key inside `{start}`"
     return InputError(path, "an unknown key", expected, f"did you mean `{found}`?" if found else look)
+
+
+def _leads(path: str, data: Any) -> bool:
+    """Whether something may stand at a path."""
+    try:
+        steps_of(path, data)
+    except InputError:
+        return False
+    return True
+
+
+def _alike(path: str, data: Any) -> str:
+    """The path of a number with the same last word, and most of the other words; of the last link where all equal."""
+    words = [plain(word) for word in path.split(".")]
+    best, most = "", -1
+    for _, _, steps, _ in quantities(data):
+        own = named(steps, data)
+        if steps[-1] == path.rpartition(".")[2]:
+            shared = len({*words} & {plain(word) for word in own.split(".")})
+            if shared > most or (shared == most and words[0] in _CARRIED):
+                best, most = own_path(own, data), shared
+    return best
+
+
+_CARRIED = ("payload", "tool", "load", "gripper", "end_effector")
+"""What a robot carries at its end."""
 
 
 def _first(data: Any, fits: Callable[[tuple[Step, ...]], bool]) -> str:

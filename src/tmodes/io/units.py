@@ -260,7 +260,7 @@ NUMBERS = re.compile(r"\[ *[-+.0-9][^][{},'\"&*!]*(,[ ]*[-+.0-9][^][{},'\"&*!]*)
 
 
 def parse_assignment(text: str) -> tuple[str, Any]:
-    """Path and value of ``path=value``: a bare word, quoted text or list of numbers of YAML; else an InputError."""
+    """Path and value of ``path=value``: a bare word, quoted text, a list or a group of YAML; else an InputError."""
     path, equals, value = (part.strip() for part in text.partition("="))
     if not (path and equals and value) or len(value) > LONGEST_VALUE:
         hint = "write it without spaces around =, as in gear.stiffness=900"
@@ -269,4 +269,17 @@ def parse_assignment(text: str) -> tuple[str, Any]:
         return path, value[1:-1]
     if NUMBERS.fullmatch(value):
         return path, [scalar(word.strip()) for word in value[1:-1].split(",")]
-    return path, scalar(value)
+    return path, _flow(path, value) if value[0] in "[{" else scalar(value)
+
+
+def _flow(path: str, value: str) -> Any:
+    """A list or a group as YAML writes it in one line; text that begins like a list and is none stays text."""
+    from tmodes.io.yaml_file import parse_yaml
+
+    try:
+        return parse_yaml(f"value: {value}", "--set")[0]["value"]
+    except InputError as error:
+        if value[0] == "[":
+            return value
+        hint = "write it in quotes, as in 'drives.0.signal={type: constant, value: 0.4}'"
+        raise InputError(f"--set {path}", f"{shown(value)} ({error.got})", "a group in braces", hint) from None

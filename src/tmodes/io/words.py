@@ -7,9 +7,27 @@ import os
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
-__all__ = ["meant", "nearest", "plain", "shown", "shown_path"]
+from tmodes.errors import InputError
+
+__all__ = ["MEANT", "meant", "nearest", "plain", "several", "shown", "shown_path"]
 
 LONGEST = 60
+
+MEANT = {
+    **dict.fromkeys(("actual", "actuals", "true", "uncertainty", "mismatch", "perturbation"), "real"),
+    **dict.fromkeys(("controllers", "control", "motors", "actuators", "actuation", "inputs"), "drives"),
+    **dict.fromkeys(("masses", "body"), "bodies"), **dict.fromkeys(("spring",), "gear"),
+    **dict.fromkeys(("forces", "wrenches", "external_forces"), "loads"), "end_effector": "tip", "tcp": "tip",
+    **dict.fromkeys(("simulation", "solver", "settings"), "integration"), "environment": "contact",
+    **dict.fromkeys(("initial_state", "start", "x0"), "initial"), "segments": "links",
+    **dict.fromkeys(("E", "youngs_modulus", "modulus", "young_modulus"), "young"), "rho": "density",
+    **dict.fromkeys(("kp", "Kp", "p_gain", "stiffness_gain", "p"), "position_gain"),
+    **dict.fromkeys(("kd", "Kd", "Kv", "kv", "d_gain", "damping_gain", "d"), "velocity_gain"),
+    **dict.fromkeys(("ki", "Ki", "i_gain", "i"), "integral_gain"), "k": "stiffness", "m": "mass", "com": "center",
+    "center_of_mass": "center", "cog": "center", "reduction": "ratio", "gear_ratio": "ratio", "t_end": "duration",
+    "dt": "output_step", "step_size": "output_step", "time_step": "output_step",
+}  # fmt: skip
+"""What other programs and books call a key of ours."""
 
 SHORTEST = 3
 """Least length of the beginning of a name by which it is known [characters]."""
@@ -49,7 +67,8 @@ def nearest(word: str, names: Iterable[str]) -> str | None:
     known, meant = {plain(name): name for name in names}, plain(word[:LONGEST])
     close = difflib.get_close_matches(meant, known, n=1, cutoff=0.6)
     starts = [name for name in known if len(meant) >= SHORTEST and name.startswith(meant)]
-    found = close or (starts if len(starts) == 1 else [])
+    other = [MEANT[word]] if MEANT.get(word) in known else []
+    found = other or close or (starts if len(starts) == 1 else [])
     return known[found[0]] if found else None
 
 
@@ -57,6 +76,16 @@ def meant(word: str, names: Iterable[str], otherwise: str) -> str:
     """The hint for an unknown word: the name that was probably meant, else ``otherwise``."""
     close = nearest(word, names)
     return f"did you mean `{close}`?" if close else otherwise
+
+
+def several(which: str, words: Any) -> tuple[str, ...]:
+    """Texts that a caller gives, one of them perhaps by itself; raises :class:`tmodes.errors.InputError` for others."""
+    if isinstance(words, str):
+        return (words,)
+    listed = tuple(words) if isinstance(words, Iterable) else (words,)
+    if not all(isinstance(word, str) for word in listed):
+        raise InputError(which, shown(words), "text, or a list of texts", "write each in quotes")
+    return listed
 
 
 def plain(word: str) -> str:

@@ -25,14 +25,14 @@ def run(
     progress: Callable[[str, float], None] = lambda stage, share: None,
     journals: Callable[[str], Journal | None] = lambda stage: None,
     controller: Controller | None = None,
-    stop: Sequence[str] = (),
+    stop: str | Sequence[str] = (),
 ) -> Result:
     """Plan with the robot as known, run the actual one under control, and return the :class:`tmodes.Result`.
 
     ``robot``: its ``real`` factors make the actual one; or a pair of your own. A robot without drives moves freely from
     its ``initial`` state. ``progress`` receives the stage and its share; ``journals`` gives where the stages
     ``reference`` and ``real`` keep their progress, so that an interrupted run resumes. ``controller``: a Python
-    function in place of the sheet's controllers. ``stop``: conditions in addition to those of ``integration.stop``.
+    function in place of the sheet's controllers. ``stop``: one or several conditions, beside ``integration.stop``.
 
     A run that cannot continue keeps what it had: look at ``result.status`` and ``result.message``. Raises
     :class:`tmodes.errors.InputError` for what cannot be run, and :class:`tmodes.errors.SimulationError` where it cannot

@@ -16,6 +16,7 @@ from tmodes.errors import InputError
 from tmodes.integrate.choice import chosen_method, explained, otherwise
 from tmodes.integrate.registry import AUTO
 from tmodes.integrate.settings import refuse_too_large
+from tmodes.io.words import several
 from tmodes.sheet import Robot, RobotPair
 from tmodes.sheet.parts import Command
 from tmodes.simulation.callback import Controller, driven_by, fixed_steps, run_with_controller
@@ -70,7 +71,7 @@ def simulate_motion(
     progress: Progress = lambda stage, share: None,
     journals: Journals = lambda stage: None,
     controller: Controller | None = None,
-    stop: Sequence[str] = (),
+    stop: str | Sequence[str] = (),
 ) -> RunData:
     """The trajectories of the nominal and the actual robot; arguments and errors as of :func:`tmodes.run`.
 
@@ -79,7 +80,8 @@ def simulate_motion(
     """
     pair = robot if isinstance(robot, RobotPair) else robot.pair()
     real = run_setup(pair.real)
-    stops = run_stops(real, tuple(stop))
+    further = several("stop", stop)
+    stops = run_stops(real, further)
     _refuse(real)
     if controller is not None:
         refuse_switches(real.model, "a Python controller", "take a controller of the sheet")
@@ -94,7 +96,7 @@ def simulate_motion(
     reference, until = _reference(setups.nominal, progress, journals, warnings)
     if reference and reference.status == "diverged":
         reference = replace(reference, message=f"{reference.message}; likely cause: {_cause(verdict, warnings)}")
-    trajectory, used, rows = _run(setups.real, until, stops, progress, journals, controller, tuple(stop))
+    trajectory, used, rows = _run(setups.real, until, stops, progress, journals, controller, further)
     if reference and trajectory.status == STOPPED:
         cut = run_trajectory(reference.setup, until=float(trajectory.times[-1]))  # so that it has a sample there
         reference = _warned(gathered(reference.setup, cut))

@@ -17,6 +17,7 @@ from tmodes.analysis.statics.steady import is_unsteady, whole_rates
 from tmodes.analysis.statics.system import StaticSystem
 from tmodes.errors import InputError
 from tmodes.frame import rotation_vector
+from tmodes.io.words import several
 from tmodes.kinds.contacts.registry import Contact
 from tmodes.model.model import Model
 
@@ -89,7 +90,7 @@ def equilibrium(
     loads: Sequence[Load] = (),
     *,
     held: Mapping[str, float | str] | None = None,
-    free: Sequence[str] = (),
+    free: str | Sequence[str] = (),
     start: Mapping[str, float | str] | None = None,
     contact: Contact | None = None,
     rates: Mapping[str, float | str] | None = None,
@@ -113,7 +114,7 @@ def equilibrium(
     turning = None if spin is None else np.asarray(spin, dtype=float)
     fixed, first = coordinate_numbers(model, held), coordinate_numbers(model, start)
     moving = whole_rates(model, coordinate_numbers(model, rates, rate=True), base=turning is not None)
-    system = StaticSystem(model, acts, free_coordinates(model, fixed, free), moving, turning)
+    system = StaticSystem(model, acts, free_coordinates(model, fixed, several("free", free)), moving, turning)
     pose = starting_pose(model, fixed, first)
     return _info(system, follow(system, pose, progress), pose)
 

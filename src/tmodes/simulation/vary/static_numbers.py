@@ -14,7 +14,7 @@ from tmodes.analysis.modes.of_sheet import sheet_frequencies
 from tmodes.analysis.statics.at_rest import robot_rest
 from tmodes.analysis.statics.steady import base_spin, steady_rates
 from tmodes.errors import InputError, SimulationError
-from tmodes.io.words import nearest
+from tmodes.io.words import nearest, several
 from tmodes.model.forms import Unfit
 from tmodes.model.model import Model
 from tmodes.sheet import Robot
@@ -52,7 +52,7 @@ class StaticNumbers:
 def static_numbers(
     sheet: Robot,
     vary: Mapping[str, ArrayLike],
-    names: Sequence[str],
+    names: str | Sequence[str],
     *,
     threads: int | None = None,
     progress: Callable[[str, float], None] = lambda stage, share: None,
@@ -78,7 +78,7 @@ def static_numbers(
     if refused and wrong == "error":
         first = next(iter(refused))
         changed_sheet(sheet, changes_of(values, first), first)
-    rows = _Rows(sheet, values, tuple(dict.fromkeys(names)), refused, thread_count(threads))
+    rows = _Rows(sheet, values, tuple(dict.fromkeys(several("names", names))), refused, thread_count(threads))
     rows.run(lambda share: progress("statics", share))
     units = {name: "m" if name in _SAG else "Hz" if _FREQUENCY.fullmatch(name) else "kg" for name in rows.names}
     return StaticNumbers(rows.values, units, tuple(rows.status), tuple(rows.message))
