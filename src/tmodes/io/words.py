@@ -16,7 +16,7 @@ LONGEST = 60
 MEANT = {
     **dict.fromkeys(("actual", "actuals", "true", "uncertainty", "mismatch", "perturbation"), "real"),
     **dict.fromkeys(("controllers", "control", "motors", "actuators", "actuation", "inputs"), "drives"),
-    **dict.fromkeys(("masses", "body"), "bodies"), **dict.fromkeys(("spring",), "gear"),
+    **dict.fromkeys(("masses", "body"), "bodies"),
     **dict.fromkeys(("forces", "wrenches", "external_forces"), "loads"), "end_effector": "tip", "tcp": "tip",
     **dict.fromkeys(("simulation", "solver", "settings"), "integration"), "environment": "contact",
     **dict.fromkeys(("initial_state", "start", "x0"), "initial"), "segments": "links",
