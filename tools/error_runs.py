@@ -110,7 +110,7 @@ def _of_model(robot: Robot, case: Case) -> dict[str, Any]:
     robot = _bare(robot) if case.seed % 2 else robot
     robot = robot.model_copy(update={"real": {}}) if lumped else robot  # a factor on what modes do not have
     coarse = _with_beams(robot, lambda beam: beam.variant(case.method if lumped else beam.model, count))
-    fine = _with_beams(coarse, lambda beam: beam.variant("strain", FINE) if lumped else beam.finer())
+    fine = _with_beams(coarse, lambda beam: beam.variant("strain", FINE) if lumped else beam.finer(2))
     try:
         run, truth = simulated(coarse), simulated(fine)
     except TmodesError as error:

@@ -37,7 +37,7 @@ _UNITS = {
     "pole": "1/s, real and imaginary part: the eigenvalue of mass, damping, stiffness and controllers",
     "share": "1",
     "growth_time_s": "s, in which an unstable mode grows by the factor e",
-    "frequency_error": "1, over the frequency with two more functions a direction, less 1; null: not known",
+    "frequency_error": "1, over the frequency with four more functions a direction, less 1; null: not known",
     "angle_rad": "rad",
     "poles": "1/s, real and imaginary part, of all eigenvalues under control",
     "missing_share": "1, of the energy of bending, in shapes that the link's functions do not have",

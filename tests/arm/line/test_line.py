@@ -113,7 +113,7 @@ def test_self_weight(taper: float) -> None:
 def test_stepped_beam_carries_its_steps_and_a_body_between() -> None:
     steps = (piece(end=0.25, mass=2.0), piece(end=1.0, mass=0.5))
     model = clamped(beam(pieces=steps, bodies=((0.6, Body(1.5)), (1.0, Body(0.4)))))
-    line = elastic_line(model, np.zeros(6), stations=S.tolist())["rod"]
+    line = elastic_line(model, np.zeros(model.nq), stations=S.tolist())["rod"]
     own = 2.0 * np.maximum(0.25 * LENGTH - X, 0) + 0.5 * (LENGTH - np.maximum(X, 0.25 * LENGTH))
     assert np.abs(line.shear[0, :, 1] + 9.81 * (own + 1.5 * (S < 0.6 + 1e-9) + 0.4)).max() < 1e-12 * 9.81 * 4
 

@@ -1,7 +1,9 @@
 """The elastic line of a Beam, discrete: Gauss points, fourth-order Magnus steps, tangents integrated spectrally.
 
 Curvature (twist, y, z) = rest + (1/L) sum_j b_j(s) q_j, stretch or shear = sum_j b_j(s) q_j, s in 0..1; each b_j is a
-polynomial over the relative stiffness of the section. The beam is divided where a stiffness jumps by more than 5 %; in
+polynomial over the relative stiffness of the section, or the part of 1 or of (1 - s/a) inboard of a body at a: in
+bending the second, and the first too where the body resists turning; in twist the first of such a body; in stretch and
+shear the first. The beam is divided where a stiffness jumps by more than 5 % and at bodies inside; in
 each span the Gauss points are those of the beam's own mass per length, and the tangents' polynomial is one of its own.
 A section at a body or a named point ends a Magnus step too. Written from that definition: every number comes from
 NumPy's polynomials, none from the package.
@@ -22,7 +24,7 @@ from numpy.typing import NDArray
 from arm.oracle.rotation import exponential
 from tmodes.kinds.links.strain import Beam
 
-__all__ = ["DIRECTIONS", "Line", "Station", "basis", "counts", "gauss"]
+__all__ = ["DIRECTIONS", "Line", "Station", "basis", "counts", "gauss", "names_of"]
 
 DIRECTIONS = ("twist", "bend_y", "bend_z", "stretch", "shear_y", "shear_z")
 MODULI = ("torsion", "bend_y", "bend_z", "axial", "shear_y", "shear_z")
@@ -42,7 +44,32 @@ class Station:
 
 def counts(beam: Beam) -> tuple[int, ...]:
     """Numbers of functions of each direction."""
-    return tuple(getattr(beam, direction) for direction in DIRECTIONS)
+    return tuple(getattr(beam, direction) + len(broken(beam, direction)) for direction in DIRECTIONS)
+
+
+def names_of(beam: Beam) -> list[str]:
+    """Names of its coordinates: polynomials from 1 on, functions of bodies from 101 on."""
+    numbers = [
+        (direction, number)
+        for direction, count in zip(DIRECTIONS, counts(beam), strict=True)
+        for number in [*range(1, getattr(beam, direction) + 1), *range(101, 101 + count - getattr(beam, direction))]
+    ]
+    return [f"{direction}{number}" for direction, number in numbers]
+
+
+def inside(beam: Beam) -> list[float]:
+    """Places of bodies between root and tip."""
+    return sorted({s for s, _ in beam.bodies if 0 < s < 1})
+
+
+def broken(beam: Beam, direction: str) -> list[tuple[float, int]]:
+    """Place and degree of the functions that end at a body."""
+    found = []
+    for place in inside(beam) if getattr(beam, direction) else ():
+        turns = any(np.any(body.center) or np.any(body.inertia) for s, body in beam.bodies if s == place)
+        found += [(place, 1)] if "bend" in direction else []
+        found += [(place, 0)] if turns or direction not in DIRECTIONS[:3] else []
+    return found
 
 
 def basis(beam: Beam, direction: str) -> list[Callable[[Array], Array]]:
@@ -50,7 +77,27 @@ def basis(beam: Beam, direction: str) -> list[Callable[[Array], Array]]:
     window = Polynomial([1.0, -1.0]) if beam.basis == "tip_weighted" and "bend" in direction else Polynomial([1.0])
     number = getattr(beam, direction)
     shifted = [Legendre.basis(j, domain=[0, 1]).convert(kind=Polynomial, domain=[-1, 1]) for j in range(number)]
-    return [lambda s, f=window * function: f(s) * softness(beam, direction, s) for function in shifted]
+    own = [lambda s, f=window * function: f(s) for function in shifted]
+    own += [
+        lambda s, a=a, degree=degree: np.where(s < a, (1 - s / a) ** degree, 0.0)
+        for a, degree in broken(beam, direction)
+    ]
+    sums = orthonormal(beam, direction, own) if len(own) > number else np.eye(number)
+    return [
+        lambda s, row=row: softness(beam, direction, s) * sum(x * f(s) for x, f in zip(row, own, strict=True))
+        for row in sums
+    ]
+
+
+def orthonormal(beam: Beam, direction: str, functions: list[Callable[[Array], Array]]) -> Array:
+    """Rows of sums: the polynomials as they are, then what bodies add, orthonormal under the elastic energy."""
+    s, w, _ = fine(beam)
+    values = np.array([function(s) for function in functions]) * np.sqrt(w * softness(beam, direction, s))
+    _, right = np.linalg.qr(values.T)
+    sums = np.linalg.inv(right * np.sign(np.diag(right))[:, None]).T
+    number = getattr(beam, direction)
+    sums[:number] = np.eye(len(sums))[:number]
+    return sums
 
 
 def softness(beam: Beam, direction: str, s: Array) -> Array:
@@ -77,10 +124,12 @@ def fine(beam: Beam) -> tuple[Array, Array, list[tuple[float, int]]]:
     """A fine rule over all pieces: points, weights (sum 1), and for each point its share of its piece and which."""
     points, weights, where, start = [], [], [], 0.0
     for index, piece in enumerate(beam.pieces):
-        s, w = gauss(30, start, piece.end)
-        points.append(s)
-        weights.append(w)
-        where += [(float(share), index) for share in (s - start) / (piece.end - start)]
+        cuts = [start, *(place for place in inside(beam) if start < place < piece.end), piece.end]
+        for part in pairwise(cuts):
+            s, w = gauss(30, *part)
+            points.append(s)
+            weights.append(w)
+            where += [(float(share), index) for share in (s - start) / (piece.end - start)]
         start = piece.end
     return np.concatenate(points), np.concatenate(weights), where
 
@@ -97,19 +146,19 @@ def along(beam: Beam, quantity: str, axis: int | None = None) -> Array:
 
 
 def spans(beam: Beam) -> list[tuple[float, float]]:
-    """The parts of the beam between jumps of a stiffness that it answers with."""
+    """The parts of the beam between bodies and jumps of a stiffness that it answers with."""
     names = [name for name, number in zip(MODULI, counts(beam), strict=True) if number]
     cuts = [0.0]
     for inner, outer in pairwise(beam.pieces):
         steps = [sorted((getattr(inner, name)[1], getattr(outer, name)[0])) for name in names]
         cuts += [inner.end] if any(low < 0.95 * high for low, high in steps) else []
-    return list(pairwise([*cuts, 1.0]))
+    return list(pairwise(sorted({*cuts, *inside(beam), 1.0})))
 
 
 def mass_points(beam: Beam) -> list[Array]:
     """Gauss points of each span under the mass per length: eigenvalues of "times s" among the polynomials."""
     parts = spans(beam)
-    number = beam.points or max(counts(beam)) + (2 if len(parts) == 1 else 1)
+    number = beam.points or max(getattr(beam, direction) for direction in DIRECTIONS) + (2 if len(parts) == 1 else 1)
     s, w, _ = fine(beam)
     found = []
     for start, end in parts:

@@ -9,7 +9,7 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
-from arm.oracle.line import DIRECTIONS, Line, counts
+from arm.oracle.line import Line, names_of
 from arm.oracle.rotation import about
 from tmodes.chain.chain import Chain, Joint, Node
 from tmodes.frame import Placement
@@ -128,8 +128,7 @@ class Motion:
 def _link_names(node: Node) -> list[str]:
     link = node.link
     if isinstance(link, Beam):
-        pairs = zip(DIRECTIONS, counts(link), strict=True)
-        return [f"{node.name}.{direction}{j + 1}" for direction, number in pairs for j in range(number)]
+        return [f"{node.name}.{name}" for name in names_of(link)]
     if isinstance(link, Segment):
         return [f"{node.name}.{name}" for name in ("bend_y", "bend_z") if getattr(link, name)]
     return []

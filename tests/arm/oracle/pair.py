@@ -64,7 +64,9 @@ def assert_equations_agree(both: Pair, seed: int, tolerance: float) -> None:
     expected = both.oracle.forward_dynamics(x, rates, effort, wrenches)
     mass = both.oracle.mass_matrix(x)
     assert_near(found, expected[both.order], max(tolerance, reachable(mass)))
-    assert_near(mass @ found[both.back], mass @ expected, tolerance)
+    rounding = 4 * np.finfo(float).eps * (np.abs(mass) @ np.abs(expected)).max()  # stiff springs: terms that cancel
+    size = np.abs(mass @ expected).max()
+    assert_near(mass @ found[both.back], mass @ expected, max(tolerance, rounding / size))
 
 
 def reachable(mass: Array) -> float:

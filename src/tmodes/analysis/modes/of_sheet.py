@@ -86,8 +86,8 @@ def vibrations(
     ``controlled`` is there only where a drive has a controller. Errors as of
     :func:`tmodes.analysis.statics.at_rest.robot_rest`.
 
-    ``frequency_error`` of a mode: by which share it is higher than with two more functions a direction, None where that
-    is not known (robots of more than 60 coordinates, segments, modes without a partner); ``converged``: within 1 %.
+    ``frequency_error`` of a mode: by which share it is higher than with four more functions a direction, None where
+    that is not known (robots of more than 60 coordinates, segments, modes without a partner); ``converged``: within 1 %.
     """
     how = {"contact": contact, "held": held, "moving": True, "progress": progress}
     rest = robot_rest(robot, **how)
@@ -139,7 +139,7 @@ def _notices(robot: Robot, rest: Equilibrium, info: dict[str, list[dict[str, Any
         found.append(f"whether the modes are converged was not checked: more than {MOST_CHECKED} coordinates")
     if any(row["converged"] is False for modes in info.values() for row in modes):
         found.append(
-            f"modes marked `!` are not converged: with two more functions a direction their frequencies change by "
+            f"modes marked `!` are not converged: with four more functions a direction their frequencies change by "
             f"more than {CONVERGED:.0%}; take more functions where they matter"
         )
     return found
@@ -197,16 +197,23 @@ def frequency_errors(
     """By which share each frequency is higher than that of the finer robot's mode most like it; None where none is."""
     if not modes:
         return []
-    names = fine.model.coordinates
-    places = [names.index(name) for name in rest.model.coordinates]
-    ours, theirs = np.zeros((len(names), len(modes))), np.array([mode.shape for mode in fine_modes]).T
-    ours[places] = np.array([mode.shape for mode in modes]).T
+    ours, theirs = (np.array([mode.shape for mode in some]).T for some in (modes, fine_modes))
+    ours = _embedding(rest.model, fine.model) @ ours
     alike = _likeness(ours, theirs, fine.matrices[0])
     found: list[float | None] = [None] * len(modes)
     for k, other in enumerate(assigned(alike).tolist()):
         exact = fine_modes[other].frequency_Hz
         if other >= 0 and alike[k, other] > ALIKE and exact > 0 and modes[k].frequency_Hz > 0:
             found[k] = float(modes[k].frequency_Hz / exact - 1)
+    return found
+
+
+def _embedding(model: Model, fine: Model) -> Array:
+    """(fine.nq, nq): the motion of the finer robot in each coordinate of the robot."""
+    found = np.array([[float(name == own) for own in model.coordinates] for name in fine.coordinates])
+    for own, theirs in zip(model.parts.nodes, fine.parts.nodes, strict=True):
+        if own.link and theirs.link:
+            found[theirs.link.own, own.link.own] = own.node.link.embedding(theirs.node.link)
     return found
 
 

@@ -3,22 +3,27 @@
 A function is b_j(s) = (EI_ref/EI(s)) p_j(s), with p_j = P_j(2 s - 1) or, of bending only and where asked, (1 - s) P_j.
 So EI times the curvature is a polynomial whatever the section does: a force or moment at the tip bends a stepped or
 tapered link exactly. 1/EI_ref is the mean of 1/EI; of a uniform link the functions are the polynomials themselves.
+A body inside takes a force and a moment out of the beam, so the moment of bending has a kink and a jump at its place a:
+further functions have (1 - s/a) and 1 in place of p_j inboard of a, and 0 outboard of it, less what the others have.
 A piece of infinite stiffness has functions of value 0. Positions are s = x/length in 0..1 of the unloaded line.
 """
 
 from __future__ import annotations
 
+from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
 from numpy.polynomial import legendre
 from numpy.typing import ArrayLike, NDArray
 
+from tmodes.kinds.links.beam_breaks import TURNING, breaks_of, broken_pieces
 from tmodes.kinds.links.beam_pieces import BeamNumbers
 
 __all__ = [
-    "MODULI", "SHIFTING", "BareBeam", "bare_beam", "fine_rule", "function_values", "interval_integrals",
-    "is_uniform", "last_functions", "pieces_at", "softened", "stiffness_matrix",
+    "MODULI", "SHIFTING", "BareBeam", "bare_beam", "fine_rule", "function_names", "function_order",
+    "function_values", "interval_integrals", "is_uniform", "last_functions", "pieces_at", "softened",
+    "stiffness_matrix",
 ]  # fmt: skip
 
 Array = NDArray[np.float64]
@@ -27,9 +32,11 @@ MODULI = {"twist": "torsion", "bend_y": "bend_y", "bend_z": "bend_z", "stretch":
           "shear_y": "shear_y", "shear_z": "shear_z"}  # fmt: skip
 """Directions in which a link deforms, in the order of its coordinates, and the stiffness of a piece against each."""
 
-_TURNING = ("twist", "bend_y", "bend_z")
 SHIFTING = ("stretch", "shear_y", "shear_z")
-"""Directions that turn sections, and those that only shift them."""
+"""Directions that only shift sections."""
+
+_NEW = 1e-4
+"""Share of a function of a body inside that the others must lack for it to be one more."""
 
 _X, _W = legendre.leggauss(24)
 """Rule within a piece: exact to rounding for polynomials, to 1e-10 where stiffness falls to a sixteenth in it."""
@@ -52,15 +59,15 @@ def pieces_at(beam: BeamNumbers, name: str, s: ArrayLike) -> Array:
 
 def _bounds(beam: BeamNumbers) -> tuple[Array, Array]:
     """Where each piece starts and where it ends."""
-    ends = np.array([piece.end for piece in beam.pieces])
+    ends = np.array([piece.end for piece in broken_pieces(beam)])
     return np.concatenate([[0.0], ends[:-1]]), ends
 
 
 def _ends(beam: BeamNumbers, name: str) -> Array:
     """(pieces, 2): a quantity at the start and the end of each piece."""
     if name.startswith("inertia"):
-        return np.array([piece.inertia[int(name[-1])] for piece in beam.pieces], dtype=float)
-    return np.array([getattr(piece, name) for piece in beam.pieces], dtype=float)
+        return np.array([piece.inertia[int(name[-1])] for piece in broken_pieces(beam)], dtype=float)
+    return np.array([getattr(piece, name) for piece in broken_pieces(beam)], dtype=float)
 
 
 def is_uniform(beam: BeamNumbers, direction: str) -> bool:
@@ -91,14 +98,54 @@ def _shares(beam: BeamNumbers, direction: str, s: Array) -> Array:
 
 
 def function_values(beam: BeamNumbers, direction: str, s: ArrayLike) -> Array:
-    """Values (functions, *s) of the functions of a direction; where two pieces meet, of the inner one."""
+    """Values (functions, *s) of the functions of a direction, those of bodies inside last; at a break the inner one."""
     s = np.asarray(s, dtype=float)
-    count = getattr(beam, direction)
-    if not count:
+    if not getattr(beam, direction):
         return np.zeros((0, *s.shape))
-    polynomials = np.moveaxis(legendre.legvander(2 * s - 1, count - 1), -1, 0)
+    values, broken = _moments(beam, direction, s), _broken(beam, direction)
+    if broken is not None:
+        raw = [one.values(s) for one in breaks_of(beam, direction)]
+        values = np.concatenate([values, np.tensordot(broken, [*values, *raw], 1)])
+    return np.asarray(values * _shares(beam, direction, s), dtype=np.float64)
+
+
+def _moments(beam: BeamNumbers, direction: str, s: Array) -> Array:
+    """The polynomials p_j (functions, *s) of a direction."""
+    polynomials = np.moveaxis(legendre.legvander(2 * s - 1, getattr(beam, direction) - 1), -1, 0)
     window = 1 - s if direction.startswith("bend") and beam.basis == "tip_weighted" else np.ones_like(s)
-    return np.asarray(polynomials * (window * _shares(beam, direction, s)), dtype=np.float64)
+    return polynomials * window
+
+
+@lru_cache(maxsize=256)
+def _broken(beam: BeamNumbers, direction: str) -> Array | None:
+    """Each function of bodies inside (functions, polynomials + breaks) as a sum of polynomials and broken ones.
+
+    Orthonormal to all before it under the elastic energy (Gram and Schmidt, twice), so that matrices of mass keep their
+    condition; one that the others already have, such as where the beam is rigid, is left out. None where there is none.
+    """
+    breaks = breaks_of(beam, direction)
+    if not breaks:
+        return None
+    s, w = fine_rule(beam)
+    root, values = np.sqrt(w * _shares(beam, direction, s)), _moments(beam, direction, s)
+    columns = np.array([*values, *(one.values(s) for one in breaks)]) * root
+    known = np.linalg.inv(np.linalg.cholesky(columns[: len(values)] @ columns[: len(values)].T))
+    sums = [np.pad(row, (0, len(breaks))) for row in known]
+    for k in range(len(values), len(columns)):
+        own = np.eye(len(columns))[k]
+        for _ in range(2):
+            own = own - sum(((row @ columns) @ (own @ columns)) * row for row in sums)
+        size = float(np.linalg.norm(own @ columns))
+        if size > _NEW * np.linalg.norm(columns[k]):
+            sums.append(own / size)
+    return np.array(sums[len(values) :]) if len(sums) > len(values) else None
+
+
+def function_names(beam: BeamNumbers, direction: str) -> list[str]:
+    """``bend_y1``, ``bend_y2``, ..., then of bodies inside ``bend_y101``, ``bend_y102``, ..."""
+    broken = _broken(beam, direction) if getattr(beam, direction) else None
+    numbers = [*range(1, getattr(beam, direction) + 1), *range(101, 101 + (0 if broken is None else len(broken)))]
+    return [f"{direction}{number}" for number in numbers]
 
 
 def interval_integrals(beam: BeamNumbers, start: Array, end: Array) -> tuple[Array, Array]:
@@ -112,7 +159,7 @@ def interval_integrals(beam: BeamNumbers, start: Array, end: Array) -> tuple[Arr
     low, high = (np.clip(place, starts[:, None], ends[:, None]) for place in (start, end))
     s = low[..., None] + (high - low)[..., None] * (1 + _X) / 2
     weights = (high - low)[..., None] * _W / 2
-    values = np.concatenate([function_values(beam, direction, s) for direction in _TURNING]) * weights
+    values = np.concatenate([function_values(beam, direction, s) for direction in TURNING]) * weights
     moments = values * (s - middle[:, None]) * per_length[:, None]
     alpha, beta = (part.sum(axis=-1).sum(axis=1).T for part in (values, moments))
     return alpha, beta
@@ -122,14 +169,27 @@ def stiffness_matrix(beam: BeamNumbers, direction: str) -> Array:
     """K = 1/L int EI b_i b_j ds [N*m] of a direction that turns sections; else L int EA b_i b_j ds or kGA [N*m]."""
     s, w = fine_rule(beam)
     values, stiffness = function_values(beam, direction, s), pieces_at(beam, MODULI[direction], s)
-    stiffness = np.where(np.isinf(stiffness) & (values[0] == 0.0), 0.0, stiffness)
+    stiffness = np.where(np.isinf(stiffness) & (values == 0.0).all(axis=0), 0.0, stiffness)
     scale = beam.length if direction in SHIFTING else 1 / beam.length
     matrix = np.asarray(scale * (values * w * stiffness) @ values.T, dtype=np.float64)
-    return softened(matrix, last_functions(beam, direction)) if beam.softened else matrix
+    if not beam.softened:
+        return matrix
+    order = function_order(beam, direction)
+    changed, found = softened(matrix[np.ix_(order, order)], last_functions(beam, direction)), np.empty_like(matrix)
+    found[np.ix_(order, order)] = changed
+    return found
+
+
+def function_order(beam: BeamNumbers, direction: str) -> NDArray[np.intp]:
+    """Indices of the functions of a direction, the polynomials with those of :func:`last_functions` at the end."""
+    polynomials = np.arange(getattr(beam, direction))
+    first = len(polynomials) - last_functions(beam, direction)
+    broken = np.arange(len(polynomials), len(function_names(beam, direction)))
+    return np.concatenate([polynomials[:first], broken, polynomials[first:]])
 
 
 def last_functions(beam: BeamNumbers, direction: str) -> int:
-    """How many functions of a direction are softened to see what they do.
+    """How many polynomials of a direction are softened to see what they do.
 
     An even and an odd one, of which a motion may ask for one. The first functions move or turn the tip of a link whose
     load is given, as no missing function does: they are softened only where there are no others.

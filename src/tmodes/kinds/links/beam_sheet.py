@@ -17,7 +17,7 @@ from tmodes.kinds.links.rigid import RigidLink
 from tmodes.kinds.links.rigid_beam import rigid_body
 from tmodes.kinds.links.section import Round, Tube
 from tmodes.kinds.links.segment import Segment
-from tmodes.kinds.links.sheet import LINKS, BendingSheet, LoweredLink, Spot, moved_body, placed, sheet_body
+from tmodes.kinds.links.sheet import LINKS, MORE, BendingSheet, LoweredLink, Spot, moved_body, placed, sheet_body
 from tmodes.kinds.links.strain import Beam
 from tmodes.kinds.schema.axes import bent_line
 from tmodes.kinds.schema.quantity import Issue
@@ -26,9 +26,6 @@ __all__ = ["MOST_USEFUL_SEGMENTS", "BeamSheet", "Functions", "PieceSheet"]
 
 MOST_USEFUL_SEGMENTS = 3
 """Number of segments beyond which the model `segments` is used for what it cannot do."""
-
-MORE = 2
-"""Functions that a finer link has more, of each direction that has any."""
 
 POISSON = (-1.0, 0.5)
 """Range of the Poisson ratio of an isotropic material [-]."""
@@ -94,12 +91,12 @@ class BeamSheet(BeamData):
                     info = f"young/(2 shear) - 1 = {ratio:.3g}, a Poisson ratio outside {low:g} to {high:g}"
                     yield f".material has {info}; right for a laminate only: are both moduli in Pa?"
 
-    def finer(self) -> BendingSheet:
+    def finer(self, more: int = MORE) -> BendingSheet:
         """A strain link with more functions, also than a sheet may ask for: to judge what it asks for."""
         if self.model is not BeamModel.STRAIN or self.functions is None:
             return self
         given = self.functions.model_dump()
-        counts = {name: count + MORE for name, count in given.items() if count}
+        counts = {name: count + more for name, count in given.items() if count}
         return self.model_copy(update={"functions": self.functions.model_copy(update=counts), "points": 0})
 
     def variant(self, model: str, count: int | None) -> BendingSheet | None:

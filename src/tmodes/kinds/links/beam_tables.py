@@ -7,6 +7,7 @@ points, under its own mass per length, and its own polynomials. A taper, also on
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from functools import lru_cache
 from itertools import pairwise
@@ -15,10 +16,12 @@ import numpy as np
 from numpy.polynomial import legendre
 from numpy.typing import ArrayLike, NDArray
 
+from tmodes.kinds.links.beam_breaks import break_places
 from tmodes.kinds.links.beam_functions import (
     MODULI,
     SHIFTING,
     fine_rule,
+    function_names,
     function_values,
     interval_integrals,
     is_uniform,
@@ -32,17 +35,21 @@ __all__ = ["JUMP", "BeamTables", "Rule", "beam_rule", "beam_tables", "section_ed
 
 Array = NDArray[np.float64]
 
+LEAST = 3
+"""Points of a span however short it is."""
+
 JUMP = 0.05
 """Relative step of a stiffness that divides a link; those between the straight pieces of a taper are below 0.03."""
 
 
 @dataclass(frozen=True, eq=False)
 class Rule:
-    """``edges`` (spans + 1,): ends of the spans; ``points`` (g,), as many in each span; ``masses`` (g,) [kg]."""
+    """``edges`` (spans + 1,): ends of the spans; ``points`` (g,), ``counts`` of each span; ``masses`` (g,) [kg]."""
 
     edges: Array
     points: Array
     masses: Array
+    counts: tuple[int, ...]
 
     def cardinal(self, s: ArrayLike) -> Array:
         """Values (g, *s) of the functions that are 1 at one point and 0 at the others, 0 outside its span."""
@@ -70,11 +77,11 @@ class Rule:
         """
         s, w = fine_rule(beam)
         spread = w * pieces_at(beam, f"inertia{axis}", s) * beam.length
-        found = (self.cardinal(s) @ spread).reshape(len(self.edges) - 1, -1)
-        masses = self.masses.reshape(found.shape)
-        for k in np.flatnonzero(found.min(axis=1) < 0.0):
-            found[k] = masses[k] * (found[k].sum() / masses[k].sum())
-        return np.asarray(found.ravel(), dtype=np.float64)
+        found, masses = (self._by_span(numbers) for numbers in (self.cardinal(s) @ spread, self.masses))
+        for own, mass in zip(found, masses, strict=True):
+            if own.min() < 0.0:
+                own[:] = mass * (own.sum() / mass.sum())
+        return np.concatenate(found)
 
     def _local(self, k: int, s: Array) -> Array:
         """From s to -1..1 in a span."""
@@ -82,8 +89,11 @@ class Rule:
 
     def _places(self) -> list[Array]:
         """The points of each span, from -1 to 1."""
-        rows = self.points.reshape(len(self.edges) - 1, -1)
-        return [self._local(k, row) for k, row in enumerate(rows)]
+        return [self._local(k, row) for k, row in enumerate(self._by_span(self.points))]
+
+    def _by_span(self, numbers: Array) -> list[Array]:
+        """Numbers of the points (g,) span by span."""
+        return np.split(numbers, np.cumsum(self.counts)[:-1])
 
 
 def _cardinal(points: Array, x: Array) -> Array:
@@ -96,24 +106,29 @@ def beam_rule(beam: BeamNumbers) -> Rule:
     """The rule of a beam.
 
     Without ``beam.points`` a link of one span has two points more than functions, which is exact for its mass matrix
-    at rest; in each of several spans, which are short, one point more is as good.
+    at rest; in each of several spans, which are short, one point more is as good. Of a short span between bodies fewer
+    do: a polynomial of degree n is there one of degree about 3/2 n h.
     """
     edges = _edges(beam)
     largest = max(getattr(beam, name) for name in MODULI)
-    count = beam.points or largest + (2 if len(edges) == 2 else 1)
-    spans = [_gauss(beam, float(a), float(b), count) for a, b in pairwise(edges)]
-    return Rule(edges, np.concatenate([points for points, _ in spans]), np.concatenate([mass for _, mass in spans]))
+    most = beam.points or largest + (2 if len(edges) == 2 else 1)
+    counts = [most] * (len(edges) - 1)
+    if break_places(beam) and not beam.points:
+        counts = [min(most, math.ceil(1.5 * largest * length) + LEAST) for length in np.diff(edges)]
+    spans = [_gauss(beam, float(a), float(b), count) for (a, b), count in zip(pairwise(edges), counts, strict=True)]
+    points, masses = (np.concatenate(part) for part in zip(*spans, strict=True))
+    return Rule(edges, points, masses, tuple(counts))
 
 
 def _edges(beam: BeamNumbers) -> Array:
-    """Root, every place where a stiffness that matters jumps, tip."""
+    """Root, every place where a stiffness that matters jumps or a body inside breaks the moment, tip."""
     names = [modulus for direction, modulus in MODULI.items() if getattr(beam, direction)]
     inner = []
     for piece, following in pairwise(beam.pieces):
         pairs = [(getattr(piece, name)[1], getattr(following, name)[0]) for name in names]
         if any(min(pair) < (1 - JUMP) * max(pair) for pair in pairs):
             inner.append(piece.end)
-    return np.array([0.0, *inner, 1.0])
+    return np.unique([0.0, *inner, *break_places(beam), 1.0])
 
 
 def _gauss(beam: BeamNumbers, start: float, end: float, count: int) -> tuple[Array, Array]:
@@ -161,7 +176,8 @@ def _shape(beam: BeamNumbers, rule: Rule, stations: tuple[float, ...]) -> Strain
     before = tuple(int(np.searchsorted(rule.points, s, side="right")) for s in stations)
     inertia = [any(max(piece.inertia[axis]) > 0 for piece in beam.pieces) for axis in range(3)]
     return StrainShape(
-        beam.twist, beam.bend_y, beam.bend_z, beam.stretch, beam.shear_y, beam.shear_z, len(rule.points), before,
+        **{direction: len(function_names(beam, direction)) for direction in MODULI},
+        points=len(rule.points), stations=before,
         rotary=3 if inertia[1] or inertia[2] else 1 if inertia[0] else 0,
         curved=bool(np.any(beam.rest_curvature)),
         full=beam.basis != "legendre" or not all(is_uniform(beam, name) for name in MODULI if getattr(beam, name)),

@@ -200,6 +200,10 @@ class Link(LinkFacts):
     def coordinates(self) -> tuple[str, ...]:
         """Names of its coordinates, to be put after the link's name and a dot."""
 
+    def embedding(self, finer: Link) -> Array:
+        """(coordinates of ``finer``, own): what each of its coordinates is to the same link with more of them."""
+        return np.array([[float(name == own) for own in self.coordinates] for name in finer.coordinates])
+
     def bodies_at(self, s: float) -> tuple[Body, ...]:
         """Bodies fixed to the section at s, in the section's axes; by default its ``bodies``, all at the tip."""
         return getattr(self, "bodies", ()) if s >= 1.0 else ()

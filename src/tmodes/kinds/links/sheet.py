@@ -20,6 +20,10 @@ from tmodes.kinds.schema.quantity import DataSheet, Issue, refuse
 
 __all__ = ["LINKS", "BendingSheet", "LoweredLink", "Spot", "moved_body", "placed", "sheet_body", "straight"]
 
+MORE = 4
+"""Functions that a finer link has more, of each direction that has any: what four change is 0.6 of the error or more in
+99 % of random beams with steps and bodies; what two change is so in 77 %."""
+
 
 class Spot(NamedTuple):
     """A place on a link: ``node`` counts from the link's first element, ``s`` along it, ``placement`` there."""
@@ -141,8 +145,8 @@ class BendingSheet(DataSheet):
         """What is strange about its model, each to be put after the path of the beam."""
         yield from ()
 
-    def finer(self) -> BendingSheet:
-        """The same link with more functions; itself where there is nothing to refine."""
+    def finer(self, more: int = MORE) -> BendingSheet:  # noqa: ARG002
+        """The same link with ``more`` functions of each direction; itself where there is nothing to refine."""
         return self
 
     def variant(self, model: str, count: int | None) -> BendingSheet | None:

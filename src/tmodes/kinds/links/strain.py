@@ -9,9 +9,13 @@ from typing import Any, ClassVar, Self
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from tmodes.kinds.links.beam_breaks import TURNING
 from tmodes.kinds.links.beam_functions import (
     MODULI,
     bare_beam,
+    fine_rule,
+    function_names,
+    function_order,
     function_values,
     interval_integrals,
     last_functions,
@@ -60,8 +64,8 @@ class Beam(BeamNumbers, Link):
 
     @property
     def coordinates(self) -> tuple[str, ...]:
-        """Directions with the number of each function: ``bend_y1``, ``bend_y2``, ..."""
-        return tuple(f"{name}{k + 1}" for name in MODULI for k in range(getattr(self, name)))
+        """Directions with the number of each function: ``bend_y1``, ``bend_y2``, ...; of bodies inside from 101 on."""
+        return tuple(name for direction in MODULI for name in function_names(self, direction))
 
     def stations(self, asked: Sequence[float] = ()) -> tuple[float, ...]:
         """Bodies and named points anywhere along it."""
@@ -100,7 +104,7 @@ class Beam(BeamNumbers, Link):
     @property
     def projected(self) -> tuple[str, ...]:
         """Directions that have functions and turn sections."""
-        return tuple(name for name in ("twist", "bend_y", "bend_z") if getattr(self, name))
+        return tuple(name for name in TURNING if getattr(self, name))
 
     def uncertainty(self, direction: str, ratio: float) -> float:
         """In proportion to the energy, but for fast vibration, which has little of it: docs/decisions/0033."""
@@ -110,8 +114,22 @@ class Beam(BeamNumbers, Link):
 
     def other_moments(self, direction: str, s: ArrayLike) -> Array:
         """The functions of curvature times the stiffness: polynomials."""
-        others = function_values(self, direction, s)[: -last_functions(self, direction)]
-        return others * self.stiffness_at(direction, s)
+        others = function_order(self, direction)[: -last_functions(self, direction)]
+        return function_values(self, direction, s)[others] * self.stiffness_at(direction, s)
+
+    def embedding(self, finer: Link) -> Array:
+        """By functions, because those of bodies inside are less what the polynomials have."""
+        if not isinstance(finer, Beam):
+            return super().embedding(finer)
+        s, w = fine_rule(self)
+        found, row, column = np.zeros((len(finer.coordinates), len(self.coordinates))), 0, 0
+        for direction in MODULI:
+            own, theirs = (function_values(beam, direction, s) * np.sqrt(w) for beam in (self, finer))
+            if len(own):
+                block = np.linalg.lstsq(theirs.T, own.T, rcond=None)[0]
+                found[row : row + len(theirs), column : column + len(own)] = block
+            row, column = row + len(theirs), column + len(own)
+        return found
 
     @property
     def outer_distance(self) -> float:
@@ -121,7 +139,7 @@ class Beam(BeamNumbers, Link):
     def limiting_angles(self, q: Array, stations: tuple[float, ...] = ()) -> Array:
         """Largest angle between neighbouring points of its line (Gauss points, stations, ends)."""
         edges = np.unique([0.0, *beam_rule(self).points, *stations, 1.0])
-        directions = np.repeat(np.arange(3), (self.twist, self.bend_y, self.bend_z))
+        directions = np.repeat(np.arange(3), [len(function_names(self, name)) for name in TURNING])
         alpha = interval_integrals(self, edges[:-1], edges[1:])[0]
         turned = np.einsum("nj,ij,jc->nic", q[:, : len(directions)], alpha, np.eye(3)[directions])
         turned = turned + np.diff(edges)[:, None] * self.length * np.asarray(self.rest_curvature, dtype=float)

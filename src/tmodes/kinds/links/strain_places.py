@@ -16,6 +16,7 @@ from numpy.polynomial import legendre
 from numpy.typing import NDArray
 
 from tmodes.kinds.kernel.schedule import Slot
+from tmodes.kinds.links.beam_breaks import TURNING, broken_pieces
 from tmodes.kinds.links.beam_functions import MODULI, SHIFTING, function_values, interval_integrals, pieces_at
 from tmodes.kinds.links.beam_pieces import BeamNumbers
 from tmodes.kinds.links.beam_tables import BeamTables, beam_tables, section_edges
@@ -43,12 +44,13 @@ def place_tables(
     alpha, beta = interval_integrals(beam, edges[before], s)
     rest = (s - edges[before])[:, None] * beam.length * np.asarray(beam.rest_curvature, dtype=float)
     mass, levers, turning = mass_outboard(beam, own, s)
-    turns = [function_values(beam, direction, s) / beam.length for direction in ("twist", "bend_y", "bend_z")]
+    side = np.where(np.diff(s, prepend=-1.0) == 0.0, np.nextafter(s, 2.0), s)  # just beyond a body
+    turns = [function_values(beam, direction, side) / beam.length for direction in TURNING]
     stiffness = [pieces_at(beam, name, s) for direction, name in MODULI.items() if getattr(beam, direction)]
     return {
         "alpha": alpha, "beta": beta, "rest": rest, "reach": beam.length * own.rule.integrals(s), "outboard": mass,
         "levers": levers[:, *np.triu_indices(len(own.points))], "turning": turning.reshape(len(s), -1),
-        "functions": np.concatenate([*turns, *(function_values(beam, name, s) for name in SHIFTING)]).T,
+        "functions": np.concatenate([*turns, *(function_values(beam, name, side) for name in SHIFTING)]).T,
         "stiffness": _finite(np.array(stiffness).reshape(-1, len(s)).T), "stress": stress_numbers(beam, s),
     }  # fmt: skip
 
@@ -63,7 +65,7 @@ def mass_outboard(beam: BeamNumbers, own: BeamTables, s: Array) -> tuple[Array, 
     g, axes = len(own.points), own.shape.rotary
     mass, levers, turning = np.zeros((len(s), g)), np.zeros((len(s), g, g)), np.zeros((len(s), axes, g))
     start = 0.0
-    for piece in beam.pieces:
+    for piece in broken_pieces(beam):
         low = np.clip(s, start, piece.end)
         at = low[:, None] + (piece.end - low)[:, None] * (1 + _X) / 2
         weight = (piece.end - low)[:, None] * _W / 2 * beam.length

@@ -1,0 +1,102 @@
+"""Where bodies inside a beam break its moments and forces, and the functions that have such breaks.
+
+A body takes a force and a moment out of the beam: force and torque jump at its place, and the moment of bending has a
+kink, and a jump too where the body resists turning. No polynomial follows: with polynomials alone frequencies converge
+like n^-1, with one function of each break like those of a beam without the body.
+"""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from tmodes.kinds.links.beam_pieces import BeamNumbers, BeamPiece
+from tmodes.kinds.links.facts import DIRECTIONS
+
+__all__ = ["TURNING", "BreakFunction", "break_places", "breaks_of", "broken_pieces"]
+
+Array = NDArray[np.float64]
+
+TURNING = ("twist", "bend_y", "bend_z")
+"""Directions that turn sections; the others only shift them."""
+
+APART = 1e-3
+"""Distance over the length from the ends, and from another body, below which a body has no functions of its own."""
+
+MOST_BROKEN = 15
+"""Functions that bodies inside a beam add at most, the heaviest first: the compiled code grows like their square."""
+
+
+class BreakFunction(NamedTuple):
+    """(1 - s/place)^degree inboard of ``place``, 0 outboard of it; the value at the place is the inner one."""
+
+    place: float
+    degree: int
+
+    def values(self, s: ArrayLike) -> Array:
+        """Its values, shape of s."""
+        s = np.asarray(s, dtype=float)
+        return np.where(s <= self.place, (1 - s / self.place) ** self.degree, 0.0)
+
+
+@lru_cache(maxsize=64)
+def break_places(beam: BeamNumbers) -> dict[float, bool]:
+    """Places inside that carry bodies, from root to tip, and whether any of the bodies there resists turning.
+
+    Of many the heaviest, as far as :data:`MOST_BROKEN` allows.
+    """
+    found: dict[float, bool] = {}
+    masses: dict[float, float] = {}
+    for s, body in sorted(beam.bodies, key=lambda one: one[0]):
+        last = next(reversed(found), 0.0)
+        if not APART < s < 1 - APART:
+            continue
+        place = last if last and s - last <= APART else s
+        turns = bool(np.any(body.center) or np.any(body.inertia)) or place != s
+        found[place] = found.get(place, False) or turns
+        masses[place] = masses.get(place, 0.0) + body.mass
+    each = sum(2 if "bend" in name else 1 for name in DIRECTIONS if getattr(beam, name))
+    heaviest = sorted(found, key=lambda place: masses[place], reverse=True)[: MOST_BROKEN // max(each, 1)]
+    return {place: turns for place, turns in found.items() if place in heaviest}
+
+
+@lru_cache(maxsize=64)
+def broken_pieces(beam: BeamNumbers) -> tuple[BeamPiece, ...]:
+    """The pieces of a beam, cut where bodies inside break its moment: quadrature goes piece by piece."""
+    found, start = [], 0.0
+    for piece in beam.pieces:
+        cuts = [place for place in break_places(beam) if start < place < piece.end]
+        shares = [(place - start) / (piece.end - start) for place in (*cuts, piece.end)]
+        found += [_part(piece, *part) for part in zip([0.0, *shares], shares, [*cuts, piece.end], strict=False)]
+        start = piece.end
+    return tuple(found) if break_places(beam) else beam.pieces
+
+
+def _part(piece: BeamPiece, start: float, stop: float, end: float) -> BeamPiece:
+    """What is between two shares of a piece."""
+
+    def between(ends: tuple[float, float]) -> tuple[float, float]:
+        first, last = ends
+        return ends if first == last else (first + start * (last - first), first + stop * (last - first))
+
+    changed: dict[str, Any] = {
+        name: tuple(map(between, value)) if name == "inertia" else between(value)
+        for name, value in vars(piece).items() if name != "end"
+    }  # fmt: skip
+    return BeamPiece(end=end, **changed)
+
+
+def breaks_of(beam: BeamNumbers, direction: str) -> list[BreakFunction]:
+    """Functions that bodies inside ask for in a direction; none where it has no others."""
+    if not getattr(beam, direction):
+        return []
+    found = []
+    for place, turns in break_places(beam).items():
+        if direction not in TURNING or "bend" not in direction:
+            found += [BreakFunction(place, 0)] if turns or direction not in TURNING else []
+        else:
+            found += [BreakFunction(place, degree) for degree in ((1, 0) if turns else (1,))]
+    return found
