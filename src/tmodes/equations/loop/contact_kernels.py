@@ -213,6 +213,13 @@ class Touch:
         met = self.meeting(p, v.vec(pose, 9), velocity)
         return met, velocity, met.curving + v.dot(met.direction, v.add(v.vec(motion), v.vec(p, SURFACE + 1)))
 
+    @kernel("touch taken {0.key}", (POSE, FORCE, FORCE, "size"), (1,))
+    def taken(self, pose: Any, before: Any, after: Any, p: Any) -> list[list[Any]]:
+        """(pose before an impulse, accelerations without and with it, numbers) -> work [J] on the moving mass."""
+        met, _, change = self.change(pose, before, p)
+        jump = self.change(pose, after, p)[2] - change
+        return [[p[SURFACE] * jump * (met.rate + jump / 2)]]
+
     @kernel("touch {0.key}", (POSE, FORCE, "size", MODE, 3), (CONTACT_OUTPUTS, 1))
     def info(self, pose: Any, motion: Any, p: Any, mode: Any, held: Any) -> list[list[Any]]:
         """(pose, acceleration less gravity, numbers, mode, force that holds) -> (CONTACT_OUTPUTS, power taken [W])."""

@@ -50,7 +50,7 @@ class Instant(Serving):
         super().__init__(loop, implicit=apart, given=given)
         self.posed = posed or bool(self.plan.loads or self.plan.touch)
         self.after = after
-        self.way = self._outwards()
+        self.way = self.outwards()
         self.apart, self.euler, self.start = apart, euler, self._start(apart=apart)
         self.efforts: dict[int, Slot] = {}
         self.info: dict[int, Slot] = {}
@@ -67,7 +67,8 @@ class Instant(Serving):
         self.solution = solved(self, self.begin)
         self.recursion, self.accelerations = self.solution.first, self.solution.accelerations
 
-    def _outwards(self) -> Way:
+    def outwards(self) -> Way:
+        """Where all is, and how fast, by the state and the signals."""
         q, rates = self.moved(self.state)
         base = self.loop.base
         if self.plan.base:

@@ -80,7 +80,25 @@ class Jolting:
         size, bases = instant.parts.size, (instant.way.base, self._base) if self.plan.base else None
         blocks = [instant.pack(*run.accelerations) for run in self._runs]
         (rates,) = instant.call(_jumped(size), instant.state.part(size, size), *blocks)
-        return Jolted(rates, given_works(instant, self._runs, instant.loop.always.part(0, 1), self.sizes, bases))
+        works = given_works(instant, self._runs, instant.loop.always.part(0, 1), self.sizes, bases)
+        return Jolted(rates, works | self._taken())
+
+    def _taken(self) -> dict[str, Slot]:
+        """What a mass that moves with a point takes."""
+        instant: Any = self.serving
+        plan = self.plan.touch
+        if plan is None or instant.loop.touch is None or plan.touch.lands or not plan.touch.has_mass:
+            return {}
+        known, instant.signals = instant.signals, [self._slowed(k) for k in range(self.plan.signals)]
+        pose = instant.outwards().pose(plan.point)[0]
+        instant.signals = known
+        motions = (run.point(plan.point)[2] for run in self._runs)
+        return {"contact": instant.call(plan.touch.taken(), pose, *motions, instant.loop.touch)[0]}
+
+    def _slowed(self, signal: int) -> Slot:
+        """A signal as it is before the jump of its rate."""
+        given = self.serving.signals[signal]
+        return self.serving.call(_slowed(), given, self.sizes[signal])[0] if signal in self.sizes else given
 
 
 def given_works(
@@ -130,6 +148,11 @@ def _remembered(time: Any) -> list[list[Any]]:
 @kernel("jolt pushed", (SIGNAL, 1), (SIGNAL,))
 def _pushed(signal: Any, jump: Any) -> list[list[Any]]:
     return [[signal[0], signal[1], signal[2] + jump[0]]]
+
+
+@kernel("jolt slowed", (SIGNAL, 1), (SIGNAL,))
+def _slowed(signal: Any, jump: Any) -> list[list[Any]]:
+    return [[signal[0], signal[1] - jump[0], signal[2]]]
 
 
 @kernel("jolt work", (1, 1, 1, 1, SIGNAL, 1), (1,))

@@ -139,6 +139,8 @@ class Switching:
         )
         blocks = (serving.pack(*each.accelerations) for each in (serving.solution, pushed))
         (rates,) = serving.call(jump_kernel(size), rates, *blocks, impulse)
+        if self.places:
+            found[0] = self._sides_of(rates, found[0], impulse)
         works = given_works(serving, (serving.solution.first, pushed.first), impulse) | {"contact": work}
         return Switched(rates, [own], works, [*found, touches, *self.memory])
 
@@ -147,7 +149,13 @@ class Switching:
         if self.jolts is None:
             return None
         rates, works = self.jolts.jolted()
-        return Switched(rates, self._kept, works, [*self.modes, *self._of_touch, self.jolts.remembered])
+        modes = [self._sides_of(rates, self.serving.pack(*self.modes), self.jolts.acts)] if self.places else []
+        return Switched(rates, self._kept, works, [*modes, *self._of_touch, self.jolts.remembered])
+
+    def _sides_of(self, rates: Slot, modes: Slot, impulse: Slot) -> Slot:
+        """Modes of coordinates after an impulse, which may have turned their slips; the same where there is none."""
+        moved = self.serving.pack(*(rates.part(place, 1) for place in self.places))
+        return self.serving.call(_turned(len(self.places)), moved, modes, impulse)[0]
 
 
 def switched_state(instant: Any) -> Schedule:
@@ -237,6 +245,16 @@ def _switched(count: int) -> Kernel:
         return [new_rates, new_modes]
 
     return Kernel(f"switched {count}", (count,) * 4, (count, count), build)
+
+
+def _turned(count: int) -> Kernel:
+    """(rates, modes, impulse) -> the modes of these rates, where there is an impulse."""
+
+    def build(rates: Any, modes: Any, impulse: Any) -> list[list[Any]]:
+        sides = [(rate > _STILL) - (rate < -_STILL) * 1.0 for rate in (rates[k] for k in range(count))]
+        return [[f.if_else(f.fabs(impulse[0]) > 0, side, modes[k]) for k, side in enumerate(sides)]]
+
+    return Kernel(f"turned {count}", (count, count, 1), (count,), build)
 
 
 def _placed(size: int, places: Sequence[int]) -> Kernel:
