@@ -117,7 +117,7 @@ def _friction(sheet: FrictionSheet | None) -> Friction:
     if sheet is None:
         return Friction()
     rates = sheet.stribeck_rate or 0.0, sheet.smoothing or 0.0
-    return Friction(sheet.viscous, sheet.coulomb, sheet.static_extra, *rates)
+    return Friction(sheet.viscous, *sheet.dry, *rates)
 
 
 def _motor(sheet: MotorSheet) -> Motor:

@@ -14,7 +14,7 @@ from scipy.integrate import solve_ivp
 
 from arm.run.sheets import arm
 from tmodes.equations.recursion.drive_kernels import LOCK
-from tmodes.errors import InputError
+from tmodes.errors import InputError, TmodesError
 from tmodes.gradients.gradient import forward_sensitivities
 from tmodes.model.model import Model
 from tmodes.sheet import Robot
@@ -371,3 +371,41 @@ def test_a_joint_and_its_tip_stick_at_once(method: str, mass: float) -> None:
     assert run.contact_normal is not None
     assert np.abs(run.contact_force[:, :2]).max() < 1e-9
     assert run.contact_force[:, 2] == pytest.approx(-run.contact_normal, rel=1e-9)
+
+
+def test_friction_of_a_flat_block_by_its_normal_force() -> None:
+    """Coefficients under 10 N as by their forces; under its weight the block stops in closed form."""
+    flat = {"normal_force": 10.0, "coefficient": 0.3, "static_coefficient": 0.4, "viscous": 0.0}
+    forces = {"coulomb": 3.0, "static_extra": 1.0}
+    one, other = (shaken(1.0, rub, 5.0, 1.0) for rub in (flat, forces))
+    np.testing.assert_allclose(one.q, other.q, rtol=0, atol=1e-12)
+    p = {"m": 2.0, "mu": 0.35, "v0": 1.2, "t": 0.3494975972040192, "x": 0.20969855832241152}  # closed form
+    slide = block(p["m"], {"normal_force": p["m"] * 9.81, "coefficient": p["mu"]},
+                  initial={"state": "zero", "rates": {"x": p["v0"]}}, integration={"duration": 1.0})  # fmt: skip
+    run = simulate_motion(slide)
+    assert run.q[-1, 0] == pytest.approx(p["x"], abs=1e-9)
+    assert run.changes[0].time == pytest.approx(p["t"], abs=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("rub", "which"),
+    [
+        ({"normal_force": 10.0}, r"friction\.coefficient"),
+        ({"coefficient": 0.3}, r"friction\.normal_force"),
+        ({"static_coefficient": 0.3}, r"friction\.coefficient"),
+        ({"normal_force": 10.0, "coefficient": 0.3, "coulomb": 1.0}, r"friction\.coulomb"),
+        ({"normal_force": 10.0, "coefficient": 0.3, "static_coefficient": 0.2}, r"friction\.static_coefficient"),
+        ({"normal_force": -1.0, "coefficient": 0.3}, r"friction\.normal_force"),
+    ],
+)
+def test_normal_forces_that_are_none(rub: dict[str, float], which: str) -> None:
+    with pytest.raises(TmodesError, match=which):
+        block(1.0, rub)
+
+
+def test_a_normal_force_is_of_a_slide_alone() -> None:
+    rub = {"viscous": 0.0, "normal_force": 10.0, "coefficient": 0.3}
+    with pytest.raises(TmodesError, match=r"joints\.x\.friction\.normal_force"):
+        block(1.0, rub).with_({"joints.x.type": "revolute"})
+    with pytest.raises(TmodesError, match=r"joints\.x\.motor\.friction\.normal_force"):
+        block(1.0, {}).with_({"joints.x.motor": {"inertia": 1.0, "side": "joint", "friction": rub}})

@@ -36,11 +36,23 @@ class FrictionSheet(DataSheet):
 
     At rest dry friction is what keeps at rest, up to coulomb + static_extra; onset and end of slip are located. Without
     ``stribeck_rate`` it drops to ``coulomb`` at once where slip begins. With ``smoothing`` sgn is a smooth function.
+
+    On a joint that slides dry friction may be given by ``normal_force`` and coefficients instead: coefficient times
+    force.
     """
 
     viscous: float = dissipation("N*m*s/rad|N*s/m", "Bv", "viscous friction")
     coulomb: float = not_negative("N*m|N", "Tc", "dry friction in motion", default=0.0)
     static_extra: float = not_negative("N*m|N", "Ts - Tc", "dry friction at rest beyond that in motion", default=0.0)
+    normal_force: float | None = not_negative(
+        "N", "N", "constant force that presses the two sides of a slide together", default=None
+    )
+    coefficient: float | None = not_negative(
+        "-", "mu", "dry friction in motion over `normal_force`", default=None, at_most=10.0
+    )
+    static_coefficient: float | None = not_negative(
+        "-", "mu_s", "dry friction at rest over `normal_force`; none: as in motion", default=None, at_most=10.0
+    )
     stribeck_rate: float | None = positive(
         "rad/s|m/s", "vs", "rate at which half of `static_extra` is gone", default=None
     )
@@ -48,10 +60,40 @@ class FrictionSheet(DataSheet):
         "rad/s|m/s", "veps", "rate below which dry friction is smoothed; none: true stick and slip", default=None
     )
 
+    @property
+    def dry(self) -> tuple[float, float]:
+        """Dry friction in motion, and by how much it is larger at rest [N*m or N]."""
+        if self.normal_force is None or self.coefficient is None:
+            return self.coulomb, self.static_extra
+        static = self.coefficient if self.static_coefficient is None else self.static_coefficient
+        return self.coefficient * self.normal_force, (static - self.coefficient) * self.normal_force
+
     def _issues(self) -> Iterator[Issue]:
-        if self.static_extra > 0 and self.smoothing and self.stribeck_rate is None:
+        if self.dry[1] > 0 and self.smoothing and self.stribeck_rate is None:
             hint = "add `stribeck_rate`, or remove `smoothing`"
-            yield Issue("stribeck_rate", "nothing", "a rate, because `static_extra` and `smoothing` are given", hint)
+            given = "static_extra" if self.static_extra > 0 else "static_coefficient"
+            yield Issue("stribeck_rate", "nothing", f"a rate, because `{given}` and `smoothing` are given", hint)
+        yield from self._normal_issues()
+
+    def _normal_issues(self) -> Iterator[Issue]:
+        """What is missing or too much where friction is given by a normal force."""
+        given = {name: getattr(self, name) for name in ("normal_force", "coefficient", "static_coefficient")}
+        if not any(value is not None for value in given.values()):
+            return
+        for name, what in (
+            ("normal_force", "the force on the slide in N"),
+            ("coefficient", "the friction coefficient"),
+        ):
+            if given[name] is None:
+                others = " and ".join(f"`{other}`" for other, value in given.items() if value is not None)
+                yield Issue(name, "nothing", f"{what}, because {others} is given", f"add the line `{name}: ...`")
+        for name in ("coulomb", "static_extra"):
+            if getattr(self, name):
+                hint = f"remove `{name}`, or give friction by `coulomb` and `static_extra` alone"
+                yield Issue(name, f"{getattr(self, name):g}", "left out next to `normal_force`", hint)
+        if None not in (self.static_coefficient, self.coefficient) and self.dry[1] < 0:
+            got, expected = f"{self.static_coefficient:g}", f"at least `coefficient`, {self.coefficient:g}"
+            yield Issue("static_coefficient", got, expected, "exchange the two")
 
 
 class Side(StrEnum):
@@ -99,6 +141,9 @@ class MotorSheet(DataSheet):
             yield Issue("ratio", "nothing", "the reducer's ratio, because `side` is motor", hint)
         if self.ratio is not None and abs(self.ratio) < SMALLEST:
             yield Issue("ratio", repr(self.ratio), "a ratio that is not zero", "write motor speed over joint speed")
+        if self.friction and self.friction.normal_force is not None:
+            got, hint = f"{self.friction.normal_force:g} N", "give `coulomb` and `static_extra`"
+            yield Issue("friction.normal_force", got, "left out: a motor has no slide", hint)
         names = ("resistance", "back_emf_constant", "torque_constant")
         missing = [name for name in names if getattr(self, name) is None]
         if len(missing) in {1, 2}:
@@ -113,11 +158,12 @@ class MotorSheet(DataSheet):
         """Its numbers on the joint side: inertia and viscous friction with ratio^2, torques with |ratio|."""
         ratio = self.ratio if self.side is Side.MOTOR and self.ratio else 1.0
         friction, turns = self.friction or FrictionSheet(viscous=0.0), abs(ratio)
+        coulomb, extra = friction.dry
         return MotorNumbers(
             inertia=self.inertia * ratio**2,
             viscous=friction.viscous * ratio**2,
-            coulomb=friction.coulomb * turns,
-            static_extra=friction.static_extra * turns,
+            coulomb=coulomb * turns,
+            static_extra=extra * turns,
             stribeck_rate=(friction.stribeck_rate or 0.0) / turns,
             smoothing=(friction.smoothing or 0.0) / turns,
             resistance=self.resistance,

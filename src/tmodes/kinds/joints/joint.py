@@ -153,6 +153,9 @@ class JointSheet(DataSheet):
             hint = "write `state: free` for a joint on its spring alone, or remove `spring`"
             yield Issue("spring", "a spring on a locked joint", "left out: the joint does not move", hint)
         yield from self._named_drive_issues()
+        if self.friction and self.friction.normal_force is not None and self.unit != "m":
+            got, hint = f"{self.friction.normal_force:g} N", "give the torques `coulomb` and `static_extra`"
+            yield Issue("friction.normal_force", got, "left out: the joint does not slide", hint)
         if active and self.locked_at:
             hint = "write `state: locked`, or give the position under `initial`"
             yield Issue("locked_at", repr(self.locked_at), "0 for an active joint", hint)
