@@ -37,7 +37,7 @@ def single_changes(path: str, value: Any, data: Mapping[str, Any]) -> dict[str, 
     """
     if not is_grouped(path):
         return {path: value}
-    given = not path.startswith(REAL) and (isinstance(value, str) or (isinstance(value, float) and math.isinf(value)))
+    given = not path.startswith(REAL) and (isinstance(value, str) or value == math.inf)
     if not given:
         _refuse_no_factor(path, value)
     numbers = _numbers(path.removeprefix(REAL), data)
@@ -58,9 +58,8 @@ def single_changes(path: str, value: Any, data: Mapping[str, Any]) -> dict[str, 
 def _refuse_no_factor(path: str, value: Any) -> None:
     if isinstance(value, bool) or not isinstance(value, (int, float)) or not 1 / LARGEST <= value <= LARGEST:
         expected = f"a factor from {1 / LARGEST:g} to {LARGEST:g}"
-        hint = (
-            "leave the factor within these" if path.startswith(REAL) else "to set all to one value, write its unit too"
-        )
+        unit = "to set all to one value, write its unit too"
+        hint = unit if isinstance(value, (int, float)) else "name each item to set it to something else"
         raise InputError(path, shown(value), expected, hint)
 
 

@@ -9,12 +9,14 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from pydantic import TypeAdapter, ValidationError
+from scipy.integrate import quad
 from scipy.sparse import coo_matrix
 from scipy.sparse.linalg import spsolve
 
 from tmodes.errors import InputError
 from tmodes.kinds.links.material import LIBRARY, Material
 from tmodes.kinds.links.section import SHAPES, Box, GivenSection, IBeam, Round, Section, Tube, between
+from tmodes.kinds.links.section_shapes import box_shear
 
 UNIT = Material(young=1.0, shear=1.0, density=1.0)
 SECTION = TypeAdapter(Section)
@@ -48,6 +50,11 @@ FIGURES = {
     "hollow box": (
         Box(shape="box", width=0.04, height=0.06, thickness=0.004),
         lambda y, z: (np.abs(y) > 0.016) | (np.abs(z) > 0.026),
+        (0.04, 0.06),
+    ),
+    "box of flanges and webs": (
+        Box(shape="box", width=0.04, height=0.06, flange_thickness=0.006, web_thickness=0.003),
+        lambda y, z: (np.abs(y) > 0.017) | (np.abs(z) > 0.024),
         (0.04, 0.06),
     ),
     "i_beam": (
@@ -226,6 +233,21 @@ WRONG = [
     ({"shape": "tube", "outer_diameter": 0.02, "thickness": 0.01}, "issues"),
     ({"shape": "tube", "outer_diameter": 0.02, "thickness": 0.03}, "issues"),
     ({"shape": "box", "width": 0.02, "height": 0.05, "thickness": 0.01}, "issues"),
+    ({"shape": "box", "width": 0.02, "height": 0.05, "flange_thickness": 0.01}, "issues"),
+    ({"shape": "box", "width": 0.02, "height": 0.05, "web_thickness": 0.01}, "issues"),
+    ({"shape": "box", "width": 0.02, "height": 0.05, "flange_thickness": 0.01, "web_thickness": 0.01}, "issues"),
+    ({"shape": "box", "width": 0.02, "height": 0.05, "flange_thickness": 0.025, "web_thickness": 0.001}, "issues"),
+    (
+        {
+            "shape": "box",
+            "width": 0.02,
+            "height": 0.05,
+            "thickness": 0.001,
+            "flange_thickness": 0.001,
+            "web_thickness": 0.001,
+        },
+        "issues",
+    ),
     ({"shape": "i_beam", "width": 0.05, "height": 0.1, "flange_thickness": 0.05, "web_thickness": 0.01}, "issues"),
     ({"shape": "i_beam", "width": 0.05, "height": 0.1, "flange_thickness": 0.01, "web_thickness": 0.05}, "issues"),
     ({"shape": "hexagon", "diameter": 0.01}, "union_tag_invalid"),
@@ -310,3 +332,52 @@ def test_round_trip(name):
     assert SECTION.validate_python(section.model_dump(mode="json")) == section
     assert SECTION.validate_python(section) is section
     assert SHAPES[section.shape] is type(section)
+
+
+def test_walls_of_one_thickness_are_those_of_flanges_and_webs():
+    same = Box(shape="box", width=0.04, height=0.06, thickness=0.004).geometry()
+    apart = Box(shape="box", width=0.04, height=0.06, flange_thickness=0.004, web_thickness=0.004).geometry()
+    assert same[:-1] == apart[:-1]
+    assert same.shear_coefficients(0.3) == apart.shear_coefficients(0.3)
+
+
+def test_torsion_of_walls_of_two_thicknesses_is_bredts():
+    """4 A^2/(sum of side/thickness) of the middle line, term by term; turned by 90 degrees it is the same."""
+    box = Box(shape="box", width=0.1, height=0.2, flange_thickness=0.004, web_thickness=0.002)
+    across, up = 0.1 - 0.002, 0.2 - 0.004
+    whole = 4 * (across * up) ** 2 / (2 * across / 0.004 + 2 * up / 0.002)
+    assert box.geometry().torsion == pytest.approx(whole, rel=1e-13)
+    turned = Box(shape="box", width=0.2, height=0.1, flange_thickness=0.002, web_thickness=0.004)
+    assert turned.geometry().torsion == pytest.approx(whole, rel=1e-13)
+
+
+def cowper_of_a_thin_box(nu: float, across: float, along: float, flange: float, web: float) -> float:
+    """Cowper's integral, K = 2(1+nu) I/(nu (I' - I)/2 - A/I * int x (chi + x y^2)), by the shear flow of thin walls.
+
+    The force is along x; webs lie along it at y = +-across/2. By symmetry a quarter of the section, chi = 0 at x = 0.
+    """
+    half = along / 2
+
+    def of_web(x: float) -> float:
+        """chi along a web, the integral of its derivative from the middle."""
+        flow = flange * along * across / (4 * web) * x + (half**2 * x - x**3 / 3) / 2
+        return -(2 * (1 + nu)) * flow - nu * x**3 / 6 - (1 - nu / 2) * across**2 / 4 * x
+
+    def of_flange(y: float) -> float:
+        return of_web(half) + nu * along / 4 * (y**2 - across**2 / 4)
+
+    webs = 4 * web * quad(lambda x: x * (of_web(x) + x * across**2 / 4), 0, half)[0]
+    flanges = 4 * flange * quad(lambda y: half * (of_flange(y) + half * y**2), 0, across / 2)[0]
+    area = 2 * (flange * across + web * along)
+    own = 2 * web * along**3 / 12 + 2 * flange * across * half**2
+    other = 2 * flange * across**3 / 12 + 2 * web * along * across**2 / 4
+    return 2 * (1 + nu) * own / (nu / 2 * (other - own) - area / own * (webs + flanges))
+
+
+@pytest.mark.parametrize("nu", [0.0, 0.3, 0.5])
+@pytest.mark.parametrize(
+    ("across", "along", "flange", "web"), [(1, 1, 1, 1), (1, 2, 3, 1), (2, 1, 1, 4), (1, 3, 0.2, 1), (1, 1, 1e-9, 1)]
+)
+def test_shear_of_a_thin_box_is_cowpers_integral(nu, across, along, flange, web):
+    found = box_shear(nu, across, along, flange / web)
+    assert found == pytest.approx(cowper_of_a_thin_box(nu, across, along, 1e-3 * flange, 1e-3 * web), rel=1e-9)

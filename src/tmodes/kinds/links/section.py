@@ -92,16 +92,25 @@ class Tube(DrawnSection):
 
 
 class Box(DrawnSection):
-    """A rectangle: solid, or hollow where ``thickness`` is given."""
+    """A rectangle: solid, or hollow where the thickness of its walls is given."""
 
     shape: Literal["box"] = Field(description="which shape")
     width: float = _size("b", "width, along y")
     height: float = _size("h", "height, along z")
     thickness: float | None = _size("t", "thickness of the wall, the same all round; none: solid", default=None)
+    flange_thickness: float | None = _size("tf", "of the walls along the width, with web_thickness", default=None)
+    web_thickness: float | None = _size("tw", "of the walls along the height, with flange_thickness", default=None)
+
+    @property
+    def walls(self) -> tuple[float, float] | None:
+        """Thickness [m] of flanges (along the width) and webs (along the height); None of a solid box."""
+        if self.flange_thickness is not None and self.web_thickness is not None:
+            return self.flange_thickness, self.web_thickness
+        return None if self.thickness is None else (self.thickness, self.thickness)
 
     def geometry(self) -> Geometry:
         """Exact but for the torsion of the hollow box: Bredt, for thin walls."""
-        width, height, wall = self.width, self.height, self.thickness
+        width, height, walls = self.width, self.height, self.walls
         outer = Geometry(
             width * height,
             width * height**3 / 12,
@@ -109,28 +118,42 @@ class Box(DrawnSection):
             0.0,
             width / 2,
             height / 2,
-            (box_peak(height, width, wall), box_peak(width, height, wall)),
+            (box_peak(height, width, walls and walls[::-1]), box_peak(width, height, walls)),
             _both(rectangle_shear),
         )
-        if wall is None:
+        if walls is None:
             return outer._replace(torsion=rectangle_torsion(width, height))
-        across, up = width - 2 * wall, height - 2 * wall
+        flange, web = walls
+        across, up = width - 2 * web, height - 2 * flange
         return outer._replace(
             area=outer.area - across * up,
             about_y=outer.about_y - across * up**3 / 12,
             about_z=outer.about_z - up * across**3 / 12,
-            torsion=thin_box_torsion(width, height, wall),
+            torsion=thin_box_torsion(width, height, flange, web),
             shear_coefficients=lambda nu: (
-                box_shear(nu, height - wall, width - wall),
-                box_shear(nu, width - wall, height - wall),
+                box_shear(nu, height - flange, width - web, web / flange),
+                box_shear(nu, width - web, height - flange, flange / web),
             ),
         )
 
     def _issues(self) -> Iterator[Issue]:
-        least = min(self.width, self.height) / 2
-        if self.thickness is not None and self.thickness >= least:
-            most = f"less than half the smaller side, {least:g} [m]"
-            yield Issue("thickness", f"{self.thickness:g}", most, "for a solid bar leave the thickness out")
+        pair = {"flange_thickness": self.flange_thickness, "web_thickness": self.web_thickness}
+        for name, other in (("flange_thickness", "web_thickness"), ("web_thickness", "flange_thickness")):
+            if pair[name] is None and pair[other] is not None:
+                hint = f"add `{name}`, or write `thickness` where all walls are the same"
+                yield Issue(name, "nothing", f"a thickness next to `{other}`", hint)
+        if self.thickness is not None and any(pair.values()):
+            yield Issue("thickness", "one next to those of flanges and webs", "left out", "remove `thickness`")
+        sides = {
+            "thickness": min(self.width, self.height),
+            "flange_thickness": self.height,
+            "web_thickness": self.width,
+        }
+        for name, side in sides.items():
+            wall = getattr(self, name)
+            if wall is not None and wall >= side / 2:
+                most = f"less than half the {'smaller side' if name == 'thickness' else 'side'}, {side / 2:g} [m]"
+                yield Issue(name, f"{wall:g}", most, "for a solid bar leave the thickness out")
 
 
 class IBeam(DrawnSection):

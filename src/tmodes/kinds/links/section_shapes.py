@@ -25,12 +25,15 @@ def tube_peak(radius: float, inner: float) -> float:
     return first / (second * 2 * (radius - inner))
 
 
-def box_peak(across: float, along: float, wall: float | None) -> float:
-    """Largest shear stress over the force [1/m^2] of a box with sides across and along it, solid without a wall."""
-    inner_across, inner_along = (across - 2 * wall, along - 2 * wall) if wall else (0.0, 0.0)
+def box_peak(across: float, along: float, walls: tuple[float, float] | None) -> float:
+    """Largest shear stress over the force [1/m^2] of a box with sides across and along it, solid without walls.
+
+    ``walls``: thickness of those that lie across the force, and of those along it.
+    """
+    inner_across, inner_along = (across - 2 * walls[1], along - 2 * walls[0]) if walls else (0.0, 0.0)
     first = (across * along**2 - inner_across * inner_along**2) / 8
     second = (across * along**3 - inner_across * inner_along**3) / 12
-    return first / (second * (2 * wall if wall else across))
+    return first / (second * (2 * walls[1] if walls else across))
 
 
 def i_beam_peaks(width: float, height: float, flange: float, web: float) -> tuple[float, float]:
@@ -63,9 +66,13 @@ def _webs(nu: float, m: float) -> float:
     return 12 + 72 * m + 150 * m**2 + 90 * m**3 + nu * (11 + 66 * m + 135 * m**2 + 90 * m**3)
 
 
-def box_shear(nu: float, across: float, along: float) -> float:
-    """A thin box of one wall thickness; sides of its middle line across and along the force."""
-    m = n = across / along
+def box_shear(nu: float, across: float, along: float, ratio: float = 1.0) -> float:
+    """A thin box; sides of its middle line across and along the force.
+
+    ``ratio``: thickness of the walls across the force over that of those along it.
+    """
+    n = across / along
+    m = n * ratio
     more = 10 * n**2 * ((3 + nu) * m + 3 * m**2)
     return 10 * (1 + nu) * (1 + 3 * m) ** 2 / (_webs(nu, m) + more)
 
@@ -97,14 +104,16 @@ def rectangle_torsion(width: float, height: float) -> float:
     return long * short**3 / 3 * (1 - 192 / (math.pi**5 * ratio) * series)
 
 
-def thin_box_torsion(width: float, height: float, thickness: float) -> float:
-    """J of a closed box of one wall thickness by Bredt: 4 (enclosed area)^2 t/(perimeter), both of the middle line.
+def thin_box_torsion(width: float, height: float, flange: float, web: float) -> float:
+    """J of a closed box by Bredt: 4 (enclosed area)^2/(sum of side/thickness), all of the middle line.
+
+    ``flange``: thickness of the walls along the width, ``web`` of those along the height.
 
     R. Bredt, Kritische Bemerkungen zur Drehungselastizitaet, Z. VDI 40 (1896). For thin walls: of a square box it is
     2.4 % too soft where the wall is a twentieth of the side, 5.4 % at a tenth, 13 % at a fifth.
     """
-    across, up = width - thickness, height - thickness
-    return 2 * thickness * (across * up) ** 2 / (across + up)
+    across, up = width - web, height - flange
+    return 2 * flange * (across * up) ** 2 / (across + up * (flange / web))
 
 
 def i_beam_torsion(width: float, height: float, flange_thickness: float, web_thickness: float) -> float:
