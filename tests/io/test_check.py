@@ -133,7 +133,7 @@ def test_data_of_another_shape_is_reported(data: Any) -> None:
 
 def test_no_more_than_a_hundred_errors_are_listed() -> None:
     with pytest.raises(InputErrors) as caught:
-        robot_from_data({f"key{index}": 1.0 for index in range(500)})
+        robot_from_data({"kind": "arm"} | {f"key{index}": 1.0 for index in range(500)})
     assert len(caught.value.errors) == 101
     assert "wrong values" in caught.value.errors[-1].got
 

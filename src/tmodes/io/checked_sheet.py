@@ -11,7 +11,8 @@ from typing import Any
 from pydantic import ValidationError
 
 from tmodes.errors import InputError, InputErrors
-from tmodes.io.forms import Form, form_of, own_path
+from tmodes.io.filipovic2010.format import PLANT
+from tmodes.io.forms import F2010, Form, form_of, own_path
 from tmodes.io.sheet_fields import ChainPlace, Step, named, place_of, quantities
 from tmodes.io.sheet_problems import AS_LIST, MOST_REPORTED, SHEET, Problem, sheet_problems
 from tmodes.io.sheet_words import at
@@ -24,6 +25,18 @@ __all__ = ["checked_sheet", "located"]
 MOST_ERRORS, MOST_DEPTH = 100, 40
 MOST_VALUES = 200_000
 """Largest number of values in the plain data of a robot."""
+
+
+FEW = 1
+"""Groups of the 2010 robot up to which a sheet without `kind` is none of it."""
+
+OTHER_KEYS = {
+    "rows": "write `kind: dh` for a Denavit-Hartenberg table",
+    "mjcf": "read the MJCF by itself; an elasticity file lays over a URDF or xacro (`urdf: FILE`) alone",
+    "sdf": "give the URDF or xacro that it was made from (`urdf: FILE`)",
+    "xacro": "write `urdf: FILE` for a xacro, too",
+}
+"""Keys of no sheet that tell what was meant, and what to do."""
 
 
 def checked_sheet(
@@ -81,6 +94,17 @@ def _other_format(data: Any, form: Form) -> Iterator[Problem]:
     """A sheet of another version is not read any further: its keys may mean something else."""
     if not isinstance(data, Mapping):
         yield (), InputError("", shown(data), "keys and values, such as `kind: arm`", "see a published arm")
+        return
+    if other := next((key for key in OTHER_KEYS if key in data), None):
+        yield (
+            (other,),
+            InputError("", f"the key `{other}` of no sheet", "a sheet of joints and links", OTHER_KEYS[other]),
+        )
+    elif form is F2010 and len(data.keys() & {*PLANT}) <= FEW:
+        named = ", ".join(f"`{shown(key)[1:-1]}`" for key in islice(data, 6)) or "nothing"
+        got = f"a sheet without `kind`, with the keys {named}"
+        hint = "write `kind: arm` with its joints and links, or `urdf: FILE` for what bends in a URDF"
+        yield ("kind",), InputError("", got, "arm, dh, elasticity or study", hint)
     elif "format" in data:
         version, hint = data["format"], f"write `format: {form.version}`"
         if type(version) is not int or version < form.version:

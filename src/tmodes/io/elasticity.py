@@ -75,7 +75,7 @@ def _urdf_path(path: FilePath, data: dict[str, Any], positions: Positions, roots
     if found is None:
         hint = "check the path, which starts at the elasticity file's folder; for package:// give its folder as --root"
         raise InputError("urdf", f"{shown(name)}, which is not there", "the path of a URDF", hint, place)
-    if found.suffix.lower() not in {".urdf", ".xacro", ".xml"}:
+    if found.suffix.lower() not in {".urdf", ".xacro", ".xml", ".mjcf", ".sdf"}:  # its root tells what it is
         raise InputError("urdf", shown(name), "a file .urdf, .xacro or .xml", "name the robot's own file", place)
     return found
 

@@ -18,7 +18,9 @@ from tmodes.io.yaml_file import Positions, read_yaml
 
 __all__ = ["RobotFile", "read_file", "read_sheet"]
 
-ENDINGS = (".yaml", ".yml", ".urdf", ".xacro", ".xml")
+ENDINGS = (".yaml", ".yml", ".urdf", ".xacro", ".xml", ".mjcf")
+XML = (".urdf", ".xml", ".mjcf", ".sdf", ".world")
+"""Endings of what is XML; the format is told by its root element."""
 
 
 class RobotFile(NamedTuple):
@@ -40,25 +42,25 @@ def read_sheet(
 def read_file(path: FilePath, roots: Roots = (), trust_paths: bool = False, *, fix_inertia: bool = False) -> RobotFile:
     """The sheet that a file means; it is not checked here.
 
-    ``.urdf``; ``.xacro``; ``.xml``: URDF or MJCF by its root element; else YAML: a robot's sheet, a Denavit-Hartenberg
-    table (``kind: dh``) or an elasticity file (with ``urdf:``). Files that a robot's file names must lie in its folder
-    or in ``roots``, unless ``trust_paths``; ``fix_inertia``: impossible inertias of a URDF are raised to possible
-    ones, with a notice. Raises :class:`tmodes.errors.InputError` or :class:`tmodes.errors.InputErrors`.
+    ``.urdf``; ``.xacro``; ``.xml``: URDF or MJCF by its root element (``.mjcf`` too); else YAML: a robot's sheet, a
+    Denavit-Hartenberg table (``kind: dh``) or an elasticity file (with ``urdf:``). Files that a robot's file names must
+    lie in its folder or in ``roots``, unless ``trust_paths``; ``fix_inertia``: impossible inertias of a URDF are raised
+    to possible ones, with a notice. Raises :class:`tmodes.errors.InputError` or :class:`tmodes.errors.InputErrors`.
     """
     ending = Path(path).suffix.lower()
     if ending == ".xacro":
         robot = read_xacro(path, roots, trust_paths, fix_inertia=fix_inertia)
-    elif ending in {".urdf", ".xml"}:
+    elif ending in XML:
         root = read_xml(path)
-        if ending == ".xml" and root.tag == "mujoco":
+        if ending in {".xml", ".mjcf"} and root.tag == "mujoco":
             return RobotFile(*sheet_of_mjcf(path, root, roots, trust_paths))
         robot = urdf_robot(root, folders_of(path, roots, trust_paths), fix_inertia=fix_inertia)
     else:
         read = data, positions = read_yaml(path)
-        if "urdf" not in data and data.get("kind") != "dh":
+        if "urdf" not in data and data.get("kind") not in {"dh", "elasticity"}:
             return RobotFile(data, positions)
         _check_ending(path)
-        if "urdf" not in data:
+        if data.get("kind") == "dh":
             return RobotFile(*sheet_of_table(data, positions, shown_path(path)))
         robot = read_elasticity(path, roots, trust_paths, read, fix_inertia=fix_inertia)
     return RobotFile(robot.data, robot.positions, robot)

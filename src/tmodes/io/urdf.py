@@ -64,7 +64,7 @@ class _Reading:
     bodies: dict[str, dict[str, Any]] = field(default_factory=dict)
     errors: list[InputError] = field(default_factory=list)
     impossible: dict[str, ImpossibleBodyError] = field(default_factory=dict)
-    unread: dict[tuple[str, str], dict[str, None]] = field(default_factory=dict)
+    unread: dict[str, dict[str, None]] = field(default_factory=dict)
 
     def refuse(self, further: Iterable[InputError] = ()) -> None:
         """Raise what is wrong, and where anything is, what else may be, from the first line on."""
@@ -134,9 +134,24 @@ def _driven(robot: Element) -> set[str]:
     return {one.attributes.get("name", "") for one in named if one.tag == "joint"}
 
 
+_OTHERS = {
+    "sdf": (
+        "<sdf>, a robot of Gazebo",
+        "give the URDF or xacro that it was made from, or write its joints and links as a sheet with `kind: arm`",
+    ),
+    "mujoco": (
+        "<mujoco>, an MJCF",
+        "read it by itself, with the ending .xml; an elasticity file lays over a URDF or xacro alone, so write what "
+        "bends as a sheet with `kind: arm`",
+    ),
+}
+"""Other formats by their root element: what they are, and what to do."""
+
+
 def _check_root(robot: Element) -> None:
     if robot.tag != "robot":
-        raise robot.fault("the root element", robot.label, "<robot>", "check that this is a URDF")
+        got, hint = _OTHERS.get(robot.tag, (robot.label, "check that this is a URDF"))
+        raise robot.fault("the root element", got, "<robot> of a URDF or xacro", hint)
     robot.check_attributes({"name", "version"}, "robot")
     robot.check_children(TOP, "robot")
     if prefixed := next((child for child in robot.children if child.tag.startswith("xacro:")), None):
@@ -238,7 +253,7 @@ def _meshes(name: str, link: Element, folders: Folders, reading: _Reading) -> li
             try:
                 path = folders.find(one.attributes["filename"].strip(), f"link {name}: {one.tag}", one.place)
             except InputError as error:
-                reading.unread.setdefault((error.hint, error.expected), {})[f"{name} ({error.got})"] = None
+                reading.unread.setdefault(error.hint, {})[f"{name} ({error.got})"] = None
             else:
                 found += [path] if path else []
     return found
@@ -246,9 +261,8 @@ def _meshes(name: str, link: Element, folders: Folders, reading: _Reading) -> li
 
 def _unread_meshes(reading: _Reading) -> Iterator[str]:
     """A sentence for each reason for which files of geometry are not read; no motion depends on them."""
-    for (hint, expected), names in reading.unread.items():
-        info = f"{few([*names])}; expected {expected}: {hint}"
-        yield f"shapes of links are not drawn, as their files may not be read: {info}."
+    for hint, names in reading.unread.items():
+        yield f"shapes of links are not drawn, as their files may not be read: {few([*names])}; {hint}."
 
 
 HINT = "give it a mass and an inertia, make the joint fixed, or remove both"

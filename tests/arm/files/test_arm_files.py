@@ -25,7 +25,7 @@ def test_a_sheet_is_handed_on_as_it_is(tmp_path: Path) -> None:
         ("arm", b"x", "a file with the ending ''"),
         ("arm.urdf", b"", "an empty file"),
         ("arm.xml", b"", "an empty file"),
-        ("arm.xml", b"<sdf/>", "the root element must be <robot>, got <sdf>"),
+        ("arm.xml", b"<sdf/>", "the root element must be <robot> of a URDF or xacro, got <sdf>"),
         ("arm.URDF", b"<robot/>", "got no link"),
         ("arm.urdf", b'<robot><link name="a"/></robot>', "got no joint"),
         ("arm.yaml", b"\xff", "not UTF-8"),

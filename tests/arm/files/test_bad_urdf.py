@@ -239,7 +239,7 @@ CASES = {
     ),
     "mimic of itself": ("<dynamics", '<mimic joint="elbow"/><dynamics', "'elbow', which mimics 'elbow' itself"),
     "xacro in a urdf": ("</robot>", '<xacro:if value="1"/></robot>', "save the file with the ending .xacro"),
-    "another root": ("robot", "model", "the root element must be <robot>, got <model>"),
+    "another root": ("robot", "model", "the root element must be <robot> of a URDF or xacro, got <model>"),
 }
 
 
