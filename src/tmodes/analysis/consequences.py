@@ -11,6 +11,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from tmodes.analysis.describe.links import link_rows
+from tmodes.analysis.headline_point import headline_point
 from tmodes.chain.chain import Chain
 from tmodes.chain.mass import Carried, carried_by_joints
 from tmodes.sheet import Robot
@@ -71,7 +72,8 @@ def consequences(robot: Robot) -> list[str]:
     gears = _gears(robot, chain)
     checks = (_sagging(gears), _slow(gears), _damped(gears), _links(robot, chain), _efforts(robot, chain),
               _factors(robot))  # fmt: skip
-    return [sentence for check in checks for sentence in check]
+    blind = headline_point(robot, chain)
+    return [*(sentence for check in checks for sentence in check), *([blind.reason] if blind else [])]
 
 
 def _gears(robot: Robot, chain: Chain) -> list[_Gear]:

@@ -164,6 +164,9 @@ def summary_rows(summary: dict[str, Any]) -> Iterator[Row]:
 def _tip(summary: dict[str, Any]) -> Iterator[Row]:
     from tmodes.result.summary import settling_reason, vibration_words
 
+    subject, point = _subject(summary), summary["point"]
+    if point["reason"]:
+        yield "errors measured at", "-", "", "", point["name"] or point["reason"]
     errors, settling = summary["tip_error"], summary["settling"]
     for which, path in _ERRORS.items():
         if which in errors:
@@ -172,7 +175,7 @@ def _tip(summary: dict[str, Any]) -> Iterator[Row]:
     if errors:
         ends = [f"{one['end_m'] * 1e3:.4g} mm to {which}" for which, one in errors.items()]
         yield (
-            "tip error at the end",
+            f"{subject} at the end",
             ends[0].partition(" to ")[0],
             "",
             "",
@@ -180,8 +183,8 @@ def _tip(summary: dict[str, Any]) -> Iterator[Row]:
         )
     elif deviation := summary["deviation"]:
         when = f"t = {deviation['time_of_max_s']:.3f} s"
-        yield _row(summary, "deviation.max_m", "tip error to nominal", deviation["max_m"], "mm", when, 1e3)
-        yield _row(summary, "deviation.end_m", "tip error at the end", deviation["end_m"], "mm", "to nominal", 1e3)
+        yield _row(summary, "deviation.max_m", f"{subject} to nominal", deviation["max_m"], "mm", when, 1e3)
+        yield _row(summary, "deviation.end_m", f"{subject} at the end", deviation["end_m"], "mm", "to nominal", 1e3)
     if settling["time_s"] is not None:
         limit = f"within {settling['limit_m'] * 1e3:.3g} mm of its rest ({100 * settling['band']:g} % of the move)"
         yield "settling after the move", f"{settling['time_s']:.3f} s", "", "", limit
@@ -197,6 +200,11 @@ _ERRORS = {"commanded": "tip_error.commanded.max_m", "nominal": "deviation.max_m
 """Paths from which the tip's error is measured, and where the uncertainty of the largest one is."""
 
 
+def _subject(summary: dict[str, Any]) -> str:
+    """Whose error it is."""
+    return "tip error" if not summary["point"]["reason"] else "error"
+
+
 def _tip_error(summary: dict[str, Any], which: str, path: str) -> Row:
     """The largest error, with its parts along it."""
     one = summary["tip_error"][which]
@@ -204,7 +212,7 @@ def _tip_error(summary: dict[str, Any], which: str, path: str) -> Row:
     where = f"t = {one['time_of_max_s']:.3f} s"
     if parts:
         where = f"{parts}; {where}"
-    return _row(summary, path, f"tip error to {which}", one["max_m"], "mm", where, 1e3)
+    return _row(summary, path, f"{_subject(summary)} to {which}", one["max_m"], "mm", where, 1e3)
 
 
 def _elements(which: str, one: dict[str, Any]) -> Iterator[Row]:

@@ -13,7 +13,7 @@ from tmodes.plot.facts import drive_unit, effort_unit, names_of
 from tmodes.report.markup import Markup, tag, written
 from tmodes.result import Result
 from tmodes.result.derived import Derives
-from tmodes.result.summary import largest_elements, mean_over_time, settling_reason, vibration_words
+from tmodes.result.summary import TIP, largest_elements, mean_over_time, settling_reason, vibration_words
 from tmodes.sheet import Robot
 
 __all__ = ["Fact", "energy_facts", "fact_list", "frequency_facts", "run_facts", "tracking_facts", "vibration_fact"]
@@ -56,11 +56,15 @@ def _value(fact: Fact) -> str:
 
 def tracking_facts(summary: dict[str, Any]) -> Iterator[Fact]:
     """How far the tip is from its commanded and nominal paths, and why; how it settles and rings."""
-    errors = summary["tip_error"]
+    errors, point = summary["tip_error"], summary["point"]
+    other, whose = ("point.", point["name"]) if point["reason"] else ("", TIP)  # the page finds the tip's anew
+    facts = []
     if one := errors.get("commanded"):
-        yield _error(one, "tip_error.commanded", "Tip error to commanded", one)
+        facts.append(_error(one, f"{other}tip_error.commanded", f"{whose.capitalize()} error to commanded", one))
     if deviation := summary["deviation"]:
-        yield _error(deviation, "deviation.max", "Tip error to nominal", errors.get("nominal", {}))
+        nominal = errors.get("nominal", {})
+        facts.append(_error(deviation, f"{other}deviation.max", f"{whose.capitalize()} error to nominal", nominal))
+    yield from facts
     yield _settling(summary["settling"])
     for which, one in summary["vibration"].items():
         yield vibration_fact(which, one)

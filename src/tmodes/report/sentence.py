@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from tmodes.report.markup import written
+from tmodes.result.summary import TIP
 
 __all__ = ["result_sentence"]
 
@@ -12,7 +13,7 @@ __all__ = ["result_sentence"]
 def result_sentence(summary: dict[str, Any]) -> str:
     """From the summary of a run that reached its end; lengths in mm."""
     if error := summary["tip_error"].get("commanded"):
-        return f"{_missed(error)}{_settled(summary['settling'])}"
+        return f"{_missed(error, summary['point']['name'])}{_settled(summary['settling'])}"
     links = {name: link["deflection"] for name, link in summary["links"].items()}
     if links:
         name = max(links, key=lambda name: links[name]["max_m"])
@@ -24,13 +25,14 @@ def result_sentence(summary: dict[str, Any]) -> str:
     return "Nothing elastic moves in this run."
 
 
-def _missed(error: dict[str, Any]) -> str:
+def _missed(error: dict[str, Any], point: str) -> str:
+    point = "The tip" if point == TIP else f"T{point.removeprefix('t')}"
     parts = {name: value for name, value in error["parts_m"].items() if abs(value) > _NOTHING * error["max_m"]}
     largest = _largest(error["max_m"], error["time_of_max_s"])
     if not parts:
-        return f"The tip misses its commanded path by at most {largest}."
+        return f"{point} misses its commanded path by at most {largest}."
     by = ", ".join(f"{1e3 * value:.3g} {name}" for name, value in sorted(parts.items(), key=lambda one: -abs(one[1])))
-    return f"The tip misses its commanded path by at most {largest}: {by}."
+    return f"{point} misses its commanded path by at most {largest}: {by}."
 
 
 _NOTHING = 1e-4

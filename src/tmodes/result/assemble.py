@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.analysis.energy import energy_lost
+from tmodes.analysis.headline_point import HeadlinePoint, headline_point
 from tmodes.analysis.line.line import line_places
 from tmodes.analysis.modes.of_sheet import frequencies_about, sheet_frequencies
 from tmodes.analysis.quasistatic import elastic_names
@@ -25,6 +26,7 @@ from tmodes.result.elements import element_errors
 from tmodes.result.end_modes import end_modes
 from tmodes.result.errors import summary_errors
 from tmodes.result.events import event_labels, event_series
+from tmodes.result.headline import point_errors, seen_from
 from tmodes.result.lines import carried_series, line_series
 from tmodes.result.model_errors import model_errors
 from tmodes.result.paths import part_names
@@ -167,10 +169,31 @@ class Assembly(Derives):
         """The actual run, and the nominal one where there is one."""
         return {"actual": self.run} | ({"nominal": self.run.reference} if self.run.reference else {})
 
+    @derived("headline", lambda self, reason: None)
+    def headline(self) -> HeadlinePoint | None:
+        """What stands for a tip that cannot show the motion; None where the tip can."""
+        return headline_point(self.known, self.run.chain)
+
+    @cached_property
+    def _shown(self) -> dict[str, RunData]:
+        """The runs as seen from the headline's point in the place of the tip."""
+        point = self.headline and self.headline.point
+        return {which: seen_from(run, point) if point else run for which, run in self._ran.items()}
+
+    @derived("headline", lambda self, reason: None)
+    def headline_errors(self) -> dict[str, Any] | None:
+        """The headline's point in words, and its errors; None where it is the tip."""
+        if not self.headline:
+            return None
+        errors = point_errors(self._shown, self.count) if self.headline.point else {"tip_error": {}, "deviation": None}
+        return {"name": self.headline.name, "reason": self.headline.reason} | errors
+
     def _after(self, which: str) -> AfterMove:
         """One of the runs after the move, continued until its tip is at rest, as far as it may take."""
+        if self.headline and not self.headline.point:
+            raise SimulationError(self.headline.reason)
         if which not in self._afters:
-            self._afters[which] = after_move(self._ran[which], self.move_end, partial(self.progress, "settling"))
+            self._afters[which] = after_move(self._shown[which], self.move_end, partial(self.progress, "settling"))
         return self._afters[which]
 
     @derived("settling", lambda self, reason: not_settled(reason))
@@ -235,7 +258,8 @@ class Assembly(Derives):
 
     @derived("checks", lambda self, reason: [*self.run.warnings])
     def _noticed(self) -> list[str]:
-        return [*self.run.warnings, *implausible_numbers(self.known), *reading_notices(self.known)]
+        own = [*self.run.warnings, *implausible_numbers(self.known), *reading_notices(self.known)]
+        return [*own, *([self.headline.reason] if self.headline else [])]
 
     def attributes(self, progress: Progress) -> dict[str, Any]:
         """Where the record comes from, and what was computed of it, as plain data and JSON."""
@@ -289,14 +313,14 @@ class Assembly(Derives):
 _KEPT = {
     "frequencies": "modes", "end_frequencies": "modes", "settling": "settling", "vibration": "settling",
     "warnings": "checks", "errors": "integration error", "model_errors": "model error", "move_end": "checks",
-    "elements": "tip error",
+    "elements": "tip error", "headline_errors": "tip error",
 }  # fmt: skip
 """What is computed of a run and kept with it, and the stage that computes it."""
 
 _VIBRATIONS = {"actual": "vibration", "nominal": "vibration.nominal"}
 _ELEMENTS = {"actual": "vibration.elements", "nominal": "vibration.nominal.elements"}
 
-_STORED_AS = {"elements": "tip_error_elements"}
+_STORED_AS = {"elements": "tip_error_elements", "headline_errors": "headline"}
 
 
 def _finite(variables: Variables) -> Variables:

@@ -91,6 +91,7 @@ class _Attributes(TypedDict, total=False):
     model_errors: _Errors | _Empty | None
     move_end: FiniteFloat | None
     not_computed: dict[str, str]
+    headline: _Group | None
     meshes: list[_Group]
 
 

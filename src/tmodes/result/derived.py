@@ -25,10 +25,11 @@ _WORDS = {
     "lines": "elastic lines of the links", "paths": "tip error by cause", "frequencies": "frequencies",
     "end_frequencies": "modes at the end", "settling": "settling", "vibration": "residual vibration",
     "vibration.nominal": "residual vibration of the nominal run", "errors": "error of the integration",
-    "model_errors": "error of the link models", "elements": "tip error by element", "checks": "checks of the models",
-    "move_end": "end of the move", "events": "list of events",
     "vibration.elements": "elements of the residual vibration",
     "vibration.nominal.elements": "elements of the residual vibration of the nominal run",
+    "model_errors": "error of the link models", "elements": "tip error by element", "checks": "checks of the models",
+    "move_end": "end of the move", "events": "list of events",
+    "headline": "errors of the point that stands for the tip",
 }  # fmt: skip
 """The numbers in words."""
 

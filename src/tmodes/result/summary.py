@@ -21,8 +21,8 @@ if TYPE_CHECKING:
     from tmodes.io.labelled import Record
 
 __all__ = [
-    "largest_elements", "mean_over_time", "settling_reason", "summarise_result", "tip_errors", "vibration_words",
-    "vibrations",
+    "TIP", "largest_deviation", "largest_elements", "mean_over_time", "settling_reason", "summarise_result",
+    "tip_errors", "vibration_words", "vibrations",
 ]  # fmt: skip
 
 Array = NDArray[np.float64]
@@ -39,6 +39,7 @@ def summarise_result(
     ``band`` [-] is the share of the move within which the tip counts as settled, between 0 and 1; for the usual one the
     run itself was continued (:mod:`tmodes.result.settling`), for any other ``settled`` continues it, else its samples
     are looked at.
+    ``point``: whose errors, settling and vibration these are, the tip's unless it cannot show the motion, and why.
     A group that cannot be computed is empty, and stands in ``not_computed`` with the reason.
     Raises :class:`tmodes.errors.InputError` for a band out of range.
     """
@@ -49,7 +50,23 @@ def summarise_result(
     for name, (compute, without) in _GROUPS.items():
         found[name] = groups.attempt(name, partial(compute, data, time), without)
     found["settling"] = groups.attempt("settling", partial(_settling, data, time, band, settled), _not_settled(band))
-    return found | {"not_computed": failed_in(data) | groups.failed}
+    if other := json.loads(data.attrs.get("headline", "null")):
+        found |= {key: other[key] for key in ("tip_error", "deviation")}
+        found |= {key: _of_others(found[key]) for key in ("error", "model_error")}
+    point = {key: other[key] for key in ("name", "reason")} if other else {"name": TIP, "reason": ""}
+    return found | {"point": point, "not_computed": failed_in(data) | groups.failed}
+
+
+TIP = "tip"
+"""The point by which a run is judged, unless it cannot show the motion."""
+
+
+def _of_others(errors: dict[str, Any] | None) -> dict[str, Any] | None:
+    """Errors of numbers, without those of the tip."""
+    if not errors:
+        return errors
+    kept = {name: one for name, one in errors["figures"].items() if not name.startswith(("deviation.", "tip_error."))}
+    return errors | {"figures": kept}
 
 
 def _not_settled(band: float) -> Callable[[str], dict[str, Any]]:
@@ -221,7 +238,11 @@ def _deviation(data: Record, time: Array) -> dict[str, float] | None:
     """The largest distance of the actual tip from the nominal one [m], when it is reached [s], and that at the end."""
     if "deviation" not in data:
         return None
-    deviation = data["deviation"].values
+    return largest_deviation(data["deviation"].values, time)
+
+
+def largest_deviation(deviation: Array, time: Array) -> dict[str, float]:
+    """The largest of distances (n,) [m], when, and the last."""
     worst = int(np.argmax(deviation))
     return {"max_m": float(deviation[worst]), "time_of_max_s": float(time[worst]), "end_m": float(deviation[-1])}
 
