@@ -87,7 +87,8 @@ def vibrations(
     :func:`tmodes.analysis.statics.at_rest.robot_rest`.
 
     ``frequency_error`` of a mode: by which share it is higher than with four more functions a direction, None where
-    that is not known (robots of more than 60 coordinates, segments, modes without a partner); ``converged``: within 1 %.
+    that is not known (robots of more than 60 coordinates, segments, modes without a partner); ``converged``: within
+    1 %.
     """
     how = {"contact": contact, "held": held, "moving": True, "progress": progress}
     rest = robot_rest(robot, **how)
