@@ -57,6 +57,10 @@ class Friction:
             return Dry.SMOOTH
         return Dry.FALLS if self.static_extra > 0 and self.stribeck_rate > 0 else Dry.DROPS
 
+    def without_sticking(self) -> Friction:
+        """The same without dry friction that is a set at rest."""
+        return Friction(self.viscous) if self.dry.is_set else self
+
 
 @dataclass(frozen=True)
 class Motor:
@@ -174,6 +178,11 @@ class Joint:
     def driven_by(self, *drives: DriveKind) -> Joint:
         """The same joint with a kind of drive for each coordinate."""
         return replace(self, drive=drives[0] if drives else self.drive, drives=drives if len(drives) > 1 else ())
+
+    def without_sticking(self) -> Joint:
+        """The same joint without dry friction that is a set at rest."""
+        motor = self.motor and replace(self.motor, friction=self.motor.friction.without_sticking())
+        return replace(self, motor=motor, friction=self.friction.without_sticking())
 
     def drive_of(self, place: int) -> DriveKind:
         """The kind of drive of one of its coordinates."""

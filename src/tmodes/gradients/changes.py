@@ -17,9 +17,10 @@ from tmodes.io.sheet_paths import entered, steps_of
 from tmodes.io.sheet_words import at
 from tmodes.model.model import Model
 from tmodes.sheet import Robot
+from tmodes.simulation.balance import Balance, frozen
 from tmodes.simulation.loop import LoopModel
 from tmodes.simulation.plan import planned, starts_at_rest
-from tmodes.simulation.start import first_state, run_setup
+from tmodes.simulation.start import closed_balance, first_state, run_setup
 
 __all__ = ["Change", "Changes", "far_difference", "near_difference", "number_at", "replaced"]
 
@@ -29,8 +30,9 @@ Array = NDArray[np.float64]
 class Changes:
     """Differences of the plan, exact to about 1e-9 of a number that depends smoothly on the quantity.
 
-    Those of the state at rest follow from the equations of rest, K q' = -f', where nothing but the robot's own numbers
-    changes; elsewhere they are differences of equilibria.
+    Those of a start in equilibrium follow from its equations: of the closed loop where it is that of one, else of the
+    robot with held motors, K q' = -f', where nothing but the robot's own numbers changes; elsewhere they are
+    differences of equilibria.
     """
 
     def __init__(self, sheet: Robot, here: Lowered) -> None:
@@ -66,10 +68,32 @@ class Changes:
 
     def _rest_of(self, path: str, value: float, change: Change) -> Array:
         """Derivative of the state at rest; ``change`` holds that of the signals at the start."""
+        placed = self.sheet.initial.coordinates or self.sheet.initial.rates
+        if (balance := closed_balance(self.here.setup)) and not (self.here.setup.off or placed):
+            return self._closed_along(balance, change, value)
         if change.start.any() or not self._robot_alone(change):
             return far_difference(lambda by: run_setup(self._changed(path, value + by)).start, value)
         start = np.zeros_like(self.here.start)
         start[: len(self.here.model.coordinates)] = self._rest_along(change.parameters)
+        return start
+
+    def _closed_along(self, balance: Balance, change: Change, value: float) -> Array:
+        """Of the equilibrium of the closed loop, J y' = -f' of its unknowns y, and of motions that are given."""
+        here, layout = self.here, self.here.model.layout
+        first, row = here.start[None].copy(), self.rows[0]
+        signals, start = change.rows[0, 1:].reshape(here.model.plan.signals, -1), np.zeros_like(here.start)
+        for driver in here.model.loop.drivers:
+            if driver.plan.servo is None:
+                for block, power in ((layout.q, 0), (layout.v, 1)):
+                    start[block][driver.coordinate] = signals[driver.plan.signal, power : power + 1].sum()
+        still, states = frozen(here.model, np.stack([row, change.rows[0]])), balance.at_rest(first)
+
+        def rates(by: float) -> Array:
+            rows = (still[0] + by * still[1])[None]
+            return balance.rates(states, rows, here.parameters + by * change.parameters)[0]
+
+        tangent = balance.tangent(states, still[:1], here.parameters)
+        start[balance.unknown] = -(tangent.inverse @ near_difference(rates, value))
         return start
 
     def _changed(self, path: str, value: float) -> Robot:

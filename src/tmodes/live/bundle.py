@@ -22,9 +22,10 @@ from tmodes.model.model import Model
 from tmodes.result import Result
 from tmodes.result.end_modes import held_at
 from tmodes.sheet import Robot, RobotPair
+from tmodes.simulation.balance import frozen
 from tmodes.simulation.loop import LoopModel
 from tmodes.simulation.plan import Follow, planned, starts_at_rest
-from tmodes.simulation.start import RunSetup, first_state, run_setup
+from tmodes.simulation.start import RunSetup, closed_balance, first_state, run_setup
 
 __all__ = ["live_bundle", "why_not_live"]
 
@@ -176,7 +177,30 @@ def _run(setup: RunSetup) -> dict[str, Any]:
         "commanded": [[one.coordinate, one.plan.signal] for one in drivers if one.plan.joint in motion],
         "driven": [one.coordinate for one in drivers],
         "signals": len(setup.planned.each),
+        "balance": _balance(setup),
         "moving": [k for k in range(len(setup.planned.each)) if k not in plan.aside],
+    }
+
+
+def _balance(setup: RunSetup) -> dict[str, Any] | None:
+    """By which function of a run, and of which numbers of the state, its start in balance is found; None for no other.
+
+    ``places``: pairs of where the states of that function and those of the run hold the same.
+    """
+    balance = closed_balance(setup)
+    if balance is None or setup.off:
+        return None
+    row = frozen(setup.model, setup.first_row[None])
+    tangent = balance.tangent(balance.at_rest(setup.start[None]), row, balance.loop.numbers)
+    counts = tangent.counts
+    return {
+        "function": "rate" if balance.loop is setup.model else "settles",
+        "size": balance.loop.layout.size,
+        "places": np.stack(balance.places, axis=1).tolist(),
+        "unknown": balance.unknown[counts].tolist(),
+        "equations": balance.equations[counts].tolist(),
+        "weighs": tangent.weighs[counts],
+        "noise": [drive.noise for drive in setup.planned.plan.drives if drive.noise >= 0],
     }
 
 

@@ -55,6 +55,12 @@ class ModelFunctions:
         """The closed loops of the plans."""
         return {name: ClosedLoop(plan.plan) for name, plan in self.plans.items()}
 
+    def settles(self, name: str) -> Schedule | None:
+        """The rates of a plan at rest, where they are not those of its run and a start is found by them."""
+        plan, loop = self.plans[name].plan, self.loops[name]
+        controlled = any(drive.servo and drive.servo.controller for drive in plan.drives)
+        return ClosedLoop(plan.settles).rate if controlled and (loop.modes or plan.is_sampled) else None
+
     @cached_property
     def passes(self) -> dict[str, ChainPasses]:
         """The passes over the real ``chain``, and over the one with a point at each station (``pose``).
@@ -85,7 +91,8 @@ def live_module(functions: ModelFunctions, methods: Sequence[str], *, slopes: bo
     """All functions of a robot; ``slopes``: ``rest.rate`` gives its derivatives too, half as much code again.
 
     Loops: ``reference.METHOD`` (where there is a nominal run) and ``real.METHOD``. Samples: ``observe`` and ``rate``
-    of both as of :class:`tmodes.simulation.loop.LoopModel`, ``switched`` where something sticks; ``rest.rate``,
+    of both as of :class:`tmodes.simulation.loop.LoopModel`, ``switched`` where something sticks, ``settles`` where the
+    rates at rest (:attr:`tmodes.equations.loop.plan.LoopPlan.settles`) are others; ``rest.rate``,
     whose accelerations vanish at rest, where ``held`` coordinates stand by themselves; ``inertia``, ``elastic`` as of
     :class:`tmodes.model.passes.ChainPasses`; for a page, whose ``observe`` gives what it shows alone, ``points`` of
     ``inertia``, and ``tip``: where the first of them is; ``pose``: motion of every station (24 numbers each: rotation,
@@ -107,6 +114,8 @@ def live_module(functions: ModelFunctions, methods: Sequence[str], *, slopes: bo
             if label == "observe" and functions.lines:
                 schedule = schedule.only(_SHOWN[name])
             made.schedule(f"{name}.{label}", schedule_samples(f"{name}.{label}", schedule), schedule)
+        if settles := functions.settles(name):
+            made.schedule(f"{name}.settles", schedule_samples(f"{name}.settles", settles), settles)
     chain = functions.passes["chain"]
     passes = {"inertia": chain.schedule("inertia"), "elastic": chain.schedule("elastic")}
     if functions.lines:

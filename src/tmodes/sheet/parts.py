@@ -193,16 +193,21 @@ class BaseMotion(DataSheet):
 
 
 class InitialState(StrEnum):
-    """``rest``: static equilibrium at the first command; ``zero``: undeformed, with the coordinates given."""
+    """How a run starts.
+
+    ``rest``: in equilibrium of the closed loop at the first commands; ``held``: in static equilibrium with every motor
+    on its first command, whose controllers set in at t = 0; ``zero``: undeformed, with the coordinates given.
+    """
 
     REST = "rest"
+    HELD = "held"
     ZERO = "zero"
 
 
 class Initial(DataSheet):
     """The state at time 0."""
 
-    state: InitialState = Field(default=InitialState.REST, strict=False, description="rest or zero")
+    state: InitialState = Field(default=InitialState.REST, strict=False, description="rest, held or zero")
     coordinates: dict[str, Number] = by_name("coordinate", "q", "coordinate -> value [coordinate]")
     rates: dict[str, Number] = by_name("coordinate/s", "v", "coordinate -> rate [coordinate/s]")
 

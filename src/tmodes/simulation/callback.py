@@ -43,7 +43,7 @@ def driven_by(setup: RunSetup) -> RunSetup:
     own = replace(plan, drives=drives)
     model = LoopModel(own)
     start = np.zeros(model.layout.size)
-    start[: 2 * len(model.coordinates)] = setup.start[: 2 * len(model.coordinates)]
+    start[: 2 * len(model.coordinates)] = setup.held[: 2 * len(model.coordinates)]
     return replace(setup, planned=replace(setup.planned, plan=own), model=model, start=start, callback=True)
 
 

@@ -117,6 +117,11 @@ class LoopModel:
         return LeanLoop(self.plan)
 
     @cached_property
+    def settles(self) -> LoopModel:
+        """The same for states at rest (:attr:`tmodes.equations.loop.plan.LoopPlan.settles`); itself where it is so."""
+        return LoopModel(self.plan.settles) if self.loop.modes or self.plan.is_sampled else self
+
+    @cached_property
     def _series(self) -> dict[Any, Schedule]:
         return {}
 

@@ -233,5 +233,5 @@ def _touch(robot: Robot, chain: Chain, names: list[str], follow: Follow) -> Touc
 
 
 def starts_at_rest(robot: Robot) -> bool:
-    """Whether a run begins in static equilibrium."""
-    return robot.initial.state is InitialState.REST
+    """Whether a run begins in equilibrium, of the closed loop or with held motors."""
+    return robot.initial.state is not InitialState.ZERO

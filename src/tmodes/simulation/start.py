@@ -19,6 +19,9 @@ from tmodes.integrate.registry import AUTO
 from tmodes.integrate.settings import Integration
 from tmodes.model.model import Model
 from tmodes.sheet import Robot
+from tmodes.sheet.parts import InitialState
+from tmodes.simulation.balance import Balance
+from tmodes.simulation.closed_start import Imbalance, balanced, closes
 from tmodes.simulation.loop import LoopModel
 from tmodes.simulation.parts import Journal, Trajectory
 from tmodes.simulation.plan import Follow, Planned, initial_value, planned, refuse_jumps, starts_at_rest
@@ -26,7 +29,8 @@ from tmodes.simulation.stops import Stops
 from tmodes.simulation.trajectory import integrate
 
 __all__ = [
-    "RunSetup", "first_state", "held_at_start", "placed_state", "run_setup", "run_trajectory", "slipping", "undeformed",
+    "RunSetup", "closed_balance", "first_state", "held_at_start", "placed_state", "run_setup", "run_trajectory",
+    "slipping", "undeformed",
 ]  # fmt: skip
 
 Array = NDArray[np.float64]
@@ -38,7 +42,9 @@ class RunSetup:
 
     ``planned``: its chain, drives and signals; ``model``: its closed loop; ``mechanics``: the model of its chain alone;
     ``rest``: the static equilibrium at the start, None where the run does not begin at rest; ``start`` (size,): the
-    first state. ``otherwise``: the settings with which to continue where the motion turns out stiff; None: those of the
+    first state; ``held`` (size,): that with every motor on its first command, which it is where the robot is in
+    balance so; ``off``: why the start is no equilibrium of the closed loop, None where it is one or is not meant to be.
+    ``otherwise``: the settings with which to continue where the motion turns out stiff; None: those of the
     robot to the end. ``callback``: a Python function takes the place of the sheet's controllers. ``follow``: what its
     motors do.
     """
@@ -48,7 +54,9 @@ class RunSetup:
     model: LoopModel
     start: Array
     mechanics: Model
+    held: Array
     rest: Equilibrium | None = None
+    off: Imbalance | None = None
     otherwise: Integration | None = None
     callback: bool = False
     follow: Follow = Follow.SHEET
@@ -122,7 +130,10 @@ def run_setup(
     if starts_at_rest(robot):
         rest = _same_rest(like, mechanics, held) or robot_rest(robot, model=mechanics, held=held)
     row = plan.schedule.rows_at(np.zeros(1))
-    start = model.settled(first_state(robot, plan, model, rest), row)
+    first = first_state(robot, plan, model, rest)
+    placed = model.settled(first, row)
+    moved, off = (None, None) if rest is None else balanced(robot, model, mechanics, first, placed, row[0])
+    start = placed if moved is None else model.settled(moved, row)
     given = [driver.coordinate for driver in model.loop.drivers if driver.plan.servo is None]
     _check_inertia(mechanics, start[model.layout.q], given)
     accelerations = model.observe([0.0], start, row)["a"][0]
@@ -132,7 +143,13 @@ def run_setup(
             f"the acceleration at the start is {accelerations[bad[0]]} in coordinate "
             f"{model.coordinates[bad[0]]}; give what it moves a mass and an inertia"
         )
-    return RunSetup(robot, plan, model, start, mechanics, rest, follow=follow)
+    return RunSetup(robot, plan, model, start, mechanics, placed, rest, off, follow=follow)
+
+
+def closed_balance(setup: RunSetup) -> Balance | None:
+    """The equations of rest by which the start of a setup is found; None where it has held motors anyhow."""
+    asked = setup.rest is not None and setup.robot.initial.state is not InitialState.HELD
+    return Balance(setup.model) if asked and closes(setup.robot, setup.model) else None
 
 
 def _check_inertia(mechanics: Model, q: Array, given: Sequence[int]) -> None:

@@ -11,6 +11,7 @@ from tmodes.analysis.energy import energy_sentence
 from tmodes.kinds.contacts.registry import Contact
 from tmodes.kinds.signals.registry import MergedSchedule
 from tmodes.sheet.robot import RECURSION
+from tmodes.simulation.closed_start import Imbalance
 from tmodes.simulation.motion_run import RunData
 from tmodes.simulation.plan import WAYS
 from tmodes.simulation.start import RunSetup
@@ -29,6 +30,8 @@ def start_warnings(setup: RunSetup) -> list[str]:
     info += [f"joint {name} has no drive: it moves freely with its initial rate" for name in setup.planned.loose]
     info += _left_out(setup)
     info += _begun(setup)
+    if setup.off:
+        info.append(_not_at_rest(setup.off))
     if setup.robot.contact:
         info += _touching(setup, setup.robot.contact)
     return info
@@ -45,6 +48,14 @@ def _begun(setup: RunSetup) -> Iterator[str]:
                 f"joint {driver.plan.joint} begins with {powers[jolts[signal], 1]:.4g} {unit} at t = 0, and gives what "
                 "it carries an impulse; to begin otherwise, name the rates after it in `initial.rates`"
             )
+
+
+def _not_at_rest(off: Imbalance) -> str:
+    """What moves off at once, by how much its effort misses what would hold it, and how far the tip has to go."""
+    gives = f"its drive gives {off.given:.4g} {off.unit} where {off.needed:.4g} {off.unit} hold it"
+    far = "" if off.distance is None else f", and the tip starts {off.distance * 1e3:.4g} mm from its equilibrium"
+    asked = " (initial.state: held)" if off.wanted else ""
+    return f"the start is no equilibrium{asked}: joint {off.joint} moves off, {gives}{far}"
 
 
 def _left_out(setup: RunSetup) -> Iterator[str]:
@@ -76,6 +87,9 @@ def jumps(setup: RunSetup) -> str:
     return ""
 
 
+_STILL = 1e-9
+"""Energy moved over that in springs up to which a robot stands still."""
+
 _NO_MOTION, _LEAST_ENERGY = 0.1, 1e-4
 """Share of the energy moved, and energy [J], by which the balance is off where a motion is none of the robot's."""
 
@@ -94,8 +108,8 @@ def no_motion(run: RunData) -> str:
 
 def run_warnings(run: RunData) -> list[str]:
     """Limits passed, a contact that jams, energy that does not add up; with the first time and the worst value."""
-    tolerance = run.robot.integration.energy_tolerance
-    energy = energy_sentence(run.times, run.energy_balance, run.energy_moved, tolerance, _cause(run))
+    tolerance, still = run.robot.integration.energy_tolerance, _stands(run)
+    energy = "" if still else energy_sentence(run.times, run.energy_balance, run.energy_moved, tolerance, _cause(run))
     jammed = [] if run.contact_fold is None else jam_warnings(run.times, run.contact_fold)
     return [*([energy] if energy else []), *jammed, *_limits(run)]
 
@@ -115,6 +129,12 @@ def _cause(run: RunData) -> str:
                 "to its gear's spring and damper is not counted; move it in a short time"
             )
     return "the integration is too coarse; lower integration.relative_tolerance or integration.step"
+
+
+def _stands(run: RunData) -> bool:
+    """Whether what moves is the error of the integration alone, of a robot that stands still and holds a load."""
+    stored = max(float(np.abs(values).max()) for name, values in run.energies.items() if "elastic" in name)
+    return run.energy_moved <= _STILL * stored
 
 
 def jam_warnings(time: Array, fold: Array) -> list[str]:

@@ -119,18 +119,24 @@ def test_motor_that_follows_exactly():
     assert np.abs(run.energy_balance).max() < 1e-8 * run.energy_moved
 
 
-def test_rest_is_where_the_springs_hold_the_weight():
+@pytest.mark.parametrize("state", ["held", "rest"])
+def test_rest_is_where_springs_and_controller_hold_the_weight(state):
+    """Held on its setpoint the motor gives no torque; in equilibrium it stands off it by what its torque takes."""
     control = {"type": "pd", "position_gain": 80.0, "velocity_gain": 12.0}
     wanted = {"type": "constant", "value": 1.0}
     drive = {"command": "position", "signal": wanted, "controller": control}
     run = simulate_motion(
-        pendulum(MOTOR, {"stiffness": 100.0}, drive, integration={"duration": 0.1, "output_step": 0.01})
-    )
-    sag = run.q[0, 0] - run.q[0, 1]
-    assert run.q[0, 0] == 1.0
+        pendulum(MOTOR, {"stiffness": 100.0}, drive, integration={"duration": 0.1, "output_step": 0.01},
+                 initial={"state": state})
+    )  # fmt: skip
+    off, sag = 1.0 - run.q[0, 0], run.q[0, 0] - run.q[0, 1]
     assert 100 * sag == pytest.approx(9.8 * np.sin(run.q[0, 1]), rel=1e-9)
+    assert 80 * off == pytest.approx(0.0 if state == "held" else 100 * sag, rel=1e-9)
     assert run.reference is not None
-    assert np.abs(run.reference.q - run.q[0]).max() < 1e-9
+    assert np.abs(run.reference.q - run.reference.q[0]).max() < 1e-9
+    assert run.reference.q[0, 0] == 1.0
+    moved = np.abs(run.q - run.q[0]).max()
+    assert moved > 1e-3 if state == "held" else moved < 1e-12
 
 
 def test_rigid_joint_under_control_and_its_reference():

@@ -52,6 +52,19 @@ export interface Affine {
   constant: Numbers;
 }
 
+/** By which rates, at which states [size], and of which numbers of them: what one unit of each moves [rad, m]. */
+export interface BalanceInfo {
+  function: string;
+  size: number;
+  /** Pairs: where these states and those of the run hold the same. */
+  places: [number, number][];
+  unknown: number[];
+  equations: number[];
+  weighs: Numbers;
+  /** Signals that are left out: noise on what controllers see. */
+  noise: number[];
+}
+
 /** How one run of a robot starts: `reported` coordinates by its sheet, `exact` ones by signals (coordinate, signal). */
 export interface RunInfo {
   state: Record<"q" | "v" | "currents" | "controls" | "works", [number, number]>;
@@ -63,6 +76,8 @@ export interface RunInfo {
   /** Coordinates that drives move. */
   driven: number[];
   signals: number;
+  /** How the equilibrium of its closed loop is found, from which it starts; null where its motors are held. */
+  balance: BalanceInfo | null;
   /** Those of the signals that move the robot; noise and the clocks of controllers move nothing. */
   moving: number[];
 }

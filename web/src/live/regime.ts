@@ -1,5 +1,6 @@
 // One robot in motion, the nominal (reference) or the actual one: its numbers, its signals and its run.
 
+import { balanced } from "./balance";
 import { firstState } from "./rest";
 import { doubles, type Bundle, type RunInfo } from "./bundle";
 import type { Engine } from "./engine";
@@ -46,6 +47,7 @@ export async function moved(
   const each = range(0, info.signals).map((k) => signals.schedule(blocks[`knots.${k}`], blocks[`coefficients.${k}`]));
   const schedule = signals.merged(each.map((one) => signals.until(one, settings.duration)));
   if (!each.length) schedule.knots[1] = settings.duration;
+  const held = firstState(engine, bundle, values, name, schedule);
   const run = await integrate(
     engine,
     {
@@ -53,7 +55,9 @@ export async function moved(
       parameters: blocks.parameters,
       knots: schedule.knots,
       rows: signals.rowsOf(schedule),
-      state: settled(engine, bundle, name, blocks, schedule, firstState(engine, bundle, values, name, schedule)),
+      state: settled(
+        engine, bundle, name, blocks, schedule, balanced(engine, info.balance, blocks, name, schedule, held),
+      ),
       times: doubles(bundle.times),
       settings,
     },

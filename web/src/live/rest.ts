@@ -6,14 +6,14 @@ import { solveInPlace } from "./linear";
 import { numbersOf, type Blocks } from "./map";
 import { valueAt, type Schedule } from "./signals";
 
-const STEPS = 40;
+export const STEPS = 40;
 const SMALL = 1e-12;
-const LONGEST = 0.5;
-const STEP = 1e-6; // of the differences that make the tangent [rad]
+export const LONGEST = 0.5;
+export const STEP = 1e-6; // of the differences that make the tangent [rad]
 // correction after a step, as a share of it: beyond it another branch may be caught, as analysis/equilibrium_path.py
-const STRAY = 0.5;
-const LITTLE = 1e-3; // a step that is too short to leave a branch [rad, m]
-const SHORTEST = 1 / 128; // step on the way from the unchanged numbers
+export const STRAY = 0.5;
+export const LITTLE = 1e-3; // a step that is too short to leave a branch [rad, m]
+export const SHORTEST = 1 / 128; // step on the way from the unchanged numbers
 
 /** Accelerations of the free coordinates and their derivatives by them, by differences: Newton needs no better. */
 function slopes(

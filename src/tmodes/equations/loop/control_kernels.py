@@ -54,13 +54,15 @@ class Servo:
     """Structure of a drive whose motion is not given: under a ``controller``, or ``driven`` by its voltage.
 
     Without a winding, or where the effort itself is commanded, the command is the effort. ``noisy``: the controller
-    sees a wanted value with an error on it.
+    sees a wanted value with an error on it. ``settles``: a sampled controller in continuous time, whose rates are the
+    changes of its own states from sample to sample: zero where a constant wanted value leaves it as it is.
     """
 
     controller: Controller | None
     driven: bool
     winding: Winding
     noisy: bool = False
+    settles: bool = False
 
     @property
     def has_current(self) -> bool:
@@ -70,7 +72,7 @@ class Servo:
     @property
     def is_sampled(self) -> bool:
         """Whether the controller holds its command between samples."""
-        return self.controller is not None and self.controller.period is not None
+        return self.controller is not None and self.controller.period is not None and not self.settles
 
     @property
     def start(self) -> tuple[float, ...]:
@@ -99,7 +101,7 @@ class Servo:
     def key(self) -> str:
         """The structure in words."""
         law = self.controller.structure if self.controller else "none"
-        return f"servo {law}, {self.driven} {self.winding}{' noisy' * self.noisy}"
+        return f"servo {law}, {self.driven} {self.winding}{' noisy' * self.noisy}{' settles' * self.settles}"
 
     def numbers(self, winding: tuple[float, ...]) -> tuple[float, ...]:
         """Its numbers: those of the winding, then those of the controller."""
@@ -123,7 +125,8 @@ class Servo:
                 command, rates = x[0], [0.0] * self.states
             elif self.controller:
                 wanted = [signal[k] + noise[k] for k in range(SIGNAL)] if self.noisy else signal
-                law = _Law(self.controller, [p[WINDING + k] for k in range(own)], [x[k] for k in range(self.states)])
+                numbers, x = [p[WINDING + k] for k in range(own)], [x[k] for k in range(self.states)]
+                law = _Law(self.controller, numbers, x, settles=self.settles)
                 command, stiff, damp, rates = law.at(wanted, th[0], thd[0], current[0], (view, blocks))
             return [*self._driven(p, (command, stiff, damp), signal, thd, (current, step)), *([rates] if rates else [])]
 
@@ -182,17 +185,24 @@ class _Law:
     controller: Controller
     p: list[Any]
     x: list[Any]
+    settles: bool
 
     def at(self, wanted: Any, th: Any, thd: Any, current: Any, seen: tuple[View | None, list[Any]]) -> Any:
         """Command, its fall per th and th', and the rates of the own states."""
         own = ca.SX.sym("own", 2)
         measured = _measured(wanted, (own[0], own[1]), current, seen)
         command = ca.SX(self.controller.command(self.p, measured, self.x))
-        rates = ca.SX(ca.vertcat(*self.controller.rates(self.p, measured, self.x)))
+        rates = ca.SX(ca.vertcat(*self._rates(measured)))
         slopes = -ca.jacobian(command, own)
         place = ca.vertcat(th, thd)
         command, slopes, rates = ca.substitute([command, slopes, rates], [own], [place])
         return command, slopes[0], slopes[1], [rates[k] for k in range(len(self.x))]
+
+    def _rates(self, measured: Measured) -> list[Any]:
+        if not self.settles:
+            return self.controller.rates(self.p, measured, self.x)
+        new = self.controller.updates(self.p, measured, self.x)
+        return [after - before for after, before in zip(new, self.x, strict=True)]
 
 
 def _measured(wanted: Any, own: tuple[Any, Any], current: Any, seen: tuple[View | None, list[Any]]) -> Measured:

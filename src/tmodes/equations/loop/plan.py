@@ -5,7 +5,7 @@ The numbers of the signals themselves are in the rows of a schedule; here is onl
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 import numpy as np
@@ -128,6 +128,23 @@ class LoopPlan:
     def is_sampled(self) -> bool:
         """Whether any controller is."""
         return any(drive.servo.is_sampled for drive in self.drives if drive.servo)
+
+    @property
+    def settles(self) -> LoopPlan:
+        """The same for states at rest: nothing sticks, no surface has a mass, and samples are changes of their states.
+
+        Its numbers stand where those of this plan do.
+        """
+        nodes = tuple(replace(node, joint=node.joint.without_sticking()) for node in self.chain.nodes)
+        drives = []
+        for drive in self.drives:
+            servo = replace(drive.servo, settles=True) if drive.servo and drive.servo.is_sampled else drive.servo
+            drives.append(replace(drive, servo=servo))
+        touch = self.touch
+        if touch and touch.touch.modes:
+            still = Touch(touch.touch.sheet.resting())
+            touch = replace(touch, touch=still, numbers=still.numbers(self.chain.gravity))
+        return replace(self, chain=replace(self.chain, nodes=nodes), drives=tuple(drives), touch=touch, jolts=())
 
     @property
     def controls(self) -> tuple[float, ...]:

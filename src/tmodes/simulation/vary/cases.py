@@ -18,13 +18,15 @@ from tmodes.model.accuracy import rounding
 from tmodes.model.forms import Form, Range, Unfit
 from tmodes.model.model import Model
 from tmodes.sheet import Robot
+from tmodes.simulation.balance import STANDS, Balance, Tangent, frozen
+from tmodes.simulation.closed_start import closes, uncontrolled
 from tmodes.simulation.loop import LoopModel, loop_numbers, whole
 from tmodes.simulation.plan import Follow, planned, starts_at_rest
-from tmodes.simulation.start import RunSetup, held_at_start, placed_state, slipping, undeformed
+from tmodes.simulation.start import RunSetup, closed_balance, held_at_start, placed_state, slipping, undeformed
 from tmodes.simulation.vary.block_forms import block_forms, pair_at
 from tmodes.simulation.vary.lanes import Side
 from tmodes.simulation.vary.lots import Indices, LaneNumbers, Lot
-from tmodes.simulation.vary.rests import inverse_at, rests
+from tmodes.simulation.vary.rests import rests
 
 __all__ = ["Cases"]
 
@@ -48,7 +50,7 @@ _MOST = 400
 """Vectors that surfaces may take where these cases are part of more: it must not depend on which part they are."""
 
 
-_COMMON = ("ranges", "held", "_inverse", "_structure", "forms", "_moves")
+_COMMON = ("ranges", "held", "_standing", "_closed", "_structure", "forms", "_moves")
 """What does not depend on the values themselves."""
 
 
@@ -84,11 +86,26 @@ class Cases:
         return LoopModel(planned(self.like.robot, Follow.HELD).plan)
 
     @cached_property
-    def _inverse(self) -> Array:
-        """The inverse of the slope at the rest of ``like``, near those of all others."""
-        rest, row = self.like.rest, planned(self.like.robot, Follow.HELD).schedule.rows_at(np.zeros(1))[0]
+    def _standing(self) -> tuple[Balance, Tangent]:
+        """The equations of rest with held motors, and their slope at the rest of ``like``, near those of all others."""
+        rest, row = self.like.rest, planned(self.like.robot, Follow.HELD).schedule.rows_at(np.zeros(1))
         assert rest is not None  # noqa: S101
-        return inverse_at(self.held, self.held.numbers, row, rest.q, rest.free)
+        balance = Balance(self.held)
+        return balance, balance.tangent(self._at_rest(rest.q[None]), row, self.held.numbers)
+
+    @cached_property
+    def _closed(self) -> tuple[Balance, Tangent] | None:
+        """The same of the closed loop, where a run starts from its equilibrium."""
+        like, balance = self.like, closed_balance(self.like)
+        if balance is None:
+            return None
+        first, row = balance.at_rest(like.start[None]), frozen(like.model, like.first_row[None])
+        return balance, balance.tangent(first, row, balance.loop.numbers)
+
+    def _at_rest(self, q: Array) -> Array:
+        states = np.zeros((len(q), self.held.layout.size))
+        states[:, self.held.layout.q] = q
+        return states
 
     @cached_property
     def _structure(self) -> Any:
@@ -100,6 +117,8 @@ class Cases:
         other = self.held.loop.modes or self.held.coordinates != self.like.model.coordinates
         if other and starts_at_rest(self.like.robot):
             raise Unfit({0: "its rest is found by other equations"})
+        if self._closed and (self.like.off or uncontrolled(self.like.model)):
+            raise Unfit({0: "its start may be no equilibrium"})
         most = _MOST if self.spans is not None else len(next(iter(self.values.values())))
         return block_forms(self._at, self.ranges, self._structure, most)
 
@@ -122,7 +141,8 @@ class Cases:
         if plan.schedule.coefficients.size > _LONGEST:
             raise Unfit({0: "its signals have too many pieces"})
         keys = model.loop.rate.key, held.loop.rate.key, chain.passes.schedule("inertia").key
-        return vector, (keys, model.coordinates, tuple(at_start), at_rest, robot.integration, places)
+        closed = at_rest and closes(robot, model)
+        return vector, (keys, model.coordinates, tuple(at_start), at_rest, closed, robot.integration, places)
 
     def block(self, name: str, which: Indices) -> Array:
         """A block of numbers of some cases, (m, ...)."""
@@ -177,9 +197,19 @@ class Cases:
         if self.like.rest is not None:
             placed = states[:, model.layout.q]  # a view
             np.copyto(placed, self._rests(which), where=np.isnan(placed))
+        if self._closed:
+            states = self._balanced(*self._closed, states, rows, parameters)
         states = model.settled(states, rows, parameters)
         rates = model.rate(np.zeros(len(states)), states, rows, parameters)
         states[~np.isfinite(rates[:, model.layout.v]).all(axis=1)] = np.nan
+        return states
+
+    def _balanced(self, balance: Balance, tangent: Tangent, states: Array, rows: Array, parameters: Array) -> Array:
+        """The equilibria of the closed loops, from the states with held motors; those that are in balance stay."""
+        still, near = frozen(self.like.model, rows), balance.at_rest(states)
+        found = rests(balance, parameters, still, near, tangent, STANDS)
+        moved = (found != near).any(axis=1)
+        states[moved] = balance.outside(found[moved], states[moved], still[moved], parameters[moved])
         return states
 
     def _rests(self, which: Indices) -> Array:
@@ -195,7 +225,9 @@ class Cases:
         while len(lost):
             begin = np.broadcast_to(near, (len(lost), len(names))).copy()
             begin[:, places] = held[lost]
-            found[lost] = rests(self.held, numbers[lost], rows[lost], begin, rest.free, self._inverse)
+            balance, tangent = self._standing
+            there = rests(balance, numbers[lost], rows[lost], self._at_rest(begin), tangent)
+            found[lost] = there[:, self.held.layout.q]
             known, before = np.flatnonzero(np.isfinite(found).all(axis=1)), len(lost)
             lost = np.flatnonzero(~np.isfinite(found).all(axis=1))
             if len(lost) == before or not len(known):
