@@ -18,6 +18,7 @@ from tmodes.analysis.statics.reactions import reactions
 from tmodes.analysis.statics.steady import base_spin, steady_rates
 from tmodes.analysis.validity import link_ranges, missing_share, rest_warnings
 from tmodes.errors import SimulationError
+from tmodes.kinds.joints.joint import JointState
 from tmodes.model.model import Model
 from tmodes.sheet import Robot
 
@@ -35,8 +36,9 @@ def describe(
     """All that ``tmodes describe`` prints of a robot, as plain data with units in the names.
 
     The sag and the stiffness are those under the robot's weight alone, the driven coordinates at ``held``, else at
-    their first command. A robot that finds no rest is described too: then ``sag`` and ``stiffness`` are None and
-    ``warnings`` say why. Raises :class:`tmodes.errors.InputError` for an unknown name in ``held``.
+    their first command; with free joints also in its contact. A robot that finds no rest is described too: then ``sag``
+    and ``stiffness`` are None and ``warnings`` say why. Raises :class:`tmodes.errors.InputError` for an unknown name in
+    ``held``.
     """
     chain = robot.chain()
     model = Model(chain)
@@ -47,7 +49,7 @@ def describe(
         "name": robot.name,
         "title": robot.title,
         "assumed": robot.assumed,
-        "notes": [*robot.held_notices, *_standing(robot, model)],
+        "notes": [*robot.held_notices, *_standing(robot, model), *([_IN_CONTACT] if _leans(robot) else ())],
         "gravity_m_per_s2": list(robot.gravity),
         "coordinates": list(model.coordinates),
         "total_mass_kg": float(sum(link["mass_kg"] for link in links)),
@@ -69,6 +71,14 @@ def _standing(robot: Robot, model: Model) -> list[str]:
         if moves
         else []
     )
+
+
+_IN_CONTACT = "sag and stiffness are of the robot in contact, which may be all that holds its free joints"
+
+
+def _leans(robot: Robot) -> bool:
+    """Whether a contact may be what holds a robot: it has one, and joints that nothing else holds."""
+    return robot.contact is not None and any(joint.state is JointState.FREE for joint in robot.joints)
 
 
 def _still(model: Model) -> list[str]:
@@ -103,7 +113,7 @@ def _rest(
     robot: Robot, model: Model, held: Mapping[str, float | str] | None, progress: Progress
 ) -> tuple[Equilibrium | None, list[str]]:
     try:
-        return robot_rest(robot, model=model, held=held, sheet=False, contact=False, progress=progress), []
+        return robot_rest(robot, model=model, held=held, sheet=False, contact=_leans(robot), progress=progress), []
     except SimulationError as error:
         return None, [f"no rest under its own weight: {error}"]
 

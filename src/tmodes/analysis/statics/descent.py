@@ -28,7 +28,9 @@ def descend(system: StaticSystem, q: Array, factor: float) -> Root | None:
     """The pose to which a robot sinks when it moves slowly in a thick fluid, downhill all the way.
 
     Linearly implicit Euler steps of D q' = -r(q), each longer as the force falls (Kelley & Keyes, "Convergence analysis
-    of pseudo-transient continuation", SIAM J. Numer. Anal. 35, 1998). None where it comes to no rest.
+    of pseudo-transient continuation", SIAM J. Numer. Anal. 35, 1998). A surface holds the robot stiffly in one
+    direction and makes the fluid so thick that along the others it hardly moves: there each step is twice as long as
+    the last unless the force rises. None where it comes to no rest.
     """
     forces = system.forces(q, factor)
     pace = 1.0
@@ -49,7 +51,8 @@ def descend(system: StaticSystem, q: Array, factor: float) -> Root | None:
         q = q.copy()
         q[system.free] -= step * min(1.0, LONGEST / size)
         found = system.forces(q, factor)
-        pace *= float(np.clip(np.linalg.norm(forces.rest) / max(np.linalg.norm(found.rest), 1e-300), 0.5, 2.0))
+        fall = float(np.linalg.norm(forces.rest) / max(np.linalg.norm(found.rest), 1e-300))
+        pace *= 2.0 if system.is_touched and fall >= 1.0 else min(max(fall, 0.5), 2.0)
         forces = found
     return None
 

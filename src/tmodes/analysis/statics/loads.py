@@ -6,7 +6,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, NamedTuple
+from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -61,6 +61,9 @@ class Pose:
 @dataclass(frozen=True, eq=False)
 class Act(ABC):
     """Something that acts on one point, by the point's index."""
+
+    is_surface: ClassVar[bool] = False
+    """Whether it holds its point to a place."""
 
     point: int
 
@@ -176,6 +179,7 @@ class _Surface(Act):
     Where it acts, the surface moves with the point along the normal: its mass and its damper are then the robot's too.
     """
 
+    is_surface: ClassVar[bool] = True
     sheet: Contact
 
     @cached_property

@@ -45,6 +45,11 @@ class StaticSystem:
     rates: Array | None = None
     spin: Array | None = None
 
+    @property
+    def is_touched(self) -> bool:
+        """Whether a surface is among the acts."""
+        return any(act.is_surface for act in self.acts)
+
     def base(self, factor: float) -> Array:
         """The row (24) of the base under a factor of its weight."""
         row = self.model.at_rest(gravity=factor)
