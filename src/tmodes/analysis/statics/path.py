@@ -91,7 +91,7 @@ def follow(system: StaticSystem, q: Array, progress: Progress = lambda stage, sh
         if found is None:
             step /= 2
             if step < SMALLEST:
-                raise SimulationError(_stopped(system, here))
+                path, step = LoadPath([_sunk(system, here)]), 1.0
             continue
         path.stations.append(found)
         if path.lost_at is None and here.stability.stable and not found.stability.stable:
@@ -100,6 +100,17 @@ def follow(system: StaticSystem, q: Array, progress: Progress = lambda stage, sh
         progress("statics", found.factor)
         step *= 2
     return path
+
+
+def _sunk(system: StaticSystem, here: Station) -> Station:
+    """The robot under a little load, where its path stopped before that: in a dead zone hardly anything holds it.
+
+    Raises :class:`SimulationError` where the path had come farther, and where it comes to no rest.
+    """
+    root = descend(system, here.q, LITTLE) if here.factor < LITTLE else None
+    if root is None:
+        raise SimulationError(_stopped(system, here))
+    return _at(system, root, LITTLE)
 
 
 def _held_short(here: Station, step: float) -> float:
