@@ -58,8 +58,8 @@ class FourBar:
         slopes = [np.array([(np.array(self.places(q + step * e)) - self.places(q - step * e))[k] / (2 * step)
                             for e in np.eye(2)]) for k in range(2)]  # fmt: skip
         turns = [np.array([1.0, 0.0]), np.array([1.0, 1.0])]
-        return sum(m * s @ s.T + j * np.outer(t, t)
-                   for m, s, j, t in zip(self.masses, slopes, self.moments, turns, strict=True))  # fmt: skip
+        parts = zip(self.masses, slopes, self.moments, turns, strict=True)
+        return np.sum([m * s @ s.T + j * np.outer(t, t) for m, s, j, t in parts], axis=0)
 
     def slope(self, q: Any) -> np.ndarray:
         return np.array([self.potential(q + 1e-5 * e) - self.potential(q - 1e-5 * e) for e in np.eye(2)]) / 2e-5
