@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import json
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -11,7 +12,10 @@ import pytest
 import tmodes
 from arm.see.runs import sheet
 from tmodes.analysis.vibration import residual_vibration, settled_after
-from tmodes.result.settling import BAND, at_rest_from
+from tmodes.errors import InputError, InputErrors
+from tmodes.integrate.band import BAND, Band
+from tmodes.result import Result
+from tmodes.result.settling import at_rest_from
 from tmodes.sheet import Robot
 from tmodes.simulation.start import run_setup
 
@@ -55,6 +59,30 @@ def test_a_short_run_settles_as_a_long_one():
         outside = time[np.linalg.norm(tip - other["rest_m"], axis=1) > other["limit_m"]]
         assert other["band"] == band
         assert other["time_s"] == pytest.approx(max(outside[-1] - 0.01, 0.0), abs=2e-3)
+
+
+def test_a_band_is_a_share_or_a_length(tmp_path: Path) -> None:
+    """Of the sheet, and of who asks: in time when the distance from rest is last that large."""
+    long = tmodes.run(ringing(9.0, settling_band="0.1 mm"))
+    time, tip = long.motion["time"].values, long.motion["tip"].values
+    far = np.linalg.norm(tip - long.settling["rest_m"], axis=1)
+    assert long.settling["limit_m"] == 1e-4
+    assert long.settling["band"] is None
+    for band, limit in ((None, 1e-4), ("0.05mm", 5e-5), ("2 %", 0.02 * far.max()), (0.02, 0.02 * far.max())):
+        for result in (long, Result.load(long.save(tmp_path / "result.nc", overwrite=True))):
+            info = result.summary(band)["settling"]
+            assert info["limit_m"] == pytest.approx(limit, rel=1e-3)
+            assert info["time_s"] == pytest.approx(time[far > limit][-1] - 0.01, abs=3e-3)
+    assert long.summary("1 mm")["settling"]["within"] == "1 mm"
+    assert long.summary(0.02)["settling"]["band"] == 0.02
+
+
+@pytest.mark.parametrize("wrong", ["5 furlongs", "120 %", "0", "-1 mm", "mm", 1.5, "", "1e999 mm", "nan"])
+def test_bands_that_are_none(wrong: str | float) -> None:
+    with pytest.raises(InputError):
+        Band.parsed(wrong)
+    with pytest.raises((InputError, InputErrors)):
+        ringing(1.0, settling_band=wrong)
 
 
 def trapezoid(time: np.ndarray, angle: float, duration: float, ramp: float) -> tuple[np.ndarray, float]:

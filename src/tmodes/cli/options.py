@@ -29,6 +29,7 @@ __all__ = [
     "ReadingOption",
     "Roots",
     "Settings",
+    "SettlingBand",
     "SheetArgument",
     "Stop",
     "StopAtLimits",
@@ -142,6 +143,13 @@ Stop = Annotated[
         metavar="CONDITION",
         help="integration.stop: end the run where this triggers, located exactly; may be given often: "
         '--stop "tip.z < 0"  --stop "abs(elbow.velocity) > 90 deg/s". A wrong name lists the right ones.',
+    ),
+]
+SettlingBand = Annotated[
+    str | None,
+    typer.Option(
+        metavar="BAND",
+        help='How near to its rest the tip counts as settled: a share of its move ("2 %") or a length ("0.1mm").',
     ),
 ]
 StopAtLimits = Annotated[

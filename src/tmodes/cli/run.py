@@ -38,6 +38,7 @@ def run(
     duration: options.Duration = None,
     stop: options.Stop = None,
     stop_at_limits: options.StopAtLimits = False,
+    settling_band: options.SettlingBand = None,
     root: options.Roots = None,
     trust_paths: options.TrustPaths = False,
     fix_inertia: options.FixInertia = False,
@@ -67,6 +68,7 @@ def run(
     changes = options.integration_changes(
         method=integrator, relative_tolerance=rtol, absolute_tolerance=atol, duration=duration,
         check_error=check_error, stop=stop or None, stop_at_limits=stop_at_limits,
+        settling_band=settling_band,
     )  # fmt: skip
     left_out = {"error_estimate": error_estimate, "model_error": model_error}
     changes |= {f"integration.{name}": False for name, wanted in left_out.items() if not wanted}

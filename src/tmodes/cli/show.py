@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from tmodes.cli.options import AsJson, is_study, plain, result_file, stored_result
+from tmodes.cli.options import AsJson, SettlingBand, is_study, plain, result_file, stored_result
 from tmodes.cli.summary_text import integration_lines, print_event_count, print_events, print_summary, result_record
 from tmodes.cli.terminal import print_json, print_table, warn
 from tmodes.errors import InputError
@@ -39,6 +39,7 @@ def show(
     result: ResultArgument,
     everything: Annotated[bool, typer.Option("--all", help="Every series, not only the first ones.")] = False,
     events: Annotated[bool, typer.Option("--events", help="What happened when: touch, stick, slip, teeth.")] = False,
+    settling_band: SettlingBand = None,
     as_json: AsJson = False,
 ) -> None:
     """What a stored result says: how the run ended, the numbers that matter, frequencies, and every course in a line.
@@ -47,6 +48,8 @@ def show(
 
     With `--events` its events alone: when and where a contact touched, friction stuck or slipped, teeth of a gear with
     play met, a joint passed its limit, and at which speed; `--json` has them always.
+
+    With `--settling-band` the settling is found anew in the samples of the file, which end with the run.
 
     Of a study, its folder: what its quantities are over all cases, as the study has reported it.
     """
@@ -60,12 +63,12 @@ def show(
     chosen = list(series_of_result(data)) if everything or as_json else first_series(data)
     if as_json:
         series = [{"variable": one.variable, "of": one.of, "unit": one.unit} | _extremes(one) for one in chosen]
-        print_json({"file": str(result_file(result)), **result_record(stored), "series": series})
+        print_json({"file": str(result_file(result)), **result_record(stored, settling_band), "series": series})
         return
     if events:
         print_events(stored)
         return
-    _show(stored, result_file(result), chosen, sum(1 for _ in series_of_result(data)))
+    _show(stored, result_file(result), chosen, sum(1 for _ in series_of_result(data)), settling_band)
 
 
 def _show_study(place: Path, *, as_json: bool) -> None:
@@ -89,8 +92,8 @@ def _extremes(one: Series) -> dict[str, float]:
     return {"min": float(one.values.min()), "max": float(one.values.max()), "end": float(one.values[-1])}
 
 
-def _show(stored: Result, file: Path, chosen: list[Series], total: int) -> None:
-    summary = print_summary(stored)
+def _show(stored: Result, file: Path, chosen: list[Series], total: int, band: str | None) -> None:
+    summary = print_summary(stored, band)
     print(f"end     {plain(stored.message)}")
     print_event_count(stored)
     for line in integration_lines(stored, summary):

@@ -26,11 +26,11 @@ __all__ = [
 ]
 
 
-def result_record(result: Result) -> dict[str, Any]:
+def result_record(result: Result, band: str | None = None) -> dict[str, Any]:
     """What a result says, for machines."""
     return {
         "status": result.status, "message": result.message, "warnings": list(result.warnings),
-        "summary": result.summary(), "frequencies": result.frequencies, "statistics": result.statistics,
+        "summary": result.summary(band), "frequencies": result.frequencies, "statistics": result.statistics,
         "events": [asdict(event) for event in result.events],
     }  # fmt: skip
 
@@ -114,9 +114,9 @@ def print_run(result: Result, folder: RunFolder) -> None:
     print(f"data    {folder.result_file}")
 
 
-def print_summary(result: Result) -> dict[str, Any]:
-    """Print the summary of a result as a table, and give it back."""
-    summary = result.summary()
+def print_summary(result: Result, band: str | None = None) -> dict[str, Any]:
+    """Print the summary of a result as a table, and give it back; ``band``: within which the tip counts as settled."""
+    summary = result.summary(band)
     columns = ["quantity", "value", "error", "model error", "where"]
     rows = list(summary_rows(summary))
     if not (summary["model_error"] or {}).get("figures"):
@@ -162,7 +162,7 @@ def summary_rows(summary: dict[str, Any]) -> Iterator[Row]:
 
 
 def _tip(summary: dict[str, Any]) -> Iterator[Row]:
-    from tmodes.result.summary import settling_reason, vibration_words
+    from tmodes.result.summary import settling_band, settling_reason, vibration_words
 
     subject, point = _subject(summary), summary["point"]
     if point["reason"]:
@@ -186,7 +186,7 @@ def _tip(summary: dict[str, Any]) -> Iterator[Row]:
         yield _row(summary, "deviation.max_m", f"{subject} to nominal", deviation["max_m"], "mm", when, 1e3)
         yield _row(summary, "deviation.end_m", f"{subject} at the end", deviation["end_m"], "mm", "to nominal", 1e3)
     if settling["time_s"] is not None:
-        limit = f"within {settling['limit_m'] * 1e3:.3g} mm of its rest ({100 * settling['band']:g} % of the move)"
+        limit = f"within {settling['limit_m'] * 1e3:.3g} mm of its rest ({settling_band(settling)})"
         yield "settling after the move", f"{settling['time_s']:.3f} s", "", "", limit
     else:
         yield "settling after the move", "-", "", "", f"not seen: {settling_reason(settling)}"

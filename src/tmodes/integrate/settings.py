@@ -4,11 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from difflib import get_close_matches
-from typing import Any, Self
+from functools import partial
+from typing import Annotated, Any, Self
 
-from pydantic import Field, SerializerFunctionWrapHandler, field_validator, model_serializer, model_validator
+from pydantic import (
+    BeforeValidator,
+    Field,
+    SerializerFunctionWrapHandler,
+    field_validator,
+    model_serializer,
+    model_validator,
+)
 
 from tmodes.errors import InputError
+from tmodes.integrate.band import BAND, Band
 from tmodes.integrate.condition import MOST, Condition
 from tmodes.integrate.method import Integrator
 from tmodes.integrate.registry import AUTO, integrator, integrators
@@ -64,6 +73,10 @@ class Integration(DataSheet):
     model_error: bool = Field(
         default=True, description="true: run again with links of another stiffness, for the error of their models"
     )
+    settling_band: Annotated[str, BeforeValidator(str)] = Field(
+        default=Band(BAND).words.removesuffix(" of the move"),
+        description="how near to its rest the tip counts as settled: a share of its move, `0.1 %`, or `0.1 mm`",
+    )
     step: float = positive("s", "dt", "fixed step (rk4, midpoint)", default=2 / 37500, span=True)
     energy_tolerance: float = positive(
         "-", "etol", "residual of the energy balance over the energy moved that is warned of", default=1e-6, span=True,
@@ -109,9 +122,10 @@ class Integration(DataSheet):
         return integrators().get(self.method)
 
     def _stop_issues(self) -> Iterator[Issue]:
-        for place, text in enumerate(self.stop):
+        checks = [partial(Condition.parsed, text, f"stop.{place}") for place, text in enumerate(self.stop)]
+        for check in (*checks, partial(Band.parsed, self.settling_band, "settling_band")):
             try:
-                Condition.parsed(text, f"stop.{place}")
+                check()
             except InputError as error:
                 yield Issue(error.which, error.got, error.expected, error.hint)
 

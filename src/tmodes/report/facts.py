@@ -13,7 +13,7 @@ from tmodes.plot.facts import drive_unit, effort_unit, names_of
 from tmodes.report.markup import Markup, tag, written
 from tmodes.result import Result
 from tmodes.result.derived import Derives
-from tmodes.result.summary import TIP, largest_elements, mean_over_time, settling_reason, vibration_words
+from tmodes.result.summary import TIP, largest_elements, mean_over_time, settling_band, settling_reason, vibration_words
 from tmodes.sheet import Robot
 
 __all__ = ["Fact", "energy_facts", "fact_list", "frequency_facts", "run_facts", "tracking_facts", "vibration_fact"]
@@ -88,7 +88,7 @@ def _settling(known: dict[str, Any]) -> Fact:
     if known["time_s"] is None:
         return Fact("settling", name, None, "s", f"not seen: {settling_reason(known)}")
     within = f"until the tip stays within {written(known['limit_m'], 'm')} of its rest"
-    return Fact("settling", name, known["time_s"], "s", f"{within}, {100 * known['band']:g} % of the move")
+    return Fact("settling", name, known["time_s"], "s", f"{within}, {settling_band(known)}")
 
 
 def vibration_fact(which: str, known: dict[str, Any]) -> Fact:

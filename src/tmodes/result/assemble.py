@@ -19,6 +19,7 @@ from tmodes.analysis.modes.of_sheet import frequencies_about, sheet_frequencies
 from tmodes.analysis.quasistatic import elastic_names
 from tmodes.analysis.statics.steady import steady_rates
 from tmodes.errors import SimulationError
+from tmodes.integrate.band import Band
 from tmodes.io.labelled import Record
 from tmodes.io.sheet_plausible import implausible_numbers, reading_notices
 from tmodes.result.derived import INTERRUPTED, NOT_YET, Derives, derived
@@ -33,7 +34,6 @@ from tmodes.result.paths import part_names
 from tmodes.result.record import RESULT_FORMAT, STATUSES
 from tmodes.result.series import Variables, coordinates_of, error_series, motion_series, record_of
 from tmodes.result.settling import (
-    BAND,
     AfterMove,
     after_move,
     move_end,
@@ -199,9 +199,9 @@ class Assembly(Derives):
     @derived("settling", lambda self, reason: not_settled(reason))
     def settling(self) -> dict[str, Any]:
         """When the actual tip has settled to its own rest, by continuing the run."""
-        return self.settled(BAND)
+        return self.settled(Band.parsed(self.run.robot.integration.settling_band))
 
-    def settled(self, band: float) -> dict[str, Any]:
+    def settled(self, band: Band) -> dict[str, Any]:
         """The same with another band."""
         return self._after("actual").settling(band)
 

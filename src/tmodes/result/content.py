@@ -38,7 +38,7 @@ class _Mode(TypedDict):
 
 class _Settling(TypedDict):
     time_s: FiniteFloat | None
-    band: FiniteFloat
+    band: FiniteFloat | None
     limit_m: FiniteFloat | None
     reason: str
 

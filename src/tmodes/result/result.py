@@ -17,12 +17,12 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Self, cast
 
 from tmodes import upward
+from tmodes.integrate.band import Band
 from tmodes.io.labelled import Record
 from tmodes.result import record
 from tmodes.result.derived import failed_in, sentences
 from tmodes.result.events import read_events
 from tmodes.result.record import absent_kinds
-from tmodes.result.settling import BAND
 from tmodes.result.summary import summarise_result, vibrations
 
 if TYPE_CHECKING:
@@ -54,7 +54,7 @@ class Result:
         if data is not None and self._record is None:
             self.__dict__["data"] = data
         self.timing, self._assembly = timing or {}, made
-        self._summaries: dict[float, dict[str, Any]] = {}
+        self._summaries: dict[Band | None, dict[str, Any]] = {}
 
     def __reduce__(self) -> tuple[Any, ...]:
         """A copy, and what was pickled, holds the whole record; nothing of the compiled code of the run."""
@@ -209,15 +209,17 @@ class Result:
         """When the last signal stops changing [s]; None where one never does."""
         return live.move_end if (live := self.assembly) else record.from_json(self.record, "move_end")
 
-    def summary(self, band: float = BAND) -> dict[str, Any]:
+    def summary(self, band: float | str | None = None) -> dict[str, Any]:
         """The numbers a reader asks first; see :func:`tmodes.result.summary.summarise_result`.
 
-        Raises :class:`tmodes.errors.InputError` for a ``band`` that is not between 0 and 1.
+        ``band``: another one than the robot's own within which the tip counts as settled: a share of the move, such as
+        0.02 or "2 %", or a length, such as "0.1 mm". Raises :class:`tmodes.errors.InputError` for what is neither.
         """
         known = {} if "data" in self.__dict__ else self._summaries  # the dataset may be changed by who asked for it
-        if band not in known:
-            known[band] = summarise_result(self.record, band, self._assembly and self._assembly.settled)
-        return copy.deepcopy(known[band])
+        asked = None if band is None else Band.parsed(band)
+        if asked not in known:
+            known[asked] = summarise_result(self.record, asked, self._assembly and self._assembly.settled)
+        return copy.deepcopy(known[asked])
 
     def save(self, path: str | os.PathLike[str], *, overwrite: bool = False) -> Path:
         """Store the result as one sealed NetCDF-4 file; the same result gives the same bytes.

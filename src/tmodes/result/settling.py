@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from tmodes.analysis.vibration import FEWEST, Residual, residual_vibration, settled_after
 from tmodes.errors import InputError
+from tmodes.integrate.band import BAND, Band
 from tmodes.integrate.registry import integrator
 from tmodes.kinds.signals.schedule import MergedSchedule, Schedule, merge
 
@@ -21,14 +22,14 @@ if TYPE_CHECKING:
     from tmodes.simulation.start import RunSetup
 
 __all__ = [
-    "BAND", "AfterMove", "after_move", "move_end", "not_settled", "plain_vibration", "settling", "unknown_vibration",
+    "AfterMove", "after_move", "move_end", "not_settled", "plain_vibration", "settling", "unknown_vibration",
     "vibration",
 ]  # fmt: skip
 
 Array = NDArray[np.float64]
 
-BAND = 0.001
-"""Share of the move within which the tip counts as settled: 1 mm of 1 m."""
+USUAL = Band(BAND)
+"""The band of who names none."""
 
 _NO_MOVE = 1e-9
 """Least band [m]: a tip that does not move is at rest."""
@@ -83,7 +84,7 @@ class AfterMove:
         """Time [s] that was looked at after the end of the run, and what ended that."""
         return {"continued_s": float(self.times[-1]) - self.finished, "cut": self.cut}
 
-    def settling(self, band: float = BAND) -> dict[str, Any]:
+    def settling(self, band: Band = USUAL) -> dict[str, Any]:
         """When the tip stays near its own rest, see :func:`settling`; and how far the run was continued for it."""
         return settling(self.times, self.tip, self.end, self.finished, band) | self.beyond
 
@@ -104,17 +105,17 @@ class AfterMove:
         return self.times[kept] - end, self.q[kept]
 
 
-def settling(times: Array, tip: Array, end: float | None, finished: float, band: float = BAND) -> dict[str, Any]:
+def settling(times: Array, tip: Array, end: float | None, finished: float, band: Band = USUAL) -> dict[str, Any]:
     """Time from the end of the move after which the actual tip stays within ``limit_m`` of its own rest.
 
     Its rest is where it is in the end: the mean of the last fifth of the samples, in which it must not move by more
-    than a share of the band. ``limit_m`` is ``band`` times ``move_m``, its farthest distance from rest in the run.
+    than a share of the band. ``limit_m`` is the ``band``, of ``move_m``, its farthest distance from rest in the run.
     ``time_s`` is None, with a ``reason``, where the tip is not seen to come to rest, and stay there.
     """
     last = tip[times >= times[-1] - _LAST * max(times[-1] - (end or 0.0), 0.0)]
     rest = last.mean(axis=0)
     far, spread = (np.linalg.norm(part - rest, axis=1) for part in (tip[times <= finished * (1 + 1e-9)], last))
-    limit = max(band * float(far.max()), _NO_MOVE)
+    limit = max(band.limit(float(far.max())), _NO_MOVE)
     info = not_settled("", band) | {"limit_m": limit, "move_m": float(far.max())}
     if end is None:
         return info | {"reason": "what moves the robot changes up to the end of the run"}
@@ -127,9 +128,9 @@ def settling(times: Array, tip: Array, end: float | None, finished: float, band:
     return info | {"time_s": settled_after(times, tip, rest, limit, end), "rest_m": rest.tolist()}
 
 
-def not_settled(reason: str, band: float = BAND) -> dict[str, Any]:
+def not_settled(reason: str, band: Band = USUAL) -> dict[str, Any]:
     """What stands in the place of the settling where there is none."""
-    return {"time_s": None, "band": band, "limit_m": None, "move_m": None, "reason": reason}
+    return {"time_s": None, "band": band.share, "within": band.words, "limit_m": None, "move_m": None, "reason": reason}
 
 
 def unknown_vibration(reason: str) -> dict[str, Any]:
@@ -185,6 +186,7 @@ def after_move(run: RunData, end: float | None, progress: Callable[[float], None
     if end is None or not stops or run.status != "finished" or setup.callback or min(decays, default=1.0) <= 0:
         return alone
     last = _last_even(times, end)
+    band = Band.parsed(setup.robot.integration.settling_band)
     horizon, left, best = max(min(_HORIZON, _DECAYS / min(decays, default=1.0)), _SHORTEST), _work(run), alone
     while True:
         done, tips, stride = _continued(setup, run, last, horizon, left, progress)
@@ -199,7 +201,7 @@ def after_move(run: RunData, end: float | None, progress: Callable[[float], None
             return replace(best, cut=f"not looked at beyond t = {best.times[-1]:.4g} s: half of the run's own steps")
         if done.status != "finished":
             return replace(alone, cut=f"continued beyond its end, the run was lost: {done.message}")
-        if horizon >= _HORIZON or found.settling()["time_s"] is not None:
+        if horizon >= _HORIZON or found.settling(band)["time_s"] is not None:
             return found
         horizon = min(2 * horizon, _HORIZON)
 

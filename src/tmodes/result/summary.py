@@ -12,17 +12,17 @@ from numpy.typing import NDArray
 
 from tmodes.analysis.energy import largest_flow
 from tmodes.chain.chain import joint_of_element
-from tmodes.errors import InputError
 from tmodes.frame import along
+from tmodes.integrate.band import Band
 from tmodes.result.derived import Derives, failed_in
-from tmodes.result.settling import BAND, not_settled, plain_vibration, settling, vibration
+from tmodes.result.settling import USUAL, not_settled, plain_vibration, settling, vibration
 
 if TYPE_CHECKING:
     from tmodes.io.labelled import Record
 
 __all__ = [
-    "TIP", "largest_deviation", "largest_elements", "mean_over_time", "settling_reason", "summarise_result",
-    "tip_errors", "vibration_words", "vibrations",
+    "TIP", "largest_deviation", "largest_elements", "mean_over_time", "settling_band", "settling_reason",
+    "summarise_result", "tip_errors", "vibration_words", "vibrations",
 ]  # fmt: skip
 
 Array = NDArray[np.float64]
@@ -32,24 +32,22 @@ MOST_ENTRIES = 40
 
 
 def summarise_result(
-    data: Record, band: float = BAND, settled: Callable[[float], dict[str, Any]] | None = None
+    data: Record, band: Band | None = None, settled: Callable[[Band], dict[str, Any]] | None = None
 ) -> dict[str, Any]:
     """A plain dictionary of floats and words, ready for JSON; units are in the keys. What is missing is None.
 
-    ``band`` [-] is the share of the move within which the tip counts as settled, between 0 and 1; for the usual one the
-    run itself was continued (:mod:`tmodes.result.settling`), for any other ``settled`` continues it, else its samples
-    are looked at.
+    ``band``: within which the tip counts as settled, None: the robot's own, for which the run itself was continued
+    (:mod:`tmodes.result.settling`); for any other ``settled`` continues it, else its samples are looked at.
     ``point``: whose errors, settling and vibration these are, the tip's unless it cannot show the motion, and why.
     A group that cannot be computed is empty, and stands in ``not_computed`` with the reason.
-    Raises :class:`tmodes.errors.InputError` for a band out of range.
     """
-    if not 0 < band < 1:
-        raise InputError("band", str(band), "a number between 0 and 1", f"{BAND} is the usual one")
     time, groups = np.asarray(data["time"].values, dtype=float), Derives()
     found: dict[str, Any] = {"status": data.attrs["status"]}
     for name, (compute, without) in _GROUPS.items():
         found[name] = groups.attempt(name, partial(compute, data, time), without)
-    found["settling"] = groups.attempt("settling", partial(_settling, data, time, band, settled), _not_settled(band))
+    found["settling"] = groups.attempt(
+        "settling", partial(_settling, data, time, band, settled), _not_settled(band or USUAL)
+    )
     if other := json.loads(data.attrs.get("headline", "null")):
         found |= {key: other[key] for key in ("tip_error", "deviation")}
         found |= {key: _of_others(found[key]) for key in ("error", "model_error")}
@@ -69,19 +67,23 @@ def _of_others(errors: dict[str, Any] | None) -> dict[str, Any] | None:
     return errors | {"figures": kept}
 
 
-def _not_settled(band: float) -> Callable[[str], dict[str, Any]]:
+def _not_settled(band: Band) -> Callable[[str], dict[str, Any]]:
     return lambda reason: not_settled(reason, band)
 
 
 def _settling(
-    data: Record, time: Array, band: float, settled: Callable[[float], dict[str, Any]] | None
+    data: Record, time: Array, band: Band | None, settled: Callable[[Band], dict[str, Any]] | None
 ) -> dict[str, Any]:
     known = json.loads(data.attrs.get("settling", "null"))
-    if known and known["band"] == band and "move_m" in known:  # an earlier version had another rule
+    own = known and "move_m" in known  # an earlier version had another rule
+    if own and (band is None or band.words == known.get("within", Band(known["band"]).words)):
         return known
-    if settled:
+    if settled and band:
         return settled(band)
-    return settling(time, _path(data, "tip"), json.loads(data.attrs["move_end"]), float(time[-1]), band)
+    if data.attrs.get("headline", "null") != "null":
+        return not_settled("another band takes the run itself: tmodes run --settling-band", band or USUAL)
+    end = json.loads(data.attrs["move_end"])
+    return settling(time, _path(data, "tip"), end, float(time[-1]), band or USUAL)
 
 
 def _path(data: Record, name: str) -> Array:
@@ -97,6 +99,11 @@ def vibrations(data: Record) -> dict[str, Any]:
     return {
         which: plain_vibration(vibration(time, _path(data, name), end)) for which, name in paths.items() if name in data
     }
+
+
+def settling_band(known: dict[str, Any]) -> str:
+    """The band in words; an earlier version had shares alone."""
+    return str(known.get("within") or Band(known["band"]).words)
 
 
 def settling_reason(known: dict[str, Any]) -> str:

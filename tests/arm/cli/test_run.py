@@ -109,3 +109,13 @@ def test_where_the_time_went(files):
     assert all(time >= 0 for times in spent.values() for time in times.values())
     assert "stages_s" not in json.loads(tmodes(*line, "--json").stdout)
     assert "Where the time went" not in (files / "o" / "report.html").read_text(encoding="utf-8")
+
+
+def test_settling_in_another_band(tmp_path):
+    """By an option of the run, and of a stored result; a wrong one says what it may be."""
+    line = ["run", "spong1987", "--duration", "0.4", "--no-report", "--no-error-estimate", "--out", tmp_path]
+    found = json.loads(tmodes(*line, "--settling-band", "0.2mm", "--json").stdout)["summary"]["settling"]
+    assert found["limit_m"] == 2e-4
+    shown = json.loads(tmodes("show", tmp_path, "--settling-band", "3 %", "--json").stdout)["summary"]["settling"]
+    assert shown["limit_m"] == pytest.approx(0.03 * shown["move_m"])
+    assert "0.1 mm" in tmodes("show", tmp_path, "--settling-band", "3 miles", code=2).stderr
