@@ -222,12 +222,14 @@ def _contact(data: Record, time: Array) -> dict[str, float] | None:
     """Least, largest and mean force into the surface [N], share of the time in touch; None in free space."""
     if "contact_force_normal" not in data:
         return None
-    force = data["contact_force_normal"].values
+    force, depth = data["contact_force_normal"].values, data["penetration"].values
+    if "surface_displacement" in data:  # of a surface with mass: from its rest
+        depth = depth + data["surface_displacement"].values
     return {
         "min_N": float(force.min()),
         "max_N": float(force.max()),
         "mean_N": mean_over_time(time, force),
-        "deepest_m": float(data["penetration"].values.max()),
+        "deepest_m": float(depth.max()),
     }
 
 

@@ -75,7 +75,7 @@ class _Reader:
         self.gears = [axis.angle for axis in loop.parts.axes if axis.drive and axis.drive.dead_zone]
         self.modes = [states[:, layout.modes] for states in (before, after)]
         gates = found["gate"]
-        self.open = (gates.reshape(len(gates), -1, 2) > 0).all(axis=2)
+        self.open: NDArray[np.bool_] = gates.reshape(len(gates), -1, 2).min(axis=2) > 0
 
     def at(self, k: int) -> _Found:
         """Kind, place, speed, its unit, and direction of what happens at a change."""

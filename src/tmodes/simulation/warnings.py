@@ -70,7 +70,8 @@ def _left_out(setup: RunSetup) -> Iterator[str]:
 
 def _touching(setup: RunSetup, sheet: Contact) -> Iterator[str]:
     seen = setup.model.observe(np.zeros(1), setup.start, setup.first_row)["contact"][0]
-    yield from sheet.start_notices(float(seen[3]), float(seen[4]))
+    moved = setup.start[setup.model.layout.surface][:1].sum()  # of a surface with mass
+    yield from sheet.start_notices(float(seen[3]), float(seen[4] + moved))
 
 
 def jumps(setup: RunSetup) -> str:

@@ -111,7 +111,8 @@ class Contact(Kind, family="contact law", key="law"):
     def normal_force(self, p: Any, depth: Any, rate: Any) -> Any:
         """Normal force [N] by penetration [m] and its rate [m/s], but for the moving mass.
 
-        The depth of a law that only pushes is greater than zero; where the result is negative, there is no force.
+        The depth of a law that only pushes is greater than zero; where the result is negative, there is no force. That
+        of a surface with a mass of its own is of either sign, and so is the force, which then moves the surface.
         """
         raise NotImplementedError
 
