@@ -8,6 +8,7 @@ from typing import Any
 import pytest
 
 import tmodes
+from tmodes.analysis.consequences import consequences
 from tmodes.io.sheet_plausible import implausible_numbers
 from tmodes.robots import names
 from tmodes.sheet import Robot
@@ -96,3 +97,37 @@ def test_any_robot_is_looked_at() -> None:
     assert motor.startswith("joints.shoulder.motor.back_emf_constant = 2 and torque_constant = 0.02")
     (inertia,) = implausible_numbers(right.with_({"links.lower.bodies.hand.inertia": 10.0}))
     assert inertia.startswith("links.lower.bodies.hand: an inertia of 10 kg*m^2 is more than 0.2 kg can have")
+
+
+FLOATING = {
+    "format": 1,
+    "kind": "arm",
+    "name": "floating",
+    "gravity": 9.81,
+    "joints": [
+        {"name": "x", "type": "prismatic", "child": "a", "axis": [1, 0, 0], "state": "free"},
+        {"name": "z", "type": "prismatic", "child": "b", "axis": [0, 0, 1], "state": "free"},
+        {"name": "turn", "type": "revolute", "child": "rod", "axis": [0, 1, 0], "state": "free"},
+    ],
+    "links": [
+        {
+            "name": "rod",
+            "beam": {
+                "model": "strain", "functions": {"bend_y": 3}, "length": 2.9, "damping_time": 1e-4,
+                "section": {"shape": "round", "diameter": 0.003}, "material": "steel",
+            },
+            "bodies": [{"mass": 5.0, "at": 0.0}, {"mass": 5.0, "at": 1.0}],
+        }
+    ],
+}  # fmt: skip
+
+
+def test_no_weight_bends_a_beam_whose_root_nothing_holds() -> None:
+    """Clamped, the masses would bend it by a kilometre."""
+    floating = tmodes.Robot.from_data(FLOATING)
+    assert implausible_numbers(floating) == []
+    assert consequences(floating) == []
+    held = floating.with_({"joints.turn.state": "active"}).with_(
+        {"joints.x.state": "active", "joints.z.state": "active"}
+    )
+    assert "bodies: 5 kg at its end bend it" in consequences(held)[0]

@@ -15,6 +15,7 @@ from tmodes.analysis.headline_point import headline_point
 from tmodes.chain.chain import Chain
 from tmodes.chain.mass import Carried, carried_by_joints
 from tmodes.sheet import Robot
+from tmodes.sheet.topology import loose_links
 
 __all__ = ["consequences"]
 
@@ -134,7 +135,7 @@ def _damped(gears: list[_Gear]) -> Iterator[str]:
 
 def _links(robot: Robot, chain: Chain) -> Iterator[str]:
     """Links by themselves, clamped: their damping, and how far a weight at their end bends them."""
-    pull = math.hypot(*robot.gravity)
+    pull, loose = math.hypot(*robot.gravity), loose_links(robot.joints)
     for row in link_rows(robot, chain):
         name, first = row["name"], [row[f"bare_bend_{axis}_Hz"] for axis in "yz" if row.get(f"bare_bend_{axis}_Hz")]
         time = row.get("damping_time_s") or 0.0
@@ -145,7 +146,7 @@ def _links(robot: Robot, chain: Chain) -> Iterator[str]:
             )
         stiff = [row[f"tip_stiffness_{axis}_N_per_m"] for axis in "yz" if row.get(f"tip_stiffness_{axis}_N_per_m")]
         load = sum(body.mass * body.station**2 for body in robot.link(name).bodies)
-        if stiff and pull and load * pull / max(stiff) > BENDING * row["length_m"]:
+        if stiff and pull and name not in loose and load * pull / max(stiff) > BENDING * row["length_m"]:
             yield (
                 f"links.{name}.bodies: {load:.4g} kg at its end bend it by {load * pull / max(stiff):.3g} m under "
                 f"their weight, more than a tenth of its length, {row['length_m']:.3g} m; is a mass in g?"

@@ -8,7 +8,7 @@ from typing import Any
 
 from tmodes.kinds.links.sheet import BendingSheet
 from tmodes.sheet import Robot
-from tmodes.sheet.topology import parents, rooted_order
+from tmodes.sheet.topology import loose_links, parents, rooted_order
 
 __all__ = ["implausible_beams"]
 
@@ -17,6 +17,9 @@ SLENDERNESS = (5.0, 1000.0)
 
 CLAMPED_FREE = 1.8751040687119611
 """First root of cos x cosh x = -1: a clamped bare beam has 2 pi f = (x/L)^2 sqrt(EI/w)."""
+
+FREE_FREE = 4.730040744862704
+"""First root of cos x cosh x = 1, of one with both ends free."""
 
 FIRST_FREQUENCY = (0.05, 5e3)
 """Range of the bending frequency of a mode that carries everything beyond it [Hz]."""
@@ -33,19 +36,22 @@ WEIGHT = 3 / 8
 
 def implausible_beams(robot: Robot) -> Iterator[str]:
     """Sentences on each beam, and what its own sheet has to say."""
-    beyond = _masses_beyond(robot)
+    beyond, loose = _masses_beyond(robot), loose_links(robot.joints)
     for link in robot.links:
         if link.beam:
-            yield from _beam(robot, link.name, link.beam, beyond[link.name])
+            yield from _beam(robot, link.name, link.beam, None if link.name in loose else beyond[link.name])
             yield from (f"links.{link.name}.beam{notice}" for notice in link.beam.notices())
 
 
-def _beam(robot: Robot, name: str, beam: BendingSheet, beyond: float) -> Iterator[str]:
-    """The first of what is strange about a beam: the others follow from it."""
+def _beam(robot: Robot, name: str, beam: BendingSheet, beyond: float | None) -> Iterator[str]:
+    """The first of what is strange about a beam: the others follow from it.
+
+    ``beyond``: mass [kg] at its tip; None where nothing holds its root, so that no weight bends it as if clamped.
+    """
     if not beam.section_pieces():
         return
-    found = [*_slenderness(name, beam), *_material(name, beam), *_frequency(name, beam)]
-    yield from [*found, *_sag(robot, name, beam, beyond)][:1]
+    found = [*_slenderness(name, beam), *_material(name, beam), *_frequency(name, beam, clamped=beyond is not None)]
+    yield from [*found, *(() if beyond is None else _sag(robot, name, beam, beyond))][:1]
 
 
 def _slenderness(name: str, beam: BendingSheet) -> Iterator[str]:
@@ -75,20 +81,21 @@ def _material(name: str, beam: BendingSheet) -> Iterator[str]:
     yield f"links.{name}.beam with {info} is of no known material; was its {heavy if ratio > high else light} meant?"
 
 
-def _frequency(name: str, beam: BendingSheet) -> Iterator[str]:
+def _frequency(name: str, beam: BendingSheet, *, clamped: bool) -> Iterator[str]:
     low, high = FIRST_FREQUENCY
     root: Any = beam.section_pieces()[0].start
     stiffness = min(root.bend_y, root.bend_z)
     if math.isinf(stiffness) or not beam.coordinate_count:
         return
-    frequency = (CLAMPED_FREE / beam.line_length) ** 2 * math.sqrt(stiffness / root.mass) / (2 * math.pi)
+    root_of_ends, ends = (CLAMPED_FREE, "clamped") if clamped else (FREE_FREE, "with free ends")
+    frequency = (root_of_ends / beam.line_length) ** 2 * math.sqrt(stiffness / root.mass) / (2 * math.pi)
     if not low <= frequency <= high:
         factors = {1e6: "length in mm (factor 0.001)", math.sqrt(1e9): "E in GPa (factor 1e+09)"}
         factors |= {1e3: "E in MPa (factor 1e+06)", 1e-3: "stiffness in N*mm^2 (factor 1e-06)"}
         likely = next((info for factor, info in factors.items() if low <= factor * frequency <= high), None)
         guess = f"was its {likely} meant?" if likely else "are its length, stiffness and mass in SI units?"
         usual = f"outside the usual {low:g} to {high:g} Hz"
-        yield f"links.{name}.beam, clamped, swings at {frequency:.3g} Hz, {usual}; {guess}"
+        yield f"links.{name}.beam, {ends}, swings at {frequency:.3g} Hz, {usual}; {guess}"
 
 
 def _masses_beyond(robot: Robot) -> dict[str, float]:

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator, Sequence
 
-from tmodes.kinds.joints.joint import JointSheet
+from tmodes.kinds.joints.joint import JointSheet, JointState
 from tmodes.kinds.schema.quantity import Issue
 
-__all__ = ["BASE", "last_link", "parents", "rooted_order", "tree_issues"]
+__all__ = ["BASE", "last_link", "loose_links", "parents", "rooted_order", "tree_issues"]
 
 BASE = "base"
 """Name of the link that stands still: the ground."""
@@ -44,6 +44,18 @@ def last_link(joints: Sequence[JointSheet]) -> str:
         moving[joints[index].child] = moving[names[index]] + joints[index].kind.size
     most = max(moving.values())
     return next(joint.child for joint in reversed(joints) if moving.get(joint.child) == most)
+
+
+def loose_links(joints: Sequence[JointSheet]) -> set[str]:
+    """Links whose root nothing holds: a joint between them and the base is free, and on no spring."""
+    names = parents(joints)
+    found: set[str] = set()
+    for index in rooted_order(joints):
+        joint = joints[index]
+        free = joint.state is JointState.FREE and joint.kind.moves and joint.spring is None
+        if free or names[index] in found:
+            found.add(joint.child)
+    return found
 
 
 def tree_issues(joints: Sequence[JointSheet], links: Sequence[str]) -> Iterator[Issue]:

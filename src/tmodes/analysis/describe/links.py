@@ -17,6 +17,7 @@ from tmodes.kinds.joints.joint import JointSheet, JointState
 from tmodes.kinds.schema.frames import TURN
 from tmodes.sheet import Robot
 from tmodes.sheet.parts import LinkSheet
+from tmodes.sheet.topology import loose_links
 
 __all__ = ["gear_rows", "joint_rows", "link_rows", "notices", "parallel_rows", "pose_notices", "rest_notices"]
 
@@ -134,7 +135,12 @@ THICK = 10.0
 
 def notices(robot: Robot, chain: Chain, info: dict[str, Any], rest: Equilibrium | None) -> list[str]:
     """Sentences on what is reported of a robot, and on its rest where it has one."""
-    found = [*_frequencies(info["links"]), *_gears(info["gears"]), *_thick(chain)]
+    loose = loose_links(robot.joints)
+    found = [
+        *_frequencies([link for link in info["links"] if link["name"] not in loose]),
+        *_gears(info["gears"]),
+        *_thick(chain),
+    ]
     return [*found, *(rest_notices(robot, rest) if rest else ())]
 
 
