@@ -31,6 +31,8 @@ from tmodes.sheet.parts import (
     by_name,
     several,
 )
+from tmodes.sheet.planar import in_plane, planar_issues
+from tmodes.sheet.topology import tree_issues
 
 __all__ = ["MOST_JOINTS", "RECURSION", "SHEET_FORMAT", "Robot", "RobotPair", "refuse_other"]
 
@@ -70,6 +72,7 @@ class Robot(DataSheet):
     gravity: Vector = list_of_numbers(
         "m/s^2", "g", "gravity in the world; one number: along -z", default=(0.0, 0.0, -9.81)
     )
+    planar: bool = Field(default=False, description="true: it moves in one plane, in which alone its beams bend")
     base: Origin | None = Field(default=None, description="placement of the base in the world; none: at its origin")
     joints: tuple[JointSheet, ...] = Field(strict=False, max_length=MOST_JOINTS, description="joints, from the base on")
     equations: str = Field(
@@ -110,6 +113,9 @@ class Robot(DataSheet):
         from tmodes.sheet.checks import sheet_issues
 
         refuse(list(self._text_issues()))
+        if self.planar and not [*tree_issues(self.joints, [link.name for link in self.links])]:
+            refuse([*planar_issues(self)])
+            vars(self)["links"] = in_plane(self)
         refuse(sheet_issues(self))
         return self
 

@@ -49,6 +49,9 @@ class Functions(DataSheet):
     shear_z: int = _count("n_sz", "functions of shear along z, which goes with bending about y")
 
 
+_OUT_OF_PLANE = {"y": ("twist", "bend_z", "shear_y"), "z": ("twist", "bend_y", "shear_z")}
+"""Functions that leave the plane to which an axis of the section is normal."""
+
 _GIVEN = {
     "twist": ("torsion", "torsional_stiffness"),
     "stretch": ("axial", "axial_stiffness"),
@@ -108,6 +111,11 @@ class BeamData(BendingSheet):
         """The damping time of a straight beam that bends in both planes."""
         both = self.functions is None or (self.functions.bend_y and self.functions.bend_z)
         return (self.damping_time or 0.0) if both and not any(self.rest_curvature) else None
+
+    def bending_about(self, axis: str) -> BeamData:
+        """Its functions of bending about the axis, of the shear that goes with it, and of stretch."""
+        given, others = self.functions or Functions(bend_y=1, bend_z=1), _OUT_OF_PLANE[axis]
+        return self.model_copy(update={"functions": given.model_copy(update=dict.fromkeys(others, 0))})
 
     @field_validator("functions", mode="before")
     @classmethod

@@ -122,6 +122,11 @@ class BendingSheet(DataSheet):
         found = {name: getattr(self, name, None) for name in ("root_mount", "tip_mount")}
         return {name: origin for name, origin in found.items() if origin}
 
+    def bending_about(self, axis: str) -> BendingSheet:
+        """The same link bending about one axis of its section alone, y or z, without twist; by default as it is."""
+        del axis
+        return self
+
     @property
     def description(self) -> str:
         """Its model with its size, such as ``segments (2)``."""
