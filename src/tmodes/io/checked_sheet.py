@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import copy
 import math
+import re
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from itertools import islice
 from typing import Any
@@ -120,9 +121,25 @@ def _read_numbers(data: Any, places: Collection[str]) -> Iterator[Problem]:
         try:
             container[key] = _read_number(container[key], place)
         except NotANumber as error:
-            listed = place.expected.startswith("a list") and str(container[key]).count(",") > 1
-            hint = AS_LIST if listed else error.hint
-            yield steps, InputError("", error.got, place.expected, hint)
+            yield steps, InputError("", error.got, place.expected, _hint(container[key], place) or error.hint)
+
+
+_AXIS = re.compile(r"([-+]?)([xyzXYZ])")
+
+
+def _hint(value: Any, place: ChainPlace) -> str:
+    """How to write what was given in words where numbers belong; empty where its own error says it."""
+    listed = place.expected.startswith("a list")
+    if listed and isinstance(value, str) and (axis := _AXIS.fullmatch(value.strip())):
+        numbers = [0, 0, 0]
+        numbers["xyz".index(axis[2].lower())] = -1 if axis[1] == "-" else 1
+        return f"write {numbers}"
+    if listed and str(value).count(",") > 1:
+        return AS_LIST
+    return "write .inf" if place.may_be_infinite and str(value).strip().lower() in _RIGID else ""
+
+
+_RIGID = ("rigid", "infinite", "stiff", "none", "∞")
 
 
 def _read_number(value: Any, place: ChainPlace) -> float:

@@ -172,7 +172,8 @@ def _alike(path: str, data: Any) -> str:
     """The path of a number with the same last word, and most of the other words; of the last link where all equal."""
     words = [plain(word) for word in path.split(".")]
     best, most = "", -1
-    for _, _, steps, _ in quantities(data):
+    for _, _, place, _ in quantities(data):
+        steps = place[: max(k for k, step in enumerate(place, 1) if isinstance(step, str))]
         own = named(steps, data)
         if steps[-1] == path.rpartition(".")[2]:
             shared = len({*words} & {plain(word) for word in own.split(".")})

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from tmodes.kinds.links.sheet import BendingSheet
+from tmodes.kinds.schema.frames import Convention
 from tmodes.sheet import Robot
 from tmodes.sheet.topology import loose_links, parents, rooted_order
 
@@ -40,6 +41,7 @@ def implausible_beams(robot: Robot) -> Iterator[str]:
     for link in robot.links:
         if link.beam:
             yield from _beam(robot, link.name, link.beam, None if link.name in loose else beyond[link.name])
+            yield from _swapped(robot, link.name, link.beam)
             yield from (f"links.{link.name}.beam{notice}" for notice in link.beam.notices())
 
 
@@ -52,6 +54,30 @@ def _beam(robot: Robot, name: str, beam: BendingSheet, beyond: float | None) -> 
         return
     found = [*_slenderness(name, beam), *_material(name, beam), *_frequency(name, beam, clamped=beyond is not None)]
     yield from [*found, *(() if beyond is None else _sag(robot, name, beam, beyond))][:1]
+
+
+def _swapped(robot: Robot, name: str, beam: BendingSheet) -> Iterator[str]:
+    """A flat section that its joint turns in its stiff direction: its sides, or stiffnesses, may be exchanged."""
+    joint = next(one for one in robot.joints if one.child == name)
+    axis = joint.axis or ((0.0, 0.0, 1.0) if joint.dh and joint.dh.convention is not Convention.STANDARD else None)
+    if axis is None or not beam.section_pieces() or "root_mount" in beam.mounts:
+        return
+    root = beam.section_pieces()[0].start
+    about = {"y": root.bend_y, "z": root.bend_z}
+    main = next(
+        (letter for letter, part in zip("yz", axis[1:], strict=True) if abs(part) > 0.9 * math.hypot(*axis)), ""
+    )
+    ratio = about[main] / min(about.values()) if main else 1.0
+    if FLAT < ratio < math.inf:
+        other = "z" if main == "y" else "y"
+        yield (
+            f"links.{name}.beam is {ratio:.3g} times as stiff in bending about {main}, about which `{joint.name}` "
+            f"turns it, as about {other}; a width is along y, a height along z: are they, or EI_y and EI_z, exchanged?"
+        )
+
+
+FLAT = 100.0
+"""Ratio of the stiffnesses of both bending directions from which they may be exchanged [-]."""
 
 
 def _slenderness(name: str, beam: BendingSheet) -> Iterator[str]:

@@ -5,15 +5,15 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping
 from itertools import islice
-from typing import Any
+from typing import Any, get_origin
 
 from pydantic import ValidationError
 from pydantic_core import ErrorDetails
 
 from tmodes.errors import InputError
-from tmodes.io.forms import own_path
+from tmodes.io.forms import SHORTHANDS, own_path
 from tmodes.io.sheet_fields import ChainPlace, Step, chosen, inside, keys, named, place_of, quantities, root_of
-from tmodes.io.sheet_words import at, is_group, kind_of
+from tmodes.io.sheet_words import at, fields, is_group, kind_of, members_of
 from tmodes.io.words import nearest, shown
 from tmodes.kinds.schema.quantity import LARGEST
 from tmodes.sheet.checks import command_issue
@@ -26,6 +26,8 @@ MOST_REPORTED = 500
 """Number of wrong places for which similar words are sought: no more."""
 
 AS_LIST = "write it as a list: [0.1, 0.2, 0.3]"
+
+_OUTERMOST = "put `"
 
 _REMOVE = "remove it"
 """Hint for a key that is unknown wherever it stands."""
@@ -40,12 +42,33 @@ def sheet_problems(error: ValidationError, data: Any) -> list[Problem]:
     for detail in islice(error.errors(include_url=False), MOST_REPORTED):
         for steps, problem in _problems(detail, data):
             info.setdefault(steps, problem)
-    if homeless := [(str(steps[-1]), one) for steps, one in info.items() if one.hint.startswith(_REMOVE)]:
+    missing: dict[tuple[Step, ...], list[str]] = {}
+    for steps, one in info.items():
+        if steps and one.got == "nothing":
+            missing.setdefault(steps[:-1], []).append(str(steps[-1]))
+    if homeless := [
+        (steps, one) for steps, one in info.items() if steps and one.hint.startswith((_REMOVE, _OUTERMOST))
+    ]:
         words = _words(data)
-        for key, problem in homeless:
-            if key in words:
-                problem.hint = f"did you mean `{words[key]}`? Write it there"
+        for steps, problem in homeless:
+            lacking = missing.get(steps[:-1], [])
+            if len(lacking) == 1 and str(steps[-1]) not in words:
+                problem.hint = f"did you mean `{own_path(named((*steps[:-1], lacking[0]), data), data)}`?"
+            elif problem.hint.startswith(_REMOVE) and (found := words.get(str(steps[-1])) or _further_in(steps, data)):
+                problem.hint = f"did you mean `{found}`? Write it there"
     return list(info.items())
+
+
+def _further_in(steps: tuple[Step, ...], data: Any) -> str:
+    """The path of a key that belongs one group further in: by its name, or as a name of a group of numbers."""
+    value = at(data, *steps)
+    for key, info in fields(_group(steps[:-1], data)).items():
+        members = members_of(info.annotation)
+        numbers = len(steps) > 1 and isinstance(value, (int, float))
+        by_name = numbers and any(get_origin(member) is dict for member in members)
+        if by_name or any(is_group(member) and str(steps[-1]) in keys(member) for member in members):
+            return own_path(named((*steps[:-1], key, steps[-1]), data), data)
+    return ""
 
 
 def _words(data: Any) -> dict[str, str]:
@@ -74,7 +97,9 @@ def _problems(detail: ErrorDetails, data: Any) -> Iterator[Problem]:
         case "issues":
             for field, got, expected, hint in detail.get("ctx", {})["issues"]:
                 inner = tuple(int(step) if step.isdecimal() else step for step in field.split(".") if step)
-                yield (*steps, *inner), InputError("", got, expected, hint)
+                names = expected.removeprefix("one of ").split(", ") if expected.startswith("one of ") else []
+                close = nearest(got.strip("'`"), names) if names else None
+                yield (*steps, *inner), InputError("", got, expected, f"did you mean `{close}`?" if close else hint)
         case kind:
             yield steps, _wrong(steps, kind, detail, data)
 
@@ -179,7 +204,7 @@ def _kind(steps: tuple[Step, ...], data: Any) -> Problem:
         return steps, InputError("", shown(value), place.expected if place else "a group", f"write `{key}: ...` in it")
     got = at(value, key)
     close = nearest(got, names) if isinstance(got, str) else None
-    hint = f"did you mean `{close}`?" if close else f"write `{key}: {names[0] if names else '...'}`"
+    hint = f"did you mean `{close}`?" if close else "choose one of these" if got is not None else f"add `{key}: ...`"
     expected = f"one of {', '.join(names)}"
     return (*steps, key), InputError("", shown(got), expected, hint)
 
@@ -197,20 +222,38 @@ def _wrong(steps: tuple[Step, ...], kind: str, detail: ErrorDetails, data: Any) 
     if LARGEST in (abs(bound) for bound in bounds.values() if isinstance(bound, float)):
         expected = f"{place.expected} of a magnitude of at most {LARGEST:g}"
         return InputError("", shown(value), expected, "correct the exponent or the unit")
-    return InputError("", shown(value), place.expected, _hint(place, value))
+    shorthand = SHORTHANDS.get(str(steps[-1]), {}).get("type") if any(map(is_group, place.members)) else None
+    expected = f"a {'whole ' * (shorthand == 'integer')}number, or {place.expected}" if shorthand else place.expected
+    return InputError("", shown(value), expected, _hint(place, value, str(steps[-1])))
 
 
-def _hint(place: ChainPlace, value: Any) -> str:
+def _as_group(place: ChainPlace, key: str, value: Any) -> str:
+    """How a group is written where something else stands: what was given may be the one key that it must have."""
+    needed = [name for name, info in fields(place.members[0]).items() if info.is_required()]
+    if len(needed) == 1 and isinstance(value, str):
+        return f"write `{key}: {{{needed[0]}: {value[:40]}}}`"
+    return "write its keys below it, each in a line"
+
+
+def _hint(place: ChainPlace, value: Any, key: str) -> str:
     """How a value of the right kind or of the wrong one is put right."""
-    if place.unit is not None and place.expected.startswith("a list") and not isinstance(value, list):
-        return AS_LIST
-    if place.unit is not None and isinstance(value, (int, float)) and not isinstance(value, bool):
-        return "check sign, size and unit"
-    if place.unit is not None:
-        return "write numbers, each alone or with its unit in quotes"
     known = place.choices
-    if isinstance(value, str) and (close := nearest(value, known)):
-        return f"did you mean `{close}`?"
-    if any(map(is_group, place.members)):
-        return "write its keys below it, each in a line"
-    return "choose one of these" if known else f"write {place.expected}"
+    close = nearest(value, known) if isinstance(value, str) else None
+    hints = (
+        (place.unit is not None, _of_numbers(place, value)),
+        (close is not None, f"did you mean `{close}`?"),
+        (any(map(is_group, place.members)), _as_group(place, key, value)),
+        (isinstance(value, Mapping) and get_origin(place.members[0]) is tuple, _FIRST_ITEM),
+        (bool(known), "choose one of these"),
+    )
+    return next((hint for fits, hint in hints if fits), f"write {place.expected}")
+
+
+_FIRST_ITEM = "write a list: begin the first line of each item with `- `"
+
+
+def _of_numbers(place: ChainPlace, value: Any) -> str:
+    if place.expected.startswith("a list") and not isinstance(value, list):
+        return AS_LIST
+    plain = isinstance(value, (int, float)) and not isinstance(value, bool)
+    return "check sign, size and unit" if plain else "write numbers, each alone or with its unit in quotes"

@@ -132,7 +132,7 @@ def _hint_unit(figures: str, unit_text: str, unit: str) -> str:
             _checked_factor(guess, unit)
             return f'did you mean "{figures} {guess}"?'
     if unit == "-":
-        return "leave the unit out"
+        return "write a number without a unit"
     return f'write the number in {unit}, or with a unit that converts to it, such as "{figures} {unit}"'
 
 

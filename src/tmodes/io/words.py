@@ -9,25 +9,50 @@ from typing import Any
 
 from tmodes.errors import InputError
 
-__all__ = ["MEANT", "meant", "nearest", "plain", "several", "shown", "shown_path"]
+__all__ = ["meant", "nearest", "plain", "several", "shown", "shown_path"]
 
 LONGEST = 60
 
-MEANT = {
-    **dict.fromkeys(("actual", "actuals", "true", "uncertainty", "mismatch", "perturbation"), "real"),
-    **dict.fromkeys(("controllers", "control", "motors", "actuators", "actuation", "inputs"), "drives"),
-    **dict.fromkeys(("masses", "body"), "bodies"),
-    **dict.fromkeys(("forces", "wrenches", "external_forces"), "loads"), "end_effector": "tip", "tcp": "tip",
-    **dict.fromkeys(("simulation", "solver", "settings"), "integration"), "environment": "contact",
-    **dict.fromkeys(("initial_state", "start", "x0"), "initial"), "segments": "links",
-    **dict.fromkeys(("E", "youngs_modulus", "modulus", "young_modulus"), "young"), "rho": "density",
-    **dict.fromkeys(("kp", "Kp", "p_gain", "stiffness_gain", "p"), "position_gain"),
-    **dict.fromkeys(("kd", "Kd", "Kv", "kv", "d_gain", "damping_gain", "d"), "velocity_gain"),
-    **dict.fromkeys(("ki", "Ki", "i_gain", "i"), "integral_gain"), "k": "stiffness", "m": "mass", "com": "center",
-    "center_of_mass": "center", "cog": "center", "reduction": "ratio", "gear_ratio": "ratio", "t_end": "duration",
-    "dt": "output_step", "step_size": "output_step", "time_step": "output_step",
-}  # fmt: skip
-"""What other programs and books call a key of ours."""
+_SAID = {
+    "real": "actual actuals true uncertainty mismatch perturbation",
+    "drives": "controllers control motors actuators inputs",
+    "bodies": "masses body",
+    "loads": "forces wrenches external_forces",
+    "tip": "end_effector tcp tool",
+    "integration": "simulation solver settings",
+    "contact": "environment",
+    "initial": "initial_state start x0",
+    "links": "segments bodies",
+    "gravity": "g",
+    "format": "version",
+    "young": "E youngs_modulus modulus",
+    "density": "rho",
+    "position_gain": "kp Kp p_gain stiffness_gain p",
+    "velocity_gain": "kd Kd Kv kv d_gain damping_gain d",
+    "integral_gain": "ki Ki i_gain i",
+    "stiffness": "k c",
+    "mass": "m",
+    "center": "com center_of_mass cog position",
+    "ratio": "reduction gear_ratio",
+    "duration": "t_end T time",
+    "output_step": "dt step_size time_step",
+    "length": "L l",
+    "lower": "min minimum",
+    "upper": "max maximum",
+    "damping": "d viscous",
+    "revolute": "hinge rotary rotational continuous pin",
+    "prismatic": "slider linear sliding translational",
+    "strain": "flexible beam elastic euler_bernoulli",
+    "box": "rectangle rect square rectangular",
+    "round": "circle circular cylinder rod",
+    "tube": "pipe hollow annulus",
+    "quintic": "minimum_jerk min_jerk polynomial",
+    "trapezoid": "ramp trapezoidal",
+    "state_feedback": "lqr LQR pole_placement",
+    "effort": "force",
+    "sine": "sin harmonic",
+}
+"""Keys and words of ours, and what other programs and books call them."""
 
 SHORTEST = 3
 """Least length of the beginning of a name by which it is known [characters]."""
@@ -67,9 +92,14 @@ def nearest(word: str, names: Iterable[str]) -> str | None:
     known, meant = {plain(name): name for name in names}, plain(word[:LONGEST])
     close = difflib.get_close_matches(meant, known, n=1, cutoff=0.6)
     starts = [name for name in known if len(meant) >= SHORTEST and name.startswith(meant)]
-    other = [MEANT[word]] if MEANT.get(word) in known else []
+    other = [said] if (said := _said(word, known)) else []
     found = other or close or (starts if len(starts) == 1 else [])
     return known[found[0]] if found else None
+
+
+def _said(word: str, known: Iterable[str]) -> str | None:
+    """What another program or book calls one of the names."""
+    return next((key for key, others in _SAID.items() if key in known and word in others.split()), None)
 
 
 def meant(word: str, names: Iterable[str], otherwise: str) -> str:

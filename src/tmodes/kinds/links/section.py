@@ -118,7 +118,7 @@ class Box(DrawnSection):
             0.0,
             width / 2,
             height / 2,
-            (box_peak(height, width, walls and walls[::-1]), box_peak(width, height, walls)),
+            (box_peak(height, width, walls and (walls[1], walls[0])), box_peak(width, height, walls)),
             _both(rectangle_shear),
         )
         if walls is None:
