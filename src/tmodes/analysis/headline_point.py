@@ -33,12 +33,11 @@ class HeadlinePoint(NamedTuple):
     reason: str
 
 
-def headline_point(robot: Robot, chain: Chain | None = None) -> HeadlinePoint | None:
+def headline_point(robot: Robot, chain: Chain) -> HeadlinePoint | None:
     """What stands for the tip, which lies on the axes of all joints that move; None where the tip shows the motion.
 
-    ``chain``: that of the robot, where it is known.
+    ``chain``: that of the robot.
     """
-    chain = chain or robot.chain()
     if chain.equations in SYSTEMS:
         return None
     still = {

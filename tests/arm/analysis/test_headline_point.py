@@ -10,7 +10,7 @@ import pytest
 import tmodes
 from arm.see.runs import HOLD, sheet
 from tmodes.analysis.consequences import consequences
-from tmodes.analysis.headline_point import headline_point
+from tmodes.analysis.headline_point import HeadlinePoint, headline_point
 from tmodes.report.data import page_data
 from tmodes.result import Result
 from tmodes.sheet import Robot
@@ -29,6 +29,11 @@ def turning(center: list[float], tip: list[float] | None = None, **joint: Any) -
     return sheet(joints=[own | joint], links=links, drives=[drive], integration=integration) | (
         {"tip": {"link": "l", "position": tip}} if tip else {}
     )
+
+
+def stands(robot: Robot) -> HeadlinePoint | None:
+    """What stands for the tip of a robot."""
+    return headline_point(robot, robot.chain())
 
 
 def test_the_farthest_body_stands_for_the_tip(tmp_path: Any) -> None:
@@ -70,8 +75,8 @@ def test_wherever_the_axis_is(seed: int) -> None:
     along, off = random.uniform(-1, 1) * axis, np.cross(axis, random.normal(size=3))
     origin = {"position": random.normal(size=3).tolist(), "rpy": random.normal(size=3).tolist()}
     own = {"axis": axis.tolist(), "origin": origin}
-    assert headline_point(Robot.from_data(turning([0.2, 0.1, 0], along.tolist(), **own)))
-    assert headline_point(Robot.from_data(turning([0.2, 0.1, 0], (along + 1e-3 * off).tolist(), **own))) is None
+    assert stands(Robot.from_data(turning([0.2, 0.1, 0], along.tolist(), **own)))
+    assert stands(Robot.from_data(turning([0.2, 0.1, 0], (along + 1e-3 * off).tolist(), **own))) is None
 
 
 def second(**more: Any) -> dict[str, Any]:
@@ -85,22 +90,22 @@ def second(**more: Any) -> dict[str, Any]:
 
 def test_joints_in_a_row() -> None:
     """Both axes through the tip; the first beside it; one that slides; one that is held still; a link that bends."""
-    coaxial = headline_point(Robot.from_data(second()))
+    coaxial = stands(Robot.from_data(second()))
     assert coaxial
     assert coaxial.name.endswith("link m")
-    assert headline_point(Robot.from_data(second(origin={"position": [0.4, 0, 0]}))) is None
-    assert headline_point(Robot.from_data(second(type="prismatic"))) is None
+    assert stands(Robot.from_data(second(origin={"position": [0.4, 0, 0]}))) is None
+    assert stands(Robot.from_data(second(type="prismatic"))) is None
     held = second(origin={"position": [0.4, 0, 0]})
     held["drives"] = [{"joint": "j", "command": "prescribed", "signal": HOLD}]
     del held["joints"][0]["gear"], held["joints"][0]["motor"]
-    assert headline_point(Robot.from_data(held))
+    assert stands(Robot.from_data(held))
     bends = second()
     bends["links"][0] = {"name": "l", "beam": {
         "model": "strain", "functions": 1, "length": 0.5, "damping_time": 1e-3,
         "section": {"shape": "round", "diameter": 0.02}, "material": "aluminium_6061"}}  # fmt: skip
-    assert headline_point(Robot.from_data(bends)) is None
+    assert stands(Robot.from_data(bends)) is None
 
 
 @pytest.mark.parametrize("name", ["spong1987", "manutec_r3", "deluca_siciliano1991", "filipovic2010"])
 def test_published_robots_show_their_motion(name: str) -> None:
-    assert headline_point(tmodes.load(name)) is None
+    assert stands(tmodes.load(name)) is None
