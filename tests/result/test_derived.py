@@ -151,7 +151,7 @@ def test_what_is_stored_first(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -
     """The motion is in its file before anything is computed of it, and can be read if nothing follows."""
     path = tmp_path / "result.nc"
 
-    def looks(self: Any, progress: Any = None) -> Any:
+    def looks(*arguments: object, **named: object) -> Any:
         assert Result.load(path).status == "finished"
         raise SystemExit
 
@@ -188,6 +188,21 @@ def test_interrupted_after_the_run(stage: str, tmp_path: Path) -> None:
             folder.simulate(lambda stage, share: None)
     one, other = ((tmp_path / place / "result.nc").read_bytes() for place in ("a", "b"))
     assert one == other
+
+
+def test_ctrl_c_is_heard_by_who_asks_in_python(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Where nothing is stored it is raised, and what was asked for can be asked for again."""
+
+    def press(*arguments: object, **named: object) -> Any:
+        raise KeyboardInterrupt
+
+    made, own = assemble_result(*moved()), tmodes.result.assemble.after_move
+    monkeypatch.setattr(tmodes.result.assemble, "after_move", press)
+    for ask in (lambda: made.record, lambda: made.settling):
+        with pytest.raises(KeyboardInterrupt):
+            ask()
+    monkeypatch.setattr(tmodes.result.assemble, "after_move", own)
+    assert "not_computed" not in made.record.attrs
 
 
 @pytest.mark.parametrize("name", BARE)

@@ -64,6 +64,7 @@ class Assembly(Derives):
     """
 
     progress: Progress = staticmethod(_no_progress)
+    _keep = False
 
     def __init__(self, run: RunData, known: Robot) -> None:
         self.run, self.known = run, known
@@ -273,21 +274,26 @@ class Assembly(Derives):
         return info | ({"not_computed": json.dumps(self.failed)} if self.failed else {})
 
     def _told(self, name: str, stage: str, progress: Progress) -> Any:
-        """A number, after its stage was reported; Ctrl-C meanwhile ends the computing of this and all further ones."""
+        """A number, after its stage was reported; where a run is kept Ctrl-C ends the computing of all further ones."""
         try:
             progress(stage, 0.0)
             return getattr(self, name)
         except KeyboardInterrupt:
+            if not self._keep:
+                raise
             self.stopped = INTERRUPTED
             return getattr(self, name)
 
-    def whole(self, progress: Progress = _no_progress) -> Record:
-        """The whole record; ``progress`` receives the stages. What cannot be computed stands in ``failed``."""
-        self.progress = progress
-        series = self._told("all_series", "lines", progress)
-        attributes = self.attributes(progress)
-        self.progress = _no_progress
-        return series.assign_attrs(attributes)
+    def whole(self, progress: Progress = _no_progress, *, keep: bool = False) -> Record:
+        """The whole record; ``progress`` receives the stages. What cannot be computed stands in ``failed``.
+
+        ``keep``: Ctrl-C leaves out what is not computed by then; else it raises KeyboardInterrupt.
+        """
+        self.progress, self._keep = progress, keep
+        try:
+            return self._told("all_series", "lines", progress).assign_attrs(self.attributes(progress))
+        finally:
+            self.progress = _no_progress
 
     @property
     def begun(self) -> Record:

@@ -88,7 +88,7 @@ class Result:
         What fails is left out, see :attr:`not_computed`; Ctrl-C leaves out what is not computed by then.
         """
         if live := self.assembly:
-            self._record = live.whole(progress)
+            self._record = live.whole(progress, keep=True)
         return self
 
     @property
