@@ -152,18 +152,23 @@ def test_a_base_that_jumps_leaves_a_free_block_where_it_is() -> None:
     assert np.abs(run.works["base"]).max() > 0.0
 
 
-def test_dry_friction_does_not_hold_against_an_impulse() -> None:
-    """A block that sticks to a slide that jumps stays behind, and is taken along by its friction."""
+@pytest.mark.parametrize("rate", [0.0, 1.5])
+def test_dry_friction_does_not_hold_against_an_impulse(rate: float) -> None:
+    """A block on a slide that jumps stays behind, whether it sticks or slips, and is taken along by its friction."""
     joints = [{"name": "x", "type": "prismatic", "child": "a", "axis": [1, 0, 0]},
               {"name": "y", "type": "prismatic", "child": "b", "axis": [1, 0, 0],
                "friction": {"viscous": 0.0, "coulomb": 6.0, "static_extra": 2.0}}]  # fmt: skip
     drives = [{"joint": "x", "command": "prescribed", "signal": ramps(0.0, 0.0, 0.25)},
               {"joint": "y", "command": "effort", "signal": {"type": "constant", "value": 0.0}}]  # fmt: skip
     links = [{"name": name, "bodies": [{"name": "m", "mass": 1.5, "center": [0, 0, 0]}]} for name in "ab"]
-    run = simulate_motion(arm(gravity=0.0, joints=joints, links=links, drives=drives, initial={"state": "zero"},
-                              integration={"duration": 0.5, "output_step": 0.01}))  # fmt: skip
-    slid = np.minimum(np.maximum(run.times - 0.25, 0.0), 0.25)  # it comes to rest 1.5 kg * 1 m/s / 6 N after the jump
-    np.testing.assert_allclose(run.q[:, 1], -slid + 2 * slid**2, rtol=0, atol=1e-9)
+    run = simulate_motion(arm(
+        gravity=0.0, joints=joints, links=links, drives=drives, initial={"state": "zero", "rates": {"y": rate}},
+        integration={"duration": 0.5, "output_step": 0.01},
+    ))  # fmt: skip
+    before, left = np.minimum(run.times, 0.25), 1.0 - max(rate - 1.0, 0.0)  # friction is 4 m/s^2
+    slid = np.minimum(np.maximum(run.times - 0.25, 0.0), left / 4)
+    moved = (rate * before - 2 * before**2) * (rate > 0) - left * slid + 2 * slid**2
+    np.testing.assert_allclose(run.q[:, 1], moved, rtol=0, atol=1e-9)
     closed(run)
 
 

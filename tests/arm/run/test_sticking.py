@@ -233,6 +233,12 @@ def test_derivatives_of_a_run_ask_for_a_smooth_friction() -> None:
         forward_sensitivities(block(1.0, {"coulomb": 1.0}), ["links.0.bodies.0.mass"])
 
 
+def test_a_python_controller_asks_for_a_smooth_friction() -> None:
+    """Its loop locates no switches: what sticks at the start would stick for ever."""
+    with pytest.raises(InputError, match=r"joints\.x\.friction.*smoothing"):
+        simulate_motion(block(1.0, {"coulomb": 1.0}), controller=lambda time, q, v: [5.0])
+
+
 def on_floor(gravity: Any, normal: float, law: dict[str, Any], **more: Any) -> Robot:
     """A block of 1 kg that lies on a floor with this force [N], free along x, y and z; a spring along x if given."""
     names, axes, spring = ("x", "y", "z"), np.eye(3).tolist(), more.pop("spring", None)
