@@ -118,3 +118,15 @@ def test_following_compression_flutters():
     rest = equilibrium(clamped(bend_z=6), [Load("tip", (-30.0, 0, 0), follows=True)])
     assert 30 * (rest.lost_stability_at or 0.0) == pytest.approx(20.0509, rel=1e-4)
     assert rest.unstable_modes[0].frequency_Hz > 0.1
+
+
+@pytest.mark.parametrize("ratio", [1.0, 1e4, 1e8])
+def test_a_column_buckles_at_eulers_load_however_stiff_it_is_the_other_way(ratio: float) -> None:
+    """pi^2 EI/4 L^2; frequencies of the stiff direction are 1e4 times higher, and their rounding beyond the lowest."""
+    model, euler = clamped((1.0, ratio, 1.0), bend_y=3, bend_z=3, twist=1), np.pi**2 / 4
+    below = equilibrium(model, [Load("tip", [-0.999 * euler, 0.0, 0.0])])
+    assert below.stable
+    assert below.lowest_frequency_Hz == pytest.approx(0.01966295, rel=1e-6)
+    beyond = equilibrium(model, [Load("tip", [-1.05 * euler, 0.0, 0.0])])
+    assert not beyond.stable
+    assert beyond.lost_stability_at == pytest.approx(1 / 1.05, rel=2e-4)

@@ -26,6 +26,10 @@ NOTHING = 1e-14
 """Share of the largest squared frequency, per coordinate, below which another is zero to rounding."""
 
 
+_UNSURE = 1e4
+"""Multiple of that share below which the sign of the lowest squared frequency is found another way."""
+
+
 class Growth(NamedTuple):
     """A motion that grows: its rate [1/s], frequency [Hz] (0: it buckles away), and largest free coordinate's index."""
 
@@ -72,7 +76,31 @@ def stability_of(mass: Array, stiffness: Array) -> Stability:
     margin = float(np.where(fluttering, -np.abs(values.imag), values.real).min())
     moved = np.abs(backward(root, shapes))
     found = [_growth(values[k], int(moved[:, k].argmax())) for k in np.flatnonzero(grows) if values[k].imag >= 0]
+    if abs(margin) <= _UNSURE * zero and _is_symmetric(scaled):
+        return _near_zero(mass, (stiffness + stiffness.T) / 2)
     return Stability(0.0 if abs(margin) <= zero else margin, tuple(sorted(found, reverse=True)))
+
+
+def _near_zero(mass: Array, stiffness: Array) -> Stability:
+    """The same of a symmetric K, where the stiffest motions round away the softest: the sign of K needs no M.
+
+    Each coordinate is measured by its own stiffness, and the lowest frequency found as the largest of M x = l K x.
+    """
+    own = np.abs(np.diagonal(stiffness))
+    if not own.all():
+        return Stability(0.0, ())
+    scale = 1 / np.sqrt(own)
+    stiffness, mass = (matrix * scale * scale[:, None] for matrix in (stiffness, mass))
+    values, shapes = np.linalg.eigh(stiffness)
+    if abs(values[0]) <= NOTHING * len(mass) * abs(values).max():
+        return Stability(0.0, ())
+    if values[0] > 0:
+        root = np.linalg.cholesky(stiffness)
+        inner = forward(root, forward(root, mass).T)
+        return Stability(float(1 / np.linalg.eigvalsh((inner + inner.T) / 2)[-1]), ())
+    shape = shapes[:, 0]
+    square = float(values[0] / (shape @ mass @ shape))
+    return Stability(square, (_growth(complex(square), int(np.abs(shape * scale).argmax())),))
 
 
 def moving_stability(mass: Array, damping: Array, stiffness: Array) -> Stability:
@@ -114,8 +142,12 @@ def mass_root(mass: Array) -> Array:
         ) from None
 
 
+def _is_symmetric(scaled: Array) -> bool:
+    return bool(np.abs(scaled - scaled.T).max() <= SYMMETRIC * np.abs(scaled).max())
+
+
 def _eigen(scaled: Array) -> tuple[NDArray[np.complex128], NDArray[np.complex128]]:
-    if np.abs(scaled - scaled.T).max() <= SYMMETRIC * np.abs(scaled).max():
+    if _is_symmetric(scaled):
         values, shapes = np.linalg.eigh((scaled + scaled.T) / 2)
     else:
         values, shapes = np.linalg.eig(scaled)
