@@ -18,7 +18,7 @@ from tmodes.cli.options import (
     chosen_sheet,
 )
 from tmodes.cli.static import PoseOption, pose_of
-from tmodes.cli.statics_text import print_links
+from tmodes.cli.statics_text import circumstances, print_links
 from tmodes.cli.terminal import print_json, print_table, warn, working
 from tmodes.errors import InputError
 
@@ -31,13 +31,15 @@ __all__ = ["modes"]
 _MOST_ANGLE = 1000.0
 
 _UNITS = {
-    "frequency_Hz": "Hz, natural: of mass and stiffness alone; of modes that ring under control |pole|/2 pi",
+    "frequency_Hz": "Hz, natural: |pole|/2 pi; 0: it does not ring",
     "damped_frequency_Hz": "Hz, imaginary part of the pole over 2 pi; null: it does not ring",
+    "undamped_frequency_Hz": "Hz, of mass and stiffness alone; null: second motion of an over-damped mode",
+    "time_constant_s": "s, -1/pole of what decays without ringing, two of an over-damped mode; null: it rings",
     "damping_ratio": "1, -real part of the pole over its size",
     "pole": "1/s, real and imaginary part: the eigenvalue of mass, damping, stiffness and controllers",
     "share": "1",
     "growth_time_s": "s, in which an unstable mode grows by the factor e",
-    "frequency_error": "1, over the frequency with four more functions a direction, less 1; null: not known",
+    "frequency_error": "1, undamped frequency over that with four more functions a direction, less 1; null: not known",
     "angle_rad": "rad",
     "poles": "1/s, real and imaginary part, of all eigenvalues under control",
     "missing_share": "1, of the energy of bending, in shapes that the link's functions do not have",
@@ -66,10 +68,10 @@ def modes(
     """Frequencies and damping about the sagged rest, for the actual robot and for the nominal one.
 
     Under its loads, its motors at their first command or `--at` a pose. Where drives or the base turn at
-    constant speed, about that motion, with its centrifugal and gyroscopic forces. `damped` and the damping ratio are
-    of the pole, an eigenvalue of mass, damping, stiffness and controllers: its imaginary part over 2 pi (- where it
-    does not ring). `natural` is of mass and stiffness alone; of modes that ring under control, |pole|/2 pi. Modes
-    marked ! change with more functions.
+    constant speed, about that motion, with its centrifugal and gyroscopic forces. All numbers are of the pole p, an
+    eigenvalue of mass, damping, stiffness and controllers: `natural` |p|/2 pi, `damped` Im p/2 pi, damping ratio
+    -Re p/|p|. An over-damped mode has two real poles, and a line with its time constant -1/p for each. Modes marked !
+    change with more functions.
     """
     from tmodes.analysis.modes.of_sheet import vibrations
 
@@ -98,7 +100,8 @@ def modes(
         whose = "" if len(found) == 1 else ", actual robot" if kind == "real" else ", nominal robot"
         for state, lines in one.states.items():
             if lines:
-                _print(f"{sheet.name}{whose}, {_MOTOR[state]}{', in contact' if contact else ''}", lines)
+                motor = _MOTOR[state] if one.motors else "no motor"
+                _print(f"{sheet.name}{whose}, {motor}, {circumstances(robots[kind], contact=contact, at=at)}", lines)
         print_links(one.links)
     warn(dict.fromkeys(warning for one in found.values() for warning in one.warnings))
 
@@ -136,9 +139,11 @@ def _print(title: str, lines: list[dict[str, Any]]) -> None:
 
 def _row(line: dict[str, Any]) -> list[str]:
     growth, damped, error = line["growth_time_s"], line["damped_frequency_Hz"], line["frequency_error"]
+    decay = line["time_constant_s"]
     checked = "-" if error is None else "yes" if line["converged"] else f"! {error:+.1%}"
     ringing = "-" if damped is None else f"{damped:.4g}"
     ratio = f"{round(line['damping_ratio'], 4) + 0.0:.4f}" if growth is None else f"grows by e in {growth:.3g} s"
-    natural = f"{line['frequency_Hz']:.4g}" if growth is None or line["frequency_Hz"] else "-"
+    ratio = ratio if decay is None else f"no vibration, decays in {decay:.3g} s"
+    natural = f"{line['frequency_Hz']:.4g}" if damped or (growth is None and decay is None) else "-"
     return [line["element"] + ("" if line["stable"] else " (UNSTABLE)"), f"{line['share']:.0%}", natural, ringing,
             ratio, checked]  # fmt: skip

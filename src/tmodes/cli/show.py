@@ -99,7 +99,9 @@ def _show(stored: Result, file: Path, chosen: list[Series], total: int, band: st
     for line in integration_lines(stored, summary):
         print(line)
     if modes := list(_modes(stored.frequencies)):
-        print_table("frequencies", ["motors", "dominant element", "frequency [Hz]", "damping ratio"], modes)
+        print_table(
+            "frequencies", ["motors", "dominant element", "natural [Hz]", "damped [Hz]", "damping ratio"], modes
+        )
     columns = ["series", "min", "max", "at end", f"0 ... {float(stored.record['time'][-1]):.4g} s"]
     print_table("series", columns, [_row(one) for one in chosen])
     if len(chosen) < total:
@@ -119,14 +121,12 @@ def _row(one: Series) -> list[str]:
 
 
 def _modes(frequencies: dict[str, list[dict[str, Any]]]) -> Iterator[list[str]]:
-    """The lowest modes of each case: the damped frequency where it rings, else the natural one."""
+    """The lowest modes of each case that vibrate, in the columns of ``tmodes modes``."""
     for case, modes in frequencies.items():
-        for mode in modes[:MOST_MODES]:
-            frequency = mode["damped_frequency_Hz"]
-            if frequency or mode["frequency_Hz"]:
-                ringing = f"{frequency:.4g}" if frequency else f"{mode['frequency_Hz']:.4g}, over-damped"
-                element = plain(str(mode["element"])) + ("" if mode.get("stable", True) else " (UNSTABLE)")
-                yield [case, element, ringing, f"{mode['damping_ratio'] + 0.0:.4f}"]
+        for mode in [one for one in modes if one["damped_frequency_Hz"]][:MOST_MODES]:
+            element = plain(str(mode["element"])) + ("" if mode.get("stable", True) else " (UNSTABLE)")
+            ringing = [f"{mode[name]:.4g}" for name in ("frequency_Hz", "damped_frequency_Hz")]
+            yield [case, element, *ringing, f"{mode['damping_ratio'] + 0.0:.4f}"]
 
 
 MOST = 6

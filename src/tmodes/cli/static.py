@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from tmodes.cli.options import AsJson, FixInertia, Roots, Settings, SheetArgument, TrustPaths, chosen_sheet
-from tmodes.cli.statics_text import print_statics
+from tmodes.cli.statics_text import circumstances, print_statics
 from tmodes.cli.terminal import print_json, warn, working
 from tmodes.errors import InputError
 from tmodes.io.units import finite_number
@@ -56,7 +56,10 @@ def static(
     point: Annotated[str, typer.Option(help="The point that is loaded and reported.")] = "tip",
     hold: Annotated[
         list[str] | None,
-        typer.Option(metavar="COORDINATE=VALUE", help="Hold a motor or joint there [rad, m, or 45deg]."),
+        typer.Option(
+            metavar="COORDINATE=VALUE",
+            help="Hold a motor or joint there [rad, m, or 45deg]; a joint behind an elastic gear by its motor.",
+        ),
     ] = None,
     at: PoseOption = None,
     settings: Settings = None,
@@ -90,7 +93,8 @@ def static(
     if as_json:
         print_json({"robot": sheet.name, "units": UNITS, **info})
         return
-    print_statics(sheet, info, chain.sliding)
+    given = ",".join([*([at] if at else []), *(hold or [])]) or None
+    print_statics(sheet, info, chain.sliding, circumstances(sheet, contact=True, at=given))
     warn(info["warnings"])
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Container
 from typing import TYPE_CHECKING, Any
 
@@ -10,16 +11,32 @@ from tmodes.cli.terminal import print_table
 if TYPE_CHECKING:
     from tmodes.sheet import Robot
 
-__all__ = ["numbers", "print_links", "print_statics", "print_stiffness"]
+__all__ = ["circumstances", "numbers", "print_links", "print_statics", "print_stiffness"]
 
 
-def print_statics(sheet: Robot, info: dict[str, Any], sliding: Container[str]) -> None:
-    """Print the rest, the points, the links, the reactions and the stiffness; ``sliding``: the coordinates in m."""
+def circumstances(sheet: Robot, *, contact: bool, loads: bool = True, at: str | None = None) -> str:
+    """What a table about a rest is of: free space or contact, weight, loads, pose; ``at``: the pose as it was given."""
+    gravity = math.hypot(*sheet.chain().gravity)
+    drives = ["drives at their first command"] if sheet.drives else []
+    return ", ".join([
+        "in contact" if contact and sheet.contact else "free space",
+        f"gravity {gravity:.4g} m/s^2" if gravity else "no gravity",
+        *(["under its loads" if loads else "without its loads"] if sheet.loads else ()),
+        *([f"at {at}"] if at else drives),
+    ])  # fmt: skip
+
+
+def print_statics(sheet: Robot, info: dict[str, Any], sliding: Container[str], where: str) -> None:
+    """Print the rest, the points, the links, the reactions and the stiffness.
+
+    ``sliding``: the coordinates in m; ``where``: the :func:`circumstances`.
+    """
     lowest = info["lowest_frequency_Hz"]
     stable = "stable" if info["stable"] else "NOT STABLE"
     rates = ", ".join(f"{name} {rate:.4g}" for name, rate in info["moving"].items())
     how = f"in motion at constant speed ({rates} rad/s, m/s)" if rates else "at rest"
-    print(f"{sheet.name} {how}: {stable}" + (f", lowest frequency {lowest:.4g} Hz" if lowest else ""))
+    print(f"{sheet.name} {how}: {stable}" + (f", lowest undamped frequency {lowest:.4g} Hz" if lowest else ""))
+    print(where)
     if not info["coordinates"]:
         print("It has no coordinates: nothing in it moves or bends.")
     coordinates = [[name, *numbers([value], 1.0, 1.0), _unit(name, sheet, sliding)]

@@ -75,8 +75,8 @@ def _numbers(result: Result) -> Markup:
     where = "about the equilibrium under gravity and loads"
     note = (
         f"The lowest frequencies {where}: under control as in this run, with motors locked, and with motors free. "
-        "Damped frequency and damping are of the pole p, an eigenvalue of mass, damping, stiffness and controllers: "
-        "Im p/2π and −Re p/|p|; the natural one is of mass and stiffness alone, of what rings under control |p|/2π."
+        "All are of the pole p, an eigenvalue of mass, damping, stiffness and controllers: natural |p|/2π, damped "
+        "Im p/2π, damping −Re p/|p|. Over-damped modes have two real poles, each with a time constant −1/p."
     )
     return section(
         "numbers",
@@ -150,15 +150,24 @@ def frequency_tables(frequencies: dict[str, list[dict[str, Any]]]) -> Markup:
     """Frequencies and damping ratios of the poles, and the dominant elements, of the lowest modes of each case."""
     tables = []
     for case, words in CASES.items():
-        modes = sorted(frequencies.get(case, []), key=lambda mode: mode["frequency_Hz"])[:_MOST_MODES]
-        rows = [
-            [f"{mode['frequency_Hz']:.4g}",
-             "–" if mode["damped_frequency_Hz"] is None else f"{mode['damped_frequency_Hz']:.4g}",
-             f"{100 * mode['damping_ratio']:.3g}", str(mode["element"])] for mode in modes
-        ]  # fmt: skip
+        modes = sorted(frequencies.get(case, []), key=lambda mode: (bool(_decay(mode)), mode["frequency_Hz"]))
+        rows = [_frequency_row(mode) for mode in modes[:_MOST_MODES]]
         if rows:
             tables.append(table(words, _FREQUENCY_HEAD, rows, numeric=(0, 1, 2)))
     return tag("div", *tables)
+
+
+def _decay(mode: dict[str, Any]) -> float | None:
+    """Time constant [s] of an over-damped mode; files of earlier versions have none."""
+    return mode.get("time_constant_s")
+
+
+def _frequency_row(mode: dict[str, Any]) -> list[str]:
+    damped, decay = mode["damped_frequency_Hz"], _decay(mode)
+    if decay:
+        return ["–", "–", f"decays in {written(decay, 's')}", str(mode["element"])]
+    ringing = "–" if damped is None else f"{damped:.4g}"
+    return [f"{mode['frequency_Hz']:.4g}", ringing, f"{100 * mode['damping_ratio']:.3g}", str(mode["element"])]
 
 
 def error_table(info: dict[str, Any] | None, model: dict[str, Any] | None = None) -> Markup:

@@ -96,11 +96,25 @@ def test_motor_under_control():
     assert "hinge.controller" in modes[0].shares
 
 
-def test_over_damped_mode_does_not_ring():
-    (mode,) = modes_about(equilibrium(on_joint(geared(damping=1000.0), ROD, gravity=NONE)))
-    assert mode.damped_frequency_Hz is None
-    assert mode.damping_ratio == 1.0
-    assert 2 * np.pi * mode.frequency_Hz == pytest.approx(np.sqrt(STIFFNESS / INERTIA), rel=1e-10)
+def test_over_damped_mode_is_two_motions_without_vibration():
+    """Time constants of the roots of J s^2 + d s + c."""
+    modes = modes_about(equilibrium(on_joint(geared(damping=1000.0), ROD, gravity=NONE)))
+    assert [(mode.frequency_Hz, mode.damped_frequency_Hz, mode.damping_ratio) for mode in modes] == [(0, None, 1)] * 2
+    exact = -1 / np.roots([INERTIA, 1000.0, STIFFNESS])
+    assert [mode.time_constant_s for mode in modes] == pytest.approx(sorted(exact, reverse=True), rel=1e-9)
+    (undamped,) = [one for mode in modes if (one := mode.undamped_frequency_Hz) is not None]
+    assert 2 * np.pi * undamped == pytest.approx(np.sqrt(STIFFNESS / INERTIA), rel=1e-10)
+
+
+def test_natural_frequency_is_that_of_the_pole():
+    """Of any damping; that of the undamped robot is named so."""
+    joint, motor = geared(damping=3.0), Motor(ROTOR, Friction(viscous=0.9))
+    modes = modes_about(equilibrium(on_joint(replace(joint, motor=motor), ROD, gravity=NONE)), MotorState.FREE)
+    ringing = [mode for mode in modes if mode.damped_frequency_Hz]
+    assert ringing
+    for mode in ringing:
+        assert 2 * np.pi * mode.frequency_Hz == pytest.approx(abs(complex(*mode.pole)), rel=1e-9)
+        assert mode.undamped_frequency_Hz == pytest.approx(mode.frequency_Hz, rel=0.1)
 
 
 def test_dry_friction_has_no_part():

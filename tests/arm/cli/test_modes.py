@@ -15,6 +15,8 @@ from arm.analysis.sheets import clamped_sheet, locked_sheet
 from command import tmodes
 from tmodes import load
 from tmodes.analysis.modes.of_sheet import vibrations
+from tmodes.analysis.statics.at_rest import robot_rest
+from tmodes.model.model import Model
 
 
 def test_json():
@@ -40,8 +42,16 @@ def test_table_and_json_have_the_same_frequencies_and_damping():
     modes = json.loads(tmodes("modes", "spong1987", "--json").stdout)["real"]
     assert modes["locked"][0]["damping_ratio"] >= 0
     for mode in (*modes["locked"], *modes["controlled"]):
-        numbers = [f"{mode['frequency_Hz']:.4g}", f"{mode['damping_ratio']:.4f}"]
+        rings = [f"{mode['frequency_Hz']:.4g}", f"{mode['damping_ratio']:.4f}"]
+        numbers = [f"{mode['time_constant_s']:.3g}"] if mode["time_constant_s"] else rings
         assert any(row[0] == mode["element"] and set(numbers) <= set(row) for row in rows), mode
+
+
+def test_a_robot_without_a_motor_has_one_table(tmp_path):
+    file = tmp_path / "beam.yaml"
+    file.write_text(json.dumps(clamped_sheet()), encoding="utf-8")
+    assert [*json.loads(tmodes("modes", file, "--json").stdout)["real"]] == ["locked"]
+    assert tmodes("modes", file).stdout.count("damping ratio") == 1
 
 
 def test_at_an_angle_of_the_motor():
@@ -117,3 +127,28 @@ def test_at_a_pose_of_static_and_describe() -> None:
     assert rest["coordinates"]["joint.motor"] == 0.5
     sag = json.loads(tmodes("describe", "spong1987", "--at", "joint=0.5", "--json").stdout)["sag"]
     assert sag["displacement_size_m"] == pytest.approx(rest["points"][0]["displacement_size_m"], rel=1e-9)
+
+
+def test_a_pose_means_the_same_to_every_command_and_in_python():
+    """A joint behind an elastic gear is held by its motor: 100 (q - 0.5) + 9.8 sin q = 0."""
+    angle = brentq(lambda q: 100 * (q - 0.5) + 9.8 * np.sin(q), 0, 0.5)
+    robot = load("spong1987")
+    poses = [
+        robot_rest(robot, held={"joint": 0.5}).named,
+        robot_rest(robot, held={"joint.motor": 0.5}).named,
+        Model(robot.chain()).static(held={"joint": 0.5}).named,
+        *(json.loads(tmodes("static", "spong1987", option, "joint=0.5", "--json").stdout)["coordinates"]
+          for option in ("--at", "--hold")),
+    ]  # fmt: skip
+    for pose in poses:
+        assert pose["joint.motor"] == 0.5
+        assert pose["joint"] == pytest.approx(angle, rel=1e-9)
+    both = robot_rest(robot, held={"joint": 0.5, "joint.motor": 0.25}).named
+    assert (both["joint"], both["joint.motor"]) == (0.5, 0.25)
+
+
+def test_tables_are_headed_with_what_they_are_of():
+    for command in ("modes", "static", "describe"):
+        printed = " ".join(tmodes(command, "spong1987", "--at", "joint=0.5").stdout.split())
+        assert "free space, gravity 9.8" in printed
+        assert "at joint=0.5" in printed

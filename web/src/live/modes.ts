@@ -9,7 +9,7 @@ import { figures, type Facts } from "./facts";
 
 /** One mode; `re`, `im`: its motion in all coordinates, as the damped robot moves. */
 export interface Found {
-  frequency: number; // Hz: of mass and stiffness alone, of what rings under control |pole|/2 pi; 0: no vibration
+  frequency: number; // natural, |pole|/2 pi [Hz]; 0: it does not ring
   /** As it rings [Hz]; null: it does not. */
   rings: number | null;
   damping: number;

@@ -16,6 +16,7 @@ import type { Regime } from "./regime";
 import { valueAt, type Schedule } from "./signals";
 
 const ROUNDING = 1e-13;
+const SAME = 1e-6; // relative difference of |pole| and the undamped frequency below which they are the same number
 const NOTHING = 1e-13;
 const FREE = "whole arm, free";
 const LOADS = "whole arm, in its weight and loads";
@@ -99,10 +100,11 @@ function modesOf(bundle: Bundle, blocks: Blocks, linear: Linear, name: string, m
     if (Math.abs(square) <= zero && total <= zero)
       return { frequency: 0, rings: null, damping: 0, element: FREE, ...motion };
     const { size, rings, damping: ratio } = ringing(motions, partners[k]);
-    const frequency = (controlled && rings ? size : Math.sqrt(Math.max(square, 0))) / (2 * Math.PI);
+    const natural = Math.sqrt(Math.max(square, 0));
+    const frequency = (Math.abs(size - natural) > SAME * size ? size : natural) / (2 * Math.PI);
     const most = stored.reduce((a, b) => (b.energy > a.energy ? b : a), stored[0]);
     return {
-      frequency,
+      frequency: rings === null ? 0 : frequency,
       rings,
       damping: Math.abs(ratio) > ROUNDING ? ratio : 0,
       element: total > zero && most ? most.element : LOADS,

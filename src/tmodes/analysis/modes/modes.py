@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.analysis.modes.closed_loop import Feedback, closed_loop_motions
-from tmodes.analysis.modes.shapes import NOTHING, partners, undamped_shapes
+from tmodes.analysis.modes.shapes import NOTHING, partners, real_pairs, undamped_shapes
 from tmodes.analysis.spectrum import GROWING, RINGS, MotorState
 from tmodes.analysis.statics.compliance import Spring, springs_of
 from tmodes.analysis.statics.equilibrium import Equilibrium, driven
@@ -23,6 +23,9 @@ __all__ = [
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
+
+_SAME = 1e-6
+"""Relative difference of |lambda| and the undamped frequency below which damping leaves it as it is."""
 
 ROUNDING = 1e-13
 """Real over absolute value of an eigenvalue below which its motion is undamped."""
@@ -37,14 +40,15 @@ class Servo(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class Mode:
-    """One mode of vibration.
+    """One mode of vibration, or one of the two motions without vibration into which damping has parted it.
 
     ``pole``: real and imaginary part [1/s] of its eigenvalue lambda, of all matrices (mass, damping, stiffness,
-    controllers); from it follow ``damping_ratio`` = -Re/|lambda|, 1 when over-damped, and ``damped_frequency_Hz`` =
-    Im/2 pi, None where it does not ring. ``frequency_Hz``: natural, of mass and stiffness alone, 0 for a free motion
-    and for one that buckles; of a mode that rings under control, or about steady motion, |lambda|/2 pi, because strong
-    controllers and gyroscopic forces make other motions than masses and springs do, so that it is never below the
-    damped one;
+    controllers); from it follow the natural frequency ``frequency_Hz`` = |lambda|/2 pi, the damped one
+    ``damped_frequency_Hz`` = Im/2 pi and ``damping_ratio`` = -Re/|lambda|. Of what does not ring, because it is
+    over-damped, free or buckles, the first is 0, the second None, and the third 1, 0 and -1; ``time_constant_s`` =
+    -1/lambda of each real eigenvalue with which an over-damped mode decays, else None; ``undamped_frequency_Hz``:
+    of mass and stiffness alone, those of controllers among them, 0 for a free motion and for one that buckles, None
+    for the second motion of an over-damped mode;
     ``element``: where most of its elastic energy is, and the ``share`` of it; ``shares`` of all elements; ``stable`` is
     False where it grows, by the factor e in ``growth_time_s``, else None. ``shape`` (nq,): of the undamped mode, its
     largest entry 1. ``motion`` (nq,): complex, as the damped robot moves.
@@ -58,8 +62,10 @@ class Mode:
     shares: dict[str, float]
     stable: bool
     growth_time_s: float | None
+    time_constant_s: float | None
     pole: list[float]
     shape: Array
+    undamped_frequency_Hz: float | None = 0.0
     motion: Complex | None = None
 
 
@@ -69,7 +75,7 @@ def modes_about(
     servos: Mapping[str, Servo] | None = None,
     feedback: Feedback | None = None,
 ) -> list[Mode]:
-    """Modes about a robot at rest, by rising frequency of their undamped shapes.
+    """Modes about a robot at rest, by rising frequency of their undamped shapes; over-damped ones last, slowest first.
 
     ``motors`` locked: the driven coordinates stand still; free: they turn without current; controlled: they are on the
     springs and dampers ``servos`` of their controllers, or under the ``feedback`` of
@@ -89,20 +95,20 @@ def modes_about(
         springs[f"{name.removesuffix('.motor')}.controller"] = _single(rest.model.nq, k, held)
     mass, damping, stiffness, loop = _moving_system(rest, moving, loop)
     squares, shapes = undamped_shapes(mass, stiffness + loop.springs)
-    eigenvalues, motions = _eigenvalues(mass, damping, stiffness, shapes, loop)
+    eigenvalues, motions, second = _eigenvalues(mass, damping, stiffness, shapes, loop)
+    squares, shapes = (np.concatenate([each, each[..., second]], axis=-1) for each in (squares, shapes))
     whole = np.zeros((rest.model.nq, len(squares)), dtype=shapes.dtype)
     moved = np.zeros(whole.shape, dtype=complex)
     whole[moving], moved[moving] = shapes, motions
     zero = NOTHING * len(mass) * float(np.abs(squares).max())
     stored = {name: spring.energy(whole) for name, spring in springs.items()}
-    modes = []
+    alone, modes = not chosen and rest.rates is None, []
     for k, square in enumerate(squares):
         energies = {name: float(part[k]) for name, part in stored.items()}
-        mode = _mode(float(square), complex(eigenvalues[k]), whole[:, k], energies, zero)
-        if (chosen or rest.rates is not None) and mode.damped_frequency_Hz:
-            mode = replace(mode, frequency_Hz=abs(complex(*mode.pole)) / (2 * np.pi))
-        modes.append(replace(mode, motion=moved[:, k]))
-    return modes
+        mode = _mode(float(square), complex(eigenvalues[k]), whole[:, k], energies, zero, alone)
+        first = k < len(squares) - len(second)
+        modes.append(replace(mode, motion=moved[:, k], **({} if first else {"undamped_frequency_Hz": None})))
+    return sorted(modes, key=lambda mode: -(mode.time_constant_s or np.inf))
 
 
 def closed_loop_poles(rest: Equilibrium, servos: Mapping[str, Servo], feedback: Feedback | None = None) -> Complex:
@@ -139,16 +145,21 @@ def _single(size: int, k: int, value: float) -> Spring:
 
 def _eigenvalues(
     mass: Array, damping: Array, stiffness: Array, shapes: Array, loop: Feedback
-) -> tuple[Complex, Complex]:
-    """Of each mode [1/s], and its damped motion; where only some were found, by the motions that they span."""
+) -> tuple[Complex, Complex, NDArray[np.intp]]:
+    """Of each mode [1/s], and its damped motion; then those of the modes, by index, that have two real eigenvalues.
+
+    Where only some modes were found, by the motions that they span.
+    """
     spanned = shapes
     if len(shapes) > shapes.shape[1]:
         mass, damping, stiffness = (shapes.T @ matrix @ shapes for matrix in (mass, damping, stiffness))
         loop, shapes = loop.on(shapes), np.eye(len(mass))
     values, damped = closed_loop_motions(mass, damping, stiffness, loop)
     chosen = partners(mass, shapes, values, damped)
+    second, others = real_pairs(mass, values, damped, chosen)
+    chosen = np.concatenate([chosen, others])
     motions = damped[:, chosen]
-    return values[chosen], motions if spanned is shapes else spanned @ motions
+    return values[chosen], motions if spanned is shapes else spanned @ motions, second
 
 
 def moving_coordinates(rest: Equilibrium, motors: MotorState, servos: Mapping[str, Servo]) -> NDArray[np.intp]:
@@ -188,24 +199,31 @@ def without_dry_friction(chain: Chain) -> Chain | None:
     return replace(chain, nodes=tuple(nodes)) if any(dry) else None
 
 
-def _mode(square: float, value: complex, shape: Array, stored: Mapping[str, float], zero: float) -> Mode:
-    """A mode with unit modal mass and twice the energies ``stored`` in the springs; squares up to ``zero`` are none."""
+def _mode(square: float, value: complex, shape: Array, stored: Mapping[str, float], zero: float, alone: bool) -> Mode:
+    """A mode with unit modal mass and twice the energies ``stored`` in the springs; squares up to ``zero`` are none.
+
+    ``alone``: only masses, dampers and springs act.
+    """
     shown = shape / shape[np.abs(shape).argmax()]
     total = sum(stored.values())
     if abs(square) <= zero and total <= zero:
-        return Mode(0.0, None, 0.0, "whole arm, free", 1.0, {}, True, None, [0.0, 0.0], shown)
+        return Mode(0.0, None, 0.0, "whole arm, free", 1.0, {}, True, None, None, [0.0, 0.0], shown)
     shares = {name: energy / total for name, energy in stored.items()} if total > zero else {}
     home = max(shares, key=lambda name: shares[name]) if shares else "whole arm, in its weight and loads"
     size, stable = abs(value), bool(value.real <= GROWING * abs(value))
+    rings, undamped = value.imag > RINGS * size, float(np.sqrt(max(square, 0.0)))
+    natural = undamped if alone and abs(size - undamped) <= _SAME * size else size  # the same number to more digits
     return Mode(
-        frequency_Hz=float(np.sqrt(max(square, 0.0))) / (2 * np.pi),
-        damped_frequency_Hz=value.imag / (2 * np.pi) if value.imag > RINGS * size else None,
+        frequency_Hz=natural / (2 * np.pi) if rings else 0.0,
+        damped_frequency_Hz=value.imag / (2 * np.pi) if rings else None,
         damping_ratio=float(-value.real / size) if abs(value.real) > ROUNDING * size else 0.0,
         element=home,
         share=shares.get(home, 1.0),
         shares=shares,
         stable=stable,
         growth_time_s=None if stable else float(1 / value.real),
+        time_constant_s=float(-1 / value.real) if stable and not rings and value.real else None,
         pole=[value.real, value.imag],
         shape=shown,
+        undamped_frequency_Hz=undamped / (2 * np.pi),
     )

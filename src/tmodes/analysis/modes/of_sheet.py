@@ -12,7 +12,14 @@ from numpy.typing import NDArray
 from tmodes.analysis.describe.describe import NOTHING_MOVES, link_states
 from tmodes.analysis.describe.links import pose_notices
 from tmodes.analysis.modes.closed_loop import feedback_of
-from tmodes.analysis.modes.modes import Mode, MotorState, Servo, closed_loop_poles, modes_about
+from tmodes.analysis.modes.modes import (
+    Mode,
+    MotorState,
+    Servo,
+    closed_loop_poles,
+    modes_about,
+    moving_coordinates,
+)
 from tmodes.analysis.modes.shapes import assigned
 from tmodes.analysis.quasistatic import loose_gears
 from tmodes.analysis.statics.at_rest import robot_rest
@@ -36,7 +43,10 @@ MOST_CHECKED = 60
 ALIKE = 0.3
 """Likeness (modal assurance) from which two modes are the same motion."""
 
-_FREQUENCY = ("frequency_Hz", "damped_frequency_Hz", "damping_ratio", "pole", "element", "share", "stable")
+_FREQUENCY = (
+    "frequency_Hz", "damped_frequency_Hz", "undamped_frequency_Hz", "damping_ratio", "time_constant_s", "pole",
+    "element", "share", "stable",
+)  # fmt: skip
 """What is kept of a mode where its shape does not matter."""
 
 
@@ -50,6 +60,8 @@ class Vibrations(NamedTuple):
     links: list[dict[str, Any]]
     warnings: list[str]
     poles: list[tuple[float, float]]
+    motors: bool
+    """Whether there are motors that could turn; without any there is only the state ``locked``."""
 
 
 def frequencies_about(robot: Robot, rest: Equilibrium, *only: str) -> dict[str, list[dict[str, Any]]]:
@@ -86,9 +98,9 @@ def vibrations(
     ``controlled`` is there only where a drive has a controller. Errors as of
     :func:`tmodes.analysis.statics.at_rest.robot_rest`.
 
-    ``frequency_error`` of a mode: by which share it is higher than with four more functions a direction, None where
-    that is not known (robots of more than 60 coordinates, segments, modes without a partner); ``converged``: within
-    1 %.
+    ``frequency_error`` of a mode: by which share its undamped frequency is higher than with four more functions a
+    direction, None where that is not known (more than 60 coordinates, segments, modes without a partner);
+    ``converged``: within 1 %.
     """
     how = {"contact": contact, "held": held, "moving": True, "progress": progress}
     rest = robot_rest(robot, **how)
@@ -101,7 +113,7 @@ def vibrations(
         errors = frequency_errors(rest, modes, fine, others[state]) if fine and state in others else [None] * len(modes)
         for row, error in zip(info[state], errors, strict=True):
             row |= {"frequency_error": error, "converged": None if error is None else abs(error) <= CONVERGED}
-    return Vibrations(info, link_states(rest), _notices(robot, rest, info), _poles(robot, rest))
+    return Vibrations(info, link_states(rest), _notices(robot, rest, info), _poles(robot, rest), len(info) > 1)
 
 
 def _without_full_feedback(robot: Robot) -> Robot:
@@ -119,7 +131,9 @@ def _poles(robot: Robot, rest: Equilibrium) -> list[tuple[float, float]]:
 
 def _states(robot: Robot, rest: Equilibrium, progress: Progress, only: Sequence[str] = ()) -> dict[str, list[Mode]]:
     servos, feedback = servos_of(robot, rest.model), feedback_of(robot, rest)
-    states = [MotorState.LOCKED, MotorState.FREE, *([MotorState.CONTROLLED] if servos else [])]
+    locked, free = (moving_coordinates(rest, state, {}) for state in (MotorState.LOCKED, MotorState.FREE))
+    turns = len(free) > len(locked)  # else a motor that is free has nothing to turn
+    states = [MotorState.LOCKED, *([MotorState.FREE] * turns), *([MotorState.CONTROLLED] if servos else [])]
     states = [state for state in states if not only or str(state) in only]
     found = {}
     for k, state in enumerate(states):
@@ -203,9 +217,9 @@ def frequency_errors(
     alike = _likeness(ours, theirs, fine.matrices[0])
     found: list[float | None] = [None] * len(modes)
     for k, other in enumerate(assigned(alike).tolist()):
-        exact = fine_modes[other].frequency_Hz
-        if other >= 0 and alike[k, other] > ALIKE and exact > 0 and modes[k].frequency_Hz > 0:
-            found[k] = float(modes[k].frequency_Hz / exact - 1)
+        own, exact = modes[k].undamped_frequency_Hz, fine_modes[other].undamped_frequency_Hz
+        if other >= 0 and alike[k, other] > ALIKE and exact and own:
+            found[k] = float(own / exact - 1)
     return found
 
 

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from tmodes.analysis.spectrum import RINGS
 from tmodes.analysis.statics.stability import backward, forward, mass_root
 
-__all__ = ["LOWEST", "MOST_WHOLE", "NOTHING", "assigned", "partners", "undamped_shapes"]
+__all__ = ["LOWEST", "MOST_WHOLE", "NOTHING", "assigned", "partners", "real_pairs", "undamped_shapes"]
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -106,3 +106,18 @@ def partners(mass: Array, shapes: Array, values: Complex, damped: Complex) -> ND
     worth = np.abs(ours.T @ theirs) ** 2 + 10.0 * rings - slow
     worth[:, ~(rings | still)] = -100.0
     return assigned(worth)
+
+
+def real_pairs(
+    mass: Array, values: Complex, damped: Complex, chosen: NDArray[np.intp]
+) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
+    """Over-damped modes, by their place in ``chosen``, and the second real eigenvalue of each, by index: the one whose
+    motion is most like that of the first.
+    """  # noqa: D205
+    decays = (np.abs(values.imag) <= RINGS * np.abs(values)) & (values.real < 0)
+    over = np.flatnonzero(decays[chosen])
+    left = np.setdiff1d(np.flatnonzero(decays), chosen)
+    motions = np.linalg.cholesky(mass).T @ damped
+    motions = motions / np.maximum(np.linalg.norm(motions, axis=0), 1e-300)
+    other = assigned(np.abs(motions[:, chosen[over]].conj().T @ motions[:, left]) ** 2)
+    return over[other >= 0], left[other[other >= 0]]

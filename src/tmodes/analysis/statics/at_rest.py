@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
-from tmodes.analysis.statics.equilibrium import Equilibrium, Load, equilibrium
+from tmodes.analysis.statics.equilibrium import Equilibrium, Load, equilibrium, held_coordinates
 from tmodes.analysis.statics.given import coordinate_numbers
 from tmodes.analysis.statics.loads import first_value, sheet_loads
 from tmodes.analysis.statics.path import Progress
@@ -39,7 +39,7 @@ def robot_rest(
     """
     model = model or Model(robot.chain())
     known = {name: value for name, value in robot.initial.coordinates.items() if name in model.coordinates}
-    commands = first_commands(robot, model) | coordinate_numbers(model, held)
+    commands = first_commands(robot, model) | held_coordinates(model, coordinate_numbers(model, held))
     acting = [*(sheet_loads(robot) if sheet else ()), *loads]
     touched = robot.contact if contact else None
     rates, spin = (steady_rates(robot, model), base_spin(robot)) if moving else ({}, None)

@@ -21,7 +21,7 @@ from tmodes.io.words import several
 from tmodes.kinds.contacts.registry import Contact
 from tmodes.model.model import Model
 
-__all__ = ["Equilibrium", "Load", "driven", "equilibrium", "free_coordinates"]
+__all__ = ["Equilibrium", "Load", "driven", "equilibrium", "free_coordinates", "held_coordinates"]
 
 Array = NDArray[np.float64]
 
@@ -100,9 +100,10 @@ def equilibrium(
     """The pose in which a robot rests under its weight and ``loads``, reached from the unloaded arm.
 
     Motors and joints that are driven directly or prescribed are held: at ``held`` [rad, m], else at ``start``, else
-    at 0; all other coordinates, and those named in ``free``, are found, from ``start`` on. The load, weight included,
-    and with it the centrifugal forces of steady ``rates`` of held coordinates [rad/s, m/s] and of a base that turns
-    at ``spin`` (3,) [rad/s] in its own axes, rises from nothing in steps that keep to their branch (Crisfield,
+    at 0; a joint behind an elastic gear is held by its motor, unless that is named too; all other coordinates, and
+    those named in ``free``, are found, from ``start`` on. The load, weight included, and with it the centrifugal
+    forces of steady ``rates`` of held coordinates [rad/s, m/s] and of a base that turns at ``spin`` (3,) [rad/s] in
+    its own axes, rises from nothing in steps that keep to their branch (Crisfield,
     Non-linear Finite Element Analysis of Solids and Structures 1, 1991, ch. 9); a robot with loose joints first sinks
     to where a thousandth of the load puts it.
 
@@ -112,7 +113,8 @@ def equilibrium(
     acts = acts_of(model, loads)
     acts += [surface_act(model, contact)] if contact else []
     turning = None if spin is None else np.asarray(spin, dtype=float)
-    fixed, first = coordinate_numbers(model, held), coordinate_numbers(model, start)
+    fixed = held_coordinates(model, coordinate_numbers(model, held))
+    first = coordinate_numbers(model, start)
     moving = whole_rates(model, coordinate_numbers(model, rates, rate=True), base=turning is not None)
     system = StaticSystem(model, acts, free_coordinates(model, fixed, several("free", free)), moving, turning)
     pose = starting_pose(model, fixed, first)
@@ -136,6 +138,19 @@ def _info(system: StaticSystem, path: LoadPath, pose: Array) -> Equilibrium:
         wrenches=system.wrenches(end.q), unloaded=path.stations[0].q if path.stations[0].factor == 0.0 else pose,
         rates=system.rates, base=system.base(1.0), unsteady=is_unsteady(system, matrices[2]),
     )  # fmt: skip
+
+
+def held_coordinates(model: Model, held: Mapping[str, float]) -> dict[str, float]:
+    """The coordinates that are held where a pose is asked for.
+
+    A joint behind an elastic gear is held by its motor and gives way to its load: its name is that of the motor, unless
+    that is named too.
+    """
+    motors = {name: f"{name}.motor" for name in held}
+    return {
+        motor if motor in model.coordinates and motor not in held else name: held[name]
+        for name, motor in motors.items()
+    }
 
 
 def driven(model: Model) -> list[int]:

@@ -112,7 +112,7 @@ def _coordinates(part: Any) -> dict[str, Array]:
 
 
 def _marked(modes: list[dict[str, Any]]) -> list[dict[str, Any]]:
-    """The natural frequencies to mark, with names that may be wrapped at their dots."""
+    """The damped frequencies to mark, with names that may be wrapped at their dots."""
     return [mode | {"element": plain(mode["element"]).replace(".", ".\n")} for mode in modes]
 
 

@@ -137,7 +137,7 @@ def _at_rest(robot: Robot) -> tuple[float, tuple[float, ...]]:
         return 0.0, ()
     q = rest.q[None]
     bent, straight = tips(rest.model, [q, without_elasticity(rest.model, q)])
-    found = sorted(mode.frequency_Hz for mode in modes_about(rest))
+    found = sorted(one for mode in modes_about(rest) if (one := mode.undamped_frequency_Hz) is not None)
     return float(np.linalg.norm(bent - straight)), tuple(found[:3])
 
 

@@ -165,7 +165,8 @@ class _Rows:
                 found |= dict(zip(_SAG, (float(np.linalg.norm(travel)), *travel.tolist()), strict=True))
             if any(_FREQUENCY.fullmatch(name) for name in self.names):
                 modes = sheet_frequencies(robot)["locked"]
-                found |= {f"frequency.locked.{k + 1}": float(mode["frequency_Hz"]) for k, mode in enumerate(modes)}
+                undamped = sorted(float(one) for mode in modes if (one := mode["undamped_frequency_Hz"]) is not None)
+                found |= {f"frequency.locked.{k + 1}": frequency for k, frequency in enumerate(undamped)}
         except SimulationError as error:
             self.status[index], self.message[index] = "failed", str(error)
         for name in self.names:
