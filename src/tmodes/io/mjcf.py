@@ -12,7 +12,7 @@ positions are MuJoCo's own. Actuators become drives (:mod:`.mjcf_drives`); what 
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from importlib import import_module
 from itertools import product
 from pathlib import Path
@@ -24,6 +24,7 @@ from numpy.typing import NDArray
 from tmodes.errors import InputError
 from tmodes.io.files import FilePath, Folders, Roots, folders_of
 from tmodes.io.mjcf_drives import MOST_LOADS, Servo, compensation, servos
+from tmodes.io.mjcf_meshes import FILE_KEYS, SHAPES, Assets, without_unread
 from tmodes.io.mjcf_read import MJCF
 from tmodes.io.units import finite_float
 from tmodes.io.unread import Left, few, sentences
@@ -46,7 +47,6 @@ HINGE = 3
 OTHER_KINDS = {0: "a free joint (a free-flying base)", 1: "a ball joint"}
 
 FOLDER_KEYS = ("meshdir", "texturedir", "assetdir")
-FILE_KEYS = ("file", "fileright", "fileleft", "fileup", "filedown", "filefront", "fileback")
 _EQUAL_JOINTS = 2
 """Of mjtEq: one joint's position is a polynomial of another's."""
 
@@ -56,8 +56,8 @@ MOST = {"size": 1e6} | dict.fromkeys(("hfield", "texture", "numeric"), 8192.0)
 MOST_FILES = 100
 
 
-def check_mjcf(root: Element, folders: Folders) -> list[Element]:
-    """The root elements of a model and of all that it includes.
+def check_mjcf(root: Element, folders: Folders) -> tuple[list[Element], Assets]:
+    """The root elements of a model and of all that it includes, and the files of its shapes.
 
     InputError for a path that leaves the folders and for elements that stand for unbounded numbers of others.
     """
@@ -69,10 +69,13 @@ def check_mjcf(root: Element, folders: Folders) -> list[Element]:
             raise element.fault("include", got, most, "look for a file that includes itself")
         waiting.extend(_included(element, folders))
     bases = [folders.home, *(base for one in roots for base in _asset_folders(one, folders))]
+    assets = Assets()
     for one in roots:
         for element in one.within():
             _check(element, folders, bases)
-    return roots
+            if element.tag in SHAPES:
+                assets.note(element, folders, bases)
+    return roots, assets
 
 
 def _included(root: Element, folders: Folders) -> Iterator[Element]:
@@ -86,20 +89,26 @@ def _included(root: Element, folders: Folders) -> Iterator[Element]:
             yield read_xml(path)
 
 
-def _asset_folders(root: Element, folders: Folders) -> Iterator[Path]:
+def _asset_folders(root: Element, folders: Folders) -> Iterator[Path | InputError]:
+    """Folders of meshes and textures; in place of one that may not be opened why."""
     for element, key in product(root.within(), FOLDER_KEYS):
         if element.tag == "compiler" and (name := element.attributes.get(key, "")):
-            yield folders.find(name, f"compiler {key}", element.place) or folders.home
+            try:
+                yield folders.find(name, f"compiler {key}", element.place) or folders.home
+            except InputError as error:
+                yield error
 
 
-def _check(element: Element, folders: Folders, bases: list[Path]) -> None:
+def _check(element: Element, folders: Folders, bases: Sequence[Path | InputError]) -> None:
     which = element.label
     if element.tag in NOT_BODIES:
         got, expected = f"the element {which}", "bodies, joints, geoms and assets"
         raise element.wrong(got, expected, "write the bodies and joints out")
-    for key in FILE_KEYS:
+    for key in FILE_KEYS if element.tag not in SHAPES else ():
         if name := element.attributes.get(key, ""):
             for base in bases:
+                if isinstance(base, InputError):
+                    raise base
                 folders.find(name, f"{which} {key}", element.place, base)
     most = MOST.get(element.tag)
     for key, text in element.attributes.items() if most else ():
@@ -116,8 +125,8 @@ def sheet_of_mjcf(
     folders, and where MuJoCo is not installed.
     """
     folders = folders_of(path, roots, trust_paths)
-    elements, source = check_mjcf(root, folders), shown_path(path)
-    model = _compiled(path, source, folders)
+    (elements, assets), source = check_mjcf(root, folders), shown_path(path)
+    model = _compiled(path, source, folders, assets)
     lines = {
         (element.tag, element.attributes["name"]): element.line
         for one in elements
@@ -141,7 +150,7 @@ def sheet_of_mjcf(
     data |= {"gravity": gravity.tolist(), "joints": reader.joints, "links": reader.links}
     data |= {key: group for key, group in (("drives", reader.drives), *reader.borne(gravity)) if group}
     left = [one for root in elements for one in MJCF.left(root)]
-    notices = [*reader.said, *sentences([*left, *reader.left, *_untouched(model)])]
+    notices = [*reader.said, *assets.notices(), *sentences([*left, *reader.left, *_untouched(model)])]
     data |= {"assumed": assumed[:MOST_LETTERS]} if assumed else {}
     data |= {"notices": [notice[:MOST_LETTERS] for notice in notices[:MOST_NOTICES]]} if notices else {}
     return data, reader.positions
@@ -165,14 +174,16 @@ def _body(model: Any, body: int) -> str:
     return f"body {model.body(body).name or body}"
 
 
-def _compiled(path: FilePath, source: str, folders: Folders) -> Any:
+def _compiled(path: FilePath, source: str, folders: Folders, assets: Assets) -> Any:
     try:
         mujoco: Any = import_module("mujoco")  # its binary module has no types
     except ImportError:
         hint = "install it with `pip install tmodes[peers]`, or write the arm as URDF"
         raise InputError(source, "no MuJoCo", "read with MuJoCo", hint) from None
     try:
-        model = mujoco.MjModel.from_xml_path(str(folders.home / os.path.basename(path)))  # noqa: PTH119 (bytes paths)
+        file = str(folders.home / os.path.basename(path))  # noqa: PTH119 (bytes paths)
+        unread = without_unread(mujoco, file, assets.allowed, source) if assets.unread else None
+        model = unread or mujoco.MjModel.from_xml_path(file)
     except ValueError as error:
         got = f"a model that MuJoCo refuses ({shown(' '.join(str(error).split()))})"
         raise InputError("the model", got, "a valid MJCF", "correct what MuJoCo reports", source) from None

@@ -201,11 +201,7 @@ def test_what_is_no_arm_is_refused(text: str, words: str, tmp_path: Path) -> Non
         '<include file="/etc/passwd"/>',
         '<include file="absent.xml"/>',
         '<include file="model.xml"/>',
-        '<asset><mesh name="m" file="../../secret.stl"/></asset>',
-        '<asset><mesh name="m" file="/etc/passwd"/></asset>',
-        '<compiler meshdir="/etc"/>',
-        '<compiler meshdir="sub"/><asset><mesh name="m" file="../../secret.stl"/></asset>',
-        '<asset><texture name="t" type="cube" fileup="http://example.com/a.png"/></asset>',
+        '<compiler meshdir="/etc"/><asset><hfield name="h" file="h.png" size="1 1 1 1"/></asset>',
         '<asset><hfield name="h" nrow="1000000" ncol="1000000" size="1 1 1 1"/></asset>',
         '<asset><texture name="t" builtin="flat" width="1000000" height="1000000"/></asset>',
         '<size nuser_body="1000000000"/>',
@@ -228,3 +224,43 @@ def test_without_mujoco_it_is_said_what_to_install(tmp_path: Path, monkeypatch: 
     monkeypatch.setitem(__import__("sys").modules, "mujoco", None)
     with pytest.raises(InputError, match="got no MuJoCo; install it with"):
         read_sheet(written(tmp_path))
+
+
+UNREAD = [
+    '<asset><mesh name="m" file="../../secret.stl"/></asset>',
+    '<asset><mesh name="m" file="/etc/passwd"/></asset>',
+    '<asset><mesh name="m" file="absent.stl"/></asset>',
+    '<compiler meshdir="/etc"/><asset><mesh name="m" file="passwd"/></asset>',
+    '<compiler meshdir="../meshes"/><asset><mesh name="m" file="secret.stl"/></asset>',
+    '<compiler meshdir="sub"/><asset><mesh name="m" file="../../secret.stl"/></asset>',
+    '<asset><mesh name="m" file="http://example.com/a.stl"/></asset>',
+    '<asset><mesh name="m" file="absent.stl"/><texture name="t" type="2d" file="../t.png"/>'
+    '<material name="paint" texture="t"/></asset>',
+]
+
+
+@needs_mujoco
+@pytest.mark.parametrize("inside", UNREAD)
+def test_a_mesh_that_may_not_be_read_is_a_notice(inside: str, tmp_path: Path) -> None:
+    """It is never opened: MuJoCo would refuse what is there."""
+    (tmp_path / "secret.stl").write_text("solid")
+    (tmp_path / "meshes").mkdir()
+    (tmp_path / "meshes/secret.stl").write_text("solid")
+    folder = tmp_path / "home"
+    folder.mkdir()
+    look = 'material="paint"' if "paint" in inside else ""
+    body = (
+        '<worldbody><body name="a"><joint name="j"/><inertial pos="0.1 0 0" mass="2" diaginertia="0.1 0.1 0.1"/>'
+        f'<geom type="mesh" mesh="m" {look}/></body></worldbody>'
+    )
+    data, _, _ = read_sheet(written(folder, f"<mujoco>{inside}{body}</mujoco>"))
+    assert data["links"][0]["bodies"][0]["mass"] == 2.0
+    assert any("left out" in notice for notice in data["notices"])
+
+
+@needs_mujoco
+def test_a_body_that_weighs_what_its_unread_mesh_does_is_an_error(tmp_path: Path) -> None:
+    body = '<worldbody><body name="a"><joint/><geom type="mesh" mesh="m"/></body></worldbody>'
+    text = f'<mujoco><asset><mesh name="m" file="absent.stl"/></asset>{body}</mujoco>'
+    with pytest.raises(InputError, match="body 'a' must be an inertia of its own"):
+        read_sheet(written(tmp_path, text))
