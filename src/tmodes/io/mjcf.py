@@ -144,6 +144,9 @@ def sheet_of_mjcf(
     if BASE in reader.names:
         reader.said.append(renamed)
     reader.hold_followers()
+    if reader.undriven:
+        info = "are held where they start (`state: free` lets one move by itself)"
+        reader.said.append(f"Joints without an actuator {info}: {few(reader.undriven)}.")
     assumed = " ".join(reader.said)
     gravity = np.zeros(3) if model.opt.disableflags & _GRAVITY_OFF else model.opt.gravity
     data: dict[str, Any] = {"format": 1, "kind": "arm", "name": name}
@@ -208,6 +211,7 @@ class _Reader:
         self.servos, self.left = servos(model)
         self.drives: list[dict[str, Any]] = []
         self.said: list[str] = []
+        self.undriven: list[str] = []
         self.weighed: dict[int, tuple[str, Array]] = {}
         self.joints: list[dict[str, Any]] = []
         self.links: list[dict[str, Any]] = []
@@ -270,8 +274,7 @@ class _Reader:
         if servo or stiffness:
             self.drives.append((servo or Servo()).drive(name))
         elif self.model.nu:
-            effect = "it is held where it starts; write `state: free` for one that moves by itself"
-            self.left.append(Left("a joint without an actuator", effect, name))
+            self.undriven.append(name)
         return data | ({"motor": {"inertia": inertia, "side": "joint"}} if inertia else {})
 
     def hold_followers(self) -> None:
@@ -285,6 +288,7 @@ class _Reader:
             name, leader = (model.joint(j).name or f"joint_{j + 1}" if j >= 0 else "" for j in (one, other))
             at = float(model.qpos0[model.jnt_qposadr[one]] + model.eq_data[k, 0])
             hold(joints[name], at)
+            self.undriven = [one for one in self.undriven if one != name]
             self.drives = [drive for drive in self.drives if drive["joint"] != name]
             tied = f"coupled to {leader} by an equality, which is not modelled" if leader else "fixed by an equality"
             self.said.append(f"joint {name} is {tied}: it is held at {at:.6g}.")

@@ -62,27 +62,27 @@ def servos(model: Any) -> tuple[dict[int, Servo], list[Left]]:
     for k in range(model.nu):
         name, joint = model.actuator(k).name or f"actuator {k + 1}", int(model.actuator_trnid[k, 0])
         if why := _strange(model, k):
-            left.append(Left("the actuator", why, name))
+            left.append(Left("the force of an actuator", why, name))
         else:
             _add(found.setdefault(joint, Servo()), model, k)
     for joint, servo in [*found.items()]:
         if servo.position < 0 or servo.velocity < 0:
             del found[joint]
             why = "it pushes the joint on along its motion, which no controller here does"
-            left.append(Left("the actuator", why, f"of joint {model.joint(joint).name or joint + 1}"))
+            left.append(Left("the force of an actuator", why, f"of joint {model.joint(joint).name or joint + 1}"))
     return found, left
 
 
 def _strange(model: Any, k: int) -> str:
     """Why an actuator is not taken; empty for one that is."""
     if int(model.actuator_trntype[k]) not in ON_JOINT:
-        return "it acts by a tendon, a site or a body, and its force is left out"
+        return "it acts by a tendon, a site or a body, which is left out"
     if int(model.actuator_dyntype[k]) != NONE:
-        return "it has a state of its own, and its force is left out"
+        return "it has a state of its own, which is left out"
     plugin = int(getattr(model, "actuator_plugin", [-1] * model.nu)[k]) >= 0
     bias = int(model.actuator_biastype[k])
     if plugin or int(model.actuator_gaintype[k]) != FIXED or bias not in (NONE, AFFINE):
-        return "its force is no gain times its control with springs and dampers, and is left out"
+        return "its force is no gain times its control with springs and dampers, which is left out"
     return ""
 
 

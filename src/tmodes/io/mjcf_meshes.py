@@ -56,7 +56,7 @@ class Assets:
 
     def notices(self) -> list[str]:
         """A sentence on what is not read; empty where all is."""
-        names = few([f"{shown(name)} ({why})" for name, why in self.unread.items()])
+        names = few([why if name in why else f"{shown(name)} ({why})" for name, why in self.unread.items()])
         return (
             [f"Shapes whose files may not be read are left out: {names}; give their folder with --root."]
             if names

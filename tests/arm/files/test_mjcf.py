@@ -226,6 +226,18 @@ def test_without_mujoco_it_is_said_what_to_install(tmp_path: Path, monkeypatch: 
         read_sheet(written(tmp_path))
 
 
+@needs_mujoco
+def test_looks_sensors_and_solvers_are_not_named(tmp_path: Path) -> None:
+    text = """<mujoco><compiler angle="radian"/><option integrator="implicitfast" cone="elliptic" timestep="0.001"/>
+    <default><default class="v"><geom contype="0" conaffinity="0" group="2"/>
+    <joint group="1" damping="0.1"/></default></default>
+    <statistic center="0 0 1"/><visual><headlight ambient="1 1 1"/></visual>
+    <worldbody><light pos="0 0 2"/><body name="a" childclass="v"><joint name="j"/><geom class="v" size="0.1"/>
+    <site name="s"/><camera name="c"/></body></worldbody><sensor><jointpos joint="j"/></sensor>
+    <actuator><position joint="j" kp="10"/></actuator><keyframe><key name="home" qpos="0.1"/></keyframe></mujoco>"""
+    assert "notices" not in read_sheet(written(tmp_path, text))[0]
+
+
 UNREAD = [
     '<asset><mesh name="m" file="../../secret.stl"/></asset>',
     '<asset><mesh name="m" file="/etc/passwd"/></asset>',
