@@ -192,7 +192,8 @@ def _rigid_beam(info: LoweredLink, node: Node, frame: Placement) -> Lowered:
         return Spot(0, 1.0, frame @ info.spot(s).placement)
 
     bodies = tuple(moved_body(body, frame) for link in info.links for body in link.all_bodies)
-    nodes = (replace(node, link=replace(info.rigid, bodies=bodies)),)
+    along = info.rigid.beam.seen_from(frame) if info.rigid.beam else None
+    nodes = (replace(node, link=replace(info.rigid, bodies=bodies, beam=along)),)
     return Lowered(nodes, frame @ info.tip, info.undeformed, spot)
 
 

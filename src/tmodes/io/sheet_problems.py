@@ -61,13 +61,13 @@ def sheet_problems(error: ValidationError, data: Any) -> list[Problem]:
 
 def _further_in(steps: tuple[Step, ...], data: Any) -> str:
     """The path of a key that belongs one group further in: by its name, or as a name of a group of numbers."""
-    value = at(data, *steps)
-    for key, info in fields(_group(steps[:-1], data)).items():
+    (*groups, last), value = steps, at(data, *steps)
+    for key, info in fields(_group(tuple(groups), data)).items():
         members = members_of(info.annotation)
-        numbers = len(steps) > 1 and isinstance(value, (int, float))
+        numbers = bool(groups) and isinstance(value, (int, float))
         by_name = numbers and any(get_origin(member) is dict for member in members)
-        if by_name or any(is_group(member) and str(steps[-1]) in keys(member) for member in members):
-            return own_path(named((*steps[:-1], key, steps[-1]), data), data)
+        if by_name or any(is_group(member) and str(last) in keys(member) for member in members):
+            return own_path(named((*groups, key, last), data), data)
     return ""
 
 

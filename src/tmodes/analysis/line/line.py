@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from tmodes.analysis.line.rigid import inner_forces
 from tmodes.chain.chain import Chain, Node
 from tmodes.equations.line.schedule import RIGID, ROOTS, Lines
 from tmodes.errors import InputError, SimulationError
@@ -93,8 +94,8 @@ class LinkLine:
     ``shape``: how it bends. ``moment`` (n, S, 3) [N*m]: torsion, about y, about z; ``shear`` (n, S, 2) [N] along y and
     z; ``axial`` (n, S) [N], tension positive: the load of the outboard part on the inboard one, in section axes.
     ``stress`` is None where section or material are not known. A rigid link has a straight line, no shape, and loads
-    that are not a number: its mass has no place along it. So is a line of the kind ``drawn`` between two points of a
-    system stated by its energies, whose ``node`` is -1.
+    that are not a number where its mass has no place along it: bodies without a beam. So is a line of the kind
+    ``drawn`` between two points of a system stated by its energies, whose ``node`` is -1.
     """
 
     name: str
@@ -162,7 +163,10 @@ def elastic_line(
     lines = model.passes.lines(tuple(asked), loaded=wrenches is not None)
     _refuse_huge(len(q) * lines.schedule.output_size)
     found = model.passes.on_lines(lines, Rows(q, v, model.nq, finite=not model.trials), a, base, wrenches)
-    named = [line for index in range(len(model.chain.nodes)) for line in _lines(model, index, asked, lines, found)]
+    forces = None if wrenches is None else np.asarray(wrenches, dtype=float)
+    named = [
+        line for index in range(len(model.chain.nodes)) for line in _lines(model, index, asked, lines, found, forces)
+    ]
     named += [_between(name, asked, found[name]) for name in lines.drawn]
     return LinkLines({line.name: line for line in named}, found[ROOTS].reshape(len(q), -1, 6))
 
@@ -171,6 +175,9 @@ def line_places(chain: Chain, count: int) -> Array:
     """``count`` places from root to tip, with those of bodies inside a link twice: just before and just beyond them."""
     grid = np.linspace(0.0, 1.0, count)
     inside = {s for node in chain.nodes for s in node.link.body_places if 0.0 < s < 1.0 and node.link.has_stations}
+    inside |= {
+        s for node in chain.nodes if node.link.mass_line for s, _ in node.link.mass_line.stations if 0.0 < s < 1.0
+    }
     others = [place for place in grid if all(abs(place - s) > SAME for s in inside)]
     return np.sort(np.concatenate([others, *([s, s] for s in inside)]))
 
@@ -191,8 +198,12 @@ def _refuse_huge(numbers: int) -> None:
         )
 
 
-def _lines(model: Model, index: int, asked: Array, lines: Lines, found: dict[str, Array]) -> list[LinkLine]:
+def _lines(
+    model: Model, index: int, asked: Array, lines: Lines, found: dict[str, Array], wrenches: Array | None
+) -> list[LinkLine]:
     node = model.chain.nodes[index]
+    if node.link.mass_line is not None:
+        return [_rigid_beam(model, index, asked, found, wrenches)]
     if not lines.links[index]:
         length = float(np.linalg.norm(lines.ends[index]))
         return [_straight(node.name, index, "rigid", asked, length, found[node.name])]
@@ -213,6 +224,16 @@ def _bent(node: Node, index: int, line: LineOfLink, found: Array) -> LinkLine:
         values["moment"], values["shear"], values["axial"], Shape(**owned(Shape)),
         Stress(**owned(Stress)) if line.stressed else None,
     )  # fmt: skip
+
+
+def _rigid_beam(model: Model, index: int, asked: Array, found: dict[str, Array], wrenches: Array | None) -> LinkLine:
+    """The line of a beam that does not bend, with its inner forces."""
+    node, rows = model.chain.nodes[index], found[model.chain.nodes[index].name]
+    position, rotation, moment, force = inner_forces(model, index, asked, rows, found[ROOTS], wrenches)
+    length = node.link.mass_line.beam.length
+    return LinkLine(
+        node.name, index, node.link.kind, length, asked, position, rotation, moment, force[..., 1:], force[..., 0]
+    )
 
 
 def _between(name: str, asked: Array, found: Array) -> LinkLine:

@@ -23,7 +23,7 @@ from tmodes.kinds.kernel.schedule import Numbers, Schedule, Slot, kernel
 from tmodes.kinds.kernel.spatial import FORCE, Force
 from tmodes.kinds.links.line import POSE, LineOfLink, Moved
 
-__all__ = ["RIGID", "ROOTS", "Lines", "line_schedule"]
+__all__ = ["MOVING", "RIGID", "ROOTS", "Lines", "line_schedule"]
 
 Array = NDArray[np.float64]
 
@@ -34,6 +34,10 @@ ROOTS = " roots"
 
 RIGID = {"rotation": slice(0, 9), "position": slice(9, 12), "end": slice(12, 15)}
 """What is computed of a rigid link, in the world: its axes, and where it begins and ends."""
+
+MOVING = {"place": slice(15, 18), "rate": slice(18, 21), "turning": slice(21, 24), "acceleration": slice(24, 27)}
+"""And of one whose mass along it is known: a place of it, angular rate and acceleration, and that of the place less
+gravity."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -74,7 +78,8 @@ def line_schedule(parts: Parts, s: Array, drawn: Drawn, *, loaded: bool = False)
             way.schedule.output(part.node.name + line.suffix, *line.places(moved))
         end = np.zeros(3) if lines else _far_end(parts, index)
         if not lines:
-            way.schedule.output(part.node.name, *_rigid(way, numbers, index, end))
+            moving = _moving(way, found, index) if part.node.link.mass_line is not None else ()
+            way.schedule.output(part.node.name, *_rigid(way, numbers, index, end), *moving)
         roots.append(_root(way, found, numbers, index))
         links.append(lines)
         ends.append(end)
@@ -159,6 +164,20 @@ def _rigid(way: Passes, numbers: Numbers, index: int, end: Array) -> Sequence[Sl
     far = framing.offset(index, Placement(position=end)).position
     block = numbers.block([*start.rotation.ravel(), *start.position])
     return way.schedule.call(_rigid_kernel(), pose, block, numbers.block(far))
+
+
+def _moving(way: Passes, found: Balance, index: int) -> Sequence[Slot]:
+    here = way.ways[index]
+    assert here.root_pose is not None  # noqa: S101
+    return way.schedule.call(_moving_kernel(), here.root_pose, here.root_rate, found.roots[index])
+
+
+@kernel("line moving", (POSE, 3, FORCE), (12,))
+def _moving_kernel(pose: Any, rate: Any, acceleration: Any) -> list[list[Any]]:
+    """(pose, angular rate, acceleration less gravity in its axes) -> place, rate and accelerations in the world."""
+    world = v.tri(pose)
+    vectors = [v.vec(rate), v.vec(acceleration), v.vec(acceleration, 3)]
+    return [v.flat(v.vec(pose, 9), [v.matvec(world, vector) for vector in vectors])]
 
 
 @kernel("line rigid", (POSE, 12, 3), (15,))

@@ -14,7 +14,7 @@ from tmodes.kinds.links.body import BodySheet
 from tmodes.kinds.links.contract import Body
 from tmodes.kinds.links.material import Material, find_material
 from tmodes.kinds.links.rigid import RigidLink
-from tmodes.kinds.links.rigid_beam import rigid_body
+from tmodes.kinds.links.rigid_beam import RigidBeam, rigid_body
 from tmodes.kinds.links.section import Round, Tube
 from tmodes.kinds.links.segment import Segment
 from tmodes.kinds.links.sheet import LINKS, MORE, BendingSheet, LoweredLink, Spot, moved_body, placed, sheet_body
@@ -130,9 +130,11 @@ def _rigid(beam: BeamData, bodies: Sequence[BodySheet]) -> LoweredLink:
         return Spot(0, 1.0, _at_rest(beam, s))
 
     own = moved_body(rigid_body(beam), placed(beam.root_mount))
-    link = RigidLink((own, *(sheet_body(body, _at_rest(beam, body.station)) for body in bodies)))
+    carried = [sheet_body(body, _at_rest(beam, body.station)) for body in bodies]
+    stations = tuple((body.station, own) for body, own in zip(bodies, carried, strict=True))
+    along = RigidBeam(beam, placed(beam.root_mount), stations)
     tip = _at_rest(beam, 1.0)
-    return LoweredLink((link,), tip, tip, spot)
+    return LoweredLink((RigidLink((own, *carried)),), tip, tip, spot, rigid=RigidLink(beam=along))
 
 
 def _strain(beam: BeamData, bodies: Sequence[BodySheet]) -> LoweredLink:

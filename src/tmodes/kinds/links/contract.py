@@ -232,6 +232,11 @@ class Link(LinkFacts):
         return tuple(sorted({*self.body_places, *(s for s in asked if s < 1.0)}))
 
     @property
+    def mass_line(self) -> Any:
+        """Where a rigid link's mass is along it (:class:`tmodes.kinds.links.rigid_beam.RigidBeam`); None: not known."""
+        return None
+
+    @property
     def has_stations(self) -> bool:
         """Whether bodies and points can be anywhere along it."""
         return bool(self.stations((0.5,)))

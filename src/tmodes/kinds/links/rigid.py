@@ -4,13 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.kinds.links.contract import Body, Link, LinkNumbers
 from tmodes.kinds.links.line import LineOfLink
+
+if TYPE_CHECKING:
+    from tmodes.kinds.links.rigid_beam import RigidBeam
 
 __all__ = ["RigidLink", "rod"]
 
@@ -30,11 +33,17 @@ class RigidLink(Link):
 
     bodies: tuple[Body, ...] = ()
     length: float = field(default=0.0, init=False)
+    beam: RigidBeam | None = None
 
     @property
     def bends(self) -> bool:
         """Never."""
         return False
+
+    @property
+    def mass_line(self) -> RigidBeam | None:
+        """Where its mass is along it, of a beam that does not bend."""
+        return self.beam
 
     @property
     def coordinates(self) -> tuple[str, ...]:
