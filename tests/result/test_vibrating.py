@@ -50,6 +50,7 @@ def test_never_more_than_the_motion(kind: str) -> None:
             most = 1.005 * width(after.tip[late]) + 1e-12
             assert one["amplitude_m"] <= most
             assert one["largest_m"] <= most
+            assert all(mode["amplitude_m"] <= most for mode in one["modes"])
             assert max(one["along_m"].values(), default=0.0) <= one["largest_m"] + 1e-15
             assert sum(mode["share"] for mode in one["modes"]) + one["unexplained"] == pytest.approx(1.0, abs=0.02) or (
                 not one["modes"]

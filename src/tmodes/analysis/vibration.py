@@ -193,14 +193,17 @@ def _checked(t: Array, y: Array, poles: Complex, limit: float, times: Array, val
     amplitude = float(signals.envelope(np.arange(len(one))).max(initial=0.0))
     if _creeps(poles, parts, slow) > max(amplitude, wrong, _NOTHING * size):
         return Residual(None, (), "less than one period of the vibration is seen after the move: simulate longer")
-    modes = _modes(signals, apart, length, max(wrong, 1e-9 * size))
+    modes = [
+        mode._replace(amplitude=min(mode.amplitude, width))
+        for mode in _modes(signals, apart, length, max(wrong, 1e-9 * size))
+    ]
     if not modes:
         return Residual(0.0, span=length)
     slowly: Any = np.exp(np.outer(times, poles[~fast]))
     seen = values - (slowly @ parts[~fast]).real
     far = np.linalg.norm(seen, axis=1)
     return Residual(
-        min(amplitude, width), modes, "", float(far.max()), float(times[far.argmax()]),
+        min(amplitude, width), tuple(modes), "", float(far.max()), float(times[far.argmax()]),
         tuple(map(float, np.abs(seen).max(axis=0))), max(1.0 - sum(mode.share for mode in modes), 0.0),
         tuple(poles[~fast].tolist()), length,
     )  # fmt: skip
@@ -231,7 +234,7 @@ class _Signals(NamedTuple):
         return np.sqrt(squares / 2)
 
 
-def _modes(signals: _Signals, apart: Array, length: float, least: float) -> tuple[Mode, ...]:
+def _modes(signals: _Signals, apart: Array, length: float, least: float) -> list[Mode]:
     """The modes of a vibration whose distances from its mean are ``apart`` (n, k), larger than ``least``."""
     whole = signals.envelope(np.arange(len(signals.poles)))[1:]
     weighty = np.flatnonzero(whole >= _WEIGHTY * whole.max(initial=0.0))
@@ -249,7 +252,7 @@ def _modes(signals: _Signals, apart: Array, length: float, least: float) -> tupl
             found.append(
                 Mode(pole.imag / (2 * np.pi), -pole.real / abs(pole), float(envelope.max()), share, drift, poles)
             )
-    return tuple(sorted(found, key=lambda mode: -mode.amplitude))
+    return sorted(found, key=lambda mode: -mode.amplitude)
 
 
 def _groups(poles: Complex, length: float) -> list[NDArray[np.intp]]:
