@@ -40,6 +40,9 @@ STANDS = 1e-11
 _ROUNDING, _SLOW = 1e-12, 1e-9
 """Of an acceleration that is none: a share of what a turn by 1 rad brings about, and a size [rad/s^2, m/s^2]."""
 
+_EXACT = 1e-6
+"""Largest entry of A A^-1 - 1 of a matrix in which nothing is held by nothing."""
+
 _SINGULAR = 1e-13
 """Singular value over the largest one of a direction that nothing holds."""
 
@@ -182,7 +185,17 @@ def pseudo_inverse(matrix: Array) -> Array:
     alike = matrix / across[:, None]
     along = np.abs(alike).max(axis=0)
     along[along == 0] = 1.0
-    return np.linalg.pinv(alike / along, rcond=_SINGULAR) / along[:, None] / across
+    alike /= along
+    if not np.isfinite(alike).all():
+        return np.full_like(alike, np.nan)
+    try:
+        inverse = np.linalg.inv(alike)  # thirty times as fast as by singular values
+        exact = np.abs(alike @ inverse - np.eye(len(alike))).max() < _EXACT
+    except np.linalg.LinAlgError:
+        inverse, exact = alike, False
+    if not exact:
+        inverse = np.linalg.pinv(alike, rcond=_SINGULAR)
+    return inverse / along[:, None] / across
 
 
 @dataclass(eq=False)

@@ -91,7 +91,11 @@ def simulate_motion(
     if controller and pair.real.integration.method == AUTO:
         real, why = fixed_steps(setups.real, verdict.highest)
         setups = setups._replace(real=real)
-    warnings = [*([verdict.sentence] if verdict.sentence else []), *_growing(setups), *start_warnings(setups.real)]
+    warnings = [
+        *([verdict.sentence] if verdict.sentence else []),
+        *_growing(setups),
+        *start_warnings(setups.real, controller),
+    ]
     warnings += setups.warnings
     reference, until = _reference(setups.nominal, progress, journals, warnings)
     if reference and reference.status == "diverged":

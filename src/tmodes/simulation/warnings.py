@@ -24,13 +24,13 @@ _SAME = 1e-6
 """A difference smaller than this share of the largest value is rounding."""
 
 
-def start_warnings(setup: RunSetup) -> list[str]:
-    """What is odd before anything moves."""
+def start_warnings(setup: RunSetup, controller: object = None) -> list[str]:
+    """What is odd before anything moves; ``controller``: a Python function, of whose efforts nothing is known."""
     info = [f"joint {name} has no drive: it is held where it starts" for name in setup.planned.undriven]
     info += [f"joint {name} has no drive: it moves freely with its initial rate" for name in setup.planned.loose]
     info += _left_out(setup)
     info += _begun(setup)
-    if setup.off:
+    if setup.off and controller is None:
         info.append(_not_at_rest(setup.off))
     if setup.robot.contact:
         info += _touching(setup, setup.robot.contact)
