@@ -43,6 +43,11 @@ def same(one: RunData, other: RunData) -> None:
     assert one.status == other.status == "finished"
     order = [other.coordinates.index(name) for name in one.coordinates]
     assert np.abs(other.q[:, order] - one.q).max() <= SAME * np.abs(one.q).max()
+    as_many_steps(one, other)
+
+
+def as_many_steps(one: RunData, other: RunData) -> None:
+    """But for what rounding does: of steps at the limit of stability, and of the search for instants of a switch."""
     steps = [each.statistics["steps"] for each in (one, other)]
     assert abs(steps[1] - steps[0]) <= max(15, 0.06 * steps[0])
 
@@ -95,4 +100,4 @@ def test_a_planar_block_sticks_in_any_attitude() -> None:
         other = run(turned(on_a_slope(), rotation(attitude)))
         assert other.status == "finished"
         assert np.abs(other.q - first.q[0]).max() < 1e-12
-        assert abs(other.statistics["steps"] - first.statistics["steps"]) <= 0.05 * first.statistics["steps"]
+        as_many_steps(first, other)
