@@ -26,7 +26,7 @@ def line_series(run: RunData, stations: Array, count: int) -> tuple[Variables, d
     shown = [lines[name] for name in names["link"]]
     motion = (run.model, run.q[part], run.v[part], run.a[part])
     split = split_motion(*motion, wrenches=run_wrenches(run)[part], base=run.base[part])
-    found = _shapes(shown, straight) | _loads(lines.bending()) | _split(split.stationary, split.oscillatory)
+    found = _shapes(shown, straight) | _loads(lines.loaded()) | _split(split.stationary, split.oscillatory)
     loose = np.flatnonzero(~split.held)
     if len(loose):
         notices.append(
@@ -39,7 +39,7 @@ def line_series(run: RunData, stations: Array, count: int) -> tuple[Variables, d
 def carried_series(run: RunData, stations: Array, count: int) -> tuple[Variables, dict[str, list[str]], list[str]]:
     """The same of what a page shows of the links' loads alone: neither where they are nor parts of deformations."""
     lines, names, notices = _carried(run, stations, count)
-    return over_time(_loads(lines.bending(), shown=True), count), names, notices
+    return over_time(_loads(lines.loaded(), shown=True), count), names, notices
 
 
 def _carried(run: RunData, stations: Array, count: int) -> tuple[LinkLines, dict[str, list[str]], list[str]]:
@@ -47,7 +47,7 @@ def _carried(run: RunData, stations: Array, count: int) -> tuple[LinkLines, dict
     motion = (run.model, run.q[part], run.v[part], run.a[part])
     loads = {"wrenches": run_wrenches(run)[part], "base": run.base[part]}
     lines = elastic_line(*motion, stations=[*map(float, stations)], **loads)
-    bending = lines.bending()
+    bending = lines.loaded()
     groups = {
         "link": [line for line in lines.links.values() if not line.is_point], "bending_link": bending,
         "stressed_link": [line for line in bending if line.stress is not None],
@@ -61,7 +61,7 @@ def load_series(run: RunData, stations: Array, count: int) -> Variables:
     part = slice(count)
     motion = (run.model, run.q[part], run.v[part], run.a[part])
     loads = {"wrenches": run_wrenches(run)[part], "base": run.base[part]}
-    return over_time(_loads(elastic_line(*motion, stations=[*map(float, stations)], **loads).bending()), count)
+    return over_time(_loads(elastic_line(*motion, stations=[*map(float, stations)], **loads).loaded()), count)
 
 
 def _shapes(shown: list[LinkLine], straight: LinkLines) -> Series:
@@ -79,16 +79,17 @@ def _loads(bending: list[LinkLine], *, shown: bool = False) -> Series:
     ``shown``: those alone that a page shows.
     """
     plane, kinds, text = "bending_link s plane", "bending_link s moment_kind", "of all loads outboard, in section axes"
-    shapes = [line.shape for line in bending if line.shape]
+    straight = [(line, np.zeros((*line.shear.shape[:2], 2))) for line in bending]  # of beams that do not bend
     stresses = [line.stress for line in bending if line.stress]
     further = [] if shown else bending
     return {
-        "deflection": (plane, _stack(shape.deflection for shape in shapes), "m",
+        "deflection": (plane, _stack(line.shape.deflection if line.shape else none for line, none in straight), "m",
                        "deflection of the elastic line from the root's tangent, along y and z of the root"),
-        "slope": (plane, _stack(shape.slope for shape in shapes), "rad", "slope against the root's tangent"),
+        "slope": (plane, _stack(line.shape.slope if line.shape else none for line, none in straight), "rad",
+                  "slope against the root's tangent"),
         "moment": (kinds, _stack(line.moment for line in bending), "N m", f"moment {text}"),
-        "elastic_moment": (kinds, _stack(line.shape.elastic_moment for line in further if line.shape), "N m",
-                           "moment with which the material answers its curvature and its rate"),
+        "elastic_moment": (kinds, _stack(line.shape.elastic_moment if line.shape else line.moment for line in further),
+                           "N m", "moment with which the material answers its curvature and its rate"),
         "shear_force": (plane, _stack(line.shear for line in bending), "N", f"shear force {text}"),
         "axial_force": ("bending_link s", _stack(line.axial for line in further), "N",
                         f"axial force {text}, tension positive"),

@@ -7,9 +7,11 @@ from typing import Any
 import numpy as np
 import pytest
 
+import tmodes
 from tmodes.analysis.line.line import elastic_line, line_places
 from tmodes.model.model import Model
 from tmodes.sheet import Robot
+from tmodes.study.quantities.summary_paths import names_in_summary
 
 
 def sheet(model: str, rng: np.random.Generator | None = None, **more: Any) -> Robot:
@@ -70,3 +72,17 @@ def test_it_carries_what_a_bending_one_carries_that_stands_still(seed: int) -> N
         for quantity in ("position", "rotation", "moment", "shear", "axial"):
             found, expected = getattr(rigid, quantity), getattr(still, quantity)
             np.testing.assert_allclose(found, expected, rtol=1e-10, atol=1e-10 * np.abs(expected).max())
+
+
+def test_a_result_has_the_moments_of_a_rigid_beam() -> None:
+    """Hanging level by its drive, gravity across it: w g L^2/2 at the root, as the summary says."""
+    drive = {"joint": "j", "command": "prescribed", "signal": {"type": "constant", "value": 0.0}}
+    robot = sheet(
+        "rigid", gravity=[0.0, -9.81, 0.0], drives=[drive], integration={"duration": 0.1, "output_step": 0.01}
+    )
+    result = tmodes.run(robot)
+    expected = 0.8 * 9.81 * 1.2**2 / 2
+    np.testing.assert_allclose(result.data["moment"].values[:, 0, 0, 2], -expected, rtol=1e-12)
+    np.testing.assert_allclose(result.data["deflection"].values, 0.0)
+    assert result.summary()["links"]["a"]["bending_moment"]["max_Nm"] == pytest.approx(expected, rel=1e-12)
+    assert names_in_summary(robot)["link"] == ["a"]

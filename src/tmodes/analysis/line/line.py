@@ -147,6 +147,10 @@ class LinkLines:
         """The lines of the links that bend."""
         return [line for line in self.links.values() if line.shape is not None]
 
+    def loaded(self) -> list[LinkLine]:
+        """The lines whose inner forces are known: of links that bend, and of beams that do not."""
+        return [line for line in self.links.values() if line.shape is not None or not np.isnan(line.axial).any()]
+
 
 def elastic_line(
     model: Model, q: ArrayLike, v: ArrayLike = 0.0, a: ArrayLike = 0.0, *,

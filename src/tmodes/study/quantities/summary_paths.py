@@ -57,7 +57,7 @@ def names_in_summary(robot: Robot) -> dict[str, list[str]]:
     return {
         "drive": [drive.joint for drive in robot.drives],
         "elastic": [*elastic_names(model)],
-        "link": [node.name for node in bending] + lines,
+        "link": [node.name for node in model.chain.nodes if node.link.bends or node.link.mass_line] + lines,
         "part": parts,
     }
 
