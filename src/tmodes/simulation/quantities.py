@@ -51,7 +51,8 @@ def refuse_wrong_stops(robot: Robot) -> None:
 def named_setup(robot: Robot) -> RunSetup:
     """A setup without a state to start from, of which only the names are asked; nothing is compiled for it."""
     plan = planned(robot)
-    return RunSetup(robot, plan, LoopModel(plan.plan), np.zeros(0), Model(plan.chain))
+    nowhere = np.zeros(0)
+    return RunSetup(robot, plan, LoopModel(plan.plan), nowhere, Model(plan.chain), nowhere)
 
 
 def run_quantities(setup: RunSetup) -> dict[str, Quantity]:

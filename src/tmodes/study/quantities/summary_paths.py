@@ -23,7 +23,7 @@ PATHS = {
     "tip_error.{commanded|nominal}.parts_m.{part}": "its parts along the largest error",
     "tip_error.{commanded|nominal}.vectors_m.{part}.{0|1|2}": "its parts as vectors",
     "tip_error.{commanded|nominal}.{elements_m|environment_m}.*": "its parts of each gear and link, and of a contact",
-    "settling.{time_s|band|limit_m|move_m}": "time until the tip stays within the band of the move",
+    "settling.{time_s|band|limit_m|move_m|continued_s}": "time until the tip stays within the band of the move",
     "settling.rest_m.{0|1|2}": "where it comes to rest",
     "vibration.{actual|nominal}.*": "residual vibration: amplitude_m, and modes.0.frequency_Hz, damping_ratio, ...",
     "joints.{drive}.{least|largest|fastest|largest_effort|time_of_largest_effort_s|largest_gear_torque}":
