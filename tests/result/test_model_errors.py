@@ -66,6 +66,18 @@ def test_the_bounds_hold_against_many_functions(torque: float):
     assert bounds[1] < bounds[0] / 2  # one function more is seen to help
 
 
+@pytest.mark.parametrize("count", [1, 2, 3, 5])
+@given(ratio=st.floats(1e-10, 1.0))
+def test_what_is_missing_counts_more_on_a_beam_that_is_bent(count: int, ratio: float):
+    """By the square of the angle and the root of the ratio, where the error of a straight beam goes with the ratio."""
+    (link,) = (node.link for node in slewing(count, torque=1.0).chain().nodes if node.link.bends)
+    straight, *bent = (link.uncertainty("bend_z", ratio, angle) for angle in (0.0, 0.5, 1.0))
+    assert straight <= bent[0] <= bent[1]
+    assert bent[1] >= 0.3 * ratio**0.5
+    if straight < 0.01 * ratio**0.5:
+        assert bent[1] == pytest.approx(4 * bent[0])
+
+
 def test_the_bounds_of_lumped_links_hold_against_beams():
     """A segment, whose masses and springs are compared with those that are nearer to a beam's."""
     assert 1 < bound_over_error(0.3, count=2, model="segments", segments=1, functions=None)[1] < 30

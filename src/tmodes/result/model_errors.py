@@ -103,12 +103,17 @@ def uncertainty(chain: Chain, variables: Mapping[str, Array], names: Mapping[str
             shapes = link.other_moments(direction, stations) * root
             others = np.linalg.lstsq(shapes.T, elastic.T, rcond=None)[0] if len(shapes) else np.zeros((0, len(elastic)))
             parts = (moment - elastic, elastic - others.T @ shapes, moment)
-            found.append((link, direction, *(float(np.sum(part**2)) for part in parts)))
+            angle = float(np.linalg.norm(variables["slope"][:, names["bending_link"].index(name)], axis=-1).max())
+            found.append((link, direction, angle, *(float(np.sum(part**2)) for part in parts)))
     least = _NEGLIGIBLE * sum(whole for *_, whole in found)
     shares = [
-        link.uncertainty(way, missing / last) for link, way, missing, last, whole in found if whole > least and last
+        link.uncertainty(way, missing / last, angle)
+        for link, way, angle, missing, last, whole in found
+        if whole > least and last
     ]
-    return max([*shares, *(link.uncertainty("", 0.0) for link in links.values() if not link.projected)], default=0.0)
+    return max(
+        [*shares, *(link.uncertainty("", 0.0, 0.0) for link in links.values() if not link.projected)], default=0.0
+    )
 
 
 def _compared(

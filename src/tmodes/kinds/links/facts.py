@@ -77,11 +77,11 @@ class LinkFacts(ABC):
         """Directions in which the material's moment is the projection of the load's on the link's functions."""
         return ()
 
-    def uncertainty(self, direction: str, ratio: float) -> float:  # noqa: ARG002
+    def uncertainty(self, direction: str, ratio: float, angle: float) -> float:  # noqa: ARG002
         """How far the true error may be, over the difference that :meth:`compared` makes; docs/errors.md.
 
         ``ratio``: of a projected direction, the energy of the moments that no function has over that of those which
-        :meth:`compared` softens; of any other it does not count.
+        :meth:`compared` softens; ``angle``: the largest by which its line turns [rad]; of any other neither counts.
         """
         return LUMPED
 

@@ -34,9 +34,10 @@ __all__ = ["Beam", "BeamPiece", "StrainStructure"]
 
 Array = NDArray[np.float64]
 
-_FAST, _BOTH = 0.12, 4.5
-"""Least one over the cube root of the ratio of energies; that over the ratio where both functions that move the tip
-are softened, but one: what is missing moves fast, where the ratio is larger than in the whole motion."""
+_FAST, _BOTH, _BENT = 0.13, 4.5, 0.3
+"""Least one over the fourth root of the ratio of energies; that over the ratio where both functions that move the tip
+are softened, but one: what is missing moves fast, where the ratio is larger than in the whole motion. Least one over
+the root of the ratio and the square of the angle of bending."""
 
 
 @dataclass(frozen=True)
@@ -106,11 +107,16 @@ class Beam(BeamNumbers, Link):
         """Directions that have functions and turn sections."""
         return tuple(name for name in TURNING if getattr(self, name))
 
-    def uncertainty(self, direction: str, ratio: float) -> float:
-        """In proportion to the energy, but for fast vibration, which has little of it: docs/decisions/0033."""
+    def uncertainty(self, direction: str, ratio: float, angle: float) -> float:
+        """In proportion to the energy, but for fast vibration, which has little of it, and for large bending.
+
+        A missing moment does no work on a straight beam in what the functions describe; on one that is bent by an angle
+        it does, in proportion to the angle's square: docs/decisions/0033.
+        """
+        bent = _BENT * angle**2 * ratio**0.5
         if (count := getattr(self, direction)) > last_functions(self, direction):
-            return max(ratio, _FAST * ratio ** (1 / 3))
-        return ratio if count == 1 else _BOTH * ratio
+            return max(ratio, _FAST * ratio**0.25, bent)
+        return max(ratio if count == 1 else _BOTH * ratio, bent)
 
     def other_moments(self, direction: str, s: ArrayLike) -> Array:
         """The functions of curvature times the stiffness: polynomials."""
