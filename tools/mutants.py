@@ -49,8 +49,8 @@ FAULTS = (
     ),
     Fault(
         "kinds/drives/contract.py",
-        "ahead, behind = deflection - self.backlash, deflection + self.backlash",
-        "ahead, behind = deflection - self.backlash / 2, deflection + self.backlash / 2",
+        "presses = meets * (push > 0)",
+        "presses = meets",
         "tests/arm/dynamics/test_joints.py tests/arm/statics/test_elements.py",
     ),
     Fault(

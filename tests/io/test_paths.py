@@ -13,9 +13,9 @@ from hypothesis import strategies as st
 import tmodes
 from io_cases import SHEET, number_paths, value_of
 from tmodes.errors import InputError, InputErrors
+from tmodes.io.assignment import parse_assignment
 from tmodes.io.sheet_check import sheet_from_data as robot_from_data
 from tmodes.io.sheet_paths import changed_places
-from tmodes.io.units import parse_assignment
 from tmodes.io.yaml_file import parse_yaml
 from tmodes.robots.load import load
 from tmodes.sheet import Robot

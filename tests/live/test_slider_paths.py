@@ -8,8 +8,8 @@ import pytest
 
 import tmodes
 from tmodes.errors import InputError
+from tmodes.io.assignment import parse_assignment
 from tmodes.io.sheet_check import sheet_data
-from tmodes.io.units import parse_assignment
 from tmodes.live.knobs import knobs_of
 from tmodes.live.sliders import sliders_of
 from tmodes.robots import names

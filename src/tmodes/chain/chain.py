@@ -93,7 +93,7 @@ class Gear:
 
 @dataclass(frozen=True)
 class ParallelSpring:
-    """Between the links of a joint, beside what drives it: -stiffness (q - rest) - damping q' on its coordinate q.
+    """Between the links of a joint, next to what drives it: -stiffness (q - rest) - damping q' on its coordinate q.
 
     ``stiffness`` [N*m/rad or N/m], ``rest`` [rad or m], ``damping`` [N*m*s/rad or N*s/m].
     """

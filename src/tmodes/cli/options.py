@@ -183,7 +183,7 @@ def chosen_robot(
 
     Raises an InputError for any wrong part.
     """
-    from tmodes.io.units import parse_assignment
+    from tmodes.io.assignment import parse_assignment
 
     info = dict(parse_assignment(text) for text in settings or []) | (changes or {})
     sheet, urdf = load_with_urdf(robot, info, roots=roots or (), trust_paths=trust_paths, fix_inertia=fix_inertia)

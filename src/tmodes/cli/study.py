@@ -92,8 +92,8 @@ def study(
 
 def changed(asked: Study, settings: Sequence[str], runs: int | None) -> Study:
     """The study with the robot's settings of the line, and its number of cases; raises InputError for wrong ones."""
+    from tmodes.io.assignment import parse_assignment
     from tmodes.io.sheet_check import sheet_data
-    from tmodes.io.units import parse_assignment
 
     sheet, robot = dict(asked.data["study"]), asked.data["robot"]
     if runs is not None:

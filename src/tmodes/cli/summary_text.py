@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Any
 
 from tmodes.cli.options import plain
 from tmodes.cli.terminal import print_table
-from tmodes.result.events import counted
 
 if TYPE_CHECKING:
     from tmodes.report.folder import RunFolder
@@ -37,6 +36,8 @@ def result_record(result: Result, band: str | None = None) -> dict[str, Any]:
 
 def print_event_count(result: Result) -> None:
     """Print how many events there are of each kind, where there are any."""
+    from tmodes.result.events import counted
+
     if events := result.events:
         print(f"events  {len(events):,}: {counted(events)} (tmodes show --events)")
 

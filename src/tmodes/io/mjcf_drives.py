@@ -51,7 +51,7 @@ class Servo:
 
     @property
     def viscous(self) -> float:
-        """What it damps beside a servo's own gain."""
+        """What it damps next to a servo's own gain."""
         return self.damping + (0.0 if self.position else self.velocity)
 
 

@@ -13,7 +13,6 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.linalg import eigh
 
 from tmodes.kinds.links.body import entries, raised_inertia
 from tmodes.kinds.schema.axes import cross_matrix, rotation_about, rpy_matrix
@@ -80,6 +79,8 @@ class Mover:
                 mass += body["mass"] * center.T @ center + own.T @ inertia_of(body) @ own
                 turning = own if name == link else turning
             try:
+                from scipy.linalg import eigh
+
                 share = eigh(turning.T @ added @ turning, mass, eigvals_only=True)[-1]
             except np.linalg.LinAlgError:
                 return None

@@ -32,7 +32,7 @@ def run(
     ``robot``: its ``real`` factors make the actual one; or a pair of your own. A robot without drives moves freely from
     its ``initial`` state. ``progress`` receives the stage and its share; ``journals`` gives where the stages
     ``reference`` and ``real`` keep their progress, so that an interrupted run resumes. ``controller``: a Python
-    function in place of the sheet's controllers. ``stop``: one or several conditions, beside ``integration.stop``.
+    function in place of the sheet's controllers. ``stop``: one or several conditions, next to ``integration.stop``.
 
     A run that cannot continue keeps what it had: look at ``result.status`` and ``result.message``. Raises
     :class:`tmodes.errors.InputError` for what cannot be run, and :class:`tmodes.errors.SimulationError` where it cannot

@@ -1,4 +1,4 @@
-"""A spring beside the motor: closed forms, energy books, and the same forces behind every kind of drive."""
+"""A spring next to the motor: closed forms, energy books, and the same forces behind every kind of drive."""
 
 from __future__ import annotations
 

@@ -13,7 +13,9 @@ const STANDS = 1e-11; // first step, over 1 + |q|, of a state that is in balance
 function stillRow(signals: Schedule, noise: readonly number[]): Float64Array {
   const row = rowsAt(signals, new Float64Array(1));
   const width = signals.degree + 1;
-  for (let k = 0; k < signals.signals; k += 1) row.fill(0, 1 + k * width + (noise.includes(k) ? 0 : 1), 1 + (k + 1) * width);
+  for (let k = 0; k < signals.signals; k += 1) {
+    row.fill(0, 1 + k * width + (noise.includes(k) ? 0 : 1), 1 + (k + 1) * width);
+  }
   return row;
 }
 

@@ -24,7 +24,7 @@ export interface Regime {
 
 const MOST_SWITCHES = 100;
 
-/** A first state after all that sticks, slips or touches has switched, as simulation/loop.py; works begin with nothing. */
+/** A first state after all that sticks, slips or touches has switched, as simulation/loop.py; works begin at zero. */
 function settled(
   engine: Engine, bundle: Bundle, name: Name, blocks: Blocks, schedule: signals.Schedule, state: Float64Array,
 ): Float64Array {

@@ -115,7 +115,7 @@ def gear_rows(robot: Robot, links: Sequence[Mapping[str, Any]]) -> list[dict[str
 
 
 def parallel_rows(robot: Robot) -> list[dict[str, Any]]:
-    """Each spring beside a motor or on a free joint, with the unit of its stiffness."""
+    """Each spring next to a motor or on a free joint, with the unit of its stiffness."""
     joints = [(joint, joint.spring) for joint in robot.joints if joint.spring]
     return [
         {"joint": joint.name, **spring.model_dump(), "unit": joint.kind.coordinates[0].stiffness_unit}

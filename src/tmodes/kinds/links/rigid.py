@@ -4,16 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.kinds.links.contract import Body, Link, LinkNumbers
 from tmodes.kinds.links.line import LineOfLink
-
-if TYPE_CHECKING:
-    from tmodes.kinds.links.rigid_beam import RigidBeam
 
 __all__ = ["RigidLink", "rod"]
 
@@ -27,13 +24,16 @@ def rod(mass: float, length: float) -> Body:
 
 @dataclass(frozen=True, eq=False)
 class RigidLink(Link):
-    """A link that does not bend; ``bodies`` in its link frame, which is also its tip frame."""
+    """A link that does not bend; ``bodies`` in its link frame, which is also its tip frame.
+
+    ``beam``: the :class:`tmodes.kinds.links.rigid_beam.RigidBeam` that it is made of, None where it is of bodies alone.
+    """
 
     kind: ClassVar[str] = "rigid"
 
     bodies: tuple[Body, ...] = ()
     length: float = field(default=0.0, init=False)
-    beam: RigidBeam | None = None
+    beam: Any = None
 
     @property
     def bends(self) -> bool:
@@ -41,7 +41,7 @@ class RigidLink(Link):
         return False
 
     @property
-    def mass_line(self) -> RigidBeam | None:
+    def mass_line(self) -> Any:
         """Where its mass is along it, of a beam that does not bend."""
         return self.beam
 

@@ -1,4 +1,4 @@
-/* tmodes, built from bb6d0746f613652b; BSD-3-Clause */
+/* tmodes, built from dad76acf95c170e5; BSD-3-Clause */
 
 // src/live/engine_error.ts
 var EngineError = class extends Error {
