@@ -12,8 +12,8 @@ import pytest
 
 import tmodes
 from tmodes.errors import InputError, InputErrors, SimulationError
+from tmodes.io.assignment import parse_assignment
 from tmodes.io.sheet_write import robot_to_yaml
-from tmodes.io.units import parse_assignment
 from tmodes.simulation.plan import Follow
 from tmodes.simulation.quantities import run_quantities, run_stops
 from tmodes.simulation.start import run_setup, run_trajectory

@@ -46,7 +46,7 @@ def single_changes(path: str, value: Any, data: Mapping[str, Any]) -> dict[str, 
     if given:
         return {path_of(steps, data): value for steps, _ in numbers}
     if not path.startswith(REAL):
-        return {path_of(steps, data): number * value for steps, number in numbers}
+        return {path_of(steps, data): number * float(value) for steps, number in numbers}
     entries = {path_of(steps, data): real_entry(data, path_of(steps, data))[0] for steps, _ in numbers}
     for own, entry in entries.items():
         if entry is None:

@@ -181,7 +181,7 @@ def test_events_in_the_file_and_on_the_terminal(tmp_path: Path) -> None:
     assert read.events == done.events
     assert read.data["event_time"].attrs["units"] == "s"
     assert read.data["event_kind"].values.tolist() == [event.kind for event in done.events]
-    older = read.data.drop_dims("event")
+    older: Any = read.data.drop_dims("event")
     assert Result(older).events == ()
     assert Result.of(older, "older").events == ()
     shown = tmodes("show", tmp_path, "--events").stdout

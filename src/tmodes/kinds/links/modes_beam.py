@@ -89,7 +89,7 @@ class ModesSheet(BendingSheet):
         ]
         whole = (*masses, *(sheet_body(one, self._at_rest(one.station)) for one in bodies))
         carried = tuple((one.station, sheet_body(one, self._mount(one.station))) for one in bodies)
-        link = RigidModesLink(whole, self.modes, carried)
+        link = RigidModesLink(whole, modes=self.modes, carried=carried)
         return LoweredLink((link,), rest, rest, lambda s: Spot(0, 1.0, self._at_rest(s)), rigid=link)
 
     def element_stations(self, element: int, stations: Any) -> Any:
