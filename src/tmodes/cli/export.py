@@ -11,7 +11,7 @@ import typer
 
 from tmodes.cli import options
 from tmodes.cli.options import chosen_sheet
-from tmodes.cli.terminal import print_json
+from tmodes.cli.terminal import print_json, working
 from tmodes.errors import InputError
 from tmodes.io.atomic import atomic_write, check_writable, file_error
 
@@ -50,7 +50,8 @@ def export(
         robot, settings, reading, contact, roots=root, trust_paths=trust_paths, fix_inertia=fix_inertia, changes=changes
     )
     name = folder_name(sheet.name)
-    made = exported(sheet, name)
+    with working("compiling", at_once=True):
+        made = exported(sheet, name)
     paths = {end: out / f"{name}.{end}" for end in made.files}
     _write({paths[end]: content for end, content in made.files.items()}, overwrite)
     _report({end: str(path) for end, path in paths.items()}, made.description["method"], made.files, as_json)

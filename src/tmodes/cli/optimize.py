@@ -60,7 +60,8 @@ def optimize(
     if out and (found.best or found.nearest):
         from tmodes.study.page.analyses import write_designs
 
-        page = write_designs(found, asked, out / "designs.html")
+        with working("page", at_once=True):
+            page = write_designs(found, asked, out / "designs.html")
     if as_json:
         print_json(found.info() | ({"files": {"page": str(page)}} if page else {}))
     else:

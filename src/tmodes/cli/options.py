@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from tmodes.cli.terminal import working
 from tmodes.errors import InputError
 from tmodes.io.atomic import file_error
 from tmodes.io.filipovic2010.reading import Reading
@@ -165,7 +166,8 @@ def chosen_sheet(
     **how: Any,
 ) -> Robot:
     """The robot that a command line names, with its changes; arguments and errors of :func:`chosen_robot`."""
-    return chosen_robot(robot, settings, reading, contact, **how)[0]
+    with working("reading", at_once=True):
+        return chosen_robot(robot, settings, reading, contact, **how)[0]
 
 
 def chosen_robot(
@@ -244,7 +246,8 @@ def stored_result(path: Path) -> Result:
     """The result that a path means; the errors are those of reading it."""
     from tmodes.result import Result
 
-    return Result.load(result_file(path))
+    with working("reading", at_once=True):
+        return Result.load(result_file(path))
 
 
 def plain(text: str) -> str:

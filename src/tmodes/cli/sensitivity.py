@@ -33,7 +33,8 @@ def asked_study(path: Path, roots: list[Path] | None, *, trust_paths: bool) -> S
     prepare_study()
     from tmodes.study.read import read_study
 
-    asked = read_study(path, roots=roots or (), trust_paths=trust_paths)
+    with working("reading", at_once=True):
+        asked = read_study(path, roots=roots or (), trust_paths=trust_paths)
     notice_slow(asked)
     return asked
 

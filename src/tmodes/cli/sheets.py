@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from tmodes.cli.options import AsJson, FixInertia, Roots, Settings, SheetArgument, TrustPaths, chosen_sheet
-from tmodes.cli.terminal import print_json, print_table
+from tmodes.cli.terminal import print_json, print_table, working
 from tmodes.errors import InputError, InputErrors
 from tmodes.io.words import meant, shown
 from tmodes.robots.load import load, sheet_names, sheet_text
@@ -89,14 +89,15 @@ def check(
 
     try:
         sheet = chosen_sheet(robot, settings, roots=root, trust_paths=trust_paths, fix_inertia=fix_inertia)
-        info, numbers = _described(sheet)
+        with working("checking", at_once=True):
+            info, numbers = _described(sheet)
+            notices = [*notices_about(sheet), *consequences(sheet), *_idle(sheet)]
     except (InputError, InputErrors) as error:
         if as_json:
             errors = error.errors if isinstance(error, InputErrors) else (error,)
             keys = ("which", "got", "expected", "hint", "where")
             print_json({"ok": False, "errors": [{key: getattr(one, key) for key in keys} for one in errors]})
         raise
-    notices = [*notices_about(sheet), *consequences(sheet), *_idle(sheet)]
     if as_json:
         print_json({"ok": True, "name": sheet.name, **numbers, "notes": sheet.held_notices, "warnings": notices})
         return

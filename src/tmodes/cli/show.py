@@ -13,7 +13,7 @@ import typer
 
 from tmodes.cli.options import AsJson, SettlingBand, is_study, plain, result_file, stored_result
 from tmodes.cli.summary_text import integration_lines, print_event_count, print_events, print_summary, result_record
-from tmodes.cli.terminal import print_json, print_table, warn
+from tmodes.cli.terminal import print_json, print_table, warn, working
 from tmodes.errors import InputError
 from tmodes.io.atomic import atomic_write, file_error
 
@@ -76,7 +76,8 @@ def _show_study(place: Path, *, as_json: bool) -> None:
     from tmodes.study.result import load_study
     from tmodes.study.store import PAGE
 
-    study = load_study(place)
+    with working("reading", at_once=True):
+        study = load_study(place)
     if not study.stored.has_table:
         missing = unfinished(study)
         got = missing[0].partition(";")[0] if missing else f"no {study.parquet.name} of these cases"
@@ -158,8 +159,9 @@ def view(
     _refuse_taken(out, overwrite)
     stored = [stored_result(path) for path in results]
     names = names_by_difference(stored) or names_apart([robot_name(one) for one in stored], results)
-    data = page_data(stored, names) if len(stored) > 1 else live_page(stored[0])
-    page = _written(viewer_document(data), out, overwrite)
+    with working("page", at_once=True):
+        data = page_data(stored, names) if len(stored) > 1 else live_page(stored[0])
+        page = _written(viewer_document(data), out, overwrite)
     print_json({"page": str(page), "runs": names}) if as_json else print(f"open    {page}", flush=True)
     if browser:
         opened(page)

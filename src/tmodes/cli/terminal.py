@@ -9,9 +9,9 @@ import sys
 import threading
 import time as clock
 from collections.abc import Iterable, Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from types import FrameType
-from typing import Any
+from typing import Any, TextIO
 
 __all__ = [
     "TIMES",
@@ -149,14 +149,14 @@ TIMES = "wall", "processor"
 PATIENCE = 0.5
 """Seconds of silence before progress is shown."""
 
-LINE_EVERY = 10.0
+LINE_EVERY = 2.0
 """Seconds between lines where there is no terminal."""
 
 
 class Stages:
     """Progress of stages, ``tell("nominal robot", 0.3)``, not shown for short work.
 
-    In a terminal the stage and its time are also shown while nothing is reported. A first Ctrl-C interrupts where
+    The stage and its time are also shown while nothing is reported. A first Ctrl-C interrupts where
     progress is reported, so that all results are whole: Python raises its KeyboardInterrupt anywhere, even where it is
     lost. A second one interrupts at once. ``spent``: wall and processor time [s] of each stage.
     """
@@ -169,11 +169,9 @@ class Stages:
         self._tasks: dict[str, Any] = {}
         self.spent: dict[str, list[float]] = {}
         self._stage, self._mark = "", (self._started, clock.process_time())
-        self._shown = threading.Timer(PATIENCE, lambda: self._draw(self._stage, 0.0))
-        self._drawing = threading.Lock()
-        if sys.stderr.isatty():
-            self._shown.daemon = True
-            self._shown.start()
+        self._told, self._drawing, self._ended = (0.0, ""), threading.Lock(), threading.Event()
+        watch = self._first_drawn if sys.stderr.isatty() else self._in_silence
+        threading.Thread(target=watch, args=(sys.stderr,), daemon=True).start()
 
     def interrupt(self, number: int, frame: FrameType | None) -> None:
         """What Ctrl-C calls."""
@@ -190,14 +188,33 @@ class Stages:
         now = clock.monotonic()
         if stage != self._stage:
             self._take(stage)
+        self._told = share, note
         if now - self._started < PATIENCE:
             return
         if sys.stderr.isatty():
             self._draw(stage, share, note)
-        elif now - self._last_line >= LINE_EVERY:
-            self._last_line = now
-            said = f", {note}" if note else ""
-            print(f"{stage}: {share:.0%} after {now - self._started:.0f} s{said}", file=sys.stderr, flush=True)
+        else:
+            self._write_line(sys.stderr)
+
+    def _first_drawn(self, stream: TextIO) -> None:
+        """Draw the stage once the work is not short; the library draws on by itself."""
+        del stream
+        if not self._ended.wait(PATIENCE):
+            self._draw(self._stage, *self._told)
+
+    def _in_silence(self, stream: TextIO) -> None:
+        """Say the stage again where nothing is reported for long."""
+        while not self._ended.wait(max(0.1, self._last_line + LINE_EVERY - clock.monotonic())):
+            if clock.monotonic() - self._started >= LINE_EVERY:
+                self._write_line(stream)
+
+    def _write_line(self, stream: TextIO) -> None:
+        with self._drawing, suppress(OSError, ValueError):  # of a stream that is gone or closed
+            now, (share, note) = clock.monotonic(), self._told
+            if now - self._last_line >= LINE_EVERY and self._stage and not self._ended.is_set():
+                self._last_line = now
+                said = f", {note}" if note else ""
+                print(f"{self._stage}: {share:.0%} after {now - self._started:.0f} s{said}", file=stream, flush=True)
 
     def _take(self, stage: str) -> None:
         """End the stage before: its time is what passed since it began."""
@@ -225,9 +242,14 @@ class Stages:
             text = f"{stage} ({note})" if note else stage
             self._bar.update(self._tasks[stage], completed=share, description=text)
 
+    def end(self) -> None:
+        """Raise KeyboardInterrupt where Ctrl-C came after the last report."""
+        if self._interrupted:
+            raise KeyboardInterrupt
+
     def stop(self) -> None:
         """Remove what is drawn; the last stage ends."""
-        self._shown.cancel()
+        self._ended.set()
         self._take("")
         with self._drawing:  # what the timer began is drawn to its end, and then removed
             if self._bar:
@@ -235,14 +257,21 @@ class Stages:
 
 
 @contextmanager
-def working() -> Iterator[Stages]:
-    """Within the block what is called with a stage and its share shows the progress, and interrupts at Ctrl-C."""
+def working(stage: str = "", *, at_once: bool = False) -> Iterator[Stages]:
+    """Within the block what is called with a stage and its share shows the progress, and interrupts at Ctrl-C.
+
+    ``stage``: the first one. ``at_once``: what is done reports nothing and leaves nothing half done; Ctrl-C ends it
+    wherever it is.
+    """
     stages, before = Stages(), signal.getsignal(signal.SIGINT)
-    listens = before is signal.default_int_handler  # a signal that is ignored stays so
+    if stage:
+        stages(stage, 0.0)
+    listens = before is signal.default_int_handler and not at_once  # a signal that is ignored stays so
     if listens:
         signal.signal(signal.SIGINT, stages.interrupt)
     try:
         yield stages
+        stages.end()
     finally:
         stages.stop()
         if listens:

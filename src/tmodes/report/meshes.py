@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from tmodes.errors import TmodesError
 from tmodes.io.atomic import file_error
-from tmodes.io.mesh_file import Triangles
+from tmodes.io.mesh_file import Triangles, ranks
 from tmodes.io.urdf_shapes import LinkShape, Unseen, link_shapes
 from tmodes.result import Result
 from tmodes.robots.load import urdf_of
@@ -163,7 +163,7 @@ def _clustered(surface: Triangles, cells: float) -> Triangles:
     if size == 0:
         return Triangles(surface.vertices[:1], np.zeros((0, 3), dtype=np.intp))
     keys = np.floor((surface.vertices - low) / size * cells).astype(np.int64)
-    cell = _ranks(keys)
+    cell = ranks(keys)
     count = np.bincount(cell)
     means = np.column_stack([np.bincount(cell, surface.vertices[:, k]) for k in range(3)]) / count[:, None]
     faces = cell[surface.faces]
@@ -171,18 +171,6 @@ def _clustered(surface: Triangles, cells: float) -> Triangles:
     faces = faces[(a != b) & (b != c) & (c != a)]
     least = np.argmin(faces, axis=1)
     turned = faces[np.arange(len(faces))[:, None], (least[:, None] + np.arange(3)) % 3]
-    faces = turned[np.unique(_ranks(turned), return_index=True)[1]]
+    faces = turned[np.unique(ranks(turned), return_index=True)[1]]
     used, places = np.unique(faces, return_inverse=True)
     return Triangles(means[used], places.reshape(-1, 3))
-
-
-def _ranks(rows: NDArray[np.intp]) -> NDArray[np.intp]:
-    """The place of each row among the different ones in their order; equal rows have the same.
-
-    As the inverse of ``np.unique(rows, axis=0)``, which compares whole rows and takes many times as long.
-    """
-    rank = np.zeros(len(rows), dtype=np.int64)
-    for column in rows.T:
-        values, own = np.unique(column, return_inverse=True)
-        rank = np.unique(rank * len(values) + own, return_inverse=True)[1]
-    return rank

@@ -1,0 +1,54 @@
+"""Progress is said while nothing is reported, in a pipe as in a terminal; Ctrl-C after the last report is heard."""
+
+from __future__ import annotations
+
+import signal
+import subprocess
+import time
+
+import pytest
+
+from command import COMMAND, started
+from patience import LONG
+from tmodes.cli import terminal
+from tmodes.cli.terminal import working
+
+
+@pytest.fixture
+def quick(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(terminal, "LINE_EVERY", 0.1)
+    monkeypatch.setattr(terminal, "PATIENCE", 0.0)
+
+
+@pytest.mark.usefixtures("quick")
+def test_a_silent_stage_is_said_again_and_again(capfd) -> None:
+    with working("reading") as tell:
+        time.sleep(0.6)
+        tell("report", 0.25, "page 3")
+        time.sleep(0.6)
+    time.sleep(0.3)
+    lines = capfd.readouterr().err.splitlines()
+    said = [line.partition(" after")[0] for line in lines]
+    assert said.count("reading: 0%") >= 2
+    assert said.count("report: 25%") >= 2
+    assert said == sorted(said)  # nothing of the first stage after the second began, nothing after the end
+    assert all(line.endswith(", page 3") for line in lines if line.startswith("report"))
+
+
+@pytest.mark.usefixtures("quick")
+def test_an_interrupt_after_the_last_report_is_not_lost() -> None:
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    try:
+        with pytest.raises(KeyboardInterrupt), working("reading"):
+            signal.raise_signal(signal.SIGINT)
+        with working("reading", at_once=True), pytest.raises(KeyboardInterrupt):
+            signal.raise_signal(signal.SIGINT)
+    finally:
+        signal.signal(signal.SIGINT, before)
+
+
+def test_a_command_that_reports_nothing_says_its_stages_alone() -> None:
+    with started([*COMMAND, "check", "spong1987"], stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
+        out, errors = process.communicate(timeout=LONG)
+    assert out.startswith("spong1987: valid")
+    assert all(line.startswith(("warning", "reading: 0% after", "checking: 0% after")) for line in errors.splitlines())
