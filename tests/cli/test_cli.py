@@ -263,3 +263,16 @@ def test_no_home_and_no_cache(tmp_path):
     """Without a home the code is compiled each time, and that is all."""
     bare = {key: value for key, value in os.environ.items() if key not in ("HOME", "TMODES_CACHE", "XDG_CACHE_HOME")}
     assert "gear" in tmodes("modes", "filipovic2010", env=bare | {"HOME": str(tmp_path / "nowhere/at/all")}).stdout
+
+
+def test_no_warning_of_a_library_reaches_a_terminal(tmp_path):
+    """Of this process or of one that it starts; a person who asks for them sees them."""
+    noisy = "import subprocess, sys, warnings, numpy\nwarnings.warn('library')\nnumpy.float64(1e300) ** 2\n"
+    there = "subprocess.run([sys.executable, '-c', 'import warnings; warnings.warn(1)'])\n"
+    (file := tmp_path / "noisy.py").write_text(noisy + there, encoding="utf-8")
+    line = [*COMMAND, "--use", str(file), "robots"]
+    environment = {key: value for key, value in os.environ.items() if key != "PYTHONWARNINGS"}
+    done = subprocess.run(line, capture_output=True, text=True, check=True, env=environment)
+    assert done.stderr == ""
+    asked = subprocess.run(line, capture_output=True, text=True, check=True, env=environment | {"TMODES_DEBUG": "1"})
+    assert "library" in asked.stderr

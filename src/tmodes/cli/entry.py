@@ -5,6 +5,7 @@ from __future__ import annotations
 import gc
 import os
 import sys
+import warnings
 
 from tmodes.cli.memory import OUT_OF_MEMORY, lacks_memory, prepare, words
 
@@ -17,6 +18,9 @@ _RARELY = 100_000, 50, 50
 def start() -> None:
     """Load the command line and run it; ends the process."""
     gc.set_threshold(*_RARELY)
+    if not sys.warnoptions and "TMODES_DEBUG" not in os.environ:  # numbers out of range are answered where they matter
+        warnings.simplefilter("ignore")
+        os.environ["PYTHONWARNINGS"] = "ignore"  # for processes that are started
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # small matrices: threads only cost; batches have their own
     try:
         prepare()

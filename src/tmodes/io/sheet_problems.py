@@ -15,7 +15,7 @@ from tmodes.io.forms import SHORTHANDS, own_path
 from tmodes.io.sheet_fields import ChainPlace, Step, chosen, inside, keys, named, place_of, quantities, root_of
 from tmodes.io.sheet_words import at, fields, is_group, kind_of, members_of
 from tmodes.io.words import nearest, shown
-from tmodes.kinds.schema.quantity import LARGEST
+from tmodes.kinds.schema.quantity import LARGEST, LEAST
 from tmodes.sheet.checks import command_issue
 
 __all__ = ["AS_LIST", "Problem", "sheet_problems"]
@@ -216,7 +216,8 @@ def _wrong(steps: tuple[Step, ...], kind: str, detail: ErrorDetails, data: Any) 
         return InputError("", shown(value), expected, "compare it with a published robot")
     bounds = {} if place.extra.get("span") else detail.get("ctx", {})
     if kind == "arithmetic" and bounds:
-        expected = f"a magnitude from {bounds['smallest']:g} to {bounds['largest']:g} [{place.unit}]"
+        zero = "zero, or " if bounds["smallest"] == LEAST else ""
+        expected = f"{zero}a magnitude from {bounds['smallest']:g} to {bounds['largest']:g} [{place.unit}]"
         rigid = "; .inf makes it rigid" if place.may_be_infinite else ""
         return InputError("", shown(value), expected, f"correct the exponent or the unit{rigid}")
     if LARGEST in (abs(bound) for bound in bounds.values() if isinstance(bound, float)):

@@ -26,6 +26,7 @@ from tmodes.errors import ResultFileError
 from tmodes.io.atomic import file_error
 from tmodes.io.plain_file import parsed_json
 from tmodes.study.addresses import canonical, cases_address
+from tmodes.study.quantities.contract import MOST
 from tmodes.study.rows import STATUS, Kept, Rows
 
 __all__ = ["BLOCK_FORMAT", "MOST_BLOCK", "PREFIX", "Block", "Label", "label_of", "pack", "refused", "unpack"]
@@ -208,6 +209,8 @@ def _block(header: _Header, arrays: dict[str, NDArray[Any]]) -> Block:
     }
     if any(_not_fitting(motion) for motion in kept.values()):
         raise ValueError("a motion of the wrong shape")
+    if any((np.isfinite(column) & (np.abs(column) > MOST)).any() for column in columns["quantity"].values()):
+        raise ValueError(f"a number beyond {MOST:g}")
     case = np.arange(label.first, label.end, dtype=np.int64)
     status = [STATUS[code] for code in arrays["status"].tolist()]
     rows = Rows(

@@ -222,6 +222,13 @@ def test_a_sealed_header_with_other_values(change, block):
         unpack(start + text + content[PREFIX.size + size :], "block")
 
 
+def test_a_sealed_number_whose_square_overflows(block):
+    known = unpack(block.read_bytes(), "block")
+    rows = replace(known.rows, quantities={name: np.full(50, 1e308) for name in known.rows.quantities})
+    with pytest.raises(ResultFileError, match="beyond 1e\\+150"):
+        unpack(pack(replace(known, rows=rows)), "block")
+
+
 def sealed_again(info):
     info = {key: value for key, value in info.items() if key != "digest"}
     return json.dumps(info | {"digest": hashlib.sha256(canonical(info)).hexdigest()})

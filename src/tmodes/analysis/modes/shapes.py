@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -96,10 +98,16 @@ def assigned(worth: Array) -> NDArray[np.intp]:
     return found
 
 
+def _normed(columns: NDArray[Any]) -> NDArray[Any]:
+    """Columns of length 1; one in which nothing moves, as of a controller's own state, stays as it is."""
+    lengths = np.linalg.norm(columns, axis=0)
+    return columns / np.where(lengths > 0, lengths, 1.0)
+
+
 def partners(mass: Array, shapes: Array, values: Complex, damped: Complex) -> NDArray[np.intp]:
     """For each undamped mode the index of the damped motion most like it, each taken once, ringing ones first."""
     root = np.linalg.cholesky(mass).T
-    ours, theirs = (x / np.linalg.norm(x, axis=0) for x in (root @ shapes, root @ damped))
+    ours, theirs = (_normed(x) for x in (root @ shapes, root @ damped))
     rings = values.imag > RINGS * np.abs(values)
     still = np.abs(values.imag) <= RINGS * np.abs(values)
     slow = np.argsort(np.argsort(-values.real)) / (10.0 * len(values))

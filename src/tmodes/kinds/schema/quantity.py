@@ -29,6 +29,10 @@ SMALLEST = 1e-12
 """The smallest value of a quantity that must be greater than zero [its unit]: below it quotients overflow a double."""
 
 
+LEAST = 1e-100
+"""The smallest magnitude of any other quantity that is not zero [its unit]: quotients of squares overflow below it."""
+
+
 class Issue(NamedTuple):
     """A value that is right by itself and wrong with the others of its group."""
 
@@ -97,7 +101,7 @@ class DataSheet(BaseModel):
     def _in_range_of_arithmetic(cls, value: Any, info: ValidationInfo) -> Any:
         extra = cls.model_fields[info.field_name or ""].json_schema_extra
         if isinstance(value, float) and isinstance(extra, dict) and not math.isinf(value):
-            smallest = float(str(extra["smallest"]))
+            smallest = float(str(extra["smallest"])) or (LEAST if value else 0.0)
             if not smallest <= abs(value) <= LARGEST:
                 bounds = {"smallest": smallest, "largest": LARGEST}
                 raise PydanticCustomError("arithmetic", "from {smallest} to {largest}", bounds)

@@ -33,7 +33,7 @@ from tmodes.kinds.schema.kind import Kind
 from tmodes.kinds.schema.quantity import Issue
 from tmodes.sheet import Robot
 
-__all__ = ["QUANTITIES", "Array", "Asked", "Found", "Needs", "Quantity", "in_any"]
+__all__ = ["MOST", "QUANTITIES", "Array", "Asked", "Found", "Needs", "Quantity", "in_any"]
 
 Array = NDArray[np.float64]
 
@@ -97,6 +97,10 @@ def in_any(robots: Iterable[Robot], issues: Callable[[Robot], Iterator[Issue]]) 
             return
         first = first or found
     yield from first
+
+
+MOST = 1e150
+"""Largest magnitude of a number that a formula or a function gives: the squares of more overflow."""
 
 
 class Quantity(Kind, family="quantity of interest", key="type"):

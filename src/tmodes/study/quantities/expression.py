@@ -12,7 +12,7 @@ from pydantic import Field
 from tmodes.kinds.schema.quantity import Issue
 from tmodes.kinds.signals.formula import Formula, FormulaError, parse_formula
 from tmodes.kinds.signals.formula_grammar import names_in
-from tmodes.study.quantities.contract import QUANTITIES, Asked, Found, Needs, Quantity
+from tmodes.study.quantities.contract import MOST, QUANTITIES, Asked, Found, Needs, Quantity
 
 __all__ = ["Expression"]
 
@@ -51,10 +51,10 @@ class Expression(Quantity):
             yield Issue("formula", error.got, error.expected, error.hint)
 
     def values(self, asked: Asked) -> Found:
-        """Its value in each case; one that is not finite has the reason that says so."""
+        """Its value in each case; one that is not finite, or whose square overflows, has the reason that says so."""
         values = self._formula.at(asked.values)
         known = np.all([np.isfinite(asked.values[name]) for name in self._names], axis=0)
-        wrong = np.flatnonzero(known & ~np.isfinite(values)).tolist()
+        wrong = np.flatnonzero(known & ~(np.abs(values) <= MOST)).tolist()
         reasons = dict.fromkeys(wrong, f"{self.formula} has no finite value there")
         values[wrong] = np.nan
         return values, reasons
