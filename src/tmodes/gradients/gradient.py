@@ -15,10 +15,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tmodes.errors import InputError
 from tmodes.gradients.changes import Change, Changes
 from tmodes.gradients.lowering import Lowered, lowered
-from tmodes.gradients.quantities import Functional, Quantities
+from tmodes.gradients.quantities import Functional, Quantities, measured_by
+from tmodes.io.arguments import checked_arguments, numbers_of
 from tmodes.sheet import Robot
 from tmodes.sheet.robot import refuse_other
 from tmodes.simulation.recording import MOST_BYTES, Recording
@@ -82,6 +82,7 @@ class Gradient:
     cost: Cost
 
 
+@checked_arguments
 def forward_sensitivities(
     sheet: Robot,
     paths: Sequence[str] = (),
@@ -125,6 +126,7 @@ def forward_sensitivities(
     return Sensitivities(done.times, done.samples, found, info, of, watch.cost(done))
 
 
+@checked_arguments
 def adjoint_gradient(
     sheet: Robot, functional: Functional, paths: Sequence[str] = (), *, most_bytes: float = MOST_BYTES
 ) -> Gradient:
@@ -138,7 +140,7 @@ def adjoint_gradient(
     watch, here, replay = _begun(sheet, most_bytes)
     done = replay.recording
     seen = Quantities(here, done, functional.quantities)
-    value, weights = functional.measure(done.times, seen.info())
+    value, weights = measured_by(functional, done.times, seen.info())
     measured = seen.back(weights)
     watch.lap("measure")
     carried = replay.back(measured.states)
@@ -150,16 +152,12 @@ def adjoint_gradient(
         info = parameters @ change.parameters + carried.start @ change.start
         by[path] = float(info + (rows * change.rows).sum())
     watch.lap("sheet")
-    return Gradient(float(value), by, carried.start, parameters, rows, watch.cost(done))
+    return Gradient(value, by, carried.start, parameters, rows, watch.cost(done))
 
 
 def _direction(name: str, way: ArrayLike, size: int) -> Array:
     """A direction (size,) of the state at the start."""
-    found = np.asarray(way, dtype=float)
-    if found.shape != (size,):
-        expected = f"({size},), a number for each of the state"
-        raise InputError(f"start.{name}", f"an array of shape {found.shape}", expected, "fill it with zeros")
-    return found
+    return numbers_of(way, f"start.{name}", ((size,),), "a number for each of the state")
 
 
 def _begun(sheet: Robot, most_bytes: float) -> tuple[_Watch, Lowered, Replay]:

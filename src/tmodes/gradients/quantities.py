@@ -10,14 +10,16 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tmodes.errors import InputError
+from tmodes.errors import InputError, TmodesError, error_words
 from tmodes.gradients.lowering import Lowered
+from tmodes.io.arguments import checked_arguments, numbers_of, refuse_fields
+from tmodes.io.words import shown
 from tmodes.kinds.kernel.schedule import Slot
 from tmodes.model.derivatives import Blocks, differentiated
 from tmodes.model.passes import ChainPasses
 from tmodes.simulation.recording import Recording
 
-__all__ = ["Functional", "Quantities", "Weights", "tracking_error"]
+__all__ = ["Functional", "Quantities", "Weights", "measured_by", "tracking_error"]
 
 Array = NDArray[np.float64]
 
@@ -80,10 +82,9 @@ class Quantities:
         points = self._parted(self._points.values(self.parameters, self._moved)) if self._points else {}
         return self._named(self.done.samples, self._seen, points)
 
-    def back(self, weights: Mapping[str, ArrayLike]) -> Weights:
+    def back(self, weights: Mapping[str, Array]) -> Weights:
         """Derivatives of the sum of ``weights`` times the quantities, each in its shape."""
-        done = self.done
-        given = {name: np.asarray(value, dtype=float) for name, value in weights.items()}
+        done, given = self.done, dict(weights)
         states, rows, own = np.zeros_like(done.samples), np.zeros_like(done.rows), np.zeros(len(self.parameters))
         states += given.pop("state", 0.0)
         if not given or self._of is None:
@@ -148,7 +149,40 @@ class Functional:
     quantities: tuple[str, ...]
     measure: Callable[[Array, Mapping[str, Array]], tuple[float, Mapping[str, ArrayLike]]]
 
+    def __post_init__(self) -> None:
+        refuse_fields(self)
 
+
+def measured_by(functional: Functional, times: Array, info: Mapping[str, Array]) -> tuple[float, dict[str, Array]]:
+    """The value and the derivatives of a functional, which may be of one's own.
+
+    Raises :class:`tmodes.errors.InputError` for anything but a finite number, and derivatives by names of its
+    quantities in their shapes; and with what it raises.
+    """
+    try:
+        answer = functional.measure(times, info)
+    except TmodesError:
+        raise
+    except Exception as error:
+        expected = "a function that gives a number and its derivatives"
+        raise InputError("functional.measure", error_words(error), expected, "correct the function") from error
+    if not isinstance(answer, tuple) or len(answer) != 2 or not isinstance(answer[1], Mapping):
+        got, expected = shown(answer), "a pair: a number, and its derivatives by names of the quantities"
+        raise InputError("what functional.measure returns", got, expected, "return value, {name: derivatives}")
+    value = float(numbers_of(answer[0], "the value of functional.measure", ((),)))
+    for name in answer[1]:
+        if name not in functional.quantities:
+            expected = f"names among its quantities {', '.join(functional.quantities)}"
+            hint = "leave it out, or declare it in quantities"
+            raise InputError("the derivatives of functional.measure", f"the name {shown(name)}", expected, hint)
+    which = "the derivatives of functional.measure by {}"
+    return value, {
+        name: numbers_of(given, which.format(name), (info[name].shape,), "that of the quantity")
+        for name, given in answer[1].items()
+    }
+
+
+@checked_arguments
 def tracking_error(quantity: str, reference: ArrayLike | Callable[[Array], ArrayLike]) -> Functional:
     """The integral over the run of the squared distance of a quantity from its reference, by the trapezoidal rule.
 
@@ -158,15 +192,8 @@ def tracking_error(quantity: str, reference: ArrayLike | Callable[[Array], Array
 
     def measure(times: Array, info: Mapping[str, Array]) -> tuple[float, Mapping[str, ArrayLike]]:
         is_ = info[quantity]
-        wanted = np.asarray(reference(times) if callable(reference) else reference, dtype=float)
-        if wanted.shape not in (is_.shape, is_.shape[1:]):
-            expected = f"{is_.shape}, one at each sample, or {is_.shape[1:]}, one for all"
-            raise InputError(
-                "reference", f"an array of shape {wanted.shape}", expected, "reshape it, or sample it again"
-            )
-        if not np.isfinite(wanted).all():
-            raise InputError("reference", "not-a-number or an infinite value", "finite numbers", "look for gaps in it")
-        apart = is_ - wanted
+        given = reference(times) if callable(reference) else reference
+        apart = is_ - numbers_of(given, "reference", (is_.shape, is_.shape[1:]), "one at each sample or one for all")
         shares = _trapezoids(times)[:, None]
         return float((shares * apart**2).sum()), {quantity: 2 * shares * apart}
 

@@ -134,7 +134,7 @@ def _hint(value: Any, place: ChainPlace) -> str:
         numbers = [0, 0, 0]
         numbers["xyz".index(axis[2].lower())] = -1 if axis[1] == "-" else 1
         return f"write {numbers}"
-    if listed and str(value).count(",") > 1:
+    if listed and isinstance(value, str | list) and str(value).count(",") > 1:
         return AS_LIST
     return "write .inf" if place.may_be_infinite and str(value).strip().lower() in _RIGID else ""
 

@@ -11,6 +11,7 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Any, get_args, get_origin
 
 from tmodes.errors import InputError
+from tmodes.io.arguments import copied
 from tmodes.io.forms import ROBOT, form_of, own_path, robot_path, with_reach
 from tmodes.io.sheet_fields import ChainPlace, Step, chosen, inside, keys, named, quantities, root_of
 from tmodes.io.sheet_words import at
@@ -44,15 +45,15 @@ def changed_places(data: Mapping[str, Any], changes: Mapping[str, Any]) -> tuple
         inner = entered(changed, groups, path)
         if not isinstance(inner, (dict, list)):
             raise InputError(path, f"{shown(inner)} around it", "a group", "correct the group first")
-        inner[key] = _plain_value(value)  # pyright: ignore[reportCallIssue, reportArgumentType]
+        inner[key] = _plain_value(value, path)  # pyright: ignore[reportCallIssue, reportArgumentType]
         places.append(".".join(map(str, steps)))
     return with_reach(data, changed), places
 
 
-def _plain_value(value: Any) -> Any:
+def _plain_value(value: Any, path: str) -> Any:
     """A copy of a value; arrays and numbers of NumPy become lists and numbers."""
     listed = getattr(value, "tolist", None)
-    return listed() if listed and not isinstance(value, type) else copy.deepcopy(value)
+    return listed() if listed and not isinstance(value, type) else copied(value, path)
 
 
 def _switch_contact(data: dict[str, Any], on: bool) -> None:

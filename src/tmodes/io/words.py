@@ -73,8 +73,19 @@ def shown(value: Any) -> str:
             text = f"a group of {len(value)} keys" if len(value) != 1 else "a group of one key"
         case Sequence():
             text = f"a list of {len(value)}"
+        case _ if (shape := getattr(value, "shape", None)) is not None:
+            text = f"an array of shape {shape}"
         case _:
-            text = repr(value)[:LONGEST]
+            text = _represented(value)
+    return text
+
+
+def _represented(value: Any) -> str:
+    """An object as it represents itself, where that is one line of text."""
+    try:
+        text = " ".join(repr(value).split())[:LONGEST]
+    except Exception:  # whatever it does
+        text = f"a {type(value).__name__}"
     return text
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 import importlib
 import importlib.util
+import os
 import sys
 import sysconfig
 import traceback
@@ -24,7 +25,7 @@ USED: list[str] = []
 """What :func:`use` has loaded, for other processes of the same program; files by their whole paths."""
 
 
-def use(*names: str) -> list[str]:
+def use(*names: str | os.PathLike[str]) -> list[str]:
     """Load kinds from outside, so that data sheets of this process can name them; the names that were loaded.
 
     ``names``: entry points of the group ``tmodes.kinds`` that installed packages offer, modules, or Python files; none:
@@ -34,7 +35,8 @@ def use(*names: str) -> list[str]:
     the line at which it fails.
     """
     offered = {point.name: point for point in entry_points(group=ENTRY_POINTS)}
-    for name in names or tuple(offered):
+    asked = [os.fspath(name) if isinstance(name, str | os.PathLike) else _refused(name) for name in names or offered]
+    for name in asked:
         known = name
         with _mistakes_located(name):
             if name in offered:
@@ -45,7 +47,11 @@ def use(*names: str) -> list[str]:
             else:
                 _import(name, offered)
         USED.append(known)
-    return list(names or offered)
+    return asked
+
+
+def _refused(name: object) -> str:
+    raise InputError("kinds", f"a {type(name).__name__}", "the name of an entry point, a module, or a Python file", "")
 
 
 def _run(file: Path) -> None:
@@ -86,7 +92,7 @@ def _import(name: str, offered: Iterable[str]) -> None:
             raise
         known = ", ".join(offered) or "none is installed"
         expected = f"an entry point of the group {ENTRY_POINTS} ({known}), a module, or a Python file"
-        raise InputError("kinds", repr(name), expected, "check the spelling and the path") from error
+        raise InputError("kinds", ascii(name)[:80], expected, "check the spelling and the path") from error
 
 
 @contextmanager

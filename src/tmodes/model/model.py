@@ -14,6 +14,7 @@ from tmodes import upward
 from tmodes.chain.chain import Chain
 from tmodes.equations.recursion.parts import Parts
 from tmodes.errors import InputError
+from tmodes.io.arguments import numbers_of
 from tmodes.model.differentiated import DifferentiatedModel
 from tmodes.model.passes import PointMotion
 from tmodes.model.rows import one_row
@@ -90,7 +91,7 @@ class Model(DifferentiatedModel):
 
         ``gravity``: share of it that pulls.
         """
-        return self.passes.at_rest(gravity=gravity)
+        return self.passes.at_rest(gravity=float(numbers_of(gravity, "gravity", ((),))))
 
     def forward_dynamics(
         self,

@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any, ClassVar
 
 from tmodes.errors import InputError
+from tmodes.io.arguments import checked_arguments
 from tmodes.io.atomic import atomic_write, check_writable
 from tmodes.kinds.registry import Registry
 from tmodes.plot.drawing import drawn
@@ -49,6 +50,7 @@ class Figure(ABC):
         reasons = (reason for name, reason in self.needs.items() if name not in data and name not in data.dims)
         return next(reasons, "")
 
+    @checked_arguments
     def __call__(self, result: Result, ax: AxesLike = None, **options: Any) -> list[Axes]:
         """The axes of the figure; ``options`` are those of its :meth:`draw`.
 
@@ -113,17 +115,20 @@ def _say_nothing(done: int, total: int, name: str) -> None:
     del done, total, name
 
 
+@checked_arguments
 def all_figures(result: Result) -> dict[str, Callable[..., list[Axes]]]:
     """The figures that this result can fill: name -> callable that draws it, ``all_figures(result)["spectrum"]()``."""
     return {name: partial(figure, result) for name, figure in FIGURES.items() if not figure.missing(result.data)}
 
 
+@checked_arguments
 def left_out(result: Result) -> dict[str, str]:
     """The figures that this result cannot fill: name -> why."""
     reasons = {name: figure.missing(result.data) for name, figure in FIGURES.items()}
     return {name: reason for name, reason in reasons.items() if reason}
 
 
+@checked_arguments
 def save_figures(
     result: Result,
     folder: Path | str,

@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from tmodes.errors import InputError
+from tmodes.io.arguments import checked_arguments
 from tmodes.io.atomic import atomic_write
 from tmodes.report.data import live_page, page_data, robot_name
 from tmodes.report.differences import names_by_difference
@@ -50,6 +51,7 @@ class Shown:
         return Path(path)
 
 
+@checked_arguments
 def show(*shown: Result | Robot, names: list[str] | None = None, height: int = HEIGHT) -> Shown:
     """The viewer of one result, of several side by side, or of one robot at rest with its modes.
 

@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+from tmodes.io.arguments import checked_arguments
 from tmodes.io.atomic import atomic_write
 from tmodes.live.knobs import Ahead
 from tmodes.plot.panels import pretty
@@ -123,6 +124,7 @@ def _provenance(result: Result, robot: Robot, spent: Mapping[str, Sequence[float
     )
 
 
+@checked_arguments
 def write_report(
     result: Result, path: Path | str, *, live: bool = True, spent: Mapping[str, Sequence[float]] | None = None
 ) -> Path:

@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING, Any, Self, cast
 
 from tmodes import upward
 from tmodes.integrate.band import Band
+from tmodes.io.arguments import checked_arguments
 from tmodes.io.labelled import Record
 from tmodes.result import record
 from tmodes.result.derived import failed_in, sentences
@@ -209,6 +210,7 @@ class Result:
         """When the last signal stops changing [s]; None where one never does."""
         return live.move_end if (live := self.assembly) else record.from_json(self.record, "move_end")
 
+    @checked_arguments
     def summary(self, band: float | str | None = None) -> dict[str, Any]:
         """The numbers a reader asks first; see :func:`tmodes.result.summary.summarise_result`.
 
@@ -221,6 +223,7 @@ class Result:
             known[asked] = summarise_result(self.record, asked, self._assembly and self._assembly.settled)
         return copy.deepcopy(known[asked])
 
+    @checked_arguments
     def save(self, path: str | os.PathLike[str], *, overwrite: bool = False) -> Path:
         """Store the result as one sealed NetCDF-4 file; the same result gives the same bytes.
 
@@ -230,6 +233,7 @@ class Result:
         return record.write_record(self.record, Path(path), overwrite=overwrite)
 
     @classmethod
+    @checked_arguments
     def load(cls, path: str | os.PathLike[str]) -> Self:
         """Read a result back, whole and checked; a kind that is not registered here gives a warning that names it.
 

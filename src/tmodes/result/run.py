@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterator, Sequence
 from tmodes.chain.chain import Chain
 from tmodes.errors import InputError
 from tmodes.integrate.settings import refuse_too_large
+from tmodes.io.arguments import checked_arguments
 from tmodes.result.result import Result, assemble_result
 from tmodes.sheet import Robot, RobotPair
 from tmodes.sheet.parts import Command
@@ -19,6 +20,7 @@ from tmodes.simulation.simulate import simulate_motion
 __all__ = ["movable_joints", "ready_to_run", "result_bytes", "run", "stands_still"]
 
 
+@checked_arguments
 def run(
     robot: Robot | RobotPair,
     *,

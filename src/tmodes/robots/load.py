@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from tmodes.errors import InputError
+from tmodes.io.arguments import checked_arguments
 from tmodes.robots import MODELS, installed_models, published, unknown
 from tmodes.robots import names as sheet_names
 from tmodes.robots import text as sheet_text
@@ -23,6 +24,7 @@ __all__ = ["load", "load_with_urdf", "sheet_names", "sheet_text", "urdf_of"]
 Roots = Sequence[str | os.PathLike[str]]
 
 
+@checked_arguments
 def load(
     name_or_path: str | os.PathLike[str],
     changes: Mapping[str, Any] | None = None,
@@ -42,6 +44,7 @@ def load(
     return load_with_urdf(name_or_path, changes, roots=roots, trust_paths=trust_paths, fix_inertia=fix_inertia)[0]
 
 
+@checked_arguments
 def load_with_urdf(
     name_or_path: str | os.PathLike[str],
     changes: Mapping[str, Any] | None = None,

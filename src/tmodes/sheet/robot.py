@@ -106,7 +106,7 @@ class Robot(DataSheet):
         if value < 0:
             hint = "write the magnitude, or a list [x, y, z] for another direction"
             refuse([Issue("", f"{value:g}", "a magnitude along -z, not negative, or a list", hint)])
-        return (0.0, 0.0, -float(value) if value else 0.0)
+        return (0.0, 0.0, -value if value else 0.0)
 
     @model_validator(mode="after")
     def _fits_together(self) -> Self:
@@ -162,7 +162,9 @@ class Robot(DataSheet):
 
     def link(self, name: str) -> LinkSheet:
         """The link with this name; one that the sheet does not describe is rigid and has no mass."""
-        return next((link for link in self.links if link.name == name), LinkSheet(name=name))
+        if not isinstance(name, str) or not name:
+            raise InputError("link", f"a {type(name).__name__}", "the name of a link", "links have their names as text")
+        return next((link for link in self.links if link.name == name), None) or LinkSheet(name=name)
 
     def chain(self) -> Any:
         """The robot in the terms of the recursion: placements, joints, links and points, SI, joint side."""
@@ -179,6 +181,9 @@ class Robot(DataSheet):
 
     def model_copy(self, *, update: Mapping[str, Any] | None = None, deep: bool = False) -> Self:
         """As pydantic's; what follows from the fields is computed again."""
+        if not isinstance(update, Mapping | None):
+            hint = "robot.with_({PATH: VALUE}) checks the values, too"
+            raise InputError("update", f"a {type(update).__name__}", "a group of fields and their values", hint)
         copied = super().model_copy(update=update, deep=deep)
         for name in ("_chain", "undriven"):
             vars(copied).pop(name, None)

@@ -83,4 +83,4 @@ def restricted(study: Study, names: Sequence[str]) -> Study:
         key: value for key, value in sheet.items() if key != "optimize"
     }  # it may name the quantities that are left out
     found = study.from_data({**study.data, "study": {**own, "quantities": quantities}}, functions=study.functions)
-    return replace(found, identified=study.identified)
+    return found if study.identified is None else replace(found, identified=study.identified)

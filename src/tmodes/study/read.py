@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import copy
 from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
 
 from tmodes.errors import InputError, InputErrors
+from tmodes.io.arguments import checked_arguments, copied
 from tmodes.io.checked_sheet import checked_sheet, located
 from tmodes.io.files import FilePath, Folders, Roots, folders_of
 from tmodes.io.sheet_check import sheet_data
@@ -23,7 +23,7 @@ from tmodes.study.sheet import StudySheet
 from tmodes.study.shorthand import Shorthands, expanded
 from tmodes.study.study import Study, study_problems, unknown_names
 
-__all__ = ["read_study", "study_from_data", "study_of_robot"]
+__all__ = ["as_study", "read_study", "study_from_data", "study_of_robot"]
 
 Functions = Mapping[str, Callable[[Any], float]]
 
@@ -31,6 +31,7 @@ MOST_VALUES = 3_000_000
 """Largest number of values in the plain data of a study, tables included."""
 
 
+@checked_arguments
 def read_study(
     path: FilePath, *, roots: Roots = (), trust_paths: bool = False, functions: Functions | None = None
 ) -> Study:
@@ -47,6 +48,12 @@ def read_study(
     return _study(data, positions, source, folders_of(path, roots, trust_paths), functions or {}, folder)
 
 
+def as_study(study: Study | FilePath) -> Study:
+    """A study, also from its file; raises as :func:`read_study`."""
+    return study if isinstance(study, Study) else read_study(study)
+
+
+@checked_arguments
 def study_from_data(
     data: Mapping[str, Any], *, folder: FilePath | None = None, roots: Roots = (), functions: Functions | None = None
 ) -> Study:
@@ -58,7 +65,7 @@ def study_from_data(
         robot = None if data["robot"] is None else Robot.from_data(data["robot"])
         return _checked(data["study"], robot, {}, "", [], (), functions or {}, None)
     folders = Folders(Path(folder).resolve(), tuple(Path(root).resolve() for root in roots)) if folder else None
-    return _study(copy.deepcopy(data), {}, "", folders, functions or {}, Path(folder) if folder else None)
+    return _study(copied(data, "study"), {}, "", folders, functions or {}, Path(folder) if folder else None)
 
 
 def study_of_robot(robot: Robot, data: Mapping[str, Any]) -> Study:

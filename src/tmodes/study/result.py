@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from tmodes.errors import InputError
+from tmodes.io.arguments import checked_arguments
 from tmodes.io.atomic import file_error
 from tmodes.study.blocks import Block, Label
 from tmodes.study.columns import Columns
@@ -92,6 +93,7 @@ class StudyResult:
     def _keepers(self) -> dict[int, Label]:
         return self.stored.keepers()
 
+    @checked_arguments
     def kept(self, case: int) -> Kept:
         """The whole motion of a case. Raises :class:`tmodes.errors.InputError` where it was not kept."""
         label = self._keepers.get(case)
@@ -104,6 +106,7 @@ class StudyResult:
         return motion
 
 
+@checked_arguments
 def load_study(
     folder: str | os.PathLike[str], functions: Mapping[str, Callable[[Any], float]] | None = None
 ) -> StudyResult:

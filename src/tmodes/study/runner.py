@@ -9,6 +9,7 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 
 from tmodes.errors import InputError, InputErrors, SimulationError
+from tmodes.io.arguments import checked_arguments
 from tmodes.io.atomic import file_error
 from tmodes.study.claim import locked
 from tmodes.study.extra import needed
@@ -16,6 +17,7 @@ from tmodes.study.job import StudyJob
 from tmodes.study.kept_size import kept_cases
 from tmodes.study.motions import write_motions
 from tmodes.study.places.contract import How, place_of
+from tmodes.study.read import as_study
 from tmodes.study.result import StudyResult
 from tmodes.study.store import BLOCKS, STUDY_FILE, Folder
 from tmodes.study.study import Study
@@ -28,8 +30,9 @@ Progress = Callable[[str, float], None]
 _LOG = logging.getLogger("tmodes")
 
 
+@checked_arguments
 def run_study(
-    study: Study,
+    study: Study | str | os.PathLike[str],
     folder: str | os.PathLike[str],
     on: str = "local",
     *,
@@ -44,6 +47,7 @@ def run_study(
 ) -> StudyResult:
     """Compute what is missing of a study in its folder, and write the table and the motions that it keeps.
 
+    ``study``: as :func:`tmodes.read_study` gives it, or the path of its file.
     ``on``: where: ``local``, ``dask://HOST:PORT``, ``dask+tls://HOST:PORT``, ``slurm`` or ``gpu``. ``recompute``: cases
     that another version of the engine has computed are computed again; its blocks stay. ``overwrite``: what another
     study left in the folder is removed. ``insecure``, ``tls``, ``resources``: see :class:`tmodes.study.places.How`.
@@ -53,8 +57,8 @@ def run_study(
     for a folder that is damaged, foreign, in use, or without room; :class:`tmodes.errors.InputError` for a wrong place.
     """
     needed("pyarrow", "study")
+    study = as_study(study).fixed()
     refuse_names(study)
-    study = study.fixed()
     for name, one in (study.identified or {}).items():
         if one.unknown:
             notice(f"the function `{name}` is called again for every case, whatever the folder has: {one.unknown}")

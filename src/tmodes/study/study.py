@@ -15,8 +15,10 @@ from numpy.typing import NDArray
 
 from tmodes import upward
 from tmodes.errors import InputError, InputErrors
+from tmodes.io.arguments import checked_arguments, numbers_of, whole_number
 from tmodes.io.sheet_check import sheet_data
 from tmodes.io.sheet_problems import Problem
+from tmodes.io.words import shown
 from tmodes.sheet import Robot
 from tmodes.simulation.batch.runner import PROCESSOR, Runner
 from tmodes.study.identity import base_digest, quantity_digests, whole_digest
@@ -87,8 +89,11 @@ class Study:
         parameters = self.sheet.parameters.items()
         return {name: [entry.set for entry in one.choices] for name, one in parameters if one.choices}
 
+    @checked_arguments
     def choice_names(self, name: str) -> tuple[str, ...]:
         """Names of the entries of a choice, by their numbers; none of another parameter."""
+        if name not in self.names:
+            raise InputError("parameter", shown(name), f"one of {', '.join(self.names)}", "check the spelling")
         return tuple(entry.name for entry in self.sheet.parameters[name].choices)
 
     @property
@@ -140,6 +145,7 @@ class Study:
         """What all quantities need of each case."""
         return reduce(or_, (one.needs() for one in self.sheet.quantities.values()))
 
+    @checked_arguments
     def evaluate(
         self, first: int, values: Array, progress: Progress = lambda stage, share: None, *,
         threads: int | None = None, runner: Runner = PROCESSOR,
@@ -151,7 +157,9 @@ class Study:
         itself: a series, a number or a key of the summary that its robot does not have, a unit to which a quantity
         cannot be converted.
         """
-        return upward("Study.evaluate")(self, first, np.asarray(values, dtype=float), progress, threads, runner)
+        first = whole_number("first", first, 0, 2**53)
+        given = numbers_of(values, "values", ((None, len(self.names)),), "a row for each case")
+        return upward("Study.evaluate")(self, first, given, progress, threads, runner)
 
     @cached_property
     def base_identity(self) -> str:

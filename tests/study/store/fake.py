@@ -12,6 +12,7 @@ import numpy as np
 from tmodes.study.plans import Design
 from tmodes.study.quantities.contract import Needs
 from tmodes.study.rows import Kept, Rows
+from tmodes.study.study import Study
 
 __all__ = ["FakeStudy", "data", "fake"]
 
@@ -42,6 +43,8 @@ class FakeStudy:
     needs: Needs = field(default_factory=lambda: Needs(static=("x",)))
     robot: Any = None
     identified: Any = None
+
+    __class__ = property(lambda self: Study)  # pyright: ignore[reportIncompatibleMethodOverride] - for those that ask
 
     def fixed(self) -> FakeStudy:
         return self

@@ -17,6 +17,7 @@ from tmodes.analysis.statics.steady import is_unsteady, whole_rates
 from tmodes.analysis.statics.system import StaticSystem
 from tmodes.errors import InputError
 from tmodes.frame import rotation_vector
+from tmodes.io.arguments import checked_arguments, numbers_of
 from tmodes.io.words import several
 from tmodes.kinds.contacts.registry import Contact
 from tmodes.model.model import Model
@@ -85,6 +86,7 @@ class Equilibrium:
         return after[point] - before[point], rotation_vector(turns[1, point] @ turns[0, point].T)
 
 
+@checked_arguments
 def equilibrium(
     model: Model,
     loads: Sequence[Load] = (),
@@ -112,7 +114,7 @@ def equilibrium(
     """
     acts = acts_of(model, loads)
     acts += [surface_act(model, contact)] if contact else []
-    turning = None if spin is None else np.asarray(spin, dtype=float)
+    turning = None if spin is None else numbers_of(spin, "spin", ((3,),), "rad/s in the axes of the base")
     fixed = held_coordinates(model, coordinate_numbers(model, held))
     first = coordinate_numbers(model, start)
     moving = whole_rates(model, coordinate_numbers(model, rates, rate=True), base=turning is not None)

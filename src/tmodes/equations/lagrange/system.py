@@ -32,7 +32,8 @@ from numpy.typing import NDArray
 from tmodes.chain.chain import Chain
 from tmodes.equations.lagrange.as_sheet import system_data
 from tmodes.equations.lagrange.terms import Energies, EquationTerms, Members, equation_terms
-from tmodes.errors import InputError
+from tmodes.errors import InputError, TmodesError, error_words
+from tmodes.io.arguments import refuse_fields
 from tmodes.kinds.registry import Registry
 from tmodes.sheet.robot import RECURSION, Robot
 
@@ -107,6 +108,7 @@ class System:
     """Names of a robot's coordinates in the order of ``coordinates``, empty where it has none of that one."""
 
     def __post_init__(self) -> None:
+        refuse_fields(self)
         if self.name == RECURSION:
             raise InputError("name", f"`{RECURSION}`", "another name", "choose a name of your own")
         for kind, names in (("coordinates", self.coordinates), ("parameters", self.parameters)):
@@ -165,13 +167,11 @@ class System:
         p = ca.SX.sym("p", len(self.parameter_names))
         at, moving = Members(own, q, "coordinate"), Members(own, v, "coordinate")
         numbers = Members(self.parameter_names, p, "parameter")
-        kinetic = ca.SX(self.kinetic(at, moving, numbers))
+        kinetic = self._scalar("kinetic", at, moving, numbers)
         energies = Energies(
-            kinetic=kinetic,
-            gravity=ca.SX(self.gravity(at, numbers)) if self.gravity else ca.SX(0),
-            elastic=ca.SX(self.elastic(at, numbers)) if self.elastic else ca.SX(0),
-            dissipation=ca.SX(self.dissipation(at, moving, numbers)) if self.dissipation else ca.SX(0),
-        )
+            kinetic=kinetic, gravity=self._scalar("gravity", at, numbers),
+            elastic=self._scalar("elastic", at, numbers), dissipation=self._scalar("dissipation", at, moving, numbers),
+        )  # fmt: skip
         terms = equation_terms(energies, q, v)
         self._check_kinetic(kinetic, terms, v)
         forces = self.forces(at, moving, numbers) if self.forces else {}
@@ -181,6 +181,17 @@ class System:
         }
         mapped = self.contact_map(at, numbers) if self.contact_map else None
         return Expressions(q, v, p, energies, terms, pushed, points, mapped)
+
+    def _scalar(self, name: str, *given: Members) -> Any:
+        """One of the energies; raises :class:`tmodes.errors.InputError` where its function gives no expression."""
+        law = getattr(self, name)
+        try:
+            return ca.SX(law(*given)) if law else ca.SX(0)
+        except TmodesError:
+            raise
+        except Exception as error:
+            expected = "a function that gives an expression of its arguments"
+            raise InputError(f"{self.name}: {name}", error_words(error), expected, "correct the function") from error
 
     @cached_property
     def segments(self) -> tuple[tuple[str, str], ...]:

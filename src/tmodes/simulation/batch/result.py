@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from tmodes.errors import InputError
 from tmodes.integrate.settings import MOST_BYTES
+from tmodes.io.arguments import checked_arguments
 from tmodes.io.atomic import FolderLock, atomic_write, check_writable, file_error
 from tmodes.io.plain_file import parsed_json, regular_file, whole_file
 from tmodes.simulation.parts import Trajectory
@@ -177,6 +178,7 @@ def stored(batch: BatchRun, folder: Path | None) -> BatchRun:
     return load_batch(folder)
 
 
+@checked_arguments
 def load_batch(folder: str | os.PathLike[str]) -> BatchRun:
     """A batch from its folder; the samples stay on disk and are read when they are used.
 

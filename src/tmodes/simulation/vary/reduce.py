@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from tmodes.errors import InputError, SimulationError
+from tmodes.io.arguments import checked_arguments
 from tmodes.sheet import Robot
 from tmodes.sheet.robot import refuse_other
 from tmodes.simulation.batch.result import COUNTS
@@ -63,6 +64,7 @@ class Reduced:
         return len(self.status)
 
 
+@checked_arguments
 def reduced(
     sheet: Robot,
     vary: Mapping[str, ArrayLike],

@@ -13,8 +13,10 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tmodes.errors import InputError, SimulationError
+from tmodes.errors import InputError, SimulationError, TmodesError, error_words
 from tmodes.integrate.settings import refuse_stops
+from tmodes.io.arguments import checked_arguments
+from tmodes.io.words import shown
 from tmodes.sheet import Robot
 from tmodes.sheet.robot import refuse_other
 from tmodes.simulation.batch.result import BatchRun, check_room, gathered, not_begun, room_for, stored
@@ -40,6 +42,7 @@ _WHOLE = 64
 """Lanes that are taken at once, or a multiple of it."""
 
 
+@checked_arguments
 def simulate_batch(
     sheet: Robot,
     vary: Mapping[str, ArrayLike],
@@ -189,10 +192,24 @@ def _figures(batch: Prepared, figures: Figures, threads: int, progress: Progress
         else:
             some = _run(part, room, threads, tell)
         where = _tips(part, room[: part.size], threads, tell) if tips else None
-        found.append(figures(_gathered(part, room[: part.size], some, where)))
+        found.append(_kept(figures, _gathered(part, room[: part.size], some, where)))
         runs += [replace(run, times=batch.times[: len(run.times)], states=room[0, :0]) for run in some]
     done = _gathered(batch, np.empty((batch.size, 0, shape[1])), runs, None)
     return replace(done, figures={name: np.concatenate([one[name] for one in found]) for name in found[0]})
+
+
+def _kept(figures: Figures, part: BatchRun) -> dict[str, Array]:
+    """What ``figures`` gives of some lanes."""
+    expected = f"arrays by their names, each with a row for each of {part.size} lanes"
+    try:
+        answer = figures(part)
+    except TmodesError:
+        raise
+    except Exception as error:
+        raise InputError("figures", error_words(error), expected, "correct the function") from error
+    if not isinstance(answer, Mapping) or any(np.shape(one)[:1] != (part.size,) for one in answer.values()):
+        raise InputError("what figures returns", shown(answer), expected, "correct the function")
+    return dict(answer)
 
 
 def _run(batch: Prepared, room: Array, threads: int, progress: Progress) -> list[Trajectory]:

@@ -14,6 +14,7 @@ from tmodes.analysis.modes.of_sheet import sheet_frequencies
 from tmodes.analysis.statics.at_rest import robot_rest
 from tmodes.analysis.statics.steady import base_spin, steady_rates
 from tmodes.errors import InputError, SimulationError
+from tmodes.io.arguments import checked_arguments
 from tmodes.io.words import nearest, several
 from tmodes.model.forms import Unfit
 from tmodes.model.model import Model
@@ -49,6 +50,7 @@ class StaticNumbers:
     message: tuple[str, ...]
 
 
+@checked_arguments
 def static_numbers(
     sheet: Robot,
     vary: Mapping[str, ArrayLike],

@@ -10,6 +10,7 @@ import numpy as np
 
 from tmodes.errors import InputError
 from tmodes.gradients.quantities import Functional
+from tmodes.io.arguments import checked_arguments, whole_number
 from tmodes.io.words import meant
 from tmodes.study.optimize.goals import Goals, goals_of
 from tmodes.study.optimize.leaves import cheap, leaves
@@ -22,6 +23,7 @@ from tmodes.study.optimize.smooth import has_slope
 from tmodes.study.optimize.space import DesignSpace, design_space
 from tmodes.study.optimize.summary import found
 from tmodes.study.optimize.trials import Trials
+from tmodes.study.read import as_study
 from tmodes.study.sheet import Optimize
 from tmodes.study.study import Study
 
@@ -33,14 +35,17 @@ METHODS = "auto", "grid", "gradient", "tpe", "nsga2"
 MOST_DESIGNS = 20_000
 """Designs of a finite space that are all tried."""
 
+MOST_TRIALS, MOST_SEED = 1_000_000, 2**53 - 1
+
 _TOGETHER = 100_000
 """Cases that are computed together when all designs are tried."""
 
 TRIALS = {"tpe": 200, "nsga2": 1000, "gradient": 64}
 
 
+@checked_arguments
 def optimize(
-    study: Study,
+    study: Study | str | os.PathLike[str],
     method: str = "auto",
     *,
     trials: int | None = None,
@@ -50,7 +55,7 @@ def optimize(
     progress: Progress = lambda stage, share: None,
     **where: Any,
 ) -> Optimum:
-    """The best design of a study by the objectives and limits of its sheet's ``optimize``.
+    """The best design of a study, or of the file of one, by the objectives and limits of its sheet's ``optimize``.
 
     ``method``: ``grid`` tries every design of a finite space, whose optimum is exact; ``gradient`` descends, from the
     sheet's own design where the adjoint gives the slopes of a simulated objective, from the best of ``trials`` evenly
@@ -61,7 +66,11 @@ def optimize(
 
     Raises :class:`tmodes.errors.InputError` for what is wrong in the sheet, before anything runs.
     """
-    asked, study = _asked(study), study.fixed()
+    whole_number("seed", seed, 0, MOST_SEED)
+    if trials is not None:
+        whole_number("trials", trials, 1, MOST_TRIALS)
+    study = as_study(study).fixed()
+    asked = _asked(study)
     space = design_space(study, asked.design)
     _refuse_stuck(space)
     names = (*study.names, *study.sheet.quantities, *(functionals or {}))

@@ -50,7 +50,7 @@ def _starts(count: int) -> int:
 
 
 def _sampler(optuna: Any, method: str, seed: int, count: int) -> Any:
-    samplers = optuna.samplers
+    samplers, seed = optuna.samplers, seed % 2**32  # of more it hears nothing
     if method == "nsga2":
         size = max(BATCH, BATCH * round(count / 20 / BATCH))
         return samplers.NSGAIISampler(population_size=size, seed=seed)

@@ -8,8 +8,10 @@ from dataclasses import replace
 from typing import Any
 
 from tmodes.errors import InputError
+from tmodes.io.arguments import checked_arguments
 from tmodes.io.words import meant
 from tmodes.study.plans import Design
+from tmodes.study.read import as_study
 from tmodes.study.rows import Rows
 from tmodes.study.sensitivity.analysis import analysed
 from tmodes.study.sensitivity.result import Sensitivity
@@ -23,8 +25,9 @@ SAMPLES = {"sobol": 1024, "morris": 64}
 """As many where none are asked for."""
 
 
+@checked_arguments
 def sensitivity(
-    study: Study,
+    study: Study | str | os.PathLike[str],
     method: str = "sobol",
     *,
     samples: int | None = None,
@@ -34,7 +37,7 @@ def sensitivity(
     progress: Progress = lambda stage, share: None,
     **where: Any,
 ) -> Sensitivity:
-    """How much each parameter of a study makes its quantities vary.
+    """How much each parameter of a study, or of the file of one, makes its quantities vary.
 
     ``method`` ``sobol``: shares of the variance, from ``samples`` (a power of two) times the number of parameters and 2
     cases; ``second_order``: of pairs of parameters too, from nearly twice as many. ``morris``: mean size and spread of
@@ -45,7 +48,7 @@ def sensitivity(
     Raises :class:`tmodes.errors.InputError` for an unknown method, samples that are none of it, and correlated
     parameters; :class:`tmodes.errors.SimulationError` where too many cases fail.
     """
-    planned = _planned(study, method, samples, seed, second_order)
+    planned = _planned(as_study(study), method, samples, seed, second_order)
     design = planned.design()
     rows = _rows(planned, design, folder, progress, where)
     return analysed(method, rows, design)
