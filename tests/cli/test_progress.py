@@ -4,12 +4,11 @@ from __future__ import annotations
 
 import signal
 import subprocess
-import time
 
 import pytest
 
 from command import COMMAND, started
-from patience import LONG
+from patience import LONG, until
 from tmodes.cli import terminal
 from tmodes.cli.terminal import working
 
@@ -22,16 +21,18 @@ def quick(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @pytest.mark.usefixtures("quick")
 def test_a_silent_stage_is_said_again_and_again(capfd) -> None:
+    lines: list[str] = []
+
+    def twice(word: str) -> bool:
+        lines.extend(capfd.readouterr().err.splitlines())
+        return sum(line.startswith(word) for line in lines) >= 2
+
     with working("reading") as tell:
-        time.sleep(0.6)
+        until(lambda: twice("reading: 0%"))
         tell("report", 0.25, "page 3")
-        time.sleep(0.6)
-    time.sleep(0.3)
-    lines = capfd.readouterr().err.splitlines()
-    said = [line.partition(" after")[0] for line in lines]
-    assert said.count("reading: 0%") >= 2
-    assert said.count("report: 25%") >= 2
-    assert said == sorted(said)  # nothing of the first stage after the second began, nothing after the end
+        until(lambda: twice("report: 25%"))
+    said = [line.partition(":")[0] for line in lines]
+    assert said == sorted(said)  # nothing of the first stage after the second began
     assert all(line.endswith(", page 3") for line in lines if line.startswith("report"))
 
 

@@ -15,14 +15,15 @@ import types
 from collections.abc import Callable, Collection, Mapping, Sequence
 from functools import cache, wraps
 from pathlib import Path
-from typing import Any, Literal, ParamSpec, TypeVar, Union, get_args, get_origin
-
-import numpy as np
-from numpy.typing import NDArray
+from typing import TYPE_CHECKING, Any, Literal, ParamSpec, TypeVar, Union, get_args, get_origin
 
 import tmodes
 from tmodes.errors import InputError
 from tmodes.io.words import shown
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
 
 __all__ = ["checked_arguments", "copied", "numbers_of", "refuse_fields", "whole_number"]
 
@@ -49,7 +50,7 @@ def checked_arguments(function: Callable[P, T]) -> Callable[P, T]:
         except TypeError:
             return function(*args, **kwargs)
         for name, value in given.items():
-            several = signature.parameters[name].kind is inspect.Parameter.VAR_POSITIONAL
+            several = str(signature.parameters[name]).startswith("*")
             for one in value if several else (value,):
                 _refuse(name, one, hints.get(name, Any))
         return function(*args, **kwargs)
@@ -75,7 +76,7 @@ def _annotated(function: Callable[..., Any]) -> tuple[inspect.Signature, dict[st
     """The signature of a function, and what the annotations mean of which the names are known while it runs."""
     signature, known, hints = inspect.signature(function), vars(sys.modules[function.__module__]), dict[str, Any]()
     for name, parameter in signature.parameters.items():
-        if parameter.kind is inspect.Parameter.VAR_KEYWORD or parameter.annotation is inspect.Parameter.empty:
+        if str(parameter).startswith("**") or parameter.annotation is inspect.Parameter.empty:
             continue
         try:
             hints[name] = eval(parameter.annotation, dict(known), _Public())  # noqa: S307 - an annotation of ours
@@ -107,7 +108,7 @@ def _wanted(value: Any, hint: Any) -> str:
 
 def _of_several(value: Any, hints: Sequence[Any]) -> str:
     words = [_wanted(value, one) for one in hints]
-    return "" if "" in words else " or ".join(dict.fromkeys(words))
+    return "" if "" in words else " or ".join(dict.fromkeys(word for word in words if word != "nothing"))
 
 
 def _of_words(value: Any, words: Sequence[Any]) -> str:
@@ -120,12 +121,12 @@ def _of_group(value: Any, inner: Sequence[Any]) -> str:
         return "a group of values by their names"
     if words := next(filter(None, (_wanted(one, inner[0]) for one in value)), ""):
         return f"a group of which each key is {words}"
-    words = next(filter(None, (_wanted(one, inner[1]) for one in value.values())), "")
-    return f"a group of which each value is {words}" if words else ""
+    wrong = ((key, words) for key, one in value.items() if (words := _wanted(one, inner[1])))
+    return next((f"a group in which `{key}` is {words}" for key, words in wrong), "")
 
 
 def _of_list(value: Any, inner: Sequence[Any]) -> str:
-    if not isinstance(value, Collection) or isinstance(value, str | bytes | np.ndarray):
+    if not isinstance(value, Collection) or isinstance(value, str | bytes) or hasattr(value, "dtype"):
         return "a list"
     words = next(filter(None, (_wanted(one, inner[0]) for one in value)), "")
     return f"a list, each of which is {words}" if words else ""
@@ -152,8 +153,8 @@ _KINDS: dict[Any, Callable[[Any, Sequence[Any]], str]] = {
 
 
 def _is_number(value: Any) -> bool:
-    scalar = value[()] if isinstance(value, np.ndarray) and not value.shape else value
-    if isinstance(scalar, bool | np.bool_) or not isinstance(scalar, numbers.Real):
+    scalar = value[()] if getattr(value, "shape", None) == () else value
+    if isinstance(scalar, bool) or not isinstance(scalar, numbers.Real):
         return False
     try:
         return float(value) == float(value)
@@ -169,7 +170,7 @@ _PLAIN: dict[Any, tuple[Callable[[Any], bool], str]] = {
     Any: (lambda value: True, ""),
     type(None): (lambda value: value is None, "nothing"),
     None: (lambda value: value is None, "nothing"),
-    bool: (lambda value: isinstance(value, bool | np.bool_), "true or false"),
+    bool: (lambda value: isinstance(value, bool) or type(value).__name__ == "bool", "true or false"),
     int: (lambda value: isinstance(value, numbers.Integral) and not isinstance(value, bool), "a whole number"),
     float: (_is_number, "a number"),
     str: (lambda value: isinstance(value, str) and "\0" not in value, "a text"),
@@ -207,16 +208,22 @@ def numbers_of(value: Any, which: str, shapes: Sequence[Shape], meaning: str = "
 
     ``meaning`` of these shapes is said, as ``one at each sample``. Raises :class:`tmodes.errors.InputError`.
     """
+    import numpy as np
+
     try:
         given = np.asarray(value)
-        found = given.astype(float) if given.dtype.kind in "biuf" or given.dtype.kind == "O" else None
+        found = (
+            None
+            if np.issubdtype(given.dtype, np.complexfloating) or given.dtype.char in "SUMm"
+            else given.astype(float)
+        )
     except (TypeError, ValueError, OverflowError, RecursionError):
         given = found = None
     known = " or ".join(str(shape).replace("None", "n") for shape in shapes)
     several = f"an array of finite numbers of shape {known}{meaning and f', {meaning}'}"
     expected = "a finite number" if shapes == ((),) else several
     if found is None:
-        got = shown(value) if given is None or given.dtype.kind != "c" else "complex numbers"
+        got = "complex numbers" if given is not None and np.iscomplexobj(given) else shown(value)
         raise InputError(which, got, expected, "give real numbers")
     if not any(_has(found.shape, shape) for shape in shapes):
         raise InputError(which, f"an array of shape {found.shape}", expected, "reshape it")

@@ -158,7 +158,7 @@ class Study:
         cannot be converted.
         """
         first = whole_number("first", first, 0, 2**53)
-        given = numbers_of(values, "values", ((None, len(self.names)),), "a row for each case")
+        given = numbers_of(values, "values", ((None, len(self.names)),), "rows of Study.design().values")
         return upward("Study.evaluate")(self, first, given, progress, threads, runner)
 
     @cached_property

@@ -249,5 +249,5 @@ def test_what_is_wrong_with_the_study_itself_is_raised(quantity, message):
 
 
 def test_values_of_another_shape_are_refused():
-    with pytest.raises(InputError, match=r"take rows of Study\.design"):
+    with pytest.raises(InputError, match=r"rows of Study\.design"):
         study().evaluate(0, np.zeros((3, 2)))

@@ -76,7 +76,7 @@ def test_cases_of_a_file_by_names_of_choices(tmp_path):
         ("", "a file without a header"),
         ("name,stiffness\na,3\n", "values must be at least 2, got 1 value"),
         ("name,stiffness\n" + "a,3\n" * 100_001, "data.csv:100002: the file must be at most 100,000 rows"),
-        ("name,stiffness\n" + "a,3.0000000000000000\n" * 1_000_000, "a file of 21000015 bytes"),
+        ("name,stiffness\n" + "a,3.0000000000000000\n" * 1_000_000, "21,000,015 bytes"),
         ("x" * 5000 + ",stiffness\n1,2\n", "at most 1,000 characters in a cell"),
         ("a,stiffness\n\"1,2\n", "data.csv:2: the row"),
     ],
