@@ -126,7 +126,7 @@ def test_first_frequency_of_a_summary():
     """In contact: sheet by sheet."""
     robot = tmodes.load("filipovic2010").with_({"integration.duration": 0.01, "integration.output_step": 1e-3})
     found = static_numbers(robot, {"payload.mass": [0.4, 0.5]}, ("frequency.locked.1",))
-    true = tmodes.run(robot).summary()["first_frequency_Hz"]["locked"]
+    true = tmodes.run(robot).frequencies["locked"][0]["undamped_frequency_Hz"]
     assert found.values["frequency.locked.1"][1] == pytest.approx(true, rel=1e-9)
 
 

@@ -194,7 +194,7 @@ def test_modes_of_any_robot(robot, elements):
     count = {"locked": 5, "free": 6, "controlled": 6}
     gone = sum({"gear.stiffness": 1}.get(path, 2) for path in elements)
     for state, modes in sheet_frequencies(robot.with_(elements), contact=True).items():
-        assert len(modes) == count[state] - gone
+        assert sum(mode["undamped_frequency_Hz"] is not None for mode in modes) == count[state] - gone
 
 
 def test_buckling_is_reported(robot):
@@ -217,9 +217,10 @@ def test_instability_is_reported(robot):
 def test_free_motor_has_one_rigid_turn(robot, stiffness):
     """Whatever the other frequencies, the turn of the whole arm is reported as such, and once."""
     modes = sheet_frequencies(robot.with_({"gear.stiffness": stiffness}), contact=False)["free"]
-    assert [mode["element"] for mode in modes].count("whole arm, free") == 1
-    assert modes[0]["frequency_Hz"] == 0
-    assert all(mode["frequency_Hz"] > 0.5 for mode in modes[1:])
+    whole = [mode for mode in modes if mode["undamped_frequency_Hz"] is not None]
+    assert [mode["element"] for mode in whole].count("whole arm, free") == 1
+    assert whole[0]["undamped_frequency_Hz"] == 0
+    assert all(mode["undamped_frequency_Hz"] > 0.5 for mode in whole[1:])
 
 
 def test_loads_that_cannot_be_held_cost_no_run(robot):

@@ -155,5 +155,5 @@ def test_one_condition_needs_no_list(robot):
     assert result.status == "stopped_by_condition"
     cases: list[Any] = [5, [5]]
     for wrong in cases:
-        with pytest.raises(InputError, match="stop must be text"):
+        with pytest.raises(InputError, match="stop must be"):
             tmodes.run(robot, stop=wrong)

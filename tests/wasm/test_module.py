@@ -135,7 +135,7 @@ def test_rest_is_where_nothing_accelerates(module: LiveModule, tmp_path: Path) -
     rest = arm.plans["rest"]
     held, row = LoopModel(rest.plan), rest.schedule.rows_at(np.zeros(1))[0]
     state = np.zeros(held.layout.size)
-    state[held.layout.q] = setup.start[setup.model.layout.q]
+    state[held.layout.q] = setup.held[setup.model.layout.q]
     count, n = len(held.coordinates), held.layout.size
     inputs = {"time": np.zeros(1), "state": state, "row": row, "step": np.zeros(1)}
     directions = {"state": np.eye(count, n)}

@@ -169,7 +169,7 @@ class Stages:
         self._tasks: dict[str, Any] = {}
         self.spent: dict[str, list[float]] = {}
         self._stage, self._mark = "", (self._started, clock.process_time())
-        self._told, self._drawing, self._ended = (0.0, ""), threading.Lock(), threading.Event()
+        self._latest, self._drawing, self._ended = (0.0, ""), threading.Lock(), threading.Event()
         watch = self._first_drawn if sys.stderr.isatty() else self._in_silence
         threading.Thread(target=watch, args=(sys.stderr,), daemon=True).start()
 
@@ -188,7 +188,7 @@ class Stages:
         now = clock.monotonic()
         if stage != self._stage:
             self._take(stage)
-        self._told = share, note
+        self._latest = share, note
         if now - self._started < PATIENCE:
             return
         if sys.stderr.isatty():
@@ -200,7 +200,7 @@ class Stages:
         """Draw the stage once the work is not short; the library draws on by itself."""
         del stream
         if not self._ended.wait(PATIENCE):
-            self._draw(self._stage, *self._told)
+            self._draw(self._stage, *self._latest)
 
     def _in_silence(self, stream: TextIO) -> None:
         """Say the stage again where nothing is reported for long."""
@@ -210,7 +210,7 @@ class Stages:
 
     def _write_line(self, stream: TextIO) -> None:
         with self._drawing, suppress(OSError, ValueError):  # of a stream that is gone or closed
-            now, (share, note) = clock.monotonic(), self._told
+            now, (share, note) = clock.monotonic(), self._latest
             if now - self._last_line >= LINE_EVERY and self._stage and not self._ended.is_set():
                 self._last_line = now
                 said = f", {note}" if note else ""

@@ -11,7 +11,7 @@ import re
 from collections.abc import Callable, Iterator, Mapping
 from itertools import islice, product
 
-__all__ = ["UNIT", "angular", "cyclic", "guesses", "readings", "spelt"]
+__all__ = ["UNIT", "angular", "cyclic", "grains", "guesses", "readings", "spelt"]
 
 _LETTERS = {
     **dict.fromkeys("·⋅∙•×\u2217", "*"), **dict.fromkeys("−–\u2010\u2011", "-"), **dict.fromkeys("µμ", "u"),
@@ -94,6 +94,11 @@ def cyclic(expression: str) -> bool:
     """Whether a unit may count either turns or radians: a frequency, or a rate by the minute."""
     words = _words(expression)
     return bool(_CYCLES & {*words}) or ("min" in words and not angular(expression))
+
+
+def grains(expression: str) -> bool:
+    """Whether a unit has grains in it, which the library reads where people mean grams."""
+    return "gr" in _words(expression)
 
 
 def _words(expression: str) -> list[str]:

@@ -16,7 +16,7 @@ from numbers import Real
 from typing import Any
 
 from tmodes.errors import InputError
-from tmodes.io.unit_words import UNIT, angular, cyclic, guesses, readings, spelt
+from tmodes.io.unit_words import UNIT, angular, cyclic, grains, guesses, readings, spelt
 from tmodes.io.words import shown
 
 __all__ = [
@@ -181,6 +181,8 @@ def _checked_factor(unit_text: str, unit: str) -> float:
     An angle is no dimension of the library: it belongs only where our unit has one, and may be left out there.
     """
     turns = "rad" in unit
+    if grains(unit_text):
+        raise _WrongUnit(_UNKNOWN, "write g for grams")
     if turns and cyclic(unit_text):
         raise _WrongUnit("of turns or of radians", "write rpm or rev/s for turns, else rad/s")
     factor = 1.0 if unit_text == unit else EVERYDAY.get(unit, {}).get(unit_text)

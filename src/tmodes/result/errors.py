@@ -44,8 +44,11 @@ SAFETY = 5.0
 _CLEAR = 0.01
 """Share of a number's size beyond which its bound is none: the error no longer adds up as small ones do."""
 
-_ROUNDING = 3e-13
-"""Share of the size of a number, or of those whose difference it is, that rounding alone may make of its error."""
+_ROUNDING = 1e-11
+"""Share of the size of a number, or of those whose difference it is, that rounding alone may make of its error.
+
+Of a stiff arm that hardly moves 7e-12 were seen after 3,000 steps.
+"""
 
 _DIFFERENCE_OF = {"apart": "tip", "off": "tip"}
 

@@ -128,11 +128,14 @@ def _mode_words(mode: dict[str, Any], length: Callable[[float], str]) -> str:
     named = [mode.get("element", "")]
     if drift := mode.get("drift_Hz"):
         named.append(f"{drift[0]:.3g} to {drift[1]:.3g} Hz as it decays")
-    if "share" in mode:
+    if mode.get("share", 0.0) >= _SAID:
         named.append(f"{mode['share']:.0%}")
     more = ", ".join(filter(None, named))
     return f"{length(mode['amplitude_m'])} at {mode['frequency_Hz']:.3g} Hz{more and f' ({more})'}"
 
+
+_SAID = 0.005
+"""Share of the energy of a vibration from which on it is said."""
 
 _MOST_MODES, _WEAK = 3, 0.01
 """Modes of a vibration that are named, and share of it below which a mode is not."""

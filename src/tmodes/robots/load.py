@@ -24,7 +24,6 @@ __all__ = ["load", "load_with_urdf", "sheet_names", "sheet_text", "urdf_of"]
 Roots = Sequence[str | os.PathLike[str]]
 
 
-@checked_arguments
 def load(
     name_or_path: str | os.PathLike[str],
     changes: Mapping[str, Any] | None = None,
@@ -44,7 +43,6 @@ def load(
     return load_with_urdf(name_or_path, changes, roots=roots, trust_paths=trust_paths, fix_inertia=fix_inertia)[0]
 
 
-@checked_arguments
 def load_with_urdf(
     name_or_path: str | os.PathLike[str],
     changes: Mapping[str, Any] | None = None,
@@ -54,6 +52,19 @@ def load_with_urdf(
     fix_inertia: bool = False,
 ) -> tuple[Robot, UrdfRobot | None]:
     """The same, with the URDF (or xacro) on which it stands, None for what stands on none; its files are read once."""
+    return _loaded(name_or_path, changes, roots=roots, trust_paths=trust_paths, fix_inertia=fix_inertia)
+
+
+@checked_arguments
+def _loaded(
+    name_or_path: Any,
+    changes: Mapping[str, Any] | None,
+    *,
+    roots: Roots,
+    trust_paths: bool,
+    fix_inertia: bool,
+) -> tuple[Robot, UrdfRobot | None]:
+    """The same, for anything as name or path."""
     from tmodes.io.sheet_files import read_file
     from tmodes.io.words import shown, shown_path
 

@@ -20,6 +20,9 @@ __all__ = ["cut_short", "events_of"]
 
 Array = NDArray[np.float64]
 
+_SLOW = 1e-9
+"""A speed [m/s] of approach below which a touch after a touch is none."""
+
 _SAME = 1e-12
 """A rate [m/s] of a surface that changes by less at a switch has met no body."""
 
@@ -51,8 +54,12 @@ def _changes(run: RunData) -> Iterator[Event]:
     before = np.concatenate([run.states[:1], before])
     seen = [model.event_data(times, states, rows.rows_at(times)) for states in (before, after)]
     reader = _Reader(run, before, after, *seen)
+    touching = False
     for k in range(1, len(times)):
         for kind, place, speed, unit, direction in reader.at(k):
+            if kind == "touch" and touching and abs(speed) <= _SLOW:
+                continue  # it touched all along: friction switched
+            touching = kind == "touch" if place == "contact" and kind in {"touch", "release"} else touching
             yield Event(float(times[k]), kind, place, abs(float(speed)), unit, int(direction))
 
 
@@ -99,9 +106,10 @@ class _Reader:
         """A surface with mass, also one from which the point bounces."""
         rate = self.layout.surface.start + 1
         hit = abs(self.after[k, rate] - self.before[k, rate]) > _SAME
-        if was[-1] and not now[-1]:
+        place = len(self.slipping) + SLIP * self.touch.sheet.sticks
+        if was[place] and not now[place]:
             yield "release", "contact", self.after[k, rate], "m/s", 0
-        elif now[-1] > was[-1] or (hit and not was[-1]):
+        elif now[place] > was[place] or (hit and not was[place]):
             yield "touch", "contact", self.was["contact"][k, 5], "m/s", 0
 
     def _gate(self, k: int) -> _Found:

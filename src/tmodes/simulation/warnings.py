@@ -61,10 +61,11 @@ def _not_at_rest(off: Imbalance) -> str:
 def _left_out(setup: RunSetup) -> Iterator[str]:
     """Initial values that the run does not have, because a drive gives the motion."""
     names, initial, layout = setup.model.coordinates, setup.robot.initial, setup.model.layout
+    prescribed = {names[driver.coordinate] for driver in setup.model.loop.drivers if driver.plan.servo is None}
     for group, given, block in (("coordinates", initial.coordinates, layout.q), ("rates", initial.rates, layout.v)):
         for name, value in given.items():
             taken = float(setup.start[block][names.index(name)])
-            if abs(taken - value) > _SAME * max(abs(value), abs(taken)):
+            if name in prescribed and abs(taken - value) > _SAME * max(abs(value), abs(taken)):
                 yield f"initial.{group}.{name}: {value:g} is left out: its drive prescribes {taken:g} at t = 0"
 
 

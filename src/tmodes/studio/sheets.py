@@ -6,6 +6,7 @@ import math
 from functools import cache
 from typing import Any
 
+from tmodes.io.files import ALLOW
 from tmodes.io.forms import json_schema
 from tmodes.io.sheet_check import sheet_data
 from tmodes.io.sheet_fields import quantities
@@ -16,6 +17,7 @@ from tmodes.live.knobs import Knob, knobs_of
 from tmodes.live.sliders import Slider, sliders_of
 from tmodes.robots.load import sheet_names, sheet_text
 from tmodes.sheet import Robot
+from tmodes.studio.messages import FOLDER
 
 __all__ = ["catalogue", "plain_sheet", "schema", "sheet_record", "slider_records"]
 
@@ -52,6 +54,7 @@ def _finite(value: Any) -> Any:
 def sheet_record(sheet: Robot) -> dict[str, Any]:
     """What the page gets of a right sheet: its data, units by path, sliders, and what looks implausible."""
     data = plain_sheet(sheet)
+    data["notices"] = [text.replace(ALLOW, FOLDER) for text in data["notices"]]
     units = {".".join(map(str, steps)): place.unit or "" for _, _, steps, place in quantities(data)}
     info = {"units": units, "sliders": slider_records(sheet, data), "warnings": notices_about(sheet)}
     return {"name": sheet.name, "sheet": data, **info}

@@ -59,7 +59,7 @@ def test_it_keeps_the_momentum_while_the_other_is_moved(free: int) -> None:
 def test_without_a_rate_it_is_held() -> None:
     run = tmodes.run(two(1, "revolute", {}, initial={"coordinates": {"j1": 0.4}}))
     np.testing.assert_array_equal(run.data["q"].values[:, 1], 0.4)
-    assert run.warnings == ("joint j1 has no drive: it is held where it starts",)
+    assert "joint j1 has no drive: it is held where it starts" in run.warnings
 
 
 @pytest.mark.parametrize(("group", "value"), [("rates", 2.0), ("coordinates", 0.5)])

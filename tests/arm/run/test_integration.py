@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from arm.run.sheets import TIGHT, ZERO, arm, pendulum, torque
-from tmodes.errors import InputError
+from tmodes.errors import InputError, InputErrors
 from tmodes.io.sheet_check import sheet_data
 from tmodes.sheet import Robot
 from tmodes.simulation.simulate import simulate_motion
@@ -178,7 +178,7 @@ def test_real_arm_differs_from_the_nominal_one():
 
 
 def test_unknown_coordinate_is_refused():
-    with pytest.raises(InputError, match="bend"):
+    with pytest.raises(InputErrors, match="bend"):
         simulate_motion(pendulum(MOTOR, GEAR, torque(0.0), initial={"coordinates": {"link.bend_y1": 0.1}},
                               integration={"duration": 0.1}))  # fmt: skip
 

@@ -40,12 +40,12 @@ def test_rods_and_discs_are_right(inertia) -> None:
     assert problem(one_link({"bodies": [{"mass": 1, "center": [0.1, 0, 0], "inertia": inertia}]})) == ""
 
 
-@pytest.mark.parametrize("mass", [-1, "nan", "1e400", "heavy", ".inf", True, None, [1], {}, 1e300])
+@pytest.mark.parametrize("mass", [-1, "nan", "1e400", "heavy", ".inf", True, None, [1], {}, 1e300, 1e-300])
 def test_a_mass_that_is_none(mass) -> None:
     assert "links.rod.bodies.0.mass" in problem(one_link({"bodies": [{"mass": mass}]}))
 
 
-@pytest.mark.parametrize("mass", [0, 1e-300])
+@pytest.mark.parametrize("mass", [0, 1e-60])
 def test_a_joint_that_moves_no_mass(mass) -> None:
     """A body may be without mass, like a tip that carries no payload; what a joint moves may not."""
     assert "joints.pivot must be a joint that moves mass, got `rod`, a link that has no" in problem(

@@ -37,7 +37,7 @@ def test_wrong_loads_are_refused(load, info):
         {"held": {"hinge.motor": 1e9}},
         {"free": ["elbow"]},
         {"start": {"elbow": 0.0}},
-        {"held": {"hinge": 0.0}, "free": ["hinge"]},
+        {"held": {"hinge.motor": 0.0}, "free": ["hinge.motor"]},
     ],
 )
 def test_wrong_coordinates_are_refused(given):

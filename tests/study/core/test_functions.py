@@ -147,8 +147,8 @@ def test_what_is_no_number_is_said(value, words):
 
 
 def test_numbers_of_all_kinds_are_numbers():
-    numbers: list[Any] = [2, 10**300, np.float32(2), np.int8(2)]
-    assert [called(lambda _, one=one: one, NOTHING, 60.0) for one in numbers] == [2.0, 1e300, 2.0, 2.0]
+    numbers: list[Any] = [2, 10**100, np.float32(2), np.int8(2)]
+    assert [called(lambda _, one=one: one, NOTHING, 60.0) for one in numbers] == [2.0, 1e100, 2.0, 2.0]
 
 
 def test_it_may_close_its_output_and_leave_the_folder(tmp_path, monkeypatch):

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from study.core.studies import short, study
-from tmodes.errors import InputError
+from tmodes.errors import InputErrors
 from tmodes.study.quantities.summary import summary_number
 from tmodes.study.runner import run_study
 
@@ -18,7 +18,7 @@ from tmodes.study.runner import run_study
     ({"static": "sagg"}, "quantities.mine.static: unknown number"),
 ])  # fmt: skip
 def test_the_quantity_is_named_and_no_folder_is_left(quantity, which, tmp_path):
-    with pytest.raises(InputError, match=which):
+    with pytest.raises(InputErrors, match=which):
         run_study(short({"mine": quantity}), tmp_path / "results" / "out")
     assert not [*tmp_path.iterdir()]
 

@@ -101,7 +101,7 @@ class DataSheet(BaseModel):
     def _in_range_of_arithmetic(cls, value: Any, info: ValidationInfo) -> Any:
         extra = cls.model_fields[info.field_name or ""].json_schema_extra
         if isinstance(value, float) and isinstance(extra, dict) and not math.isinf(value):
-            smallest = float(str(extra["smallest"])) or (LEAST if value else 0.0)
+            smallest = float(str(extra["smallest"])) or (LEAST if value and "kg" in str(extra["unit"]) else 0.0)
             if not smallest <= abs(value) <= LARGEST:
                 bounds = {"smallest": smallest, "largest": LARGEST}
                 raise PydanticCustomError("arithmetic", "from {smallest} to {largest}", bounds)

@@ -49,7 +49,7 @@ def _number(value: Any) -> float:
     if found.shape or not (np.issubdtype(found.dtype, np.integer) or np.issubdtype(found.dtype, np.floating)):
         what = f"an array of shape {found.shape}" if found.shape else f"`{type(value).__name__}`"
         raise TmodesError(f"the function must return one number, got {what}")
-    if not np.abs(found) <= MOST:
+    if not abs(float(found)) <= MOST:
         raise TmodesError(f"the function must return a finite number, got {float(found)!r}")
     return float(found)
 
