@@ -79,6 +79,7 @@ class _Reader:
         sliding = run.chain.sliding
         self.units = ["m/s" if name.removesuffix(".motor") in sliding else "rad/s" for name in self.names]
         self.touch = loop.plan.touch.touch if loop.plan.touch else None
+        self.touching = len(self.slipping) + (SLIP if self.touch and self.touch.sheet.sticks else 0)
         self.gears = [axis.angle for axis in loop.parts.axes if axis.drive and axis.drive.dead_zone]
         self.modes = [states[:, layout.modes] for states in (before, after)]
         gates = found["gate"]
@@ -106,7 +107,7 @@ class _Reader:
         """A surface with mass, also one from which the point bounces."""
         rate = self.layout.surface.start + 1
         hit = abs(self.after[k, rate] - self.before[k, rate]) > _SAME
-        place = len(self.slipping) + SLIP * self.touch.sheet.sticks
+        place = self.touching
         if was[place] and not now[place]:
             yield "release", "contact", self.after[k, rate], "m/s", 0
         elif now[place] > was[place] or (hit and not was[place]):

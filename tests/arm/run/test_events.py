@@ -192,3 +192,26 @@ def test_events_in_the_file_and_on_the_terminal(tmp_path: Path) -> None:
     still = run(shaken().with_({"drives.0.signal.amplitude": 1.0}))
     assert still.events == ()
     assert "event" not in still.data.dims
+
+
+def test_bounces_are_listed_where_a_given_rate_jumps() -> None:
+    """The jump of a given rate is no touch, and its own mode in the state is not that of the contact."""
+    joint: dict[str, Any] = {"name": "p", "type": "revolute", "child": "l", "axis": [0, 0, 1], "state": "free"}
+    table = {"type": "table", "times": [0, 0.2, 0.5], "values": [0, 0.5, 0.5], "interpolation": "linear"}
+    plane = {"type": "plane", "position": [0, -0.03, 0], "normal": [0, 1, 0]}
+    data = {
+        "format": 1, "kind": "arm", "name": "x", "gravity": 0.0,
+        "joints": [{"name": "h", "type": "revolute", "child": "hub", "axis": [0, 0, 1]},
+                   joint | {"origin": {"position": [0.4, 0, 0]}}],
+        "links": [{"name": "hub", "bodies": [{"mass": 1.0, "inertia": 0.01}]},
+                  {"name": "l", "bodies": [{"mass": 1.0, "center": [0.3, 0, 0], "inertia": 0.01}]}],
+        "tip": {"link": "l", "position": [0.5, 0, 0]}, "initial": {"state": "zero"},
+        "contact": {"law": "unilateral", "shape": plane, "stiffness": 300.0, "damping": 0.0, "mass": 0.3,
+                    "restitution": 0.9},
+        "drives": [{"joint": "h", "command": "prescribed", "signal": table}],
+        "integration": {"duration": 0.5, "output_step": 0.005, "error_estimate": False, "model_error": False},
+    }  # fmt: skip
+    found = [(event.kind, round(event.time, 4)) for event in run(Robot.from_data(data)).events]
+    assert ("touch", 0.0622) in found
+    assert ("touch", 0.1595) in found
+    assert all(abs(time - 0.2) > 1e-6 for _, time in found)
