@@ -33,6 +33,7 @@ def print_statics(sheet: Robot, info: dict[str, Any], sliding: Container[str], w
     """
     lowest = info["lowest_frequency_Hz"]
     stable = "stable" if info["stable"] else "NOT STABLE"
+    stable = f"neutral, nothing holds {' and '.join(info['neutral'])}" if info["neutral"] else stable
     rates = ", ".join(f"{name} {rate:.4g}" for name, rate in info["moving"].items())
     how = f"in motion at constant speed ({rates} rad/s, m/s)" if rates else "at rest"
     print(f"{sheet.name} {how}: {stable}" + (f", lowest undamped frequency {lowest:.4g} Hz" if lowest else ""))

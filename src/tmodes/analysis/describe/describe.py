@@ -127,6 +127,7 @@ def statics_info(robot: Robot, rest: Equilibrium, point: int = 0) -> dict[str, A
         "moving": rest.moving,
         "residual": rest.residual,
         "stable": rest.stable,
+        "neutral": [*rest.neutral],
         "lowest_frequency_Hz": free if np.isfinite(free) else None,
         "unstable_modes": [asdict(mode) for mode in rest.unstable_modes],
         "lost_stability_at": rest.lost_stability_at,

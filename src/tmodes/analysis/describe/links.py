@@ -202,7 +202,9 @@ def pose_notices(robot: Robot, rest: Equilibrium) -> Iterator[str]:
 def _stability(rest: Equilibrium) -> Iterator[str]:
     if rest.lost_stability_at is not None:
         yield f"the arm buckles: it lost its stability at {rest.lost_stability_at:.4g} of its weight and loads"
-    if not rest.stable:
+    if rest.neutral:
+        yield f"this equilibrium is neutral: nothing holds {' and '.join(rest.neutral)}, the arm stays where it is put"
+    elif not rest.stable:
         where = f", first in {rest.unstable_modes[0].coordinate}" if rest.unstable_modes else ""
         yield f"this equilibrium is not stable: the arm does not stay there{where}"
 

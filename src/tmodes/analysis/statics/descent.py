@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.analysis.statics.system import Root, StaticSystem, newton, solved
+from tmodes.analysis.statics.rank import NOTHING, beyond_rounding, is_positive, solved
+from tmodes.analysis.statics.system import Root, StaticSystem, newton
 
 __all__ = ["descend"]
 
@@ -20,41 +21,45 @@ NEARLY = 1e-6
 SLOWEST = 1e-9
 """Damper of a coordinate in the descent, over the largest one, that is none."""
 
+STEADY = 1e-9
+"""Relative rise of the force in a step of the descent that is rounding."""
+
 LONGEST = 0.5
 """Longest step of the descent [rad, m]."""
 
 
-def descend(system: StaticSystem, q: Array, factor: float) -> Root | None:
+def descend(system: StaticSystem, q: Array, factor: float) -> tuple[Root | None, Array]:
     """The pose to which a robot sinks when it moves slowly in a thick fluid, downhill all the way.
 
     Linearly implicit Euler steps of D q' = -r(q), each longer as the force falls (Kelley & Keyes, "Convergence analysis
     of pseudo-transient continuation", SIAM J. Numer. Anal. 35, 1998). A surface holds the robot stiffly in one
     direction and makes the fluid so thick that along the others it hardly moves: there each step is twice as long as
-    the last unless the force rises. None where it comes to no rest.
+    the last unless the force rises. With the pose (nq,) that was reached last; None where it comes to no rest.
     """
     forces = system.forces(q, factor)
-    pace = 1.0
+    pace, reach = 1.0, system.reach(q)
     for _ in range(MOST_DESCENT):
         stiffness = system.stiffness(q, factor)[system.block]
-        if not forces.rest.any():
-            return Root(q, 0.0, stiffness)
-        if not (np.isfinite(stiffness).all() and np.isfinite(forces.rest).all()):
-            return None
-        damper = _damper(stiffness, forces.rest)
-        pace = _downhill(stiffness, damper, pace)
-        step = solved(stiffness + damper / pace, forces.rest)
-        if step is None:
-            return None
+        rest = beyond_rounding(forces.rest, stiffness, reach)
+        if not rest.any():
+            return Root(q, 0.0, stiffness), q
+        if not (np.isfinite(stiffness).all() and np.isfinite(rest).all()):
+            return None, q
+        damper = _damper(stiffness, rest)
+        pace = _downhill(stiffness, damper, pace, reach)
+        step = solved(stiffness + damper / pace, rest, reach)
+        if step is None or not np.isfinite(step).all():
+            return None, q
         size = float(np.abs(step).max())
-        if size <= NEARLY and pace > 1:
-            return newton(system, q, factor)
+        if not size or pace > 1 / NOTHING or (size <= NEARLY and pace > 1):
+            return newton(system, q, factor), q
         q = q.copy()
         q[system.free] -= step * min(1.0, LONGEST / size)
         found = system.forces(q, factor)
         fall = float(np.linalg.norm(forces.rest) / max(np.linalg.norm(found.rest), 1e-300))
-        pace *= 2.0 if system.is_touched and fall >= 1.0 else min(max(fall, 0.5), 2.0)
+        pace *= 2.0 if system.is_touched and fall >= 1 - STEADY else min(max(fall, 0.5), 2.0)
         forces = found
-    return None
+    return None, q
 
 
 def _damper(stiffness: Array, force: Array) -> Array:
@@ -66,10 +71,10 @@ def _damper(stiffness: Array, force: Array) -> Array:
     return np.diag(np.maximum(own, SLOWEST * own.max()))
 
 
-def _downhill(stiffness: Array, damper: Array, pace: float) -> float:
+def _downhill(stiffness: Array, damper: Array, pace: float, reach: Array) -> float:
     """The pace, or a slower one, with which a step leads downhill: stiffness and damper together hold the pose."""
     for _ in range(MOST_SLOWER):
-        if np.linalg.eigvalsh((stiffness + stiffness.T) / 2 + damper / pace)[0] > 0:
+        if is_positive((stiffness + stiffness.T) / 2 + damper / pace, reach):
             break
         pace /= 2
     return pace

@@ -41,7 +41,9 @@ class Equilibrium:
     """A robot at rest in the pose ``q`` (nq,).
 
     ``residual``: force left over against the largest in play. ``lowest_frequency_Hz``: of the undamped robot with its
-    held coordinates fixed; 0 where it is not ``stable``, infinite where nothing is free. ``load_path`` (stations,
+    held coordinates fixed; 0 where it is not ``stable``, infinite where nothing is free. ``neutral``: where nothing
+    grows, coordinates that move without a force, one for each motion that nothing holds: the robot stays wherever it is
+    put along them; it is then not ``stable``. ``load_path`` (stations,
     1 + nq): load factor and pose on the way; ``lost_stability_at``: load factor at which the robot first lost its
     stability (buckled), None where it did not. ``free``: indices of the coordinates that were found. ``matrices``: M,
     D, K (nq, nq) about the pose, with the stiffness of loads and surfaces. ``wrenches`` (points, 6): what acts on the
@@ -55,6 +57,7 @@ class Equilibrium:
     q: Array
     residual: float
     stable: bool
+    neutral: tuple[str, ...]
     lowest_frequency_Hz: float
     unstable_modes: tuple[UnstableMode, ...]
     load_path: Array
@@ -127,13 +130,15 @@ def _info(system: StaticSystem, path: LoadPath, pose: Array) -> Equilibrium:
     model, end = system.model, path.end
     matrices, found = system.matrices(end.q, 1.0), end.stability
     if system.rates is not None:
-        found = moving_stability(*(matrix[system.block] for matrix in matrices))
+        mass, damping, stiffness = (matrix[system.block] for matrix in matrices)
+        found = moving_stability(mass, damping, stiffness, system.reach(end.q))
     growing = (
         UnstableMode(model.coordinates[system.free[one.coordinate]], one.rate, one.frequency_Hz)
         for one in found.growing
     )
     return Equilibrium(
         model=model, q=end.q, residual=end.residual, stable=found.stable,
+        neutral=tuple(model.coordinates[system.free[k]] for k in found.neutral),
         lowest_frequency_Hz=found.lowest_frequency_Hz, unstable_modes=tuple(growing),
         load_path=np.array([[station.factor, *station.q] for station in path.stations]),
         lost_stability_at=path.lost_at if system.rates is None else None, free=system.free, matrices=matrices,

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.analysis.statics.descent import descend
+from tmodes.analysis.statics.rank import leading, scale_of, solved, unheld
 from tmodes.analysis.statics.stability import Stability, stability_of
 from tmodes.analysis.statics.system import Root, StaticSystem, newton
 from tmodes.errors import SimulationError
@@ -107,7 +108,7 @@ def _sunk(system: StaticSystem, here: Station) -> Station:
 
     Raises :class:`SimulationError` where the path had come farther, and where it comes to no rest.
     """
-    root = descend(system, here.q, LITTLE) if here.factor < LITTLE else None
+    root = descend(system, here.q, LITTLE)[0] if here.factor < LITTLE else None
     if root is None:
         raise SimulationError(_stopped(system, here))
     return _at(system, root, LITTLE)
@@ -141,18 +142,28 @@ def _first(system: StaticSystem, q: Array) -> Station:
     mass, springs = system.reduced(q, 0.0)
     own = np.abs(np.diagonal(springs))
     sprung = bool(own.min(initial=np.inf) > SOFT * own.max(initial=0.0))
-    held = stability_of(mass, springs).margin != 0.0
+    held = stability_of(mass, springs, system.reach(q)).margin != 0.0
     root = newton(system, q, 0.0) if held or sprung else None
     start = _at(system, root, 0.0) if root else None
     pace = np.abs(start.tangent).max(initial=0.0) if start else np.inf
     if start and held and pace <= LOOSE:
         return start
     absurd = sprung and ABSURD < pace < np.inf
-    root = None if absurd else descend(system, q, LITTLE)
+    root, last = (None, q) if absurd else descend(system, q, LITTLE)
     if root is None:
-        softest = int(own.argmin())
-        raise SimulationError(_restless(system.model.coordinates[system.free[softest]], own[softest], sprung=sprung))
+        loose = int(own.argmin()) if sprung else _loosest(system, last, int(own.argmin()))
+        raise SimulationError(_restless(system.model.coordinates[system.free[loose]], own[loose], sprung=sprung))
     return _at(system, root, LITTLE)
+
+
+def _loosest(system: StaticSystem, q: Array, softest: int) -> int:
+    """The coordinate that the load accelerates most along what nothing holds, by its kinetic energy, or ``softest``."""
+    mass, stiffness = system.reduced(q, 1.0)
+    reach = system.reach(q)
+    loose = unheld(stiffness, reach) / scale_of(stiffness, reach)[:, None]
+    pushed = loose @ np.linalg.solve(loose.T @ mass @ loose, loose.T @ system.forces(q, 1.0).rest)
+    moved = np.abs(pushed) * np.sqrt(np.diagonal(mass))
+    return leading(moved[:, None])[0] if moved.any() else softest
 
 
 def _restless(loose: str, stiffness: float, *, sprung: bool) -> str:
@@ -168,13 +179,14 @@ def _restless(loose: str, stiffness: float, *, sprung: bool) -> str:
 
 
 def _at(system: StaticSystem, root: Root, factor: float) -> Station:
-    mass = system.mass(root.q)[system.block]
+    mass, reach = system.mass(root.q)[system.block], system.reach(root.q)
     by_factor = system.forces(root.q, factor).by_factor
-    try:
-        tangent = -np.asarray(np.linalg.solve(root.stiffness, by_factor), dtype=float)
-    except np.linalg.LinAlgError:
-        tangent = np.zeros_like(by_factor)
-    return Station(factor, root.q, root.residual, stability_of(mass, root.stiffness), tangent)
+    if unheld(root.stiffness, reach).size:
+        slope = solved(root.stiffness, by_factor, reach)
+    else:
+        slope = np.asarray(np.linalg.solve(root.stiffness, by_factor), dtype=float)
+    tangent = np.zeros_like(by_factor) if slope is None else -slope
+    return Station(factor, root.q, root.residual, stability_of(mass, root.stiffness, reach), tangent)
 
 
 def _crossing(system: StaticSystem, stable: Station, unstable: Station) -> float:
@@ -186,9 +198,9 @@ def _crossing(system: StaticSystem, stable: Station, unstable: Station) -> float
         root = newton(system, stable.q + share * (unstable.q - stable.q), factor)
         if root is None:
             return -1.0
-        return stability_of(system.mass(root.q)[system.block], root.stiffness).margin
+        return stability_of(system.mass(root.q)[system.block], root.stiffness, system.reach(root.q)).margin
 
-    if unstable.stability.margin == 0.0:
+    if not margin(stable.factor) > 0 > margin(unstable.factor):  # it jumps, as where a surface lets go
         return unstable.factor
     return float(brentq(margin, stable.factor, unstable.factor, xtol=1e-10))  # pyright: ignore[reportArgumentType]
 

@@ -7,6 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from tmodes.analysis.statics.rank import NOTHING, leading, scale_of, unheld
 from tmodes.errors import SimulationError
 
 __all__ = ["Growth", "Stability", "backward", "forward", "mass_root", "moving_stability", "stability_of"]
@@ -21,10 +22,6 @@ FLUTTER = 1e-3
 
 MOVING = 1e-7
 """Rate of growth about steady motion, over the fastest eigenvalue, below which it is rounding."""
-
-NOTHING = 1e-14
-"""Share of the largest squared frequency, per coordinate, below which another is zero to rounding."""
-
 
 _UNSURE = 1e4
 """Multiple of that share below which the sign of the lowest squared frequency is found another way."""
@@ -46,11 +43,13 @@ class Stability(NamedTuple):
 
     margin: float
     growing: tuple[Growth, ...]
+    neutral: tuple[int, ...] = ()
+    """Where nothing grows, free coordinates that move without a force: one for each motion that nothing holds."""
 
     @property
     def stable(self) -> bool:
         """True where nothing grows and nothing is free to drift."""
-        return not self.growing and not self.margin <= 0
+        return not self.growing and not self.neutral and not self.margin <= 0
 
     @property
     def lowest_frequency_Hz(self) -> float:
@@ -58,8 +57,8 @@ class Stability(NamedTuple):
         return float(np.sqrt(max(self.margin, 0.0)) / (2 * np.pi))
 
 
-def stability_of(mass: Array, stiffness: Array) -> Stability:
-    """Stability of M a + K x = 0 in free coordinates (n, n), undamped.
+def stability_of(mass: Array, stiffness: Array, reach: Array) -> Stability:
+    """Stability of M a + K x = 0 in free coordinates (n, n), undamped; ``reach`` (n,): of rank.py.
 
     A symmetric K: all eigenvalues of (K, M) positive. Otherwise (following loads, moments about world axes) they must
     also be real: a pair of complex ones is flutter (Bolotin, Nonconservative Problems of the Theory of Elastic
@@ -70,30 +69,31 @@ def stability_of(mass: Array, stiffness: Array) -> Stability:
     root = mass_root(mass)
     scaled = forward(root, forward(root, stiffness).T).T
     values, shapes = _eigen(scaled)
-    zero = NOTHING * len(mass) * float(np.abs(values).max())
+    largest = max(float(np.abs(values).max()), float((reach / np.diagonal(mass)).max()))
+    zero = NOTHING * len(mass) * largest
     fluttering = np.abs(values.imag) > np.maximum(FLUTTER * np.abs(values), zero)
     grows = fluttering | (values.real < -zero)
     margin = float(np.where(fluttering, -np.abs(values.imag), values.real).min())
     moved = np.abs(backward(root, shapes))
     found = [_growth(values[k], int(moved[:, k].argmax())) for k in np.flatnonzero(grows) if values[k].imag >= 0]
     if abs(margin) <= _UNSURE * zero and _is_symmetric(scaled):
-        return _near_zero(mass, (stiffness + stiffness.T) / 2)
-    return Stability(0.0 if abs(margin) <= zero else margin, tuple(sorted(found, reverse=True)))
+        return _near_zero(mass, (stiffness + stiffness.T) / 2, reach)
+    zero = zero if abs(margin) <= zero else 0.0
+    neutral = leading(unheld(stiffness.T, reach)) if zero and not found else ()
+    return Stability(0.0 if zero else margin, tuple(sorted(found, reverse=True)), neutral)
 
 
-def _near_zero(mass: Array, stiffness: Array) -> Stability:
+def _near_zero(mass: Array, stiffness: Array, reach: Array) -> Stability:
     """The same of a symmetric K, where the stiffest motions round away the softest: the sign of K needs no M.
 
     Each coordinate is measured by its own stiffness, and the lowest frequency found as the largest of M x = l K x.
     """
-    own = np.abs(np.diagonal(stiffness))
-    if not own.all():
-        return Stability(0.0, ())
-    scale = 1 / np.sqrt(own)
+    scale = 1 / scale_of(stiffness, reach)
     stiffness, mass = (matrix * scale * scale[:, None] for matrix in (stiffness, mass))
     values, shapes = np.linalg.eigh(stiffness)
-    if abs(values[0]) <= NOTHING * len(mass) * abs(values).max():
-        return Stability(0.0, ())
+    loose = abs(values) <= NOTHING * len(mass) * max(1.0, abs(values).max())
+    if loose[0]:
+        return Stability(0.0, (), leading(shapes[:, loose]))
     if values[0] > 0:
         root = np.linalg.cholesky(stiffness)
         inner = forward(root, forward(root, mass).T)
@@ -103,7 +103,7 @@ def _near_zero(mass: Array, stiffness: Array) -> Stability:
     return Stability(square, (_growth(complex(square), int(np.abs(shape * scale).argmax())),))
 
 
-def moving_stability(mass: Array, damping: Array, stiffness: Array) -> Stability:
+def moving_stability(mass: Array, damping: Array, stiffness: Array, reach: Array) -> Stability:
     """Stability of M a + D v + K x = 0 (n, n) about steady motion: D has gyroscopic forces, which may hold it."""
     n = len(mass)
     if not n:
@@ -115,7 +115,8 @@ def moving_stability(mass: Array, damping: Array, stiffness: Array) -> Stability
         Growth(float(values[k].real), abs(float(values[k].imag)) / (2 * np.pi), int(np.abs(shapes[:n, k]).argmax()))
         for k in np.flatnonzero(grows) if values[k].imag >= 0
     ]  # fmt: skip
-    return Stability(-1.0 if found else np.nan, tuple(sorted(found, reverse=True)))
+    neutral = () if found else leading(unheld(stiffness.T, reach))
+    return Stability(-1.0 if found else np.nan, tuple(sorted(found, reverse=True)), neutral)
 
 
 def forward(root: NDArray[Any], right: Any) -> Any:

@@ -8,17 +8,19 @@ solved by Newton's method, and by a slow but sure descent for robots that nothin
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.analysis.statics.loads import Act, Pose
+from tmodes.analysis.statics.rank import is_rounding, scale_of, solved, unheld
 from tmodes.model.model import Model
 
-__all__ = ["Forces", "Root", "StaticSystem", "newton", "relative_residual", "solved"]
+__all__ = ["Forces", "Root", "StaticSystem", "newton", "relative_residual"]
 
 Array = NDArray[np.float64]
 
@@ -107,6 +109,23 @@ class StaticSystem:
         """M and K in the free coordinates."""
         return self.mass(q)[self.block], self.stiffness(q, factor)[self.block]
 
+    def reach(self, q: Array) -> Array:
+        """The largest force that weight, loads and surfaces could bring each free coordinate in any attitude (free,).
+
+        [N, N*m], which is also the scale of the stiffness [per m, rad] that they could bring it.
+        """
+        rows = np.repeat(self.model.at_rest()[None], 4, axis=0)
+        rows[:3, 3:6], rows[3, 3:6] = np.linalg.norm(rows[0, 3:6]) * np.eye(3), 0.0
+        poses = np.repeat(q[None], 4, axis=0)
+        pulled = self.model.inverse_dynamics(poses, 0 * poses, 0 * poses, base=rows)
+        total = np.linalg.norm(pulled[:3] - pulled[3], axis=0)
+        for act, pose in self._posed(q, turning=True):
+            own = act.stiffness(Pose(pose.position, pose.rotation, np.eye(6)))
+            moved = np.linalg.norm(pose.jacobian, axis=0)
+            total += np.linalg.norm(act.wrench(pose)) * moved
+            total += 0.0 if own is None else np.linalg.norm(own) * moved**2
+        return np.asarray(total[self.free], dtype=float)
+
     @property
     def block(self) -> tuple[NDArray[np.intp], ...]:
         """Where the free coordinates stand in a matrix (nq, nq)."""
@@ -121,9 +140,6 @@ class StaticSystem:
         jacobians = self.model.jacobian(q) if turning else none
         return [(act, Pose(positions[act.point], rotations[act.point], jacobians[act.point])) for act in self.acts]
 
-
-SINGULAR = 1e15
-"""Condition number beyond which a direction is held by nothing."""
 
 MOST_STEPS = 25
 MOST_HALVINGS = 8
@@ -151,20 +167,33 @@ class Root(NamedTuple):
 
 def newton(system: StaticSystem, q: Array, factor: float) -> Root | None:
     """The equilibrium near a pose, with the exact slope and a line search; None where it does not settle."""
-    before = np.inf
+    before, reach = np.inf, system.reach(q)
     for _ in range(MOST_STEPS):
         stiffness = system.stiffness(q, factor)[system.block]
         forces = system.forces(q, factor)
-        step = solved(stiffness, forces.rest)
+        solve = partial(solved, stiffness, reach=reach)
+        step = solve(forces.rest)
         if step is None:
             return None
         size = float(np.abs(step).max(initial=0.0))
-        settled, residual = size <= SETTLED * (1 + np.abs(q).max(initial=0.0)), relative_residual(forces, stiffness)
+        settled = size <= SETTLED * (1 + np.abs(q).max(initial=0.0))
+        residual = relative_residual(forces, stiffness)
+        residual = 0.0 if residual > GOOD and is_rounding(forces.rest, reach).all() else residual
         stands = before <= size <= ROUNDING
         if (settled and (stands or _left(forces, stiffness)[0] <= SETTLED)) or (stands and residual <= GOOD):
-            return Root(q, residual, stiffness)
-        q, before = _searched(system, q, step, factor, stiffness), size
+            return None if _is_pushed(forces, stiffness, reach) else Root(q, residual, stiffness)
+        q, before = _searched(system, q, step, solve, factor), size
     return None
+
+
+def _is_pushed(forces: Forces, stiffness: Array, reach: Array) -> bool:
+    """Whether what is left over acts along what nothing holds, beyond rounding of all that could act."""
+    loose = unheld(stiffness, reach)
+    if not loose.size:
+        return False
+    scale = scale_of(stiffness, reach)
+    level = np.linalg.norm(np.maximum(reach, np.abs(forces.elastic)) / scale)
+    return bool(np.linalg.norm(loose.T @ (forces.rest / scale)) > GOOD * level)
 
 
 def relative_residual(forces: Forces, stiffness: Array) -> float:
@@ -183,28 +212,16 @@ def _left(forces: Forces, stiffness: Array) -> tuple[float, float]:
     return left / level if level else 0.0, left
 
 
-def solved(matrix: Array, right: Array) -> Array | None:
-    """The solution, the shortest one along what nothing holds; None for numbers that are not finite."""
-    if not (np.isfinite(matrix).all() and np.isfinite(right).all()):
-        return None
-    if not len(matrix):
-        return np.zeros(0)
-    scale = np.sqrt(np.abs(np.diagonal(matrix)))
-    scale[scale == 0] = 1.0
-    alike = matrix / np.outer(scale, scale)
-    if np.linalg.cond(alike) < SINGULAR:
-        return np.asarray(np.linalg.solve(alike, right / scale), dtype=float) / scale
-    return np.linalg.lstsq(alike, right / scale, rcond=1 / SINGULAR)[0] / scale
-
-
-def _searched(system: StaticSystem, q: Array, step: Array, factor: float, stiffness: Array) -> Array:
+def _searched(
+    system: StaticSystem, q: Array, step: Array, solve: Callable[[Array], Array | None], factor: float
+) -> Array:
     """The pose after a Newton step, halved until the next step by the same slope is shorter (Deuflhard's test)."""
     share = 1.0
     moved = q
     for _ in range(MOST_HALVINGS):
         moved = q.copy()
         moved[system.free] -= share * step
-        following = solved(stiffness, system.forces(moved, factor).rest)
+        following = solve(system.forces(moved, factor).rest)
         if following is not None and np.abs(following).max(initial=0.0) <= (1 - share / 4) * np.abs(step).max():
             return moved
         if np.abs(step).max() <= ROUNDING:
