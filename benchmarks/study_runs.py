@@ -32,7 +32,7 @@ import numpy as np
 from tmodes.compile.native import processor
 from tmodes.robots.load import load
 from tmodes.sheet import Robot
-from tmodes.simulation.motion_run import tip_positions
+from tmodes.simulation.motion_run import tip_motion
 from tmodes.simulation.native_run import NativeRun
 from tmodes.simulation.start import RunSetup, run_setup, run_trajectory
 from tmodes.simulation.vary.reduce import Reduced, Reduction, reduced
@@ -102,7 +102,7 @@ class Study:
         settings = robot.integration.model_copy(update=exact)
         setup = run_setup(robot.model_copy(update={"integration": settings}))
         run = run_trajectory(setup)
-        return tip_positions(setup, run.times, run.states)
+        return tip_motion(setup, run.times, run.states)[0]
 
 
 def one_by_one(setups: list[RunSetup]) -> tuple[Spent, list[np.ndarray]]:
@@ -116,7 +116,7 @@ def one_by_one(setups: list[RunSetup]) -> tuple[Spent, list[np.ndarray]]:
         began = time.thread_time()
         loop(*numbers)
         spent += time.thread_time() - began
-        tips.append(tip_positions(setup, run.times, run.samples))
+        tips.append(tip_motion(setup, run.times, run.samples)[0])
     return Spent(np.nan, spent / len(setups)), tips
 
 
@@ -151,7 +151,7 @@ def radau(setup: RunSetup) -> tuple[Spent, np.ndarray]:
             states.extend(done.y.T)
 
     spent, _ = measured(work, 1)
-    return spent, tip_positions(setup, times, np.array(states)[: len(times)])
+    return spent, tip_motion(setup, times, np.array(states)[: len(times)])[0]
 
 
 def _peer_case(factor: float) -> float:

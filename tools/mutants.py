@@ -124,8 +124,8 @@ FAULTS = (
     Fault("compile/cache_folder.py", "if status.st_mode & _OTHERS:", "if False:", "tests/core/test_cache.py"),
     Fault(
         "analysis/vibration.py",
-        "(times[last + 1] - times[last]) - since)",
-        "(times[last + 1] - times[last]))",
+        "(times[k + 1] - times[k]) - since)",
+        "(times[k + 1] - times[k]))",
         "tests/result/test_settling.py",
     ),
     Fault(

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import json
+import os
 from pathlib import Path
 
 import numpy as np
@@ -11,13 +12,19 @@ import pytest
 
 import tmodes
 from arm.see.runs import sheet
-from tmodes.analysis.vibration import residual_vibration, settled_after
+from random_robots import random_robot
+from tmodes.analysis.vibration import farthest, residual_vibration, settled_after
 from tmodes.errors import InputError, InputErrors
 from tmodes.integrate.band import BAND, Band
 from tmodes.result import Result
-from tmodes.result.settling import at_rest_from
+from tmodes.result.assemble import Assembly
+from tmodes.result.settling import after_move, at_rest_from, move_end
 from tmodes.sheet import Robot
+from tmodes.simulation.simulate import simulate_motion
 from tmodes.simulation.start import run_setup
+
+COUNT = int(os.environ.get("TMODES_RANDOM_RUNS", "0"))
+"""Random robots of each kind; of 0 two."""
 
 STIFFNESS, INERTIA, RATIO, LENGTH = 40.0, 0.4, 0.1, 0.5
 FREQUENCY = np.sqrt(STIFFNESS / INERTIA)
@@ -163,6 +170,78 @@ def test_a_run_that_ends_within_the_move():
     assert result.settling["time_s"] is None
     assert "simulate longer" in result.settling["reason"]
     assert json.loads(result.data.attrs["settling"]) == result.settling
+
+
+def sprung(output_step: float, duration: float = 1.5) -> Robot:
+    """An inertia behind a gear whose motor moves by a given trapezoid of speed; the band is 6 mm."""
+    move = {"type": "trapezoid", "start": 0.0, "end": 1.2, "duration": 1.0, "ramp_fraction": 0.2}
+    return Robot.from_data(sheet(
+        joints=[{"name": "hub", "type": "revolute", "child": "rod", "axis": [0, 0, 1],
+                 "motor": {"inertia": 0.1, "side": "joint"}, "gear": {"stiffness": 140.0, "damping": 0.5}}],
+        links=[{"name": "rod", "bodies": [{"name": "bob", "mass": 1.0, "inertia": 0.5}]}],
+        tip={"link": "rod", "position": [1.0, 0, 0]},
+        drives=[{"joint": "hub", "command": "prescribed", "signal": move}],
+    ) | {"integration": {"duration": duration, "output_step": output_step, "settling_band": "6 mm"}})  # fmt: skip
+
+
+@pytest.mark.parametrize("output_step", [1e-3, 1e-2, 0.05, 0.3])
+def test_the_output_step_does_not_matter(output_step: float) -> None:
+    """Against the closed form, whose tip is last at the band 3.616731380921 s after the move."""
+    for duration in (1.5, 3.1):
+        info = tmodes.run(sprung(output_step, duration)).settling
+        assert info["time_s"] == pytest.approx(3.616731380921, abs=1e-5)
+
+
+@pytest.mark.parametrize("kind", ["gears", "segments", "sampled"])
+def test_random_robots_settle_alike_at_any_output_step(kind: str) -> None:
+    """To a thousandth of the period of what vibrates; without a vibration, to a millisecond."""
+    for seed in range(COUNT or 2):
+        robot = random_robot(kind, 900 + seed).with_({"integration.error_estimate": False, "drives.0.signal.end": 0.7})
+        step, found = robot.integration.output_step, []
+        for factor in (1, 2, 5):
+            made = Assembly(simulate_motion(robot.with_({"integration.output_step": factor * step})), robot)
+            found.append(made.settling)
+        modes = made.vibration["actual"]["modes"]
+        least = 1e-3 / modes[0]["frequency_Hz"] if modes else 1e-3
+        times = [info["time_s"] for info in found]
+        if None not in times:
+            assert times == pytest.approx([times[0]] * 3, abs=least)
+
+
+def test_sampled_control_is_continued_at_its_own_samples() -> None:
+    """A run that ends between two samples of its controller continues as a longer run does."""
+    robot = random_robot("sampled", 7002).with_({"integration.error_estimate": False})
+    length = robot.integration.duration
+    run = simulate_motion(robot)
+    after = after_move(run, move_end(run.planned))
+    longer = simulate_motion(robot.with_({"integration.duration": 2 * length}))
+    later = (after.times > length) & (after.times < 2 * length)
+    assert later.sum() > 100
+    place = np.stack([np.interp(after.times[later], longer.times, column) for column in longer.points.position[:, 0].T])
+    assert np.abs(place.T - after.tip[later]).max() < 1e-8
+
+
+def moved(time: np.ndarray, rate: float, decay: float, phase: float) -> tuple[np.ndarray, np.ndarray]:
+    """Places and rates (n, 2) of a decaying vibration about (2, 2)."""
+    pole = rate * (-decay + 1j)
+    turned = np.outer(np.exp(pole * time + 1j * phase), [1.0, 0.4j])
+    return 2.0 + turned.real, (pole * turned).real
+
+
+def test_the_last_exit_between_samples() -> None:
+    """Of decaying vibrations at any phase, against samples a thousand times as near: to a 500th of a period."""
+    random = np.random.default_rng(3)
+    for _ in range(60):
+        rate, decay, phase = random.uniform(5, 60), random.uniform(0.02, 0.2), random.uniform(0, 6)
+        coarse, fine = (np.linspace(0.0, 6 / (decay * rate), count) for count in (int(8 / decay), int(8000 / decay)))
+        limit = random.uniform(0.01, 0.3)
+        far = np.linalg.norm(moved(fine, rate, decay, phase)[0] - 2.0, axis=1)
+        expected = fine[far > limit][-1]
+        values, rates = moved(coarse, rate, decay, phase)
+        assert settled_after(coarse, values, [2.0, 2.0], limit, 0.0, rates) == pytest.approx(
+            expected, abs=2 * np.pi / rate / 500
+        )
+        assert farthest(coarse, values, rates, np.array([2.0, 2.0])) == pytest.approx(far.max(), rel=1e-3)
 
 
 def test_noise_ends_where_a_run_is_continued():

@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["FEWEST", "Mode", "Residual", "fitted", "residual_vibration", "settled_after"]
+__all__ = ["FEWEST", "Mode", "Residual", "are_coarse", "farthest", "fitted", "residual_vibration", "settled_after"]
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -46,6 +46,15 @@ _DRIFTS = 0.01
 
 _PERIODIC = 0.5
 """Share of a spectrum about its peak from which on a motion that is no sum of exponentials has a period."""
+
+_REAL = 1e-9
+"""Imaginary part of a root that is rounding, and how far it may stand outside of its interval."""
+
+_BETWEEN, _SMALL = 1e-3, 0.1
+"""Error between samples over the distance from rest, from which on finer ones are taken; least distance over band."""
+
+_PLACES = 65
+"""Places between two samples at which a largest distance is looked for."""
 
 _STRONG = 1e-3
 """Amplitude over the largest above which a frequency must be sampled well."""
@@ -87,20 +96,67 @@ class Residual(NamedTuple):
     span: float = 0.0
 
 
-def settled_after(times: Array, values: Array, rest: ArrayLike, limit: float, since: float) -> float | None:
+def settled_after(
+    times: Array, values: Array, rest: ArrayLike, limit: float, since: float, rates: Array | None = None
+) -> float | None:
     """Time [s] after ``since`` from which on ``values`` (n, k) stay within ``limit`` of ``rest``; None: not seen.
 
-    Between samples the distance is taken as a straight line.
+    Between samples the motion is the cubic of both values and their ``rates`` (n, k), whose last exit is found exactly;
+    where no rates are given they are those of a cubic spline.
     """
-    far = np.linalg.norm(values - np.asarray(rest), axis=1)
-    outside = np.flatnonzero((far > limit) & (times >= since * (1 - 1e-12)))
-    if not len(outside):
-        return 0.0
-    last = int(outside[-1])
-    if last == len(times) - 1:
+    pieces, bounds = _cubics(times, values - np.asarray(rest), _slopes(times, values, rates))
+    if np.linalg.norm(values[-1] - np.asarray(rest)) > limit:
         return None
-    share = (far[last] - limit) / (far[last] - far[last + 1])
-    return float(times[last] + share * (times[last + 1] - times[last]) - since)
+    for k in np.flatnonzero((bounds > limit) & (times[1:] > since * (1 + 1e-12)))[::-1]:
+        far = np.sum([np.convolve(one, one) for one in pieces[::-1, k].T], axis=0)
+        far[-1] -= limit**2
+        roots = np.roots(far)
+        crossed = roots.real[(np.abs(roots.imag) < _REAL) & (roots.real <= 1 + _REAL)].max(initial=-1.0)
+        when = float(times[k] + crossed * (times[k + 1] - times[k]) - since)
+        if crossed >= -_REAL and when > 0:
+            return when
+    return 0.0
+
+
+def farthest(times: Array, values: Array, rates: Array | None, rest: Array) -> float:
+    """The largest distance of such a motion from ``rest``, between samples too."""
+    most = float(np.linalg.norm(values - rest, axis=1).max())
+    pieces, bounds = _cubics(times, values - rest, _slopes(times, values, rates))
+    between = np.linspace(0.0, 1.0, _PLACES)[:, None] ** np.arange(4)
+    seen = np.linalg.norm(np.tensordot(between, pieces[:, bounds > most], axes=1), axis=2)
+    return float(seen.max(initial=most))
+
+
+def _slopes(times: Array, values: Array, rates: Array | None) -> Array:
+    """The given rates, or those of a cubic spline."""
+    if rates is not None or len(times) < 2:
+        return np.zeros_like(values) if rates is None else rates
+    from scipy.interpolate import CubicSpline
+
+    return np.asarray(CubicSpline(times, values)(times, 1))
+
+
+def _cubics(times: Array, values: Array, rates: Array) -> tuple[Array, Array]:
+    """Powers (4, n - 1, k) of the share of each interval, and the most that their polynomials can be away from zero."""
+    first, last = values[:-1], values[1:]
+    left, right = (np.diff(times)[:, None] * slope for slope in (rates[:-1], rates[1:]))
+    powers = np.array([first, left, 3 * (last - first) - 2 * left - right, 2 * (first - last) + left + right])
+    control = np.array([first, first + left / 3, last - right / 3, last])  # no cubic leaves the hull of these
+    return powers, np.linalg.norm(control, axis=2).max(axis=0, initial=0.0)
+
+
+def are_coarse(times: Array, values: Array, rates: Array, rest: ArrayLike, limit: float) -> bool:
+    """Whether the motion between samples is not known to a thousandth of its distance from ``rest``.
+
+    Of distances below a tenth of ``limit``, to that of a tenth. By the error of the cubics that leave out every other
+    sample: that of all is a sixteenth of it.
+    """
+    steps = np.diff(times)
+    even = np.abs(steps[1:] - steps[:-1]) < 1e-6 * steps[1:]
+    middle = (values[2:] + values[:-2]) / 2 + steps[1:, None] * (rates[:-2] - rates[2:]) / 4
+    wrong = np.linalg.norm(middle - values[1:-1], axis=1)[even] / 16
+    far = np.linalg.norm(values[1:-1] - np.asarray(rest), axis=1)[even]
+    return bool((wrong > _BETWEEN * np.maximum(far, _SMALL * limit)).any())
 
 
 def residual_vibration(times: Array, values: Array, since: float | None = None) -> Residual:

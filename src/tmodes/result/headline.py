@@ -19,10 +19,10 @@ __all__ = ["point_errors", "seen_from"]
 
 
 def seen_from(run: RunData, point: Point) -> RunData:
-    """The same run whose only named point is this one; its reference too. Of its points the positions alone are so."""
+    """The same run whose only named point is this one; its reference too. Of accelerations this is not so."""
     setup = replace(run.setup, mechanics=Model(replace(run.chain, points=(point,)), trials=True))
     reference = run.reference and seen_from(run.reference, point)
-    return replace(run, setup=setup, points=setup.mechanics.points(run.q, base=run.base), reference=reference)
+    return replace(run, setup=setup, points=setup.mechanics.points(run.q, run.v, base=run.base), reference=reference)
 
 
 def point_errors(runs: Mapping[str, RunData], count: int) -> dict[str, Any]:

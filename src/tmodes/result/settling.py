@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.analysis.vibration import FEWEST, Residual, residual_vibration, settled_after
+from tmodes.analysis.vibration import FEWEST, Residual, are_coarse, farthest, residual_vibration, settled_after
 from tmodes.errors import InputError
 from tmodes.integrate.band import BAND, Band
 from tmodes.integrate.registry import integrator
@@ -51,6 +51,9 @@ _NEGLIGIBLE = 100_000
 _LAST, _STEADY = 0.2, 0.5
 """Share of the time after the move, at its end, in which the tip must stay within this share of the band."""
 
+_CREEPS = 0.9
+"""Ratio of two changes, one fifth of that time apart, up to which a motion creeps to a rest that is known by them."""
+
 _AT_REST = 1e-4
 """Share of the largest distance from its end, after the move, within which the tip no longer shows its vibration."""
 
@@ -63,20 +66,20 @@ _BEYOND = 2.0
 
 @dataclass(frozen=True, eq=False)
 class AfterMove:
-    """A run and its continuation with all signals at rest: its tip (n, 3) [m] and coordinates (n, nq) at ``times``.
+    """A run and its continuation with all signals at rest: its tip at ``times``, and coordinates ``q`` (n, nq).
 
-    ``end``: of the move [s], None where it has none; ``finished`` [s]: where the run itself ends; ``join``: its sample
-    from which it is continued, from there on at every ``stride``-th step; ``cut``: what ended the continuation before
-    all was seen.
+    ``tip`` (n, 3) [m] and ``rates`` (n, 3) [m/s]; ``end``: of the move [s], None where it has none; ``finished`` [s]:
+    where the run itself ends; ``even``: samples at equal times, in which vibrations are looked for; ``cut``: what ended
+    the continuation before all was seen.
     """
 
     times: Array
     tip: Array
+    rates: Array
     q: Array
     end: float | None
     finished: float
-    join: int
-    stride: int = 1
+    even: NDArray[np.intp]
     cut: str = ""
 
     @property
@@ -86,46 +89,83 @@ class AfterMove:
 
     def settling(self, band: Band = USUAL) -> dict[str, Any]:
         """When the tip stays near its own rest, see :func:`settling`; and how far the run was continued for it."""
-        return settling(self.times, self.tip, self.end, self.finished, band) | self.beyond
-
-    @property
-    def _even(self) -> NDArray[np.intp]:
-        """Samples at equal times, those of the continuation among them."""
-        own = np.arange(self.join % self.stride, self.join, self.stride)
-        return np.concatenate([own, np.arange(self.join, len(self.times))])
+        return settling(self.times, self.tip, self.rates, self.end, self.finished, band) | self.beyond
 
     def vibration(self) -> Residual:
         """The vibration at the end of the move, about the slowly moving mean."""
-        return vibration(self.times[self._even], self.tip[self._even], self.end)
+        return vibration(self.times[self.even], self.tip[self.even], self.end)
 
     def later(self) -> tuple[Array, Array]:
         """Times after the end of the move [s], and the coordinates then."""
         end = self.end or 0.0
-        kept = self._even[self.times[self._even] >= end * (1 - 1e-12)]
+        kept = self.even[self.times[self.even] >= end * (1 - 1e-12)]
         return self.times[kept] - end, self.q[kept]
 
+    def is_coarse(self, band: Band) -> bool:
+        """Whether the samples after the move are too far apart for when the tip settles."""
+        later = slice(np.searchsorted(self.times, (self.end or 0.0) * (1 - 1e-12)), None)
+        rest, limit = _rest(self.times, self.tip, self.end), self.settling(band)["limit_m"]
+        return are_coarse(self.times[later], self.tip[later], self.rates[later], rest, limit)
 
-def settling(times: Array, tip: Array, end: float | None, finished: float, band: Band = USUAL) -> dict[str, Any]:
+    def joined(
+        self, sample: int, times: Array, tip: Array, rates: Array, q: Array, *, stride: int | None = None
+    ) -> AfterMove:
+        """With another motion in the place of its samples after one, up to the end of that.
+
+        ``stride``: how many of its steps are one of that motion, for which they are evenly spaced; None: none are.
+        """
+        last = int(np.searchsorted(self.times, times[-1] * (1 + 1e-12)))
+
+        def both(own: Array, given: Array) -> Array:
+            return np.concatenate([own[: sample + 1], given[1:], own[last:]])
+
+        parts = both(self.times, times), both(self.tip, tip), both(self.rates, rates), both(self.q, q)
+        own = np.arange(sample % stride, sample, stride) if stride else np.arange(0)
+        return AfterMove(*parts, self.end, self.finished, np.append(own, np.arange(sample, sample + len(times))))
+
+
+def settling(
+    times: Array, tip: Array, rates: Array | None, end: float | None, finished: float, band: Band = USUAL
+) -> dict[str, Any]:
     """Time from the end of the move after which the actual tip stays within ``limit_m`` of its own rest.
 
-    Its rest is where it is in the end: the mean of the last fifth of the samples, in which it must not move by more
-    than a share of the band. ``limit_m`` is the ``band``, of ``move_m``, its farthest distance from rest in the run.
+    Its rest is where it ends: its mean over the last fifth of the time after the move, in which it must not be farther
+    away than a share of the band, and what creeping adds to that. ``limit_m`` is the ``band``, of ``move_m``, its
+    farthest distance from rest in the run. Between samples the tip moves by cubics of its positions and ``rates``.
     ``time_s`` is None, with a ``reason``, where the tip is not seen to come to rest, and stay there.
     """
-    last = tip[times >= times[-1] - _LAST * max(times[-1] - (end or 0.0), 0.0)]
-    rest = last.mean(axis=0)
-    far, spread = (np.linalg.norm(part - rest, axis=1) for part in (tip[times <= finished * (1 + 1e-9)], last))
-    limit = max(band.limit(float(far.max())), _NO_MOVE)
-    info = not_settled("", band) | {"limit_m": limit, "move_m": float(far.max())}
+    rest, run = _rest(times, tip, end), times <= finished * (1 + 1e-9)
+    move = farthest(times[run], tip[run], rates if rates is None else rates[run], rest)
+    limit = max(band.limit(move), _NO_MOVE)
+    info = not_settled("", band) | {"limit_m": limit, "move_m": move}
     if end is None:
         return info | {"reason": "what moves the robot changes up to the end of the run"}
     if times[-1] <= end * (1 + 1e-9):
         when = f"the run ends at {times[-1]:g} s, the move at {end:g} s"
         return info | {"reason": f"{when}: simulate longer to see it settle"}
-    if spread.max() > _STEADY * limit:
-        seen = f"the tip still moves by {2 * spread.max():.3g} m before t = {times[-1]:.4g} s"
+    spread = float(np.linalg.norm(tip[times >= _late(times, end)] - rest, axis=1).max())
+    if spread > _STEADY * limit:
+        seen = f"the tip still moves by {2 * spread:.3g} m before t = {times[-1]:.4g} s"
         return info | {"reason": f"{seen}: a vibration that does not decay, or a run that is too short"}
-    return info | {"time_s": settled_after(times, tip, rest, limit, end), "rest_m": rest.tolist()}
+    return info | {"time_s": settled_after(times, tip, rest, limit, end, rates), "rest_m": rest.tolist()}
+
+
+def _late(times: Array, end: float | None) -> float:
+    """From when on the tip must be at rest [s]."""
+    return float(times[-1] - _LAST * max(times[-1] - (end or 0.0), 0.0))
+
+
+def _rest(times: Array, tip: Array, end: float | None) -> Array:
+    """Where a tip comes to rest: its smooth mean over the last fifth, and what a creeping one has before it."""
+    length = max(float(times[-1]) - (end or 0.0), 0.0)
+    steps, means = np.gradient(times) if len(times) > 1 else np.ones(1), []
+    for until in (_LAST * k * length for k in (2, 1, 0)):
+        share = (times - times[-1] + until) / (_LAST * length or 1.0) + 1
+        weight = np.where((share >= 0) & (share <= 1), np.sin(np.pi * share) ** 2, 0.0) * steps
+        means.append(weight @ tip / weight.sum() if weight.sum() > 0 else tip[-1])
+    before, last = means[1] - means[0], means[2] - means[1]
+    ratio = float(last @ before) / (float(before @ before) or 1.0)
+    return means[2] + (last * ratio / (1 - ratio) if 0 < ratio < _CREEPS else 0.0)
 
 
 def not_settled(reason: str, band: Band = USUAL) -> dict[str, Any]:
@@ -176,34 +216,79 @@ def after_move(run: RunData, end: float | None, progress: Callable[[float], None
 
     All signals keep their last value, noise ends. Only the samples are looked at where a run did not reach its end,
     where its signals change up to its end, where a Python function controls it, and where a vibration does not decay.
-    The continuation takes at most half of the steps of the run itself, or about a second of computing; ``progress`` is
-    given the share that is done. Raises KeyboardInterrupt where it is interrupted.
+    Where samples are too far apart for its motion, it is integrated once more from the end of the move on. Both take at
+    most half of the steps of the run itself, or about a second of computing; ``progress`` is given the share that is
+    done. Raises KeyboardInterrupt where it is interrupted.
     """
-    times, tip, last = run.times, run.points.position[:, 0], len(run.times) - 1
     setup, decays = run.setup, _decays(run)
-    alone = AfterMove(times, tip, run.q, end, float(times[-1]), last)
-    stops = end is not None and end <= times[-1] * (1 + 1e-9)
-    if end is None or not stops or run.status != "finished" or setup.callback or min(decays, default=1.0) <= 0:
-        return alone
-    last = _last_even(times, end)
-    band = Band.parsed(setup.robot.integration.settling_band)
-    horizon, left, best = max(min(_HORIZON, _DECAYS / min(decays, default=1.0)), _SHORTEST), _work(run), alone
-    while True:
-        done, tips, stride = _continued(setup, run, last, horizon, left, progress)
-        later = done.states[1:, setup.model.layout.q]
-        found = replace(
-            alone, times=np.append(times[: last + 1], times[last] + done.times[1:]), join=last, stride=stride,
-            tip=np.concatenate([tip[: last + 1], tips[1:]]), q=np.concatenate([run.q[: last + 1], later]),
-        )  # fmt: skip
-        best = found if found.times[-1] >= best.times[-1] else best
-        left -= done.statistics["steps"] + done.statistics["rejected"]
-        if done.status == "stopped" or left <= 0:
-            return replace(best, cut=f"not looked at beyond t = {best.times[-1]:.4g} s: half of the run's own steps")
-        if done.status != "finished":
-            return replace(alone, cut=f"continued beyond its end, the run was lost: {done.message}")
-        if horizon >= _HORIZON or found.settling(band)["time_s"] is not None:
+    motion, last = (run.points.position[:, 0], run.points.velocity[:, 0], run.q), len(run.times)
+    found = AfterMove(run.times, *motion, end, float(run.times[-1]), np.arange(last))
+    stops = end is not None and end <= run.times[-1] * (1 + 1e-9)
+    if end is None or not stops or run.status != "finished" or setup.callback:
+        return found
+    more = _Continued(run, end, _work(run), progress)
+    if min(decays, default=1.0) > 0:
+        found = more.beyond(found, max(min(_HORIZON, _DECAYS / min(decays, default=1.0)), _SHORTEST))
+    return more.finer(found)
+
+
+class _Continued:
+    """A run whose move is over at ``end`` [s], and how many steps may be taken ``left`` to see what follows."""
+
+    def __init__(self, run: RunData, end: float, left: int, progress: Callable[[float], None]) -> None:
+        self.run, self.end, self.left, self.progress = run, end, left, progress
+        self.band = Band.parsed(run.robot.integration.settling_band)
+
+    def beyond(self, alone: AfterMove, horizon: float) -> AfterMove:
+        """With what follows its last sample, for ``horizon`` [s] or up to the longest where it is not at rest then."""
+        last, best = _last_even(self.run.times, self.end), alone
+        while True:
+            stride = max(1, int(np.ceil(horizon / _SAMPLES / self.run.robot.integration.output_step)))
+            done, *motion = self._from(last, horizon, stride * self.run.robot.integration.output_step)
+            found = alone.joined(last, *motion, stride=stride)
+            best = found if found.times[-1] >= best.times[-1] else best
+            if done.status == "stopped" or self.left <= 0:
+                until = f"not looked at beyond t = {best.times[-1]:.4g} s"
+                return replace(best, cut=f"{until}: half of the run's own steps")
+            if done.status != "finished":
+                return replace(alone, cut=f"continued beyond its end, the run was lost: {done.message}")
+            if horizon >= _HORIZON or found.settling(self.band)["time_s"] is not None:
+                return found
+            horizon = min(2 * horizon, _HORIZON)
+
+    def finer(self, found: AfterMove) -> AfterMove:
+        """With samples as near as the steps of the integration, where its own are too far apart after the move."""
+        run, first = self.run, int(np.searchsorted(self.run.times, self.end * (1 - 1e-12)))
+        step = run.statistics.get("mean_step_s") or np.inf
+        span = min(float(found.times[-1] - run.times[first]), _SAMPLES * step)
+        noisy = any(drive.noise >= 0 for drive in run.planned.plan.drives)
+        if noisy or step >= run.robot.integration.output_step or min(span, self.left) <= 0:
             return found
-        horizon = min(2 * horizon, _HORIZON)
+        if not found.is_coarse(self.band):
+            return found
+        done, *motion = self._from(first, span, span / np.ceil(span / step))
+        seen = found.joined(first, *motion) if len(motion[0]) > FEWEST else found
+        return replace(seen, cut=found.cut) if done.status in ("finished", "stopped") else found
+
+    def _from(self, sample: int, duration: float, step: float) -> tuple[Trajectory, Array, Array, Array, Array]:
+        """The run from a sample on, all signals at rest: its times [s], its tip and the rates of that, coordinates."""
+        from tmodes.simulation.motion_run import tip_motion
+        from tmodes.simulation.trajectory import integrate
+
+        begin = float(self.run.times[sample])
+        setup, state = at_rest_from(self.run.setup, begin, self.run.states[sample], duration)
+        some = {"duration": duration, "max_steps": self.left}
+        settings = setup.robot.integration.model_copy(update=some | {"output_step": step})
+        if not integrator(settings.method).adaptive:
+            settings = settings.chosen("dormand_prince")
+        later = setup.otherwise and setup.otherwise.model_copy(update=some)
+        schedule = setup.planned.schedule
+        done = integrate(setup.model, setup.model.numbers, schedule, state, settings, self.progress, otherwise=later)
+        if done.status == "interrupted":
+            raise KeyboardInterrupt
+        self.left -= done.statistics["steps"] + done.statistics["rejected"]
+        motion = tip_motion(setup, done.times, done.states)
+        return done, begin + done.times, *motion, done.states[:, setup.model.layout.q]
 
 
 def _last_even(times: Array, end: float) -> int:
@@ -228,29 +313,6 @@ def _decays(run: RunData) -> list[float]:
     return [spectrum.slowest_decay, *map(float, creeping)]
 
 
-def _continued(
-    setup: RunSetup, run: RunData, sample: int, duration: float, steps: int, progress: Callable[[float], None]
-) -> tuple[Trajectory, Array, int]:
-    """The run from a sample on, all signals at rest, its tip at each sample (n, 3) [m], and how far these are apart."""
-    from tmodes.simulation.motion_run import tip_positions
-    from tmodes.simulation.trajectory import integrate
-
-    setup, state = at_rest_from(setup, float(run.times[sample]), run.states[sample], duration)
-    given = setup.robot.integration
-    stride = max(1, int(np.ceil(duration / _SAMPLES / given.output_step)))
-    settings = given.model_copy(
-        update={"duration": duration, "output_step": stride * given.output_step, "max_steps": steps}
-    )
-    if not integrator(settings.method).adaptive:
-        settings = settings.chosen("dormand_prince")
-    later = setup.otherwise and setup.otherwise.model_copy(update={"duration": duration, "max_steps": steps})
-    schedule = setup.planned.schedule
-    done = integrate(setup.model, setup.model.numbers, schedule, state, settings, progress, otherwise=later)
-    if done.status == "interrupted":
-        raise KeyboardInterrupt
-    return done, tip_positions(setup, done.times, done.states), stride
-
-
 def at_rest_from(setup: RunSetup, time: float, state: Array, duration: float) -> tuple[RunSetup, Array]:
     """The same robot with all signals at their values at a time [s], and the state from which it continues."""
     plan, layout = setup.planned, setup.model.layout
@@ -259,7 +321,10 @@ def at_rest_from(setup: RunSetup, time: float, state: Array, duration: float) ->
     knots, clocks = np.array([0.0, duration]), {drive.clock for drive in plan.plan.drives}
     still = np.zeros((len(values), 1, plan.signals.degree + 1))
     still[:, 0, 0] = values
-    each = [plan.each[k].schedule(duration) if k in clocks else Schedule(knots, still[k]) for k in range(len(values))]
+    each = [
+        one.schedule(time + duration).since(time) if k in clocks else Schedule(knots, still[k])
+        for k, one in enumerate(plan.each)
+    ]
     signals = merge(each) if each else MergedSchedule(knots, still.transpose(1, 0, 2))
     kept = state.copy()
     for driver in setup.model.loop.drivers:

@@ -82,8 +82,8 @@ def _settling(
         return settled(band)
     if data.attrs.get("headline", "null") != "null":
         return not_settled("another band takes the run itself: tmodes run --settling-band", band or USUAL)
-    end = json.loads(data.attrs["move_end"])
-    return settling(time, _path(data, "tip"), end, float(time[-1]), band or USUAL)
+    end, rates = json.loads(data.attrs["move_end"]), _path(data, "tip_velocity") if "tip_velocity" in data else None
+    return settling(time, _path(data, "tip"), rates, end, float(time[-1]), band or USUAL)
 
 
 def _path(data: Record, name: str) -> Array:

@@ -19,7 +19,7 @@ from tmodes.simulation.parts import Trajectory
 from tmodes.simulation.plan import Planned
 from tmodes.simulation.start import RunSetup
 
-__all__ = ["RunData", "bytes_per_sample", "energies_of", "gathered", "tip_positions"]
+__all__ = ["RunData", "bytes_per_sample", "energies_of", "gathered", "tip_motion"]
 
 Array = NDArray[np.float64]
 
@@ -138,12 +138,13 @@ def gathered(setup: RunSetup, trajectory: Trajectory, rows: Array | None = None)
     )  # fmt: skip
 
 
-def tip_positions(setup: RunSetup, times: Array, states: Array) -> Array:
-    """The tip in the world at n instants (n, 3) [m]."""
-    base = None
+def tip_motion(setup: RunSetup, times: Array, states: Array) -> tuple[Array, Array]:
+    """Position [m] and velocity [m/s] of the tip in the world at n instants (n, 3)."""
+    base, layout = None, setup.model.layout
     if setup.planned.plan.base:
         base = setup.model.observe(times, states, setup.planned.schedule.rows_at(times))["base"]
-    return setup.mechanics.points(states[:, setup.model.layout.q], base=base).position[:, 0]
+    motion = setup.mechanics.points(states[:, layout.q], states[:, layout.v], base=base)
+    return motion.position[:, 0], motion.velocity[:, 0]
 
 
 def _observed(loop: LoopModel, times: Array, states: Array, rows: Array) -> dict[str, Array]:

@@ -68,6 +68,12 @@ class Schedule:
             knots, pieces = np.append(knots, self.knots[-1]), np.vstack([pieces, rest])
         return Schedule(np.append(knots, end), pieces)
 
+    def since(self, begin: float) -> Schedule:
+        """The same motion from ``begin`` [s] on, which becomes its time 0."""
+        later = self.knots[self.knots > begin + SAME * self.duration]
+        knots = np.concatenate([[begin], later if len(later) else [begin + self.duration]])
+        return Schedule(knots - begin, _on_knots(self, knots, self.degree))
+
 
 SAME = 1e-12
 """Knots nearer than this share of the whole time are one knot [-]."""

@@ -15,7 +15,7 @@ from tmodes.kinds.signals.registry import quintic_move
 from tmodes.sheet import Robot
 from tmodes.sheet.parts import Command, DriveSheet
 from tmodes.simulation.hierarchy.variants import driven, whole_chain
-from tmodes.simulation.motion_run import tip_positions
+from tmodes.simulation.motion_run import tip_motion
 from tmodes.simulation.parts import Trajectory, sample_times
 from tmodes.simulation.plan import Follow, starts_at_rest
 from tmodes.simulation.start import RunSetup, run_setup, run_trajectory
@@ -109,7 +109,7 @@ def _setup(robot: Robot) -> tuple[RunSetup, str]:
 
 def _tips(setup: RunSetup, done: Trajectory) -> tuple[Array, Array]:
     times, q = done.times, done.states[:, setup.model.layout.q]
-    tip = tip_positions(setup, times, done.states)
+    tip, _ = tip_motion(setup, times, done.states)
     straight = done.states.copy()
     straight[:, setup.model.layout.q] = without_elasticity(setup.mechanics, q)
-    return tip, np.linalg.norm(tip - tip_positions(setup, times, straight), axis=1)
+    return tip, np.linalg.norm(tip - tip_motion(setup, times, straight)[0], axis=1)
