@@ -10,7 +10,6 @@ from collections import Counter
 from collections.abc import Iterator
 from html.parser import HTMLParser
 from pathlib import Path
-from unittest.mock import patch
 
 import pytest
 
@@ -215,11 +214,12 @@ def test_the_report_is_written_whole_or_not_at_all(good: Result, tmp_path: Path)
     old = tmp_path / "report.html"
     old.write_text("old")
 
-    def fails(result: Result, **_: object) -> str:
-        raise ZeroDivisionError
+    def interrupted(stage: str, share: float) -> None:
+        if share > 0.0:
+            raise KeyboardInterrupt(stage)
 
-    with patch("tmodes.report.page.page", fails), pytest.raises(ZeroDivisionError):
-        write_report(good, old)
+    with pytest.raises(KeyboardInterrupt, match="report"):
+        write_report(good, old, progress=interrupted)
     assert [path.read_text() for path in tmp_path.iterdir()] == ["old"]
     with pytest.raises(ResultFileError, match="a place that can be written"):
         write_report(good, tmp_path / "nowhere" / "report.html")

@@ -149,8 +149,8 @@ TIMES = "wall", "processor"
 PATIENCE = 0.5
 """Seconds of silence before progress is shown."""
 
-LINE_EVERY = 2.0
-"""Seconds between lines where there is no terminal."""
+LINE_EVERY = 1.5
+"""Seconds between lines where there is no terminal, so that no two are 2 s apart on a busy machine."""
 
 
 class Stages:

@@ -93,17 +93,19 @@ def quantities(data: Any, places: Collection[str] = ("",)) -> Iterator[tuple[Any
 
     ``places``: dotted keys and numbers of the parts of the data to look at; by default all.
     """
-    yield from _quantities(root_of(data), data, (), data, [f"{place}." if place else "" for place in places])
+    above = [place.split(".")[:count] for place in places for count in range(1, place.count(".") + 1)]
+    parts = dict.fromkeys(map(".".join, above), False) | dict.fromkeys(places, True)
+    yield from _quantities(root_of(data), data, (), data, None if "" in places else parts)
 
 
 def _quantities(
-    place: ChainPlace, value: Any, steps: tuple[Step, ...], data: Any, parts: Sequence[str]
+    place: ChainPlace, value: Any, steps: tuple[Step, ...], data: Any, parts: Mapping[str, bool] | None
 ) -> Iterator[tuple[Any, Step, tuple[Step, ...], ChainPlace]]:
     items = value.items() if isinstance(value, dict) else enumerate(value) if isinstance(value, list) else ()
     before = "".join(f"{step}." for step in steps)
     for key, item in list(items):
-        here, own = (*steps, key), f"{before}{key}."
-        if not any(own.startswith(part) or part.startswith(own) for part in parts):
+        here, own = (*steps, key), f"{before}{key}"
+        if parts is not None and own not in parts:
             continue
         inner = inside(place, key, value, here, data)
         if inner is None or (item is None and inner.may_be_left_out):
@@ -114,7 +116,7 @@ def _quantities(
         if inner.unit is not None and not holds_more:
             yield value, key, here, inner
         else:
-            yield from _quantities(inner, item, here, data, parts)
+            yield from _quantities(inner, item, here, data, None if parts is None or parts[own] else parts)
 
 
 def _as_one(place: ChainPlace, key: Step) -> ChainPlace:
@@ -192,5 +194,6 @@ def _joint(steps: Sequence[Step], data: Any) -> Any:
         case _:
             return None
     joints = at(data, "joints")
-    found = (joint for joint in joints if at(joint, "name") == name) if isinstance(joints, list) else iter(())
+    among = joints if isinstance(joints, list) else []
+    found = (joint for joint in among if isinstance(joint, dict) and joint.get("name") == name)
     return next(found, None)

@@ -7,6 +7,7 @@ name.
 from __future__ import annotations
 
 import copy
+from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, get_args, get_origin
 
@@ -117,7 +118,8 @@ def _names(items: Sequence[Any]) -> list[Any]:
         next((item[key] for key in _NAMING if key in item), None) if isinstance(item, Mapping) else None
         for item in items
     ]
-    return [name if isinstance(name, str) and names.count(name) == 1 else None for name in names]
+    counts = Counter(name for name in names if isinstance(name, str))
+    return [name if isinstance(name, str) and counts[name] == 1 else None for name in names]
 
 
 def _step(value: Any, words: list[str], place: ChainPlace | None) -> tuple[Step, int]:

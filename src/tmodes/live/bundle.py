@@ -14,7 +14,7 @@ from tmodes.analysis.line.line import elastic_line, line_places
 from tmodes.analysis.quasistatic import deflections, elastic_names
 from tmodes.live.functions import ModelFunctions, engine_settings, live_module
 from tmodes.live.knobs import Ahead
-from tmodes.live.map import LiveMap, live_map
+from tmodes.live.map import LiveMap, Progress, live_map
 from tmodes.live.numbers import follow_of
 from tmodes.live.places import evenly, joint_limits, lines_info, load_places, vibrations_info, yield_strengths
 from tmodes.live.template import sheet_template
@@ -53,7 +53,9 @@ def why_not_live(result: Result) -> str:
     return why_not_mechanics(result.robot)
 
 
-def live_bundle(result: Result, ahead: Ahead | None = None) -> dict[str, Any] | None:
+def live_bundle(
+    result: Result, ahead: Ahead | None = None, progress: Progress = lambda stage, share: None
+) -> dict[str, Any] | None:
     """The bundle of a run, for :func:`tmodes.report.pack.pack`; None where :func:`why_not_live` gives a reason.
 
     ``ahead``: numbers whose sliders come first.
@@ -68,8 +70,9 @@ def live_bundle(result: Result, ahead: Ahead | None = None) -> dict[str, Any] | 
     place = dict(zip(map(str, result.record["coordinate"].values), result.record["q"].values[-1].tolist(), strict=True))
     ended = held_at(pair.real, float(result.record["time"].values[-1]), place)
     own = mechanics(pair, ended, stations, method, compared=compared, surfaces=surfaces)
+    live = live_map(pair, stations, ahead, progress)
     own["errorParts"] = [*map(str, result.record["error_part"].values)] if "tip_error" in result.record else None
-    return {**_common(result, pair, live_map(pair, stations, ahead), method), **own, "stations": np.array(stations)}
+    return {**_common(result, pair, live, method), **own, "stations": np.array(stations)}
 
 
 def _with_surfaces(result: Result) -> list[str]:

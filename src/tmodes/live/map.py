@@ -6,7 +6,7 @@ sliders -> knobs, as known and as they really are -> numbers of each run, by a F
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from hashlib import sha256
@@ -27,9 +27,10 @@ from tmodes.model.forms import Form, Range, Unfit
 from tmodes.sheet import Robot, RobotPair
 from tmodes.simulation.loop import Blocks, whole
 
-__all__ = ["LiveMap", "live_map"]
+__all__ = ["LiveMap", "Progress", "live_map"]
 
 Array = NDArray[np.float64]
+Progress = Callable[[str, float], None]
 
 _SEED = 20100
 _LONGEST_MOVE = 2.5
@@ -101,16 +102,21 @@ def _really(knob: Knob, known: float, factor: float | None) -> float:
     return known * (factor / knob.factor) if knob.factor else known
 
 
-def live_map(pair: RobotPair, stations: tuple[float, ...] = (), ahead: Ahead | None = None) -> LiveMap:
+def live_map(
+    pair: RobotPair,
+    stations: tuple[float, ...] = (),
+    ahead: Ahead | None = None,
+    progress: Progress = lambda stage, share: None,
+) -> LiveMap:
     """The map of a pair: sliders whose effect has a form, and the forms, each verified at random points.
 
     ``stations``: places along each link of a robot of which its picture is made; ``ahead``: numbers whose sliders come
-    first. What was found is kept in the folder of compiled code, and found again where sheet, kinds, program, sliders
-    and the numbers at the start are the same.
+    first; ``progress``: is given ``report`` and its share. What was found is kept in the folder of compiled code, and
+    found again where sheet, kinds, program, sliders and the numbers at the start are the same.
     """
     knobs = knobs_of(pair.nominal, ahead)
     sliders, left_out = _offered(pair, knobs, ahead)
-    runs = _Runs(pair, knobs, sliders, range(len(knobs)), stations)
+    runs = _Runs(pair, knobs, sliders, range(len(knobs)), stations, progress)
     found = json.loads(load(runs.key) or b"null")
     if found is None:
         found = _found(runs)
@@ -167,6 +173,7 @@ class _Runs:
     sliders: Sequence[Slider]
     used: Sequence[int]
     stations: tuple[float, ...]
+    progress: Progress
     places: dict[str, dict[str, Any]] = field(default_factory=dict)
 
     def of(self, used: Sequence[int], sliders: Sequence[Slider]) -> _Runs:
@@ -214,6 +221,7 @@ class _Runs:
         return Range(_really(knob, knob.start, knob.factor), min(ends), max(ends))
 
     def _vector(self, name: str, values: Mapping[int, float]) -> Array:
+        self.progress("report", (max(values, default=0) / len(self.knobs) + (name == "real")) / 2)
         sheet: Any = self.pair.nominal if name == "reference" else self.pair.real
         try:
             changes = self._changes(values, known=name == "reference")

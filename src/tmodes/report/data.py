@@ -15,6 +15,7 @@ from tmodes.analysis.spectrum import MotorState
 from tmodes.errors import InputError, InputErrors, SimulationError, TmodesError
 from tmodes.live.bundle import live_bundle, why_not_live
 from tmodes.live.knobs import Ahead
+from tmodes.live.map import Progress
 from tmodes.report.charts import charts_of
 from tmodes.report.differences import difference_tables, names_by_difference
 from tmodes.report.events import events_of
@@ -56,7 +57,13 @@ def page_data(
     return {"format": 1, "runs": runs, "differences": difference_tables(results, runs), **info}
 
 
-def live_page(result: Result, *, live: bool = True, ahead: Ahead | None = None) -> dict[str, Any]:
+def live_page(
+    result: Result,
+    *,
+    live: bool = True,
+    ahead: Ahead | None = None,
+    progress: Progress = lambda stage, share: None,
+) -> dict[str, Any]:
     """The data of a page about one result, with its equations where they are wanted and the page can run them again.
 
     ``ahead``: numbers whose sliders come first.
@@ -67,7 +74,7 @@ def live_page(result: Result, *, live: bool = True, ahead: Ahead | None = None) 
     if "real" in result.statistics:
         try:
             reason = why_not_live(result)
-            bundle = None if reason else live_bundle(result, ahead)
+            bundle = None if reason else live_bundle(result, ahead, progress)
         except (TmodesError, KeyError, ValueError) as error:  # a good run keeps its page
             reason = str(error)
     return page_data([result], live=bundle, not_live=reason)

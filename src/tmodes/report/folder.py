@@ -116,6 +116,7 @@ class RunFolder:
         """
         if self._done:
             return self._done
+        progress("preparing", 0.0)
         result = run(self.robot, progress=progress, journals=self._journal)
         self._save(result.begun())
         result, heard = result.complete(progress), False
@@ -140,7 +141,7 @@ class RunFolder:
     def report(self, result: Any, progress: Progress) -> None:
         """Write the report."""
         progress("report", 0.0)
-        write_report(result, self.report_file, live=self.live, spent=self.spent)
+        write_report(result, self.report_file, live=self.live, spent=self.spent, progress=progress)
 
     def draw(self, result: Any, progress: Progress) -> None:
         """Draw the figures for print."""

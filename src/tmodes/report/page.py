@@ -10,6 +10,7 @@ from typing import Any
 from tmodes.io.arguments import checked_arguments
 from tmodes.io.atomic import atomic_write
 from tmodes.live.knobs import Ahead
+from tmodes.live.map import Progress
 from tmodes.plot.panels import pretty
 from tmodes.report.data import facts_of, live_page
 from tmodes.report.facts import fact_list
@@ -35,11 +36,12 @@ def page(
     live: bool = True,
     spent: Mapping[str, Sequence[float]] | None = None,
     ahead: Ahead | None = None,
+    progress: Progress = lambda stage, share: None,
 ) -> str:
     """The whole page as one HTML document.
 
     ``live``: whether it holds the robot's equations, to be simulated again in the page; ``spent``: wall and processor
-    time [s] by stage; ``ahead``: numbers whose sliders come first.
+    time [s] by stage; ``ahead``: numbers whose sliders come first; ``progress``: is given ``report`` and its share.
     """
     robot = result.robot
     return document(
@@ -49,7 +51,7 @@ def page(
         _header(result, robot),
         status(result),
         warnings(result),
-        application(live_page(result, live=live, ahead=ahead)),
+        application(live_page(result, live=live, ahead=ahead, progress=progress)),
         _numbers(result),
         section("robot", *_sheet(robot)),
         _provenance(result, robot, spent or {}),
@@ -126,14 +128,20 @@ def _provenance(result: Result, robot: Robot, spent: Mapping[str, Sequence[float
 
 @checked_arguments
 def write_report(
-    result: Result, path: Path | str, *, live: bool = True, spent: Mapping[str, Sequence[float]] | None = None
+    result: Result,
+    path: Path | str,
+    *,
+    live: bool = True,
+    spent: Mapping[str, Sequence[float]] | None = None,
+    progress: Progress = lambda stage, share: None,
 ) -> Path:
     """Write the result's report as one self-contained HTML file; the same result gives the same bytes.
 
-    ``live``: with the robot's equations; ``spent``: with wall and processor time [s] by stage.
+    ``live``: with the robot's equations; ``spent``: with wall and processor time [s] by stage; ``progress``: is given
+    ``report`` and its share, and may raise, upon which nothing is written.
     Raises :class:`tmodes.errors.ResultFileError` when the file cannot be written.
     """
-    text = page(result, live=live, spent=spent)
+    text = page(result, live=live, spent=spent, progress=progress)
     with atomic_write(path) as temporary:
         temporary.write_text(text, encoding="utf-8", newline="\n")
     return Path(path)
