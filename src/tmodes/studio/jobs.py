@@ -124,8 +124,8 @@ class JobBook:
             job.state, job.info, job.errors = head["kind"], head.get("info", {}), head.get("errors", [])
         except WorkerLost:
             job.state = "error"
-            hint = "simulate again; with fewer samples where the memory may have been too small"
-            job.errors = [error_record("", f"the process that simulated ended unexpectedly; {hint}", hint=hint)]
+            hint = "try again; with fewer samples where the memory may have been too small"
+            job.errors = [error_record("", f"the process that worked on it ended unexpectedly; {hint}", hint=hint)]
         except OSError as error:
             job.state = "error"
             job.errors = [error_record("", f"no process could be started: {error.strerror}; free some memory")]

@@ -103,13 +103,13 @@ class Pool:
     """``size`` workers; a job waits until one is free, the one that last did the same for the same client if it is.
 
     So the curves that somebody drags stay with one worker, and longer work, such as a report, continues next to them.
-    What workers write meanwhile lies in ``place``, which its owner removes.
+    What workers write meanwhile lies in ``place``, which its owner removes. A pool that was not started starts each
+    worker when a job needs it.
     """
 
     def __init__(self, size: int, place: Path) -> None:
-        self._size = size
         self._place = place
-        self._free: list[_Worker] = []
+        self._free: list[_Worker | None] = [None] * size
         self._all: set[_Worker] = set()
         self._room = asyncio.Condition()
         self._numbers = 0
@@ -117,10 +117,7 @@ class Pool:
 
     async def start(self) -> None:
         """Start the workers."""
-        for _ in range(self._size):
-            worker = await _Worker.started(self._place)
-            self._all.add(worker)
-            self._free.append(worker)
+        self._free = [await self._living(None) for _ in self._free]
 
     async def stop(self) -> None:
         """End all workers; jobs that still run are lost."""
@@ -157,7 +154,8 @@ class Pool:
     async def _borrowed(self, work: str) -> _Worker:
         async with self._room:
             await self._room.wait_for(lambda: self._free)
-            known = next((worker for worker in self._free if worker.last == work), self._free[0])
+            idle = min(self._free, key=lambda worker: worker is None)  # rather one that runs than a new one
+            known = next((worker for worker in self._free if worker and worker.last == work), idle)
             self._free.remove(known)
         try:
             living = await self._living(known)
@@ -174,17 +172,18 @@ class Pool:
             worker = await self._living(worker)
         await self._free_again(worker)
 
-    async def _living(self, worker: _Worker) -> _Worker:
-        """The worker, or a new one for one that is dead; raises :class:`OSError` where none can be started."""
-        if worker.alive:
+    async def _living(self, worker: _Worker | None) -> _Worker:
+        """The worker, or a new one for one that is dead or none; :class:`OSError` where none can be started."""
+        if worker and worker.alive:
             return worker
-        await worker.kill()
+        if worker:
+            await worker.kill()
         living = await _Worker.started(self._place)
-        self._all.discard(worker)
+        self._all -= {worker}
         self._all.add(living)
         return living
 
-    async def _free_again(self, worker: _Worker) -> None:
+    async def _free_again(self, worker: _Worker | None) -> None:
         async with self._room:
             self._free.append(worker)
             self._room.notify()

@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 import json
 import os
+import secrets
 from collections.abc import AsyncIterator, Callable
 from contextlib import asynccontextmanager, suppress
 from pathlib import Path
@@ -15,8 +16,6 @@ from fastapi.exceptions import RequestValidationError
 from starlette.concurrency import run_in_threadpool
 
 from tmodes.errors import InputError, ResultFileError, TmodesError
-from tmodes.io.sheet_check import sheet_from_data
-from tmodes.io.sheet_write import robot_to_yaml
 from tmodes.io.words import shown
 from tmodes.robots.load import load
 from tmodes.sheet import Robot
@@ -34,6 +33,9 @@ from tmodes.studio.work import PRODUCTS
 __all__ = ["application"]
 
 LONGEST_WAIT = 5.0
+LONGEST_CHECK = 60.0
+"""Seconds after which a check is ended."""
+
 Wait = Annotated[float, Query(allow_inf_nan=False)]
 FILES = {"report": ("report.html", "text/html; charset=utf-8"), "data": ("result.nc", "application/x-netcdf")}
 
@@ -45,21 +47,22 @@ def application(
 
     ``hosts``: what the header Host may say; ``place``: a private folder for uploads and for what workers write, which
     its owner removes at the end; ``first``: the robot or file that is shown first; ``workers``: how many processes
-    simulate, 0: two to four by the machine.
+    simulate, 0: two to four by the machine; two more check sheets.
     """
     pool = Pool(workers or max(2, min(4, (os.cpu_count() or 2) - 1)), place)
-    book, shelf = JobBook(pool), Shelf(place)
-    app = FastAPI(docs_url=None, redoc_url=None, openapi_url=None, lifespan=_lifespan(pool, book))
-    for kind in (TmodesError, 404, 405, RecursionError, RequestValidationError):
+    aside = Pool(2, place)  # checks wait for no simulation
+    book, checks, shelf = JobBook(pool), JobBook(aside), Shelf(place)
+    app = FastAPI(docs_url=None, redoc_url=None, openapi_url=None, lifespan=_lifespan(pool, aside, book))
+    for kind in (TmodesError, _Refused, 404, 405, RecursionError, RequestValidationError):
         app.add_exception_handler(kind, _explained)
     add_page(app, first)
-    _add_sheets(app, shelf)
-    _add_studies(app, folder, shelf)
+    _add_sheets(app, checks, shelf)
+    _add_studies(app, checks, folder, shelf)
     _add_jobs(app, book, folder, shelf)
     return Guard(app, token, hosts, f"tmodes-studio-{min(hosts, default='').rpartition(':')[2] or 'test'}")
 
 
-def _lifespan(pool: Pool, book: JobBook) -> Any:
+def _lifespan(pool: Pool, aside: Pool, book: JobBook) -> Any:
     @asynccontextmanager
     async def lifespan(app: FastAPI) -> AsyncIterator[None]:
         del app
@@ -71,7 +74,7 @@ def _lifespan(pool: Pool, book: JobBook) -> Any:
             watch.cancel()
             with suppress(asyncio.CancelledError):
                 await watch
-            await pool.stop()
+            await asyncio.gather(pool.stop(), aside.stop())
 
     return lifespan
 
@@ -88,7 +91,9 @@ async def _explained(request: Request, error: Exception) -> Response:
     match error:
         case TmodesError():
             status = 409 if isinstance(error, ResultFileError) else 422
-            errors = error_records(error, getattr(request.state, "sheet", None))
+            errors = error_records(error)
+        case _Refused():
+            errors = error.args[0]
         case RecursionError():
             errors = [error_record("body", "too many levels", expected="a data sheet")]
         case RequestValidationError():  # a value of the address that is none, as FastAPI finds it
@@ -102,10 +107,25 @@ def _json(value: Any, status: int = 200) -> Response:
     return Response(json.dumps(value, allow_nan=False), status, media_type="application/json")
 
 
-async def _checked(request: Request, data: dict[str, Any]) -> Any:
-    """The checked sheet of a request; its errors lead to the places in it."""
-    request.state.sheet = data.get("sheet")
-    return await run_in_threadpool(sheet_from_data, data.get("sheet"))
+class _Refused(Exception):
+    """The records of errors that a worker has found."""
+
+
+async def _checked(checks: JobBook, data: dict[str, Any], product: str, client: str) -> bytes:
+    """What a worker makes of the sheet of a request; a newer request of the same client and product ends it.
+
+    Raises :class:`_Refused` with errors that lead to the places in the sheet, or say why there is no answer.
+    """
+    order = {"product": product, "sheet": data.get("sheet"), "looks": None, "series": []}
+    job = checks.begin(order, client)
+    await checks.wait(job, LONGEST_CHECK)
+    if job.state == "done":
+        return job.content
+    hint = "simplify the sheet, or check it with `tmodes check`"
+    late = error_record("", f"the check was ended after {LONGEST_CHECK:.0f} s; {hint}", hint=hint)
+    why = error_record("", "a newer check has taken its place") if job.over else late
+    checks.cancel(job)
+    raise _Refused(job.errors or [why])
 
 
 async def _sheet_answer(read: Callable[[], tuple[Robot, str]]) -> Response:
@@ -118,7 +138,7 @@ async def _sheet_answer(read: Callable[[], tuple[Robot, str]]) -> Response:
     return _json(await run_in_threadpool(record))
 
 
-def _add_sheets(app: FastAPI, shelf: Shelf) -> None:
+def _add_sheets(app: FastAPI, checks: JobBook, shelf: Shelf) -> None:
     @app.get("/api/alive")
     async def alive() -> Response:
         return _json({})
@@ -139,13 +159,14 @@ def _add_sheets(app: FastAPI, shelf: Shelf) -> None:
 
     @app.post("/api/check")
     async def check(request: Request) -> Response:
-        sheet = await _checked(request, await body_of(request))
-        return _json(await run_in_threadpool(sheets.sheet_record, sheet))
+        data = await body_of(request)
+        client = word_of(data, "client") if "client" in data else secrets.token_urlsafe()
+        return Response(await _checked(checks, data, "check", client), media_type="application/json")
 
     @app.post("/api/yaml")
     async def yaml(request: Request) -> Response:
-        sheet = await _checked(request, await body_of(request))
-        return _json({"yaml": await run_in_threadpool(robot_to_yaml, sheet)})
+        text = await _checked(checks, await body_of(request), "yaml", secrets.token_urlsafe())
+        return _json({"yaml": text.decode()})
 
     @app.post("/api/upload")
     async def upload(request: Request) -> Response:
@@ -153,7 +174,7 @@ def _add_sheets(app: FastAPI, shelf: Shelf) -> None:
         return await _sheet_answer(lambda: uploaded(data.get("files"), shelf))
 
 
-def _add_studies(app: FastAPI, folder: WorkingFolder, shelf: Shelf) -> None:
+def _add_studies(app: FastAPI, checks: JobBook, folder: WorkingFolder, shelf: Shelf) -> None:
     @app.get("/api/studies")
     async def studies() -> Response:
         return _json({"folder": folder.path.name, "studies": await run_in_threadpool(folder.names)})
@@ -166,9 +187,7 @@ def _add_studies(app: FastAPI, folder: WorkingFolder, shelf: Shelf) -> None:
     @app.put("/api/studies/{name:path}")
     async def save(name: str, request: Request) -> Response:
         data = await body_of(request)
-        sheet = await _checked(request, data)
-        text = await run_in_threadpool(robot_to_yaml, sheet)
-        request.state.sheet = None  # what may be wrong from here on is no field of it
+        text = (await _checked(checks, data, "yaml", secrets.token_urlsafe())).decode()
         overwrite = data.get("overwrite") is True
         saved = await run_in_threadpool(lambda: folder.save(name, text, overwrite=overwrite))
         shelf.note(saved.name, str(data.get("looks") or ""))

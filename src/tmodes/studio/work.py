@@ -16,13 +16,13 @@ import numpy as np
 from tmodes.errors import InputError
 from tmodes.io.sheet_check import sheet_from_data
 from tmodes.studio.looks import Shapes
-from tmodes.studio.sheets import MOST_BYTES, plain_sheet
+from tmodes.studio.sheets import MOST_BYTES, plain_sheet, sheet_record
 
 if TYPE_CHECKING:
     from tmodes.result import Result
     from tmodes.sheet import Robot
 
-__all__ = ["PRODUCTS", "Answer", "Workshop", "drawn"]
+__all__ = ["OF_SHEET", "PRODUCTS", "Answer", "Workshop", "drawn"]
 
 Progress = Callable[[str, float], None]
 
@@ -45,12 +45,14 @@ class Workshop:
     def answer(
         self,
         product: str,
-        data: Mapping[str, Any],
+        data: Any,
         progress: Progress,
         looks: Mapping[str, Any] | None = None,
         series: Sequence[str] = (),
     ) -> Answer:
-        """The ``product`` (one of :data:`PRODUCTS`) of a sheet's plain data; ``seconds`` tell what each part took.
+        """What is asked for of a sheet's plain data, by its name in :data:`PRODUCTS` or :data:`OF_SHEET`.
+
+        ``seconds`` of the former tell what each part took.
 
         ``looks``: where the shapes of its links are, as :class:`tmodes.studio.looks.Source`; ``unseen`` says which of
         them cannot be shown. A page of a robot that nothing moves shows it at rest; ``offer``: drives that move it.
@@ -61,7 +63,10 @@ class Workshop:
         from tmodes.result.run import stands_still
 
         laps = _Laps()
-        sheet = sheet_from_data(dict(data))
+        sheet = sheet_from_data(data)
+        progress("check", 1.0)
+        if product in OF_SHEET:
+            return Answer(OF_SHEET[product](sheet).encode(), {})
         light = product in {"curves", "change"}
         still = (light or product == "page") and stands_still(sheet)
         laps.take("check")
@@ -220,6 +225,18 @@ def _report(result: Result, order: _Order, laps: _Laps) -> bytes:
     laps.take("report")
     return content
 
+
+def _yaml(sheet: Robot) -> str:
+    from tmodes.io.sheet_write import robot_to_yaml
+
+    return robot_to_yaml(sheet)
+
+
+OF_SHEET: dict[str, Callable[[Robot], str]] = {
+    "check": lambda sheet: json.dumps(sheet_record(sheet), allow_nan=False),
+    "yaml": _yaml,
+}
+"""What can be asked for of a sheet without a run: what the page needs to know of a right one; its YAML."""
 
 PRODUCTS: dict[str, Callable[[Result, _Order, _Laps], bytes]] = {
     "page": _page,

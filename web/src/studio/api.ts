@@ -123,12 +123,13 @@ async function json<T>(address: string, method = "GET", body?: unknown): Promise
 }
 
 const named = encodeURIComponent;
+const client = crypto.randomUUID(); // a newer check of this page ends the one before
 
 export const api = {
   robots: () => json<{ robots: { name: string; title: string }[] }>("api/robots"),
   robot: (name: string) => json<SheetInfo>(`api/robots/${named(name)}`),
   schema: () => json<Schema>("api/schema"),
-  check: (sheet: Sheet) => json<SheetInfo>("api/check", "POST", { sheet }),
+  check: (sheet: Sheet) => json<SheetInfo>("api/check", "POST", { sheet, client }),
   yaml: (sheet: Sheet) => json<{ yaml: string }>("api/yaml", "POST", { sheet }),
   studies: () => json<{ folder: string; studies: string[] }>("api/studies"),
   study: (name: string) => json<SheetInfo>(`api/studies/${named(name)}`),

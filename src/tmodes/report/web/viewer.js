@@ -1,4 +1,4 @@
-/* tmodes, built from dad76acf95c170e5; BSD-3-Clause */
+/* tmodes, built from 2dd445cbaf19c285; BSD-3-Clause */
 /* three
 The MIT License
 
