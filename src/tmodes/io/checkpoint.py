@@ -223,8 +223,3 @@ class RunJournal:
         """Close the file; it stays."""
         if self._writer:
             self._writer.close()
-
-    def remove(self) -> None:
-        """Close and remove: the run's result is safe elsewhere."""
-        self.close()
-        self.path.unlink(missing_ok=True)

@@ -77,8 +77,7 @@ class RunFolder:
     def _look_at_what_is_there(self) -> None:
         """Start, resume an earlier start of this very run, or refuse: a result is replaced only where that is asked."""
         if self.overwrite:
-            for left in self.path.glob(".checkpoint-*"):
-                left.unlink()
+            self._drop_checkpoints()
             return
         self.continues = any(self.path.glob(".checkpoint-*"))
         if not self.result_file.exists():
@@ -115,6 +114,7 @@ class RunFolder:
         Ctrl-C after the motion leaves it stored, and the checkpoints, so that the same command computes the rest.
         """
         if self._done:
+            self._drop_checkpoints()
             return self._done
         progress("preparing", 0.0)
         result = run(self.robot, progress=progress, journals=self._journal)
@@ -125,12 +125,18 @@ class RunFolder:
         except KeyboardInterrupt:
             heard = True
         result = self._save(result)
+        if result.status != "interrupted" and not is_unfinished(result.record):
+            self._drop_checkpoints()
         if heard:
             raise KeyboardInterrupt
-        if result.status != "interrupted" and not is_unfinished(result.record):
-            for journal in self._journals.values():
-                journal.remove()
         return result
+
+    def _drop_checkpoints(self) -> None:
+        """Remove them, also those that a process left which was killed after it had stored the result."""
+        for journal in self._journals.values():
+            journal.close()
+        for left in self.path.glob(".checkpoint-*"):
+            left.unlink()
 
     def _save(self, result: Result) -> Result:
         result = with_shapes(result, self._shapes)
