@@ -14,7 +14,7 @@ from tmodes.sheet.parts import Command
 from tmodes.sheet.robot import refuse_other
 from tmodes.simulation.callback import Controller
 from tmodes.simulation.parts import Journal, sample_times
-from tmodes.simulation.plan import free_drive
+from tmodes.simulation.plan import free_drive, refuse_massless
 from tmodes.simulation.simulate import simulate_motion
 
 __all__ = ["movable_joints", "ready_to_run", "result_bytes", "run", "stands_still"]
@@ -68,8 +68,10 @@ def _bytes_per_sample(chain: Chain, stations: int) -> int:
 def ready_to_run(robot: Robot) -> Robot:
     """The robot, if something moves it; one with an initial state and no drives runs freely, its motors without torque.
 
-    Raises :class:`tmodes.errors.InputError` that says what to add where joints could move and nothing moves them.
+    Raises :class:`tmodes.errors.InputError` that says what to add where joints could move and nothing moves them, or no
+    mass resists a beam's functions.
     """
+    refuse_massless(robot)
     if robot.drives:
         return robot
     movable = list(movable_joints(robot.chain()))

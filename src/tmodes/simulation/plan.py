@@ -23,7 +23,7 @@ from tmodes.sheet.parts import Command, DriveSheet, InitialState, LoadFrame
 if TYPE_CHECKING:
     from tmodes.sheet import Robot
 
-__all__ = ["WAYS", "Follow", "Planned", "free_drive", "initial_value", "planned", "refuse_jumps"]
+__all__ = ["WAYS", "Follow", "Planned", "free_drive", "initial_value", "planned", "refuse_jumps", "refuse_massless"]
 
 
 class Follow(StrEnum):
@@ -73,8 +73,10 @@ class _Signals:
 def planned(robot: Robot, follow: Follow = Follow.SHEET, like: Chain | None = None) -> Planned:
     """The plan of a robot's run over ``integration.duration``; ``like``: the chain of another plan of the same arm.
 
-    Raises :class:`tmodes.errors.InputError` for a signal without a value, and for a contact that cannot be.
+    Raises :class:`tmodes.errors.InputError` for a signal without a value, a contact that cannot be, and functions of a
+    beam that no mass resists.
     """
+    refuse_massless(robot)
     signals = _Signals(robot.integration.duration, [])
     sheets = {drive.joint: (index, drive) for index, drive in enumerate(robot.drives)}
     chain = like or robot.undriven.chain()
@@ -102,6 +104,13 @@ def planned(robot: Robot, follow: Follow = Follow.SHEET, like: Chain | None = No
     merged = merge(signals.schedules) if signals.schedules else _nothing(signals.until)
     plan = LoopPlan(chain, tuple(drives), len(signals.schedules), merged.degree, loads, touch, base, jolts)
     return Planned(chain, plan, merged.schedule, merged, tuple(undriven), tuple(signals.info), tuple(loose))
+
+
+def refuse_massless(robot: Robot) -> None:
+    """Raise :class:`tmodes.errors.InputError` for functions of a beam without mass: they have modes, but no runs."""
+    for link in robot.links:
+        for path, *issue in link.beam.massless_issues() if link.beam else ():
+            raise InputError(f"links.{link.name}.beam.{path}", *issue)
 
 
 def free_drive(joint: str, *, has_motor: bool) -> DriveSheet:

@@ -211,3 +211,25 @@ def test_free_motors_on_gears_whatever_rounding_says(stiffness: float):
     squares = undamped_shapes(turned.T @ mass @ turned, turned.T @ springs @ turned)[0]
     assert squares[:3] == pytest.approx(0.0, abs=1e-9 * stiffness)
     assert squares[3:] == pytest.approx(stiffness * 11.0, rel=1e-9)
+
+
+@pytest.mark.parametrize("seed", range(30))
+def test_directions_without_mass_leave_the_others_as_they_are(seed: int) -> None:
+    """Modes are those of K condensed statically, whether the robot is free, sprung, or both in any coordinates."""
+    rng = np.random.default_rng(seed)
+    size, massless, free = int(rng.integers(3, 9)), int(rng.integers(1, 6)), int(rng.integers(0, 3))
+    root = rng.normal(size=(size + massless, size + massless))
+    root[:, :free] = 0.0
+    springs, turned = root.T @ root, np.linalg.qr(rng.normal(size=root.shape))[0] * rng.uniform(0.1, 10, len(root))
+    part = rng.normal(size=(size, size))
+    mass = np.diag([*np.ones(size), *rng.choice([0.0, 1e-16, 1e-13]) * rng.uniform(0.5, 1, massless)])
+    mass[:size, :size] += part.T @ part
+    own, others = slice(size), slice(size, None)
+    condensed = springs[own, own] - springs[own, others] @ np.linalg.solve(
+        springs[others, others], springs[others, own]
+    )
+    exact = eigh(condensed, mass[own, own], eigvals_only=True)
+    found = undamped_shapes(turned.T @ mass @ turned, turned.T @ springs @ turned)
+    assert (np.abs(found.squares) <= found.zero).sum() == free
+    slow = exact[free:] < 1e4 * exact[free]
+    assert found.squares[free : len(exact)][slow] == pytest.approx(exact[free:][slow], rel=1e-7)

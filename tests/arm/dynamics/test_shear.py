@@ -12,13 +12,18 @@ from scipy.linalg import eigh, expm
 from scipy.optimize import brentq, root
 from scipy.spatial.transform import Rotation
 
+from tmodes.analysis.modes.modes import MotorState, modes_about
+from tmodes.analysis.modes.of_sheet import vibrations
 from tmodes.analysis.statics.equilibrium import Load, equilibrium
 from tmodes.chain.chain import Chain, Joint, Node
+from tmodes.errors import InputError
 from tmodes.kinds.joints.registry import joint_kind
 from tmodes.kinds.links.contract import Body
 from tmodes.kinds.links.section_shapes import box_shear, i_beam_shear, rectangle_shear, round_shear, tube_shear
 from tmodes.kinds.links.strain import Beam, BeamPiece
 from tmodes.model.model import Model
+from tmodes.result.run import run
+from tmodes.sheet import Robot
 
 Array = NDArray[np.float64]
 
@@ -32,13 +37,18 @@ def beam(
     own, polar, across, along_y, along_z = ((x, x) for x in (scale, 2 * inertia, inertia, *shear))
     turning = (polar, across, across)
     piece = BeamPiece(1.0, own, own, own, (axial, axial), (1.0, 1.0), turning, along_y, along_z)
+    hub = more.pop("hub", None)
     bodies = ((1.0, Body(tip, np.zeros(3), np.zeros((3, 3)))),) if tip else ()
+    bodies += ((0.0, Body(0.0, np.zeros(3), hub * np.eye(3))),) if hub else ()
+    root = Joint("clamp", joint_kind("revolute" if hub else "fixed"))
     link = Beam(length, (piece,), bodies=bodies, **more)
-    return Model(Chain("beam", (Node("beam", -1, Joint("clamp", joint_kind("fixed")), link),), np.zeros(3)))
+    return Model(Chain("beam", (Node("beam", -1, root, link),), np.zeros(3)))
 
 
-def timoshenko(number: int, s2: float, r2: float, tip: float = 0.0) -> list[float]:
-    """First frequencies of a clamped beam, L = EI = rhoA = 1, kGA = 1/s2, rhoI = r2, with a mass at its end.
+def timoshenko(number: int, s2: float, r2: float, tip: float = 0.0, hub: float | None = None) -> list[float]:
+    """First frequencies of a beam, L = EI = rhoA = 1, kGA = 1/s2, rhoI = r2, with a mass at its end.
+
+    Clamped, or on a free hinge with the inertia ``hub``.
 
     State (w, psi, M, Q) along x: w' = psi + s2 Q, psi' = M, M' = -Q - r2 omega^2 psi, Q' = -omega^2 w.
     """
@@ -46,7 +56,10 @@ def timoshenko(number: int, s2: float, r2: float, tip: float = 0.0) -> list[floa
     def left_over(omega: float) -> float:
         square = omega**2
         matrix = np.array([[0, 1, 0, s2], [0, 0, 1, 0], [0, -r2 * square, 0, -1], [-square, 0, 0, 0.0]])
-        end = expm(matrix)[:, 2:]  # from a clamped root: moment and force are free there
+        root = np.eye(4)[:, 2:]  # of a clamped one moment and force are free
+        if hub is not None:
+            root[:, 0] = [0, 1, -square * hub, 0]  # of a hub its rotation, with the moment that turns it
+        end = expm(matrix) @ root
         return float(np.linalg.det([end[2], end[3] - tip * square * end[0]]))
 
     grid = np.arange(0.05, 200.0, 0.25)
@@ -68,6 +81,44 @@ def test_frequencies_are_timoshenkos(plane: str, s2: float, r2: float, tip: floa
     exact = timoshenko(4, s2, r2, tip)
     np.testing.assert_allclose(found, exact, rtol=5e-5)
     np.testing.assert_allclose(found[:2], exact[:2], rtol=1e-9)
+
+
+@pytest.mark.parametrize("hub", [None, 0.1])
+@pytest.mark.parametrize("inertia", [0.0, 1e-15, 1e-12])
+def test_sections_without_inertia_leave_the_low_frequencies_exact(inertia: float, hub: float | None) -> None:
+    """Reference values computed with Legendre-Ritz and exact roots: 3.3623029273358, ... clamped, s2 = 0.02, r2 = 0."""
+    model = beam((50.0, 50.0), inertia=inertia, bend_z=12, shear_y=12, tip=0.0, hub=hub)
+    modes = modes_about(equilibrium(model), MotorState.FREE)
+    free = [mode for mode in modes if mode.element == "whole arm, free"]
+    assert len(free) == (hub is not None)
+    assert modes[: len(free)] == free
+    exact = timoshenko(4, 0.02, 0.0, hub=hub)
+    if hub is None:
+        assert exact[0] == pytest.approx(3.3623029273358, rel=1e-12)
+    found = [2 * np.pi * mode.frequency_Hz for mode in modes[len(free) :][:4]]
+    np.testing.assert_allclose(found, exact, rtol=1e-5)
+    np.testing.assert_allclose(found[:2], exact[:2], rtol=1e-9)
+    assert max(abs(mode.damping_ratio) for mode in modes[: len(free) + 4]) < 1e-8
+
+
+def test_modes_need_no_rotary_inertia_and_runs_do() -> None:
+    """Eight functions of shear on a sheet: the reference's frequencies, and a run that names what it lacks."""
+    section = {"bending_stiffness": 1.0, "shear_stiffness": 50.0, "mass_per_length": 1.0}
+    rod = {"model": "strain", "functions": {"bend_z": 8, "shear_y": 8}, "length": 1.0, "damping_time": 0.0}
+    robot = Robot.from_data(
+        {
+            "format": 1, "kind": "arm", "name": "rod", "gravity": 0.0,
+            "joints": [{"name": "root", "type": "fixed", "child": "rod"}],
+            "links": [{"name": "rod", "beam": rod | {"section": section, "rotary_inertia": "none"}}],
+        }
+    )  # fmt: skip
+    rows = vibrations(robot).states["locked"]
+    found = [2 * np.pi * row["frequency_Hz"] for row in rows[:3]]
+    np.testing.assert_allclose(found, [3.3623029273358, 17.151279433288, 39.127052699798], rtol=1e-5)
+    assert [row["converged"] for row in rows[:3]] == [True] * 3
+    with pytest.raises(InputError) as error:
+        run(robot)
+    assert error.value.which == "links.rod.beam.functions.shear_y"
 
 
 def reissner(load: Array, shear: tuple[float, float], axial: float, moment: Array, curvature: Array) -> Array:

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.analysis.modes.closed_loop import Feedback, closed_loop_motions
-from tmodes.analysis.modes.shapes import NOTHING, partners, real_pairs, undamped_shapes
+from tmodes.analysis.modes.shapes import Undamped, partners, real_pairs, undamped_shapes
 from tmodes.analysis.spectrum import GROWING, RINGS, MotorState
 from tmodes.analysis.statics.compliance import Spring, springs_of
 from tmodes.analysis.statics.equilibrium import Equilibrium, driven
@@ -94,13 +94,13 @@ def modes_about(
         held = max(0.0, float(loop.springs[k, k]))
         springs[f"{name.removesuffix('.motor')}.controller"] = _single(rest.model.nq, k, held)
     mass, damping, stiffness, loop = _moving_system(rest, moving, loop)
-    squares, shapes = undamped_shapes(mass, stiffness + loop.springs)
-    eigenvalues, motions, second = _eigenvalues(mass, damping, stiffness, shapes, loop)
+    undamped = undamped_shapes(mass, stiffness + loop.springs)
+    eigenvalues, motions, second = _eigenvalues(mass, damping, stiffness, undamped, loop)
+    squares, shapes, zero, _ = undamped
     squares, shapes = (np.concatenate([each, each[..., second]], axis=-1) for each in (squares, shapes))
     whole = np.zeros((rest.model.nq, len(squares)), dtype=shapes.dtype)
     moved = np.zeros(whole.shape, dtype=complex)
     whole[moving], moved[moving] = shapes, motions
-    zero = NOTHING * len(mass) * float(np.abs(squares).max())
     stored = {name: spring.energy(whole) for name, spring in springs.items()}
     alone, modes = not chosen and rest.rates is None, []
     for k, square in enumerate(squares):
@@ -116,7 +116,11 @@ def closed_loop_poles(rest: Equilibrium, servos: Mapping[str, Servo], feedback: 
     moving = moving_coordinates(rest, MotorState.CONTROLLED, servos)
     if not len(moving):
         return np.zeros(0, dtype=complex)
-    values, _ = closed_loop_motions(*_moving_system(rest, moving, feedback or _springs(rest, servos)))
+    mass, damping, stiffness, loop = _moving_system(rest, moving, feedback or _springs(rest, servos))
+    undamped = undamped_shapes(mass, stiffness + loop.springs)
+    if undamped.spread:
+        mass, damping, stiffness, loop = _spanned(undamped.shapes, mass, damping, stiffness, loop)
+    values, _ = closed_loop_motions(mass, damping, stiffness, loop)
     return values[np.lexsort((values.imag, np.abs(values).round(9)))]
 
 
@@ -125,6 +129,14 @@ def _moving_system(rest: Equilibrium, moving: NDArray[np.intp], loop: Feedback) 
     block = np.ix_(moving, moving)
     mass, damping, stiffness = (matrix[block] for matrix in _matrices(rest))
     return mass, damping, stiffness, loop.on(np.eye(rest.model.nq)[:, moving])
+
+
+def _spanned(
+    basis: Array, mass: Array, damping: Array, stiffness: Array, loop: Feedback
+) -> tuple[Array, Array, Array, Feedback]:
+    """The same of the motions that the columns of ``basis`` span."""
+    mass, damping, stiffness = (basis.T @ matrix @ basis for matrix in (mass, damping, stiffness))
+    return mass, damping, stiffness, loop.on(basis)
 
 
 def _springs(rest: Equilibrium, servos: Mapping[str, Servo]) -> Feedback:
@@ -144,19 +156,21 @@ def _single(size: int, k: int, value: float) -> Spring:
 
 
 def _eigenvalues(
-    mass: Array, damping: Array, stiffness: Array, shapes: Array, loop: Feedback
+    mass: Array, damping: Array, stiffness: Array, undamped: Undamped, loop: Feedback
 ) -> tuple[Complex, Complex, NDArray[np.intp]]:
     """Of each mode [1/s], and its damped motion; then those of the modes, by index, that have two real eigenvalues.
 
-    Where only some modes were found, by the motions that they span.
+    Where only some modes were found, or their frequencies are far apart, by the motions that they span.
     """
-    spanned = shapes
-    if len(shapes) > shapes.shape[1]:
-        mass, damping, stiffness = (shapes.T @ matrix @ shapes for matrix in (mass, damping, stiffness))
-        loop, shapes = loop.on(shapes), np.eye(len(mass))
+    spanned = shapes = undamped.shapes
+    if len(shapes) > shapes.shape[1] or undamped.spread:
+        mass, damping, stiffness, loop = _spanned(shapes, mass, damping, stiffness, loop)
+        shapes = np.eye(len(mass))
     values, damped = closed_loop_motions(mass, damping, stiffness, loop)
     chosen = partners(mass, shapes, values, damped)
     second, others = real_pairs(mass, values, damped, chosen)
+    bound = np.abs(undamped.squares[second]) > undamped.zero  # a free motion is one, whatever rounding makes of it
+    second, others = second[bound], others[bound]
     chosen = np.concatenate([chosen, others])
     motions = damped[:, chosen]
     return values[chosen], motions if spanned is shapes else spanned @ motions, second

@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
-from typing import Any
+from contextlib import suppress
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.analysis.spectrum import RINGS
-from tmodes.analysis.statics.stability import backward, forward, mass_root
+from tmodes.analysis.statics.stability import NO_MASS, backward, forward, mass_root
+from tmodes.errors import SimulationError
 
-__all__ = ["LOWEST", "MOST_WHOLE", "NOTHING", "assigned", "partners", "real_pairs", "undamped_shapes"]
+__all__ = ["LOWEST", "MOST_WHOLE", "Undamped", "assigned", "partners", "real_pairs", "undamped_shapes"]
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -18,6 +20,11 @@ Complex = NDArray[np.complex128]
 NOTHING = 1e-13
 """Share of the largest squared frequency, per coordinate, below which a motion is the whole robot's, free to drift."""
 
+SURE = 1e-4
+"""That share over the lowest square above it, up to which the lowest has digits enough."""
+
+_SHIFTS = 40
+"""Decades by which the square that is added to all others is raised until all are positive."""
 
 MOST_WHOLE = 120
 """Coordinates up to which all modes are reported."""
@@ -26,30 +33,69 @@ LOWEST = 60
 """Modes that are reported of a robot with more: the lowest, their damping by their own motions."""
 
 
-def undamped_shapes(mass: Array, stiffness: Array) -> tuple[Array, Array]:
-    """Squared circular frequencies, rising, and shapes with unit modal mass.
+class Undamped(NamedTuple):
+    """``squares``: of circular frequencies, rising; ``shapes``: with unit modal mass; ``zero``: a square up to which a
+    motion is none. ``spread``: frequencies are so far apart that matrices of coordinates keep no digit of the lowest.
+    """  # noqa: D205
 
-    From 1/w^2 where K is positive definite: the low frequencies then keep all their digits.
+    squares: Array
+    shapes: Array
+    zero: float
+    spread: bool = False
+
+
+def undamped_shapes(mass: Array, stiffness: Array) -> Undamped:
+    """Modes of mass and stiffness.
+
+    From 1/w^2 where K is positive definite: the low frequencies then keep all their digits. Coordinates that (almost)
+    no mass resists follow the others at once: modes more than some 1e7 times faster than the lowest are left out.
+    Raises :class:`SimulationError` where neither mass nor stiffness resists.
     """
-    mass_root(mass)  # refuses one that is not positive definite, before anything is divided by it
     size = len(mass)
     if np.abs(stiffness - stiffness.T).max() > 1e-9 * np.abs(stiffness).max():
+        mass_root(mass)  # refuses one that is not positive definite, before anything is divided by it
         values, vectors = np.linalg.eig(np.linalg.solve(mass, stiffness))
         squares = np.real(values)
         order = np.argsort(squares)
         shapes = np.real(vectors[:, order])
-        return squares[order], shapes / np.sqrt(np.einsum("ik,ij,jk->k", shapes, mass, shapes))
+        shapes = shapes / np.sqrt(np.einsum("ik,ij,jk->k", shapes, mass, shapes))
+        return Undamped(squares[order], shapes, NOTHING * size * float(np.abs(squares).max()))
     stiffness = (stiffness + stiffness.T) / 2
-    try:
+    with suppress(np.linalg.LinAlgError):
         inverse, shapes = _relative(mass, stiffness, slice(-LOWEST, None))
-    except np.linalg.LinAlgError:
-        return _relative(stiffness, mass, slice(LOWEST))
-    if inverse.min() <= 0:  # K was singular, and by rounding passed for positive definite
-        return _relative(stiffness, mass, slice(LOWEST))
-    values = 1 / inverse[::-1]
-    if values[0] <= NOTHING * size * values[-1]:
-        return _relative(stiffness, mass, slice(LOWEST))
-    return values, shapes[:, ::-1] * np.sqrt(values)
+        if inverse[0] > NOTHING * size * inverse[-1]:  # else by rounding a singular K may have passed for definite
+            values = 1 / inverse[::-1]
+            return Undamped(values, shapes[:, ::-1] * np.sqrt(values), NOTHING * size * float(values[-1]))
+    with suppress(np.linalg.LinAlgError):
+        values, shapes = _relative(stiffness, mass, slice(LOWEST))
+        zero, sizes = NOTHING * size * float(np.abs(values).max()), np.abs(values)
+        if zero <= SURE * sizes[sizes > zero].min(initial=_slow(mass, stiffness)):
+            return Undamped(values, shapes, zero)
+    return _spread(mass, stiffness)
+
+
+def _spread(mass: Array, stiffness: Array) -> Undamped:
+    """Modes by 1/(w^2 + a), a that of a slow coordinate by itself: of free, slow and massless motions at once.
+
+    (K + a M) x (1/(w^2 + a)) = M x.
+    """
+    size, shift = len(mass), _slow(mass, stiffness)
+    for _ in range(_SHIFTS):
+        with suppress(np.linalg.LinAlgError):
+            inverse, shapes = _relative(mass, stiffness + shift * mass, slice(-LOWEST, None))
+            kept = inverse > 4 * size * np.finfo(float).eps * inverse[-1]
+            values = 1 / inverse[kept][::-1]
+            return Undamped(values - shift, shapes[:, kept][:, ::-1] * np.sqrt(values), NOTHING * size * shift, True)
+        shift *= 10
+    raise SimulationError(NO_MASS)
+
+
+def _slow(mass: Array, stiffness: Array) -> float:
+    """The lowest square of a coordinate by itself that is not rounding: the lowest of all is not higher."""
+    with np.errstate(divide="ignore", invalid="ignore"):
+        own = np.diagonal(stiffness) / np.diagonal(mass)
+    own = own[np.isfinite(own) & (own > 0)]
+    return float(own[own > NOTHING * np.median(own)].min()) if len(own) else 1.0
 
 
 def _relative(one: Array, other: Array, some: slice) -> tuple[Array, Array]:

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from tmodes.analysis.statics.rank import NOTHING, leading, scale_of, unheld
 from tmodes.errors import SimulationError
 
-__all__ = ["Growth", "Stability", "backward", "forward", "mass_root", "moving_stability", "stability_of"]
+__all__ = ["NO_MASS", "Growth", "Stability", "backward", "forward", "mass_root", "moving_stability", "stability_of"]
 
 Array = NDArray[np.float64]
 
@@ -25,6 +25,11 @@ MOVING = 1e-7
 
 _UNSURE = 1e4
 """Multiple of that share below which the sign of the lowest squared frequency is found another way."""
+
+NO_MASS = (
+    "the mass matrix is not positive definite: some coordinate moves no mass; give the parts beyond the last joint a "
+    "mass, and twisting beams a rotary inertia"
+)
 
 
 class Growth(NamedTuple):
@@ -60,13 +65,19 @@ class Stability(NamedTuple):
 def stability_of(mass: Array, stiffness: Array, reach: Array) -> Stability:
     """Stability of M a + K x = 0 in free coordinates (n, n), undamped; ``reach`` (n,): of rank.py.
 
-    A symmetric K: all eigenvalues of (K, M) positive. Otherwise (following loads, moments about world axes) they must
-    also be real: a pair of complex ones is flutter (Bolotin, Nonconservative Problems of the Theory of Elastic
-    Stability, 1963). Raises :class:`SimulationError` for a mass matrix that is not positive definite.
+    A symmetric K: all eigenvalues of (K, M) positive; without mass they are infinite. Otherwise (following loads,
+    moments about world axes) they must also be real: a pair of complex ones is flutter (Bolotin, Nonconservative
+    Problems of the Theory of Elastic Stability, 1963). Raises :class:`SimulationError` where a motion has neither mass
+    nor stiffness, or K is not symmetric and M not positive definite.
     """
     if not len(mass):
         return Stability(np.inf, ())
-    root = mass_root(mass)
+    try:
+        root = mass_root(mass)
+    except SimulationError:
+        if not _is_symmetric(stiffness):
+            raise
+        return _near_zero(mass, (stiffness + stiffness.T) / 2, reach)
     scaled = forward(root, forward(root, stiffness).T).T
     values, shapes = _eigen(scaled)
     largest = max(float(np.abs(values).max()), float((reach / np.diagonal(mass)).max()))
@@ -93,13 +104,15 @@ def _near_zero(mass: Array, stiffness: Array, reach: Array) -> Stability:
     values, shapes = np.linalg.eigh(stiffness)
     loose = abs(values) <= NOTHING * len(mass) * max(1.0, abs(values).max())
     if loose[0]:
+        if np.diagonal(shapes.T @ mass @ shapes)[loose].min() <= 0:
+            raise SimulationError(NO_MASS)
         return Stability(0.0, (), leading(shapes[:, loose]))
     if values[0] > 0:
         root = np.linalg.cholesky(stiffness)
         inner = forward(root, forward(root, mass).T)
         return Stability(float(1 / np.linalg.eigvalsh((inner + inner.T) / 2)[-1]), ())
     shape = shapes[:, 0]
-    square = float(values[0] / (shape @ mass @ shape))
+    square = float(values[0] / max(shape @ mass @ shape, NOTHING * np.trace(mass)))
     return Stability(square, (_growth(complex(square), int(np.abs(shape * scale).argmax())),))
 
 
@@ -137,10 +150,7 @@ def mass_root(mass: Array) -> Array:
     try:
         return np.asarray(np.linalg.cholesky(mass), dtype=float)
     except np.linalg.LinAlgError:
-        raise SimulationError(
-            "the mass matrix is not positive definite: some coordinate moves no mass; give the parts beyond the last "
-            "joint a mass, and twisting beams a rotary inertia"
-        ) from None
+        raise SimulationError(NO_MASS) from None
 
 
 def _is_symmetric(scaled: Array) -> bool:

@@ -207,10 +207,23 @@ class BeamData(BendingSheet):
             if getattr(self.functions, name) and any(math.isinf(getattr(numbers, stiffness)) for numbers in ends):
                 got, hint = f"{getattr(self.functions, name)} with infinite {info}", f"write 0, or give `{info}`"
                 yield Issue(f"functions.{name}", got, f"0 where {info} is infinite", hint)
-        for name, axis, partner in (("twist", "x", "twist"), ("shear_y", "z", "bend_z"), ("shear_z", "y", "bend_y")):
-            counts = axis in self.turning_axes
-            if not (counts and all(getattr(numbers, f"inertia_{axis}") > 0 for numbers in ends)):
-                yield from self._inertia_issues(name, partner, counts=counts)
+        if self.functions.twist and not self._turns("x"):
+            yield self._inertia_issue("twist", 0)
+
+    def massless_issues(self) -> Iterator[Issue]:
+        """Of a run: functions of shear, but the first, of a link that bends with it and whose sections do not turn.
+
+        Bending and shear that leave the line where it is move no mass but by the rotary inertia of the sections.
+        """
+        functions = self.functions if self.model is BeamModel.STRAIN else None
+        for name, axis, partner in (("shear_y", "z", "bend_z"), ("shear_z", "y", "bend_y")):
+            if functions and getattr(functions, name) > 1 and getattr(functions, partner) and not self._turns(axis):
+                yield self._inertia_issue(name, 1)
+
+    def _turns(self, axis: str) -> bool:
+        """Whether all sections have a rotary inertia about an axis that counts."""
+        ends = (numbers for piece in self.section_pieces() for numbers in (piece.start, piece.stop))
+        return axis in self.turning_axes and all(getattr(numbers, f"inertia_{axis}") > 0 for numbers in ends)
 
     @property
     def turning_axes(self) -> str:
@@ -221,16 +234,13 @@ class BeamData(BendingSheet):
             chosen = RotaryInertia.FULL if sheared else RotaryInertia.TWIST
         return {RotaryInertia.NONE: "", RotaryInertia.TWIST: "x", RotaryInertia.FULL: "xyz"}[chosen]
 
-    def _inertia_issues(self, name: str, partner: str, *, counts: bool) -> Iterator[Issue]:
-        """Functions without an inertia: of twist any, of shear all but the first of a link that bends with it.
-
-        Bending and shear that leave the line where it is move no mass but by the rotary inertia of the sections.
-        """
-        count, most, wanted = getattr(self.functions, name), *((0, "twist") if name == "twist" else (1, "full"))
-        if count > most and getattr(self.functions, partner):
-            hint = "give `polar_inertia_per_length`" if counts else f"write `rotary_inertia: {wanted}`"
-            most = f"{most}, or an inertia that resists the {name.partition('_')[0]}"
-            yield Issue(f"functions.{name}", f"{count} without rotary inertia", most, hint)
+    def _inertia_issue(self, name: str, most: int) -> Issue:
+        """More functions than ``most`` that no inertia resists."""
+        axis, wanted = ("x", "twist") if name == "twist" else ("yz", "full")
+        counts = axis[0] in self.turning_axes
+        hint = "give `polar_inertia_per_length`" if counts else f"write `rotary_inertia: {wanted}`"
+        expected = f"{most}, or an inertia that resists the {name.partition('_')[0]}"
+        return Issue(f"functions.{name}", f"{getattr(self.functions, name)} without rotary inertia", expected, hint)
 
     def section_pieces(self) -> list[Piece]:
         """Its sections from root to tip, as pieces over the share of its length."""
