@@ -15,9 +15,11 @@ from numpy.polynomial import legendre
 from numpy.typing import NDArray
 from scipy.linalg import eigh
 
+from tmodes.analysis.modes import of_sheet
 from tmodes.analysis.modes.of_sheet import CONVERGED, vibrations
 from tmodes.analysis.modes.of_sheet import finer as finer_robot
 from tmodes.kinds.links.beam_tables import beam_tables
+from tmodes.model.model import Model
 from tmodes.sheet import Robot
 
 Array = NDArray[np.float64]
@@ -102,8 +104,15 @@ def _by_tables(case: _Case, finer: bool = False) -> Array:
     named = {name: tables.packed[shape.table_starts[name] :][:size] for name, size in shape.tables.items()}
     slopes = dict(zip(shape.breaks, np.cumsum(named["alpha"].reshape(-1, shape.size), axis=0), strict=True))
     at_points = np.array([slopes["point", m] for m in range(g)])
-    root = np.zeros((g, g))
-    root[np.triu_indices(g)] = named["root_mass"]
+    root, entry = np.zeros((g, g)), 0
+    if shape.spans:
+        for part in shape.parts:
+            rows = named["root_mass"][entry:][: len(part) * (len(part) + 1)].reshape(len(part), -1)
+            root[part, part.start : part.stop] = rows[:, 1:]
+            root[part, : part.start] = rows[:, :1] * named["to_tip"][: part.start]
+            entry += rows.size
+    else:
+        root[np.triu_indices(g)] = named["root_mass"]
     moved = root @ at_points
     mass = moved.T @ moved
     for at, heavy, inertia in case.bodies:
@@ -145,6 +154,37 @@ def test_modes_of_a_robot_with_a_body_inside() -> None:
     np.testing.assert_allclose(found, _by_tables(case), rtol=1e-9)
     expected = found / _by_tables(case, finer=True)[: len(found)] - 1
     np.testing.assert_allclose([row["frequency_error"] for row in rows[:4]], expected[:4], atol=1e-9)
+
+
+def test_code_of_sections_in_any_span() -> None:
+    """Bodies at breaks, close to them, before the first point and after the last: code and tables agree."""
+    bodies = (
+        (0.0005, 0.3, 0.0),
+        (0.2, 1.0, 0.01),
+        (0.2004, 0.5, 0.0),
+        (0.5, 0.7, 0.0),
+        (0.51, 0.1, 0.0),
+        (0.9995, 0.2, 0.0),
+    )
+    case = _Case(1, (1.0,), (1.0,), (1.0,), bodies)
+    model = Model(_robot(case).chain())
+    rest = np.zeros(model.nq)
+    found = eigh(model.mass_matrix(rest), model.stiffness(rest), eigvals_only=True)[::-1] ** -0.5 / (2 * np.pi)
+    assert len(found) > 4
+    np.testing.assert_allclose(found, _by_tables(case), rtol=1e-9)
+
+
+def test_a_comparison_that_is_too_long_to_compile_is_left_out(monkeypatch: pytest.MonkeyPatch) -> None:
+    """And a notice says so; that of twenty bodies in a plane is short enough."""
+    case = _Case(1, (1.0,), (1.0,), (1.0,), ((0.4, 0.8, 0.02), (1.0, 0.5, 0.0)))
+    many = case._replace(functions=5, bodies=tuple((round(k / 21, 6), 0.05, 0.0) for k in range(1, 21)))
+    finer = finer_robot(_robot(many))
+    assert finer
+    assert of_sheet._work(finer) < of_sheet.MOST_WORK
+    monkeypatch.setattr(of_sheet, "MOST_WORK", 0)
+    found = vibrations(_robot(case))
+    assert len(found.warnings) == 1
+    assert [row["converged"] for row in found.states["locked"]] == [None] * 3
 
 
 def test_functions_of_bodies_inside() -> None:

@@ -40,6 +40,9 @@ CONVERGED = 0.01
 MOST_CHECKED = 60
 """Coordinates up to which a robot is compared with a finer one."""
 
+MOST_WORK = 20_000
+"""Work of compiling that one, as :attr:`tmodes.kinds.links.contract.LinkStructure.work`, up to which it is done."""
+
 ALIKE = 0.3
 """Likeness (modal assurance) from which two modes are the same motion."""
 
@@ -99,21 +102,24 @@ def vibrations(
     :func:`tmodes.analysis.statics.at_rest.robot_rest`.
 
     ``frequency_error`` of a mode: by which share its undamped frequency is higher than with four more functions a
-    direction, None where that is not known (more than 60 coordinates, segments, modes without a partner);
+    direction, None where that is not known (more than 60 coordinates, many bodies inside a beam, segments, modes
+    without a partner);
     ``converged``: within 1 %.
     """
     how = {"contact": contact, "held": held, "moving": True, "progress": progress}
     rest = robot_rest(robot, **how)
     states = _states(robot, rest, progress)
     info = {state: [_plain(mode, rest) for mode in modes] for state, modes in states.items()}
-    fine_robot = finer(robot) if rest.model.nq <= MOST_CHECKED else None
+    fine_robot = finer(robot)
+    large = fine_robot is not None and (rest.model.nq > MOST_CHECKED or _work(fine_robot) > MOST_WORK)
+    fine_robot = None if large else fine_robot
     fine = robot_rest(fine_robot, **how) if fine_robot else None
     others = _states(_without_full_feedback(robot), fine, progress) if fine else {}
     for state, modes in states.items():
         errors = frequency_errors(rest, modes, fine, others[state]) if fine and state in others else [None] * len(modes)
         for row, error in zip(info[state], errors, strict=True):
             row |= {"frequency_error": error, "converged": None if error is None else abs(error) <= CONVERGED}
-    return Vibrations(info, link_states(rest), _notices(robot, rest, info), _poles(robot, rest), len(info) > 1)
+    return Vibrations(info, link_states(rest), _notices(robot, rest, info, large), _poles(robot, rest), len(info) > 1)
 
 
 def _without_full_feedback(robot: Robot) -> Robot:
@@ -142,7 +148,13 @@ def _states(robot: Robot, rest: Equilibrium, progress: Progress, only: Sequence[
     return found
 
 
-def _notices(robot: Robot, rest: Equilibrium, info: dict[str, list[dict[str, Any]]]) -> list[str]:
+def _work(robot: Robot) -> int:
+    """What the code of its different links is in length."""
+    links = (node.link for node in robot.chain().nodes if node.link.bends)
+    return sum(structure.work for structure in {one.numbers(one.stations()).structure for one in links})
+
+
+def _notices(robot: Robot, rest: Equilibrium, info: dict[str, list[dict[str, Any]]], large: bool) -> list[str]:
     found = [] if rest.model.nq else [f"no modes: {NOTHING_MOVES}"]
     found += [*pose_notices(robot, rest)]
     found += [
@@ -150,8 +162,11 @@ def _notices(robot: Robot, rest: Equilibrium, info: dict[str, list[dict[str, Any
         "modes with its teeth pressed together give a load or a pose that presses them"
         for name, play in loose_gears(rest.model, rest.q).items()
     ]
-    if rest.model.nq > MOST_CHECKED and finer(robot):
-        found.append(f"whether the modes are converged was not checked: more than {MOST_CHECKED} coordinates")
+    if large:
+        found.append(
+            "whether the modes are converged was not checked: the robot with four more functions a direction is too "
+            "large for that; compare with more `functions` where it matters"
+        )
     if any(row["converged"] is False for modes in info.values() for row in modes):
         found.append(
             f"modes marked `!` are not converged: with four more functions a direction their frequencies change by "

@@ -211,7 +211,7 @@ class BeamData(BendingSheet):
             yield self._inertia_issue("twist", 0)
 
     def massless_issues(self) -> Iterator[Issue]:
-        """Of a run: functions of shear, but the first, of a link that bends with it and whose sections do not turn.
+        """Functions of shear, but the first, of a link that bends with it and whose sections do not turn.
 
         Bending and shear that leave the line where it is move no mass but by the rotary inertia of the sections.
         """

@@ -180,6 +180,7 @@ def _shape(beam: BeamNumbers, rule: Rule, stations: tuple[float, ...]) -> Strain
         points=len(rule.points), stations=before,
         rotary=3 if inertia[1] or inertia[2] else 1 if inertia[0] else 0,
         curved=bool(np.any(beam.rest_curvature)),
+        spans=rule.counts if break_places(beam) else (),
         full=beam.basis != "legendre" or not all(is_uniform(beam, name) for name in MODULI if getattr(beam, name)),
     )  # fmt: skip
 
@@ -203,7 +204,7 @@ def beam_tables(beam: BeamNumbers, stations: tuple[float, ...] = ()) -> BeamTabl
         "alpha": alpha,
         "beta": beta if shape.planar is None else np.empty(0),
         "rest": rest if shape.curved else np.empty(0),
-        "root_mass": _root_mass(to_point, rule.masses),
+        "root_mass": _root_mass(to_point, rule.masses, shape),
         "first_moment": rule.masses @ to_point,
         "mass": np.array([rule.masses.sum()]),
         "to_tip": beam.length * rule.integrals(np.ones(1)),
@@ -216,9 +217,15 @@ def beam_tables(beam: BeamNumbers, stations: tuple[float, ...] = ()) -> BeamTabl
     return BeamTables(shape, packed, stiffness, beam.damping_time * stiffness, rule)
 
 
-def _root_mass(to_point: Array, masses: Array) -> Array:
-    """Rows of the upper triangle R with R^T R = A^T m A, A the integrals to the points; a massless span is allowed."""
-    root = np.linalg.qr(np.sqrt(masses)[:, None] * to_point, mode="r")
+def _root_mass(to_point: Array, masses: Array, shape: StrainShape) -> Array:
+    """Rows of the upper triangle R with R^T R = A^T m A, A the integrals to the points; a massless span is allowed.
+
+    Of several spans the rows of m^1/2 A itself, of each point m^1/2 for the whole spans before it, then its own span.
+    """
+    rows = np.sqrt(masses)[:, None] * to_point
+    if shape.spans:
+        return np.concatenate([np.insert(rows[m, part], 0, np.sqrt(masses[m])) for part in shape.parts for m in part])
+    root = np.linalg.qr(rows, mode="r")
     return np.asarray(root, dtype=np.float64)[np.triu_indices(len(masses))]
 
 

@@ -97,6 +97,10 @@ class BendingSheet(DataSheet):
     def coordinate_count(self) -> int:
         """Number of coordinates, 0 where it is rigid."""
 
+    def massless_issues(self) -> Iterator[Issue]:
+        """What no mass resists, so that it has modes, but no runs."""
+        yield from ()
+
     def link(self, bodies: tuple[Body, ...]) -> Link:
         """The link of a kind that is one element with all bodies at its tip."""
         raise NotImplementedError

@@ -51,6 +51,9 @@ class _Assembly:
             self.lines.append(line_m)
             self.moved.append([*columns, v.add(v.cross(state.bias, line_m), spin, extra)])
         self.n = shape.size
+        columns = [[moved[j] for moved in self.moved] for j in range(self.n + 1)]
+        self.values = [*columns, self.lines]
+        self.starts = [self._starts(values) for values in self.values]
 
     def results(self) -> tuple[list[Any], list[list[Any]]]:
         terms = self._terms().packed()
@@ -59,32 +62,53 @@ class _Assembly:
 
     def _section(self, place: tuple[str, int]) -> Section:
         state = self.line.others[place]
-        start = place[1] * self.shape.points
-        name = "to_tip" if place[0] == "tip" else "to_station"
-        weights = [self.table(name, start + m) for m in range(self.shape.points)]
         turns = [*state.columns, *(v.zero() for _ in range(self.shape.shifting)), state.bias]
-        moves = [self._weighted(weights, [moved[j] for moved in self.moved]) for j in range(self.n + 1)]
+        *moves, line = self._places(place)
         columns = [Force(turn, move) for turn, move in zip(turns, moves, strict=True)]
-        return Section(state.rotation, self._weighted(weights, self.lines), state.rate, columns[:-1], columns[-1])
+        return Section(state.rotation, line, state.rate, columns[:-1], columns[-1])
+
+    def _places(self, place: tuple[str, int]) -> list[v.Vector]:
+        """What is integrated from the root to a section: whole spans, then those next to it."""
+        name = "to_tip" if place[0] == "tip" else "to_station"
+        before = self.shape.points if place[0] == "tip" else self.shape.stations[place[1]]
+        near = [k for k, part in enumerate(self.shape.parts) if part.start <= before <= part.stop]
+        own = range(self.shape.parts[near[0]].start, self.shape.parts[near[-1]].stop)
+        weights = [self.table(name, place[1] * self.shape.points + m) for m in own]
+        return [
+            v.add(starts[near[0]], self._weighted(weights, values[own.start : own.stop]))
+            for starts, values in zip(self.starts, self.values, strict=True)
+        ]
+
+    def _starts(self, values: list[v.Vector]) -> list[v.Vector]:
+        """What is integrated from the root to the start of each span."""
+        found = [v.zero()]
+        for part in self.shape.parts[:-1]:
+            weights = [self.table("to_tip", m) for m in part]
+            found.append(v.add(found[-1], self._weighted(weights, values[part.start : part.stop])))
+        return found
 
     def _weighted(self, weights: list[Any], values: list[v.Vector]) -> v.Vector:
         return v.add(*(v.scale(w, value) for w, value in zip(weights, values, strict=True)))
 
-    def _rooted(self, values: list[v.Vector]) -> list[v.Vector]:
+    def _rooted(self, values: list[v.Vector], starts: list[v.Vector]) -> list[v.Vector]:
         """Weighted by the root of the mass matrix of the positions, so that sums over masses become plain ones."""
         g, result, entry = self.shape.points, [], 0
-        for k in range(g):
+        for k in range(g) if not self.shape.spans else ():
             weights = [self.table("root_mass", entry + m - k) for m in range(k, g)]
             entry += g - k
             result.append(self._weighted(weights, values[k:]))
+        for part, start in zip(self.shape.parts, starts, strict=True) if self.shape.spans else ():
+            for _ in part:
+                weights = [self.table("root_mass", entry + m) for m in range(len(part) + 1)]
+                entry += len(part) + 1
+                result.append(self._weighted(weights, [start, *values[part.start : part.stop]]))
         return result
 
     def _terms(self) -> LinkTerms:
         n, g = self.n, self.shape.points
-        places = self._rooted(self.lines)
-        moves = [self._rooted([moved[j] for moved in self.moved]) for j in range(n + 1)]
+        *moves, places = (self._rooted(*each) for each in zip(self.values, self.starts, strict=True))
         first = [self.table("first_moment", m) for m in range(g)]
-        linear = [self._weighted(first, [moved[j] for moved in self.moved]) for j in range(n + 1)]
+        linear = [self._weighted(first, values) for values in self.values[:-1]]
         products = [[v.total([v.dot(a, b) for a, b in zip(moves[i], moves[j], strict=True)]) for j in range(i + 1)]
                     for i in range(n + 1)]  # fmt: skip
         angular = [v.add(*(v.cross(p, u) for p, u in zip(places, moves[j], strict=True))) for j in range(n + 1)]

@@ -16,7 +16,7 @@ class StrainShape:
 
     ``points``: Gauss points; ``stations``: for each station, the number of the points before it; ``rotary``: 0 no
     section inertia, 1 about the tangent, 3 about all axes; ``curved``: bent at rest; ``full``: stiffness matrices are
-    not diagonal.
+    not diagonal; ``spans``: points of each span between bodies inside, none where there is but one.
     """
 
     twist: int
@@ -30,6 +30,7 @@ class StrainShape:
     rotary: int = 0
     curved: bool = False
     full: bool = False
+    spans: tuple[int, ...] = ()
 
     @property
     def directions(self) -> tuple[int, ...]:
@@ -57,6 +58,11 @@ class StrainShape:
         return self.turning + self.shifting
 
     @property
+    def work(self) -> int:
+        """How long its line's code is, in proportion."""
+        return self.size**2 * (self.points + len(self.stations))
+
+    @property
     def planar(self) -> int | None:
         """The only component of curvature where there is but one, which needs no series; else None."""
         only = set(self.directions)
@@ -72,6 +78,12 @@ class StrainShape:
         return tuple(found)
 
     @cached_property
+    def parts(self) -> tuple[range, ...]:
+        """The points of each span."""
+        ends = list(accumulate(self.spans or (self.points,), initial=0))
+        return tuple(map(range, ends, ends[1:]))
+
+    @cached_property
     def tables(self) -> dict[str, int]:
         """Sizes of the tables of numbers, in the order in which they are packed."""
         intervals, g = len(self.breaks), self.points
@@ -79,7 +91,7 @@ class StrainShape:
             "alpha": intervals * self.turning,
             "beta": intervals * self.turning if self.planar is None else 0,
             "rest": intervals * 3 if self.curved else 0,
-            "root_mass": g * (g + 1) // 2,
+            "root_mass": sum(n * (n + 1) for n in self.spans) or g * (g + 1) // 2,
             "first_moment": g,
             "mass": 1,
             "to_tip": g,
@@ -108,10 +120,11 @@ class StrainShape:
     def key(self) -> str:
         """The structure in words."""
         stations = ".".join(map(str, self.stations)) or "-"
+        spans = "".join(f" p{number}" for number in self.spans)
         return (
             f"strain t{self.twist} y{self.bend_y} z{self.bend_z} x{self.stretch} v{self.shear_y} w{self.shear_z} "
             f"g{self.points} s{stations} r{self.rotary} {'curved' if self.curved else 'straight'} "
-            f"{'full' if self.full else 'diagonal'}"
+            f"{'full' if self.full else 'diagonal'}{spans}"
         )
 
 
