@@ -95,3 +95,35 @@ def test_pairs_of_the_largest_sum(seed: int) -> None:
     chosen = found >= 0
     assert chosen.sum() == min(worth.shape) == len(set(found[chosen].tolist()))
     assert worth[chosen, found[chosen]].sum() == pytest.approx(worth[rows, columns].sum())
+
+
+@pytest.mark.parametrize(
+    "law", [{"type": "pd"}, {"type": "pid", "integral_gain": 30.0}, {"type": "sampled_pid", "sample_time": 1e-3}]
+)
+def test_the_controller_is_a_spring_whatever_the_inductance(law: dict[str, Any]) -> None:
+    """Its stiffness is K C_M/R behind a winding with inductance too: in shares and undamped frequencies."""
+    found = []
+    for more in ({}, {"inductance": 0.01}):
+        winding = {"resistance": 1.6, "torque_constant": 2.0, "back_emf_constant": 2.0, **more}
+        motor = {"inertia": 0.1, "side": "joint", **winding}
+        hinge = {"name": "hinge", "type": "revolute", "axis": [0, 1, 0], "child": "rod", "motor": motor}
+        signal = {"type": "constant", "value": 0.0}
+        gains = {"position_gain": 20.0, "velocity_gain": 2.0, **law}
+        drive = {"joint": "hinge", "command": "position", "signal": signal, "controller": gains}
+        body = {"name": "body", "mass": 1.0, "center": [0.5, 0, 0], "inertia": 0.1}
+        sheet = Robot.from_data(
+            {
+                "format": 1, "kind": "arm", "name": "one", "gravity": 0.0, "drives": [drive],
+                "joints": [hinge | {"gear": {"stiffness": 300.0, "damping": 0.1}}],
+                "links": [{"name": "rod", "bodies": [body]}],
+            }
+        )  # fmt: skip
+        modes = vibrations(sheet).states["controlled"]
+        ordered = sorted((mode for mode in modes if mode["undamped_frequency_Hz"]), key=lambda mode: mode["element"])
+        found.append([(mode["undamped_frequency_Hz"], *sorted(mode["shares"].items())) for mode in ordered])
+    stiffness = np.array([[25.0 + 300.0, -300.0], [-300.0, 300.0]])
+    squares, shapes = eigh(stiffness, np.diag([0.1, 0.35]))
+    for one in found:
+        assert [2 * np.pi * frequency for frequency, *_ in one] == pytest.approx(np.sqrt(squares), rel=1e-6)
+        named = [dict(shares)["hinge.controller"] for _, *shares in one]
+        assert named == pytest.approx(25.0 * shapes[0] ** 2 / squares, rel=1e-6)

@@ -55,7 +55,7 @@ class Feedback:
     """Controllers about a rest of n coordinates, with k further states: motor currents and controllers' own.
 
     ``stiffness`` and ``damping`` (n, n): fall of the efforts by coordinates and rates; ``drive`` (n, k): efforts by
-    further states; ``by`` (k, n + n + k): rates of these.
+    further states; ``by`` (k, n + n + k): rates of these, of which the first ``currents`` are of the motors' currents.
     """
 
     stiffness: Array
@@ -63,13 +63,16 @@ class Feedback:
     drive: Array
     by: Array
     samples: tuple[_Sample, ...] = ()
+    currents: int = 0
 
     @property
     def springs(self) -> Array:
-        """The stiffness (n, n) with that of sampled controllers, as if they worked at all times."""
-        n = len(self.stiffness)
-        held = (self.drive[:, list(sample.rows)] @ sample.by[:, :n] for sample in self.samples)
-        return self.stiffness - sum(held, np.zeros((n, n)))
+        """The stiffness (n, n) with sampled controllers as if they worked at all times, and with steady currents."""
+        n, m = len(self.stiffness), self.currents
+        steady = -np.linalg.solve(self.by[:m, 2 * n : 2 * n + m], self.by[:m])
+        effort = self.drive + self.drive[:, :m] @ steady[:, 2 * n :] if m else self.drive
+        held = (effort[:, list(sample.rows)] @ sample.by[:, :n] for sample in self.samples)
+        return self.stiffness - self.drive[:, :m] @ steady[:, :n] - sum(held, np.zeros((n, n)))
 
     def on(self, basis: Array) -> Feedback:
         """The same in the coordinates (m) of which those of the robot are ``basis`` (n, m)."""
@@ -79,7 +82,7 @@ class Feedback:
         wide[2 * n :, 2 * basis.shape[1] :] = np.eye(k)
         return Feedback(
             basis.T @ self.stiffness @ basis, basis.T @ self.damping @ basis, basis.T @ self.drive, self.by @ wide,
-            tuple(replace(sample, by=sample.by @ wide) for sample in self.samples),
+            tuple(replace(sample, by=sample.by @ wide) for sample in self.samples), self.currents,
         )  # fmt: skip
 
 
@@ -205,7 +208,9 @@ class _Linear:
                 samples.append(_Sample(one.law.period, rows, self._slopes(k, one, sampled=True)))
             elif rows:
                 by[list(rows)] = found[4 + OUTPUTS :]
-        return Feedback(-effort[:, :n], -effort[:, n : 2 * n], effort[:, 2 * n :], by, tuple(samples))
+        return Feedback(
+            -effort[:, :n], -effort[:, n : 2 * n], effort[:, 2 * n :], by, tuple(samples), len(self.current)
+        )
 
     def _slopes(self, k: int, one: _Drive, *, sampled: bool) -> Array:
         """Of the outputs of a servo's kernel, one after the other, by all directions (outputs, size)."""
