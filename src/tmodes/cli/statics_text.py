@@ -17,9 +17,11 @@ __all__ = ["circumstances", "numbers", "print_links", "print_statics", "print_st
 def circumstances(sheet: Robot, *, contact: bool, loads: bool = True, at: str | None = None) -> str:
     """What a table about a rest is of: free space or contact, weight, loads, pose; ``at``: the pose as it was given."""
     gravity = math.hypot(*sheet.chain().gravity)
+    held = sheet.contact is not None and not sheet.contact.unilateral
+    left_out = "its bilateral contact left out (loop open)" if held else "free space"
     drives = ["drives at their first command"] if sheet.drives else []
     return ", ".join([
-        "in contact" if contact and sheet.contact else "free space",
+        "in contact" if contact and sheet.contact else left_out,
         f"gravity {gravity:.4g} m/s^2" if gravity else "no gravity",
         *(["under its loads" if loads else "without its loads"] if sheet.loads else ()),
         *([f"at {at}"] if at else drives),

@@ -152,3 +152,19 @@ def test_tables_are_headed_with_what_they_are_of():
         printed = " ".join(tmodes(command, "spong1987", "--at", "joint=0.5").stdout.split())
         assert "free space, gravity 9.8" in printed
         assert "at joint=0.5" in printed
+
+
+def test_tables_without_the_contact_that_closes_a_loop_say_so(tmp_path):
+    path = tmp_path / "rocker.yaml"
+    path.write_text(
+        "{format: 1, kind: arm, name: rocker, gravity: 9.81,"
+        " joints: [{name: crank, type: revolute, child: crank, axis: [0, 1, 0], state: free}],"
+        " links: [{name: crank, bodies: [{mass: 1.0, center: [0, 0, -0.1], inertia: 0.003}]}],"
+        " tip: {link: crank, position: [0, 0, -0.2]},"
+        " contact: {law: bilateral, point: tip, stiffness: 1e4, damping: 1.0,"
+        " shape: {type: ball, center: [0.4, 0, -0.2], radius: 0.4}}}"
+    )
+    opened, closed = (tmodes("modes", str(path), *more).stdout for more in ((), ("--contact",)))
+    assert "loop open" in opened
+    assert "free space" not in opened
+    assert "in contact" in closed
