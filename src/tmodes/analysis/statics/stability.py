@@ -110,7 +110,10 @@ def _near_zero(mass: Array, stiffness: Array, reach: Array) -> Stability:
     if values[0] > 0:
         root = np.linalg.cholesky(stiffness)
         inner = forward(root, forward(root, mass).T)
-        return Stability(float(1 / np.linalg.eigvalsh((inner + inner.T) / 2)[-1]), ())
+        slowest = float(np.linalg.eigvalsh((inner + inner.T) / 2)[-1])
+        if slowest <= 0:
+            raise SimulationError(NO_MASS)
+        return Stability(1 / slowest, ())
     shape = shapes[:, 0]
     square = float(values[0] / max(shape @ mass @ shape, NOTHING * np.trace(mass)))
     return Stability(square, (_growth(complex(square), int(np.abs(shape * scale).argmax())),))
