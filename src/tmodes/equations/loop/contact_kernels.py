@@ -128,7 +128,7 @@ class Touch:
             return self.sheet.friction_force(self.law(p), normal, slip, against)
         # Along the slip, and along the mode still where the slip has turned back: its end is a simple root.
         side = v.vec(mode)
-        slips, ahead = v.dot(side, side), v.dot(slip, side)
+        slips, ahead = ca.if_else(v.dot(side, side) > 0.5, 1.0, 0.0), v.dot(slip, side)
         turned = v.add(slip, v.scale(ca.fabs(ahead) - ahead + _SLOWEST, side))
         along = v.add(v.scale(slips, turned), v.scale(1 - slips, met.direction))
         unit = v.scale(1 / ca.sqrt(v.dot(along, along)), along)
