@@ -13,10 +13,24 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["FEWEST", "Mode", "Residual", "are_coarse", "farthest", "fitted", "residual_vibration", "settled_after"]
+__all__ = [
+    "AT_REST",
+    "FEWEST",
+    "STANDS",
+    "Mode",
+    "Residual",
+    "are_coarse",
+    "farthest",
+    "fitted",
+    "residual_vibration",
+    "settled_after",
+]
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
+
+AT_REST, STANDS = "at rest", 1e-9
+"""Said of a point that does not move; travel over its distance from the origin up to which that is so."""
 
 FEWEST = 24
 """Samples without which no vibration is separated."""
@@ -47,14 +61,9 @@ _DRIFTS = 0.01
 _PERIODIC = 0.5
 """Share of a spectrum about its peak from which on a motion that is no sum of exponentials has a period."""
 
-_REAL = 1e-9
-"""Imaginary part of a root that is rounding, and how far it may stand outside of its interval."""
-
-_BETWEEN, _SMALL = 1e-3, 0.1
-"""Error between samples over the distance from rest, from which on finer ones are taken; least distance over band."""
-
-_PLACES = 65
-"""Places between two samples at which a largest distance is looked for."""
+_BETWEEN, _SMALL, _PLACES = 1e-3, 0.1, 65
+"""Error between samples over the distance from rest, from which on finer ones are taken; least such distance over the
+band; places between two samples at which a largest distance is looked for."""
 
 _STRONG = 1e-3
 """Amplitude over the largest above which a frequency must be sampled well."""
@@ -63,8 +72,8 @@ _STRONG = 1e-3
 class Mode(NamedTuple):
     """A vibration of about one frequency.
 
-    ``amplitude``: its largest envelope, the distance from the mean within a turn; ``share`` of the whole vibration's
-    energy (of the squares of distances), which the shares of all modes add up to but for what they do not explain;
+    ``amplitude``: its largest envelope, the distance from the mean within a turn; ``share`` of the energies
+    (squares of distances) of all modes and of what they leave unexplained together;
     ``drift``: frequency [Hz] in its first and its last turn, where these differ; ``poles`` [1/s] that it is made of.
     """
 
@@ -102,18 +111,18 @@ def settled_after(
     """Time [s] after ``since`` from which on ``values`` (n, k) stay within ``limit`` of ``rest``; None: not seen.
 
     Between samples the motion is the cubic of both values and their ``rates`` (n, k), whose last exit is found exactly;
-    where no rates are given they are those of a cubic spline.
+    where no rates are given they are those of the samples themselves.
     """
-    pieces, bounds = _cubics(times, values - np.asarray(rest), _slopes(times, values, rates))
+    pieces, bounds = _cubics(times, values - np.asarray(rest), rates)
     if np.linalg.norm(values[-1] - np.asarray(rest)) > limit:
         return None
     for k in np.flatnonzero((bounds > limit) & (times[1:] > since * (1 + 1e-12)))[::-1]:
         far = np.sum([np.convolve(one, one) for one in pieces[::-1, k].T], axis=0)
         far[-1] -= limit**2
         roots = np.roots(far)
-        crossed = roots.real[(np.abs(roots.imag) < _REAL) & (roots.real <= 1 + _REAL)].max(initial=-1.0)
+        crossed = roots.real[(np.abs(roots.imag) < 1e-9) & (roots.real <= 1 + 1e-9)].max(initial=-1.0)
         when = float(times[k] + crossed * (times[k + 1] - times[k]) - since)
-        if crossed >= -_REAL and when > 0:
+        if crossed >= -1e-9 and when > 0:
             return when
     return 0.0
 
@@ -121,25 +130,16 @@ def settled_after(
 def farthest(times: Array, values: Array, rates: Array | None, rest: Array) -> float:
     """The largest distance of such a motion from ``rest``, between samples too."""
     most = float(np.linalg.norm(values - rest, axis=1).max())
-    pieces, bounds = _cubics(times, values - rest, _slopes(times, values, rates))
+    pieces, bounds = _cubics(times, values - rest, rates)
     between = np.linspace(0.0, 1.0, _PLACES)[:, None] ** np.arange(4)
-    seen = np.linalg.norm(np.tensordot(between, pieces[:, bounds > most], axes=1), axis=2)
-    return float(seen.max(initial=most))
+    return float(np.linalg.norm(np.tensordot(between, pieces[:, bounds > most], axes=1), axis=2).max(initial=most))
 
 
-def _slopes(times: Array, values: Array, rates: Array | None) -> Array:
-    """The given rates, or those of a cubic spline."""
-    if rates is not None or len(times) < 2:
-        return np.zeros_like(values) if rates is None else rates
-    from scipy.interpolate import CubicSpline
-
-    return np.asarray(CubicSpline(times, values)(times, 1))
-
-
-def _cubics(times: Array, values: Array, rates: Array) -> tuple[Array, Array]:
+def _cubics(times: Array, values: Array, rates: Array | None) -> tuple[Array, Array]:
     """Powers (4, n - 1, k) of the share of each interval, and the most that their polynomials can be away from zero."""
     first, last = values[:-1], values[1:]
-    left, right = (np.diff(times)[:, None] * slope for slope in (rates[:-1], rates[1:]))
+    slopes: Array = np.asarray(np.gradient(values, times, axis=0) if rates is None else rates)
+    left, right = (np.diff(times)[:, None] * some for some in (slopes[:-1], slopes[1:]))
     powers = np.array([first, left, 3 * (last - first) - 2 * left - right, 2 * (first - last) + left + right])
     control = np.array([first, first + left / 3, last - right / 3, last])  # no cubic leaves the hull of these
     return powers, np.linalg.norm(control, axis=2).max(axis=0, initial=0.0)
@@ -167,9 +167,8 @@ def residual_vibration(times: Array, values: Array, since: float | None = None) 
     if len(times) < FEWEST:
         return Residual(None, (), "the run ends with the move")
     start = float(times[0]) if since is None else since
-    size = float(np.abs(values - values.mean(axis=0)).max())
-    if size <= 1e-12:
-        return Residual(0.0)
+    if np.ptp(values, axis=0).max() <= STANDS * np.abs(values).max():
+        return Residual(0.0, (), AT_REST)
     for part in _WINDOWS:
         count = len(times) // part
         if count >= FEWEST and (found := _of_window(times[:count] - start, values[:count])):
@@ -236,10 +235,8 @@ def _checked(t: Array, y: Array, poles: Complex, limit: float, times: Array, val
     poles = (np.minimum(poles.real, 1.0 / length) + 1j * poles.imag).astype(complex)
     parts, basis = fitted(t, y, poles), np.exp(np.outer(t, poles))
     wrong = float(np.sqrt(np.mean(np.sum(np.abs(basis @ parts - y) ** 2, axis=1))))
-    turns = np.abs(poles.imag) * length / (2 * np.pi)
-    rings = (turns > 0) & (-poles.real < _RINGS * np.abs(poles))
-    slow = rings & (turns < 1.0)
-    fast = rings & ~slow
+    rings = (poles.imag != 0) & (-poles.real < _RINGS * np.abs(poles))
+    fast = rings & (np.abs(poles.imag) * length >= 2 * np.pi)
     apart = y - (basis[:, ~fast] @ parts[~fast]).real
     vibration = float(np.linalg.norm((basis[:, fast] @ parts[fast]).real, axis=1).max(initial=0.0))
     if wrong > max(limit * vibration, _NOTHING * size) or vibration > (width := _diameter(y)):
@@ -247,14 +244,15 @@ def _checked(t: Array, y: Array, poles: Complex, limit: float, times: Array, val
     one = np.flatnonzero(fast & (poles.imag > 0))
     signals = _Signals(np.append(0.0, t), poles[one], 2 * parts[one])
     amplitude = float(signals.envelope(np.arange(len(one))).max(initial=0.0))
-    if _creeps(poles, parts, slow) > max(amplitude, wrong, _NOTHING * size):
+    sizes = 2 * np.linalg.norm(parts, axis=1) * (poles.imag > 0)
+    if sizes[rings & ~fast].max(initial=0.0) > max(amplitude, wrong, _NOTHING * size):
         return Residual(None, (), "less than one period of the vibration is seen after the move: simulate longer")
     modes = [
         mode._replace(amplitude=min(mode.amplitude, width))
         for mode in _modes(signals, apart, length, max(wrong, 1e-9 * size))
     ]
     if not modes:
-        return Residual(0.0, span=length)
+        return Residual(0.0, (), _calm(poles[sizes > _NOTHING * size]), span=length)
     slowly: Any = np.exp(np.outer(times, poles[~fast]))
     seen = values - (slowly @ parts[~fast]).real
     far = np.linalg.norm(seen, axis=1)
@@ -265,10 +263,12 @@ def _checked(t: Array, y: Array, poles: Complex, limit: float, times: Array, val
     )  # fmt: skip
 
 
-def _creeps(poles: Complex, parts: Complex, slow: NDArray[np.bool_]) -> float:
-    """The largest amplitude of what turns, but not once within the samples."""
-    pairs = (_Signals(np.zeros(1), poles[[k]], 2 * parts[[k]]) for k in np.flatnonzero(slow & (poles.imag > 0)))
-    return max((float(one.envelope(np.zeros(1, dtype=int))[0]) for one in pairs), default=0.0)
+def _calm(turning: Complex) -> str:
+    """Why nothing rings, in words; ``turning``: poles [1/s] of what turns at all."""
+    ratio = float((-turning.real / np.abs(turning)).min(initial=np.inf))
+    if _RINGS <= ratio < 1:
+        return f"it is damped too strongly to ring: damping ratio {ratio:.2g}, {_RINGS:g} or more"
+    return "nothing oscillates about the slowly moving mean"
 
 
 class _Signals(NamedTuple):
@@ -295,28 +295,31 @@ def _modes(signals: _Signals, apart: Array, length: float, least: float) -> list
     whole = signals.envelope(np.arange(len(signals.poles)))[1:]
     weighty = np.flatnonzero(whole >= _WEIGHTY * whole.max(initial=0.0))
     seen = slice(int(weighty[-1]) + 1 if len(weighty) else len(whole))
-    energy = float(np.sum(apart[seen] ** 2))
-    found = []
+    found, left = [], apart[seen].copy()
     for group in _groups(signals.poles, length):
         turning, envelope = signals.of(group), signals.envelope(group)
         if envelope.max() > least:
             weight = np.sum(np.abs(turning) ** 2)
             pole = complex(np.sum(turning.conj() * signals.of(group, 1)) / weight)
-            share = float(np.sum(turning.real[1:][seen] * apart[seen])) / energy
+            own = turning.real[1:][seen]
+            left -= own
             drift = _drift(signals, group, envelope, pole.imag) if len(group) > 1 else None
             poles = tuple(signals.poles[group].tolist())
             found.append(
-                Mode(pole.imag / (2 * np.pi), -pole.real / abs(pole), float(envelope.max()), share, drift, poles)
+                Mode(
+                    pole.imag / (2 * np.pi), -pole.real / abs(pole), float(envelope.max()), np.sum(own**2), drift, poles
+                )
             )
-    return sorted(found, key=lambda mode: -mode.amplitude)
+    whole = sum(mode.share for mode in found) + np.sum(left**2)
+    return sorted((one._replace(share=float(one.share / whole)) for one in found), key=lambda mode: -mode.amplitude)
 
 
 def _groups(poles: Complex, length: float) -> list[NDArray[np.intp]]:
     """Poles that are one mode: of about one frequency, by its share, by their decay, or by the time that is seen."""
     order = np.argsort(poles.imag)
     sorted_poles = poles[order]
-    near = np.maximum(_NEAR * sorted_poles.imag[1:], 2 * np.pi / length)
-    near = np.maximum(near, np.abs(sorted_poles.real[1:]) / 2 + np.abs(sorted_poles.real[:-1]) / 2)
+    decay = np.abs(sorted_poles.real[1:]) / 2 + np.abs(sorted_poles.real[:-1]) / 2
+    near = np.maximum(np.maximum(_NEAR * sorted_poles.imag[1:], 2 * np.pi / length), decay)
     splits = np.flatnonzero(np.diff(sorted_poles.imag) > near) + 1
     return np.split(order, splits) if len(order) else []
 
@@ -352,8 +355,8 @@ def _by_period(times: Array, values: Array) -> Residual:
     first = (count - 1) // 2
     apart = values[first : first + len(mean)] - mean
     far = np.linalg.norm(apart, axis=1)
-    reason = "the motion after the move is not a sum of decaying vibrations: its distance from a mean over one period"
     return Residual(
-        float(far.max()), (), reason, float(far.max()), float(times[first + far.argmax()]),
+        float(far.max()), (), f"{none.reason}: its distance from a mean over one period", float(far.max()),
+        float(times[first + far.argmax()]),
         tuple(map(float, np.abs(apart).max(axis=0))), 1.0,
     )  # fmt: skip

@@ -163,7 +163,10 @@ def summary_rows(summary: dict[str, Any]) -> Iterator[Row]:
 
 
 def _tip(summary: dict[str, Any]) -> Iterator[Row]:
-    from tmodes.result.summary import settling_band, settling_reason, vibration_words
+    from tmodes.result.summary import settling_words, vibration_words
+
+    def in_mm(length: float) -> str:
+        return f"{length * 1e3:.3g} mm"
 
     subject, point = _subject(summary), summary["point"]
     if point["reason"]:
@@ -186,15 +189,11 @@ def _tip(summary: dict[str, Any]) -> Iterator[Row]:
         when = f"t = {deviation['time_of_max_s']:.3f} s"
         yield _row(summary, "deviation.max_m", f"{subject} to nominal", deviation["max_m"], "mm", when, 1e3)
         yield _row(summary, "deviation.end_m", f"{subject} at the end", deviation["end_m"], "mm", "to nominal", 1e3)
-    if settling["time_s"] is not None:
-        limit = f"within {settling['limit_m'] * 1e3:.3g} mm of its rest ({settling_band(settling)})"
-        yield "settling after the move", f"{settling['time_s']:.3f} s", "", "", limit
-    else:
-        yield "settling after the move", "-", "", "", f"not seen: {settling_reason(settling)}"
+    time = "-" if settling["time_s"] is None else f"{settling['time_s']:.3f} s"
+    yield "settling after the move", time, "", "", settling_words(settling, in_mm)
     for which, one in summary["vibration"].items():
         value = "-" if one["amplitude_m"] is None else f"{one['amplitude_m'] * 1e3:.4g} mm"
-        words = vibration_words(one, lambda length: f"{length * 1e3:.3g} mm")
-        yield f"residual vibration, {which}", value, "", "", words
+        yield f"residual vibration, {which}", value, "", "", vibration_words(one, in_mm)
 
 
 _ERRORS = {"commanded": "tip_error.commanded.max_m", "nominal": "deviation.max_m"}

@@ -13,7 +13,7 @@ from tmodes.plot.facts import drive_unit, effort_unit, names_of
 from tmodes.report.markup import Markup, tag, written
 from tmodes.result import Result
 from tmodes.result.derived import Derives
-from tmodes.result.summary import TIP, largest_elements, mean_over_time, settling_band, settling_reason, vibration_words
+from tmodes.result.summary import TIP, largest_elements, mean_over_time, settling_words, vibration_words
 from tmodes.sheet import Robot
 
 __all__ = ["Fact", "energy_facts", "fact_list", "frequency_facts", "run_facts", "tracking_facts", "vibration_fact"]
@@ -84,18 +84,15 @@ def _error(largest: dict[str, Any], own: str, name: str, causes: dict[str, Any])
 
 
 def _settling(known: dict[str, Any]) -> Fact:
-    name = "Settling after the move"
-    if known["time_s"] is None:
-        return Fact("settling", name, None, "s", f"not seen: {settling_reason(known)}")
-    within = f"until the tip stays within {written(known['limit_m'], 'm')} of its rest"
-    return Fact("settling", name, known["time_s"], "s", f"{within}, {settling_band(known)}")
+    note = settling_words(known, lambda length: written(length, "m"))
+    return Fact("settling", "Settling after the move", known["time_s"], "s", note)
 
 
 def vibration_fact(which: str, known: dict[str, Any]) -> Fact:
     """Amplitude of the ``actual`` or ``nominal`` tip after the move, about its slowly moving mean [m]."""
     own = "vibration.residual" if which == "actual" else f"vibration.{which}"
-    note = vibration_words(known, lambda length: written(length, "m")) or "no mode rings"
-    return Fact(own, f"Residual vibration, {which}", known["amplitude_m"], "m", note)
+    words = vibration_words(known, lambda length: written(length, "m"))
+    return Fact(own, f"Residual vibration, {which}", known["amplitude_m"], "m", words)
 
 
 def frequency_facts(known: dict[str, float | None]) -> Iterator[Fact]:

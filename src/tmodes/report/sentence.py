@@ -44,6 +44,6 @@ def _largest(value: float, time: float, unit: str = "m") -> str:
 
 
 def _settled(known: dict[str, Any]) -> str:
-    if known["time_s"] is None:
+    if known["reason"]:
         return ""
     return f" It comes to rest {known['time_s']:.2g} s after the move, within {written(known['limit_m'], 'm', 2)}."

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import platform
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 from functools import cached_property, partial
 from importlib.metadata import version
 from typing import Any
@@ -41,7 +42,7 @@ from tmodes.result.settling import (
     plain_vibration,
     unknown_vibration,
 )
-from tmodes.result.vibrating import mode_elements
+from tmodes.result.vibrating import mode_elements, unrest
 from tmodes.sheet import Robot
 from tmodes.simulation.event import Event
 from tmodes.simulation.events import cut_short, events_of
@@ -194,7 +195,11 @@ class Assembly(Derives):
         if self.headline and not self.headline.point:
             raise SimulationError(self.headline.reason)
         if which not in self._afters:
-            self._afters[which] = after_move(self._shown[which], self.move_end, partial(self.progress, "settling"))
+            run, whose = self._shown[which], self.headline.name if self.headline else "the tip"
+            after = replace(after_move(run, self.move_end, partial(self.progress, "settling")), whose=whose)
+            if after.end is not None and after.end < after.times[-1] and after.settling()["time_s"] is None:
+                after = replace(after, unrest=unrest(self._ran[which], *after.later()))
+            self._afters[which] = after
         return self._afters[which]
 
     @derived("settling", lambda self, reason: not_settled(reason))

@@ -9,7 +9,16 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.analysis.vibration import FEWEST, Residual, are_coarse, farthest, residual_vibration, settled_after
+from tmodes.analysis.vibration import (
+    AT_REST,
+    FEWEST,
+    STANDS,
+    Residual,
+    are_coarse,
+    farthest,
+    residual_vibration,
+    settled_after,
+)
 from tmodes.errors import InputError
 from tmodes.integrate.band import BAND, Band
 from tmodes.integrate.registry import integrator
@@ -54,6 +63,8 @@ _LAST, _STEADY = 0.2, 0.5
 _CREEPS = 0.9
 """Ratio of two changes, one fifth of that time apart, up to which a motion creeps to a rest that is known by them."""
 
+_UNREST = "a motion that does not decay, or a run that is too short"
+
 _AT_REST = 1e-4
 """Share of the largest distance from its end, after the move, within which the tip no longer shows its vibration."""
 
@@ -70,7 +81,8 @@ class AfterMove:
 
     ``tip`` (n, 3) [m] and ``rates`` (n, 3) [m/s]; ``end``: of the move [s], None where it has none; ``finished`` [s]:
     where the run itself ends; ``even``: samples at equal times, in which vibrations are looked for; ``cut``: what ended
-    the continuation before all was seen.
+    the continuation before all was seen; ``whose``: motion ``tip`` is; ``unrest``: what keeps it from its rest, in
+    words, and whether that is no vibration.
     """
 
     times: Array
@@ -81,6 +93,8 @@ class AfterMove:
     finished: float
     even: NDArray[np.intp]
     cut: str = ""
+    whose: str = "the tip"
+    unrest: tuple[str, bool] = "", False
 
     @property
     def beyond(self) -> dict[str, Any]:
@@ -89,52 +103,52 @@ class AfterMove:
 
     def settling(self, band: Band = USUAL) -> dict[str, Any]:
         """When the tip stays near its own rest, see :func:`settling`; and how far the run was continued for it."""
-        return settling(self.times, self.tip, self.rates, self.end, self.finished, band) | self.beyond
+        motion = self.times, self.tip, self.rates, self.end, self.finished
+        return settling(*motion, band, self.whose, self.unrest[0] or _UNREST) | self.beyond
 
     def vibration(self) -> Residual:
         """The vibration at the end of the move, about the slowly moving mean."""
-        return vibration(self.times[self.even], self.tip[self.even], self.end)
+        own = self.times[self.even], self.tip[self.even], self.end
+        found = Residual(None) if self.unrest[1] else vibration(*own)
+        return found._replace(reason=self.unrest[0]) if self.unrest[0] and not found.modes else found
 
     def later(self) -> tuple[Array, Array]:
         """Times after the end of the move [s], and the coordinates then."""
-        end = self.end or 0.0
-        kept = self.even[self.times[self.even] >= end * (1 - 1e-12)]
-        return self.times[kept] - end, self.q[kept]
+        kept = self.even[self.times[self.even] >= (self.end or 0.0) * (1 - 1e-12)]
+        return self.times[kept] - (self.end or 0.0), self.q[kept]
 
-    def is_coarse(self, band: Band) -> bool:
-        """Whether the samples after the move are too far apart for when the tip settles."""
-        later = slice(np.searchsorted(self.times, (self.end or 0.0) * (1 - 1e-12)), None)
-        rest, limit = _rest(self.times, self.tip, self.end), self.settling(band)["limit_m"]
-        return are_coarse(self.times[later], self.tip[later], self.rates[later], rest, limit)
-
-    def joined(
-        self, sample: int, times: Array, tip: Array, rates: Array, q: Array, *, stride: int | None = None
-    ) -> AfterMove:
-        """With another motion in the place of its samples after one, up to the end of that.
+    def joined(self, sample: int, motion: Sequence[Array], stride: int | None = None) -> AfterMove:
+        """With another motion (times, tip, its rates, coordinates) in the place of its samples after one.
 
         ``stride``: how many of its steps are one of that motion, for which they are evenly spaced; None: none are.
         """
-        last = int(np.searchsorted(self.times, times[-1] * (1 + 1e-12)))
-
-        def both(own: Array, given: Array) -> Array:
-            return np.concatenate([own[: sample + 1], given[1:], own[last:]])
-
-        parts = both(self.times, times), both(self.tip, tip), both(self.rates, rates), both(self.q, q)
+        last = int(np.searchsorted(self.times, motion[0][-1] * (1 + 1e-12)))
+        pairs = zip((self.times, self.tip, self.rates, self.q), motion, strict=True)
+        times, tip, rates, q = (np.concatenate([own[: sample + 1], one[1:], own[last:]]) for own, one in pairs)
         own = np.arange(sample % stride, sample, stride) if stride else np.arange(0)
-        return AfterMove(*parts, self.end, self.finished, np.append(own, np.arange(sample, sample + len(times))))
+        even = np.append(own, sample + np.arange(len(motion[0])))
+        return AfterMove(times, tip, rates, q, self.end, self.finished, even)
 
 
 def settling(
-    times: Array, tip: Array, rates: Array | None, end: float | None, finished: float, band: Band = USUAL
+    times: Array,
+    tip: Array,
+    rates: Array | None,
+    end: float | None,
+    finished: float,
+    band: Band = USUAL,
+    whose: str = "the tip",
+    unrest: str = _UNREST,
 ) -> dict[str, Any]:
     """Time from the end of the move after which the actual tip stays within ``limit_m`` of its own rest.
 
     Its rest is where it ends: its mean over the last fifth of the time after the move, in which it must not be farther
     away than a share of the band, and what creeping adds to that. ``limit_m`` is the ``band``, of ``move_m``, its
     farthest distance from rest in the run. Between samples the tip moves by cubics of its positions and ``rates``.
-    ``time_s`` is None, with a ``reason``, where the tip is not seen to come to rest, and stay there.
+    ``time_s`` is None, with a ``reason``, where the tip is not seen to come to rest, and stay there; ``whose`` motion
+    it is, and what keeps it from its rest (``unrest``), are words of it. Where nothing moves that is the reason, too.
     """
-    rest, run = _rest(times, tip, end), times <= finished * (1 + 1e-9)
+    (rest, spread), run = _rest(times, tip, end), times <= finished * (1 + 1e-9)
     move = farthest(times[run], tip[run], rates if rates is None else rates[run], rest)
     limit = max(band.limit(move), _NO_MOVE)
     info = not_settled("", band) | {"limit_m": limit, "move_m": move}
@@ -143,29 +157,25 @@ def settling(
     if times[-1] <= end * (1 + 1e-9):
         when = f"the run ends at {times[-1]:g} s, the move at {end:g} s"
         return info | {"reason": f"{when}: simulate longer to see it settle"}
-    spread = float(np.linalg.norm(tip[times >= _late(times, end)] - rest, axis=1).max())
+    if move <= STANDS * np.abs(tip).max():
+        return info | {"time_s": 0.0, "rest_m": rest.tolist(), "reason": AT_REST}
     if spread > _STEADY * limit:
-        seen = f"the tip still moves by {2 * spread:.3g} m before t = {times[-1]:.4g} s"
-        return info | {"reason": f"{seen}: a vibration that does not decay, or a run that is too short"}
+        return info | {"reason": f"{whose} still moves by {2 * spread:.3g} m before t = {times[-1]:.4g} s: {unrest}"}
     return info | {"time_s": settled_after(times, tip, rest, limit, end, rates), "rest_m": rest.tolist()}
 
 
-def _late(times: Array, end: float | None) -> float:
-    """From when on the tip must be at rest [s]."""
-    return float(times[-1] - _LAST * max(times[-1] - (end or 0.0), 0.0))
-
-
-def _rest(times: Array, tip: Array, end: float | None) -> Array:
-    """Where a tip comes to rest: its smooth mean over the last fifth, and what a creeping one has before it."""
-    length = max(float(times[-1]) - (end or 0.0), 0.0)
+def _rest(times: Array, tip: Array, end: float | None) -> tuple[Array, float]:
+    """Where a tip comes to rest: its smooth mean over the last fifth, and what creeping adds; its distance then."""
+    length = _LAST * max(float(times[-1]) - (end or 0.0), 0.0)
     steps, means = np.gradient(times) if len(times) > 1 else np.ones(1), []
-    for until in (_LAST * k * length for k in (2, 1, 0)):
-        share = (times - times[-1] + until) / (_LAST * length or 1.0) + 1
+    for back in (2, 1, 0):
+        share = (times - times[-1]) / (length or 1.0) + back + 1
         weight = np.where((share >= 0) & (share <= 1), np.sin(np.pi * share) ** 2, 0.0) * steps
         means.append(weight @ tip / weight.sum() if weight.sum() > 0 else tip[-1])
     before, last = means[1] - means[0], means[2] - means[1]
     ratio = float(last @ before) / (float(before @ before) or 1.0)
-    return means[2] + (last * ratio / (1 - ratio) if 0 < ratio < _CREEPS else 0.0)
+    rest = means[2] + (last * ratio / (1 - ratio) if 0 < ratio < _CREEPS else 0.0)
+    return rest, float(np.linalg.norm(tip[times >= times[-1] - length] - rest, axis=1).max())
 
 
 def not_settled(reason: str, band: Band = USUAL) -> dict[str, Any]:
@@ -173,25 +183,23 @@ def not_settled(reason: str, band: Band = USUAL) -> dict[str, Any]:
     return {"time_s": None, "band": band.share, "within": band.words, "limit_m": None, "move_m": None, "reason": reason}
 
 
-def unknown_vibration(reason: str) -> dict[str, Any]:
-    """What stands in the place of a residual vibration where there is none."""
-    return plain_vibration(Residual(None, (), reason))
-
-
 def vibration(times: Array, tip: Array, end: float | None) -> Residual:
     """The vibration of evenly spaced samples after the move, as far as the tip moves at all."""
     if end is None:
         return Residual(None, (), "what moves the robot changes up to the end of the run")
-    later = times >= end * (1 - 1e-12)
+    later = slice(np.searchsorted(times, end * (1 - 1e-12)), _last_even(times, end) + 1)
     times, tip = times[later], tip[later]
     if len(times) < FEWEST:
         return Residual(None, (), "the run ends with the move")
-    uneven = np.flatnonzero(np.abs(np.diff(times) / (times[1] - times[0]) - 1) > 1e-6)
-    count = int(uneven[0]) + 1 if len(uneven) else len(times)
-    far = np.linalg.norm(tip[:count] - tip[count - 1], axis=1)
+    far = np.linalg.norm(tip - tip[-1], axis=1)
     moving = np.flatnonzero(far > _AT_REST * far.max())
     kept = max(int(moving[-1]) + 1 if len(moving) else 0, 4 * FEWEST)
-    return residual_vibration(times[:count][:kept], tip[:count][:kept], end)
+    return residual_vibration(times[:kept], tip[:kept], end)
+
+
+def unknown_vibration(reason: str) -> dict[str, Any]:
+    """What stands in the place of a residual vibration where there is none."""
+    return plain_vibration(Residual(None, (), reason))
 
 
 def plain_vibration(
@@ -226,7 +234,8 @@ def after_move(run: RunData, end: float | None, progress: Callable[[float], None
     stops = end is not None and end <= run.times[-1] * (1 + 1e-9)
     if end is None or not stops or run.status != "finished" or setup.callback:
         return found
-    more = _Continued(run, end, _work(run), progress)
+    own = run.statistics.get("steps", 0) + run.statistics.get("rejected", 0)
+    more = _Continued(run, end, max(int(_MOST_WORK * own), _NEGLIGIBLE // max(len(run.coordinates), 1)), progress)
     if min(decays, default=1.0) > 0:
         found = more.beyond(found, max(min(_HORIZON, _DECAYS / min(decays, default=1.0)), _SHORTEST))
     return more.finer(found)
@@ -245,11 +254,12 @@ class _Continued:
         while True:
             stride = max(1, int(np.ceil(horizon / _SAMPLES / self.run.robot.integration.output_step)))
             done, *motion = self._from(last, horizon, stride * self.run.robot.integration.output_step)
-            found = alone.joined(last, *motion, stride=stride)
+            found = alone.joined(last, motion, stride)
             best = found if found.times[-1] >= best.times[-1] else best
             if done.status == "stopped" or self.left <= 0:
-                until = f"not looked at beyond t = {best.times[-1]:.4g} s"
-                return replace(best, cut=f"{until}: half of the run's own steps")
+                return replace(
+                    best, cut=f"not looked at beyond t = {best.times[-1]:.4g} s: half of the run's own steps"
+                )
             if done.status != "finished":
                 return replace(alone, cut=f"continued beyond its end, the run was lost: {done.message}")
             if horizon >= _HORIZON or found.settling(self.band)["time_s"] is not None:
@@ -258,16 +268,19 @@ class _Continued:
 
     def finer(self, found: AfterMove) -> AfterMove:
         """With samples as near as the steps of the integration, where its own are too far apart after the move."""
-        run, first = self.run, int(np.searchsorted(self.run.times, self.end * (1 - 1e-12)))
+        run, first = self.run, int(np.searchsorted(self.run.times[:-1], self.end * (1 - 1e-12)))
         step = run.statistics.get("mean_step_s") or np.inf
         span = min(float(found.times[-1] - run.times[first]), _SAMPLES * step)
         noisy = any(drive.noise >= 0 for drive in run.planned.plan.drives)
-        if noisy or step >= run.robot.integration.output_step or min(span, self.left) <= 0:
-            return found
-        if not found.is_coarse(self.band):
+        later = found.times >= run.times[first]
+        rest, limit = _rest(found.times, found.tip, self.end)[0], found.settling(self.band)["limit_m"]
+        fine = step >= run.robot.integration.output_step or not are_coarse(
+            found.times[later], found.tip[later], found.rates[later], rest, limit
+        )
+        if noisy or fine or min(span, self.left) <= 0:
             return found
         done, *motion = self._from(first, span, span / np.ceil(span / step))
-        seen = found.joined(first, *motion) if len(motion[0]) > FEWEST else found
+        seen = found.joined(first, motion) if len(motion[0]) > FEWEST else found
         return replace(seen, cut=found.cut) if done.status in ("finished", "stopped") else found
 
     def _from(self, sample: int, duration: float, step: float) -> tuple[Trajectory, Array, Array, Array, Array]:
@@ -296,12 +309,6 @@ def _last_even(times: Array, end: float) -> int:
     last = len(times) - 1
     shorter = last > 1 and times[last] - times[last - 1] < (1 - 1e-6) * (times[1] - times[0])
     return last - 1 if shorter and times[last - 1] >= end else last
-
-
-def _work(run: RunData) -> int:
-    """Steps that a continuation may take."""
-    own = run.statistics.get("steps", 0) + run.statistics.get("rejected", 0)
-    return max(int(_MOST_WORK * own), _NEGLIGIBLE // max(len(run.coordinates), 1))
 
 
 def _decays(run: RunData) -> list[float]:

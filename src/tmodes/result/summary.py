@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from tmodes.io.labelled import Record
 
 __all__ = [
-    "TIP", "largest_deviation", "largest_elements", "mean_over_time", "settling_band", "settling_reason",
+    "TIP", "largest_deviation", "largest_elements", "mean_over_time", "settling_words",
     "summarise_result", "tip_errors", "vibration_words", "vibrations",
 ]  # fmt: skip
 
@@ -101,14 +101,12 @@ def vibrations(data: Record) -> dict[str, Any]:
     }
 
 
-def settling_band(known: dict[str, Any]) -> str:
-    """The band in words; an earlier version had shares alone."""
-    return str(known.get("within") or Band(known["band"]).words)
-
-
-def settling_reason(known: dict[str, Any]) -> str:
-    """Why no settling is seen: by what was looked at, and what ended that."""
-    return "; ".join(filter(None, [known["reason"], known.get("cut", "")]))
+def settling_words(known: dict[str, Any], length: Callable[[float], str]) -> str:
+    """The band of a settling, or why none is seen: by what was looked at, and what ended that; ``length`` in words."""
+    if known["time_s"] is None:
+        return f"not seen: {'; '.join(filter(None, [known['reason'], known.get('cut', '')]))}"
+    band = known.get("within") or Band(known["band"]).words  # an earlier version had shares alone
+    return known["reason"] or f"within {length(known['limit_m'])} of its rest, {band}"
 
 
 def vibration_words(one: dict[str, Any], length: Callable[[float], str]) -> str:
@@ -119,8 +117,8 @@ def vibration_words(one: dict[str, Any], length: Callable[[float], str]) -> str:
         said.append(f"farthest from its mean {length(one['largest_m'])} ({axes})")
     if modes := [mode for mode in one["modes"] if mode["amplitude_m"] > _WEAK * one["amplitude_m"]][:_MOST_MODES]:
         said.append(", ".join(_mode_words(mode, length) for mode in modes))
-    if one["modes"] and one.get("unexplained", 0.0) > _WEAK:
-        said.append(f"{one['unexplained']:.0%} in no mode")
+        further = sum(mode.get("share", 0.0) for mode in one["modes"] if mode not in modes)
+        said.append(f"{further:.0%} in weaker modes, {one.get('unexplained', 0.0):.0%} in no mode")
     return "; ".join(filter(None, [*said, one.get("cut", "")]))
 
 

@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
+from collections import ChainMap
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.analysis.modes.of_sheet import servos_of
+from tmodes.analysis.quasistatic import loose_gears
 from tmodes.analysis.statics.compliance import Spring, springs_of
 from tmodes.analysis.vibration import Mode, Residual, fitted
 from tmodes.simulation.motion_run import RunData
 
-__all__ = ["LOADS", "mode_elements"]
+__all__ = ["LOADS", "mode_elements", "unrest"]
 
 Array = NDArray[np.float64]
 
@@ -22,8 +24,36 @@ LOADS = "whole arm, in its weight and loads"
 _NOTICEABLE = 1e-3
 """Energy of all springs over the kinetic one, below which none is named."""
 
+_STEADY, _TURNS = 0.05, 0.5
+"""How near to its half a motion is in the middle of its time where its speed is steady; turn [rad] that is seen."""
+
 _INSTANTS = 200
 """Instants of a vibration at which its energies are taken."""
+
+
+def unrest(run: RunData, times: Array, q: Array) -> tuple[str, bool]:
+    """What keeps a motion from its rest, in words, empty where that is a vibration; and whether it is none at all.
+
+    ``times`` (n,) [s], evenly spaced, and coordinates ``q`` (n, nq): in the second half of that time one moves on, or
+    the teeth of a gear are apart for most of it.
+    """
+    late = q[len(q) // 2 - 1 :]
+    first, travel = late[(len(late) - 1) // 2] - late[0], late[-1] - late[0]
+    swing = np.abs(late - late[0] - np.linspace(0.0, 1.0, len(late))[:, None] * travel).max(axis=0, initial=0.0)
+    share = np.divide(first, travel, out=np.zeros_like(travel), where=np.abs(travel) > 2 * swing)
+    onward = np.where(np.abs(share - 0.5) < _STEADY, travel, 0.0)
+    if onward.any():
+        k = int(np.abs(onward).argmax())
+        unit = run.chain.units(run.coordinates)[run.coordinates[k]]
+        speed = np.abs(onward[k]) / (times[-1] - times[-len(late)])
+        words = f"{run.coordinates[k]} moves on at {speed:.3g} {unit}/s"
+        return words, unit == "rad" and bool(np.abs(onward[k]) > _TURNS)
+    loose = [loose_gears(run.model, place) for place in late[:: len(late) // _INSTANTS + 1]]
+    for name, play in ChainMap(*loose).items():
+        moved = float(np.ptp(late[:, run.coordinates.index(name)]))
+        if moved > _STEADY * play and sum(name in one for one in loose) > len(loose) / 2:
+            return f"{name} rattles in the play of its gear", True
+    return "", False
 
 
 def mode_elements(run: RunData, times: Array, q: Array, found: Residual) -> list[str]:
@@ -39,12 +69,9 @@ def mode_elements(run: RunData, times: Array, q: Array, found: Residual) -> list
     parts = fitted(times[kept], q[kept] - q[kept].mean(axis=0), poles)[: len(turning)]
     place, springs = q[kept[-1]], springs_of(run.model, q[kept[-1]])
     springs |= _controllers(run)
-    mass, names, first = run.model.mass_matrix(place), [], 0
-    for mode in found.modes:
-        own = parts[first : first + len(mode.poles)]
-        first += len(own)
-        names.append(_element(mode, own, springs, mass))
-    return names
+    mass, ends = run.model.mass_matrix(place), np.cumsum([len(mode.poles) for mode in found.modes])[:-1]
+    own = np.split(parts, ends)
+    return [_element(mode, one, springs, mass) for mode, one in zip(found.modes, own, strict=True)]
 
 
 def _element(mode: Mode, parts: NDArray[np.complex128], springs: dict[str, Spring], mass: Array) -> str:
