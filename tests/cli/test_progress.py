@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import signal
 import subprocess
+import time as clock
 
 import pytest
 
@@ -34,6 +35,18 @@ def test_a_silent_stage_is_said_again_and_again(capfd) -> None:
     said = [line.partition(":")[0] for line in lines]
     assert said == sorted(said)  # nothing of the first stage after the second began
     assert all(line.endswith(", page 3") for line in lines if line.startswith("report"))
+
+
+@pytest.mark.usefixtures("quick")
+def test_short_pieces_of_work_are_no_silence(capfd, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(terminal, "LINE_EVERY", 0.4)
+
+    def said() -> bool:
+        with working("reading"):
+            clock.sleep(0.15)
+        return capfd.readouterr().err.startswith("reading: 0%")
+
+    until(said)
 
 
 @pytest.mark.usefixtures("quick")

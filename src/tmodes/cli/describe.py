@@ -30,7 +30,7 @@ def describe(
     from tmodes.analysis.describe.describe import describe as described
 
     sheet = chosen_sheet(robot, settings, roots=root, trust_paths=trust_paths, fix_inertia=fix_inertia)
-    with working() as tell:
+    with working("preparing") as tell:
         info = described(sheet, pose_of(at, sheet), progress=tell)
     if as_json:
         print_json(info)
@@ -135,7 +135,7 @@ def ladder(
     from tmodes.simulation.hierarchy.hierarchy import ladder as climbed
 
     sheet = chosen_sheet(robot, settings, roots=root, trust_paths=trust_paths, fix_inertia=fix_inertia)
-    with working() as tell:
+    with working("preparing") as tell:
         found = climbed(sheet, tolerance, finest=finest, progress=tell)
     if as_json:
         print_json({"units": UNITS, **found.as_data()})

@@ -17,7 +17,7 @@ from tmodes.cli.options import (
     TrustPaths,
     chosen_sheet,
 )
-from tmodes.cli.terminal import print_json, print_json_list, print_table
+from tmodes.cli.terminal import print_json, print_json_list, print_table, working
 from tmodes.errors import InputError
 
 if TYPE_CHECKING:
@@ -60,8 +60,9 @@ def evaluate(
     if sheet.imported and holds_phi(states):
         from tmodes.cli.evaluate_phi import evaluate_phi
 
-        pair = sheet.with_({"contact": contact}).pair()
-        answers = evaluate_phi(pair.nominal if nominal else pair.real, read_phi_states(states))
+        with working("evaluating", at_once=True):
+            pair = sheet.with_({"contact": contact}).pair()
+            answers = evaluate_phi(pair.nominal if nominal else pair.real, read_phi_states(states))
         print_json_list(iter(answers)) if as_json else _print(answers)
         return
     if contact:
@@ -110,9 +111,10 @@ def evaluate_states(robot: Robot, path: str, *, as_json: bool) -> None:
     from tmodes.io.states import read_states
     from tmodes.model.model import Model
 
-    model = Model(robot.model_copy(update={"drives": ()}).chain())  # every joint with its motor, none prescribed
-    states = read_states(path, model.coordinates, model.efforts)
-    answers = list(terms_at(model, states))
+    with working("evaluating", at_once=True):
+        model = Model(robot.model_copy(update={"drives": ()}).chain())  # every joint with its motor, none prescribed
+        states = read_states(path, model.coordinates, model.efforts)
+        answers = list(terms_at(model, states))
     if as_json:
         names = {"coordinates": list(model.coordinates), "efforts": list(model.efforts)}
         print_json({"arm": robot.name, **names, "units": UNITS, "states": answers})

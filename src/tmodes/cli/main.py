@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 import os
 import sys
+import time as clock
 from contextlib import suppress
 from pathlib import Path
 from typing import Annotated, Any
@@ -28,6 +29,7 @@ from tmodes.cli.show import show, view
 from tmodes.cli.static import static
 from tmodes.cli.studio import studio
 from tmodes.cli.study import study
+from tmodes.cli.terminal import Stages
 from tmodes.errors import InputError, TmodesError, error_words
 
 __all__ = ["app", "main"]
@@ -84,6 +86,7 @@ def _options(
 def main() -> None:
     """Run the command line; ends the process with its exit code, never with a traceback for what a user can fix."""
     _prepare_streams()
+    Stages.last_line = clock.monotonic()
     try:
         code = app(standalone_mode=False) or 0
         sys.stdout.flush()

@@ -84,7 +84,7 @@ def modes(
         raise InputError("--max-frequency", repr(max_frequency), "a frequency > 0 Hz", "give it in Hz, or leave it out")
     pair, held = sheet.pair(), pose_of(at, sheet)
     robots = {"real": pair.real} | ({"nominal": pair.nominal} if sheet.real else {})
-    with working() as tell:
+    with working("preparing") as tell:
         found = {
             kind: _up_to(vibrations(one, contact=contact, held=held, progress=tell), max_frequency)
             for kind, one in robots.items()

@@ -87,9 +87,9 @@ def static(
     model = Model(chain)
     index = point_index(model, point)
     held = pose_of(at, sheet) | dict(held_of(text, sheet) for text in hold or [])
-    with working() as tell:
+    with working("preparing") as tell:
         rest = robot_rest(sheet, loads, model=model, held=held, moving=True, progress=tell)
-    info = statics_info(sheet, rest, index)
+        info = statics_info(sheet, rest, index)
     if as_json:
         print_json({"robot": sheet.name, "units": UNITS, **info})
         return

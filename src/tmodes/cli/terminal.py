@@ -38,7 +38,9 @@ NARROWEST = 6
 
 def print_json(value: Any) -> None:
     """Print a value as JSON; not-a-number is refused rather than written."""
-    print(json.dumps(value, indent=1, allow_nan=False))
+    with working("writing", at_once=True):
+        text = json.dumps(value, indent=1, allow_nan=False)
+    print(text)
 
 
 def print_json_list(values: Iterable[Any]) -> None:
@@ -159,12 +161,14 @@ class Stages:
     The stage and its time are also shown while nothing is reported. A first Ctrl-C interrupts where
     progress is reported, so that all results are whole: Python raises its KeyboardInterrupt anywhere, even where it is
     lost. A second one interrupts at once. ``spent``: wall and processor time [s] of each stage.
+    ``last_line``: when the command began, or said a line where there is no terminal: it may do several pieces of work.
     """
+
+    last_line = clock.monotonic()
 
     def __init__(self) -> None:
         self._interrupted = False
         self._started = clock.monotonic()
-        self._last_line = self._started - LINE_EVERY
         self._bar: Any = None
         self._tasks: dict[str, Any] = {}
         self.spent: dict[str, list[float]] = {}
@@ -204,15 +208,15 @@ class Stages:
 
     def _in_silence(self, stream: TextIO) -> None:
         """Say the stage again where nothing is reported for long."""
-        while not self._ended.wait(max(0.1, self._last_line + LINE_EVERY - clock.monotonic())):
-            if clock.monotonic() - self._started >= LINE_EVERY:
+        while not self._ended.wait(max(0.1, self.last_line + LINE_EVERY - clock.monotonic())):
+            if clock.monotonic() - self._started >= PATIENCE:
                 self._write_line(stream)
 
     def _write_line(self, stream: TextIO) -> None:
         with self._drawing, suppress(OSError, ValueError):  # of a stream that is gone or closed
             now, (share, note) = clock.monotonic(), self._latest
-            if now - self._last_line >= LINE_EVERY and self._stage and not self._ended.is_set():
-                self._last_line = now
+            if now - self.last_line >= LINE_EVERY and self._stage and not self._ended.is_set():
+                Stages.last_line = now
                 said = f", {note}" if note else ""
                 print(f"{self._stage}: {share:.0%} after {now - self._started:.0f} s{said}", file=stream, flush=True)
 
