@@ -12,7 +12,7 @@ from tmodes.simulation.warnings import run_warnings
 
 
 @pytest.mark.parametrize(("kinetic", "elastic", "warned"), [(8.0, 0.0, False), (0.0, 8.0, False), (1e-10, 0.0, True)])
-def test_the_energy_that_is_there_is_the_scale_of_rounding(kinetic: float, elastic: float, warned: bool) -> None:  # noqa: FBT001
+def test_the_energy_that_is_there_is_the_scale_of_rounding(kinetic: float, elastic: float, warned: bool) -> None:
     """Of a body that turns freely, and of a spring that holds a load: 8e-12 J of 8 J are no motion."""
     off = np.array([0.0, 4e-12, 8e-12])
     run: Any = SimpleNamespace(
