@@ -8,7 +8,7 @@ import typer
 
 from tmodes.cli.options import AsJson, FixInertia, Roots, Settings, SheetArgument, TrustPaths, chosen_sheet
 from tmodes.cli.static import PoseOption, pose_of
-from tmodes.cli.statics_text import circumstances, numbers, print_stiffness
+from tmodes.cli.statics_text import circumstances, numbers, print_stiffness, which_robot
 from tmodes.cli.terminal import notice, print_json, print_known, print_table, warn, working
 
 if TYPE_CHECKING:
@@ -35,11 +35,11 @@ def describe(
     if as_json:
         print_json(info)
         return
-    _print(info, circumstances(sheet, contact=False, loads=False, at=at))
+    _print(info, circumstances(sheet, contact=False, loads=False, at=at), which_robot(sheet))
     warn(info["warnings"])
 
 
-def _print(info: dict[str, Any], where: str) -> None:
+def _print(info: dict[str, Any], where: str, whose: str) -> None:
     print(f"{info['name']}: {info['title'] or 'a robot'}")
     count = len(info["coordinates"])
     moves = "coordinate" if count == 1 else "coordinates" if count else "coordinates (nothing in it moves or bends)"
@@ -68,7 +68,7 @@ def _print(info: dict[str, Any], where: str) -> None:
     if info["sag"]:
         travel = ", ".join(numbers(info["sag"]["displacement_m"], 1e3, 1.0))
         print(f"Sag of the tip under weight: {travel} mm (x, y, z), turned by {info['sag']['rotation_rad']:.4g} rad")
-        print(f"Sag and stiffness: {where}\n")
+        print(f"Sag and stiffness{whose}: {where}\n")
     print_stiffness(info["stiffness"])
 
 

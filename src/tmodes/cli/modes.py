@@ -18,7 +18,7 @@ from tmodes.cli.options import (
     chosen_sheet,
 )
 from tmodes.cli.static import PoseOption, pose_of
-from tmodes.cli.statics_text import circumstances, print_links
+from tmodes.cli.statics_text import circumstances, print_links, which_robot
 from tmodes.cli.terminal import print_json, print_table, warn, working
 from tmodes.errors import InputError
 
@@ -97,7 +97,7 @@ def modes(
         print_json({**head, **states, "poles": poles, "links": links, "warnings": warnings})
         return
     for kind, one in found.items():
-        whose = "" if len(found) == 1 else ", actual robot" if kind == "real" else ", nominal robot"
+        whose = ", actual robot" if kind == "real" and len(found) > 1 else which_robot(robots[kind])
         for state, lines in one.states.items():
             if lines:
                 motor = _MOTOR[state] if one.motors else "no motor"

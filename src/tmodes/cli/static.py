@@ -23,6 +23,7 @@ __all__ = ["PoseOption", "held_of", "load_of", "pose_of", "static", "three_of"]
 UNITS = {
     "coordinates": "rad, m along prismatic joints and stretch",
     "moving": "rad/s, m/s: coordinates and `base` that move at constant speed",
+    "efforts": "N*m, N: of drives that command no position, on coordinates that are free",
     "residual": "1, of the largest force",
     "lowest_frequency_Hz": "Hz, 0 where not stable",
     "lost_stability_at": "1, factor on weight and loads",
@@ -70,8 +71,10 @@ def static(
 ) -> None:
     """Rest under weight and loads: pose, sag, stability, stiffness at the point, and which element gives how much.
 
-    The loads are those of the data sheet and those given here; motors stand at their first command. Where drives or the
-    base turn at constant speed, about that motion, with its centrifugal forces.
+    The loads are those of the data sheet and those given here; motors stand at their first command. A joint whose drive
+    commands an effort, torque or voltage is free, under its first value, unless --hold or --at names it. Of the nominal
+    robot where the sheet has an actual one too. Where drives or the base turn at constant speed, about that motion,
+    with its centrifugal forces.
     """
     from tmodes.analysis.describe.describe import statics_info
     from tmodes.analysis.statics.at_rest import robot_rest
@@ -88,13 +91,13 @@ def static(
     index = point_index(model, point)
     held = pose_of(at, sheet) | dict(held_of(text, sheet) for text in hold or [])
     with working("preparing") as tell:
-        rest = robot_rest(sheet, loads, model=model, held=held, moving=True, progress=tell)
+        rest = robot_rest(sheet, loads, model=model, held=held, moving=True, efforts=True, progress=tell)
         info = statics_info(sheet, rest, index)
     if as_json:
-        print_json({"robot": sheet.name, "units": UNITS, **info})
+        print_json({"robot": sheet.name, "of": "nominal robot" if sheet.real else "robot", "units": UNITS, **info})
         return
     given = ",".join([*([at] if at else []), *(hold or [])]) or None
-    print_statics(sheet, info, chain.sliding, circumstances(sheet, contact=True, at=given))
+    print_statics(sheet, info, chain.sliding, circumstances(sheet, contact=True, at=given, efforts=info["efforts"]))
     warn(info["warnings"])
 
 

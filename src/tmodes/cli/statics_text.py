@@ -11,20 +11,35 @@ from tmodes.cli.terminal import print_table
 if TYPE_CHECKING:
     from tmodes.sheet import Robot
 
-__all__ = ["circumstances", "numbers", "print_links", "print_statics", "print_stiffness"]
+__all__ = ["circumstances", "numbers", "print_links", "print_statics", "print_stiffness", "which_robot"]
 
 
-def circumstances(sheet: Robot, *, contact: bool, loads: bool = True, at: str | None = None) -> str:
-    """What a table about a rest is of: free space or contact, weight, loads, pose; ``at``: the pose as it was given."""
+def which_robot(sheet: Robot) -> str:
+    """What stands behind the name of a robot whose sheet has an actual one, too."""
+    return ", nominal robot" if sheet.real else ""
+
+
+def circumstances(
+    sheet: Robot, *, contact: bool, loads: bool = True, at: str | None = None, efforts: Container[str] = ()
+) -> str:
+    """What a table about a rest is of: free space or contact, weight, loads, pose.
+
+    ``at``: the pose as it was given; ``efforts``: coordinates that are free under a drive's effort; others are held.
+    """
     gravity = math.hypot(*sheet.chain().gravity)
-    held = sheet.contact is not None and not sheet.contact.unilateral
-    left_out = "its bilateral contact left out (loop open)" if held else "free space"
-    drives = ["drives at their first command"] if sheet.drives else []
+    closed = sheet.contact is not None and not sheet.contact.unilateral
+    left_out = "its bilateral contact left out (loop open)" if closed else "free space"
+    drives = ["drives at their first command"] if any(drive.command.is_motion for drive in sheet.drives) else []
+    pushed = [drive.joint for drive in sheet.drives if not drive.command.is_motion]
+    free = [name for name in pushed if name in efforts or f"{name}.motor" in efforts]
+    held = [name for name in pushed if name not in free]
     return ", ".join([
         "in contact" if contact and sheet.contact else left_out,
         f"gravity {gravity:.4g} m/s^2" if gravity else "no gravity",
         *(["under its loads" if loads else "without its loads"] if sheet.loads else ()),
         *([f"at {at}"] if at else drives),
+        *([f"{' and '.join(free)} free under the first effort of the drive"] if free else ()),
+        *([f"{' and '.join(held)} held without the effort of the drive"] if held else ()),
     ])  # fmt: skip
 
 
@@ -38,7 +53,10 @@ def print_statics(sheet: Robot, info: dict[str, Any], sliding: Container[str], w
     stable = f"neutral, nothing holds {' and '.join(info['neutral'])}" if info["neutral"] else stable
     rates = ", ".join(f"{name} {rate:.4g}" for name, rate in info["moving"].items())
     how = f"in motion at constant speed ({rates} rad/s, m/s)" if rates else "at rest"
-    print(f"{sheet.name} {how}: {stable}" + (f", lowest undamped frequency {lowest:.4g} Hz" if lowest else ""))
+    print(
+        f"{sheet.name}{which_robot(sheet)} {how}: {stable}"
+        + (f", lowest undamped frequency {lowest:.4g} Hz" if lowest else "")
+    )
     print(where)
     if not info["coordinates"]:
         print("It has no coordinates: nothing in it moves or bends.")

@@ -125,6 +125,7 @@ def statics_info(robot: Robot, rest: Equilibrium, point: int = 0) -> dict[str, A
         "coordinates": rest.named,
         "held": [name for k, name in enumerate(rest.model.coordinates) if k not in rest.free],
         "moving": rest.moving,
+        "efforts": dict(rest.efforts),
         "residual": rest.residual,
         "stable": rest.stable,
         "neutral": [*rest.neutral],

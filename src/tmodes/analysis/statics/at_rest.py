@@ -12,9 +12,11 @@ from tmodes.analysis.statics.given import coordinate_numbers
 from tmodes.analysis.statics.loads import first_value, sheet_loads
 from tmodes.analysis.statics.path import Progress
 from tmodes.analysis.statics.steady import base_spin, steady_rates
+from tmodes.equations.loop.plan import winding_of
 from tmodes.errors import SimulationError
 from tmodes.model.model import Model
 from tmodes.sheet import Robot
+from tmodes.sheet.parts import Command
 
 __all__ = ["first_commands", "robot_rest"]
 
@@ -28,26 +30,36 @@ def robot_rest(
     sheet: bool = True,
     contact: bool = True,
     moving: bool = False,
+    efforts: bool = False,
     progress: Progress = lambda stage, share: None,
 ) -> Equilibrium:
     """Static equilibrium of a robot under its weight, the loads of its data sheet at time 0 (``sheet``) and ``loads``.
 
     Driven coordinates are held at ``held`` (numbers [rad, m], or text with a unit), else at their first command, else
     at the sheet's initial coordinates, else at 0; ``contact`` False leaves the sheet's contact out; ``moving``: about
-    motion of drives and base at constant speed. What was found before, a rest or that there is none, is taken again.
+    motion of drives and base at constant speed; ``efforts``: joints whose drives command no position are free under
+    their first effort, where ``held`` does not name them, instead of held. What was found before, a rest or that there
+    is none, is taken again.
     Errors as of :func:`equilibrium`.
     """
     model = model or Model(robot.chain())
     known = {name: value for name, value in robot.initial.coordinates.items() if name in model.coordinates}
-    commands = first_commands(robot, model) | held_coordinates(model, coordinate_numbers(model, held))
+    given = held_coordinates(model, coordinate_numbers(model, held))
+    commands = first_commands(robot, model) | given
+    pushed = {name: value for name, value in first_efforts(robot, model).items() if efforts and name not in given}
     acting = [*(sheet_loads(robot) if sheet else ()), *loads]
     touched = robot.contact if contact else None
     rates, spin = (steady_rates(robot, model), base_spin(robot)) if moving else ({}, None)
-    key = _key(model, acting, commands, known, touched), *rates.items(), spin is not None and tuple(spin)
+    key = (
+        _key(model, acting, commands, known, touched),
+        *rates.items(),
+        spin is not None and tuple(spin),
+        tuple(pushed.items()),
+    )
     if key not in _solved:
-        how = {"start": known, "contact": touched, "rates": rates, "spin": spin, "progress": progress}
+        how = {"start": known, "contact": touched, "rates": rates, "spin": spin, "efforts": pushed}
         try:
-            _solved[key] = equilibrium(model, acting, held=commands, **how)
+            _solved[key] = equilibrium(model, acting, held=commands, progress=progress, **how)
         except SimulationError as none:  # to find that out takes longest
             _solved[key] = str(none)
         while len(_solved) > _KEPT:
@@ -84,3 +96,14 @@ def first_commands(robot: Robot, model: Model) -> dict[str, float]:
             if name in model.coordinates:
                 commands[name] = first_value(robot, drive.signal)
     return commands
+
+
+def first_efforts(robot: Robot, model: Model) -> dict[str, float]:
+    """Efforts [N*m, N] of drives that command an effort, a torque or a voltage, at rest at time 0, by coordinate."""
+    found, axes = {}, {part.axis.name: part for part in model.parts.axes}
+    for drive in robot.drives:
+        if not drive.command.is_motion and drive.joint in axes:
+            resistance, _, torque, _ = winding_of(axes[drive.joint].axis.joint.motor)[1]
+            share = torque / resistance if drive.command is Command.VOLTAGE else 1.0
+            found[model.coordinates[axes[drive.joint].input]] = share * first_value(robot, drive.signal)
+    return found

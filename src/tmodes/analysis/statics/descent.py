@@ -28,13 +28,14 @@ LONGEST = 0.5
 """Longest step of the descent [rad, m]."""
 
 
-def descend(system: StaticSystem, q: Array, factor: float) -> tuple[Root | None, Array]:
+def descend(system: StaticSystem, q: Array, factor: float, *, thick: bool = False) -> tuple[Root | None, Array]:
     """The pose to which a robot sinks when it moves slowly in a thick fluid, downhill all the way.
 
     Linearly implicit Euler steps of D q' = -r(q), each longer as the force falls (Kelley & Keyes, "Convergence analysis
-    of pseudo-transient continuation", SIAM J. Numer. Anal. 35, 1998). A surface holds the robot stiffly in one
-    direction and makes the fluid so thick that along the others it hardly moves: there each step is twice as long as
-    the last unless the force rises. With the pose (nq,) that was reached last; None where it comes to no rest.
+    of pseudo-transient continuation", SIAM J. Numer. Anal. 35, 1998). A surface, or the gear of a motor that turns
+    freely (``thick``), is stiff in one direction and makes the fluid so thick that along the others the robot hardly
+    moves: there each step is twice as long as the last unless the force rises. With the pose (nq,) that was reached
+    last; None where it comes to no rest.
     """
     forces = system.forces(q, factor)
     pace, reach = 1.0, system.reach(q)
@@ -57,7 +58,7 @@ def descend(system: StaticSystem, q: Array, factor: float) -> tuple[Root | None,
         q[system.free] -= step * min(1.0, LONGEST / size)
         found = system.forces(q, factor)
         fall = float(np.linalg.norm(forces.rest) / max(np.linalg.norm(found.rest), 1e-300))
-        pace *= 2.0 if system.is_touched and fall >= 1 - STEADY else min(max(fall, 0.5), 2.0)
+        pace *= 2.0 if (thick or system.is_touched) and fall >= 1 - STEADY else min(max(fall, 0.5), 2.0)
         forces = found
     return None, q
 

@@ -49,8 +49,8 @@ class Equilibrium:
     D, K (nq, nq) about the pose, with the stiffness of loads and surfaces. ``wrenches`` (points, 6): what acts on the
     points, world axes, None for nothing. ``rates`` (nq,): of the steady motion in which it is at rest relative to what
     turns, None where it stands; in motion ``lowest_frequency_Hz`` is not a number, and ``stable`` counts damping and
-    gyroscopic forces. ``base`` (24,): the row of its base, with its rate; ``unsteady``: weight, loads or joints change
-    that motion.
+    gyroscopic forces. ``efforts``: of drives, by coordinate [N*m, N].
+    ``base`` (24,): the row of its base, with its rate; ``unsteady``: weight, loads or joints change that motion.
     """
 
     model: Model
@@ -68,6 +68,7 @@ class Equilibrium:
     unloaded: Array
     """Pose without weight and loads (nq,)."""
     rates: Array | None
+    efforts: Mapping[str, float]
     base: Array
     unsteady: bool
 
@@ -100,15 +101,16 @@ def equilibrium(
     contact: Contact | None = None,
     rates: Mapping[str, float | str] | None = None,
     spin: ArrayLike | None = None,
+    efforts: Mapping[str, float] | None = None,
     progress: Progress = lambda stage, share: None,
 ) -> Equilibrium:
     """The pose in which a robot rests under its weight and ``loads``, reached from the unloaded arm.
 
-    Motors and joints that are driven directly or prescribed are held: at ``held`` [rad, m], else at ``start``, else
-    at 0; a joint behind an elastic gear is held by its motor, unless that is named too; all other coordinates, and
-    those named in ``free``, are found, from ``start`` on. The load, weight included, and with it the centrifugal
-    forces of steady ``rates`` of held coordinates [rad/s, m/s] and of a base that turns at ``spin`` (3,) [rad/s] in
-    its own axes, rises from nothing in steps that keep to their branch (Crisfield,
+    Motors and joints that are driven directly or prescribed are held: at ``held`` [rad, m], else at ``start``, else at
+    0; a joint behind an elastic gear is held by its motor, unless that is named too; all other coordinates, and those
+    named in ``free``, and those on which ``efforts`` [N*m, N] act, are found, from ``start`` on. The load, weight
+    included, and with it the centrifugal forces of steady ``rates`` of held coordinates [rad/s, m/s] and of a base that
+    turns at ``spin`` (3,) [rad/s] in its own axes, rises from nothing in steps that keep to their branch (Crisfield,
     Non-linear Finite Element Analysis of Solids and Structures 1, 1991, ch. 9); a robot with loose joints first sinks
     to where a thousandth of the load puts it.
 
@@ -121,7 +123,9 @@ def equilibrium(
     fixed = held_coordinates(model, coordinate_numbers(model, held))
     first = coordinate_numbers(model, start)
     moving = whole_rates(model, coordinate_numbers(model, rates, rate=True), base=turning is not None)
-    system = StaticSystem(model, acts, free_coordinates(model, fixed, several("free", free)), moving, turning)
+    pushed = coordinate_numbers(model, efforts, effort=True)
+    loose = free_coordinates(model, fixed, [*several("free", free), *pushed])
+    system = StaticSystem(model, acts, loose, moving, turning, pushed)
     pose = starting_pose(model, fixed, first)
     return _info(system, follow(system, pose, progress), pose)
 
@@ -143,7 +147,7 @@ def _info(system: StaticSystem, path: LoadPath, pose: Array) -> Equilibrium:
         load_path=np.array([[station.factor, *station.q] for station in path.stations]),
         lost_stability_at=path.lost_at if system.rates is None else None, free=system.free, matrices=matrices,
         wrenches=system.wrenches(end.q), unloaded=path.stations[0].q if path.stations[0].factor == 0.0 else pose,
-        rates=system.rates, base=system.base(1.0), unsteady=is_unsteady(system, matrices[2]),
+        rates=system.rates, efforts=system.efforts, base=system.base(1.0), unsteady=is_unsteady(system, matrices[2]),
     )  # fmt: skip
 
 

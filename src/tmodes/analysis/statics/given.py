@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from typing import Any
 
+from tmodes.analysis.statics.loads import LARGEST as LARGEST_LOAD
 from tmodes.errors import InputError
 from tmodes.io.units import finite_number
 from tmodes.io.words import meant
@@ -16,8 +17,10 @@ LARGEST = 1e6
 """Largest value of a coordinate or a rate that is given [rad, m, rad/s, m/s]."""
 
 
-def coordinate_numbers(model: Model, values: Mapping[str, Any] | None, *, rate: bool = False) -> dict[str, float]:
-    """Values by coordinate [rad, m; of a ``rate`` rad/s, m/s], each a number or text with a unit.
+def coordinate_numbers(
+    model: Model, values: Mapping[str, Any] | None, *, rate: bool = False, effort: bool = False
+) -> dict[str, float]:
+    """Values by coordinate [rad, m; ``rate``: rad/s, m/s; ``effort``: N*m, N], each a number or text with a unit.
 
     Raises :class:`tmodes.errors.InputError` for an unknown name, and for what is no finite number of that unit.
     """
@@ -26,7 +29,10 @@ def coordinate_numbers(model: Model, values: Mapping[str, Any] | None, *, rate: 
     units = model.chain.units(given)
     if rate:
         units = {name: "1/s" if unit == "-" else f"{unit}/s" for name, unit in units.items()}
-    return {name: finite_number(name, value, units[name], most=LARGEST) for name, value in given.items()}
+    if effort:
+        units = {name: "N" if unit == "m" else "N*m" for name, unit in units.items()}
+    most = LARGEST_LOAD if effort else LARGEST
+    return {name: finite_number(name, value, units[name], most=most) for name, value in given.items()}
 
 
 def check_names(model: Model, names: Iterable[str]) -> None:

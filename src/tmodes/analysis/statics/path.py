@@ -149,7 +149,7 @@ def _first(system: StaticSystem, q: Array) -> Station:
     if start and held and pace <= LOOSE:
         return start
     absurd = sprung and ABSURD < pace < np.inf
-    root, last = (None, q) if absurd else descend(system, q, LITTLE)
+    root, last = (None, q) if absurd else descend(system, q, LITTLE, thick=sprung and not held)
     if root is None:
         loose = int(own.argmin()) if sprung else _loosest(system, last, int(own.argmin()))
         raise SimulationError(_restless(system.model.coordinates[system.free[loose]], own[loose], sprung=sprung))

@@ -8,9 +8,9 @@ solved by Newton's method, and by a slow but sure descent for robots that nothin
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
-from functools import partial
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import cached_property, partial
 from typing import NamedTuple
 
 import numpy as np
@@ -38,7 +38,8 @@ class StaticSystem:
     """The equations of one robot, its acts, and the indices of the coordinates that are free to move.
 
     ``rates`` (nq,): of steady motion, about which it is at rest relative to what turns; None: it stands. ``spin`` (3,):
-    rate of its base [rad/s]. Like the loads centrifugal forces are taken times the factor.
+    rate of its base [rad/s]. ``efforts``: of drives, by coordinate [N*m, N]. Like the loads these and centrifugal
+    forces are taken times the factor.
     """
 
     model: Model
@@ -46,6 +47,12 @@ class StaticSystem:
     free: NDArray[np.intp]
     rates: Array | None = None
     spin: Array | None = None
+    efforts: Mapping[str, float] = field(default_factory=dict)
+
+    @cached_property
+    def pushed(self) -> Array:
+        """The efforts (nq,)."""
+        return np.array([self.efforts.get(name, 0.0) for name in self.model.coordinates])
 
     @property
     def is_touched(self) -> bool:
@@ -74,6 +81,8 @@ class StaticSystem:
         loaded = self.model.inverse_dynamics(q, moving, still, wrenches=self.wrenches(q), base=self.base(1.0))
         elastic = self.model.elastic_forces(q, still)
         by_factor = loaded - elastic
+        if self.efforts:
+            by_factor = by_factor - self.pushed
         return Forces(*(part[self.free] for part in (elastic + factor * by_factor, by_factor, elastic)))
 
     def mass(self, q: Array) -> Array:
@@ -118,7 +127,7 @@ class StaticSystem:
         rows[:3, 3:6], rows[3, 3:6] = np.linalg.norm(rows[0, 3:6]) * np.eye(3), 0.0
         poses = np.repeat(q[None], 4, axis=0)
         pulled = self.model.inverse_dynamics(poses, 0 * poses, 0 * poses, base=rows)
-        total = np.linalg.norm(pulled[:3] - pulled[3], axis=0)
+        total = np.linalg.norm(pulled[:3] - pulled[3], axis=0) + np.abs(self.pushed)
         for act, pose in self._posed(q, turning=True):
             own = act.stiffness(Pose(pose.position, pose.rotation, np.eye(6)))
             moved = np.linalg.norm(pose.jacobian, axis=0)
