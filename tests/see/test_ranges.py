@@ -84,7 +84,7 @@ def test_elastic_energies_have_their_own_axis(good: Result) -> None:
     """They are a seventh of the kinetic energy: on its axis they could not be read."""
     axes = plot.all_figures(good)["energies"]()
     labels = [[str(line.get_label()) for line in panel.get_lines()] for panel in axes]
-    assert labels[:2] == [["kinetic", "gravity"], ["elastic gear", "elastic link"]]
+    assert labels[:2] == [["kinetic", "gravity"], ["elastic joint", "elastic link"]]
     assert [panel.get_ylabel() for panel in axes] == ["energy [J]", "energy [J]", "work [J]", "residual [J]"]
     sums = [line for line in axes[2].get_lines() if "(sum)" in str(line.get_label())]
     expected = good.data["work"].sel(work_kind=["gear_damping", "link_damping"]).sum("work_kind")

@@ -65,9 +65,13 @@ def _print(info: dict[str, Any], where: str, whose: str) -> None:
         springs = [[one["joint"], *map(_number, (one["stiffness"], one["rest"], one["damping"])), one["unit"]]
                    for one in info["springs"]]  # fmt: skip
         print_known("Springs of joints", ["joint", "stiffness", "rest", "damping", "unit of stiffness"], springs)
-    if info["sag"]:
-        travel = ", ".join(numbers(info["sag"]["displacement_m"], 1e3, 1.0))
-        print(f"Sag of the tip under weight: {travel} mm (x, y, z), turned by {info['sag']['rotation_rad']:.4g} rad")
+    if sag := info["sag"]:
+        if sag["displacement_m"] is None:
+            place = ", ".join(numbers(sag["position_m"], 1.0, 1.0))
+            print(f"Sag of the tip under weight: none, a joint is free; it comes to rest at {place} m (x, y, z)")
+        else:
+            travel = ", ".join(numbers(sag["displacement_m"], 1e3, 1.0))
+            print(f"Sag of the tip under weight: {travel} mm (x, y, z), turned by {sag['rotation_rad']:.4g} rad")
         print(f"Sag and stiffness{whose}: {where}\n")
     print_stiffness(info["stiffness"])
 

@@ -60,6 +60,24 @@ def test_two_link_arm():
     assert info["warnings"] == []
 
 
+def test_functions_that_a_link_lacks_are_said():
+    info = describe(load("deluca_siciliano1991"))  # pyright: ignore
+    assert [note for note in info["notes"] if "upper_arm" in note and "twist" in note]
+
+
+def test_what_swings_to_its_rest_has_no_sag():
+    joint = {"name": "j", "type": "revolute", "child": "l", "axis": [0, 1, 0], "state": "free"}
+    bodies = [{"mass": 1.0, "center": [0.3, 0, 0], "inertia": 0.01}]
+    info = describe(Robot.from_data({
+        "format": 1, "kind": "arm", "name": "pendulum", "gravity": 9.81, "joints": [joint],
+        "links": [{"name": "l", "bodies": bodies}], "tip": {"link": "l", "position": [0.5, 0, 0]},
+        "integration": {"duration": 1.0, "output_step": 0.1},
+    }))  # fmt: skip
+    assert info["sag"]["position_m"] == pytest.approx([0, 0, -0.5], abs=1e-9)
+    assert info["sag"]["displacement_m"] is None
+    assert info["sag"]["displacement_size_m"] is None
+
+
 def test_single_elastic_joint():
     """100 N*m/rad, 1 kg at 1 m that hangs: locked w^2 = 100 + 9.8."""
     arm = load("spong1987")

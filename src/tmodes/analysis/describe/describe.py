@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import asdict
 from typing import Any
 
@@ -36,9 +36,9 @@ def describe(
     """All that ``tmodes describe`` prints of a robot, as plain data with units in the names.
 
     The sag and the stiffness are those under the robot's weight alone, the driven coordinates at ``held``, else at
-    their first command; with free joints also in its contact. A robot that finds no rest is described too: then ``sag``
-    and ``stiffness`` are None and ``warnings`` say why. Raises :class:`tmodes.errors.InputError` for an unknown name in
-    ``held``.
+    their first command; with free joints also in its contact, and without numbers for the sag. A robot that finds no
+    rest is described too: then ``sag`` and ``stiffness`` are None and ``warnings`` say why. Raises
+    :class:`tmodes.errors.InputError` for an unknown name in ``held``.
     """
     chain = robot.chain()
     model = Model(chain)
@@ -49,7 +49,12 @@ def describe(
         "name": robot.name,
         "title": robot.title,
         "assumed": robot.assumed,
-        "notes": [*robot.held_notices, *_standing(robot, model), *([_IN_CONTACT] if _leans(robot) else ())],
+        "notes": [
+            *robot.held_notices,
+            *_standing(robot, model),
+            *([_IN_CONTACT] if _leans(robot) else ()),
+            *_rigid(links),
+        ],
         "gravity_m_per_s2": list(robot.gravity),
         "coordinates": list(model.coordinates),
         "total_mass_kg": float(sum(link["mass_kg"] for link in links)),
@@ -57,7 +62,7 @@ def describe(
         "links": links,
         "gears": gear_rows(robot, links),
         "springs": parallel_rows(robot),
-        "sag": sag(rest) if rest else None,
+        "sag": _sag(robot, rest) if rest else None,
         "stiffness": compliance_table(rest) if rest else None,
     }
     found = [*(one for one in robot.notices if one not in robot.assumed), *trouble, *notices(robot, chain, info, rest)]
@@ -79,6 +84,26 @@ _IN_CONTACT = "sag and stiffness are of the robot in contact, which may be all t
 def _leans(robot: Robot) -> bool:
     """Whether a contact may be what holds a robot: it has one, and joints that nothing else holds."""
     return robot.contact is not None and any(joint.state is JointState.FREE for joint in robot.joints)
+
+
+def _rigid(links: Sequence[Mapping[str, Any]]) -> Iterator[str]:
+    """Links without functions for a kind of bending or for twist, which the model leaves rigid there."""
+    for link in links:
+        functions = link.get("functions", {})
+        left = [name for name in ("bend_y", "bend_z", "twist") if not functions.get(name, 1)]
+        if left:
+            yield f"link {link['name']} has no functions for {' and '.join(left)}: it is rigid there"
+
+
+def _sag(robot: Robot, rest: Equilibrium) -> dict[str, Any]:
+    """The place of the tip, and how far it sags; that is None where a free joint lets it swing to there."""
+    swings = any(joint.state is JointState.FREE and joint.spring is None for joint in robot.joints)
+    found = sag(rest)
+    return (
+        found | dict.fromkeys(name for name in found if "displacement" in name or "rotation" in name)
+        if swings
+        else found
+    )
 
 
 def _still(model: Model) -> list[str]:

@@ -83,14 +83,19 @@ def _kinds(data: Any, name: str) -> Curves:
     small = [label for label in small if not label.startswith(ELASTIC)]
     looks = dict(zip(found, LOOKS, strict=False))
     shown = {
-        label.replace("_", " "): (values, looks[label])
+        _named(label): (values, looks[label])
         for label, values in found.items()
         if np.any(values) and (label not in small or len(small) == 1)
     }
     if len(small) > 1:
-        names = ",\n".join(label.replace("_", " ") for label in small)
+        names = ",\n".join(_named(label) for label in small)
         shown[f"{names}\n(sum)"] = (sum(found[label] for label in small), looks[small[0]])
     return shown
+
+
+def _named(label: str) -> str:
+    """A kind in words; the elastic energy of gears holds that of springs at joints."""
+    return {"elastic_gear": "elastic joint"}.get(label, label.replace("_", " "))
 
 
 def _draw(panel: Axes, time: Any, shown: Curves, what: str, unit: Unit) -> None:
