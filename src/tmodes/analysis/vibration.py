@@ -154,9 +154,8 @@ def are_coarse(times: Array, values: Array, rates: Array, rest: ArrayLike, limit
     steps = np.diff(times)
     even = np.abs(steps[1:] - steps[:-1]) < 1e-6 * steps[1:]
     middle = (values[2:] + values[:-2]) / 2 + steps[1:, None] * (rates[:-2] - rates[2:]) / 4
-    wrong = np.linalg.norm(middle - values[1:-1], axis=1)[even] / 16
-    far = np.linalg.norm(values[1:-1] - np.asarray(rest), axis=1)[even]
-    return bool((wrong > _BETWEEN * np.maximum(far, _SMALL * limit)).any())
+    wrong, far = (np.linalg.norm(one, axis=1)[even] for one in (middle - values[1:-1], values[1:-1] - np.asarray(rest)))
+    return bool((wrong / 16 > _BETWEEN * np.maximum(far, _SMALL * limit)).any())
 
 
 def residual_vibration(times: Array, values: Array, since: float | None = None) -> Residual:
@@ -246,7 +245,7 @@ def _checked(t: Array, y: Array, poles: Complex, limit: float, times: Array, val
     amplitude = float(signals.envelope(np.arange(len(one))).max(initial=0.0))
     sizes = 2 * np.linalg.norm(parts, axis=1) * (poles.imag > 0)
     if sizes[rings & ~fast].max(initial=0.0) > max(amplitude, wrong, _NOTHING * size):
-        return Residual(None, (), "less than one period of the vibration is seen after the move: simulate longer")
+        return Residual(None, (), "less than one period of a vibration is seen until it is at rest, or the run ends")
     modes = [
         mode._replace(amplitude=min(mode.amplitude, width))
         for mode in _modes(signals, apart, length, max(wrong, 1e-9 * size))
@@ -266,9 +265,8 @@ def _checked(t: Array, y: Array, poles: Complex, limit: float, times: Array, val
 def _calm(turning: Complex) -> str:
     """Why nothing rings, in words; ``turning``: poles [1/s] of what turns at all."""
     ratio = float((-turning.real / np.abs(turning)).min(initial=np.inf))
-    if _RINGS <= ratio < 1:
-        return f"it is damped too strongly to ring: damping ratio {ratio:.2g}, {_RINGS:g} or more"
-    return "nothing oscillates about the slowly moving mean"
+    strongly = f"it is damped too strongly to ring: damping ratio {ratio:.2g}, {_RINGS:g} or more"
+    return strongly if _RINGS <= ratio < 1 else "nothing oscillates about the slowly moving mean"
 
 
 class _Signals(NamedTuple):

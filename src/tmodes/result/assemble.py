@@ -42,7 +42,7 @@ from tmodes.result.settling import (
     plain_vibration,
     unknown_vibration,
 )
-from tmodes.result.vibrating import mode_elements, unrest
+from tmodes.result.vibrating import mode_elements, named_as_seen, unrest
 from tmodes.sheet import Robot
 from tmodes.simulation.event import Event
 from tmodes.simulation.events import cut_short, events_of
@@ -161,10 +161,12 @@ class Assembly(Derives):
     def end_frequencies(self) -> dict[str, list[dict[str, Any]]]:
         """Modes about the pose at the end: of the ``actual`` robot as it runs, of the ``nominal`` with locked motors.
 
-        The motors of the nominal one are at their setpoints in its run.
+        The motors of the nominal one are at their setpoints in its run. What is seen of them after the move has the
+        same element there.
         """
         found = {"actual": end_modes(self.run, "controlled", "locked")}
-        return found | ({"nominal": end_modes(self.run.reference, "locked")} if self.run.reference else {})
+        found |= {"nominal": end_modes(self.run.reference, "locked")} if self.run.reference else {}
+        return {which: named_as_seen(modes, self.vibration[which]["modes"]) for which, modes in found.items()}
 
     @property
     def _ran(self) -> dict[str, RunData]:
@@ -195,8 +197,8 @@ class Assembly(Derives):
         if self.headline and not self.headline.point:
             raise SimulationError(self.headline.reason)
         if which not in self._afters:
-            run, whose = self._shown[which], self.headline.name if self.headline else "the tip"
-            after = replace(after_move(run, self.move_end, partial(self.progress, "settling")), whose=whose)
+            after = after_move(self._shown[which], self.move_end, partial(self.progress, "settling"))
+            after = replace(after, whose=self.headline.name if self.headline else "the tip")
             if after.end is not None and after.end < after.times[-1] and after.settling()["time_s"] is None:
                 after = replace(after, unrest=unrest(self._ran[which], *after.later()))
             self._afters[which] = after

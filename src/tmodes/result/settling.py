@@ -103,8 +103,8 @@ class AfterMove:
 
     def settling(self, band: Band = USUAL) -> dict[str, Any]:
         """When the tip stays near its own rest, see :func:`settling`; and how far the run was continued for it."""
-        motion = self.times, self.tip, self.rates, self.end, self.finished
-        return settling(*motion, band, self.whose, self.unrest[0] or _UNREST) | self.beyond
+        words = self.whose, self.unrest[0] or _UNREST
+        return settling(self.times, self.tip, self.rates, self.end, self.finished, band, *words) | self.beyond
 
     def vibration(self) -> Residual:
         """The vibration at the end of the move, about the slowly moving mean."""
@@ -271,13 +271,12 @@ class _Continued:
         run, first = self.run, int(np.searchsorted(self.run.times[:-1], self.end * (1 - 1e-12)))
         step = run.statistics.get("mean_step_s") or np.inf
         span = min(float(found.times[-1] - run.times[first]), _SAMPLES * step)
-        noisy = any(drive.noise >= 0 for drive in run.planned.plan.drives)
         later = found.times >= run.times[first]
         rest, limit = _rest(found.times, found.tip, self.end)[0], found.settling(self.band)["limit_m"]
         fine = step >= run.robot.integration.output_step or not are_coarse(
             found.times[later], found.tip[later], found.rates[later], rest, limit
         )
-        if noisy or fine or min(span, self.left) <= 0:
+        if fine or min(span, self.left) <= 0 or any(drive.noise >= 0 for drive in run.planned.plan.drives):
             return found
         done, *motion = self._from(first, span, span / np.ceil(span / step))
         seen = found.joined(first, motion) if len(motion[0]) > FEWEST else found

@@ -14,7 +14,7 @@ from tmodes.analysis.statics.compliance import Spring, springs_of
 from tmodes.analysis.vibration import Mode, Residual, fitted
 from tmodes.simulation.motion_run import RunData
 
-__all__ = ["LOADS", "mode_elements", "unrest"]
+__all__ = ["LOADS", "mode_elements", "named_as_seen", "unrest"]
 
 Array = NDArray[np.float64]
 
@@ -23,6 +23,9 @@ LOADS = "whole arm, in its weight and loads"
 
 _NOTICEABLE = 1e-3
 """Energy of all springs over the kinetic one, below which none is named."""
+
+_SAME = 0.03
+"""Distance of two poles over their size up to which they are of one mode."""
 
 _STEADY, _TURNS = 0.05, 0.5
 """How near to its half a motion is in the middle of its time where its speed is steady; turn [rad] that is seen."""
@@ -46,8 +49,8 @@ def unrest(run: RunData, times: Array, q: Array) -> tuple[str, bool]:
         k = int(np.abs(onward).argmax())
         unit = run.chain.units(run.coordinates)[run.coordinates[k]]
         speed = np.abs(onward[k]) / (times[-1] - times[-len(late)])
-        words = f"{run.coordinates[k]} moves on at {speed:.3g} {unit}/s"
-        return words, unit == "rad" and bool(np.abs(onward[k]) > _TURNS)
+        turns = unit == "rad" and bool(np.abs(onward[k]) > _TURNS)
+        return f"{run.coordinates[k]} moves on at {speed:.3g} {unit}/s", turns
     loose = [loose_gears(run.model, place) for place in late[:: len(late) // _INSTANTS + 1]]
     for name, play in ChainMap(*loose).items():
         moved = float(np.ptp(late[:, run.coordinates.index(name)]))
@@ -72,6 +75,18 @@ def mode_elements(run: RunData, times: Array, q: Array, found: Residual) -> list
     mass, ends = run.model.mass_matrix(place), np.cumsum([len(mode.poles) for mode in found.modes])[:-1]
     own = np.split(parts, ends)
     return [_element(mode, one, springs, mass) for mode, one in zip(found.modes, own, strict=True)]
+
+
+def named_as_seen(modes: list[dict[str, Any]], seen: list[dict[str, Any]]) -> list[dict[str, Any]]:
+    """Modes about a pose, with the element that the nearest one seen in a run has, where both poles are the same."""
+    names = {}
+    for one in (one for one in seen[::-1] if one.get("element") and one["damping_ratio"] ** 2 < 1):
+        pole = (
+            2 * np.pi * one["frequency_Hz"] * complex(-one["damping_ratio"] / (1 - one["damping_ratio"] ** 2) ** 0.5, 1)
+        )
+        far = [abs(complex(*mode["pole"]) - pole) for mode in modes]
+        names |= {int(np.argmin(far)): one["element"]} if min(far, default=np.inf) < _SAME * abs(pole) else {}
+    return [mode | {"element": names.get(k, mode["element"])} for k, mode in enumerate(modes)]
 
 
 def _element(mode: Mode, parts: NDArray[np.complex128], springs: dict[str, Spring], mass: Array) -> str:

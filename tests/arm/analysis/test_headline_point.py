@@ -49,6 +49,7 @@ def test_the_farthest_body_stands_for_the_tip(tmp_path: Any) -> None:
     assert summary["vibration"]["actual"]["amplitude_m"] > 0.03
     assert summary["vibration"]["actual"]["modes"][0]["element"] == "j.gear"
     assert summary["settling"]["move_m"] > 0.05
+    assert summary["settling"]["reason"].startswith(summary["point"]["name"])
     assert not any(name.startswith(("deviation", "tip_error")) for name in summary["error"]["figures"])
     result.save(tmp_path / "result.nc")
     assert Result.load(tmp_path / "result.nc").summary() == summary
