@@ -14,7 +14,9 @@ import tmodes
 from io_cases import SHEET, number_paths, value_of
 from tmodes.errors import InputError, InputErrors
 from tmodes.io.assignment import parse_assignment
+from tmodes.io.forms import ROBOT
 from tmodes.io.sheet_check import sheet_from_data as robot_from_data
+from tmodes.io.sheet_fields import keys as field_keys
 from tmodes.io.sheet_paths import changed_places
 from tmodes.io.yaml_file import parse_yaml
 from tmodes.robots.load import load
@@ -130,6 +132,15 @@ def test_an_unknown_path_is_reported_with_the_nearest(path: str, meant: str) -> 
     with pytest.raises((InputError, InputErrors), match="unknown key") as caught:
         robot_from_data(changed_places(sheet(), {path: 1.0})[0])
     assert meant in str(caught.value)
+
+
+def test_of_many_keys_the_nearest_are_named_and_where_the_others_are() -> None:
+    known = field_keys(ROBOT.root)
+    with pytest.raises(InputError) as caught:
+        changed_places({"format": 1, "kind": "arm"}, {"qqintegrationqq": 1.0})
+    listed = caught.value.expected.removeprefix("one of ").split(", ")
+    assert "integration" in listed
+    assert f"{len(known) - 20} more: see `tmodes schema --arm`" in listed
 
 
 @pytest.mark.parametrize("data", [{"link": 3.0}, {"link": {"modes": []}}, {"link": {"modes": 5}}, {"link": None}])

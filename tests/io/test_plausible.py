@@ -97,6 +97,9 @@ def test_any_robot_is_looked_at() -> None:
     assert motor.startswith("joints.shoulder.motor.back_emf_constant = 2 and torque_constant = 0.02")
     (inertia,) = implausible_numbers(right.with_({"links.lower.bodies.hand.inertia": 10.0}))
     assert inertia.startswith("links.lower.bodies.hand: an inertia of 10 kg*m^2 is more than 0.2 kg can have")
+    (rest,) = implausible_numbers(right.with_({"joints.shoulder.spring": {"stiffness": 5.0, "rest": 90.0}}))
+    assert rest.startswith("joints.shoulder.spring.rest = 90 rad")
+    assert "deg (factor 0.01745)" in rest
 
 
 FLOATING = {

@@ -34,6 +34,9 @@ APART, SLOW = 15.0, 0.5
 DAMPING = 1.0
 """Damping ratio of a gear, or of a link's first bending, beyond which it does not oscillate [-]."""
 
+VISCOUS = 100.0
+"""Viscous friction of a joint over the critical damping of its gear, or of the weight that it carries [-]."""
+
 HELD = 3.0
 """Weight that a joint carries over its limit of effort; below, a spring or a counterweight may hold it [-]."""
 
@@ -71,8 +74,8 @@ def consequences(robot: Robot) -> list[str]:
     """Sentences on what follows from the numbers of a robot, where that is odd."""
     chain = robot.chain()
     gears = _gears(robot, chain)
-    checks = (_sagging(gears), _slow(gears), _damped(gears), _links(robot, chain), _efforts(robot, chain),
-              _factors(robot))  # fmt: skip
+    checks = (_sagging(gears), _slow(gears), _damped(gears), _viscous(robot, chain), _links(robot, chain),
+              _efforts(robot, chain), _factors(robot))  # fmt: skip
     blind = headline_point(robot, chain)
     return [*(sentence for check in checks for sentence in check), *([blind.reason] if blind else [])]
 
@@ -131,6 +134,25 @@ def _damped(gears: list[_Gear]) -> Iterator[str]:
                 f"{gear.path}.damping = {gear.damping:g}: a damping ratio of {ratio:.3g} for what its joint carries, "
                 "which then does not oscillate; is the unit right?"
             )
+
+
+def _viscous(robot: Robot, chain: Chain) -> Iterator[str]:
+    """Friction of joints that is huge against their gears and what they carry."""
+    carried = carried_by_joints(chain)
+    for joint in robot.joints:
+        if joint.name not in carried or joint.is_locked:
+            continue
+        _, inertia, weight = carried[joint.name]
+        motor = joint.motor.at_joint() if joint.motor else None
+        stiffness = max([weight, *(k for k in (joint.gear.stiffness if joint.gear else ()) if math.isfinite(k))])
+        places = {"friction": joint.friction and joint.friction.viscous, "motor.friction": motor and motor.viscous}
+        critical = 2 * math.sqrt(stiffness * (inertia + (motor.inertia if motor else 0.0)))
+        for path, viscous in places.items():
+            if viscous and critical and viscous > VISCOUS * critical:
+                yield (
+                    f"joints.{joint.name}.{path}.viscous: {viscous:g} at the joint is {viscous / critical:.3g} times "
+                    "the critical damping of what the joint carries, which hardly moves then; is the unit right?"
+                )
 
 
 def _links(robot: Robot, chain: Chain) -> Iterator[str]:

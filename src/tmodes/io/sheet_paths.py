@@ -9,6 +9,7 @@ from __future__ import annotations
 import copy
 from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
+from difflib import get_close_matches
 from typing import Any, get_args, get_origin
 
 from tmodes.errors import InputError
@@ -23,7 +24,7 @@ __all__ = ["changed_places", "entered", "expanded", "steps_of"]
 
 LONGEST = 500
 MOST_LISTED = 20
-"""Keys or names listed in one message."""
+"""Keys or names listed in one message: of more the nearest ones."""
 
 
 def changed_places(data: Mapping[str, Any], changes: Mapping[str, Any]) -> tuple[dict[str, Any], list[str]]:
@@ -158,7 +159,9 @@ def _unknown(
         found = _first(data, lambda steps: plain(own_path(named(steps, data), data)) == plain(path)) or found
     if not (isinstance(value, (list, tuple)) and where.isdecimal()):  # the names that there are say more
         found = found or _alike(path, data)
-    expected = f"one of {', '.join(known[:MOST_LISTED])}" if known else f"no key inside `{start}`"
+    some = known if len(known) <= MOST_LISTED else get_close_matches(where, known, MOST_LISTED, 0.0)
+    rest = f", {len(known) - len(some)} more: see `tmodes schema --arm`" if some is not known else ""
+    expected = f"one of {', '.join(some)}{rest}" if known else f"no key inside `{start}`"
     return InputError(path, "an unknown key", expected, f"did you mean `{found}`?" if found else look)
 
 

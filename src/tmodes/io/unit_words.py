@@ -11,7 +11,7 @@ import re
 from collections.abc import Callable, Iterator, Mapping
 from itertools import islice, product
 
-__all__ = ["UNIT", "angular", "cyclic", "grains", "guesses", "readings", "spelt"]
+__all__ = ["UNIT", "angles", "cyclic", "grains", "guesses", "readings", "spelt"]
 
 _LETTERS = {
     **dict.fromkeys("·⋅∙•×\u2217", "*"), **dict.fromkeys("−–\u2010\u2011", "-"), **dict.fromkeys("µμ", "u"),
@@ -85,15 +85,16 @@ def guesses(text: str) -> Iterator[str]:
     yield from _expressions(text, likely)
 
 
-def angular(expression: str) -> bool:
-    """Whether a unit has an angle in it, which the library does not count as a dimension."""
-    return any(word in _ANGLES or word.removesuffix("s") in _ANGLES for word in _words(expression))
+def angles(expression: str) -> int:
+    """How often a unit has an angle in it, each power counted; the library does not count it as a dimension."""
+    powers = re.findall(r"([A-Za-z]+)(?:\^[-+]?([0-9]{1,3}))?", expression)
+    return sum(int(power or 1) for word, power in powers if {word, word.removesuffix("s")} & _ANGLES)
 
 
 def cyclic(expression: str) -> bool:
     """Whether a unit may count either turns or radians: a frequency, or a rate by the minute."""
     words = _words(expression)
-    return bool(_CYCLES & {*words}) or ("min" in words and not angular(expression))
+    return bool(_CYCLES & {*words}) or ("min" in words and not angles(expression))
 
 
 def grains(expression: str) -> bool:

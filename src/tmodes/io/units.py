@@ -16,7 +16,7 @@ from numbers import Real
 from typing import Any
 
 from tmodes.errors import InputError
-from tmodes.io.unit_words import UNIT, angular, cyclic, grains, guesses, readings, spelt
+from tmodes.io.unit_words import UNIT, angles, cyclic, grains, guesses, readings, spelt
 from tmodes.io.words import shown
 
 __all__ = [
@@ -168,7 +168,8 @@ def _factor(unit_text: str, unit: str) -> float:
     if len({*factors.values()}) > 1:
         raise _WrongUnit(f"either {' or '.join(factors)}", "write the one that is meant")
     if not factors:
-        raise next((error for error in refused if error.reason != _UNKNOWN), refused[0])
+        general = {_OTHER: 1, _UNKNOWN: 2}
+        raise min(refused, key=lambda error: general.get(error.reason, 0))
     return next(iter(factors.values()))
 
 
@@ -180,14 +181,16 @@ def _checked_factor(unit_text: str, unit: str) -> float:
 
     An angle is no dimension of the library: it belongs only where our unit has one, and may be left out there.
     """
-    turns = "rad" in unit
+    turns = angles(unit)
     if grains(unit_text):
         raise _WrongUnit(_UNKNOWN, "write g for grams")
     if turns and cyclic(unit_text):
         raise _WrongUnit("of turns or of radians", "write rpm or rev/s for turns, else rad/s")
     factor = 1.0 if unit_text == unit else EVERYDAY.get(unit, {}).get(unit_text)
     factor = library_factor(unit_text, unit) if factor is None else factor
-    if (angular(unit_text) and not turns) or ("percent" in unit_text and unit != "-"):
+    if turns and angles(unit_text) > turns:
+        raise _WrongUnit("of the same angle more than once")
+    if (angles(unit_text) and not turns) or ("percent" in unit_text and unit != "-"):
         raise _WrongUnit(_OTHER)
     return factor
 

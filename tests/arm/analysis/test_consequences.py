@@ -56,6 +56,8 @@ def test_published_robots_have_none(name: str) -> None:
         ("links.fore.bodies.payload.mass", 3000.0, "is a mass in g"),
         ("links.fore.bodies.payload.mass", 500.0, "is a mass in g"),
         ("links.upper.bodies.0.mass", 5e4, "is a mass in g"),
+        ("joints.elbow.friction.viscous", 3e5, "joints.elbow.friction.viscous"),
+        ("joints.elbow.motor.friction.viscous", 3e5, "joints.elbow.motor.friction.viscous"),
         ("joints.elbow.gear.stiffness", 16.0, "joints.elbow.gear.stiffness"),
         ("joints.shoulder.gear.stiffness", 16.0, "joints.shoulder.gear.stiffness"),
         ("joints.base_turn.gear.stiffness", 16.0, "factor 1000"),

@@ -181,7 +181,7 @@ class SpringSheet(DataSheet):
 
     stiffness: float = not_negative("N*m/rad|N/m", "k", "stiffness of the spring beside the motor")
     rest: float = any_sign(
-        "rad|m", "q_k", "position of the joint at which the spring is relaxed", default=0.0, plausible=(-700.0, 700.0)
+        "rad|m", "q_k", "position of the joint at which the spring is relaxed", default=0.0, plausible=(-13.0, 13.0)
     )
     damping: float = dissipation("N*m*s/rad|N*s/m", "d", "damping beside the motor", default=0.0)
 
