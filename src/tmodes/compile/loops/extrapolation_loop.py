@@ -68,20 +68,9 @@ class _Writer:
         with counted(b, loop.size, "combined") as i:
             for label, table in self.tables.items():
                 loop.store(self.paired.weighted(table, whole(0), i), label, i)
-        if loop.rate.switched is not None:
-            self._keep_modes()
         error = self.norm.of_error(lambda i: loop.load("apart", i), "new", "y", step.h)
         grown = _CONTROL.judge(loop, step, b.fmul(error, number(_CAUTION)))
         self._accept(step, grown)
-
-    def _keep_modes(self) -> None:
-        """What no rate changes keeps every bit: the direction of a slip is a unit vector in every step."""
-        loop, b = self.loop, self.b
-        with counted(b, loop.size - loop.guarded, "other") as k:
-            i = b.add(k, whole(loop.guarded))
-            start = loop.load("y", i)
-            change = self.paired.weighted(self.tables["new"], whole(0), i, about=start)
-            loop.store(b.fadd(start, change), "new", i)
 
     def _accept(self, step: AdaptiveStep, grown: Any) -> None:
         loop = self.loop

@@ -118,20 +118,15 @@ class PairedRows:
             other = b.add(i, whole(2 * n))
             moved(other, self._at(self.slope, other))
 
-    def weighted(self, table: Any, line: Any, i: Any, about: Any = None) -> Any:
-        """Sum of all kept states' component i with the weights of a line of a table (slots of lanes each).
-
-        ``about``: a number that is taken from each first.
-        """
+    def weighted(self, table: Any, line: Any, i: Any) -> Any:
+        """Sum of all kept states' component i with the weights of a line of a table (slots of lanes each)."""
         b, lanes = self.b, self.lanes
         with b.goto_entry_block():
             total = b.alloca(lanes.kind, name="weighted")
         b.store(lanes.constant(0.0), total)
         first = b.mul(line, whole(self.slots))
         with counted(b, self.slots, "slot") as slot:
-            kept = self._kept(slot, i)
-            kept = kept if about is None else b.fsub(kept, lanes.spread(b, about))
-            term = b.fmul(self._at(table, b.add(first, slot)), kept)
+            term = b.fmul(self._at(table, b.add(first, slot)), self._kept(slot, i))
             b.store(b.fadd(b.load(total, typ=lanes.kind), term), total)
         found = b.load(total, typ=lanes.kind)
         parts = [b.extract_element(found, whole(lane)) for lane in range(LANES)]
