@@ -14,8 +14,6 @@ from tmodes.compile.wasm.wasm_parts import each_once, schedule_loop, schedule_sa
 from tmodes.equations.line.schedule import Lines
 from tmodes.equations.loop.closed_loop import ClosedLoop
 from tmodes.equations.mechanics import mechanics
-from tmodes.integrate.method import EULER, JACOBIAN
-from tmodes.integrate.registry import integrator
 from tmodes.integrate.settings import Integration
 from tmodes.kinds.kernel.schedule import Schedule
 from tmodes.live.numbers import follow_of, has_reference
@@ -24,6 +22,7 @@ from tmodes.model.model import Model
 from tmodes.model.passes import ChainPasses
 from tmodes.sheet import RobotPair
 from tmodes.sheet.robot import RECURSION
+from tmodes.simulation.loop import Loops
 from tmodes.simulation.native_run import BOUND, EVENT_TIME, MOST_EVENTS
 from tmodes.simulation.plan import Follow, Planned, planned
 
@@ -146,13 +145,8 @@ def _motions(inertia: Schedule) -> dict[str, Schedule]:
 
 
 def _loop(symbol: str, loop: ClosedLoop, method: str) -> Any:
-    count = loop.parts.size
-    if integrator(method).is_explicit:
-        return schedule_loop(symbol, loop.rate, 2 * count, method)
-    if integrator(method).asks == JACOBIAN:
-        return schedule_loop(symbol, loop.rate, 2 * count, method, pairs=count, columns=loop.layout.works.start)
-    rate = loop.euler_rate if integrator(method).asks == EULER else loop.implicit_rate
-    return schedule_loop(symbol, rate, 2 * count, method, pairs=count)
+    schedule, guarded, more = Loops(loop).stated(method)
+    return schedule_loop(symbol, schedule, guarded, method, **more)
 
 
 def _layout(functions: ModelFunctions) -> Mapping[str, Any]:

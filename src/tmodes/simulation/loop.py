@@ -50,6 +50,8 @@ class Loops:
             more["columns"] = loop.layout.works.start
         elif asks != EXPLICIT:
             rate = "euler_rate" if asks == EULER else "implicit_rate"
+        if asks == EULER and loop.modes:
+            more["modes"] = loop.modes
         return getattr(loop, rate), 2 * count, more
 
 

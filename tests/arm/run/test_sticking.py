@@ -162,6 +162,7 @@ def test_every_method_locates_the_switches(method: str) -> None:
     stroke = 0.08976932774870089
     assert np.abs(run.q[[55, 80], 0] - [0.0, stroke]).max() < 1e-6 * stroke
     assert run.statistics["switches"] == 7
+    assert set(np.unique(run.states[:, run.setup.model.layout.modes])) <= {-1.0, 0.0, 1.0}
 
 
 def geared(method: str | None = None, **more: Any) -> Robot:
@@ -299,6 +300,19 @@ def test_a_stick_slip_oscillator_on_a_belt(method: str | None) -> None:
     wanted = [0.02, 0.04, 0.06, 0.08, 0.1, 0.12, 0.04304848678658342, 0.06304848678658344, 0.08304848678658343,
               0.10304848678658343]  # fmt: skip
     np.testing.assert_allclose(run.q[1:, 0], wanted, rtol=0, atol=1e-6 * 0.12)
+
+
+def test_the_direction_of_a_slip_stays_a_unit_vector() -> None:
+    """Step by step, by rows of steps too: a slip that has almost come to rest has no other direction than that."""
+    chosen = {"duration": 0.4, "output_step": 2e-3, "method": "extrapolation"}
+    law = {"friction": 0.1, "velocity": [0.05, -0.02, 0.0]}
+    rates = {"y": 0.3, "x": 0.1}
+    run = simulate_motion(on_floor(9.81, 9.81, law, spring=5e3, rates=rates, integration=chosen))
+    sizes = np.linalg.norm(run.states[:, run.setup.model.layout.modes], axis=1)
+    moving = sizes > 0.5
+    assert moving.sum() > 100
+    np.testing.assert_allclose(sizes[moving], 1.0, rtol=0, atol=1e-15)
+    assert run.statistics["rejected"] < run.statistics["steps"]
 
 
 def test_derivatives_ask_for_a_smooth_friction_of_a_contact() -> None:

@@ -34,23 +34,27 @@ _CONTROL = ImplicitControl(exponent=1.0 / (ROWS - 1), smallest=0.1, first=1e-4)
 """The local error, by which the combination of order 6 differs from the limit of order 8, goes with h^7."""
 
 
-def write_extrapolation_loop(module: Any, name: str, rate: RowsRate, guarded: int, *, pairs: int) -> None:
+def write_extrapolation_loop(
+    module: Any, name: str, rate: RowsRate, guarded: int, *, pairs: int, modes: int = 0
+) -> None:
     """Write the loop; steps end on knots, samples are interpolated.
 
-    The state begins with ``pairs`` coordinates and as many rates; what follows takes explicit Euler steps.
+    The state begins with ``pairs`` coordinates and as many rates; what follows takes explicit Euler steps. The last
+    ``modes`` numbers do not change within a step: combined, they would drift by the rounding of the weights' sum, and
+    a direction of slip that is no unit vector is wrong where the slip ends.
     """
     loop = TimeLoop(module, name, rate, ("slope", "new", "apart"), guarded)
-    _Writer(loop, rate, pairs).write()
+    _Writer(loop, rate, pairs, modes).write()
 
 
 class _Writer:
     """Writes the body of the loop."""
 
-    def __init__(self, loop: TimeLoop, rate: RowsRate, pairs: int) -> None:
-        self.loop, self.b = loop, loop.builder
+    def __init__(self, loop: TimeLoop, rate: RowsRate, pairs: int, modes: int) -> None:
+        self.loop, self.b, self.modes = loop, loop.builder, modes
         self.paired = PairedRows(loop, rate, pairs, ROWS)
         self.norm, self.gate = MotionNorm(loop, pairs), Gate(loop, implicit=True)
-        self.dense = DenseOutput(loop, self.paired)
+        self.dense = DenseOutput(loop, self.paired, modes)
         steady, limit = steady_weights(), limit_weights(ROWS)
         weights = {"new": steady, "apart": {row: steady[row] - limit[row] for row in limit}}
         self.tables = {label: self._table(label, info) for label, info in weights.items()}
@@ -68,6 +72,11 @@ class _Writer:
         with counted(b, loop.size, "combined") as i:
             for label, table in self.tables.items():
                 loop.store(self.paired.weighted(table, whole(0), i), label, i)
+        if self.modes:
+            with counted(b, self.modes, "mode") as k:
+                i = b.add(k, whole(loop.size - self.modes))
+                loop.store(loop.load("y", i), "new", i)
+                loop.store(number(0.0), "apart", i)
         error = self.norm.of_error(lambda i: loop.load("apart", i), "new", "y", step.h)
         grown = _CONTROL.judge(loop, step, b.fmul(error, number(_CAUTION)))
         self._accept(step, grown)
@@ -84,9 +93,10 @@ class _Writer:
 
 
 class DenseOutput:
-    """Gives the motion between both ends of a step, by the states of all rows."""
+    """Gives the motion between both ends of a step, by the states of all rows; ``modes``: as of the loop."""
 
-    def __init__(self, loop: TimeLoop, paired: PairedRows) -> None:
+    def __init__(self, loop: TimeLoop, paired: PairedRows, modes: int = 0) -> None:
+        self.modes = modes
         self.loop, self.paired, self.rows, self.b = loop, paired, paired.rows, loop.builder
         with self.b.goto_entry_block():
             self.terms = self.b.alloca(F64, size=whole((self.rows + 1) * loop.size), name="terms")
@@ -102,6 +112,10 @@ class DenseOutput:
                 back = b.fdiv(b.fsub(loop.sample_time(), time_after), h)
                 with counted(b, loop.size, "value") as i:
                     store(b, self._value(end, i, back), target, i)
+                if self.modes:
+                    with counted(b, self.modes, "shown_mode") as k:
+                        i = b.add(k, whole(loop.size - self.modes))
+                        store(b, loop.load(end, i), target, i)
 
     def _find_terms(self, start: str, end: str) -> None:
         """Coefficients of the powers of the time from the end over h; the last makes the polynomial meet the start."""
