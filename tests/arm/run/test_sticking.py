@@ -429,32 +429,3 @@ def test_a_normal_force_is_of_a_slide_alone() -> None:
         block(1.0, rub).with_({"joints.x.type": "revolute"})
     with pytest.raises(TmodesError, match=r"joints\.x\.motor\.friction\.normal_force"):
         block(1.0, {}).with_({"joints.x.motor": {"inertia": 1.0, "side": "joint", "friction": rub}})
-
-
-def test_a_slip_of_a_stiff_arm_ends_by_extrapolation() -> None:
-    """Its mode stays a unit vector in every step: else near rest the friction has a part along the normal."""
-    gear = {"motor": {"inertia": 1e-5, "side": "motor", "ratio": 50}, "gear": {"stiffness": 2000.0, "damping": 1.0}}
-    section = {"shape": "box", "width": "40 mm", "height": "10 mm"}
-    beam = {"model": "strain", "functions": 2, "length": 0.5, "section": section, "material": "aluminium_6061",
-            "damping_time": 1e-4}  # fmt: skip
-    names, first = {"shoulder": "upper", "elbow": "fore"}, (0.5236, -1.2217)
-    height = 0.5 * math.sin(first[0]) + 0.5 * math.sin(sum(first))
-    plane = {"type": "plane", "position": [0, 0, height + 2e-3], "normal": [0, 0, 1]}
-    robot = arm(
-        joints=[{"name": name, "type": "revolute", "child": link, "axis": [0, -1, 0], **gear}
-                for name, link in names.items()],
-        links=[{"name": link, "beam": beam, "bodies": [{"name": f"{link}_end", "mass": 0.2, "at": 1.0}]}
-               for link in names.values()],
-        drives=[{"joint": name, "command": "prescribed",
-                 "signal": {"type": "quintic", "start": start, "end": start + change, "duration": 0.3}}
-                for name, start, change in zip(names, first, (0.2, -0.45), strict=True)],
-        contact={"law": "unilateral", "point": "tip", "stiffness": 2e5, "damping": 200.0, "friction": 0.3,
-                 "static_friction": 0.4, "shape": plane},
-        integration={"duration": 0.35, "output_step": 0.01, "method": "extrapolation"},
-    )  # fmt: skip
-    run = simulate_motion(robot)
-    slips = np.linalg.norm(run.states[:, run.setup.model.layout.modes], axis=1)
-    assert set(slips.round(9).tolist()) == {0.0, 1.0}
-    assert slips[-1] == 0.0
-    assert np.abs(run.points.velocity[-1, 0, 0]) < 1e-9
-    assert run.statistics["rejected"] < run.statistics["steps"]
