@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import TypeVar
 
-__all__ = ["LONG", "WAIT", "bounded", "steady", "until"]
+__all__ = ["LONG", "WAIT", "bounded", "steady", "until", "work"]
 
 T = TypeVar("T")
 
@@ -49,3 +49,8 @@ def bounded(seconds: float) -> Iterator[None]:
     yield
     spent = time.process_time() - start
     assert spent < seconds, f"{spent:.1f} s of processor time, at most {seconds:g} s were expected"
+
+
+def work(seconds: float) -> None:
+    """A piece of work that takes so long at least."""
+    time.sleep(seconds)

@@ -4,12 +4,11 @@ from __future__ import annotations
 
 import signal
 import subprocess
-import time as clock
 
 import pytest
 
 from command import COMMAND, started
-from patience import LONG, until
+from patience import LONG, until, work
 from tmodes.cli import terminal
 from tmodes.cli.terminal import working
 
@@ -43,7 +42,7 @@ def test_short_pieces_of_work_are_no_silence(capfd, monkeypatch: pytest.MonkeyPa
 
     def said() -> bool:
         with working("reading"):
-            clock.sleep(0.15)
+            work(0.15)
         return capfd.readouterr().err.startswith("reading: 0%")
 
     until(said)

@@ -16,12 +16,12 @@ from tmodes.studio.jobs import JobBook
 from tmodes.studio.pool import Pool
 
 WORKER = """
-import json, os, sys, time
+import json, os, sys, threading
 for line in sys.stdin:
     order = json.loads(line)
     sheet = order.get("sheet")
     if sheet == "endless":
-        time.sleep(1000)
+        threading.Event().wait()
     if sheet == "crash":
         os._exit(9)
     if "job" in order:
@@ -62,7 +62,7 @@ def test_a_slow_check_blocks_no_other_and_an_outdated_one_is_dropped(checking) -
         assert await ask("quick", "another") == "quick"
         assert not slow.done()
         outdated = [slow, *(asyncio.create_task(ask("endless", "one")) for _ in range(3))]
-        await asyncio.sleep(0)  # more than there are processes
+        await asyncio.wait(outdated, return_when=asyncio.FIRST_COMPLETED)  # more than there are processes
         assert await ask("newest", "one") == "newest"
         assert [await one for one in outdated] == [""] * 4
 
