@@ -91,8 +91,8 @@ def _settling(known: dict[str, Any]) -> Fact:
 def vibration_fact(which: str, known: dict[str, Any]) -> Fact:
     """Amplitude of the ``actual`` or ``nominal`` tip after the move, about its slowly moving mean [m]."""
     own = "vibration.residual" if which == "actual" else f"vibration.{which}"
-    words = vibration_words(known, lambda length: written(length, "m"))
-    return Fact(own, f"Residual vibration, {which}", known["amplitude_m"], "m", words)
+    name = f"Residual vibration, {which}"
+    return Fact(own, name, known["amplitude_m"], "m", vibration_words(known, lambda length: written(length, "m")))
 
 
 def frequency_facts(known: dict[str, float | None]) -> Iterator[Fact]:

@@ -46,7 +46,7 @@ def summarise_result(
     for name, (compute, without) in _GROUPS.items():
         found[name] = groups.attempt(name, partial(compute, data, time), without)
     found["settling"] = groups.attempt(
-        "settling", partial(_settling, data, time, band, settled), _not_settled(band or USUAL)
+        "settling", partial(_settling, data, time, band, settled), lambda reason: not_settled(reason, band or USUAL)
     )
     if other := json.loads(data.attrs.get("headline", "null")):
         found |= {key: other[key] for key in ("tip_error", "deviation")}
@@ -65,10 +65,6 @@ def _of_others(errors: dict[str, Any] | None) -> dict[str, Any] | None:
         return errors
     kept = {name: one for name, one in errors["figures"].items() if not name.startswith(("deviation.", "tip_error."))}
     return errors | {"figures": kept}
-
-
-def _not_settled(band: Band) -> Callable[[str], dict[str, Any]]:
-    return lambda reason: not_settled(reason, band)
 
 
 def _settling(
@@ -316,26 +312,17 @@ def largest_elements(one: dict[str, Any]) -> list[tuple[str, float]]:
 _MOST_ELEMENTS = 4
 
 
-def _nothing(reason: str) -> Any:
-    del reason
-
-
-def _none_of_them(reason: str) -> dict[str, Any]:
-    del reason
-    return {}
-
-
 _GROUPS: dict[str, tuple[Callable[[Any, Array], Any], Callable[[str], Any]]] = {
     "first_frequency_Hz": (lambda data, time: _first_frequencies(data), lambda reason: dict.fromkeys(_CASES)),
-    "deviation": (_deviation, _nothing),
-    "tip_error": (lambda data, time: tip_errors(data), _none_of_them),
-    "vibration": (lambda data, time: vibrations(data), _none_of_them),
-    "joints": (_joints, _none_of_them),
-    "deformations": (_deformations, _none_of_them),
-    "links": (_links, _none_of_them),
-    "contact_force": (_contact, _nothing),
-    "energy": (lambda data, time: _energy(data), _nothing),
-    "error": (lambda data, time: _errors(data, "errors"), _nothing),
-    "model_error": (lambda data, time: _errors(data, "model_errors"), _nothing),
+    "deviation": (_deviation, lambda reason: None),
+    "tip_error": (lambda data, time: tip_errors(data), lambda reason: {}),
+    "vibration": (lambda data, time: vibrations(data), lambda reason: {}),
+    "joints": (_joints, lambda reason: {}),
+    "deformations": (_deformations, lambda reason: {}),
+    "links": (_links, lambda reason: {}),
+    "contact_force": (_contact, lambda reason: None),
+    "energy": (lambda data, time: _energy(data), lambda reason: None),
+    "error": (lambda data, time: _errors(data, "errors"), lambda reason: None),
+    "model_error": (lambda data, time: _errors(data, "model_errors"), lambda reason: None),
 }
 """Groups of a summary: how each is computed, and what stands there where it cannot be."""
