@@ -159,6 +159,12 @@ def sheet_of_mjcf(
     return data, reader.positions
 
 
+_BOUNDS = {
+    "upper": ("the stop at the ends of `range`", "a run reports a joint that passes its limits, and nothing stops it"),
+    "effort": ("what clips a force", "a run reports an effort beyond its limit, and nothing clips it"),
+}
+"""What MuJoCo does at limits, by the key of a sheet's."""
+
 _GRAVITY_OFF, _CONTACT_OFF = 1 << 7, 1 << 4
 """Bits of mjtDisableBit."""
 
@@ -258,6 +264,7 @@ class _Reader:
         viscous = float(model.dof_damping[dof]) + servo.viscous
         friction = {"viscous": viscous, "coulomb": float(model.dof_frictionloss[dof])}
         data |= {"limits": limits} if (limits := _limits(model, joint, servo.most)) else {}
+        self.left += [Left(*bound, name) for key, bound in _BOUNDS.items() if key in limits]
         data |= {"friction": friction} if any(friction.values()) else {}
         for field, index in (("jnt_stiffnesspoly", joint), ("dof_dampingpoly", dof)):
             if np.any(getattr(model, field, np.zeros((index + 1, 1)))[index]):

@@ -160,14 +160,28 @@ def test_what_changes_the_motion_and_is_not_taken_is_named(tmp_path: Path) -> No
     <option density="1000" wind="1 0 0" integrator="RK4"><flag limit="disable"/></option>
     <default><joint solreflimit="0.1 1"/><default class="soft"><joint margin="0.1"/></default></default>
     <worldbody><geom type="plane" size="1 1 1"/>
-    <body name="a"><joint name="j" axis="0 1 0"/><geom size="0.1" rgba="1 0 0 1"/>
+    <body name="a"><joint name="j" axis="0 1 0" range="-1 1"/><geom size="0.1" rgba="1 0 0 1"/>
     <body name="b" pos="1 0 0"><joint name="k" axis="0 1 0"/><geom size="0.1"/></body></body></worldbody>
     <tendon><fixed name="t"><joint joint="j" coef="1"/><joint joint="k" coef="1"/></fixed></tendon>
     <equality><joint joint1="k" joint2="j" polycoef="0.2 1 0 0 0"/></equality>
-    <actuator><motor name="pull" tendon="t"/><muscle name="flesh" joint="j" lengthrange="0 1"/></actuator></mujoco>"""
+    <actuator><motor name="pull" tendon="t"/><muscle name="flesh" joint="j" lengthrange="0 1"/>
+    <motor joint="j" forcerange="-1 1"/></actuator></mujoco>"""
     data, _, _ = read_sheet(written(tmp_path, text))
     notices = " ".join(data["notices"])
-    for word in ("density", "wind", "limit", "solreflimit", "margin", "tendon", "pull", "flesh", "contact", "joint k"):
+    for word in (
+        "density",
+        "wind",
+        "limit",
+        "solreflimit",
+        "margin",
+        "tendon",
+        "pull",
+        "flesh",
+        "contact",
+        "joint k",
+        "stops",
+        "clips",
+    ):
         assert word in notices, word
     for word in ("rgba", "integrator", "polycoef"):
         assert word not in notices, word
