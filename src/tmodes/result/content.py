@@ -44,9 +44,10 @@ class _Settling(TypedDict):
 
 
 class _Vibration(TypedDict):
-    """A mode of a residual vibration; of files of earlier versions without ``element``."""
+    """A mode of a residual vibration; of files of earlier versions without ``element``, the frequency a damped one."""
 
     frequency_Hz: FiniteFloat
+    damped_frequency_Hz: NotRequired[FiniteFloat]
     damping_ratio: FiniteFloat
     amplitude_m: FiniteFloat
     element: NotRequired[str]

@@ -207,7 +207,8 @@ def plain_vibration(
 ) -> dict[str, Any]:
     """The same as plain data, SI units; ``elements``: of each mode, ``beyond``: of :class:`AfterMove`."""
     modes = [
-        {"frequency_Hz": mode.frequency_Hz, "damping_ratio": mode.damping_ratio, "amplitude_m": mode.amplitude,
+        {"frequency_Hz": mode.frequency_Hz / np.sqrt(1 - mode.damping_ratio**2),
+         "damped_frequency_Hz": mode.frequency_Hz, "damping_ratio": mode.damping_ratio, "amplitude_m": mode.amplitude,
          "share": mode.share, "drift_Hz": mode.drift and [*mode.drift]}
         | ({"element": elements[k]} if elements else {}) for k, mode in enumerate(found.modes)
     ]  # fmt: skip

@@ -81,9 +81,7 @@ def named_as_seen(modes: list[dict[str, Any]], seen: list[dict[str, Any]]) -> li
     """Modes about a pose, with the element that the nearest one seen in a run has, where both poles are the same."""
     names = {}
     for one in (one for one in seen[::-1] if one.get("element") and one["damping_ratio"] ** 2 < 1):
-        pole = (
-            2 * np.pi * one["frequency_Hz"] * complex(-one["damping_ratio"] / (1 - one["damping_ratio"] ** 2) ** 0.5, 1)
-        )
+        pole = 2 * np.pi * one["frequency_Hz"] * np.exp(1j * np.arccos(-one["damping_ratio"]))
         far = [abs(complex(*mode["pole"]) - pole) for mode in modes]
         names |= {int(np.argmin(far)): one["element"]} if min(far, default=np.inf) < _SAME * abs(pole) else {}
     return [mode | {"element": names.get(k, mode["element"])} for k, mode in enumerate(modes)]
