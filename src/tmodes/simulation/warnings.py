@@ -90,7 +90,7 @@ def jumps(setup: RunSetup) -> str:
 
 
 _STILL = 1e-9
-"""Energy moved over that in springs, or of motion, up to which nothing but rounding is moved."""
+"""Energy moved over that in springs up to which a robot stands still."""
 
 _NO_MOTION, _LEAST_ENERGY = 0.1, 1e-4
 """Share of the energy moved, and energy [J], by which the balance is off where a motion is none of the robot's."""
@@ -134,8 +134,8 @@ def _cause(run: RunData) -> str:
 
 
 def _stands(run: RunData) -> bool:
-    """Whether what is moved is the error of the integration alone, of a robot that holds a load, or turns freely."""
-    stored = max(float(np.abs(values).max()) for name, values in run.energies.items() if name != "gravity")
+    """Whether what moves is the error of the integration alone, of a robot that stands still and holds a load."""
+    stored = max(float(np.abs(values).max()) for name, values in run.energies.items() if "elastic" in name)
     return run.energy_moved <= _STILL * stored
 
 
