@@ -10,6 +10,7 @@ import pytest
 
 import tmodes
 from result.synthetic import synthetic_result
+from tmodes.analysis.energy import energy_lost, largest_flow
 from tmodes.errors import InputError, ResultFileError
 from tmodes.io.resultfile import write_sealed
 from tmodes.result import Result
@@ -179,3 +180,12 @@ def test_mean_force_counts_time_not_samples() -> None:
     data = synthetic_result(samples=11).data.isel(time=[0, 5, 10]).assign_coords(time=[0.0, 1.0, 1.5])
     data["contact_force_normal"][:] = [0.0, 0.0, 3.0]
     assert Result(data).summary()["contact_force"]["mean_N"] == pytest.approx(0.5)
+
+
+def test_rounding_of_a_steady_motion_is_no_lost_energy() -> None:
+    """No energy changes and no work is done: what is off is measured by the kinetic energy."""
+    residual = np.array([0.0, 8e-12])
+    moved = largest_flow(np.array([[23.5, 1.0], [23.5 + 8e-12, 1.0]]), np.zeros((2, 3)))
+    assert moved == pytest.approx(23.5)
+    assert energy_lost(residual, moved, 1e-6) is None
+    assert energy_lost(residual * 1e7, moved, 1e-6) == 1

@@ -12,9 +12,13 @@ _ROUNDING = 1e-12
 
 
 def largest_flow(energy: ArrayLike, work: ArrayLike) -> float:
-    """The energy moved [J]: the largest change of any kind of energy, or work of any kind, within the run."""
+    """The energy moved [J]: the largest change of any kind of energy, work of any kind, or kinetic energy, in the run.
+
+    ``energy`` (n, kinds), the kinetic one first: a robot that moves on at a constant speed changes none and does no
+    work, and its balance has the errors of what it carries along.
+    """
     energy = np.asarray(energy)
-    return float(max(np.abs(energy - energy[0]).max(), np.abs(work).max()))
+    return float(max(np.abs(energy - energy[0]).max(), np.abs(work).max(), np.abs(energy[:, 0]).max()))
 
 
 def energy_lost(residual: NDArray[np.float64], moved: float, tolerance: float) -> int | None:

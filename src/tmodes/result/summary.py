@@ -254,7 +254,7 @@ def largest_deviation(deviation: Array, time: Array) -> dict[str, float]:
 
 
 def _energy(data: Record) -> dict[str, float | None]:
-    """Energy moved (the largest change of one energy, or one work), and the worst residual of the balance over it."""
+    """Energy moved (see :func:`largest_flow`), and the worst residual of the balance over it."""
     moved = largest_flow(data["energy"].values, data["work"].values)
     worst = float(np.abs(data["energy_balance"].values).max())
     return {"moved_J": moved, "worst_residual_J": worst, "worst_residual_over_moved": worst / moved if moved else None}

@@ -105,7 +105,7 @@ class RunData(Trajectory):
 
     @property
     def energy_moved(self) -> float:
-        """The largest change of any kind of energy, or work of any kind, within the run [J]."""
+        """The largest change of any kind of energy, work of any kind, or kinetic energy, within the run [J]."""
         return largest_flow(np.column_stack([*self.energies.values()]), np.column_stack([*self.works.values()]))
 
 
