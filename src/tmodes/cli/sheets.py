@@ -8,7 +8,7 @@ import typer
 
 from tmodes.cli.options import AsJson, FixInertia, Roots, Settings, SheetArgument, TrustPaths, chosen_sheet
 from tmodes.cli.terminal import print_json, print_table, working
-from tmodes.errors import InputError, InputErrors
+from tmodes.errors import InputError, InputErrors, SimulationError
 from tmodes.io.words import meant, shown
 from tmodes.robots.load import load, sheet_names, sheet_text
 
@@ -91,7 +91,7 @@ def check(
         sheet = chosen_sheet(robot, settings, roots=root, trust_paths=trust_paths, fix_inertia=fix_inertia)
         with working("checking", at_once=True):
             info, numbers = _described(sheet)
-            notices = [*notices_about(sheet), *consequences(sheet), *_idle(sheet)]
+            notices = [*notices_about(sheet), *consequences(sheet), *_starting(sheet)]
     except (InputError, InputErrors) as error:
         if as_json:
             errors = error.errors if isinstance(error, InputErrors) else (error,)
@@ -108,15 +108,17 @@ def check(
         print(f"warning: {notice}")
 
 
-def _idle(sheet: Robot) -> list[str]:
-    """Why the robot cannot run as it stands, where nothing moves it."""
+def _starting(sheet: Robot) -> list[str]:
+    """Why the robot cannot run as it stands, or that its start is no equilibrium."""
     from tmodes.result.run import ready_to_run
+    from tmodes.simulation.start import run_setup
+    from tmodes.simulation.warnings import departures
 
     try:
-        ready_to_run(sheet)
-    except InputError as error:
+        setup = run_setup(ready_to_run(sheet).pair().real)
+    except (InputError, SimulationError) as error:
         return [f"`tmodes run` needs more: {error}"]
-    return []
+    return [*departures(setup, setup.first_row)]
 
 
 def _described(sheet: Robot) -> tuple[str, dict[str, object]]:

@@ -8,6 +8,7 @@ them is let go in steps, so that the equilibrium is the one on the same branch.
 
 from __future__ import annotations
 
+from collections.abc import Container
 from dataclasses import dataclass, field
 from functools import cached_property
 
@@ -19,7 +20,7 @@ from tmodes.analysis.statics.system import ROUNDING, SETTLED
 from tmodes.model.passes import evaluate
 from tmodes.simulation.loop import LoopModel
 
-__all__ = ["LITTLE", "STANDS", "Balance", "Search", "Tangent", "frozen"]
+__all__ = ["LITTLE", "STANDS", "Balance", "Search", "Tangent", "frozen", "rounding"]
 
 Array = NDArray[np.float64]
 Places = NDArray[np.intp]
@@ -47,13 +48,23 @@ _SINGULAR = 1e-13
 """Singular value over the largest one of a direction that nothing holds."""
 
 
-def frozen(model: LoopModel, rows: Array) -> Array:
-    """Rows (..., row) of signals that stay at their first values, without the noise on setpoints."""
+def frozen(model: LoopModel, rows: Array, but: Container[int] = ()) -> Array:
+    """Rows (..., row) of signals that stay at their first values, ``but`` for some; without the noise on setpoints."""
     count, still = model.plan.degree + 1, rows.copy()
     signals = still[..., 1:].reshape(*rows.shape[:-1], -1, count)  # a view
-    signals[..., 1:] = 0.0
+    signals[..., [k for k in range(model.plan.signals) if k not in but], 1:] = 0.0
     signals[..., [drive.noise for drive in model.plan.drives if drive.noise >= 0], :] = 0.0
     return still
+
+
+def _reach(q: Array) -> float:
+    """Over which changes of coordinates ``q`` are small."""
+    return 1.0 + float(np.abs(q).max(initial=0.0))
+
+
+def rounding(slopes: Array, q: Array) -> Array:
+    """Up to which the rates of which these are the ``slopes`` (n, m) are none, (n,), in the pose ``q``."""
+    return _ROUNDING * np.abs(slopes).max(axis=1, initial=0.0) * _reach(q) + _SLOW
 
 
 @dataclass(frozen=True, eq=False)
@@ -249,7 +260,7 @@ class Search:
         return float(np.abs(step * tangent.weighs).max(initial=0.0))
 
     def _reach(self, state: Array) -> float:
-        return 1.0 + float(np.abs(state[self.balance.loop.layout.q]).max(initial=0.0))
+        return _reach(state[self.balance.loop.layout.q])
 
     def _newton(self, state: Array, left: Array, counts: NDArray[np.bool_]) -> Array | None:
         """The state near by at which so much is ``left``, on the same branch; None where there is none.
@@ -280,5 +291,4 @@ class Search:
         seen = tangent.counts.copy()
         seen[: len(self.balance.coordinates)] = True
         left = np.abs(rates - tangent.slopes @ (tangent.inverse @ rates))
-        rounding = _ROUNDING * np.abs(tangent.slopes).max(axis=1, initial=0.0) * self._reach(self.end)
-        return bool((left > rounding + _SLOW)[seen].any())
+        return bool((left > rounding(tangent.slopes, self.end[self.balance.loop.layout.q]))[seen].any())

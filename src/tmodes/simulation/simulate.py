@@ -27,7 +27,7 @@ from tmodes.simulation.plan import Follow
 from tmodes.simulation.quantities import run_stops
 from tmodes.simulation.start import RunSetup, run_setup, run_trajectory
 from tmodes.simulation.stops import STOPPED, Instants, Stops
-from tmodes.simulation.warnings import jumps, no_motion, run_warnings, start_warnings
+from tmodes.simulation.warnings import departures, jumps, no_motion, run_warnings, start_warnings
 
 __all__ = ["simulate_motion"]
 
@@ -94,13 +94,14 @@ def simulate_motion(
     warnings = [
         *([verdict.sentence] if verdict.sentence else []),
         *_growing(setups),
-        *start_warnings(setups.real, controller),
+        *start_warnings(setups.real),
     ]
     warnings += setups.warnings
     reference, until = _reference(setups.nominal, progress, journals, warnings)
     if reference and reference.status == "diverged":
         reference = replace(reference, message=f"{reference.message}; likely cause: {_cause(verdict, warnings)}")
     trajectory, used, rows = _run(setups.real, until, stops, progress, journals, controller, further)
+    warnings += departures(used, used.first_row if rows is None else rows[0])
     if reference and trajectory.status == STOPPED:
         cut = run_trajectory(reference.setup, until=float(trajectory.times[-1]))  # so that it has a sample there
         reference = _warned(gathered(reference.setup, cut))

@@ -11,12 +11,12 @@ from tmodes.analysis.energy import energy_sentence
 from tmodes.kinds.contacts.registry import Contact
 from tmodes.kinds.signals.registry import MergedSchedule
 from tmodes.sheet.robot import RECURSION
-from tmodes.simulation.closed_start import Imbalance
+from tmodes.simulation.departure import departure
 from tmodes.simulation.motion_run import RunData
 from tmodes.simulation.plan import WAYS
 from tmodes.simulation.start import RunSetup
 
-__all__ = ["jam_warnings", "jumps", "no_motion", "run_warnings", "start_warnings"]
+__all__ = ["departures", "jam_warnings", "jumps", "no_motion", "run_warnings", "start_warnings"]
 
 Array = NDArray[np.float64]
 
@@ -24,14 +24,12 @@ _SAME = 1e-6
 """A difference smaller than this share of the largest value is rounding."""
 
 
-def start_warnings(setup: RunSetup, controller: object = None) -> list[str]:
-    """What is odd before anything moves; ``controller``: a Python function, of whose efforts nothing is known."""
+def start_warnings(setup: RunSetup) -> list[str]:
+    """What is odd before anything moves."""
     info = [f"joint {name} has no drive: it is held where it starts" for name in setup.planned.undriven]
     info += [f"joint {name} has no drive: it moves freely with its initial rate" for name in setup.planned.loose]
     info += _left_out(setup)
     info += _begun(setup)
-    if setup.off and controller is None:
-        info.append(_not_at_rest(setup.off))
     if setup.robot.contact:
         info += _touching(setup, setup.robot.contact)
     return info
@@ -50,12 +48,27 @@ def _begun(setup: RunSetup) -> Iterator[str]:
             )
 
 
-def _not_at_rest(off: Imbalance) -> str:
-    """What moves off at once, by how much its effort misses what would hold it, and how far the tip has to go."""
-    gives = f"its drive gives {off.given:.4g} {off.unit} where {off.needed:.4g} {off.unit} hold it"
-    far = "" if off.distance is None else f", and the tip starts {off.distance * 1e3:.4g} mm from its equilibrium"
-    asked = " (initial.state: held)" if off.wanted else ""
-    return f"the start is no equilibrium{asked}: joint {off.joint} moves off, {gives}{far}"
+def departures(setup: RunSetup, row: Array) -> Iterator[str]:
+    """That a start is no equilibrium at the signals of ``row`` (row,): what moves off, and how far the tip has to go.
+
+    Of a drive that does not hold its joint, its effort and the one that would.
+    """
+    off, moved = setup.off if not setup.callback else None, departure(setup, row)
+    if off is None and moved is None:
+        return
+    words, distance = [], off.distance if off else None
+    if moved:
+        distance = moved.distance if distance is None else distance
+        what = f"link {moved.name} bends, the tip" if moved.bends else f"joint {moved.name}"
+        words.append(f"{what} moves off with {moved.acceleration:.4g} {moved.unit}")
+    if off:
+        words.append(f"the drive of joint {off.joint} gives {off.given:.4g} {off.unit} where {off.needed:.4g} hold it")
+    if distance is not None:
+        words.append(f"the tip starts {distance * 1e3:.4g} mm from its equilibrium")
+    if moved and moved.at_once:
+        words.append("what is given to move begins at once: a smooth beginning (`type: quintic`) starts at rest")
+    asked = " (initial.state: held)" if off and off.wanted else ""
+    yield f"the start is no equilibrium{asked}: {'; '.join(words)}"
 
 
 def _left_out(setup: RunSetup) -> Iterator[str]:

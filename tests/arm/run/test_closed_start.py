@@ -13,10 +13,11 @@ from tmodes import load, simulate_batch
 from tmodes.gradients.changes import Changes, far_difference
 from tmodes.gradients.lowering import lowered
 from tmodes.robots import names
+from tmodes.simulation.departure import departure
 from tmodes.simulation.simulate import simulate_motion
 from tmodes.simulation.start import run_setup
 from tmodes.simulation.vary import arrays
-from tmodes.simulation.warnings import start_warnings
+from tmodes.simulation.warnings import departures
 
 ROBOTS = int(os.environ.get("TMODES_STANDING", "6"))
 """How many random robots are asked to stand still."""
@@ -100,6 +101,7 @@ def test_a_random_robot_stands_still(seed: int) -> None:
     assert run.status == "finished"
     assert np.abs(run.q - run.q[0]).max() < STILL * (1 + np.abs(run.q).max())
     assert not any("energy" in warning for warning in run.warnings)
+    assert departure(run.setup, run.setup.first_row) is None
 
 
 @pytest.mark.parametrize("name", [name for name in names() if name not in ("panda_elastic", "ur5_elastic")])
@@ -110,6 +112,8 @@ def test_a_published_robot_stands_still(name: str) -> None:
             for k, drive in enumerate(robot.drives)}  # fmt: skip
     run = simulate_motion(robot.with_({**held, "integration.duration": 0.1, "integration.output_step": 0.01}))
     assert np.abs(run.q - run.q[0]).max() < STILL * (1 + np.abs(run.q).max())
+    moving = run_setup(robot)
+    assert departure(moving, moving.first_row) is None
 
 
 LEVER, LOAD = 0.5, 0.5 * 9.81 * 2.0
@@ -170,7 +174,7 @@ def test_a_start_with_held_motors_is_asked_for_and_said() -> None:
     assert (held.off.joint, held.off.given) == ("j", 0.0)
     assert held.off.needed == pytest.approx(load_on(held), rel=1e-9)
     assert held.off.distance == pytest.approx(2 * LEVER * np.sin(abs(still.start[1] - held.start[1]) / 2), rel=1e-9)
-    assert len(start_warnings(held)) == len(start_warnings(still)) + 1
+    assert [len([*departures(setup, setup.first_row)]) for setup in (held, still)] == [1, 0]
 
 
 @pytest.mark.parametrize(("control", "given"), [(None, 0.0), (PD | {"type": "pid", "integral_gain": 50.0, "limit": 5.0},
