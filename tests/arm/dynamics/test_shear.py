@@ -192,3 +192,20 @@ def test_shear_coefficients_are_cowpers(found: float, printed: float) -> None:
 def test_the_rotation_of_a_section_is_not_the_slope_of_the_line() -> None:
     rotation = Rotation.from_matrix(beam((5.0, 5.0), bend_z=1, shear_y=1).pose(np.array([0.0, 0.1]))[1][0])
     assert rotation.magnitude() < 1e-15
+
+
+@pytest.mark.parametrize("mass", [1e-11, 1e-9, 1e-8])
+def test_a_beam_that_hardly_weighs_anything_carries_a_mass(mass: float) -> None:
+    """A spring of 3 EI/L^3 under 2 kg: eigenvalues of the damped robot keep the digits, too."""
+    section = {"bending_stiffness": 70.0, "mass_per_length": mass}
+    beam = {"model": "strain", "functions": {"bend_z": 3}, "length": 0.7, "section": section, "damping_time": 0.0}
+    robot = Robot.from_data(
+        {
+            "format": 1, "kind": "arm", "name": "light", "gravity": 0.0,
+            "joints": [{"name": "root", "type": "fixed", "child": "rod"}],
+            "links": [{"name": "rod", "beam": beam | {"rotary_inertia": "none"},
+                       "bodies": [{"name": "load", "mass": 2.0, "at": 1.0}]}],
+        }
+    )  # fmt: skip
+    first = vibrations(robot).states["locked"][0]
+    assert 2 * np.pi * first["frequency_Hz"] == pytest.approx(np.sqrt(3 * 70.0 / 0.7**3 / 2.0), rel=mass + 1e-9)

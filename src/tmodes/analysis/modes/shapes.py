@@ -23,6 +23,9 @@ NOTHING = 1e-13
 SURE = 1e-4
 """That share over the lowest square above it, up to which the lowest has digits enough."""
 
+FAR = 1e9
+"""Highest square over the lowest from which on damped modes are found by the undamped ones: else it costs digits."""
+
 _SHIFTS = 40
 """Decades by which the square that is added to all others is raised until all are positive."""
 
@@ -65,7 +68,8 @@ def undamped_shapes(mass: Array, stiffness: Array) -> Undamped:
         inverse, shapes = _relative(mass, stiffness, slice(-LOWEST, None))
         if inverse[0] > NOTHING * size * inverse[-1]:  # else by rounding a singular K may have passed for definite
             values = 1 / inverse[::-1]
-            return Undamped(values, shapes[:, ::-1] * np.sqrt(values), NOTHING * size * float(values[-1]))
+            zero, far = NOTHING * size * float(values[-1]), bool(values[-1] > FAR * values[0])
+            return Undamped(values, shapes[:, ::-1] * np.sqrt(values), zero, far)
     with suppress(np.linalg.LinAlgError):
         values, shapes = _relative(stiffness, mass, slice(LOWEST))
         zero, sizes = NOTHING * size * float(np.abs(values).max()), np.abs(values)
