@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
+from functools import cache
 from typing import Any, NamedTuple
 
 from tmodes.io.sheet_check import sheet_data
@@ -73,12 +74,18 @@ def bad_numbers() -> Iterator[Case]:
 
 def number_paths() -> list[str]:
     """Dotted paths of every number that the sheet holds."""
-    return [*_numbers(parse_yaml(SHEET, "sheet")[0], "")]
+    return [*_numbers(_parsed()[0], "")]
 
 
 def line_of(path: str) -> int:
     """Line of a path in the sheet."""
-    return parse_yaml(SHEET, "sheet")[1][path]
+    return _parsed()[1][path]
+
+
+@cache
+def _parsed() -> tuple[Mapping[str, Any], Mapping[str, int]]:
+    """The sheet's data and the line of each path, read once for all cases."""
+    return parse_yaml(SHEET, "sheet")
 
 
 def _numbers(value: Any, path: str) -> Iterator[str]:
