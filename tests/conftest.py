@@ -13,6 +13,7 @@ from hypothesis import settings
 from tmodes.kinds.outside import USED
 
 os.environ["MPLBACKEND"] = "Agg"
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # as the command does; read when NumPy is loaded, by all workers
 
 settings.register_profile("tmodes", deadline=None, derandomize=True, print_blob=True)
 settings.load_profile("tmodes")

@@ -88,7 +88,7 @@ def test_bytes_do_not_depend_on_the_width_of_the_vectors(lot, tmp_path):
     """Four lanes on the same processor's instructions, in other surroundings, give the same bits as eight."""
     np.savez(tmp_path / "info.npz", many=lot.many, start=lot.start)
     line = [sys.executable, "-c", NARROW, str(tmp_path / "info.npz"), str(tmp_path / "batch")]
-    surroundings = {"PYTHONHASHSEED": "7", "TZ": "Asia/Tokyo", "LC_ALL": "de_DE.UTF-8", "OMP_NUM_THREADS": "3"}
+    surroundings = {"PYTHONHASHSEED": "7", "TZ": "Asia/Tokyo", "LC_ALL": "de_DE.UTF-8", "OPENBLAS_NUM_THREADS": "3"}
     subprocess.run(line, check=True, env=os.environ | surroundings | {"TMODES_CACHE": str(tmp_path / "cache")})
     assert load_batch(tmp_path / "batch").states.tobytes() == lot.run().states.tobytes()
 

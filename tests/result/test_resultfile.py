@@ -100,8 +100,8 @@ def test_h5py_and_netcdf4_read_it(data: xr.Dataset, good: bytes, tmp_path: Path)
 
 def test_the_same_bytes_in_other_surroundings(good: bytes, tmp_path: Path) -> None:
     surroundings = (
-        {"PYTHONHASHSEED": "1", "TZ": "Asia/Kathmandu", "LC_ALL": "C", "OMP_NUM_THREADS": "1"},
-        {"PYTHONHASHSEED": "4242", "TZ": "America/St_Johns", "LC_ALL": "C.UTF-8", "OMP_NUM_THREADS": "2"},
+        {"PYTHONHASHSEED": "1", "TZ": "Asia/Kathmandu", "LC_ALL": "C", "OPENBLAS_NUM_THREADS": "1"},
+        {"PYTHONHASHSEED": "4242", "TZ": "America/St_Johns", "LC_ALL": "C.UTF-8", "OPENBLAS_NUM_THREADS": "2"},
     )
     for number, more in enumerate(surroundings):
         folder = tmp_path / f"ein Ordner {number} – 結果"
