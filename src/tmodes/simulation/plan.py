@@ -194,7 +194,8 @@ def _jolts(
     """Signals of given motions whose rates jump, and the signals of these jumps.
 
     A joint whose motion is given stands still before time 0, where no other initial rate is given than those of such
-    joints; the robot moves with its base then. A motor behind an elastic gear moves nothing but its rotor at once.
+    joints, and its signal is no motion at constant speed; the robot moves with its base then. A motor behind an elastic
+    gear moves nothing but its rotor at once.
     """
     prescribed = {drive.joint for drive in robot.drives if drive.command is Command.PRESCRIBED}
     from_rest = set(robot.initial.rates) <= {name for joint in prescribed for name in (joint, f"{joint}.motor")}
@@ -204,7 +205,7 @@ def _jolts(
         if axis.name in prescribed and (axis.drive.is_given or (axis.joint.motor and axis.joint.motor.inertia)):
             given[places[axis.name]] = axis.drive.is_given and from_rest
     for signal, rests in given.items():
-        jumps = Jolts(signals.info[signal], rests)
+        jumps = Jolts(signals.info[signal], rests and not signals.info[signal].is_steady)
         if jumps.jump(signals.until):
             yield signal, signals.add(jumps, "jolts")
 

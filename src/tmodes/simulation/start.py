@@ -220,10 +220,12 @@ def placed_state(robot: Robot, plan: Planned, model: LoopModel, q: Array) -> Arr
             state[block][names.index(name)] = value
             if group == "rates" and name in motors and motors[name] not in info:
                 state[block][names.index(motors[name])] = value
+    positions, rates = (plan.signals.at(0.0, derivative) for derivative in (0, 1))
+    rates[[signal for signal, _ in plan.plan.jolts]] -= rates[[jump for _, jump in plan.plan.jolts]]  # before them
     for driver in model.loop.drivers:
         if driver.plan.servo is None:
-            for block, derivative in ((layout.q, 0), (layout.v, 1)):
-                state[block][driver.coordinate] = plan.signals.at(0.0, derivative)[driver.plan.signal]
+            state[layout.q.start + driver.coordinate] = positions[driver.plan.signal]
+            state[layout.v.start + driver.coordinate] = rates[driver.plan.signal]
     return state
 
 

@@ -37,15 +37,17 @@ def start_warnings(setup: RunSetup) -> list[str]:
 
 def _begun(setup: RunSetup) -> Iterator[str]:
     """Motions that begin at once: their first rates are no rest."""
-    plan, powers = setup.planned.plan, setup.planned.signals.coefficients[0]
-    jolts = dict(plan.jolts)
+    plan, names = setup.planned.plan, setup.model.coordinates
+    powers, rates, jolts = setup.planned.signals.coefficients[0], setup.start[setup.model.layout.v], dict(plan.jolts)
     for driver in setup.model.loop.drivers:
-        signal, unit = driver.plan.signal, "m/s" if driver.plan.joint in setup.planned.chain.sliding else "rad/s"
-        if signal in jolts and powers[jolts[signal], 1]:
-            yield (
-                f"joint {driver.plan.joint} begins with {powers[jolts[signal], 1]:.4g} {unit} at t = 0, and gives what "
-                "it carries an impulse; to begin otherwise, name the rates after it in `initial.rates`"
-            )
+        joint, signal, rate = driver.plan.joint, driver.plan.signal, rates[driver.coordinate]
+        unit = "m/s" if joint in setup.planned.chain.sliding else "rad/s"
+        if signal in jolts and (jump := powers[jolts[signal], 1]):
+            what = f"joint {joint} begins with {jump:.4g} {unit} at t = 0, and gives what it carries an impulse"
+            yield f"{what}; to begin otherwise, name the rates after it in `initial.rates`"
+        elif driver.plan.servo is None and driver.part.motor >= 0 and rate and not rates[names.index(joint)]:
+            what = f"the motor of joint {joint} begins with {rate:.4g} {unit} at t = 0, its load stands still"
+            yield f"{what}; to let it move along, write `initial: {{rates: {{{joint}: {rate:.4g}}}}}`"
 
 
 def departures(setup: RunSetup, row: Array) -> Iterator[str]:

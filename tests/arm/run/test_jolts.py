@@ -11,10 +11,13 @@ from scipy.integrate import solve_ivp
 from arm.run.sheets import arm
 from tmodes.errors import InputError
 from tmodes.gradients.gradient import forward_sensitivities
+from tmodes.kinds.signals.registry import Signal
 from tmodes.sheet import Robot
 from tmodes.simulation.motion_run import RunData
 from tmodes.simulation.simulate import simulate_motion
+from tmodes.simulation.start import run_setup
 from tmodes.simulation.vary.simulate import simulate_batch
+from tmodes.simulation.warnings import start_warnings
 
 INERTIA, COUPLED = 0.1, 0.12  # of the link about its joint; mass * center * distance of the joints
 
@@ -97,6 +100,49 @@ def test_a_start_with_rates_of_its_own_has_no_impulse_nor_has_a_motion_at_consta
     turning = simulate_motion(hinged({"type": "expression", "formula": "2.5*t"}))
     assert turning.v[0] == pytest.approx([2.5, 0.0])
     assert [warning for warning in simulate_motion(hinged(signal)).warnings if "initial.rates" in warning]
+
+
+LINES = ("2.5*t", "0.3 - 0.1*t", "where(t < 0, 0, 2*t)")
+FROM_REST = ("where(t < 0.2, 2.5*t, 0.5)", "0.01*t + t**3", "0.1*t + 0.2*sin(3*t)", "0.1*sqrt(0.7 - t)")
+
+
+@pytest.mark.parametrize("signal", [
+    *({"type": "expression", "formula": formula} for formula in LINES + FROM_REST),
+    {"type": "table", "times": [0, 0.3], "values": [0, 0.4], "interpolation": "linear"},
+    {"type": "sum", "signals": [{"type": "expression", "formula": "2*t"}, {"type": "constant", "value": 0.3}]},
+    {"type": "sine", "amplitude": 0.1, "frequency": 2.0},
+])  # fmt: skip
+def test_whether_a_motion_begins_at_once_follows_from_its_signal_whatever_the_duration(signal: dict[str, Any]) -> None:
+    """0.1 s are too short to see that a line ends: the same rates, the same motion on the common span."""
+    steady = signal["type"] == "sum" or signal.get("formula") in LINES
+    settings = {"output_step": 0.05, "error_estimate": False, "model_error": False, "method": "rk4", "step": 0.005}
+    short, long = (simulate_motion(hinged(signal, integration={"duration": until, **settings})) for until in (0.1, 0.6))
+    assert short.v[0] == pytest.approx(long.v[0], rel=1e-9, abs=1e-12)
+    assert short.v[0, 1] == pytest.approx(0.0 if steady else -2.2 * short.v[0, 0], rel=1e-9, abs=1e-12)
+    np.testing.assert_allclose(long.q[: len(short.q)], short.q, rtol=0, atol=1e-9)
+
+
+def test_a_rate_of_a_tiny_share_of_later_ones_begins_at_once_in_long_runs_too() -> None:
+    signal = {"type": "expression", "formula": "0.01*t + t**3"}
+    settings = {"output_step": 1.0, "error_estimate": False, "model_error": False}
+    setup = run_setup(hinged(signal, integration={"duration": 200.0, **settings}))
+    assert setup.start[setup.model.layout.v] == pytest.approx([0.01, -0.022], rel=1e-6)
+
+
+def test_a_rate_that_is_given_as_the_signal_has_it_is_not_said_to_be_left_out() -> None:
+    robot = hinged(ramps(0.0, 0.5, 0.5), initial={"state": "zero", "rates": {"h": 2.0}})
+    assert not [warning for warning in start_warnings(run_setup(robot)) if "left out" in warning]
+
+
+def test_a_motor_that_begins_at_once_is_said_to_leave_what_its_gear_carries_behind() -> None:
+    line = {"type": "expression", "formula": "0.8*t"}
+    robot = carried()
+    drives = [drive.model_copy(update={"signal": Signal.of(line)}) for drive in robot.drives]
+    robot = robot.model_copy(update={"drives": tuple(drives)})
+    (said,) = [warning for warning in start_warnings(run_setup(robot)) if "begins with 0.8" in warning]
+    assert "joint g" in said
+    along = robot.with_({"initial.rates": {"g": 0.8, "g.motor": 0.8}})
+    assert not [warning for warning in start_warnings(run_setup(along)) if "begins with" in warning]
 
 
 def carried(**more: Any) -> Robot:

@@ -20,6 +20,11 @@ class Constant(Signal):
     type: Literal["constant"] = Field(description="kind of signal")
     value: float = signal_value("u", "value")
 
+    @property
+    def is_steady(self) -> bool:
+        """It is."""
+        return True
+
     def schedule(self, until: float) -> Schedule:
         """One piece up to ``until`` [s]."""
         return Schedule(np.array([0.0, until]), np.array([[self.value]]))

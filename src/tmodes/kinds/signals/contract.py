@@ -29,6 +29,14 @@ __all__ = ["SIGNALS", "Signal", "delayed", "signal_time", "signal_value"]
 class Signal(Kind, family="signal", key="type"):
     """A value over time [the unit of what it drives]."""
 
+    @property
+    def is_steady(self) -> bool:
+        """Whether its rate is the same at all times from 0 on, as it follows from the signal alone; False if unknown.
+
+        What a motion that is given so carries moves with it before time 0; any other motion begins from rest.
+        """
+        return False
+
     def schedule(self, until: float) -> Schedule:
         """The pieces from time 0 up to ``until`` [s], with a knot on every jump.
 

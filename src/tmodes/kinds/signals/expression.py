@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Literal
 
+import numpy as np
 from pydantic import Field
 
 from tmodes.kinds.schema.quantity import Issue
@@ -15,6 +16,9 @@ from tmodes.kinds.signals.schedule import Schedule
 from tmodes.kinds.signals.switches import switches
 
 __all__ = ["Expression"]
+
+_LOOKS, _SAME = 400, 1e-12
+"""At how many instants a formula is compared with a line, and up to which share of it it is one."""
 
 
 @SIGNALS.register
@@ -29,6 +33,15 @@ class Expression(Signal):
             parse_formula(self.formula)
         except FormulaError as error:
             yield Issue("formula", error.got, error.expected, error.hint)
+
+    @property
+    def is_steady(self) -> bool:
+        """Whether it is a line, by its values from 1 us to 1e6 s."""
+        times = np.append(0.0, np.geomspace(1e-6, 1e6, _LOOKS))
+        values = parse_formula(self.formula)(times)
+        ways = values - values[0]
+        line = ways[-1] / times[-1] * times
+        return bool((np.abs(ways - line) <= _SAME * (np.abs(line) + np.abs(values[0]))).all())
 
     def schedule(self, until: float) -> Schedule:
         """Pieces of degree 7, exact to 1e-12 of the largest value, up to ``until`` [s].

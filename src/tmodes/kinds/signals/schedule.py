@@ -231,8 +231,8 @@ class Clock:
         del reach
 
 
-_BEYOND, _LOOKS = 2.0, 201
-"""How far a motion is looked at whether its speed is constant, over the time of the run, and at how many instants."""
+_BEGIN, _LOOKS = 1.0, 201
+"""How long from its start a motion is looked at [s], whatever the run's time, and at how many instants."""
 
 
 @dataclass(frozen=True)
@@ -240,8 +240,7 @@ class Jolts:
     """The jumps of a signal's rate, as a signal of their own.
 
     From each jump to the next it is a line that is exactly 0 at the jump and whose slope is by how much the rate jumps.
-    ``from_rest``: what the signal moves stands still before time 0, so that its first rate is a jump too, but of a
-    motion at constant speed to the end of the run and beyond.
+    ``from_rest``: what the signal moves stands still before time 0, so that its first rate is a jump too.
     """
 
     signal: Any
@@ -252,19 +251,19 @@ class Jolts:
         moved = self.signal.schedule(until).until(until)
         gaps, counts = MergedSchedule(moved.knots, moved.coefficients[:, None, :]).gaps(1)
         kept = counts[:, 0]
-        times, slopes = moved.knots[1:-1][kept], np.concatenate([[self._first(until)], gaps[kept, 0]])
+        times, slopes = moved.knots[1:-1][kept], np.concatenate([[self._first(moved)], gaps[kept, 0]])
         return Schedule(np.concatenate([[0.0], times, [until]]), np.column_stack([0 * slopes, slopes]))
 
-    def _first(self, until: float) -> float:
-        """By how much the rate jumps at time 0."""
+    def _first(self, moved: Schedule) -> float:
+        """By how much the rate jumps at time 0; zero where it is rounding."""
+        if not self.from_rest:
+            return 0.0
         try:
-            longer = self.signal.schedule(_BEYOND * until)
-        except InputError:  # it has no value there
-            longer = self.signal.schedule(until)
-        rates = longer.at(np.linspace(0.0, longer.knots[-1], _LOOKS), 1)
-        largest = np.abs(rates).max()
-        moves = self.from_rest and np.ptp(rates) > _SAME_VALUE * largest
-        return float(rates[0]) if moves and abs(rates[0]) > _SAME_VALUE * largest else 0.0
+            begin = self.signal.schedule(_BEGIN)
+        except InputError:  # it has no value at its end
+            begin = moved
+        rates = np.abs(begin.at(np.linspace(0.0, begin.knots[-1], _LOOKS), 1))
+        return float(moved.at(0.0, 1)) if rates[0] > _SAME_VALUE * rates.max() else 0.0
 
     def jump(self, until: float) -> bool:
         """Whether any is there."""

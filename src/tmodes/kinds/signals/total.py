@@ -25,6 +25,11 @@ class Sum(Signal):
         strict=False, min_length=1, max_length=MOST_PARTS, description="signals that are added"
     )
 
+    @property
+    def is_steady(self) -> bool:
+        """Whether all of them are."""
+        return all(signal.is_steady for signal in self.signals)
+
     def schedule(self, until: float) -> Schedule:
         """The pieces of all, on all their knots, up to ``until`` [s]."""
         parts = []
