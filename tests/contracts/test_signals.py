@@ -58,6 +58,7 @@ def test_signal(name):
     scale = np.abs(long.at(times)).max()
     np.testing.assert_allclose(short.at(times), long.at(times), atol=1e-11 * scale, rtol=0)
     assert np.isfinite(long.coefficients).all()
+    assert signal.is_steady == (np.abs(np.diff(long.at(times), 2)).max() <= 1e-12 * scale)
     assert Signal.of(signal.model_dump()) == signal
     end = signal.move_ends()
     if name in {"trapezoid", "quintic"}:
