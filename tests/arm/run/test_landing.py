@@ -230,3 +230,16 @@ def test_motion_of_the_surface_is_in_the_result() -> None:
     assert data["surface_velocity"].values[140:190] == pytest.approx(slope[140:190], abs=2e-3)
     with pytest.raises(KeyError):
         result_of(falling(0.08, 1.0, {"stiffness": 4000.0, "damping": 0.0}, duration=0.2)).data["surface_velocity"]
+
+
+def test_bounces_without_end_end_a_run() -> None:
+    """Friction of the spring alone pushes a light slider off a heavy surface, which meets it again at once."""
+    steep, depth = math.radians(30), 1e-3
+    robot = falling(0.0, 0.05, {"mass": 1.0, "stiffness": 1e4, "damping": 1.0, "friction": 0.5,
+                                "velocity": [-1.0, 0, 0]}, duration=0.1, output_step=0.05)  # fmt: skip
+    run = simulate_motion(robot.with_({
+        "joints.z.axis": [math.cos(steep), 0.0, -math.sin(steep)],
+        "initial.coordinates": {"z": depth / math.sin(steep)},
+    }))  # fmt: skip
+    assert run.status == "chattering"
+    assert run.times[-1] < 1e-2

@@ -93,12 +93,14 @@ class Gate:
         shorten = shorten or (lambda shorter: self.loop.put("h", shorter))
         changed = self._shortened(h, shorten) if self.gated else None
         self.narrow.meet(h)
-        self.switches.meet(h, shorten)
+        self.switches.meet(h, shorten, self._count)
         if changed is not None:
             with self.loop.builder.if_then(changed, likely=False):
+                self.loop.add("events", 1.0)
                 self._count()
                 self.loop.put("switching", number(1.0))
                 self.loop.put("met", number(1.0))
+        if self.loop.rate.changes:
             chatters = self.loop.builder.fcmp_ordered(">", self.loop.get("burst"), self.loop.option("most_events"))
             self.loop.stop_if(chatters, Status.CHATTERING)
         self._keep()
@@ -119,9 +121,8 @@ class Gate:
         return changed
 
     def _count(self) -> None:
-        """Count a change, also among those that came within a short time: too many are no motion any more."""
+        """Count a change among those that came within a short time: too many are no motion any more."""
         loop, b = self.loop, self.loop.builder
-        loop.add("events", 1.0)
         later = b.fcmp_ordered(">", b.fsub(loop.get("t"), loop.get("burst_time")), loop.option("event_time"))
         loop.put("burst", b.fadd(b.select(later, number(0.0), loop.get("burst")), number(1.0)))
         loop.put("burst_time", b.select(later, loop.get("t"), loop.get("burst_time")))

@@ -81,8 +81,11 @@ class Switches:
     def _now(self, k: int) -> Any:
         return load(self.loop.builder, self.loop.array["held"], self.loop.rate.switches + k)
 
-    def meet(self, h: Any, shorten: Callable[[Any], None]) -> None:
-        """After an evaluation at the step's end: ``shorten`` the step of length h that goes beyond a change."""
+    def meet(self, h: Any, shorten: Callable[[Any], None], count: Callable[[], None]) -> None:
+        """After an evaluation at the step's end: ``shorten`` the step of length h that goes beyond a change.
+
+        ``count`` counts a change.
+        """
         if not self.count:
             return
         loop, b = self.loop, self.loop.builder
@@ -110,6 +113,7 @@ class Switches:
             loop.put("switching", one)
             loop.put("met", one)
             loop.add("switches", 1.0)
+            count()
 
 
 class Narrow:
