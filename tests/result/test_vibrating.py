@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+import tmodes
 from random_robots import KINDS, random_robot
 from tmodes.analysis.vibration import AT_REST, residual_vibration
 from tmodes.result.assemble import Assembly
@@ -201,6 +202,7 @@ def test_a_robot_at_constant_setpoints_is_at_rest() -> None:
     assert (made.settling["time_s"], made.settling["reason"]) == (0.0, AT_REST)
     for one in made.vibration.values():
         assert (one["amplitude_m"], one["modes"], one["reason"]) == (0.0, [], AT_REST)
+    assert tmodes.run(robot.with_(ALONE)).summary()["energy"]["worst_residual_over_moved"] is None
 
 
 def test_a_rod_that_swings_far() -> None:

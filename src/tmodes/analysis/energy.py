@@ -5,10 +5,14 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["energy_lost", "energy_sentence", "largest_flow"]
+__all__ = ["STILL", "energy_lost", "energy_sentence", "largest_flow"]
 
 _ROUNDING = 1e-12
 """A residual [J] that is rounding, however little energy was moved."""
+
+
+STILL = 1e-9
+"""Energy moved over that which is there up to which a robot stands still: what moves is rounding."""
 
 
 def largest_flow(energy: ArrayLike, work: ArrayLike) -> float:

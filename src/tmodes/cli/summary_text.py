@@ -159,7 +159,9 @@ def summary_rows(summary: dict[str, Any]) -> Iterator[Row]:
         errors = _errors(summary, "contact_force.max_N", 1.0, "N")
         yield "contact force", value, *errors, f"mean {force['mean_N']:.3f} N"
     if energy := summary["energy"]:
-        yield "energy balance", f"{energy['worst_residual_J']:.1e} J", "", "", f"of {energy['moved_J']:.3g} J moved"
+        still = energy["worst_residual_over_moved"] is None
+        moved = "rounding: nothing moves" if still else f"of {energy['moved_J']:.3g} J moved"
+        yield "energy balance", f"{energy['worst_residual_J']:.1e} J", "", "", moved
 
 
 def _tip(summary: dict[str, Any]) -> Iterator[Row]:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.analysis.energy import largest_flow
+from tmodes.analysis.energy import STILL, largest_flow
 from tmodes.chain.chain import joint_of_element
 from tmodes.frame import along
 from tmodes.integrate.band import Band
@@ -254,10 +254,11 @@ def largest_deviation(deviation: Array, time: Array) -> dict[str, float]:
 
 
 def _energy(data: Record) -> dict[str, float | None]:
-    """Energy moved (see :func:`largest_flow`), and the worst residual of the balance over it."""
-    moved = largest_flow(data["energy"].values, data["work"].values)
+    """Energy moved (see :func:`largest_flow`), and the worst residual of the balance over it; None of rounding."""
+    moved, there = largest_flow(data["energy"].values, data["work"].values), np.abs(data["energy"].values).max()
     worst = float(np.abs(data["energy_balance"].values).max())
-    return {"moved_J": moved, "worst_residual_J": worst, "worst_residual_over_moved": worst / moved if moved else None}
+    share = worst / moved if moved > STILL * there else None
+    return {"moved_J": moved, "worst_residual_J": worst, "worst_residual_over_moved": share}
 
 
 def _errors(data: Record, which: str) -> dict[str, Any] | None:

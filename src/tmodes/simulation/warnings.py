@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.analysis.energy import energy_sentence
+from tmodes.analysis.energy import STILL, energy_sentence
 from tmodes.kinds.contacts.registry import Contact
 from tmodes.kinds.signals.registry import MergedSchedule
 from tmodes.sheet.robot import RECURSION
@@ -104,9 +104,6 @@ def jumps(setup: RunSetup) -> str:
     return ""
 
 
-_STILL = 1e-9
-"""Energy moved over that in springs up to which a robot stands still."""
-
 _NO_MOTION, _LEAST_ENERGY = 0.1, 1e-4
 """Share of the energy moved, and energy [J], by which the balance is off where a motion is none of the robot's."""
 
@@ -151,7 +148,7 @@ def _cause(run: RunData) -> str:
 def _stands(run: RunData) -> bool:
     """Whether what moves is the error of the integration alone, of a robot that stands still and holds a load."""
     stored = max(float(np.abs(values).max()) for name, values in run.energies.items() if "elastic" in name)
-    return run.energy_moved <= _STILL * stored
+    return run.energy_moved <= STILL * stored
 
 
 def jam_warnings(time: Array, fold: Array) -> list[str]:
