@@ -27,9 +27,6 @@ _REST = 1e-7
 _DECAY = 10.0
 """Rate [1/s] at which what is left of a slip decays while the point sticks; taken at the end of an implicit step."""
 
-_STRAIGHT = 0.1
-"""Times the slip along its mode and the ratio of that to the part across: by what it may change in an implicit step."""
-
 _LEAST = 1e-14
 """Share of the mobility that is added along each tangent: no quotient by zero."""
 
@@ -97,18 +94,6 @@ class Holding(OfTouch):
         rest = f.if_else(_size(slip) < 10 * _REST, rest, -1.0)
         lasts = f.if_else(_slips(mode) < 0.5, rest, v.dot(slip, v.vec(mode)))
         return [[f.if_else(f.fabs(normal) > 0, lasts, 1.0)]]
-
-    @kernel("hold ending {0.key}", (POSE, "size", MODE), (1, 1))
-    def ending(self, pose: Any, p: Any, mode: Any) -> list[list[Any]]:
-        """(pose of the point, numbers, mode) -> (slip, how much it may change in an implicit step but by its own size).
-
-        Where a slip ends in another direction than that of its mode, friction jumps by its part across the mode, which
-        error estimates of short implicit steps do not see.
-        """
-        slip, side = self._met(pose, p, mode)[1], v.vec(mode)
-        ahead = v.dot(slip, side)
-        across = _size(v.sub(slip, v.scale(ahead, side)))
-        return [[_slips(mode) * _size(slip)], [_REST + _STRAIGHT * ahead * ahead / (across + 1e-300)]]
 
     def _limit(self, p: Any, normal: Any) -> Any:
         return self.touch.sheet.static_limit(self.touch.law(p), normal)

@@ -31,11 +31,6 @@ def narrow_rates(instant: Any) -> Slot | None:
         slip, width = instant.call(_slip(plan.touch), pose, instant.loop.touch)
         rates.append(slip)
         widths.append(width)
-    if instant.euler and instant.switching.holding:
-        pose = instant.solution.point(plan.point)[0]
-        slip, width = instant.call(instant.switching.holding.ending(), pose, instant.loop.touch, instant.mode)
-        rates.append(slip)
-        widths.append(width)
     return instant.pack(*rates, *widths) if rates else None
 
 
