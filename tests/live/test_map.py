@@ -9,7 +9,7 @@ import pytest
 
 import tmodes.live.map as map_module
 from tmodes import load
-from tmodes.live.map import LiveMap, live_map
+from tmodes.live.map import LiveMap, _onward, live_map
 from tmodes.live.numbers import run_numbers, whole_moves
 from tmodes.live.sliders import MOST
 from tmodes.simulation.loop import whole
@@ -102,3 +102,12 @@ def test_a_map_is_found_once(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) ->
     monkeypatch.setattr(map_module, "outside_digest", lambda: "another kind")
     live_map(sheet.pair())
     assert asked
+
+
+def test_progress_never_falls() -> None:
+    """Forms are fitted anew without numbers that have none."""
+    said: list[float] = []
+    forward = _onward(lambda stage, share: said.append(share))
+    for share in (0.0, 0.5, 0.2, 0.9):
+        forward("report", share)
+    assert said == [0.0, 0.5, 0.5, 0.9]

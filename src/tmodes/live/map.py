@@ -116,7 +116,7 @@ def live_map(
     """
     knobs = knobs_of(pair.nominal, ahead)
     sliders, left_out = _offered(pair, knobs, ahead)
-    runs = _Runs(pair, knobs, sliders, range(len(knobs)), stations, progress)
+    runs = _Runs(pair, knobs, sliders, range(len(knobs)), stations, _onward(progress))
     found = json.loads(load(runs.key) or b"null")
     if found is None:
         found = _found(runs)
@@ -129,6 +129,18 @@ def live_map(
     left_out |= found["left out"] | {slider.path: _NO_EFFECT for slider in sliders if slider in idle}
     kept = [replace(slider, knob=used.index(slider.knob)) for slider in sliders if slider not in idle]
     return LiveMap(tuple(kept), tuple(runs.knobs), forms, runs.places, left_out)
+
+
+def _onward(progress: Progress) -> Progress:
+    """The same, whose share never falls: forms are fitted anew where a number turns out to have none."""
+    reached = 0.0
+
+    def forward(stage: str, share: float) -> None:
+        nonlocal reached
+        reached = max(reached, share)
+        progress(stage, reached)
+
+    return forward
 
 
 def _found(every: _Runs) -> dict[str, Any]:
