@@ -15,6 +15,8 @@ from see.test_small import PAPER
 from studio import tabs
 from studio.tabs import Tab
 
+pytestmark = pytest.mark.slow
+
 address, browser, tab = tabs.address, tabs.browser, tabs.tab
 """Fixtures that are those of the studio's page."""
 
