@@ -15,6 +15,8 @@ from tmodes import plot
 from tmodes.errors import InputError, ResultFileError
 from tmodes.result import Result
 
+pytestmark = pytest.mark.slow
+
 Drawn = tuple[Path, list[tuple[int, int, str]]]
 
 HASHES = """
