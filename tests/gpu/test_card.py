@@ -23,17 +23,22 @@ pytestmark = pytest.mark.skipif(bool(unavailable()), reason=f"no GPU: {unavailab
 METHODS = ("rk4", "midpoint", "dormand_prince", "dop853", "extrapolation", "rosenbrock")
 
 
+def on_both(cases):
+    """States of cases on the processor and on the GPU, where all must end alike."""
+    here, there = cases.work(), cases.work()
+    before, runs = run_on_gpu([here], device=HostDevice()), run_on_gpu([there], device=first_gpu())
+    assert {run.status for run in runs.values()} == {run.status for run in before.values()} == {"finished"}
+    return here.states, there.states
+
+
 @pytest.mark.parametrize("method", METHODS)
 @pytest.mark.parametrize("name", ["published", "swinging"])
 def test_states_of_all_methods(request, name, method):
     """Products and sums that the GPU rounds once differ by rounding: differences of extrapolated rows enlarge it."""
     cases = request.getfixturevalue(name).by(method)
-    here, there = cases.work(), cases.work()
-    before = run_on_gpu([here], device=HostDevice())
-    runs = run_on_gpu([there], device=first_gpu())
-    assert {run.status for run in runs.values()} == {run.status for run in before.values()} == {"finished"}
+    here, there = on_both(cases)
     allowed = cases.settings.relative_tolerance * (10 if method == "extrapolation" else 1)
-    assert np.abs(there.states - here.states).max() < allowed * np.abs(here.states).max()
+    assert np.abs(there - here).max() < allowed * np.abs(here).max()
 
 
 @pytest.mark.parametrize("name", ["spong1987", "flexarm1990", "deluca_siciliano1991"])
@@ -42,11 +47,8 @@ def test_kernels_that_are_called(name):
     settings = robot.integration.model_copy(
         update={"method": "rk4", "duration": 2e-3, "output_step": 1e-4, "step": 2e-6}
     )
-    cases = varied(run_setup(robot), settings, 130, 1e-3)
-    here, there = cases.work(), cases.work()
-    run_on_gpu([here], device=HostDevice())
-    run_on_gpu([there], device=first_gpu())
-    assert np.abs(there.states - here.states).max() < 1e-9 * np.abs(here.states).max()
+    here, there = on_both(varied(run_setup(robot), settings, 130, 1e-3))
+    assert np.abs(there - here).max() < 1e-9 * np.abs(here).max()
 
 
 @pytest.mark.parametrize("name", [name for name in ROBOTS if name != "deluca_siciliano1991"])
@@ -67,8 +69,6 @@ def test_reductions(monkeypatch, name):
 def test_sines_of_large_angles():
     """Our own reduction of angles: a pendulum that has turned many times."""
     robot = pendulum({"inertia": 0.3}, {"stiffness": 100.0}, torque(50.0), integration={"duration": 5.0})
-    cases = varied(run_setup(robot), robot.integration.model_copy(update={"method": "dop853"}), 70, 0.02)
-    here, there = cases.work(), cases.work()
-    run_on_gpu([here], device=HostDevice())
-    run_on_gpu([there], device=first_gpu())
-    assert np.abs(there.states - here.states).max() < 1e-5 * np.abs(here.states).max()
+    settings = robot.integration.model_copy(update={"method": "dop853"})
+    here, there = on_both(varied(run_setup(robot), settings, 70, 0.02))
+    assert np.abs(there - here).max() < 1e-5 * np.abs(here).max()

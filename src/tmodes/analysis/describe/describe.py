@@ -97,13 +97,10 @@ def _rigid(links: Sequence[Mapping[str, Any]]) -> Iterator[str]:
 
 def _sag(robot: Robot, rest: Equilibrium) -> dict[str, Any]:
     """The place of the tip, and how far it sags; that is None where a free joint lets it swing to there."""
-    swings = any(joint.state is JointState.FREE and joint.spring is None for joint in robot.joints)
     found = sag(rest)
-    return (
-        found | dict.fromkeys(name for name in found if "displacement" in name or "rotation" in name)
-        if swings
-        else found
-    )
+    if any(joint.state is JointState.FREE and joint.spring is None for joint in robot.joints):
+        return found | dict.fromkeys(name for name in found if "displacement" in name or "rotation" in name)
+    return found
 
 
 def _still(model: Model) -> list[str]:
