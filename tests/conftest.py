@@ -19,15 +19,15 @@ settings.register_profile("tmodes", deadline=None, derandomize=True, print_blob=
 settings.load_profile("tmodes")
 
 
-SLOW = "TMODES_SLOW"
+NIGHTLY = "TMODES_NIGHTLY"
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """What is marked ``slow`` runs where asked for: the suite of each change must end in a quarter of an hour."""
-    if not os.environ.get(SLOW):
-        left_out = pytest.mark.skip(reason=f"slow: runs with {SLOW}=1")
+    """What is marked ``nightly`` runs where asked for: the suite of each change must end in a quarter of an hour."""
+    if not os.environ.get(NIGHTLY):
+        left_out = pytest.mark.skip(reason=f"nightly: runs with {NIGHTLY}=1")
         for item in items:
-            if item.get_closest_marker("slow"):
+            if item.get_closest_marker("nightly"):
                 item.add_marker(left_out)
 
 

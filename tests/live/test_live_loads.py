@@ -20,7 +20,7 @@ from tmodes.simulation.simulate import simulate_motion
 
 from .node import live_in_node
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.nightly
 
 SETTINGS = 3
 EQUAL = 1e-9

@@ -21,8 +21,6 @@ from .node import live_in_node
 from .same_modes import SHAPE, assert_same_modes
 from .test_live_run import two_links
 
-pytestmark = pytest.mark.slow
-
 SETTINGS = 2
 EQUAL = 1e-8
 PARTS = 1e-9

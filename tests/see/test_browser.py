@@ -9,8 +9,6 @@ import pytest
 
 from see.looking import SIZES, look
 
-pytestmark = pytest.mark.slow
-
 OVERFLOW = "document.documentElement.scrollWidth - document.documentElement.clientWidth"
 
 

@@ -11,8 +11,6 @@ import pytest
 from see.looking import look
 from see.scenes import short_report
 
-pytestmark = pytest.mark.slow
-
 SVG = "{http://www.w3.org/2000/svg}"
 
 

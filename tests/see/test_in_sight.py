@@ -10,8 +10,6 @@ import pytest
 from patience import until
 from see.looking import look
 
-pytestmark = pytest.mark.slow
-
 SIZES = ((1280, 800), (1280, 1000), (390, 844))
 
 MOVED = """(parts) => [...document.querySelectorAll(parts)].filter((one) => {

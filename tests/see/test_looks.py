@@ -20,7 +20,7 @@ from tmodes.io.mesh_file import box, sphere
 from tmodes.io.urdf_shapes import LinkShape
 from tmodes.report.meshes import with_shapes
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.nightly
 
 PHONE = (390, 844)
 SIZES = ((1280, 800), (1920, 1080), PHONE)

@@ -16,8 +16,6 @@ from tmodes import plot
 from tmodes.plot import ranges
 from tmodes.result import Result
 
-pytestmark = pytest.mark.slow
-
 UNIT = re.compile(r"\[(?P<prefix>n|µ|m|k|M)?(?P<base>m|rad|N·m|N|J|V|A|–|Pa)\]$")
 
 

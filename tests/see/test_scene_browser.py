@@ -15,7 +15,7 @@ import pytest
 from see.scene_window import NASTY, WEB, Window, differing, look
 from see.scenes import arm_result
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.nightly
 
 
 @pytest.fixture(scope="module", params=["browser", "bare"])

@@ -17,7 +17,7 @@ from see.looking import SIZES, Window, look
 from tmodes.report.data import page_data
 from tmodes.report.parts import viewer_document
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.nightly
 
 PHONE = (400, 800)
 TOUCH = 40

@@ -20,8 +20,6 @@ from tmodes.study.read import study_from_data
 from tmodes.study.rows import Rows
 from tmodes.study.runner import run_study
 
-pytestmark = pytest.mark.slow
-
 OVERFLOW = "document.documentElement.scrollWidth - document.documentElement.clientWidth"
 LOST = (3, 17)
 

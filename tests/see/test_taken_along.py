@@ -11,8 +11,6 @@ from patience import until
 from see.looking import look
 from see.test_page import seek, shown
 
-pytestmark = pytest.mark.slow
-
 
 @pytest.fixture(scope="module")
 def window(browser: Any, reports: dict[str, Path]) -> Any:

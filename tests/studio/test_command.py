@@ -15,8 +15,6 @@ import pytest
 from command import started as program
 from patience import LONG, until
 
-pytestmark = pytest.mark.slow
-
 COMMAND = [sys.executable, "-m", "tmodes.cli.entry", "studio", "--no-open"]
 
 

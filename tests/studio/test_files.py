@@ -15,7 +15,7 @@ from see.test_small import PAPER
 from studio import tabs
 from studio.tabs import Tab
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.nightly
 
 address, browser, tab = tabs.address, tabs.browser, tabs.tab
 """Fixtures that are those of the studio's page."""

@@ -16,7 +16,7 @@ from tmodes.result.early import LATER, early_result
 from tmodes.studio.sheets import plain_sheet
 from tmodes.studio.work import Workshop
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.nightly
 
 SAVE = """async ([name, sheet]) => {
   const headers = { "Content-Type": "application/json" };

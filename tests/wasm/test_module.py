@@ -25,8 +25,6 @@ from tmodes.simulation.start import RunSetup, run_setup, run_trajectory
 from wasm.node import in_node
 from wasm.sheets import two_links
 
-pytestmark = pytest.mark.slow
-
 SAME = {"dormand_prince": 1e-11, "extrapolation": 1e-8}
 """By how much two engines differ over the largest number of a state, see test_robot.py; a contact adds to it."""
 

@@ -14,7 +14,7 @@ from tmodes.errors import InputError, SimulationError
 from tmodes.study.places import How, place_of
 from tmodes.study.places.dask import work_through
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.nightly
 
 pytest.importorskip("distributed")
 
