@@ -58,7 +58,7 @@ def optimize(
         found = best_design(asked, method, trials=trials, seed=seed, folder=out, progress=tell)
     page = None
     if out and (found.best or found.nearest):
-        from tmodes.study.page.analyses import write_designs
+        from tmodes.study.page.figures import write_designs
 
         with working("page", at_once=True):
             page = write_designs(found, asked, out / "designs.html")

@@ -92,7 +92,7 @@ def sensitivity(
 def _page(found: Sensitivity, folder: Path, tell: Callable[[str, float], None]) -> Path:
     """The page of the study in the folder, with the indices."""
     from tmodes.study.page import write_page
-    from tmodes.study.page.analyses import indices_of
+    from tmodes.study.page.figures import indices_of
     from tmodes.study.result import load_study
 
     return write_page(load_study(folder), folder / "study.html", progress=tell, indices=indices_of(found))

@@ -45,9 +45,9 @@ def study_info(result: StudyResult) -> dict[str, Any]:
 
     Of the table one column at a time is in memory. Intervals of percentiles only where cases are drawn.
     """
-    from tmodes.study.columns import Columns
     from tmodes.study.rows import GOOD
     from tmodes.study.statistics import CONFIDENCE
+    from tmodes.study.table import Columns
 
     columns, plan = Columns(result.parquet), type(result.study.sheet.plan)
     counts, failures = columns.counts(), columns.lost(MOST_REPORTED)

@@ -1,4 +1,4 @@
-"""Quantities of stored cases that need no computing of robots: formulas of what is stored, series of kept motions."""
+"""Quantities that follow from stored ones: formulas, and series of kept motions."""
 
 from __future__ import annotations
 
@@ -8,14 +8,15 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.study.order import ordered
 from tmodes.study.quantities import Asked, Quantity
 from tmodes.study.rows import GOOD, Rows
+from tmodes.study.space import ordered
 
 if TYPE_CHECKING:
     from tmodes.study.study import Study
 
 __all__ = ["derivable", "derived", "is_formula"]
+
 
 Array = NDArray[np.float64]
 

@@ -14,9 +14,9 @@ from tmodes.errors import InputError
 from tmodes.io.units import NotANumber, number
 from tmodes.simulation.batch.runner import Runner
 from tmodes.study.mapping import Group, groups_of
-from tmodes.study.order import ordered
 from tmodes.study.quantities import Asked, Needs, Quantity
 from tmodes.study.rows import GOOD, Rows
+from tmodes.study.space import ordered
 from tmodes.study.ways.part import Part, worst
 
 if TYPE_CHECKING:

@@ -12,9 +12,9 @@ from tmodes.compile.cache import source_digest
 from tmodes.io.sheet_check import sheet_data
 from tmodes.kinds.registry import outside_digest
 from tmodes.sheet import Robot
-from tmodes.study.order import ordered
 from tmodes.study.quantities.function import Identity
 from tmodes.study.sheet import StudySheet
+from tmodes.study.space import ordered
 
 __all__ = ["base_digest", "engine_version", "quantity_digests", "whole_digest"]
 

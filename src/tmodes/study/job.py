@@ -9,15 +9,12 @@ from tmodes.io.atomic import file_error
 from tmodes.simulation.batch.runner import PROCESSOR, Runner
 from tmodes.simulation.batch.simulate import thread_count
 from tmodes.study.blocks import pack, unpack
-from tmodes.study.cover import Cover, Gap, Part
+from tmodes.study.completed_blocks import Cover, Gap, Part
 from tmodes.study.derived import derivable, derived, is_formula
 from tmodes.study.kept_series import from_motions, in_motions
-from tmodes.study.kept_size import kept_cases, motion_bytes
-from tmodes.study.pace import Pace
-from tmodes.study.parts import rows_of
-from tmodes.study.remote import compute, order
-from tmodes.study.store import Folder
-from tmodes.study.task import Task
+from tmodes.study.store import Folder, kept_cases, motion_bytes
+from tmodes.study.table import rows_of
+from tmodes.study.tasks import Pace, Task, compute, order
 
 __all__ = ["StudyJob"]
 

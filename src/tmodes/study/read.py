@@ -17,10 +17,9 @@ from tmodes.io.yaml_file import nearest_line, read_yaml
 from tmodes.robots import names as published_names
 from tmodes.robots.load import load
 from tmodes.sheet import Robot
-from tmodes.study.filled import filled_places
+from tmodes.study.plain_data import Shorthands, expanded, filled_places
 from tmodes.study.resolve import resolved_parameters, resolved_plan, words_of_path
 from tmodes.study.sheet import StudySheet
-from tmodes.study.shorthand import Shorthands, expanded
 from tmodes.study.study import Study, study_problems, unknown_names
 
 __all__ = ["as_study", "read_study", "study_from_data", "study_of_robot"]

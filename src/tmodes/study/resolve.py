@@ -16,8 +16,7 @@ from tmodes.io.units import NotANumber, number
 from tmodes.io.words import meant, shown
 from tmodes.sheet import Robot
 from tmodes.study.mapping import target_of
-from tmodes.study.shorthand import Shorthands
-from tmodes.study.tables import Table
+from tmodes.study.plain_data import Shorthands, Table
 
 __all__ = ["resolved_parameters", "resolved_plan", "words_of_path"]
 

@@ -14,13 +14,12 @@ from tmodes.errors import InputError
 from tmodes.io.arguments import checked_arguments
 from tmodes.io.atomic import file_error
 from tmodes.study.blocks import Block, Label
-from tmodes.study.columns import Columns
-from tmodes.study.cover import Cover
+from tmodes.study.completed_blocks import Cover
 from tmodes.study.plans import Design
 from tmodes.study.rows import STATUS, Kept, Rows, joined
 from tmodes.study.store import BLOCKS, TABLE, Folder, description
 from tmodes.study.study import Study
-from tmodes.study.table import grouped, table_of
+from tmodes.study.table import Columns, grouped, table_of
 
 __all__ = ["StudyResult", "load_study"]
 

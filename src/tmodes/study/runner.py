@@ -11,15 +11,12 @@ from pathlib import Path
 from tmodes.errors import InputError, InputErrors, SimulationError
 from tmodes.io.arguments import checked_arguments
 from tmodes.io.atomic import file_error
-from tmodes.study.claim import locked
 from tmodes.study.extra import needed
 from tmodes.study.job import StudyJob
-from tmodes.study.kept_size import kept_cases
-from tmodes.study.motions import write_motions
 from tmodes.study.places.contract import How, place_of
 from tmodes.study.read import as_study
 from tmodes.study.result import StudyResult
-from tmodes.study.store import BLOCKS, STUDY_FILE, Folder
+from tmodes.study.store import BLOCKS, STUDY_FILE, Folder, kept_cases, locked, write_motions
 from tmodes.study.study import Study
 from tmodes.study.table import refuse_names, write_table
 

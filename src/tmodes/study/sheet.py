@@ -10,11 +10,11 @@ from pydantic import Field
 from tmodes.io.forms import Form, register_form
 from tmodes.kinds.schema.frames import list_of_numbers
 from tmodes.kinds.schema.quantity import DataSheet, Issue, quantity
-from tmodes.study.checks import study_issues
 from tmodes.study.distributions import Distribution
 from tmodes.study.plans import Plan
 from tmodes.study.plans.contract import count
 from tmodes.study.quantities import Quantity
+from tmodes.study.space import study_issues
 
 __all__ = [
     "STUDY", "STUDY_FORMAT", "Choice", "Correlation", "Keep", "Objective", "Optimize", "Parameter", "StudySheet",

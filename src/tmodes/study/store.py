@@ -3,27 +3,83 @@
 from __future__ import annotations
 
 import hashlib
+import io
 import os
 import re
 import sys
-from collections.abc import Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.io.atomic import atomic_write, file_error
+from tmodes.errors import ResultFileError
+from tmodes.io.atomic import FolderLock, atomic_write, check_writable, file_error, remove_orphans
 from tmodes.io.plain_file import parsed_json, regular_file, whole_file
-from tmodes.study.addresses import base_of, canonical, cases_address, engine_of_blocks, in_order
-from tmodes.study.blocks import Block, Label, label_of, pack, refused, unpack_from
-from tmodes.study.cover import Cover, covered
-from tmodes.study.kept_size import kept_count, motion_bytes
+from tmodes.study.blocks import (
+    Block,
+    Label,
+    base_of,
+    canonical,
+    cases_address,
+    engine_of_blocks,
+    in_order,
+    label_of,
+    pack,
+    refused,
+    unpack_from,
+)
+from tmodes.study.completed_blocks import Cover, covered
 from tmodes.study.rows import Rows
 from tmodes.study.study import Study
 
-__all__ = ["BLOCKS", "MOTIONS", "NAME", "PAGE", "STUDY_FILE", "TABLE", "Folder", "description"]
+if TYPE_CHECKING:
+    from tmodes.study.rows import Kept
+
+__all__ = [
+    "BLOCKS",
+    "MOTIONS",
+    "NAME",
+    "PAGE",
+    "STUDY_FILE",
+    "TABLE",
+    "Folder",
+    "description",
+    "kept_cases",
+    "kept_count",
+    "locked",
+    "motion_bytes",
+    "motion_file",
+    "write_motions",
+]
+
+
+def kept_cases(study: Study, first: int, end: int) -> tuple[int, ...]:
+    """The cases from ``first`` to before ``end`` whose motion is kept."""
+    keep = study.sheet.keep
+    found = {case for case in keep.cases if first <= case < end}
+    if keep.every:
+        found |= set(range(-(-first // keep.every) * keep.every, end, keep.every))
+    return tuple(sorted(found))
+
+
+def kept_count(study: Study, cases: int) -> int:
+    """How many of so many cases keep their motion, at most."""
+    keep = study.sheet.keep
+    return len(keep.cases) + (-(-cases // keep.every) if keep.every else 0)
+
+
+def motion_bytes(study: Study) -> int:
+    """Bytes of the motion of one case, at least: time, tip, and an angle and a rate of each joint, at each sample."""
+    if study.robot is None:
+        return 0
+    settings = study.robot.integration
+    samples = int(settings.duration / settings.output_step) + 1
+    return 8 * samples * (4 + 2 * len(study.robot.joints))
+
 
 FOLDER_FORMAT = 1
 STUDY_FILE, BLOCKS, TABLE, MOTIONS = "study.json", "blocks", "table.parquet", "trajectories"
@@ -192,3 +248,144 @@ def description(path: Path) -> dict[str, Any]:
     if wrong := [name for name, kind in _DESCRIPTION.items() if not isinstance(info.get(name, kind()), kind)]:
         raise file_error(file, f"another kind of value under {wrong[0]}", "the description of a study", hint)
     return {name: kind() for name, kind in _DESCRIPTION.items()} | info
+
+
+@contextmanager
+def locked(folder: Folder, *, overwrite: bool = False) -> Iterator[Folder]:
+    """The folder, locked for one writer, and checked; what does not belong to it is refused.
+
+    ``overwrite``: what an earlier study has left there is removed, once nothing refuses the next one.
+    Raises :class:`tmodes.errors.ResultFileError`.
+    """
+    path = folder.path
+    check_writable(path, folder.room())
+    with FolderLock(path):
+        _refuse_links(path)
+        if overwrite:
+            _remove_study(path)
+        elif os.path.lexists(path / STUDY_FILE):
+            if description(path)["base"] != folder.base:
+                hint = "name another folder (--out), or replace what is there (--overwrite)"
+                raise file_error(
+                    f"folder {path}", "a study of another robot or of other parameters", "a folder of this study", hint
+                )
+        else:
+            _refuse_foreign(path)
+        if folder.blocks.is_dir():
+            remove_orphans(folder.blocks)
+        yield folder
+
+
+def _refuse_links(path: Path) -> None:
+    """What is written or removed in the folder lies there: no link leads elsewhere."""
+    for name in (BLOCKS, MOTIONS, TABLE, PAGE):
+        if (path / name).is_symlink():
+            raise file_error(path / name, "a link", "no link in the folder of a study", "name another folder")
+
+
+def _refuse_foreign(path: Path) -> None:
+    """A folder without a description holds nothing that a study would write over."""
+    blocks = path / BLOCKS
+    if os.path.lexists(blocks) and (not blocks.is_dir() or any(blocks.iterdir())):
+        raise file_error(f"folder {path}", f"blocks without {STUDY_FILE}", "the folder of a study", "name another")
+    for name in (TABLE, PAGE):
+        if os.path.lexists(path / name):
+            hint = "name another folder (--out), or replace it (--overwrite)"
+            raise file_error(path / name, f"a file of something else: there is no {STUDY_FILE}", "a new name", hint)
+
+
+def _remove_study(path: Path) -> None:
+    """Remove the files of a study, and nothing else; its description last: what is left halfway is still known.
+
+    Nothing is removed where something would be in the way of the next one.
+    """
+    blocks = path / BLOCKS
+    found = [path / TABLE, path / PAGE, *(path / MOTIONS).glob("case_*.nc"), *_blocks_in(blocks), path / STUDY_FILE]
+    if folder := next((file for file in found if file.is_dir() and not file.is_symlink()), None):
+        raise file_error(folder, "a folder", "a file of a study", "move it, or name another folder")
+    try:
+        for file in found:
+            file.unlink(missing_ok=True)
+    except OSError as error:
+        hint = "remove it by hand, or name another folder"
+        raise ResultFileError(f"{path} cannot be emptied: {error.strerror}; {hint}") from error
+
+
+def _blocks_in(folder: Path) -> list[Path]:
+    """The files of the folder of blocks, all of which are blocks; what killed writers left there is not counted."""
+    if not os.path.lexists(folder):
+        return []
+    if not folder.is_dir():
+        raise file_error(folder, "a file", "the folder of blocks", "move it, or name another folder")
+    found = [file for file in folder.iterdir() if not file.name.startswith(".tmodes-")]
+    if foreign := next((file for file in found if not NAME.fullmatch(file.name)), None):
+        raise file_error(foreign, "a file that is no block", "a block of a study", "move it, or name another folder")
+    return found
+
+
+Progress = Callable[[str, float], None]
+
+
+def motion_file(folder: Path, case: int) -> Path:
+    """Where the motion of a case is."""
+    return folder / MOTIONS / f"case_{case:06d}.nc"
+
+
+def write_motions(folder: Folder, wanted: Collection[int], progress: Progress) -> None:
+    """Write the motions of the ``wanted`` cases that the blocks have kept, those that are not there yet."""
+    by_block: dict[str, list[int]] = {}
+    for case, label in folder.keepers().items():
+        if case in wanted and _block_of(motion_file(folder.path, case)) != label.name:
+            by_block.setdefault(label.name, []).append(case)
+    if not by_block:
+        return
+    place = folder.path / MOTIONS
+    place.mkdir(exist_ok=True)
+    remove_orphans(place)
+    for done, (name, cases) in enumerate(by_block.items()):
+        progress("trajectories", done / len(by_block))
+        kept = folder.read(folder.blocks / name).rows.kept
+        for case in cases:
+            if case in kept:
+                with atomic_write(motion_file(folder.path, case), durable=False) as path:
+                    path.write_bytes(_netcdf(folder.study.sheet.name, case, kept[case], name))
+
+
+_NUMBERS = ("states", "tip", "time")
+"""Variables with a checksum, which whoever reads them compares: a damaged file is an error and no motion."""
+
+
+def _block_of(file: Path) -> str | None:
+    """The block of which a motion that is there comes; None where there is none, or one that cannot be read whole."""
+    import h5py
+
+    try:
+        with h5py.File(file) as opened:
+            for name in _NUMBERS:
+                opened[name][()]  # pyright: ignore[reportIndexIssue]
+            return str(opened.attrs["block"])
+    except (OSError, KeyError):
+        return None
+
+
+def _states(motion: Kept) -> list[str]:
+    """Names of all states: coordinates, their velocities, and what else is integrated by its number."""
+    names = [*motion.names, *(f"{name}.velocity" for name in motion.names)]
+    return [*names, *(f"state.{k}" for k in range(len(names), motion.states.shape[1]))][: motion.states.shape[1]]
+
+
+def _netcdf(study: str, case: int, motion: Kept, block: str) -> bytes:
+    import xarray as xr
+
+    data = xr.Dataset(
+        {
+            "states": (("time", "state"), motion.states, {"long_name": "coordinates and rates"}),
+            "tip": (("time", "axis"), motion.tip, {"long_name": "position of the tip", "units": "m"}),
+        },
+        {"time": ("time", motion.times, {"units": "s"}), "state": _states(motion), "axis": ["x", "y", "z"]},
+        {"study": study, "case": case, "block": block},
+    )
+    buffer = io.BytesIO()
+    checked = {name: {"fletcher32": True, "chunksizes": data[name].shape} for name in _NUMBERS}
+    data.to_netcdf(buffer, engine="h5netcdf", encoding=checked)
+    return buffer.getvalue()

@@ -7,7 +7,7 @@ import pytest
 from study.core.studies import study
 from tmodes.errors import InputError, InputErrors, TmodesError
 from tmodes.study.optimize import optimize
-from tmodes.study.optimize.limits import refuse_contradictions
+from tmodes.study.optimize.goals import refuse_contradictions
 from tmodes.study.read import read_study
 from tmodes.study.sensitivity import sensitivity
 

@@ -13,7 +13,7 @@ import pytest
 from study.optimize.forms import design_study
 from study.optimize.tubes import EXAMPLES
 from tmodes.study.optimize import optimize
-from tmodes.study.optimize.pareto import pareto_front
+from tmodes.study.optimize.summary import pareto_front
 from tmodes.study.read import read_study
 from tmodes.study.rows import Rows
 from tmodes.study.study import Study

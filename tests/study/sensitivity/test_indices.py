@@ -14,8 +14,8 @@ from study.sensitivity.cases import study as study_of
 from tmodes.errors import InputError, InputErrors, SimulationError
 from tmodes.study.plans import PLANS
 from tmodes.study.sensitivity import sensitivity
+from tmodes.study.sensitivity.indices import sobol_indices
 from tmodes.study.sensitivity.run import with_plan
-from tmodes.study.sensitivity.sobol import sobol_indices
 
 ISHIGAMI = study_of(CASES["ishigami"].formula, CASES["ishigami"].inputs)
 

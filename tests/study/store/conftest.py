@@ -11,6 +11,6 @@ import pytest
 def no_kinds_of_other_tests() -> Iterator[None]:
     """Kinds that other tests have registered in this process are none of the engine that a study is continued with."""
     with pytest.MonkeyPatch.context() as patch:
-        for module in ("addresses", "identity"):
+        for module in ("blocks", "identity"):
             patch.setattr(f"tmodes.study.{module}.outside_digest", lambda: "")
         yield

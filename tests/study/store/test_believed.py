@@ -9,11 +9,11 @@ from command import tmodes
 from study.core.studies import short, study
 from study.store.fake import data, fake
 from tmodes.errors import ResultFileError
-from tmodes.study.columns import Columns
-from tmodes.study.pace import BYTES, LEAST, Pace
 from tmodes.study.result import load_study
 from tmodes.study.runner import run_study
 from tmodes.study.store import MOTIONS, PAGE, STUDY_FILE, TABLE
+from tmodes.study.table import Columns
+from tmodes.study.tasks import BYTES, LEAST, Pace
 
 
 def drawn(seed=0, formula="2*x"):

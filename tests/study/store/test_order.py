@@ -6,10 +6,9 @@ import pytest
 
 from tmodes.study.blocks import unpack
 from tmodes.study.read import read_study
-from tmodes.study.remote import compute_block, order
 from tmodes.study.result import load_study
 from tmodes.study.runner import run_study
-from tmodes.study.task import Task
+from tmodes.study.tasks import Task, compute_block, order
 
 STUDY = """\
 format: 1

@@ -10,11 +10,11 @@ import pytest
 from command import tmodes
 from study.core.studies import study
 from tmodes.cli import study_text
-from tmodes.study.columns import Columns
 from tmodes.study.result import StudyResult
 from tmodes.study.rows import Rows
 from tmodes.study.runner import run_study
 from tmodes.study.statistics import statistics
+from tmodes.study.table import Columns
 
 STUDY = """
 format: 1

@@ -15,8 +15,7 @@ import pytest
 from study.store.fake import data, fake
 from tmodes.errors import InputError, ResultFileError
 from tmodes.io.atomic import LOCK_NAME
-from tmodes.study.addresses import canonical
-from tmodes.study.blocks import PREFIX, pack, unpack
+from tmodes.study.blocks import PREFIX, canonical, pack, unpack
 from tmodes.study.places import dask
 from tmodes.study.runner import run_study
 from tmodes.study.store import BLOCKS, STUDY_FILE, TABLE, Folder, description

@@ -100,8 +100,7 @@ def test_a_function_that_raises_is_the_reason_of_its_row(sheet, tmp_path):
     assert not heavy.all()
     assert [status == "failed" for status in rows.status] == heavy.tolist()
     assert all(("too heavy for me" in reason) == bad for reason, bad in zip(rows.reason, heavy, strict=True))
-    from tmodes.study.remote import order
-    from tmodes.study.task import Task
+    from tmodes.study.tasks import Task, order
 
     with pytest.raises(InputError, match="plain data on other machines"):
         order(study, Task(0, study.design().values, ("mine",)))

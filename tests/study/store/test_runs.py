@@ -164,7 +164,7 @@ def test_a_second_process_is_refused(tmp_path):
 def test_another_engine_is_refused_or_recomputed_with_a_notice(tmp_path, monkeypatch):
     run_study(fake(data(300, block=100)), tmp_path)
     old = {file.name for file in (tmp_path / BLOCKS).iterdir()}
-    for module in ("store", "remote"):
+    for module in ("store", "tasks"):
         monkeypatch.setattr(f"tmodes.study.{module}.engine_of_blocks", lambda: "9.9-other")
     study = fake(data(400, block=100))
     with pytest.raises(ResultFileError, match=r"300 cases of another version of the engine.*--recompute"):

@@ -29,7 +29,7 @@ def test_wrong_resources_are_refused(given, info):
 
 
 def test_the_script_of_a_job_asks_for_what_was_given():
-    from tmodes.study.places.slurm import cluster_of
+    from tmodes.study.places.dask import cluster_of
 
     asked = {"cores": "8", "memory": "16GB", "queue": "short", "walltime": "02:00:00", "account": "robots", "jobs": "5"}
     how = How(insecure=True, resources=asked | {"interface": "lo"})

@@ -7,7 +7,7 @@ import pyarrow.parquet as pq
 import pytest
 
 from study.core.studies import UNIFORM, short, study
-from tmodes.study import columns
+from tmodes.study import table
 from tmodes.study.page import write_page
 from tmodes.study.result import StudyResult, load_study
 from tmodes.study.runner import run_study
@@ -24,7 +24,7 @@ def result(tmp_path):
 
 
 def test_rows_of_the_table_are_those_of_the_blocks(result, monkeypatch):
-    monkeypatch.setattr(columns, "_AT_ONCE", 64)
+    monkeypatch.setattr(table, "_AT_ONCE", 64)
     found, known = result.shown_rows, result.rows
     assert found is not known
     for part in ("case", "seconds", "good"):

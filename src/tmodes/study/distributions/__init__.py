@@ -1,18 +1,6 @@
-"""How a parameter varies: one file for each distribution; importing the package registers them."""
+"""How a parameter varies; importing the package registers all distributions."""
 
-from tmodes.study.distributions import (
-    discrete,
-    empirical,
-    lognormal,
-    loguniform,
-    normal,
-    triangular,
-    truncated,
-    uniform,
-)
+from tmodes.study.distributions import continuous, discrete
 from tmodes.study.distributions.contract import DISTRIBUTIONS, Distribution
 
-__all__ = [
-    "DISTRIBUTIONS", "Distribution", "discrete", "empirical", "lognormal", "loguniform", "normal", "triangular",
-    "truncated", "uniform",
-]  # fmt: skip
+__all__ = ["DISTRIBUTIONS", "Distribution", "continuous", "discrete"]

@@ -15,10 +15,9 @@ from tmodes.sheet import Robot
 from tmodes.simulation.start import run_setup
 from tmodes.simulation.vary.series import COMMANDED, DEVIATION, units_of
 from tmodes.simulation.vary.tables import Nominal, nominal_side, setpoints
-from tmodes.study.optimize.gradient import Terms
+from tmodes.study.optimize.gradient import Terms, neighbours, slopes
 from tmodes.study.optimize.leaves import factor, formulas, leaves, numbers_of, restricted
 from tmodes.study.optimize.smooth import REFERENCED, reduced_series
-from tmodes.study.optimize.stencil import neighbours, slopes
 from tmodes.study.optimize.trials import Trials
 
 __all__ = ["Adjoint"]

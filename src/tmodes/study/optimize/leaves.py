@@ -12,8 +12,8 @@ from tmodes.errors import InputError
 from tmodes.io.units import number
 from tmodes.sheet import Robot
 from tmodes.study.mapping import groups_of
-from tmodes.study.order import ordered
 from tmodes.study.quantities import Asked, Needs
+from tmodes.study.space import ordered
 from tmodes.study.study import Study
 
 __all__ = ["cheap", "factor", "formulas", "leaves", "numbers_of", "restricted"]

@@ -9,9 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.gradients.quantities import Functional
-from tmodes.study.optimize.differences import Differences
 from tmodes.study.optimize.goals import Goals
-from tmodes.study.optimize.gradient import Descent, descend
+from tmodes.study.optimize.gradient import Descent, Differences, descend
 from tmodes.study.optimize.leaves import cheap
 from tmodes.study.optimize.result import Optimum
 from tmodes.study.optimize.summary import found

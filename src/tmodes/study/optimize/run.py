@@ -12,15 +12,13 @@ from tmodes.errors import InputError
 from tmodes.gradients.quantities import Functional
 from tmodes.io.arguments import checked_arguments, whole_number
 from tmodes.io.words import meant
-from tmodes.study.optimize.goals import Goals, goals_of
+from tmodes.study.optimize.goals import Goals, goals_of, refuse_contradictions
 from tmodes.study.optimize.leaves import cheap, leaves
-from tmodes.study.optimize.limits import refuse_contradictions
 from tmodes.study.optimize.local import by_gradient
 from tmodes.study.optimize.result import Optimum
 from tmodes.study.optimize.sampled import search
-from tmodes.study.optimize.scenarios import scenarios_of
 from tmodes.study.optimize.smooth import has_slope
-from tmodes.study.optimize.space import DesignSpace, design_space
+from tmodes.study.optimize.space import DesignSpace, design_space, scenarios_of
 from tmodes.study.optimize.summary import found
 from tmodes.study.optimize.trials import Trials
 from tmodes.study.read import as_study

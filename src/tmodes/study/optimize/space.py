@@ -11,11 +11,13 @@ from math import prod
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.study.optimize.terms import refuse_unknown
+from tmodes.errors import InputError
+from tmodes.study.optimize.goals import refuse_unknown
+from tmodes.study.sensitivity.run import with_plan
 from tmodes.study.sheet import Parameter
 from tmodes.study.study import Study
 
-__all__ = ["DesignSpace", "design_space"]
+__all__ = ["DesignSpace", "design_space", "scenarios_of"]
 
 Array = NDArray[np.float64]
 
@@ -80,3 +82,18 @@ def _ends(parameter: Parameter, levels: int) -> tuple[float, float]:
     if parameter.distribution is None:
         return 0.0, max(levels - 1.0, 0.0)
     return parameter.distribution.ends
+
+
+def scenarios_of(study: Study, space: DesignSpace, count: int, seed: int) -> NDArray[np.float64]:
+    """Values of all parameters in ``count`` cases of what the design leaves uncertain, the same for all designs.
+
+    Without any case the sheet's own values. Raises :class:`tmodes.errors.InputError` where nothing is uncertain.
+    """
+    if not count:
+        return study.space.nominal[None].copy()
+    if len(space.names) == len(study.names):
+        hint = "name what is chosen under `optimize.design`; the other parameters are uncertain"
+        raise InputError(
+            "optimize.worst_case", f"{count} cases of nothing", "left out: all parameters are chosen", hint
+        )
+    return with_plan(study, {"type": "latin_hypercube", "runs": count, "seed": seed}).design().values

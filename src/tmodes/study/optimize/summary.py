@@ -1,16 +1,33 @@
-"""From the trials to the optimum that is reported."""
+"""From the trials to the optimum that is reported; the same of a stored optimization."""
 
 from __future__ import annotations
 
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.study.optimize.goals import Judged
-from tmodes.study.optimize.pareto import pareto_front
+from tmodes.study.optimize.goals import Judged, goals_of
 from tmodes.study.optimize.result import Candidate, Held, Optimum
+from tmodes.study.optimize.space import design_space
 from tmodes.study.optimize.trials import Trials
+from tmodes.study.rows import Rows
+from tmodes.study.study import Study
 
-__all__ = ["candidate", "found"]
+__all__ = ["candidate", "found", "pareto_front", "stored_designs"]
+
+
+def pareto_front(values: NDArray[np.float64]) -> NDArray[np.intp]:
+    """Indices of the rows (m, o), all objectives to be small, that no other row dominates, by the first objective.
+
+    A row dominates another where it is nowhere larger and somewhere smaller; of equal rows all are on the front.
+    """
+    order = np.lexsort(values.T[::-1])
+    front: list[int] = []
+    for k in order:  # what dominates a row comes before it
+        known = values[front]
+        if not ((known <= values[k]).all(axis=1) & (known < values[k]).any(axis=1)).any():
+            front.append(int(k))
+    return np.array(front, dtype=np.intp)
+
 
 MOST_RANKED = 100
 
@@ -100,3 +117,18 @@ def _ends(values: NDArray[np.float64]) -> tuple[float, float]:
     """Least and largest of those that are numbers."""
     known = values[np.isfinite(values)]
     return (float(known.min()), float(known.max())) if len(known) else (float("nan"), float("nan"))
+
+
+def stored_designs(study: Study, rows: Rows) -> tuple[Optimum, list[Candidate]]:
+    """The optimum among the designs of ``rows``, all cases in the order in which they were tried, and every design.
+
+    Raises :class:`tmodes.errors.InputError` where objectives name what the study does not have.
+    """
+    asked = study.sheet.optimize
+    assert asked is not None  # noqa: S101
+    space, units = design_space(study, asked.design), dict(study.parameter_units) | dict(rows.units)
+    values, each = study.design().values, max(1, asked.worst_case)
+    trials = Trials(study, space, goals_of(asked, units), values[:each], None, lambda *_: None, {})
+    trials.take(values[::each][:, list(space.columns)], rows)
+    judged = trials.judged()
+    return found(trials, "", units), [candidate(trials, judged, k) for k in range(len(trials))]

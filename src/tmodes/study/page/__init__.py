@@ -1,6 +1,6 @@
 """The page of a study: one self-contained file, with charts that are brushed and cases that are simulated again."""
 
+from tmodes.study.page.document import write_page
 from tmodes.study.page.figures import figure_data
-from tmodes.study.page.write import write_page
 
 __all__ = ["figure_data", "write_page"]

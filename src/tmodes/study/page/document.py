@@ -5,20 +5,28 @@ from __future__ import annotations
 import base64
 import gzip
 import hashlib
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from functools import cache
 from importlib.resources import files
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 
+from tmodes.errors import TmodesError
+from tmodes.io.atomic import atomic_write
+from tmodes.plot.panels import pretty
 from tmodes.report.markup import Markup, table, tag
 from tmodes.report.pack import embedded, pack
+from tmodes.report.page import page
 from tmodes.report.parts import document, program
-from tmodes.study.page.data import PERCENTS, ColumnInfo
+from tmodes.result.run import run
+from tmodes.study.page.data import PERCENTS, ColumnInfo, Setting, ahead_of, page_data, setting_of, tip_bands
+from tmodes.study.result import StudyResult
 from tmodes.study.rows import Rows
+from tmodes.study.study import Study
 
-__all__ = ["packed_report", "study_document"]
+__all__ = ["packed_report", "shown_data", "study_document", "write_page"]
 
 _NEEDS = "The charts need JavaScript, which is switched off or failed to start. The numbers below need none."
 _MOST_LOST = 20
@@ -124,3 +132,138 @@ def _lost(rows: Rows) -> Markup | None:
     ]
     more = f", the first {_MOST_LOST} of {len(lost)}" if len(lost) > _MOST_LOST else ""
     return table(f"Cases that did not finish{more}", ("Case", *rows.parameters, "Ended", "Reason"), lines)
+
+
+Progress = Callable[[str, float], None]
+
+_NO_MOTION = "Nothing is simulated in this study: its quantities are at rest, or formulas of its parameters."
+
+
+def write_page(
+    result: StudyResult,
+    path: Path | str,
+    *,
+    progress: Progress = lambda stage, share: None,
+    **found: Any,
+) -> Path:
+    """Write a study as one self-contained HTML file.
+
+    ``found``: what an analysis adds, as :func:`tmodes.study.page.data.page_data` takes it: ``indices``, ``objectives``
+    and ``front``. Raises :class:`tmodes.errors.ResultFileError` when the file cannot be written.
+    """
+    study, rows = result.study, result.shown_rows
+    settings = _settings(study)
+    info = _columns(study, rows, settings)
+    report, reason = _report(study, settings, progress)
+    data = _shown(result, rows, info, progress, report=report, no_report=reason, **found)
+    sentence = "" if study.sheet.plan.draws else _ends(rows, info)
+    text = study_document(study.sheet.name, study.sheet.title, rows, info, data, _provenance(result, rows), sentence)
+    with atomic_write(path) as temporary:
+        temporary.write_text(text, encoding="utf-8", newline="\n")
+    return Path(path)
+
+
+def shown_data(result: StudyResult, progress: Progress, *, bands: bool = True, **found: Any) -> dict[str, Any]:
+    """The data of the page, without a report, ``bands``: with the motion of the tip; ``found`` as of `write_page`."""
+    rows = result.shown_rows
+    return _shown(result, rows, _columns(result.study, rows, {}), progress, motion=bands, **found)
+
+
+def _shown(
+    result: StudyResult,
+    rows: Rows,
+    info: Mapping[str, ColumnInfo],
+    progress: Progress,
+    *,
+    motion: bool = True,
+    **more: Any,
+) -> dict[str, Any]:
+    """The data of the page; the motion of the tip only where cases come as often as their distributions say."""
+    study = result.study
+    drawn = study.sheet.plan.draws
+    bands = tip_bands(study, rows, progress) if drawn and motion else []
+    return page_data(study.sheet.name, rows, info, labels=result.design.labels, bands=bands, drawn=drawn, **more)
+
+
+def _ends(rows: Rows, info: Mapping[str, ColumnInfo]) -> str:
+    """Of cases that were chosen: the least and the largest value of the first quantity, and where they are."""
+    name, values = next(iter(rows.quantities.items()))
+    if not np.isfinite(values).any():
+        return ""
+    unit = _unit(rows.units[name])
+    title = info[name].title or name
+    ends = [_at(rows, info, int(find(values))) for find in (np.nanargmin, np.nanargmax)]
+    low, high = (f"{value:.4g}{unit}" for value in (np.nanmin(values), np.nanmax(values)))
+    done = f"{int(rows.good.sum()):,} of {len(rows):,} cases finished."
+    return f"{done} {title[:1].upper()}{title[1:]}: from {low} ({ends[0]}) to {high} ({ends[1]})."
+
+
+def _at(rows: Rows, info: Mapping[str, ColumnInfo], row: int) -> str:
+    """The parameters of a case in words, at most three."""
+    words = []
+    for name, values in list(rows.parameters.items())[:3]:
+        own = info[name]
+        shown = own.labels[int(values[row])] if own.labels else f"{values[row]:.6g}{_unit(own.unit)}"
+        words.append(f"{own.title or name} {shown}")
+    return ", ".join(words)
+
+
+def _unit(unit: str) -> str:
+    """A unit as it stands after a number."""
+    return f" {pretty(unit)}".rstrip() if unit != "-" else ""
+
+
+def _settings(study: Study) -> dict[str, Setting]:
+    """The settings of a live report by the names of parameters, of those that have one."""
+    found = {}
+    for name, one in study.sheet.parameters.items():
+        if study.robot is not None and one.path and one.distribution:
+            setting = setting_of(study.robot, one.path, one.distribution.ends, relative=one.relative)
+            if setting is not None:
+                found[name] = setting
+    return found
+
+
+def _columns(study: Study, rows: Rows, settings: Mapping[str, Setting]) -> dict[str, ColumnInfo]:
+    nominal = dict(zip(study.names, study.space.nominal.tolist(), strict=True))
+    found = {}
+    for name, one in study.sheet.parameters.items():
+        labels, setting = study.choice_names(name), settings.get(name)
+        found[name] = ColumnInfo(
+            one.title, study.parameter_units[name], labels, None if labels else nominal[name],
+            setting.path if setting else None, setting.factor if setting else 1.0,
+        )  # fmt: skip
+    return found | {name: ColumnInfo(one.title, rows.units[name]) for name, one in study.sheet.quantities.items()}
+
+
+def _report(study: Study, settings: Mapping[str, Setting], progress: Progress) -> tuple[str, str]:
+    """The report of the sheet's own run, packed, with settings for what the study varies; or why there is none."""
+    needs = study.needs
+    if study.robot is None or not (needs.reductions or needs.result):
+        return "", _NO_MOTION
+    moved = [name for name, one in study.sheet.parameters.items() if one.path]
+    lost = [name for name in study.names if name not in settings and (name not in moved or study.choices.get(name))]
+    try:
+        done = run(study.robot, progress=lambda stage, share: progress("report", share))
+        text = page(done, ahead=ahead_of(settings))
+    except TmodesError as error:
+        return "", f"The sheet's own run has no report: {error}"
+    if not done.success:
+        return "", f"The sheet's own run has no report: {done.message}"
+    note = f"The report cannot change {', '.join(lost)}: these stay as in the sheet." if lost else ""
+    return packed_report(text), note
+
+
+def _provenance(result: StudyResult, rows: Rows) -> list[list[str]]:
+    study = result.study
+    plan = study.sheet.plan.model_dump(mode="json", exclude_none=True)
+    words = ", ".join(f"{key} {value}" for key, value in plan.items() if not isinstance(value, (list, dict)))
+    methods = ", ".join(sorted({method for method in rows.method if method})) or "nothing simulated"
+    return [
+        ["robot", "none" if study.robot is None else study.robot.name],
+        ["plan", words],
+        ["cases", f"{len(rows):,}"],
+        ["integrators", methods],
+        ["seconds of computing, summed over cases", f"{float(rows.seconds.sum()):.3g} s"],
+        ["engine", str(result.stored.engine)],
+    ]

@@ -12,7 +12,7 @@ A place of a user's own is a class with the word by which ``--on`` knows it, and
 
         def run(self, job: Job) -> None:
             while task := job.next():
-                job.done(task, my_queue(job.order(task)))   # somewhere: tmodes.study.remote.compute_block(order)
+                job.done(task, my_queue(job.order(task)))   # somewhere: tmodes.study.tasks.compute_block(order)
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ from tmodes.errors import InputError
 from tmodes.kinds.registry import Registry
 from tmodes.simulation.batch.runner import PROCESSOR, Runner
 from tmodes.study.study import Study
-from tmodes.study.task import Task
+from tmodes.study.tasks import Task
 
 __all__ = ["PLACES", "How", "Job", "Place", "Task", "place_of"]
 

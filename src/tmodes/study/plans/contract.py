@@ -16,17 +16,29 @@ A plan of a user's own is a class with the field ``type`` and one method::
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, ClassVar, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
+from tmodes.io.words import meant
 from tmodes.kinds.schema.kind import Kind
 from tmodes.kinds.schema.quantity import Issue, quantity
 
-__all__ = ["MOST_CASES", "PLANS", "Array", "Design", "Plan", "Space", "count", "seed_field", "unit_shares"]
+__all__ = [
+    "MOST_CASES",
+    "PLANS",
+    "Array",
+    "Design",
+    "Plan",
+    "Space",
+    "count",
+    "seed_field",
+    "unit_shares",
+    "unknown_names",
+]
 
 Array = NDArray[np.float64]
 
@@ -125,3 +137,11 @@ def unit_shares(names: Sequence[str], runs: int, seed: int) -> Array:
 
 PLANS = Plan.registry
 """Those of tmodes, and what a user registers: ``@PLANS.register``."""
+
+
+def unknown_names(field: str, names: Iterable[str], space: Space) -> Iterator[Issue]:
+    """An issue for each name that no parameter has, at its key in a field."""
+    for name in names:
+        if name not in space.names:
+            hint = meant(name, space.names, "write the name of a parameter")
+            yield Issue(f"{field}.{name}", "an unknown key", f"one of {', '.join(space.names)}", hint)

@@ -13,7 +13,7 @@ from tmodes.io.words import meant
 from tmodes.study.plans import Design
 from tmodes.study.read import as_study
 from tmodes.study.rows import Rows
-from tmodes.study.sensitivity.analysis import analysed
+from tmodes.study.sensitivity.indices import analysed
 from tmodes.study.sensitivity.result import Sensitivity
 from tmodes.study.study import Study
 
