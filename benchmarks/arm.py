@@ -20,10 +20,10 @@ from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
+from benchmarks.engines.contender import PeerMissing, now
+from benchmarks.engines.peers import ENGINES
+from benchmarks.engines.rigid import RigidChain
 
-from tmodes.bench.contender import PeerMissing, now
-from tmodes.bench.peers import ENGINES
-from tmodes.bench.rigid import RigidChain
 from tmodes.chain.chain import Chain, Friction, Gear, Joint, Motor, Node
 from tmodes.compile.ir import kernels
 from tmodes.equations.recursion.forward import forward_dynamics

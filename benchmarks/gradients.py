@@ -21,10 +21,10 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from benchmarks.engines.contender import PeerMissing
+from benchmarks.engines.peers import pinocchio_model
+from benchmarks.engines.rigid import RigidChain
 
-from tmodes.bench.contender import PeerMissing
-from tmodes.bench.peers import pinocchio_model
-from tmodes.bench.rigid import RigidChain
 from tmodes.gradients.gradient import adjoint_gradient, forward_sensitivities
 from tmodes.model.model import Model
 

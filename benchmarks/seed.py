@@ -24,8 +24,8 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from benchmarks.engines.contender import PeerMissing
 
-from tmodes.bench.contender import PeerMissing
 from tmodes.compile.ir.unroll import c_text, unrolled
 from tmodes.integrate.settings import Integration
 from tmodes.robots.load import load

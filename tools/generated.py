@@ -9,6 +9,8 @@ from pathlib import Path
 __all__ = ["ROOT", "main"]
 
 ROOT = Path(__file__).resolve().parents[1]
+sys.path.append(str(ROOT))
+"""Where benchmarks are found, too."""
 
 
 def main(target: Path, text: str, tool: str, problems: Sequence[str] = ()) -> int:

@@ -14,7 +14,6 @@ from typing import Any
 
 import generated
 from performance_aims import aims
-from tmodes.bench.tables import left_out, tables
 
 __all__ = ["page"]
 
@@ -24,6 +23,8 @@ PAGE = generated.ROOT / "docs" / "performance.md"
 
 def page(info: dict[str, Any]) -> str:
     """The page as Markdown."""
+    from benchmarks.engines.tables import tables
+
     first, *rest = tables(info)
     return "\n".join([*_head(info), *_table(*first), *_words(info), *_notes(info), *_aims(info), *_rest(rest)])
 
@@ -38,8 +39,8 @@ def _head(info: dict[str, Any]) -> Iterator[str]:
     yield f"{versions}."
     yield from _load(machine)
     yield from (
-        "On yours: `tmodes bench`. This page is written by `python tools/performance_doc.py` from",
-        "[performance.json](performance.json); `--measure` measures it again.",
+        "On yours: `python -m benchmarks.engines`, in a checkout. This page is written by",
+        "`python tools/performance_doc.py` from [performance.json](performance.json); `--measure` measures it again.",
         "",
         "The robot is a serial chain of rigid links with joints about all axes, the same in every engine. Contenders",
         "take turns, and processor time is counted, so that a noisy machine troubles all alike; only what works on",
@@ -75,6 +76,8 @@ def _compared(one: dict[str, Any], ours: float) -> str:
 
 
 def _notes(info: dict[str, Any]) -> Iterator[str]:
+    from benchmarks.engines.tables import left_out
+
     yield from (
         "- *gcc, same list*: all calls of the recursion written into one C function, operation by operation; what",
         "  follows from the parameters alone is computed once, as here.",
@@ -123,7 +126,7 @@ def _table(title: str, columns: Sequence[str], rows: Sequence[Sequence[str]]) ->
 
 def _measure(target: Path) -> None:
     """The whole benchmark, in a process of its own."""
-    subprocess.run([sys.executable, "-m", "tmodes.cli.entry", "bench", "--json", str(target)], check=True)
+    subprocess.run([sys.executable, "-m", "benchmarks.engines", "--json", str(target)], cwd=generated.ROOT, check=True)
 
 
 if __name__ == "__main__":

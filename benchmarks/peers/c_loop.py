@@ -9,9 +9,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
+from benchmarks.engines import gcc
 from numpy.typing import ArrayLike, NDArray
-
-from tmodes.bench import gcc
 
 FLAGS = gcc.FLAGS
 LOOP = Path(__file__).with_name("c_loop.c")

@@ -13,9 +13,9 @@ import time
 from typing import Any, NamedTuple
 
 import numpy as np
+from benchmarks.engines.contender import PeerMissing
 from numpy.typing import NDArray
 
-from tmodes.bench.contender import PeerMissing
 from tmodes.chain.chain import Chain
 from tmodes.kinds.links.strain import Beam
 

@@ -18,9 +18,8 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+from benchmarks.engines.contender import PeerMissing
 from numpy.typing import NDArray
-
-from tmodes.bench.contender import PeerMissing
 
 from . import example
 

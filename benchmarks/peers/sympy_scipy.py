@@ -12,9 +12,8 @@ from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
+from benchmarks.engines.contender import PeerMissing
 from numpy.typing import ArrayLike, NDArray
-
-from tmodes.bench.contender import PeerMissing
 
 from . import example
 

@@ -1,25 +1,27 @@
-"""``tmodes bench``: its options, its figures as JSON and as tables, races at equal error, and the cost of a start."""
+"""``python -m benchmarks.engines``: its options, its figures as JSON and as tables, races at equal error, starts."""
 
 from __future__ import annotations
 
 import json
-import subprocess
-import sys
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
+import typer
+from benchmarks.engines import measure
+from benchmarks.engines.__main__ import bench
+from benchmarks.engines.contender import Runner, at_equal_error
+from benchmarks.engines.rigid import RigidChain
+from benchmarks.engines.runs import ChainRun
+from benchmarks.engines.start import started
+from benchmarks.engines.tables import exponents, left_out, tables
 from typer.testing import CliRunner
 
-from tmodes.bench import measure
-from tmodes.bench.contender import Runner, at_equal_error
-from tmodes.bench.rigid import RigidChain
-from tmodes.bench.runs import ChainRun
-from tmodes.bench.start import started
-from tmodes.bench.tables import exponents, left_out, tables
-from tmodes.cli.main import app
 from tmodes.errors import InputError
+
+APP = typer.Typer()
+APP.command()(bench)
 
 START = {"equations": 0.1, "compile": 0.2, "first_call": 1e-3, "reload": 2e-3, "memory": 1e8, "memory_before": 9e7}
 
@@ -34,7 +36,7 @@ def test_json_has_every_figure_with_its_error(quick: None, tmp_path: Path) -> No
     """One small benchmark, to a file and on the screen."""
     file = tmp_path / "figures.json"
     options = ["--sizes", "1,2", "--rounds", "1", "--peers", "none", "--json", str(file)]
-    done = CliRunner().invoke(app, ["bench", *options], catch_exceptions=False)
+    done = CliRunner().invoke(APP, options, catch_exceptions=False)
     assert done.exit_code == 0
     info = json.loads(file.read_text(encoding="utf-8"))
     assert [size["n"] for size in info["sizes"]] == [1, 2]
@@ -53,7 +55,7 @@ def test_json_has_every_figure_with_its_error(quick: None, tmp_path: Path) -> No
 
 
 def test_json_on_the_screen_is_json_alone(quick: None) -> None:
-    done = CliRunner().invoke(app, ["bench", "--quick", "--rounds", "1", "--peers", "none", "--json", "-"])
+    done = CliRunner().invoke(APP, ["--quick", "--rounds", "1", "--peers", "none", "--json", "-"])
     info = json.loads(done.stdout)
     assert [size["n"] for size in info["sizes"]] == [6, 12]
     assert "seed" not in info
@@ -70,16 +72,10 @@ def test_json_on_the_screen_is_json_alone(quick: None) -> None:
     ],
 )
 def test_wrong_options_are_reported(options: list[str], words: tuple[str, ...]) -> None:
-    done = CliRunner().invoke(app, ["bench", *options])
+    done = CliRunner().invoke(APP, options)
     assert isinstance(done.exception, InputError)
     for word in words:
         assert word in str(done.exception)
-
-
-def test_command_line_is_not_slowed() -> None:
-    """Help and version load nothing of the benchmark."""
-    code = "import sys, tmodes.cli.main; print([name for name in sys.modules if name.startswith('tmodes.bench')])"
-    assert subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout == "[]\n"
 
 
 def test_the_loosest_setting_that_is_good_enough_is_taken() -> None:

@@ -9,14 +9,14 @@ from typing import Any
 
 import numpy as np
 import pytest
+from benchmarks.engines import gcc
+from benchmarks.engines.contender import CHECKED, Contender, PeerMissing, Timed, in_turns, needed
+from benchmarks.engines.limit import limit
+from benchmarks.engines.ours import SAMPLES, Ours
+from benchmarks.engines.peers import ENGINES
+from benchmarks.engines.rigid import GRAVITY, INERTIA, MASS, TURNED, RigidChain, accelerations, relative_error
 
 from patience import until
-from tmodes.bench import gcc
-from tmodes.bench.contender import CHECKED, Contender, PeerMissing, Timed, in_turns, needed
-from tmodes.bench.limit import limit
-from tmodes.bench.ours import SAMPLES, Ours
-from tmodes.bench.peers import ENGINES
-from tmodes.bench.rigid import GRAVITY, INERTIA, MASS, TURNED, RigidChain, accelerations, relative_error
 
 
 def error_of(contender: Contender, robot: RigidChain) -> float:

@@ -5,8 +5,8 @@ from __future__ import annotations
 import casadi as ca
 import numpy as np
 import pytest
+from benchmarks.engines.limit import critical_path, machine, throughput
 
-from tmodes.bench.limit import critical_path, machine, throughput
 from tmodes.compile.ir.latency import BODY, OPERATIONS, chains
 from tmodes.compile.ir.program import block_program
 

@@ -150,8 +150,8 @@ def test_a_coordinate_without_mass_is_named() -> None:
 @pytest.mark.peer
 def test_derivatives_are_those_of_pinocchio() -> None:
     pinocchio: Any = pytest.importorskip("pinocchio")
-    from tmodes.bench.peers import pinocchio_model
-    from tmodes.bench.rigid import RigidChain
+    from benchmarks.engines.peers import pinocchio_model
+    from benchmarks.engines.rigid import RigidChain
 
     count, rng = 12, np.random.default_rng(3)
     robot = RigidChain(count)

@@ -18,7 +18,7 @@ from .scale import often
 COMPILE = """
 import sys
 import numpy as np
-from tmodes.bench.rigid import RigidChain
+from benchmarks.engines.rigid import RigidChain
 from tmodes.model.model import Model
 sys.stdin.readline()
 print(Model(RigidChain(2).chain()).forward_dynamics([0.1, 0.2], [0.3, 0.4]).tobytes().hex())

@@ -10,9 +10,9 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import numpy as np
+from benchmarks.engines.ours import Ours
+from benchmarks.engines.rigid import RigidChain
 
-from tmodes.bench.ours import Ours
-from tmodes.bench.rigid import RigidChain
 from tmodes.compile import cache
 from tmodes.compile.ir.arithmetic import Wide
 
@@ -27,8 +27,8 @@ SURROUNDINGS: tuple[dict[str, str], ...] = (
 RUN = """
 import hashlib, sys
 import numpy as np
-from tmodes.bench.runs import ChainRun
-from tmodes.bench.rigid import RigidChain
+from benchmarks.engines.runs import ChainRun
+from benchmarks.engines.rigid import RigidChain
 run = ChainRun(RigidChain(2))
 runs = {"method": "dormand_prince", "relative_tolerance": 1e-13}, {"method": "rk4", "step": run.duration / 100}
 states = b"".join(run.ours(**settings)[1].tobytes() for settings in runs)

@@ -13,7 +13,6 @@ from typing import Annotated, Any
 import typer
 
 from tmodes.cli.batch import batch
-from tmodes.cli.bench import bench
 from tmodes.cli.cache import cache
 from tmodes.cli.describe import describe, ladder
 from tmodes.cli.evaluate import evaluate
@@ -53,7 +52,7 @@ for command, name in (
     (batch, "batch"), (study, "study"),
     (static, "static"), (ladder, "ladder"), (modes, "modes"), (evaluate, "eval"), (schema, "schema"),
     (show, "show"), (view, "view"), (figures, "figures"), (studio, "studio"), (export, "export"),
-    (sensitivity, "sensitivity"), (optimize, "optimize"), (bench, "bench"), (cache, "cache"),
+    (sensitivity, "sensitivity"), (optimize, "optimize"), (cache, "cache"),
 ):  # fmt: skip
     app.command(name)(command)
 

@@ -9,10 +9,10 @@ from typing import Any
 
 import numpy as np
 import pytest
+from benchmarks.engines.gcc import build
+from benchmarks.engines.rigid import RigidChain
 
 from arm.random_chains import random_chain
-from tmodes.bench.gcc import build
-from tmodes.bench.rigid import RigidChain
 from tmodes.chain.chain import Chain, Gear, Motor
 from tmodes.compile.ir import kernels
 from tmodes.compile.ir.ordering import in_good_order, kernel_function, kernel_program

@@ -1,6 +1,6 @@
 """Chains of one operation as native code: how long it takes when each waits for the one before, and when many go on.
 
-From both follows what a program can reach at best on this machine: see :mod:`tmodes.bench.limit`.
+From both follows what a program can reach at best on this machine: see ``benchmarks/engines/limit.py``.
 """
 
 from __future__ import annotations

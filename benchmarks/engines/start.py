@@ -1,6 +1,6 @@
 """What the first use of a robot costs, measured in a process of its own: compile, first call, reload, memory.
 
-``python -m tmodes.bench.start JOINTS`` prints it as JSON, with whatever cache ``TMODES_CACHE`` names.
+``python -m benchmarks.engines.start JOINTS`` prints it as JSON, with whatever cache ``TMODES_CACHE`` names.
 """
 
 from __future__ import annotations
@@ -14,9 +14,11 @@ import tempfile
 from pathlib import Path
 from typing import Any
 
-from tmodes.bench.contender import now
+from benchmarks.engines.contender import now
 
 __all__ = ["started"]
+
+ROOT = Path(__file__).resolve().parents[2]
 
 _STARTS = 3
 """Processes with an empty cache, and as many that find it full: of each the median is reported."""
@@ -40,19 +42,19 @@ def started(joints: int) -> dict[str, float]:
 
 
 def _process(joints: int, cache: Path) -> dict[str, Any]:
-    command = [sys.executable, "-m", "tmodes.bench.start", str(joints)]
+    command = [sys.executable, "-m", "benchmarks.engines.start", str(joints)]
     environment = os.environ | {"TMODES_CACHE": str(cache)}
-    done = subprocess.run(command, env=environment, capture_output=True, text=True, check=True)
+    done = subprocess.run(command, cwd=ROOT, env=environment, capture_output=True, text=True, check=True)
     return json.loads(done.stdout)
 
 
 def _here(joints: int) -> dict[str, float]:
     import numpy as np
+    from benchmarks.engines.ours import Ours
+    from benchmarks.engines.rigid import RigidChain
 
     import tmodes.compile.ir.block  # with what it imports: loading Python code is no compiling
     import tmodes.compile.native
-    from tmodes.bench.ours import Ours
-    from tmodes.bench.rigid import RigidChain
     from tmodes.compile.cache import source_digest
 
     for once_a_process in (tmodes.compile.native.host, source_digest):
@@ -82,4 +84,4 @@ def _peak() -> float:
 
 
 if __name__ == "__main__":
-    print(json.dumps(_here(int(sys.argv[1]))))  # noqa: T201
+    print(json.dumps(_here(int(sys.argv[1]))))

@@ -14,7 +14,7 @@ Table = tuple[str, tuple[str, ...], list[list[str]]]
 
 
 def tables(info: dict[str, Any]) -> Iterator[Table]:
-    """Forward dynamics, then runs, of what :func:`tmodes.bench.measure.measured` returned."""
+    """Forward dynamics, then runs, of what :func:`benchmarks.engines.measure.measured` returned."""
     sizes = info["sizes"]
     title = f"Forward dynamics of rigid chains [µs], relative error; medians of {info['rounds']} rounds"
     columns = ("", *(f"{size['n']} joints" for size in sizes))

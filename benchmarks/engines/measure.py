@@ -12,15 +12,15 @@ from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from typing import Any
 
-from tmodes.bench import gcc
-from tmodes.bench.contender import CHECKED, Contender, PeerMissing, Runner, Timed, at_equal_error, in_turns
-from tmodes.bench.limit import limit, machine
-from tmodes.bench.ours import SAMPLES, Ours, cores
-from tmodes.bench.peers import ENGINES
-from tmodes.bench.rigid import RigidChain, accelerations, relative_error
-from tmodes.bench.runs import ChainRun, Run, SeedRun
-from tmodes.bench.start import started
-from tmodes.bench.tables import exponents
+from benchmarks.engines import gcc
+from benchmarks.engines.contender import CHECKED, Contender, PeerMissing, Runner, Timed, at_equal_error, in_turns
+from benchmarks.engines.limit import limit, machine
+from benchmarks.engines.ours import SAMPLES, Ours, cores
+from benchmarks.engines.peers import ENGINES
+from benchmarks.engines.rigid import RigidChain, accelerations, relative_error
+from benchmarks.engines.runs import ChainRun, Run, SeedRun
+from benchmarks.engines.start import started
+from benchmarks.engines.tables import exponents
 
 __all__ = ["FORMAT", "PEERS", "SIZES", "Plan", "described", "measured"]
 

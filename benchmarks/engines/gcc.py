@@ -16,9 +16,9 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from benchmarks.engines.contender import Contender, PeerMissing
+from benchmarks.engines.ours import SAMPLES, Ours, found_in, repeated
 
-from tmodes.bench.contender import Contender, PeerMissing
-from tmodes.bench.ours import SAMPLES, Ours, found_in, repeated
 from tmodes.compile.ir.unroll import c_text, unrolled
 
 __all__ = ["FLAGS", "PATIENCE", "build", "compiled", "contender"]

@@ -6,10 +6,9 @@ import sys
 from typing import Any
 
 import numpy as np
+from benchmarks.engines.contender import CHECKED, Contender, PeerMissing, needed, now
+from benchmarks.engines.rigid import CENTER, GRAVITY, INERTIA, MASS, TURNED, RigidChain
 from numpy.typing import NDArray
-
-from tmodes.bench.contender import CHECKED, Contender, PeerMissing, needed, now
-from tmodes.bench.rigid import CENTER, GRAVITY, INERTIA, MASS, TURNED, RigidChain
 
 __all__ = ["ENGINES", "mujoco_model", "pinocchio_model"]
 

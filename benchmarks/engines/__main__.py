@@ -1,7 +1,8 @@
-"""``tmodes bench``: how fast this engine is here, next to others."""
+"""``python -m benchmarks.engines``: how fast this engine is here, next to others."""
 
 from __future__ import annotations
 
+import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -12,7 +13,7 @@ from tmodes.errors import InputError
 from tmodes.io.atomic import atomic_write
 
 if TYPE_CHECKING:
-    from tmodes.bench.measure import Plan
+    from benchmarks.engines.measure import Plan
 
 __all__ = ["bench", "print_tables"]
 
@@ -39,9 +40,10 @@ def bench(
     extended precision; what a first use costs; what the machine could do at best; and runs at equal error. Contenders
     take turns, medians are shown. What is not installed is left out, and said so. Let nothing else run meanwhile.
 
-    For example:  tmodes bench --quick      tmodes bench --sizes 6,36 --peers gcc,mujoco --json figures.json
+    For example:  python -m benchmarks.engines --quick
+    python -m benchmarks.engines --sizes 6,36 --peers gcc,mujoco --json figures.json
     """
-    from tmodes.bench.measure import measured
+    from benchmarks.engines.measure import measured
 
     plan = _plan(sizes, rounds, peers, patience, quick=quick)
     with working() as tell:
@@ -55,7 +57,7 @@ def bench(
 
 
 def _plan(sizes: str, rounds: int, peers: str, patience: float, *, quick: bool) -> Plan:
-    from tmodes.bench.measure import Plan
+    from benchmarks.engines.measure import Plan
 
     if rounds < 1:
         raise InputError("--rounds", str(rounds), "at least 1", "leave it out: 9 is sound")
@@ -72,7 +74,7 @@ def _sizes(info: str) -> tuple[int, ...]:
 
 
 def _peers(info: str) -> tuple[str, ...]:
-    from tmodes.bench.measure import PEERS
+    from benchmarks.engines.measure import PEERS
 
     if info in ("all", "none"):
         return PEERS if info == "all" else ()
@@ -96,7 +98,7 @@ IDLE = 0.5
 
 def print_tables(info: dict[str, Any]) -> None:
     """Machine, tables, and who was left out."""
-    from tmodes.bench.tables import left_out, tables
+    from benchmarks.engines.tables import left_out, tables
 
     machine = info["machine"]
     print(f"{machine['processor']}, {machine['cores']} cores, Python {machine['python']}, {machine['date']}\n")
@@ -106,3 +108,10 @@ def print_tables(info: dict[str, Any]) -> None:
         notice(f"the machine was not idle ({machine['load'][0]:.1f} programs ran): times on several cores say little")
     for line in left_out(info):
         notice(f"left out: {line}")
+
+
+if __name__ == "__main__":
+    try:
+        typer.run(bench)
+    except InputError as wrong:
+        sys.exit(str(wrong))

@@ -10,10 +10,10 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
+from benchmarks.engines.contender import CHECKED, Contender, now
+from benchmarks.engines.rigid import RigidChain
 from numpy.typing import NDArray
 
-from tmodes.bench.contender import CHECKED, Contender, now
-from tmodes.bench.rigid import RigidChain
 from tmodes.compile.ir import kernels
 from tmodes.compile.ir.arithmetic import Wide
 from tmodes.equations.recursion.forward import forward_dynamics

@@ -8,11 +8,11 @@ from functools import cached_property, partial
 from typing import Any, ClassVar
 
 import numpy as np
+from benchmarks.engines.contender import STEPS, TOLERANCES, Runner, adaptive_methods, needed, now, solved, tolerances_of
+from benchmarks.engines.peers import mujoco_model
+from benchmarks.engines.rigid import RigidChain
 from numpy.typing import NDArray
 
-from tmodes.bench.contender import STEPS, TOLERANCES, Runner, adaptive_methods, needed, now, solved, tolerances_of
-from tmodes.bench.peers import mujoco_model
-from tmodes.bench.rigid import RigidChain
 from tmodes.equations.loop.plan import LoopPlan
 from tmodes.integrate.settings import Integration
 from tmodes.kinds.signals.schedule import Schedule

@@ -14,8 +14,8 @@ from functools import cache
 from typing import Any
 
 import numpy as np
+from benchmarks.engines.contender import now
 
-from tmodes.bench.contender import now
 from tmodes.compile.ir.latency import BODY, OPERATIONS, chains
 from tmodes.compile.ir.program import READ, BlockProgram
 from tmodes.compile.ir.unroll import unrolled
