@@ -24,8 +24,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from tmodes.chain.chain import Chain, Joint, Node
-from tmodes.compile.lanes.lanes_loop import WIDTH
-from tmodes.compile.native import processor
+from tmodes.compile.native import WIDTH, processor
 from tmodes.equations.loop.plan import LoopPlan
 from tmodes.frame import Placement
 from tmodes.integrate.settings import Integration

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from tmodes.compile.lanes.lanes_loop import WIDTH
+from tmodes.compile.native import WIDTH
 from tmodes.errors import InputError
 from tmodes.kinds.signals.schedule import Schedule
 from tmodes.simulation.batch.private import LINE, private

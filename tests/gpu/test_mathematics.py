@@ -11,8 +11,7 @@ from tmodes.compile.gpu.mathematics import mathematics_module
 from tmodes.compile.ir.builder import Builder
 from tmodes.compile.ir.emit import F64, I64, POINTER, VOID, counted, declare, load, store
 from tmodes.compile.ir.kernels import native_functions
-from tmodes.compile.ir.trigonometry import FAR_COSINE, FAR_SINE
-from tmodes.compile.native import POWER
+from tmodes.compile.native import FAR_COSINE, FAR_SINE, POWER
 
 CALLED = {"sine": (FAR_SINE, 1), "cosine": (FAR_COSINE, 1), "power": (POWER, 2)}
 

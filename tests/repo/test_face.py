@@ -37,14 +37,19 @@ def test_the_command_line_is_parsed_without_what_computes() -> None:
     assert loaded.strip() == "[]"
 
 
+UNREAD = ("cli.study", "io.mjcf", "io.urdf", "io.xacro", "model.derivatives", "plot.figure", "study")
+"""Modules of other commands and of other formats than the sheet's."""
+
+
 @pytest.mark.parametrize("command", ["check", "modes", "describe"])
 def test_commands_that_only_read_load_neither_figures_nor_scipy(command: str) -> None:
     """Each would take as long to load as the rest of the command."""
+    heavy = ["matplotlib", "pandas", "scipy", "xarray", *(f"tmodes.{name}" for name in UNREAD)]
     code = (
         "import sys; from tmodes.cli.main import main\n"
         f"sys.argv = ['tmodes', '{command}', 'spong1987']\n"
         "try:\n    main()\n"
-        "finally:\n    print([n for n in ('matplotlib', 'pandas', 'scipy', 'xarray') if n in sys.modules])"
+        f"finally:\n    print([n for n in {heavy} if n in sys.modules])"
     )
     *shown, loaded = in_fresh_python(code).splitlines()
     assert shown

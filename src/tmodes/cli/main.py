@@ -7,54 +7,62 @@ import os
 import sys
 import time as clock
 from contextlib import suppress
+from importlib import import_module
 from pathlib import Path
 from typing import Annotated, Any
 
 import typer
+from typer.core import TyperGroup
 
-from tmodes.cli.batch import batch
-from tmodes.cli.cache import cache
-from tmodes.cli.describe import describe, ladder
-from tmodes.cli.evaluate import evaluate
-from tmodes.cli.export import export
-from tmodes.cli.figures import figures
 from tmodes.cli.memory import OUT_OF_MEMORY, lacks_memory, words
-from tmodes.cli.modes import modes
-from tmodes.cli.optimize import optimize
-from tmodes.cli.run import run
-from tmodes.cli.sensitivity import sensitivity
-from tmodes.cli.sheets import check, robots, schema
-from tmodes.cli.show import show, view
-from tmodes.cli.static import static
-from tmodes.cli.studio import studio
-from tmodes.cli.study import study
 from tmodes.cli.terminal import Stages
 from tmodes.errors import InputError, TmodesError, error_words
 
-__all__ = ["app", "main"]
+__all__ = ["COMMANDS", "app", "main"]
 
 INTERRUPTED = 130
 FAULT = 70
 
+COMMANDS = {
+    "run": "run.run", "robots": "sheets.robots", "check": "sheets.check", "describe": "describe.describe",
+    "batch": "batch.batch", "study": "study.study", "static": "static.static", "ladder": "describe.ladder",
+    "modes": "modes.modes", "eval": "evaluate.evaluate", "schema": "sheets.schema", "show": "show.show",
+    "view": "show.view", "figures": "figures.figures", "studio": "studio.studio", "export": "export.export",
+    "sensitivity": "sensitivity.sensitivity", "optimize": "optimize.optimize",
+    "cache": "cache.cache",
+}  # fmt: skip
+"""The function of each command, by its module in this package; imported when the command is given."""
+
+_PLAIN: Any = {"add_completion": False, "pretty_exceptions_enable": False, "rich_markup_mode": None}
+"""No markup: its tables cut long words, and take units in brackets for markup."""
+
+
+class Commands(TyperGroup):
+    """The commands by name, each imported and built when it is asked for."""
+
+    def __init__(self, **given: Any) -> None:
+        super().__init__(**given | {"commands": dict.fromkeys(COMMANDS)})
+
+    def get_command(self, ctx: Any, cmd_name: str) -> Any:  # noqa: ARG002
+        """The command of a name; None where there is none."""
+        if cmd_name not in COMMANDS:
+            return None
+        module, _, function = COMMANDS[cmd_name].partition(".")
+        single = typer.Typer(**_PLAIN)
+        single.command(cmd_name)(getattr(import_module(f"tmodes.cli.{module}"), function))
+        return typer.main.get_command(single)
+
+
 app = typer.Typer(
     name="tmodes",
+    cls=Commands,
     no_args_is_help=True,
-    add_completion=False,
-    pretty_exceptions_enable=False,
-    rich_markup_mode=None,  # its tables cut long words, and take units in brackets for markup
     help="Model, simulate and control robots that bend: elastic gears, flexible links, a tip that touches the world.",
     epilog="Start with:  tmodes run filipovic2010      Your own robot:  tmodes robots filipovic2010 > my.yaml   "
     "then  tmodes check my.yaml  and  tmodes run my.yaml      Exit codes: 0 done, 2 wrong input, 3 the run failed, "
     "4 a file cannot be read or written, 5 compiler trouble, 70 a fault of tmodes, 130 interrupted.",
+    **_PLAIN,
 )
-for command, name in (
-    (run, "run"), (robots, "robots"), (check, "check"), (describe, "describe"),
-    (batch, "batch"), (study, "study"),
-    (static, "static"), (ladder, "ladder"), (modes, "modes"), (evaluate, "eval"), (schema, "schema"),
-    (show, "show"), (view, "view"), (figures, "figures"), (studio, "studio"), (export, "export"),
-    (sensitivity, "sensitivity"), (optimize, "optimize"), (cache, "cache"),
-):  # fmt: skip
-    app.command(name)(command)
 
 
 def _version(wanted: bool) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ctypes
+import hashlib
 import itertools
 import sys
 from collections.abc import Iterator, Mapping
@@ -15,15 +16,45 @@ from typing import Any
 import llvmlite.binding as llvm
 from llvmlite.binding.newpassmanagers import NewPassManager
 
-from tmodes.compile.ir.trigonometry import FAR_COSINE, FAR_SINE
 from tmodes.errors import CompileError
 
-__all__ = ["POWER", "Library", "for_target", "free", "host", "processor", "to_object"]
+__all__ = [
+    "FAR_COSINE", "FAR_SINE", "LIMIT", "POWER", "WIDTH", "Library", "for_target", "free", "host", "kernel_symbol",
+    "pays", "processor", "to_object",
+]  # fmt: skip
 
-POWER = "tmodes_pow"
-"""Symbol bound to the C library's pow."""
+FAR_SINE, FAR_COSINE, POWER = "tmodes_far_sin", "tmodes_far_cos", "tmodes_pow"
+"""Symbols bound to the C library's sin, cos and pow."""
+
+WIDTH = 8 if dict(llvm.get_host_cpu_features()).get("avx512f") else 4
+"""Runs, or samples, side by side: as many doubles as a register of this processor holds."""
 
 _SYMBOLS = {FAR_SINE: "sin", FAR_COSINE: "cos", POWER: "pow"}
+
+
+LIMIT = 500
+"""Numbers that the calls of a schedule give up to which unrolling pays: eight rigid joints, 3,000 operations.
+
+Measured: a longer program does not fit into the processor's first cache of instructions (32 kB on most), and then the
+calls of kernels, which do, are quicker by a fifth.
+"""
+
+
+def kernel_symbol(kernel: Any, arithmetic: str) -> str:
+    """The name of a kernel's native function: the same for the same structure, everywhere."""
+    return _symbol(f"{kernel.key} {kernel.inputs} {kernel.outputs} {arithmetic}")
+
+
+@lru_cache(maxsize=4096)
+def _symbol(info: str) -> str:
+    return f"kernel_{hashlib.sha256(info.encode()).hexdigest()[:32]}"
+
+
+def pays(schedule: Any) -> bool:
+    """Whether a schedule is called often and is small enough."""
+    kernels = [kernel for kernel, _, _ in schedule.calls]
+    short = schedule.often and not any(kernel.long for kernel in kernels)
+    return short and sum(sum(kernel.outputs) for kernel in kernels) <= LIMIT
 
 
 @cache

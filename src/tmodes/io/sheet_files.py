@@ -3,18 +3,15 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from tmodes.errors import InputError
-from tmodes.io.dh_table import sheet_of_table
-from tmodes.io.elasticity import read_elasticity
 from tmodes.io.files import FilePath, Roots, folders_of
-from tmodes.io.mjcf import sheet_of_mjcf
-from tmodes.io.urdf import UrdfRobot, urdf_robot
 from tmodes.io.words import shown, shown_path
-from tmodes.io.xacro import read_xacro
-from tmodes.io.xml_file import read_xml
 from tmodes.io.yaml_file import Positions, read_yaml
+
+if TYPE_CHECKING:
+    from tmodes.io.urdf import UrdfRobot
 
 __all__ = ["RobotFile", "read_file", "read_sheet"]
 
@@ -49,8 +46,14 @@ def read_file(path: FilePath, roots: Roots = (), trust_paths: bool = False, *, f
     """
     ending = Path(path).suffix.lower()
     if ending == ".xacro":
+        from tmodes.io.xacro import read_xacro
+
         robot = read_xacro(path, roots, trust_paths, fix_inertia=fix_inertia)
     elif ending in XML:
+        from tmodes.io.mjcf import sheet_of_mjcf
+        from tmodes.io.urdf import urdf_robot
+        from tmodes.io.xml_file import read_xml
+
         root = read_xml(path)
         if ending in {".xml", ".mjcf"} and root.tag == "mujoco":
             return RobotFile(*sheet_of_mjcf(path, root, roots, trust_paths))
@@ -61,7 +64,11 @@ def read_file(path: FilePath, roots: Roots = (), trust_paths: bool = False, *, f
             return RobotFile(data, positions)
         _check_ending(path)
         if data.get("kind") == "dh":
+            from tmodes.io.dh_table import sheet_of_table
+
             return RobotFile(*sheet_of_table(data, positions, shown_path(path)))
+        from tmodes.io.elasticity import read_elasticity
+
         robot = read_elasticity(path, roots, trust_paths, read, fix_inertia=fix_inertia)
     return RobotFile(robot.data, robot.positions, robot)
 

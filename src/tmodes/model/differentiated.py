@@ -9,19 +9,20 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from tmodes.chain.chain import Chain
-from tmodes.compile.ir.elimination import aligned, eliminate, padded
 from tmodes.equations.mechanics import mechanics
 from tmodes.errors import InputError, SimulationError
-from tmodes.model.acceleration_table import AccelerationDerivatives, AccelerationTable
-from tmodes.model.derivatives import Columns, Differentiated, differentiated
 from tmodes.model.passes import Blocks, ChainPasses, derivatives
 from tmodes.model.rows import Rows, in_a_row, one_row
+
+if TYPE_CHECKING:
+    from tmodes.model.acceleration_table import AccelerationDerivatives, AccelerationTable
+    from tmodes.model.derivatives import Columns, Differentiated
 
 __all__ = ["DifferentiatedModel"]
 
@@ -133,6 +134,8 @@ class DifferentiatedModel:
         return self._info(right, failed, columns)
 
     def _table(self, forward: Columns, inertia: Columns) -> AccelerationTable:
+        from tmodes.model.acceleration_table import AccelerationTable
+
         passes, elastic = self.passes, self._columns("elastic", ("q", "v"))
         return AccelerationTable(
             passes.parameters, forward, inertia, elastic, passes.rotor_inertias, passes.parts.driven
@@ -145,7 +148,7 @@ class DifferentiatedModel:
         blocks = {name: value[None] for name, value in state.items()}
         found = np.zeros(len(state["q"]))
         for name in ("inertia", "elastic"):
-            of = self._kept((name, "along"), lambda name=name: differentiated(self.passes.schedule(name), ["forces"]))
+            of = self._kept((name, "along"), lambda name=name: self._differentiated(name, ["forces"]))
             found += of.along(self.passes.parameters, blocks, {}, change=change)["forces"][0]
         return found
 
@@ -171,7 +174,14 @@ class DifferentiatedModel:
         return set(names)
 
     def _forward(self, *, loaded: bool) -> Differentiated:
-        return self._kept(("forward", loaded), lambda: differentiated(self.passes.schedule("forward", loaded=loaded)))
+        return self._kept(("forward", loaded), lambda: self._differentiated("forward", loaded=loaded))
+
+    def _differentiated(
+        self, name: str, outputs: Sequence[str] | None = None, *, loaded: bool = False
+    ) -> Differentiated:
+        from tmodes.model.derivatives import differentiated
+
+        return differentiated(self.passes.schedule(name, loaded=loaded), outputs)
 
     def _kept(self, key: Any, make: Callable[[], Any]) -> Any:
         if key not in self._made:
@@ -182,8 +192,7 @@ class DifferentiatedModel:
         """Derivatives of the forces, or of the accelerations, by inputs of all coordinates."""
 
         def make() -> Columns:
-            schedule = self.passes.schedule(name, loaded=loaded)
-            of = differentiated(schedule, ["a" if name == "forward" else "forces"])
+            of = self._differentiated(name, ["a" if name == "forward" else "forces"], loaded=loaded)
             bodies = self.passes.parts.bodies()
             # The columns of the mass matrix stand in their own order: it is solved with as it comes.
             return of.columns([(label, sorted(bodies) if label == "a" else bodies) for label in by])
@@ -211,6 +220,8 @@ class DifferentiatedModel:
 
     def _fill(self, found: Array, state: Blocks, *, loaded: bool) -> None:
         """The same by all, into an array, with columns of zeros between those of one input and the next."""
+        from tmodes.compile.ir.elimination import padded
+
         passes = self.passes
         inputs = in_a_row(state, passes.schedule("inertia", loaded=loaded).inputs)
         self._columns("inertia", _ALL, loaded=loaded).at(passes.parameters, inputs, found)
@@ -224,6 +235,8 @@ class DifferentiatedModel:
 
     def _solved(self, state: Blocks, *, loaded: bool) -> AccelerationDerivatives:
         """M^-1 times the derivatives of the forces, of a robot with prescribed joints, which stay as they are."""
+        from tmodes.compile.ir.elimination import aligned, eliminate, padded
+
         parts = self.passes.parts
         size, driven, width = len(state["q"]), len(parts.driven), 3 * padded(len(state["q"]))
         rows = aligned(size, width + padded(driven))
@@ -236,6 +249,9 @@ class DifferentiatedModel:
 
     def _info(self, right: Array, failed: int, columns: Columns) -> AccelerationDerivatives:
         """Solutions by name; ``failed``: the number, from 1, of the coordinate in which there is none."""
+        from tmodes.compile.ir.elimination import padded
+        from tmodes.model.acceleration_table import AccelerationDerivatives
+
         parts, first = self.passes.parts, padded(len(right))
         if failed:
             raise SimulationError(

@@ -11,8 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from tmodes.compile.ir import kernels
-from tmodes.compile.lanes.lanes_loop import WIDTH
-from tmodes.compile.native import Library
+from tmodes.compile.native import WIDTH, Library
 from tmodes.equations.line.schedule import Lines, line_schedule
 from tmodes.equations.mechanics import Mechanics
 from tmodes.equations.recursion.parts import Parts

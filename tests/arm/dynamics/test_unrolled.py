@@ -10,6 +10,7 @@ import pytest
 
 from arm.random_chains import random_chain
 from arm.run.sheets import arm, pendulum, torque
+from tmodes.compile import native
 from tmodes.compile.ir import calls, kernels, unroll
 from tmodes.compile.ir.ordering import kernel_function
 from tmodes.compile.ir.program import block_program
@@ -76,12 +77,12 @@ def random_rows(schedule: Any, count: int) -> Any:
 @pytest.mark.parametrize("name", SCHEDULES)
 def test_one_program_is_the_kernels(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     schedule, numbers = SCHEDULES[name]()
-    assert unroll.pays(schedule)
+    assert native.pays(schedule)
     rows = random_rows(schedule, 8)
     one = evaluated("unrolled", schedule, "double", numbers, rows)
-    monkeypatch.setattr(unroll, "LIMIT", 0)
+    monkeypatch.setattr(native, "LIMIT", 0)
     monkeypatch.setattr(calls, "DIRECT", 0)
-    assert not unroll.pays(schedule)
+    assert not native.pays(schedule)
     other = evaluated("called", schedule, "double", numbers, rows)
     assert np.isfinite(other).all()
     assert np.abs(one - other).max() <= 1e-12 * np.abs(other).max()
@@ -115,8 +116,8 @@ def test_zeros_and_twins_are_gone() -> None:
 def test_long_and_seldom_schedules_are_called() -> None:
     """Links that bend are thousands of operations; what runs once is not worth the wait for its code."""
     bending = next(chain for chain in map(random_chain, range(20)) if "bend" in str(Model(chain).coordinates))
-    assert not unroll.pays(Model(bending).passes.schedule("forward"))
-    assert not unroll.pays(Model(random_chain(5, 4, rigid=True)).passes.schedule("inertia"))
+    assert not native.pays(Model(bending).passes.schedule("forward"))
+    assert not native.pays(Model(random_chain(5, 4, rigid=True)).passes.schedule("inertia"))
 
 
 def test_run_is_the_same_however_it_is_written(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -124,7 +125,7 @@ def test_run_is_the_same_however_it_is_written(monkeypatch: pytest.MonkeyPatch) 
     monkeypatch.setenv("TMODES_CACHE", "")
     one = simulate_motion(landing())
     kernels._loaded.clear()
-    monkeypatch.setattr(unroll, "LIMIT", 0)
+    monkeypatch.setattr(native, "LIMIT", 0)
     other = simulate_motion(landing())
     kernels._loaded.clear()
     assert one.contact_normal is not None

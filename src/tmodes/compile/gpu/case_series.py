@@ -11,10 +11,10 @@ from typing import Any
 from llvmlite import ir
 
 from tmodes.compile.ir.arithmetic import Double
-from tmodes.compile.ir.block import kernel_symbol, write_rate
+from tmodes.compile.ir.block import write_rate
 from tmodes.compile.ir.emit import F64, I64, at, counted, load, scratch, store, whole
-from tmodes.compile.ir.unroll import pays
 from tmodes.compile.lanes.series import SUMS, fold
+from tmodes.compile.native import kernel_symbol, pays
 from tmodes.compile.wasm.wasm_parts import PIECE, kernel_in_pieces
 
 __all__ = ["CaseSeries", "SeriesWriter", "kernels_of_series"]

@@ -12,9 +12,9 @@ from llvmlite import ir
 from tmodes.compile.ir.arithmetic import Lanes
 from tmodes.compile.ir.builder import Builder
 from tmodes.compile.ir.emit import F64, declare, number, whole
-from tmodes.compile.ir.trigonometry import FAR_COSINE, FAR_SINE, of_quarter_turns
+from tmodes.compile.ir.trigonometry import of_quarter_turns
 from tmodes.compile.lanes.lanes_explicit import exponential, logarithm
-from tmodes.compile.native import POWER
+from tmodes.compile.native import FAR_COSINE, FAR_SINE, POWER
 
 __all__ = ["mathematics_module"]
 

@@ -8,11 +8,11 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
 
-import llvmlite.binding as llvm
 from llvmlite import ir
 
 from tmodes.compile.ir.emit import F64, at, number, spread, whole
 from tmodes.compile.ir.trigonometry import sine_and_cosine, sines_and_cosines
+from tmodes.compile.native import WIDTH
 
 __all__ = ["Derivative", "Double", "Lanes", "Wide"]
 
@@ -153,7 +153,7 @@ class Wide(Lanes):
     What a lane computes does not depend on how many are next to it.
     """
 
-    stride = 8 if dict(llvm.get_host_cpu_features()).get("avx512f") else 4
+    stride = WIDTH
     name = f"wide{stride}"
     kind: Any = ir.VectorType(F64, stride)
 

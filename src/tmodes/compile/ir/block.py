@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import hashlib
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from functools import lru_cache, partial
+from functools import partial
 from typing import Any, NamedTuple
 
 from tmodes.compile.ir.arithmetic import Double
@@ -14,23 +13,14 @@ from tmodes.compile.ir.calls import Layout, write_calls
 from tmodes.compile.ir.emit import I64, POINTER, VOID, at, counted, declare, whole
 from tmodes.compile.ir.program import BlockProgram, Instruction
 from tmodes.compile.ir.rows import copy_numbers, give_rows, take_parameters, take_rows
-from tmodes.compile.ir.unroll import Unrolled, pays, unrolled
+from tmodes.compile.ir.unroll import Unrolled, unrolled
 from tmodes.compile.ir.values import write_values
+from tmodes.compile.native import kernel_symbol, pays
 
 __all__ = [
-    "Main", "ScheduleRate", "kernel_symbol", "write_jumps", "write_main", "write_program", "write_rate",
+    "Main", "ScheduleRate", "write_jumps", "write_main", "write_program", "write_rate",
     "write_samples",
 ]  # fmt: skip
-
-
-def kernel_symbol(kernel: Any, arithmetic: str) -> str:
-    """The name of a kernel's native function: the same for the same structure, everywhere."""
-    return _symbol(f"{kernel.key} {kernel.inputs} {kernel.outputs} {arithmetic}")
-
-
-@lru_cache(maxsize=4096)
-def _symbol(info: str) -> str:
-    return f"kernel_{hashlib.sha256(info.encode()).hexdigest()[:32]}"
 
 
 def write_program(module: Any, name: str, program: BlockProgram, arithmetic: Double) -> None:

@@ -10,7 +10,7 @@ from functools import partial
 from typing import Any
 
 from tmodes.compile import cache
-from tmodes.compile.native import Library, host, to_object
+from tmodes.compile.native import Library, host, kernel_symbol, pays, to_object
 
 __all__ = [
     "arithmetic_of", "called", "kernel_code", "kernels_of", "library", "native_functions", "row_function",
@@ -71,8 +71,6 @@ def _without_collector() -> Iterator[None]:
 
 def kernels_of(schedule: Any, arithmetic: str) -> dict[str, Library]:
     """The libraries of all kernels that a schedule calls, by symbol; each is made once, whatever schedule needs it."""
-    from tmodes.compile.ir.block import kernel_symbol
-
     kernels = {kernel_symbol(kernel, arithmetic): kernel for kernel, _, _ in schedule.calls}
     level = _level(arithmetic, often=schedule.often)
     return {symbol: _kernel(symbol, kernel, arithmetic, level) for symbol, kernel in kernels.items()}
@@ -80,8 +78,6 @@ def kernels_of(schedule: Any, arithmetic: str) -> dict[str, Library]:
 
 def called(schedule: Any, arithmetic: str) -> dict[str, Library]:
     """The same of a schedule as it is written, if any: one that is unrolled calls nothing."""
-    from tmodes.compile.ir.unroll import pays
-
     unrolled = not schedule or (arithmetic_of(arithmetic).unrolls and pays(schedule))
     return {} if unrolled else kernels_of(schedule, arithmetic)
 
@@ -104,7 +100,7 @@ def kernel_code(kernel: Any, arithmetic: str) -> str:
     """The IR of one kernel as text, written once for native code and for that of pages."""
     from llvmlite import ir
 
-    from tmodes.compile.ir.block import kernel_symbol, write_program
+    from tmodes.compile.ir.block import write_program
     from tmodes.compile.ir.ordering import kernel_program
 
     program = kernel_program(kernel)

@@ -15,11 +15,9 @@ from llvmlite import ir
 
 from tmodes.compile.ir.builder import Builder
 from tmodes.compile.ir.emit import F64, I64, POINTER, counted, declare, load, number, store
+from tmodes.compile.native import FAR_COSINE, FAR_SINE
 
-__all__ = ["FAR_COSINE", "FAR_SINE", "of_quarter_turns", "sine_and_cosine", "sines_and_cosines"]
-
-FAR_SINE, FAR_COSINE = "tmodes_far_sin", "tmodes_far_cos"
-"""Symbols bound to the C library's sin and cos."""
+__all__ = ["of_quarter_turns", "sine_and_cosine", "sines_and_cosines"]
 
 _REACH = 2.0**19 * 1.5707963267948966
 _TO_INTEGER = 1.5 * 2.0**52  # added to a whole number below 2^51, it leaves that number in the low bits

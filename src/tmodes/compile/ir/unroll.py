@@ -13,14 +13,7 @@ from typing import Any
 from tmodes.compile.ir.ordering import kernel_program
 from tmodes.compile.ir.program import BlockProgram, Instruction, needed
 
-__all__ = ["LIMIT", "Unrolled", "c_text", "pays", "unrolled"]
-
-LIMIT = 500
-"""Numbers that the calls of a schedule give up to which unrolling pays: eight rigid joints, 3,000 operations.
-
-Measured: a longer program does not fit into the processor's first cache of instructions (32 kB on most), and then the
-calls of kernels, which do, are quicker by a fifth.
-"""
+__all__ = ["Unrolled", "c_text", "unrolled"]
 
 _COMMUTATIVE = ("add", "mul")
 _ZERO_OF_ZERO = ("neg", "sq", "twice", "sin", "fabs", "sqrt", "copy")
@@ -38,13 +31,6 @@ class Unrolled:
     prepared: list[tuple[int, int]]
     main: list[Instruction]
     results: list[tuple[int, int]]
-
-
-def pays(schedule: Any) -> bool:
-    """Whether a schedule is called often and is small enough."""
-    kernels = [kernel for kernel, _, _ in schedule.calls]
-    short = schedule.often and not any(kernel.long for kernel in kernels)
-    return short and sum(sum(kernel.outputs) for kernel in kernels) <= LIMIT
 
 
 def unrolled(schedule: Any) -> Unrolled:

@@ -9,7 +9,8 @@ from typing import Any
 from llvmlite import ir
 
 from tmodes.compile.ir.emit import I64, at, counted, load, store, whole
-from tmodes.compile.lanes.lanes_loop import WIDTH, LanesLoop
+from tmodes.compile.lanes.lanes_loop import LanesLoop
+from tmodes.compile.native import WIDTH
 
 __all__ = ["due_samples", "write_rows", "write_sample"]
 

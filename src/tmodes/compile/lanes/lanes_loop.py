@@ -17,11 +17,9 @@ from tmodes.compile.ir.builder import Builder
 from tmodes.compile.ir.emit import F64, I64, POINTER, VOID, at, counted, declare, load, number, store, whole
 from tmodes.compile.loops.frame import Frame
 from tmodes.compile.loops.time_loop import CELLS, Status
+from tmodes.compile.native import WIDTH
 
-__all__ = ["LANE_ARGUMENTS", "LANE_OPTIONS", "WIDTH", "LanesLoop", "Series"]
-
-WIDTH = Wide.stride
-"""Runs side by side."""
+__all__ = ["LANE_ARGUMENTS", "LANE_OPTIONS", "LanesLoop", "Series"]
 
 LANE_OPTIONS = ("step", "rtol", "atol", "chunk", "bound", "most", "most_events", "event_time")
 """Settings of a loop, the same for all lanes; ``most``: attempted steps of a run after which it is given up."""

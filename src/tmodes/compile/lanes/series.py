@@ -11,7 +11,8 @@ from typing import Any
 from tmodes.compile.ir.block import ScheduleRate
 from tmodes.compile.ir.emit import I64, at, counted, load, whole
 from tmodes.compile.lanes.due import write_rows
-from tmodes.compile.lanes.lanes_loop import WIDTH, LanesLoop
+from tmodes.compile.lanes.lanes_loop import LanesLoop
+from tmodes.compile.native import WIDTH
 
 __all__ = ["SUMS", "Folded", "Written", "fold"]
 

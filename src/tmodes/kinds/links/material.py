@@ -32,7 +32,10 @@ class Material(DataSheet):
 
 
 def _of(young: float, shear: float, density: float, yield_strength: float, source: str) -> Material:
-    return Material(young=young, shear=shear, density=density, yield_strength=yield_strength, source=source)
+    """Not checked here, for what checks it takes longer to build than all else in this file."""
+    return Material.model_construct(
+        young=young, shear=shear, density=density, yield_strength=yield_strength, source=source
+    )
 
 
 _ALUMINIUM = "ASM Handbook, vol. 2, Nonferrous Alloys and Special-Purpose Materials, 1990, typical values"

@@ -9,8 +9,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tmodes.compile.lanes.lanes_loop import LANE_ARGUMENTS, LANE_OPTIONS, WIDTH
+from tmodes.compile.lanes.lanes_loop import LANE_ARGUMENTS, LANE_OPTIONS
 from tmodes.compile.loops.time_loop import CELLS, Status
+from tmodes.compile.native import WIDTH
 from tmodes.integrate.settings import Integration
 from tmodes.simulation import native_run
 from tmodes.simulation.batch.private import private

@@ -15,7 +15,7 @@ from threading import Event
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tmodes.compile.lanes.lanes_loop import WIDTH
+from tmodes.compile.native import WIDTH
 from tmodes.errors import InputError
 from tmodes.integrate.registry import AUTO
 from tmodes.integrate.settings import Integration, refuse_stops

@@ -8,9 +8,8 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.compile.lanes.lanes_loop import WIDTH
 from tmodes.compile.lanes.series import SUMS
-from tmodes.compile.native import Library
+from tmodes.compile.native import WIDTH, Library
 from tmodes.equations.loop.lean import Shown
 from tmodes.kinds.signals.schedule import Schedule
 from tmodes.model.passes import evaluate_wide
