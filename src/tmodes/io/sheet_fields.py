@@ -11,7 +11,7 @@ from dataclasses import replace
 from typing import Any, get_args, get_origin
 
 from tmodes.io.forms import SHORTHANDS, form_of
-from tmodes.io.sheet_words import ChainPlace, Step, at, fields, is_group, kind_of, members_of, own_unit
+from tmodes.io.sheet_words import ChainPlace, Step, at, fields, is_group, kind_of, members_of, own_unit, types_of
 from tmodes.kinds.joints.registry import JOINTS
 from tmodes.kinds.schema.kind import form_of_field
 
@@ -28,7 +28,7 @@ def inside(place: ChainPlace, step: Step, value: Any, steps: Sequence[Step], dat
 
     ``value`` is what stands at ``place``; ``steps`` lead from the root to the new place in ``data``.
     """
-    member = chosen(place.members, value) or _with(place.members, step, value)
+    member = chosen(place, value) or _with(place.members, step, value)
     if is_group(member):
         info = fields(member).get(str(step))
         return ChainPlace(form_of_field(info, value), info, _unit_at(own_unit(info), steps, data)) if info else None
@@ -67,8 +67,12 @@ def place_of(steps: Sequence[Step], data: Any) -> ChainPlace | None:
     return place
 
 
-def chosen(members: Sequence[Any], value: Any) -> Any:
-    """Which of several types a value means: the one whose kind it names; None when it names none of them."""
+def chosen(place: ChainPlace, value: Any) -> Any:
+    """Which of the types of a place a value means: the one whose kind it names; None when it names none of them."""
+    types = types_of(place.annotation)
+    if len(types) == 1 and is_group(types[0]) and (named_type := types[0].kind_named(value)):
+        return named_type  # no other kind of its family is looked at, which would import it
+    members = place.members
     if len(members) == 1:
         return members[0]
     if isinstance(value, str):
@@ -112,7 +116,7 @@ def _quantities(
             continue
         inner = _as_one(inner, key) if isinstance(item, str) else inner
         # the items of a list or a group, where one belongs, are quantities themselves
-        holds_more = isinstance(item, (list, dict)) and get_origin(chosen(inner.members, item)) in {tuple, dict}
+        holds_more = isinstance(item, (list, dict)) and get_origin(chosen(inner, item)) in {tuple, dict}
         if inner.unit is not None and not holds_more:
             yield value, key, here, inner
         else:

@@ -133,7 +133,7 @@ def _step(value: Any, words: list[str], place: ChainPlace | None) -> tuple[Step,
         if words[0].isdecimal() and len(words[0]) < 6 and int(words[0]) < len(value):
             return int(words[0]), 1
         return words[0], 1
-    kinds = get_args(chosen(place.members, value)) if place is not None and place.unit is not None else ()
+    kinds = get_args(chosen(place, value)) if place is not None and place.unit is not None else ()
     if kinds and get_origin(kinds[-1]) is not dict:
         return ".".join(words), len(words)  # an entry of `real`, or of the initial state
     return words[0], 1
@@ -148,7 +148,7 @@ def _unknown(
         known = [str(name or k) for k, name in enumerate(_names(value))]
         look = "give the name of an item, or its number from 0"
     else:
-        known = keys(chosen(place.members, value)) if place else []
+        known = keys(chosen(place, value)) if place else []
         look = "choose one of these keys" if known else "leave out what follows it"
     start = own_path(named(before, data), data)
     meant = nearest(where, known)

@@ -126,7 +126,7 @@ def _steps(loc: tuple[Step, ...], data: Any) -> tuple[Step, ...]:
 def _group(steps: tuple[Step, ...], data: Any) -> Any:
     """The type of the group at a path, of the kind that the data names."""
     place = place_of(steps, data)
-    return chosen(place.members, at(data, *steps)) if place else None
+    return chosen(place, at(data, *steps)) if place else None
 
 
 def _unknown(steps: tuple[Step, ...], data: Any) -> InputError:

@@ -15,19 +15,24 @@ from pydantic.fields import FieldInfo
 from tmodes.kinds.schema.kind import names_allowed
 from tmodes.kinds.schema.quantity import LARGEST, span_info
 
-__all__ = ["ChainPlace", "Step", "at", "fields", "is_group", "kind_of", "members_of", "own_unit"]
+__all__ = ["ChainPlace", "Step", "at", "fields", "is_group", "kind_of", "members_of", "own_unit", "types_of"]
 
 Step = str | int
 
 
-def members_of(annotation: Any) -> list[Any]:
-    """The types that an annotation allows, without None and without their notes."""
+def types_of(annotation: Any) -> list[Any]:
+    """The types that an annotation names, without None and without their notes."""
     origin = get_origin(annotation)
     if origin is Annotated:
-        return members_of(get_args(annotation)[0])
+        return types_of(get_args(annotation)[0])
     if origin in {Union, UnionType}:
-        return [member for one in get_args(annotation) if one is not NoneType for member in members_of(one)]
-    return list(annotation.members()) if is_group(annotation) else [annotation]
+        return [member for one in get_args(annotation) if one is not NoneType for member in types_of(one)]
+    return [annotation]
+
+
+def members_of(annotation: Any) -> list[Any]:
+    """The types that an annotation allows: those it names, of a family of kinds all its members."""
+    return [member for one in types_of(annotation) for member in (one.members() if is_group(one) else [one])]
 
 
 def fields(member: Any) -> dict[str, FieldInfo]:
@@ -97,7 +102,8 @@ class ChainPlace:
     @property
     def tagged(self) -> bool:
         """Whether the validator names the chosen type as a step of its locations."""
-        return len(self.members) > 1 and not any(is_group(member) and member.chosen_by()[1] for member in self.members)
+        several = len(types_of(self.annotation)) > 1
+        return several and not any(is_group(member) and member.chosen_by()[1] for member in self.members)
 
     @property
     def may_be_left_out(self) -> bool:

@@ -1,8 +1,8 @@
 """Kinds by name: for each family one registry, with the members of tmodes and those that a user registers.
 
-A member is a class below the contract of its family, or an object of it. A kind is found only after its module has
-been imported: by the user's script, or on request (:mod:`tmodes.kinds.outside`). A data sheet names kinds and never
-causes an import.
+A member is a class below the contract of its family, or an object of it. A kind of tmodes is imported when it is first
+asked for; any other is found only after its module has been imported: by the user's script, or on request
+(:mod:`tmodes.kinds.outside`). A data sheet names kinds and never causes an import of other modules.
 """
 
 from __future__ import annotations
@@ -12,6 +12,7 @@ import secrets
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from difflib import get_close_matches
 from functools import cache, cached_property
+from importlib import import_module
 from typing import Any, ClassVar, TypeVar
 
 from tmodes.errors import InputError
@@ -50,8 +51,20 @@ class Registry(Mapping[str, Member]):
         """
         self.noun, self.contract, self.reserved, self.hint = noun, contract, reserved, hint
         self._names, self._made, self._check, self._replaces = names, made, check, replaces
-        self._members: dict[str, Member] = {}
+        self._members: dict[str, Member | None] = {}
+        self._homes: dict[str, str] = {}
         REGISTRIES[noun] = self
+
+    def bring(self, package: str, modules: Mapping[str, str]) -> None:
+        """Add kinds of tmodes by their names: each name's module in ``package`` registers it, when it is asked for."""
+        self._homes |= {name: f"{package}.{module}" for name, module in modules.items()}
+        self._members = dict.fromkeys(modules) | self._members
+
+    def _found(self, name: str) -> Member | None:
+        """The member of a name, imported where that is to be done; None where there is none, or not yet."""
+        if self._members.get(name) is None and name in self._members:
+            import_module(self._homes[name])
+        return self._members.get(name)
 
     def register(self, given: Given) -> Given:
         """Add a kind, as a decorator of its class, or an object; the same class again (a cell run twice) replaces it.
@@ -68,7 +81,7 @@ class Registry(Mapping[str, Member]):
         if not names:
             raise InputError(where, "no name", "the name of the kind", "give it one, as the contract says")
         for name in names:
-            known = self._members.get(name)
+            known = self._found(name)
             free = known is None or self._replaces or self._same(known, member)
             if name in self.reserved or not free:
                 by = f", by {_class_of(known).__module__}" if known is not None else ""
@@ -86,17 +99,18 @@ class Registry(Mapping[str, Member]):
 
     def unregister(self, name: str) -> None:
         """Remove a kind, with all of its names."""
-        gone = self._members[name]
+        gone = self[name]
         self._members = {each: member for each, member in self._members.items() if member is not gone}
 
     def __getitem__(self, name: str) -> Member:
         """The kind of a name; raises :class:`UnknownKindError`."""
-        if name not in self._members:
+        member = self._found(name)
+        if member is None:
             known = (*self.reserved, *self.names)
             close = get_close_matches(name, known, n=1)
             hint = f"did you mean `{close[0]}`?" if close else self.hint
             raise UnknownKindError(self.noun, f"`{name}`", f"one of {', '.join(known)}", hint)
-        return self._members[name]
+        return member
 
     def __iter__(self) -> Iterator[str]:
         return iter(self._members)
@@ -115,7 +129,12 @@ class Registry(Mapping[str, Member]):
     @property
     def members(self) -> tuple[Member, ...]:
         """All kinds, each once."""
-        return tuple(dict.fromkeys(self._members.values()))
+        return tuple(dict.fromkeys(self.values()))
+
+    @property
+    def outside(self) -> tuple[Member, ...]:
+        """Kinds that tmodes does not bring, each once."""
+        return tuple(dict.fromkeys(self[name] for name in self._members if name not in self._homes))
 
 
 REGISTRIES: dict[str, Registry[Any]] = {}
@@ -155,7 +174,7 @@ def source_digest(cls: type[Any]) -> str:
 
 def outside_digest() -> str:
     """Digests of the sources of all registered kinds from outside of tmodes; empty where there are none."""
-    every = {_class_of(member) for registry in REGISTRIES.values() for member in registry.members}
+    every = {_class_of(member) for registry in REGISTRIES.values() for member in registry.outside}
     return " ".join(sorted({digest for cls in every if (digest := source_digest(cls))}))
 
 

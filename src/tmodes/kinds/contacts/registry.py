@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
-from tmodes.kinds.contacts import ball, dynamic_environment, plane, spring_damper
 from tmodes.kinds.contacts.contract import CONTACTS, SURFACES, Contact, Meeting, Surface
 
-__all__ = ["BUILT_IN", "CONTACTS", "SURFACES", "Contact", "Meeting", "Surface"]
+__all__ = ["CONTACTS", "SURFACES", "Contact", "Meeting", "Surface"]
 
-BUILT_IN = (plane, ball, spring_damper, dynamic_environment)
-"""The modules whose members are registered."""
+SURFACES.bring("tmodes.kinds.contacts", {"ball": "ball", "plane": "plane", "wall": "plane"})
+CONTACTS.bring(
+    "tmodes.kinds.contacts",
+    {
+        "dynamic_environment": "dynamic_environment", "bilateral": "spring_damper", "unilateral": "spring_damper",
+    },
+)  # fmt: skip

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from tmodes.kinds.controllers import pd, pid, sampled_pid, state_feedback
 from tmodes.kinds.controllers.contract import CONTROLLERS, Controller, Measured, OwnState
 
-__all__ = ["BUILT_IN", "CONTROLLERS", "Controller", "Measured", "OwnState"]
+__all__ = ["CONTROLLERS", "Controller", "Measured", "OwnState"]
 
-BUILT_IN = (pd, pid, state_feedback, sampled_pid)
-"""The modules whose members are registered."""
+CONTROLLERS.bring(
+    "tmodes.kinds.controllers",
+    {"pd": "pd", "pid": "pid", "sampled_pid": "sampled_pid", "state_feedback": "state_feedback"},
+)

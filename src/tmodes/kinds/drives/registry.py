@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from tmodes.kinds.drives import effort, elastic, free, prescribed, spring
 from tmodes.kinds.drives.contract import DRIVES, Angles, DriveKind, Elastic, Forward
 
-__all__ = ["BUILT_IN", "DRIVES", "Angles", "DriveKind", "Elastic", "Forward", "drive_kind"]
+__all__ = ["DRIVES", "Angles", "DriveKind", "Elastic", "Forward", "drive_kind"]
 
-BUILT_IN = (effort, elastic, spring, free, prescribed)
-"""The modules whose members are registered."""
+DRIVES.bring(
+    "tmodes.kinds.drives",
+    {"effort": "effort", "elastic": "elastic", "free": "free", "prescribed": "prescribed", "spring": "spring"},
+)
 
 
 def drive_kind(name: str) -> DriveKind:

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from tmodes.kinds.joints import fixed, prismatic, revolute, universal
 from tmodes.kinds.joints.contract import JOINTS, Coordinate, JointKind
 
-__all__ = ["BUILT_IN", "JOINTS", "Coordinate", "JointKind", "joint_kind"]
+__all__ = ["JOINTS", "Coordinate", "JointKind", "joint_kind"]
 
-BUILT_IN = (revolute, prismatic, fixed, universal)
-"""The modules whose members are registered."""
+JOINTS.bring(
+    "tmodes.kinds.joints",
+    {"fixed": "fixed", "prismatic": "prismatic", "revolute": "revolute", "universal": "universal"},
+)
 
 
 def joint_kind(name: str) -> JointKind:

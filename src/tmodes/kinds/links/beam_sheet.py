@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -16,11 +17,12 @@ from tmodes.kinds.links.material import Material, find_material
 from tmodes.kinds.links.rigid import RigidLink
 from tmodes.kinds.links.rigid_beam import RigidBeam, rigid_body
 from tmodes.kinds.links.section import Round, Tube
-from tmodes.kinds.links.segment import Segment
 from tmodes.kinds.links.sheet import LINKS, MORE, BendingSheet, LoweredLink, Spot, moved_body, placed, sheet_body
-from tmodes.kinds.links.strain import Beam
 from tmodes.kinds.schema.axes import bent_line
 from tmodes.kinds.schema.quantity import Issue
+
+if TYPE_CHECKING:
+    from tmodes.kinds.links.segment import Segment
 
 __all__ = ["MOST_USEFUL_SEGMENTS", "BeamSheet", "Functions", "PieceSheet"]
 
@@ -141,6 +143,8 @@ def _strain(beam: BeamData, bodies: Sequence[BodySheet]) -> LoweredLink:
     """One strain beam. ``auto`` is ``legendre``: only these functions can carry a moment at the tip, and whoever asks
     for the stiffness of a robot puts one on every tip.
     """  # noqa: D205
+    from tmodes.kinds.links.strain import Beam
+
     functions, pieces = _finite_functions(beam), beam.section_pieces()
     shape = Beam(
         length=beam.length,
@@ -180,6 +184,8 @@ def _segments(beam: BeamData, bodies: Sequence[BodySheet]) -> LoweredLink:
 
 def _segment(beam: BeamData, index: int, bodies: tuple[Body, ...]) -> Segment:
     """Segment ``index`` with the section at its middle: 3 EI/l^3 against its tip, and the mass of Eq. (13) there."""
+    from tmodes.kinds.links.segment import Segment
+
     count = beam.segments or 1
     length, middle = beam.length / count, (index + 0.5) / count
     bend_y, bend_z, mass = (_between(beam.section_pieces(), name, middle) for name in ("bend_y", "bend_z", "mass"))

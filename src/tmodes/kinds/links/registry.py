@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from tmodes.kinds.links import beam_sheet, modes_beam
 from tmodes.kinds.links.modes_sheet import Mode
 from tmodes.kinds.links.rigid import RigidLink
 from tmodes.kinds.links.sheet import LINKS, BendingSheet
 
-__all__ = ["BUILT_IN", "LINKS", "BendingSheet", "Mode", "RigidLink"]
+__all__ = ["LINKS", "BendingSheet", "Mode", "RigidLink"]
 
-BUILT_IN = (beam_sheet, modes_beam)
-"""The modules whose members are registered."""
+LINKS.bring(
+    "tmodes.kinds.links",
+    {"strain": "beam_sheet", "segments": "beam_sheet", "rigid": "beam_sheet", "modes": "modes_beam"},
+)

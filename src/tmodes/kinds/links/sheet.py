@@ -69,6 +69,12 @@ class BendingSheet(DataSheet):
         return LINKS.members if cls is BendingSheet else (cls,)
 
     @classmethod
+    def kind_named(cls, data: Any) -> type[DataSheet] | None:
+        """Of the contract, the sheet of the word ``model``."""
+        word = data.get("model") if isinstance(data, Mapping) else None
+        return cls if cls is not BendingSheet else LINKS.get(word) if isinstance(word, str) else None
+
+    @classmethod
     def chosen_by(cls) -> tuple[str, tuple[str, ...]]:
         """The field ``model``."""
         return "model", tuple(map(str, cls.words))

@@ -49,8 +49,17 @@ class Kind(DataSheet):
 
     @classmethod
     def of(cls, data: Any) -> Any:
-        """The member that plain data name, checked."""
-        return cls._any_member().validate_python(data)
+        """The member that plain data name, checked; only this one's module is imported."""
+        member = cls.kind_named(data)
+        return cls._any_member().validate_python(data) if member is None else member.model_validate(data)
+
+    @classmethod
+    def kind_named(cls, data: Any) -> type[Any] | None:
+        """The member that data, or an object of it, names; None where they name none that is registered."""
+        if cls is not cls.root:
+            return cls
+        name = data.get(cls.key) if isinstance(data, Mapping) else getattr(data, cls.key, None)
+        return cls.registry[name] if isinstance(name, str) and name in cls.registry.names else None
 
     @classmethod
     def members(cls) -> tuple[type[Self], ...]:
@@ -77,7 +86,7 @@ class Kind(DataSheet):
     def __get_pydantic_core_schema__(cls, source: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
         if cls is not getattr(cls, "root", None):
             return handler(source)
-        return core_schema.no_info_plain_validator_function(lambda value: cls._any_member().validate_python(value))
+        return core_schema.no_info_plain_validator_function(cls.of)
 
     @classmethod
     def __get_pydantic_json_schema__(cls, schema: CoreSchema, handler: GetJsonSchemaHandler) -> Any:

@@ -92,6 +92,11 @@ class DataSheet(BaseModel):
         return (cls,)
 
     @classmethod
+    def kind_named(cls, data: Any) -> type[DataSheet] | None:  # noqa: ARG003
+        """The one of ``members`` that data name; None where they name none."""
+        return cls
+
+    @classmethod
     def chosen_by(cls) -> tuple[str, tuple[str, ...]]:
         """The key that names its kind, and its words there; empty where that is a field with one value, or none."""
         return "", ()
