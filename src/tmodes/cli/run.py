@@ -10,7 +10,6 @@ import typer
 
 from tmodes.cli import options
 from tmodes.cli.options import chosen_robot
-from tmodes.cli.show import opened
 from tmodes.cli.summary_text import print_run, result_record
 from tmodes.cli.terminal import TIMES, notice, print_json, print_table, warn, working
 from tmodes.errors import SimulationError
@@ -85,6 +84,8 @@ def run(
     if fault:
         raise fault
     if open_page and folder.report_file.exists():
+        from tmodes.cli.show import opened
+
         opened(folder.report_file)
     if _unfinished(result):
         raise typer.Exit(130)

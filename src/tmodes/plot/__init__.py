@@ -4,22 +4,9 @@ Every figure takes ``(result, ax=None)`` and returns its axes. ``FIGURES`` holds
 those that a result can fill, ``left_out`` the reasons of the others; ``register`` adds a :class:`Figure` of your own.
 """
 
+from typing import Any
+
 from tmodes.plot.figure import FIGURES, Figure, all_figures, left_out, register, save_figures
-from tmodes.plot.figures.contact_force import ContactForce
-from tmodes.plot.figures.controller_states import ControllerStates
-from tmodes.plot.figures.decompositions import GearDeflections, LinkCoordinates
-from tmodes.plot.figures.deformations import Deformations
-from tmodes.plot.figures.elastic_line import ElasticLine
-from tmodes.plot.figures.energies import Energies
-from tmodes.plot.figures.joint_efforts import JointEfforts
-from tmodes.plot.figures.joint_tracking import JointTracking
-from tmodes.plot.figures.link_deflection import LinkDeflection
-from tmodes.plot.figures.link_loads import LinkLoads
-from tmodes.plot.figures.link_tips import LinkTips
-from tmodes.plot.figures.spectrum import Spectrum
-from tmodes.plot.figures.tip_errors import TipErrors
-from tmodes.plot.figures.tip_path import TipPath
-from tmodes.plot.figures.tip_tracking import TipTracking
 from tmodes.plot.style import house_style
 
 __all__ = [
@@ -29,20 +16,38 @@ __all__ = [
     "tip_errors", "tip_path", "tip_tracking",
 ]  # fmt: skip
 
-# In the order of the report.
-tip_tracking = register(TipTracking())
-tip_errors = register(TipErrors())
-tip_path = register(TipPath())
-elastic_line = register(ElasticLine())
-joint_tracking = register(JointTracking())
-deformations = register(Deformations())
-gear_deflections = register(GearDeflections())
-link_coordinates = register(LinkCoordinates())
-link_tips = register(LinkTips())
-link_deflection = register(LinkDeflection())
-spectrum = register(Spectrum())
-link_loads = register(LinkLoads())
-joint_efforts = register(JointEfforts())
-controller_states = register(ControllerStates())
-contact_force = register(ContactForce())
-energies = register(Energies())
+FIGURES.bring(
+    "tmodes.plot.figures",
+    {
+        "tip_tracking": "tip_tracking", "tip_errors": "tip_errors", "tip_path": "tip_path",
+        "elastic_line": "elastic_line", "joint_tracking": "joint_tracking", "deformations": "deformations",
+        "gear_deflections": "decompositions", "link_coordinates": "decompositions", "link_tips": "link_tips",
+        "link_deflection": "link_deflection", "spectrum": "spectrum", "link_loads": "link_loads",
+        "joint_efforts": "joint_efforts", "controller_states": "controller_states", "contact_force": "contact_force",
+        "energies": "energies",
+    },
+)  # fmt: skip
+"""In the order of the report."""
+
+contact_force: Figure
+controller_states: Figure
+deformations: Figure
+elastic_line: Figure
+energies: Figure
+gear_deflections: Figure
+joint_efforts: Figure
+joint_tracking: Figure
+link_coordinates: Figure
+link_deflection: Figure
+link_loads: Figure
+link_tips: Figure
+spectrum: Figure
+tip_errors: Figure
+tip_path: Figure
+tip_tracking: Figure
+
+
+def __getattr__(name: str) -> Any:
+    if name not in FIGURES.names:
+        raise AttributeError(f"module 'tmodes.plot' has no attribute {name!r}")
+    return FIGURES[name]

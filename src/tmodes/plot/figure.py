@@ -13,7 +13,6 @@ from tmodes.errors import InputError
 from tmodes.io.arguments import checked_arguments
 from tmodes.io.atomic import atomic_write, check_writable
 from tmodes.kinds.registry import Registry
-from tmodes.plot.drawing import drawn
 from tmodes.plot.panels import Axes, AxesLike
 from tmodes.plot.style import house_style
 from tmodes.result.result import Result
@@ -70,7 +69,9 @@ def _has_words(figure: Figure) -> None:
         raise InputError(f"figure {figure.name}", "a class without title or caption", "a class with both", hint)
 
 
-FIGURES: Registry[Figure] = Registry("figure", Figure, check=_has_words)
+FIGURES: Registry[Figure] = Registry(
+    "figure", Figure, check=_has_words, made=lambda given: given() if isinstance(given, type) else given
+)
 """Every figure, in the order of the report."""
 
 register = FIGURES.register
@@ -157,6 +158,8 @@ def save_figures(
         raise InputError("figures", got, f"some of {', '.join(figures)}", "choose among these")
     chosen, report, written = list(figures if names is None else names), progress or _say_nothing, []
     faults: list[Exception] = []
+    from tmodes.plot.drawing import drawn
+
     with drawn(partial(_files, tuple(formats)), result, chosen, stored) as files:
         for done, name in enumerate(chosen):
             report(done, len(chosen), name)

@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping, Sequence
 from importlib.metadata import version
 from pathlib import Path
 from types import TracebackType
-from typing import Any, Self
+from typing import TYPE_CHECKING, Any, Self
 
 from tmodes.compile.cache import source_digest
 from tmodes.compile.native import host
@@ -15,14 +15,15 @@ from tmodes.errors import ResultFileError
 from tmodes.io.atomic import FolderLock, check_writable, remove_orphans
 from tmodes.io.checkpoint import RunJournal, run_identity
 from tmodes.io.sheet_check import sheet_data
-from tmodes.io.urdf_shapes import LinkShape
-from tmodes.plot import save_figures
 from tmodes.report.meshes import with_shapes
 from tmodes.report.page import write_report
 from tmodes.result import Result
 from tmodes.result.derived import is_unfinished
 from tmodes.result.run import ready_to_run, result_bytes, run
 from tmodes.sheet import Robot
+
+if TYPE_CHECKING:
+    from tmodes.io.urdf_shapes import LinkShape
 
 __all__ = ["RunFolder"]
 
@@ -151,6 +152,8 @@ class RunFolder:
 
     def draw(self, result: Any, progress: Progress) -> None:
         """Draw the figures for print."""
+        from tmodes.plot import save_figures
+
         self.figures.mkdir(exist_ok=True)
         made = self.result_file if self.result_file.exists() else None
         save_figures(result, self.figures, progress=lambda k, n, _: progress("figures", k / n), stored=made)

@@ -13,12 +13,12 @@ from numpy.typing import NDArray
 from tmodes.errors import TmodesError
 from tmodes.io.atomic import file_error
 from tmodes.io.mesh_file import Triangles, ranks
-from tmodes.io.urdf_shapes import LinkShape, Unseen, link_shapes
 from tmodes.result import Result
 from tmodes.robots.load import urdf_of
 
 if TYPE_CHECKING:
     from tmodes.io.urdf import UrdfRobot
+    from tmodes.io.urdf_shapes import LinkShape, Unseen
 
 __all__ = [
     "Kept",
@@ -57,7 +57,7 @@ def read_shapes(
 
 def shapes_of(urdf: UrdfRobot | None) -> tuple[list[LinkShape], list[str]]:
     """The same of a URDF that was read before."""
-    return _with_reasons(lambda: link_shapes(urdf) if urdf else ([], []))
+    return _with_reasons(lambda: _shapes_if_any(urdf))
 
 
 def _with_reasons(shapes: Callable[[], tuple[list[LinkShape], list[Unseen]]]) -> tuple[list[LinkShape], list[str]]:
@@ -73,7 +73,15 @@ def seen_shapes(
 ) -> tuple[list[LinkShape], list[Unseen]]:
     """The same, with what is not shown link by link; raises :class:`tmodes.errors.TmodesError` where nothing can be."""
     found = urdf_of(robot, roots=roots, trust_paths=trust_paths)
-    return link_shapes(found) if found else ([], [])
+    return _shapes_if_any(found)
+
+
+def _shapes_if_any(urdf: UrdfRobot | None) -> tuple[list[LinkShape], list[Unseen]]:
+    if urdf is None:
+        return [], []
+    from tmodes.io.urdf_shapes import link_shapes
+
+    return link_shapes(urdf)
 
 
 def few_shapes(shapes: Sequence[LinkShape]) -> list[LinkShape]:

@@ -11,7 +11,7 @@ from tmodes.io.arguments import checked_arguments
 from tmodes.io.atomic import atomic_write
 from tmodes.live.knobs import Ahead
 from tmodes.live.map import Progress
-from tmodes.plot.panels import pretty
+from tmodes.plot.units import pretty
 from tmodes.report.data import facts_of, live_page
 from tmodes.report.facts import fact_list
 from tmodes.report.markup import Markup, power_of_ten, table, tag, written

@@ -6,7 +6,7 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from tmodes.plot.figure import Figure
+from tmodes.plot.figure import Figure, register
 from tmodes.plot.panels import Axes, AxesLike, curves, letter, panels, shared_legend, side_legend, time_axis, zero_line
 from tmodes.plot.ranges import fill_from_zero, largest_shown, seen
 from tmodes.plot.style import COMPONENTS, INK, REAL, REFERENCE
@@ -17,6 +17,7 @@ NEARLY_CONSTANT = 0.05
 """A force that varies by less than this share of its largest value is noted to be nearly constant."""
 
 
+@register
 class ContactForce(Figure):
     """Normal force [N], actual and nominal; its components [N]; penetration [m].
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any, ClassVar
 
 from tmodes.plot.facts import plain, rows_height
-from tmodes.plot.figure import Figure
+from tmodes.plot.figure import Figure, register
 from tmodes.plot.panels import Axes, AxesLike, curves, last_times, letter, panels, zero_line
 from tmodes.plot.style import REAL
 
@@ -14,6 +14,7 @@ __all__ = ["ControllerStates"]
 _MOST = 8
 
 
+@register
 class ControllerStates(Figure):
     """The first eight own states of the controllers, each in its unit. ``ax``: one axes for each."""
 

@@ -7,7 +7,7 @@ from typing import Any, ClassVar
 import numpy as np
 
 from tmodes.plot.facts import coordinate_names, deformation_unit, largest_coordinates, part_title, plain, rows_height
-from tmodes.plot.figure import Figure
+from tmodes.plot.figure import Figure, register
 from tmodes.plot.panels import Axes, AxesLike, Unit, curves, last_times, letter, panels, shared_legend
 from tmodes.plot.ranges import common_unit, largest_shown, limit_peaks
 from tmodes.plot.style import COMPONENTS, QUIET, REFERENCE
@@ -99,6 +99,7 @@ def _stationary(data: Any, name: str) -> Curves:
     }
 
 
+@register
 class GearDeflections(_Decomposition):
     """Gear output − input [rad]: total with its quasi-static part (left), oscillatory part (right).
 
@@ -115,6 +116,7 @@ class GearDeflections(_Decomposition):
     gears, most = True, 8
 
 
+@register
 class LinkCoordinates(_Decomposition):
     """The six largest elastic coordinates of the links [rad, m], decomposed as the deflections of the gears are.
 

@@ -7,7 +7,7 @@ from typing import Any, ClassVar
 import numpy as np
 
 from tmodes.plot.facts import coordinate_names, deformation_unit, largest_coordinates, plain
-from tmodes.plot.figure import Figure
+from tmodes.plot.figure import Figure, register
 from tmodes.plot.panels import Axes, AxesLike, Unit, curves, letter, panels, shared_legend, time_axis
 from tmodes.plot.ranges import common_unit
 from tmodes.plot.style import REAL, REFERENCE
@@ -17,6 +17,7 @@ __all__ = ["Deformations"]
 _MOST_GEARS, _MOST_COORDINATES = 4, 6
 
 
+@register
 class Deformations(Figure):
     """Elastic coordinates of links and gears [rad, m], actual and nominal: the largest six and four.
 

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.plot.facts import instant_looks, instants, names_of
-from tmodes.plot.figure import Figure
+from tmodes.plot.figure import Figure, register
 from tmodes.plot.figures.tip_path import PLANES, views
 from tmodes.plot.panels import Axes, AxesLike, letter, panels, shared_legend
 from tmodes.plot.style import QUIET
@@ -36,6 +36,7 @@ def round_factor(wanted: float) -> float:
     return float(max(step * power for step in (1, 2, 5) if step * power <= wanted * (1 + 1e-9)))
 
 
+@register
 class ElasticLine(Figure):
     """The links at several instants [m]: left to scale, right with their deflection ``exaggerate`` times as large.
 

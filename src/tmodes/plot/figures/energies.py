@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from tmodes.plot.facts import names_of
-from tmodes.plot.figure import Figure
+from tmodes.plot.figure import Figure, register
 from tmodes.plot.panels import Axes, AxesLike, Unit, curves, letter, panels, side_legend, time_axis
 from tmodes.plot.ranges import common_unit, largest_shown
 from tmodes.plot.style import COMPONENTS, INK, QUIET
@@ -35,6 +35,7 @@ WORK = "Work since the start (motors, loads, base: supplied)"
 Curves = dict[str, tuple[Any, dict[str, Any]]]
 
 
+@register
 class Energies(Figure):
     """Energy by kind [J], that of springs on its own axis, work since the start [J], the residual of the balance [J].
 

@@ -8,7 +8,7 @@ from typing import Any, ClassVar
 import numpy as np
 
 from tmodes.plot.facts import drives_by, effort_unit, part_title, plain, rows_height
-from tmodes.plot.figure import Figure
+from tmodes.plot.figure import Figure, register
 from tmodes.plot.panels import Axes, AxesLike, Unit, curves, last_times, letter, panels, widest_legend, zero_line
 from tmodes.plot.ranges import common_unit
 from tmodes.plot.style import COMPONENTS, REAL, REFERENCE
@@ -19,6 +19,7 @@ _ELECTRIC = (("voltage", "V", COMPONENTS[3]), ("current", "A", COMPONENTS[2]))
 """Series of electric motors, their units, and their looks."""
 
 
+@register
 class JointEfforts(Figure):
     """Effort of each motor and torque of its gear [N m, N]; voltage [V] and current [A] of electric motors.
 

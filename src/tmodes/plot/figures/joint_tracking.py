@@ -7,7 +7,7 @@ from typing import Any, ClassVar
 import numpy as np
 
 from tmodes.plot.facts import command_of, drive_unit, largest, motor_of, names_of, part_title, plain, rows_height
-from tmodes.plot.figure import Figure
+from tmodes.plot.figure import Figure, register
 from tmodes.plot.panels import Axes, AxesLike, Unit, curves, last_times, letter, pairs, panels, widest_legend
 from tmodes.plot.ranges import common_unit
 from tmodes.plot.style import COMPONENTS, REAL
@@ -18,6 +18,7 @@ _MOTOR, _SETPOINT = COMPONENTS[2], COMPONENTS[1]
 _POSITIONS = ("position", "prescribed")
 
 
+@register
 class JointTracking(Figure):
     """Left, each joint with its motor and its setpoint [rad, m]; right, their tracking errors.
 

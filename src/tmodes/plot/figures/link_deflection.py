@@ -7,7 +7,7 @@ from typing import Any, ClassVar
 import numpy as np
 
 from tmodes.plot.facts import instant_looks, instants, largest, names_of, plain
-from tmodes.plot.figure import Figure
+from tmodes.plot.figure import Figure, register
 from tmodes.plot.panels import Axes, AxesLike, Unit, curves, letter, panels, widest_legend, zero_line
 from tmodes.plot.ranges import all_equal, common_unit, seen
 from tmodes.plot.style import INK
@@ -17,6 +17,7 @@ __all__ = ["LinkDeflection"]
 _MOST = 4
 
 
+@register
 class LinkDeflection(Figure):
     """Deflection [m] along each elastic link from the tangent at its root, along y and z, at several instants.
 

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.plot.facts import largest, names_of, plain
-from tmodes.plot.figure import Figure
+from tmodes.plot.figure import Figure, register
 from tmodes.plot.panels import (
     Axes,
     AxesLike,
@@ -32,6 +32,7 @@ _KINDS = ("torsion", "bending about y", "bending about z")
 Array = NDArray[Any]
 
 
+@register
 class LinkLoads(Figure):
     """Left, moments [N m] along each link when its bending moment is largest; right, stress [Pa], or shear force [N].
 

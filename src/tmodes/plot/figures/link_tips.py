@@ -7,7 +7,7 @@ from typing import Any, ClassVar
 import numpy as np
 
 from tmodes.plot.facts import largest, names_of, plain
-from tmodes.plot.figure import Figure
+from tmodes.plot.figure import Figure, register
 from tmodes.plot.panels import Axes, AxesLike, curves, last_times, letter, panels, widest_legend
 from tmodes.plot.ranges import common_unit, seen
 from tmodes.plot.style import COMPONENTS
@@ -15,6 +15,7 @@ from tmodes.plot.style import COMPONENTS
 __all__ = ["LinkTips"]
 
 
+@register
 class LinkTips(Figure):
     """Deflection of the end of each elastic link from its root's tangent [m], along y and z of its root.
 

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.plot.facts import deformation_unit, largest, plain, spectral_part
-from tmodes.plot.figure import Figure
+from tmodes.plot.figure import Figure, register
 from tmodes.plot.panels import Axes, AxesLike, Unit, letter, panels, readable, side_legend
 from tmodes.plot.style import COMPONENTS, QUIET
 
@@ -32,6 +32,7 @@ Array = NDArray[Any]
 Curves = dict[str, tuple[Array, Array]]
 
 
+@register
 class Spectrum(Figure):
     """Amplitudes of the actual and the nominal tip [m] less the commanded one, and of elastic coordinates [rad].
 

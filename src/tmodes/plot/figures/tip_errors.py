@@ -7,7 +7,7 @@ from typing import Any, ClassVar
 import numpy as np
 
 from tmodes.frame import along
-from tmodes.plot.figure import Figure
+from tmodes.plot.figure import Figure, register
 from tmodes.plot.panels import Axes, AxesLike, curves, last_times, letter, panels, widest_legend, zero_line
 from tmodes.plot.ranges import seen
 from tmodes.plot.style import COMPONENTS, INK, QUIET
@@ -20,6 +20,7 @@ _SMALL = 1e-6
 """Share of the largest error below which the error has no direction to speak of."""
 
 
+@register
 class TipErrors(Figure):
     """Distance of the actual tip from the commanded and from the nominal one [m], and its parts along that error.
 

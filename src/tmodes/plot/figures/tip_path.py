@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from tmodes.plot.figure import Figure
+from tmodes.plot.figure import Figure, register
 from tmodes.plot.panels import Axes, AxesLike, letter, panels, readable, shared_legend
 from tmodes.plot.style import INK, QUIET, REAL, REFERENCE
 
@@ -31,6 +31,7 @@ def views(points: Any) -> list[tuple[str, str]]:
     return sorted(widest, key=list(PLANES).index)
 
 
+@register
 class TipPath(Figure):
     """Paths of the tip [m], actual and nominal, to scale, with the robot at the start and at the end (thin).
 

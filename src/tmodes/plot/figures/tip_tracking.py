@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from tmodes.plot.figure import Figure
+from tmodes.plot.figure import Figure, register
 from tmodes.plot.panels import Axes, AxesLike, Unit, curves, letter, panels, shared_legend, time_axis
 from tmodes.plot.ranges import common_unit, largest_shown, seen
 from tmodes.plot.style import COMPONENTS, INK, QUIET, REAL, REFERENCE
@@ -17,6 +17,7 @@ __all__ = ["TipTracking"]
 _COMMANDED = {"color": QUIET, "linestyle": ":", "linewidth": 0.9}
 
 
+@register
 class TipTracking(Figure):
     """Tip x, y, z [m]; commanded and nominal too, and the deviation from the nominal one [m]: distance, components.
 
