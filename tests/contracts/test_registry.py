@@ -148,3 +148,11 @@ def test_sys_exit_of_a_kind_is_no_success(tmp_path: Path) -> None:
         SIGNALS.unregister("offered_ramp")
         sys.modules.pop("leaving_kinds", None)
     assert "leaving_kinds.py:" in done.stderr
+
+
+@pytest.mark.parametrize("registry", FAMILIES, ids=lambda one: one.noun)
+def test_kinds_of_tmodes_are_brought_by_the_names_that_they_have(registry: Registry[object]) -> None:
+    names = registry.names
+    assert all(registry[name] in registry.members for name in names)
+    assert registry.names == names
+    assert not [member for member in registry.outside if type(member).__module__.startswith("tmodes.plot")]

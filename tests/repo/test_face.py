@@ -37,8 +37,11 @@ def test_the_command_line_is_parsed_without_what_computes() -> None:
     assert loaded.strip() == "[]"
 
 
-UNREAD = ("cli.study", "io.mjcf", "io.urdf", "io.xacro", "model.derivatives", "plot.figure", "study")
-"""Modules of other commands and of other formats than the sheet's."""
+UNREAD = (
+    "cli.study", "io.mjcf", "io.urdf", "io.xacro", "kinds.contacts.ball", "kinds.joints.prismatic",
+    "kinds.links.strain", "kinds.signals.noise", "model.derivatives", "plot.figure", "study",
+)  # fmt: skip
+"""Modules of other commands, of other formats than the sheet's, and of kinds that it does not name."""
 
 
 @pytest.mark.parametrize("command", ["check", "modes", "describe"])
@@ -54,6 +57,12 @@ def test_commands_that_only_read_load_neither_figures_nor_scipy(command: str) ->
     *shown, loaded = in_fresh_python(code).splitlines()
     assert shown
     assert loaded == "[]"
+
+
+def test_a_report_is_written_without_the_figures_for_print() -> None:
+    unwanted = ("tmodes.plot.drawing", "tmodes.plot.figures.energies", "tmodes.io.urdf", "matplotlib", "xarray")
+    code = f"import sys, tmodes.report.folder; print([name for name in {unwanted} if name in sys.modules])"
+    assert in_fresh_python(code).strip() == "[]"
 
 
 def test_names_are_sorted_and_shown() -> None:
