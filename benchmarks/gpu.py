@@ -20,11 +20,12 @@ import numpy as np
 from benchmarks.assembler import NONE, assembled
 
 from tmodes.compile.gpu.cuda import first_gpu, unavailable
-from tmodes.equations.loop.lean import Shown
+from tmodes.equations.loop.outputs import OWN, Output, Outputs
 from tmodes.robots.load import load
 from tmodes.simulation.batch.simulate import run_all, thread_count
 from tmodes.simulation.batch.work import Work
 from tmodes.simulation.gpu.run import run_on_gpu
+from tmodes.simulation.loop import LoopModel
 from tmodes.simulation.parts import sample_times
 from tmodes.simulation.start import run_setup
 from tmodes.simulation.vary.simulate import prepared
@@ -33,9 +34,15 @@ ROBOTS = ("filipovic2010", "spong1987", "flexarm1990", "deluca_siciliano1991")
 METHODS = ("dormand_prince", "dop853", "rk4", "reduced")
 """The last one: dormand_prince with four series that are reduced in place of samples that are kept."""
 
-SHOWN = (Shown("point", (0, 0)), Shown("speed", (0,)), Shown("drive", (0, 0)), Shown("apart", (0,)))
 VARIED = {"gear.stiffness": 0.2, "payload.mass": 0.1, "link.modes.1.bending_stiffness": 0.05}
 """Paths, and by which share they differ at most."""
+
+
+def shown(model: LoopModel) -> tuple[Output, ...]:
+    """Outputs of which a kernel is made: a place, a speed, an effort, and a distance of the tip."""
+    outputs = Outputs(model.lean, (OWN,))
+    names = ("tip.x", "tip.speed", f"{model.plan.drives[0].joint}.effort", OWN)
+    return tuple(outputs[name] for name in names)
 
 
 def table(target: str) -> None:
@@ -46,7 +53,10 @@ def table(target: str) -> None:
             model = run_setup(load(robot)).model
             for method in METHODS:
                 reduced = method == "reduced"
-                loop = model.lean_case_loop(METHODS[0], SHOWN, 3, folds=True) if reduced else model.case_loop(method)
+                if reduced:
+                    loop = model.lean_case_loop(METHODS[0], shown(model), 3, folds=True)
+                else:
+                    loop = model.case_loop(method)
                 ptx = loop.ptx()
                 found = assembled(ptx, target, Path(folder))
                 if found is None:

@@ -6,7 +6,7 @@ Differences are of sixth order on the same steps: with other parameters, from an
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -40,11 +40,6 @@ _ROBOT = (
 
 
 _MULTIPLES = (1, 2, 3, 4, 6)
-
-
-@dataclass
-class _Numbers:
-    vector: Array
 
 
 class Case:
@@ -81,7 +76,7 @@ class Case:
         self.replay.recording = other
         samples = self.replay.samples(parameters, here.start + by * change.start)
         self.replay.recording = done
-        seen = Quantities(replace(here, parameters=_Numbers(parameters)), replace(other, samples=samples), ("tip",))
+        seen = Quantities(replace(here, parameters=parameters), replace(other, samples=samples), ("tip",))
         return self.functional.measure(done.times, seen.info())[0]
 
     def _value(self, path: str) -> float:

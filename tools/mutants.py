@@ -136,8 +136,8 @@ FAULTS = (
     ),
     Fault(
         "simulation/stops.py",
-        "return values - self.limit if self.above else self.limit - values",
-        "return values - self.limit",
+        "signs = np.array([1.0 if stop.above else -1.0 for stop in self.stops])",
+        "signs = np.array([1.0 for _ in self.stops])",
         "tests/core/test_stops.py tests/arm/run/test_stops.py",
     ),
     Fault(

@@ -160,7 +160,7 @@ def test_a_stiff_arm_is_followed_by_the_method_of_its_run() -> None:
 
 
 def test_wrong_names_and_shapes_are_refused() -> None:
-    with pytest.raises(InputError, match=r"names among .*tip_velocity"):
+    with pytest.raises(InputError, match=r"unknown name 'tipp'.*Did you mean `tip`"):
         adjoint_gradient(arm(), tracking_error("tipp", TOUCHED))
     with pytest.raises(InputError, match="one at each sample"):
         adjoint_gradient(robot(), tracking_error("drives", TOUCHED))

@@ -13,7 +13,7 @@ from benchmarks.assembler import NONE, assembled
 import tmodes
 from tmodes.compile.gpu.case_loop import LEAST_TARGET
 from tmodes.compile.gpu.one_case import BLOCK, CASE_ARGUMENTS
-from tmodes.equations.loop.lean import Shown
+from tmodes.equations.loop.outputs import OWN, Outputs
 from tmodes.simulation.start import run_setup
 
 from .conftest import NIGHTLY
@@ -24,7 +24,12 @@ ROBOTS = ("filipovic2010", "spong1987", "flexarm1990", "deluca_siciliano1991")
 METHODS = ("dormand_prince", "rk4", "reduced")
 """The last one: dormand_prince with series that are reduced."""
 
-SHOWN = (Shown("point", (0, 0)), Shown("speed", (0,)), Shown("drive", (0, 0)), Shown("apart", (0,)))
+
+def shown(model):
+    """Outputs of which a kernel is made: a place, a speed, an effort, and a distance of the tip."""
+    outputs = Outputs(model.lean, (OWN,))
+    names = ("tip.x", "tip.speed", f"{model.plan.drives[0].joint}.effort", OWN)
+    return tuple(outputs[name] for name in names)
 
 
 TARGETS = ("sm_70", "sm_80", "sm_90")
@@ -57,7 +62,7 @@ def loop():
         if robot not in models:
             models[robot] = run_setup(tmodes.load(robot)).model
         if method == "reduced":
-            return models[robot].lean_case_loop("dormand_prince", SHOWN, 3, folds=True)
+            return models[robot].lean_case_loop("dormand_prince", shown(models[robot]), 3, folds=True)
         return models[robot].case_loop(method)
 
     return found

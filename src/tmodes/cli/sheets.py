@@ -124,7 +124,7 @@ def _starting(sheet: Robot) -> list[str]:
 def _described(sheet: Robot) -> tuple[str, dict[str, object]]:
     """What the sheet describes, in words and for machines."""
     from tmodes.model.model import Model
-    from tmodes.simulation.quantities import refuse_wrong_stops
+    from tmodes.simulation.outputs import refuse_wrong_stops
 
     real = sheet.pair().real
     refuse_wrong_stops(real)

@@ -11,9 +11,9 @@ from __future__ import annotations
 from typing import Any
 
 from tmodes.chain.chain import Chain
+from tmodes.equations.lagrange import schedules as lagrange
 from tmodes.equations.lagrange.motion import ChainedSystem, LagrangeDynamics, LagrangeWay
 from tmodes.equations.lagrange.registry import SYSTEMS
-from tmodes.equations.lagrange.schedules import elastic_schedule, forward_schedule, inertia_schedule
 from tmodes.equations.lagrange.system import System
 from tmodes.equations.recursion.driven import Drives
 from tmodes.equations.recursion.forces import elastic_forces, inertia_forces, joint_reactions
@@ -42,10 +42,24 @@ class RecursiveMechanics:
 
     def schedule(self, name: str, *, loaded: bool = False) -> Schedule:
         """``forward``, ``inertia``, ``reactions`` or ``elastic``; ``loaded``: forces act on the points."""
-        if name == "elastic":
-            return elastic_forces(self.parts)
-        made = {"forward": forward_dynamics, "inertia": inertia_forces, "reactions": joint_reactions}
-        return made[name](self.parts, loaded=loaded)
+        made = {"forward": forward_dynamics, "reactions": joint_reactions}
+        return made[name](self.parts, loaded=loaded) if name in made else _forces_of(self, name, loaded=loaded)
+
+    def blocks(self) -> Blocks:
+        """Inputs of a new schedule."""
+        return Blocks.as_inputs(self.parts)
+
+    def passes(self, blocks: Blocks, *, posed: bool) -> Passes:
+        """What the dynamics alone start from in a schedule; ``posed``: poses are needed."""
+        return Passes(self.parts, posed=posed, loaded=False, blocks=blocks)
+
+    def inertia(self, way: Any, a: Slot) -> dict[str, list[Slot]]:
+        """See :func:`tmodes.equations.recursion.forces.inertia_forces`."""
+        return inertia_forces(way, a)
+
+    def elastic(self, way: Any) -> dict[str, list[Slot]]:
+        """See :func:`tmodes.equations.recursion.forces.elastic_forces`."""
+        return elastic_forces(way)
 
     def drawn(self, blocks: Blocks) -> dict[str, Slot]:
         """Nothing but the links themselves."""
@@ -84,9 +98,25 @@ class LagrangeMechanics:
 
     def schedule(self, name: str, *, loaded: bool = False) -> Schedule:
         """``forward``, ``inertia`` or ``elastic``; ``loaded``: forces act on the points."""
-        if name == "elastic":
-            return elastic_schedule(self.chained)
-        return {"forward": forward_schedule, "inertia": inertia_schedule}[name](self.chained, loaded=loaded)
+        if name == "forward":
+            return lagrange.forward_schedule(self.chained, loaded=loaded)
+        return _forces_of(self, name, loaded=loaded)
+
+    def blocks(self) -> Blocks:
+        """Inputs of a new schedule."""
+        return self.chained.blocks()
+
+    def passes(self, blocks: Blocks, *, posed: bool) -> LagrangeWay:
+        """Where the points are, found when asked."""
+        return self.way(blocks, posed=posed)
+
+    def inertia(self, way: Any, a: Slot) -> dict[str, list[Slot]]:
+        """See :func:`tmodes.equations.lagrange.schedules.inertia_forces`."""
+        return lagrange.inertia_forces(way, a)
+
+    def elastic(self, way: Any) -> dict[str, list[Slot]]:
+        """See :func:`tmodes.equations.lagrange.schedules.elastic_forces`."""
+        return lagrange.elastic_forces(way)
 
     def drawn(self, blocks: Blocks) -> dict[str, Slot]:
         """The system's own lines, between its points."""
@@ -102,6 +132,19 @@ class LagrangeMechanics:
     def dynamics(self, way: Any, drives: Drives) -> LagrangeDynamics:
         """The system's rows, to be solved."""
         return LagrangeDynamics(way, drives)
+
+
+def _forces_of(mechanics: Mechanics, name: str, *, loaded: bool) -> Schedule:
+    """(q, v, base, wrenches, a) -> outputs of ``inertia``; (q, v, base) -> those of ``elastic``."""
+    way = mechanics.passes(mechanics.blocks(), posed=name == "inertia")
+    if name == "elastic":
+        found = mechanics.elastic(way)
+    else:
+        way.take_wrenches(loaded=loaded)
+        found = mechanics.inertia(way, way.schedule.input("a", mechanics.parts.size))
+    for output, slots in found.items():
+        way.schedule.output(output, *slots)
+    return way.schedule
 
 
 Mechanics = RecursiveMechanics | LagrangeMechanics

@@ -4,31 +4,22 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from tmodes.equations.loop.outputs import output_schedule
 from tmodes.errors import InputError, TmodesError, error_words
 from tmodes.gradients.lowering import Lowered
 from tmodes.io.arguments import checked_arguments, numbers_of, refuse_fields
 from tmodes.io.words import shown
-from tmodes.kinds.kernel.schedule import Slot
 from tmodes.model.derivatives import Blocks, differentiated
-from tmodes.model.passes import ChainPasses
 from tmodes.simulation.recording import Recording
 
 __all__ = ["Functional", "Quantities", "Weights", "measured_by", "tracking_error"]
 
 Array = NDArray[np.float64]
-
-_OBSERVED = ("q", "v", "a", "drives", "gear", "contact", "base", "powers")
-_MOVED = ("q", "v", "base")
-"""What the motion of points follows from."""
-
-_POINT, _PARTS = 24, {"": slice(9, 12), "_velocity": slice(15, 18)}
-"""Numbers that are reported of a point, and where they have its position and its velocity."""
 
 _FROM = ("state", "row", "parameters")
 
@@ -42,99 +33,46 @@ class Weights(NamedTuple):
 
 
 class Quantities:
-    """Quantities at the samples of a run, by their names.
+    """Outputs at the samples of a run by their names, or groups of them, each (n, numbers).
 
-    ``state`` (n, size); what :meth:`tmodes.simulation.loop.LoopModel.observe` gives; and ``tip``, ``tip_velocity``,
-    ``points.NAME`` and ``points.NAME_velocity`` (n, 3) [m, m/s] of the named points, in the world. Raises
-    :class:`tmodes.errors.InputError` for other names.
+    Names as of :class:`tmodes.equations.loop.outputs.Outputs`; groups are ``state``, ``q``, ``v``, ``a``, ``drives``
+    (effort, voltage, current and setpoint of each), ``gear``, ``contact``, ``base``, ``powers``, and ``tip``,
+    ``tip_velocity``, ``points.NAME``, ``points.NAME_velocity`` (n, 3) of the named points, in the world. Raises
+    :class:`tmodes.errors.InputError` for other names, and for what is at a station of a link.
     """
 
     def __init__(self, here: Lowered, done: Recording, names: Sequence[str]) -> None:
-        self.done, self.names, self.parameters = done, tuple(dict.fromkeys(names)), here.parameters
+        self.done, self.parameters, self.names = done, here.parameters, tuple(dict.fromkeys(names))
         self._pieces = np.clip(np.searchsorted(done.rows[:, 0], done.times, side="right") - 1, 0, len(done.rows) - 1)
         time = done.times[:, None]
         self._instants = {
             "time": time, "state": done.samples, "row": done.rows[self._pieces], "step": np.zeros_like(time)
         }  # fmt: skip
-        loop = here.model.loop
-        points = ["tip", *(f"points.{point.name}" for point in loop.parts.points)]  # the first point is the tip
-        places = {f"{name}{kind}": (max(k - 1, 0), kind) for k, name in enumerate(points) for kind in _PARTS}
-        own = [name for name in self.names if name != "state"]
-        _refuse_unknown(own, (*_OBSERVED, *places))
-        self._places = {name: places[name] for name in own if name in places}
-        self._plain = tuple(name for name in own if name not in places)
-        shown = tuple(dict.fromkeys((*self._plain, *(_MOVED if self._places else ()))))
-        self._of = differentiated(loop.observe, shown) if shown else None
-        self._points = (
-            differentiated(ChainPasses(loop.mechanics).schedule("inertia"), ["points"]) if self._places else None
-        )
-
-    @cached_property
-    def _seen(self) -> Blocks:
-        return self._of.values(self.parameters, self._instants) if self._of else {}
-
-    @cached_property
-    def _moved(self) -> Blocks:
-        return {name: self._seen[name] for name in _MOVED} | {"a": np.zeros_like(self._seen["q"])}
+        outputs = here.model.outputs
+        groups = {name: outputs.group(name, "quantities") for name in self.names}
+        for output in (one for group in groups.values() for one in group if one.further):
+            got, expected = f"`{output.name}`, at a station of a link", "an output of the run's own equations"
+            raise InputError("quantities", got, expected, "take a deformation, or vary the numbers in a batch")
+        wanted = output_schedule(here.model.loop, groups, after=False, often=False).schedule
+        self._of = differentiated(wanted, self.names) if self.names else None
 
     def info(self) -> Blocks:
         """Their values at the samples."""
-        points = self._parted(self._points.values(self.parameters, self._moved)) if self._points else {}
-        return self._named(self.done.samples, self._seen, points)
+        return self._of.values(self.parameters, self._instants) if self._of else {}
 
     def back(self, weights: Mapping[str, Array]) -> Weights:
         """Derivatives of the sum of ``weights`` times the quantities, each in its shape."""
-        done, given = self.done, dict(weights)
-        states, rows, own = np.zeros_like(done.samples), np.zeros_like(done.rows), np.zeros(len(self.parameters))
-        states += given.pop("state", 0.0)
-        if not given or self._of is None:
-            return Weights(states, own, rows)
-        mine = {name: weight for name, weight in given.items() if name not in self._places}
-        if self._points:
-            found = self._points.back(self.parameters, self._moved, self._joined(given), (*_MOVED, "parameters"))
-            own = found.pop("parameters")
-            mine |= {name: value + mine.get(name, 0.0) for name, value in found.items()}
-        info = self._of.back(self.parameters, self._instants, mine, _FROM)
-        np.add.at(rows, self._pieces, info["row"])
-        return Weights(states + info["state"], info["parameters"] + own, rows)
+        rows = np.zeros_like(self.done.rows)
+        if self._of is None or not weights:
+            return Weights(np.zeros_like(self.done.samples), np.zeros(len(self.parameters)), rows)
+        found = self._of.back(self.parameters, self._instants, dict(weights), _FROM)
+        np.add.at(rows, self._pieces, found["row"])
+        return Weights(found["state"], found["parameters"], rows)
 
     def along(self, states: Array, parameters: Array, rows: Array) -> Blocks:
         """Their slopes, by names, where the states have slopes (n, size), and parameters and rows change."""
         slopes = {"state": states, "row": rows[self._pieces]}
-        moved = self._of.along(self.parameters, self._instants, slopes, change=parameters) if self._of else {}
-        points: Blocks = {}
-        if self._points:
-            ways = {name: moved[name] for name in _MOVED}
-            points = self._parted(self._points.along(self.parameters, self._moved, ways, change=parameters))
-        return self._named(states, moved, points)
-
-    def _named(self, states: Array, plain: Blocks, points: Blocks) -> Blocks:
-        known = {"state": states, **{name: plain[name] for name in self._plain}, **points}
-        return {name: known[name] for name in self.names}
-
-    def _parted(self, info: Blocks) -> Blocks:
-        """Positions and velocities from what is reported of all points."""
-        points = info["points"].reshape(len(info["points"]), -1, _POINT)
-        return {name: points[:, k, _PARTS[kind]] for name, (k, kind) in self._places.items()}
-
-    def _joined(self, weights: Blocks) -> Blocks:
-        """Weights of positions and velocities as those of all that is reported of points."""
-        count, size = len(self._instants["time"]), sum(slot.size for slot in self._points_of())
-        points = np.zeros((count, size // _POINT, _POINT))
-        for name, (k, kind) in self._places.items():
-            points[:, k, _PARTS[kind]] += weights.get(name, 0.0)
-        return {"points": points.reshape(count, size)}
-
-    def _points_of(self) -> Sequence[Slot]:
-        assert self._points is not None  # noqa: S101
-        return self._points.outputs["points"]
-
-
-def _refuse_unknown(names: Sequence[str], known: Sequence[str]) -> None:
-    """Raise :class:`tmodes.errors.InputError` for a name that is not known."""
-    for name in names:
-        if name not in known:
-            raise InputError("quantities", repr(name), f"names among state, {', '.join(known)}", "correct the name")
+        return self._of.along(self.parameters, self._instants, slopes, change=parameters) if self._of else {}
 
 
 @dataclass(frozen=True)

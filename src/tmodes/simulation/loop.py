@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -12,14 +13,13 @@ from numpy.typing import ArrayLike, NDArray
 from tmodes.compile.loops.loops import goes_side_by_side, lane_loop, schedule_loop
 from tmodes.compile.loops.switches import MOST_SWITCHES
 from tmodes.compile.native import Library
-from tmodes.equations.loop.closed_loop import ClosedLoop
+from tmodes.equations.loop.closed_loop import ClosedLoop, LeanLoop
 from tmodes.equations.loop.layout import StateLayout
-from tmodes.equations.loop.lean import LeanLoop, Shown, series_schedule
+from tmodes.equations.loop.outputs import Output, Outputs, Series, output_schedule
 from tmodes.equations.loop.plan import LoopPlan
 from tmodes.errors import InputError
 from tmodes.integrate.method import EULER, EXPLICIT, JACOBIAN
 from tmodes.integrate.registry import integrator
-from tmodes.kinds.kernel.schedule import Schedule
 from tmodes.model.passes import derivatives, evaluate
 from tmodes.simulation.plan import Planned
 
@@ -104,13 +104,13 @@ class LoopModel:
         schedule, guarded, more = self.loops.stated(method)
         return CaseLoop(schedule, guarded, method, more)
 
-    def lean_case_loop(self, method: str, shown: tuple[Shown, ...], given: int, *, folds: bool) -> Any:
-        """The same of an explicit method, where nothing sticks, that writes some series or reduces them (``folds``)."""
+    def lean_case_loop(self, method: str, shown: tuple[Output, ...], given: int, *, folds: bool) -> Any:
+        """The same of an explicit method, where nothing sticks, that writes outputs or reduces them (``folds``)."""
         from tmodes.compile.gpu.case_loop import CaseLoop
         from tmodes.compile.gpu.case_series import CaseSeries
 
         more = {"motion": True} if goes_side_by_side(method) else {}
-        wanted = CaseSeries(self.series(shown, given, after=self.plan.is_sampled), given, folds)
+        wanted = CaseSeries(self.series(shown, given, after=self.plan.is_sampled).schedule, given, folds)
         return CaseLoop(self.lean.rate, 2 * len(self.coordinates), method, more, wanted)
 
     @cached_property
@@ -124,19 +124,42 @@ class LoopModel:
         return LoopModel(self.plan.settles) if self.loop.modes or self.plan.is_sampled else self
 
     @cached_property
-    def _series(self) -> dict[Any, Schedule]:
+    def outputs(self) -> Outputs:
+        """All that can be asked for by name of an instant."""
+        return Outputs(self.loop)
+
+    @cached_property
+    def _series(self) -> dict[Any, Series]:
         return {}
 
-    def series(self, shown: tuple[Shown, ...], given: int, *, after: bool = False) -> Schedule:
-        """The schedule of some series at instants; see :func:`tmodes.equations.loop.lean.series_schedule`."""
-        key = shown, given, after
+    def series(self, shown: tuple[Output, ...], given: int = 0, *, after: bool = False, lean: bool = True) -> Series:
+        """The schedule of some outputs, ``series``; see :func:`tmodes.equations.loop.outputs.output_schedule`.
+
+        ``lean``: of states without works.
+        """
+        key = tuple((one.of, one.places) for one in shown), given, after, lean
         if key not in self._series:
-            self._series[key] = series_schedule(self.lean, shown, given, after=after)
+            loop = self.lean if lean else self.loop
+            self._series[key] = output_schedule(loop, {"series": shown}, given, after=after, often=lean)
         return self._series[key]
 
-    def lean_lane_loop(self, method: str, shown: tuple[Shown, ...], given: int, *, folds: bool) -> Library:
-        """The native loop over robots side by side that writes some series, or reduces them (``folds``)."""
-        wanted = self.series(shown, given)
+    def seen(
+        self, shown: Sequence[Output], time: ArrayLike, state: ArrayLike, row: ArrayLike, given: Array | None = None
+    ) -> Array:
+        """Outputs at n instants, (n, outputs); ``given`` (n, numbers): what distances are from.
+
+        Controllers are shown after the samples at each time.
+        """
+        blocks, more = self._blocks(time, state, row), np.zeros((0, 0)) if given is None else given
+        wanted = self.series(tuple(shown), more.shape[1], after=self.plan.is_sampled, lean=False)
+        if given is not None:
+            blocks["state"] = np.hstack([blocks["state"], given])
+        numbers, count = np.concatenate([self.numbers, wanted.further]), len(blocks["time"])
+        return evaluate(numbers, wanted.schedule, blocks, count)["series"]
+
+    def lean_lane_loop(self, method: str, shown: tuple[Output, ...], given: int, *, folds: bool) -> Library:
+        """The native loop over robots side by side that writes some outputs, or reduces them (``folds``)."""
+        wanted = self.series(shown, given).schedule
         return lane_loop(self.lean.rate, 2 * len(self.coordinates), method, wanted, given=given, folds=folds)
 
     @property

@@ -22,9 +22,9 @@ from tmodes.sheet.parts import Command
 from tmodes.simulation.callback import Controller, driven_by, fixed_steps, run_with_controller
 from tmodes.simulation.loop import refuse_switches
 from tmodes.simulation.motion_run import RunData, bytes_per_sample, gathered
+from tmodes.simulation.outputs import run_stops
 from tmodes.simulation.parts import Journal, Trajectory
 from tmodes.simulation.plan import Follow
-from tmodes.simulation.quantities import run_stops
 from tmodes.simulation.start import RunSetup, run_setup, run_trajectory
 from tmodes.simulation.stops import STOPPED, Instants, Stops
 from tmodes.simulation.warnings import departures, jumps, no_motion, run_warnings, start_warnings

@@ -1,28 +1,27 @@
-"""Stop conditions of a run, resolved: which named quantity, beyond which value, and how far it is from there."""
+"""Stop conditions of a run, resolved: which output, beyond which value, and how far it is from there."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from tmodes.equations.loop.outputs import Output
 from tmodes.errors import InputError, SimulationError
 from tmodes.integrate.condition import Condition
 from tmodes.io.units import NotANumber, number
-from tmodes.io.words import nearest
+from tmodes.simulation.loop import LoopModel
 
-__all__ = ["STOPPED", "Instants", "Quantity", "SetIn", "Stop", "Stops", "resolved"]
+__all__ = ["STOPPED", "Instants", "SetIn", "Stop", "Stops", "resolved"]
 
 Array = NDArray[np.float64]
 
 STOPPED = "stopped_by_condition"
 """Status of a run that a condition ended."""
-
-_SHOWN = 12
-"""Names that a message lists."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -35,39 +34,22 @@ class Instants:
 
 
 @dataclass(frozen=True)
-class Quantity:
-    """A named number of a motion with its unit; ``of`` gives its values (n,) at instants."""
-
-    unit: str
-    of: Callable[[Instants], Array]
-
-
-@dataclass(frozen=True)
 class Stop:
-    """A condition on a quantity: it holds where its value, or the ``size`` of it, is beyond ``limit``.
+    """A condition on an output: it holds where its value, or the ``size`` of it, is beyond ``limit``.
 
-    ``text``: how it was asked for; ``name``: of the quantity in words.
+    ``text``: how it was asked for; ``name``: of the output in words.
     """
 
     text: str
     name: str
-    quantity: Quantity
+    output: Output
     limit: float
     above: bool
     size: bool = False
 
-    def values(self, instants: Instants) -> Array:
-        """The values that are compared, (n,)."""
-        found = self.quantity.of(instants)
-        return np.abs(found) if self.size else found
-
-    def beyond(self, values: Array) -> Array:
-        """How far values are beyond the limit, (n,): above 0 where the condition holds."""
-        return values - self.limit if self.above else self.limit - values
-
     def shown(self, value: float) -> str:
         """A value with its unit."""
-        return f"{value:.9g} {self.quantity.unit}".removesuffix(" -")
+        return f"{value:.9g} {self.output.unit}".removesuffix(" -")
 
     def info(self, time: float, before: float, value: float) -> str:
         """Sentence of a run that it ended at a time [s]: its value just before and there, where they differ."""
@@ -78,59 +60,65 @@ class Stop:
 
 @dataclass(frozen=True)
 class Stops:
-    """The stop conditions of a run; none of them is the usual case."""
+    """The stop conditions of a run of a ``model``; none of them is the usual case."""
 
     stops: tuple[Stop, ...] = ()
+    model: LoopModel | None = None
 
     def __bool__(self) -> bool:
         return bool(self.stops)
 
+    @cached_property
+    def _outputs(self) -> tuple[Output, ...]:
+        return tuple(stop.output for stop in self.stops)
+
+    def values(self, instants: Instants) -> Array:
+        """The values that are compared, (n, conditions)."""
+        assert self.model is not None  # noqa: S101
+        found = self.model.seen(self._outputs, instants.times, instants.states, instants.rows)
+        return np.where([stop.size for stop in self.stops], np.abs(found), found)
+
     def beyond(self, instants: Instants) -> Array:
         """How far each condition is from triggering, (n, conditions): above 0 where it holds."""
-        return np.stack([stop.beyond(stop.values(instants)) for stop in self.stops], axis=1)
+        return self._beyond(self.values(instants))
+
+    def _beyond(self, values: Array) -> Array:
+        signs = np.array([1.0 if stop.above else -1.0 for stop in self.stops])
+        return signs * (values - [stop.limit for stop in self.stops])
 
     def refuse_at_start(self, start: Instants) -> None:
         """Raise :class:`tmodes.errors.SimulationError` where a condition holds before anything has moved."""
-        for stop in self.stops:
-            value = stop.values(start)
-            if stop.beyond(value)[0] > 0:
+        if not self.stops:
+            return
+        values = self.values(start)[0]
+        for stop, value, beyond in zip(self.stops, values, self._beyond(values), strict=True):
+            if beyond > 0:
                 raise SimulationError(
                     f"stop condition `{stop.text}`: it holds at the start already, where {stop.name} is "
-                    f"{stop.shown(value[0])}; change its value, or the start"
+                    f"{stop.shown(value)}; change its value, or the start"
                 )
 
 
-def resolved(texts: Iterable[str], known: Mapping[str, Quantity], which: str = "integration.stop") -> tuple[Stop, ...]:
-    """The conditions of some texts on the quantities that a robot has.
+def resolved(texts: Iterable[str], model: LoopModel, which: str = "integration.stop") -> tuple[Stop, ...]:
+    """The conditions of some texts on the outputs of a robot in a run.
 
-    Raises :class:`tmodes.errors.InputError` for what is no condition, names no quantity (with the nearest name), or
+    Raises :class:`tmodes.errors.InputError` for what is no condition, names no output (with the nearest name), or
     has a value of another unit.
     """
-    return tuple(_resolved(text, known, f"{which}.{place}") for place, text in enumerate(texts))
+    return tuple(_resolved(text, model, f"{which}.{place}") for place, text in enumerate(texts))
 
 
-def _resolved(text: str, known: Mapping[str, Quantity], which: str) -> Stop:
+def _resolved(text: str, model: LoopModel, which: str) -> Stop:
     info = Condition.parsed(text, which)
-    quantity = known.get(info.name)
-    if quantity is None:
-        raise _unknown(info.name, known, which)
+    output = model.outputs.find(info.name, which)
     try:
-        limit = number(info.value, quantity.unit)
+        limit = number(info.value, output.unit)
     except NotANumber as error:
-        unit = f"a number in {quantity.unit}" if quantity.unit != "-" else "a number without a unit"
+        unit = f"a number in {output.unit}" if output.unit != "-" else "a number without a unit"
         raise InputError(which, error.got, f"{unit}, that of {info.name}", error.hint) from None
     if not np.isfinite(limit):
         raise InputError(which, "an infinite value", "a finite one, which can be passed", "leave the condition out")
-    return Stop(text, info.quantity, quantity, limit, info.above, info.size)
-
-
-def _unknown(name: str, known: Mapping[str, Quantity], which: str) -> InputError:
-    last = name.rpartition(".")[2]
-    close = nearest(name, known) or next((other for other in known if other.rpartition(".")[2] == last), None)
-    names = sorted(known, key=lambda other: (not other.startswith(name.partition(".")[0]), other))
-    more = ", ..." if len(names) > _SHOWN else ""
-    hint = f"did you mean `{close}`?" if close else "write one of these names"
-    return InputError(which, f"the unknown name {name!r}", f"one of {', '.join(names[:_SHOWN])}{more}", hint)
+    return Stop(text, info.quantity, output, limit, info.above, info.size)
 
 
 @dataclass(frozen=True)
@@ -167,6 +155,6 @@ class SetIn:
 
     def _info(self, time: float, state: Array) -> str:
         there = self._instant(time, state)
-        stop = self.stops.stops[int(self.stops.beyond(there)[0].argmax())]
-        value = float(stop.values(there)[0])
-        return stop.info(time, value, value)
+        which = int(self.stops.beyond(there)[0].argmax())
+        value = float(self.stops.values(there)[0, which])
+        return self.stops.stops[which].info(time, value, value)

@@ -164,8 +164,7 @@ class WatchedRun:
         while run.running and run.cell("t") < time:
             self._looked(1)
         which = int((self._beyond(b)[0] > 0).argmax())
-        stop = self.stops.stops[which]
-        self.ended[:] = which, *(stop.values(self._instants(point))[0] for point in (a, b))
+        self.ended[:] = which, *(self.stops.values(self._instants(point))[0, which] for point in (a, b))
         run.stop_at(time, b.states[0])
 
     def end(self) -> Trajectory:

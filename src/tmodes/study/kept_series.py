@@ -9,9 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.io.units import number
-from tmodes.simulation.start import run_setup
+from tmodes.simulation.outputs import robot_outputs
 from tmodes.simulation.vary.reductions import Reduction, of_samples
-from tmodes.simulation.vary.series import units_of
 from tmodes.study.quantities import Asked
 from tmodes.study.rows import Kept, Rows
 
@@ -26,7 +25,7 @@ _TIP = ("tip.x", "tip.y", "tip.z")
 
 
 def series_of(motion: Kept) -> dict[str, Array]:
-    """The series (n,) that a motion holds, by the names of :mod:`tmodes.simulation.vary.series`."""
+    """The series (n,) that a motion holds, by the names of :class:`tmodes.equations.loop.outputs.Outputs`."""
     found: dict[str, Array] = dict(zip(_TIP, motion.tip.T, strict=True))
     for k, name in enumerate(motion.names):
         found |= {f"{name}.position": motion.states[:, k], f"{name}.velocity": motion.states[:, len(motion.names) + k]}
@@ -47,7 +46,7 @@ def in_motions(study: Study, missing: Collection[str], motion: Kept) -> list[str
 def from_motions(study: Study, rows: Rows, motions: Mapping[int, Kept], names: Collection[str]) -> Rows:
     """Rows of these quantities, from the motions of all cases that ended well. Nothing is simulated."""
     assert study.robot is not None  # noqa: S101
-    units_of_series = units_of(run_setup(study.robot))
+    outputs = robot_outputs(study.robot)
     found: dict[str, Array] = {}
     units: dict[str, str] = {}
     for name in names:
@@ -60,7 +59,7 @@ def from_motions(study: Study, rows: Rows, motions: Mapping[int, Kept], names: C
             for pair, one in pairs.items():
                 numbers[pair][k] = of_samples(one, series[one.series][None, :], motion.times)[0]
         asked = Asked(
-            reductions=numbers, units={pair: one.unit_of(units_of_series[one.series]) for pair, one in pairs.items()}
+            reductions=numbers, units={pair: one.unit_of(outputs[one.series].unit) for pair, one in pairs.items()}
         )
         given = own.own_unit(asked)
         units[name] = own.unit or given

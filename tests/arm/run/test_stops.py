@@ -12,11 +12,10 @@ from arm.run.sheets import arm
 from tmodes.errors import InputError, SimulationError
 from tmodes.sheet import Robot
 from tmodes.simulation import trajectory
-from tmodes.simulation.quantities import run_quantities, run_stops
+from tmodes.simulation.outputs import run_stops
 from tmodes.simulation.second_run import second_run
 from tmodes.simulation.simulate import simulate_motion
 from tmodes.simulation.start import run_setup, run_trajectory
-from tmodes.simulation.stops import Instants
 
 METHODS = ("dormand_prince", "dop853", "rk4", "extrapolation", "midpoint", "rosenbrock")
 G = 9.81
@@ -142,11 +141,11 @@ def test_what_can_be_named(stop: str, time: float) -> None:
 def test_every_name_gives_a_number() -> None:
     """All quantities that a message may offer have values at a state, one for each instant."""
     setup = run_setup(mass())
-    at = Instants(np.zeros(3), np.tile(setup.start, (3, 1)), np.tile(setup.first_row, (3, 1)))
-    for name, quantity in run_quantities(setup).items():
-        values = quantity.of(at)
-        assert values.shape == (3,), name
-        assert np.isfinite(values).all(), name
+    outputs = setup.model.outputs
+    rows = np.tile(setup.start, (3, 1)), np.tile(setup.first_row, (3, 1))
+    values = setup.model.seen([*outputs.values()], np.zeros(3), *rows)
+    assert values.shape == (3, len(outputs))
+    assert np.isfinite(values).all()
 
 
 @pytest.mark.parametrize(

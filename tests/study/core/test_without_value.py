@@ -14,7 +14,7 @@ from tmodes.study.runner import run_study
 
 
 @pytest.mark.parametrize(("quantity", "which"), [
-    ({"series": "tip.q", "reduce": "max"}, "quantities.mine.series: unknown series"),
+    ({"series": "tip.q", "reduce": "max"}, "quantities.mine.series: unknown name"),
     ({"static": "sagg"}, "quantities.mine.static: unknown number"),
 ])  # fmt: skip
 def test_the_quantity_is_named_and_no_folder_is_left(quantity, which, tmp_path):

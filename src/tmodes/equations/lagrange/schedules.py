@@ -1,4 +1,4 @@
-"""Schedules of the dynamics alone by Lagrange's equations: forward, inertia, elastic; inputs as of the recursion's."""
+"""The dynamics alone by Lagrange's equations: forward, inertia, elastic; inputs as of the recursion's."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from tmodes.equations.recursion.forces import elastic_of_drives
 from tmodes.equations.recursion.forward import ahead_kernel
 from tmodes.kinds.kernel.schedule import Kernel, Schedule, Slot
 
-__all__ = ["elastic_schedule", "forward_schedule", "inertia_schedule"]
+__all__ = ["elastic_forces", "forward_schedule", "inertia_forces"]
 
 
 def forward_schedule(chained: ChainedSystem, *, loaded: bool = False) -> Schedule:
@@ -30,45 +30,39 @@ def forward_schedule(chained: ChainedSystem, *, loaded: bool = False) -> Schedul
     return schedule
 
 
-def inertia_schedule(chained: ChainedSystem, *, loaded: bool = False) -> Schedule:
-    """(q, v, base, wrenches, a) -> forces of inertia and weight, less the wrenches; ``points`` and ``moment``.
+def inertia_forces(way: LagrangeWay, a: Slot) -> dict[str, list[Slot]]:
+    """Forces of inertia and weight, less the wrenches, for accelerations ``a``; ``points`` and ``moment``.
 
     The reaction of the base does not follow from energies and is left out.
     """
-    parts, kernels = chained.parts, chained.kernels
-    way = LagrangeWay(chained, chained.blocks())
-    way.take_wrenches(loaded=loaded)
-    schedule = way.schedule
-    a = schedule.input("a", parts.size)
+    chained, kernels = way.chained, way.chained.kernels
     moved = chained.bodies(a)
     points: list[Slot] = []
     for k, name in enumerate(chained.points):
         points += way.pose(k)
         points += way.call(kernels.acceleration(name), *way.state, way.pull, moved)
-    schedule.output("points", *points)
-    schedule.output("moment", *way.call(kernels.weight(), *way.state, chained.unit))
+    moment = way.call(kernels.weight(), *way.state, chained.unit)
     mass, bias = way.call(kernels.terms(), *way.state, way.pull, chained.unit)
     (forces,) = way.call(_needed_kernel(kernels), mass, bias, way.pushed(), moved)
-    schedule.output("forces", *(way.none[1] for _ in parts.motors), forces)
-    return schedule
+    return {"points": points, "moment": [*moment], "forces": [*(way.none[1] for _ in way.parts.motors), forces]}
 
 
-def elastic_schedule(chained: ChainedSystem) -> Schedule:
-    """(q, v) -> forces of springs, dampers and friction, energies and losses: of the drives, then of the system.
+def elastic_forces(way: LagrangeWay) -> dict[str, list[Slot]]:
+    """Forces of springs, dampers and friction, energies and losses: of the drives, then of the system.
 
     Eq. (26) [stated]: Epel is the sum of (16)-(19) and (24). {test_elastic_energy_terms}
     Eq. (27) [stated]: Phi_el is the sum of (20)-(23) and (25). {test_rayleigh_terms}
     """
-    way, kernels = LagrangeWay(chained, chained.blocks()), chained.kernels
-    schedule, none, parts = way.schedule, way.none[1], chained.parts
+    kernels, none, parts = way.chained.kernels, way.none[1], way.parts
     motors, joints, energies, losses = elastic_of_drives(way)
     forces, energy, lost = way.call(kernels.elastic(), *way.state)
     efforts = [joints.get(i, none) for i in parts.joints]
     (total,) = way.call(_sum_kernel(kernels.bodies, len(efforts)), forces, *efforts)
-    schedule.output("forces", *(motors.get(i, none) for i in parts.motors), total)
-    schedule.output("energies", *energies, none, energy)
-    schedule.output("losses", *losses, way.none[2], lost)
-    return schedule
+    return {
+        "forces": [*(motors.get(i, none) for i in parts.motors), total],
+        "energies": [*energies, none, energy],
+        "losses": [*losses, way.none[2], lost],
+    }
 
 
 def _needed_kernel(kernels: SystemKernels) -> Kernel:

@@ -23,7 +23,7 @@ from tmodes.kinds.kernel.schedule import Numbers, Schedule, Slot, kernel
 from tmodes.kinds.kernel.spatial import FORCE, Force
 from tmodes.kinds.links.line import POSE, LineOfLink, Moved
 
-__all__ = ["MOVING", "RIGID", "ROOTS", "Lines", "line_schedule"]
+__all__ = ["MOVING", "RIGID", "ROOTS", "Lines", "line_schedule", "moved_link"]
 
 Array = NDArray[np.float64]
 
@@ -72,7 +72,7 @@ def line_schedule(parts: Parts, s: Array, drawn: Drawn, *, loaded: bool = False)
     for index, part in enumerate(parts.nodes):
         stations = tuple(station for station, _ in part.link.stations) if part.link else ()
         lines = tuple(part.node.link.lines(stations, s)) if part.link else ()
-        moved = _moved(way, found, numbers, index) if part.link else None
+        moved = moved_link(way, found, numbers, index) if part.link else None
         for line in lines:
             assert moved is not None  # noqa: S101
             way.schedule.output(part.node.name + line.suffix, *line.places(moved))
@@ -92,7 +92,8 @@ def line_schedule(parts: Parts, s: Array, drawn: Drawn, *, loaded: bool = False)
                  tuple(further))  # fmt: skip
 
 
-def _moved(way: Passes, found: Balance, numbers: Numbers, index: int) -> Moved:
+def moved_link(way: Passes, found: Balance, numbers: Numbers, index: int) -> Moved:
+    """A bending link as its lines take it."""
     part, here = way.parts.nodes[index], way.ways[index]
     link = part.link
     assert link is not None  # noqa: S101

@@ -14,7 +14,7 @@ from tmodes.equations.loop.control_kernels import WINDING, needed_kernel
 from tmodes.equations.loop.friction import contact_fold
 from tmodes.equations.loop.instant import Instant
 from tmodes.equations.loop.landing import against_kernel
-from tmodes.equations.loop.layout import WORKS
+from tmodes.equations.loop.layout import WORKS, StateLayout
 from tmodes.equations.loop.narrow import narrow_rates
 from tmodes.equations.loop.plan import Driver, LoopParts
 from tmodes.equations.loop.serving import sampled_state
@@ -26,7 +26,7 @@ from tmodes.kinds.kernel import vectors as v
 from tmodes.kinds.kernel.schedule import Kernel, Schedule, Slot, kernel
 from tmodes.kinds.kernel.spatial import FORCE
 
-__all__ = ["ClosedLoop", "Driver", "Powers"]
+__all__ = ["ClosedLoop", "Driver", "LeanLoop", "Powers"]
 
 
 class Powers:
@@ -50,7 +50,7 @@ class Powers:
     @property
     def works(self) -> list[Slot]:
         """Powers [W] by kind, in the order of the works."""
-        return [self._added(*blocks) if blocks else self.none[1] for blocks in self.powers.values()]
+        return [self.added(*blocks) if blocks else self.none[1] for blocks in self.powers.values()]
 
     def _call(self, kernel: Kernel, *blocks: Slot) -> tuple[Slot, ...]:
         return self.instant.call(kernel, *blocks)
@@ -58,7 +58,7 @@ class Powers:
     def _product(self, a: Slot, b: Slot) -> Slot:
         return self._call(Kernel("product", (1, 1), (1,), lambda x, y: [[x[0] * y[0]]]), a, b)[0]
 
-    def _added(self, *blocks: Slot) -> Slot:
+    def added(self, *blocks: Slot) -> Slot:
         """Sum of single numbers."""
         if len(blocks) == 1:
             return blocks[0]
@@ -104,7 +104,7 @@ class Powers:
             return forces.part(1, 1), self._gear_torque(driver, forces)
         if part.given < 0:
             return forces.part(0, 1), None
-        return self._added(forces.part(0, 1), self.solution.force_along(part)), None
+        return self.added(forces.part(0, 1), self.solution.force_along(part)), None
 
     def _gear_torque(self, driver: Driver, forces: Slot) -> Slot:
         """The torque in an elastic gear: the force on the motor less the motor's friction."""
@@ -262,3 +262,19 @@ class ClosedLoop(LoopParts):
         for name, blocks in shown.items():
             instant.schedule.output(name, *blocks)
         return instant.schedule
+
+
+class LeanLoop(ClosedLoop):
+    """The rates of a plan in which nothing sticks, without works, for runs of which only some outputs are wanted.
+
+    The state is the first part of the whole one.
+    """
+
+    keeps_works = False
+
+    @property
+    def layout(self) -> StateLayout:
+        """Where the state holds what; works and modes have no room."""
+        whole = super().layout
+        end = slice(whole.works.start, whole.works.start)
+        return whole._replace(works=end, modes=end)

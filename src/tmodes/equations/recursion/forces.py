@@ -23,25 +23,23 @@ __all__ = [
 ]
 
 
-def inertia_forces(parts: Parts, *, loaded: bool = False) -> Schedule:
-    """(q, v, base, wrenches, a) -> forces of inertia and gravity along the coordinates, less the wrenches.
+def inertia_forces(way: Passes, a: Slot) -> dict[str, list[Slot]]:
+    """Forces of inertia and gravity along the coordinates, less the wrenches, for accelerations ``a``.
 
-    Further outputs: ``base_force`` (6: moment, force, in base axes), ``points`` (pose 15, rate 3, acceleration 6 each),
+    ``forces``; ``base_force`` (6: moment, force, in base axes), ``points`` (pose 15, rate 3, acceleration 6 each),
     ``moment`` (3: sum of mass times position). Rotors are left out: they are a diagonal of numbers.
     """
-    way = Passes(parts, posed=True, loaded=loaded)
-    way.take_wrenches(loaded=loaded)
-    found = balance(way, way.schedule.input("a", parts.size))
-    schedule = way.schedule
-    motions = (
+    found = balance(way, a)
+    motions = [
         point_motion(way, k, found.roots, found.tips, lambda link: way.bend(link, found.a))
-        for k in range(len(parts.points))
-    )
-    schedule.output("points", *(slot for motion in motions for slot in motion))
-    schedule.output("moment", _moment(way))
-    schedule.output("forces", *way.by_coordinate({}, found.joints, found.links))
-    schedule.output("base_force", found.at_base)
-    return schedule
+        for k in range(len(way.parts.points))
+    ]
+    return {
+        "points": [slot for motion in motions for slot in motion],
+        "moment": [_moment(way)],
+        "forces": way.by_coordinate({}, found.joints, found.links),
+        "base_force": [found.at_base],
+    }
 
 
 def joint_reactions(parts: Parts, *, loaded: bool = False) -> Schedule:
@@ -153,21 +151,17 @@ def _moment(way: Passes) -> Slot:
     return total
 
 
-def elastic_forces(parts: Parts) -> Schedule:
-    """(q, v) -> forces of springs, dampers and friction along the coordinates, as on the left side of the equations.
+def elastic_forces(way: Passes) -> dict[str, list[Slot]]:
+    """Forces of springs, dampers and friction along the coordinates, as on the left side of the equations.
 
-    Further outputs: ``energies`` (gear, link) and ``losses`` (gear damping, friction, link damping) of each coordinate
+    ``forces``; ``energies`` (gear, link) and ``losses`` (gear damping, friction, link damping) of each coordinate
     of a joint and of each link, in the order of the nodes.
     """
-    way = Passes(parts, posed=False, loaded=False)
-    schedule = way.schedule
+    parts = way.parts
     bent = {index: way.elastic(part.link) for index, part in enumerate(parts.nodes) if part.link}
     motors, joints, energies, losses = elastic_of_drives(way, {index: found[1:] for index, found in bent.items()})
     links = {link.first: bent[index][0] for index, part in enumerate(parts.nodes) if (link := part.link)}
-    schedule.output("forces", *way.by_coordinate(motors, joints, links))
-    schedule.output("energies", *energies)
-    schedule.output("losses", *losses)
-    return schedule
+    return {"forces": way.by_coordinate(motors, joints, links), "energies": energies, "losses": losses}
 
 
 def elastic_of_drives(

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from tmodes.compile.lanes.series import SUMS
 from tmodes.compile.native import WIDTH, Library
-from tmodes.equations.loop.lean import Shown
+from tmodes.equations.loop.outputs import Output
 from tmodes.kinds.signals.schedule import Schedule
 from tmodes.model.passes import evaluate_wide
 from tmodes.simulation.batch.private import private
@@ -30,7 +30,7 @@ class Wanted:
     that did not come to its end has no number behind it.
     """
 
-    shown: tuple[Shown, ...]
+    shown: tuple[Output, ...]
     table: Array
     times: Array
     out: Array
@@ -55,7 +55,7 @@ class Wanted:
             return
         whole = np.array_equal(times, self.times)
         rows = self._rows(schedule) if whole else schedule.rows_at(times)
-        wanted = model.series(self.shown, self.given, after=model.plan.is_sampled)
+        wanted = model.series(self.shown, self.given, after=model.plan.is_sampled).schedule
         blocks = {
             "time": times[:, None], "state": np.hstack([run.states[:, :size], table[:count]]),
             "row": rows, "step": np.zeros((count, 1)),

@@ -1,4 +1,4 @@
-"""A case by itself, as :func:`tmodes.run` runs it: where conditions end runs, and for series that no loop gives."""
+"""A case by itself, as :func:`tmodes.run` runs it: where conditions end runs, and for outputs that no lane gives."""
 
 from __future__ import annotations
 
@@ -10,16 +10,14 @@ from numpy.typing import NDArray
 
 from tmodes.analysis.energy import energy_lost
 from tmodes.analysis.error_parts import straight
-from tmodes.analysis.quasistatic import deflections, elastic_names
+from tmodes.equations.loop.outputs import COMMANDED, DEVIATION, OWN, Outputs
 from tmodes.errors import SimulationError
 from tmodes.sheet import Robot
 from tmodes.simulation.batch.result import COUNTS
 from tmodes.simulation.motion_run import RunData
-from tmodes.simulation.quantities import run_quantities
 from tmodes.simulation.simulate import simulate_motion
-from tmodes.simulation.stops import STOPPED, Instants
+from tmodes.simulation.stops import STOPPED
 from tmodes.simulation.vary.reductions import Reduction, of_samples
-from tmodes.simulation.vary.series import COMMANDED, DEVIATION, OWN
 from tmodes.simulation.vary.tables import setpoints
 
 __all__ = ["Alone", "run_alone", "series_of_run"]
@@ -69,21 +67,20 @@ def _ending(run: RunData) -> tuple[str, str, int]:
 
 def series_of_run(run: RunData, count: int, names: set[str], own: Array | None) -> dict[str, Array]:
     """The series (count,) of a run that it has, by their names."""
-    at = Instants(run.times[:count], run.states[:count], run.planned.schedule.rows_at(run.times[:count]))
-    known, tip = run_quantities(run.setup), run.points.position[:count, 0]
-    found = {name: known[name].of(at) for name in names if name in known}
-    deformed = [name.removeprefix("deformation.") for name in names if name.startswith("deformation.")]
-    kinds = elastic_names(run.model)
-    if deformed:
-        bent = deflections(run.model, run.q[:count])
-        found |= {f"deformation.{name}": bent[:, kinds.index(name)] for name in deformed if name in kinds}
-    places = {OWN: own, COMMANDED: _commanded(run, count) if COMMANDED in names else None}
-    if DEVIATION in names and run.reference is not None:
-        places[DEVIATION] = run.reference.points.position[:, 0]
-    for name, place in places.items():
-        if name in names and place is not None and len(place) >= count:
-            found[name] = np.linalg.norm(tip - place[:count], axis=1)
-    return found
+    heads = {name.partition(".")[0] for name in names}
+    places = {OWN: own, COMMANDED: _commanded(run, count) if COMMANDED in heads else None}
+    places[DEVIATION] = run.reference.points.position[:, 0] if run.reference else None
+    given = {
+        name: place[:count]
+        for name, place in places.items()
+        if name in heads and place is not None and len(place) >= count
+    }
+    known, times = Outputs(run.setup.model.loop, tuple(given)), run.times[:count]
+    wanted = {name: known[name] for name in names if name in known}
+    table = np.concatenate([np.zeros((count, 0)), *given.values()], axis=1)
+    rows = run.planned.schedule.rows_at(times)
+    found = run.setup.model.seen([*wanted.values()], times, run.states[:count], rows, table)
+    return dict(zip(wanted, found.T, strict=True))
 
 
 def _commanded(run: RunData, count: int) -> Array | None:

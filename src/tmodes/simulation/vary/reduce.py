@@ -10,6 +10,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from tmodes.equations.loop.outputs import COMMANDED, DEVIATION, DISTANCES, OWN, Outputs
 from tmodes.errors import InputError, SimulationError
 from tmodes.io.arguments import checked_arguments
 from tmodes.sheet import Robot
@@ -25,7 +26,6 @@ from tmodes.simulation.vary.kept import Kept, kept_cases
 from tmodes.simulation.vary.reducing import Reducing
 from tmodes.simulation.vary.reductions import Reduction, refuse_unknown_rules
 from tmodes.simulation.vary.refused import accepted, refused_cases
-from tmodes.simulation.vary.series import COMMANDED, DEVIATION, DISTANCES, OWN, refuse_unknown_series, units_of
 from tmodes.simulation.vary.simulate import changes_of, checked, prepared
 from tmodes.simulation.vary.tables import Nominal, nominal_side, own_tip, setpoints
 
@@ -79,17 +79,17 @@ def reduced(
 ) -> Reduced:
     """Run k cases of one sheet and reduce their series to numbers; ``vary`` as of :func:`tmodes.simulate_batch`.
 
-    Series are named as in stop conditions (``joint.position``, ``tip.speed``, ``joint.effort``, ``contact.force``,
-    ``energy.total``), ``deformation.NAME`` is that of a result, and three are distances of the tip [m]: ``deviation``
+    Series are outputs by name (``joint.position``, ``tip.speed``, ``joint.effort``, ``contact.force``,
+    ``energy.total``; :func:`tmodes.outputs` lists them), and three are distances of the tip [m]: ``deviation``
     from the nominal tip of the same case, ``tip_difference`` from the sheet's own run, ``tip_error`` from the commanded
     path. Numbers are those of :func:`tmodes.run` within the tolerance of the integration.
 
     Cases run side by side, or by themselves where they are stiff; each is run as :func:`tmodes.run` does where stop
-    conditions or the energy may end it, and for series that compiled code does not give (energies, gears that share
-    motors), which is slow. ``kept``: indices of cases whose motions are kept. ``wrong``: what becomes of cases that the
-    sheet refuses: an ``error`` before anything runs, or a ``row`` with the status ``refused``. ``spans``: where these
-    cases are part of more, the least and the largest value of each path over all of them; what can be found once for
-    all is then kept, and no case within is refused where those at the ends are not.
+    conditions or the energy may end it, and for works and what is at stations along links, which is slow. ``kept``:
+    indices of cases whose motions are kept. ``wrong``: what becomes of cases that the sheet refuses: an ``error``
+    before anything runs, or a ``row`` with the status ``refused``. ``spans``: where these cases are part of more, the
+    least and the largest value of each path over all of them; what can be found once for all is then kept, and no case
+    within is refused where those at the ends are not.
     ``runner``: what runs the cases, but for those that run by themselves and the sheet's own.
 
     Raises :class:`tmodes.errors.InputError` or :class:`tmodes.errors.InputErrors` for wrong numbers and unknown names,
@@ -150,13 +150,14 @@ class _Rows:
         values = {path: numbers[going] for path, numbers in self.values.items()}
         names = list(dict.fromkeys(one.series for one in self.reductions))
         self._learn(values, names)
-        own = own_tip(_unwatched(self.sheet), self.threads) if OWN in names else None
+        heads = {name.partition(".")[0] for name in names}
+        own = own_tip(_unwatched(self.sheet), self.threads) if OWN in heads else None
         if _watched(self.sheet):
             self._alone(going, own, progress)
             return
         lanes = prepared(self.sheet, values, keep=False, progress=progress, threads=self.threads, spans=self.spans)
-        distances = [name for name in DISTANCES if name in names]
-        if COMMANDED in names and any(setpoints(lot.like) is None for lot in lanes.lots):
+        distances = [name for name in DISTANCES if name in heads]
+        if COMMANDED in heads and any(setpoints(lot.like) is None for lot in lanes.lots):
             distances.remove(COMMANDED)
         nominal, planned = None, [name for name in (DEVIATION, COMMANDED) if name in distances]
         if planned:
@@ -174,13 +175,14 @@ class _Rows:
         first = ""
         for index in range(len(next(iter(values.values())))):
             try:
-                self.units = units_of(run_setup(self.sheet.with_(changes_of(values, index)).pair().real))
+                setup = run_setup(self.sheet.with_(changes_of(values, index)).pair().real)
                 break
             except SimulationError as error:
                 first = first or str(error)
         else:
             raise SimulationError(f"no case can start; the first one: {first}")
-        refuse_unknown_series(names, list(self.units))
+        outputs = Outputs(setup.model.loop, tuple(DISTANCES))
+        self.units = {name: outputs.find(name, "reductions").unit for name in names}
 
     def _take(self, places: NDArray[np.int64], runs: Sequence[Trajectory], numbers: Mapping[Reduction, Array]) -> None:
         for one, found in numbers.items():

@@ -11,14 +11,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.compile.lanes.series import SUMS
-from tmodes.equations.loop.lean import Shown
+from tmodes.equations.loop.outputs import DEVIATION, OWN, Output, Outputs
 from tmodes.simulation.batch.result import not_begun
 from tmodes.simulation.batch.runner import Runner
 from tmodes.simulation.batch.wanted import Wanted
 from tmodes.simulation.parts import Trajectory
 from tmodes.simulation.vary.lots import Indices, Lot
 from tmodes.simulation.vary.reductions import Reduction, of_samples, of_sums
-from tmodes.simulation.vary.series import DEVIATION, OWN, compiled_series, units_of
 from tmodes.simulation.vary.simulate import Prepared
 from tmodes.simulation.vary.tables import Nominal, Table
 
@@ -64,15 +63,14 @@ class Reducing:
         return (*(self.nominal.names if self.nominal else ()), *((OWN,) if self.own is not None else ()))
 
     @cached_property
-    def _shown(self) -> dict[int, dict[str, Shown] | None]:
-        """The series that are wanted, by the lot's structure; None where not all that it has are compiled."""
-        found: dict[int, dict[str, Shown] | None] = {}
+    def _shown(self) -> dict[int, dict[str, Output] | None]:
+        """The outputs that are wanted, by the lot's structure; None where lanes do not give all that it has."""
+        found: dict[int, dict[str, Output] | None] = {}
         for lot in self.lanes.lots:
-            compiled = compiled_series(lot.like, self._given)
-            wanted = {name: compiled[name] for name in self._names if name in compiled}
-            left = [name for name in self._names if name not in compiled]
-            slow = left and any(name in units_of(lot.like) for name in left)
-            found[id(lot.like)] = None if slow else wanted
+            lean, whole = Outputs(lot.like.model.lean, self._given), lot.like.model.outputs
+            wanted = {name: lean[name] for name in self._names if name in lean}
+            slow = any(name in whole for name in self._names if name not in wanted)
+            found[id(lot.like)] = None if slow or any(one.further for one in wanted.values()) else wanted
         return found
 
     @cached_property
@@ -147,7 +145,7 @@ class Reducing:
         found = {one: values[places] for one, values in numbers.items()}
         return Part(places, [runs[place] for place in places.tolist()], found)
 
-    def _wanted(self, shown: tuple[Shown, ...], lanes: Prepared, table: Table) -> Wanted:
+    def _wanted(self, shown: tuple[Output, ...], lanes: Prepared, table: Table) -> Wanted:
         each = (len(shown), len(SUMS)) if self._folds else (len(lanes.times), len(shown))
         return Wanted(shown, table.numbers, lanes.times, np.empty((lanes.size, *each)), self._folds)
 
@@ -167,7 +165,7 @@ class Reducing:
         lost = dict.fromkeys(runs, table.lost[0]) if self._common and table.lost else table.lost
         for place, why in lost.items():
             for one, values in numbers.items():
-                if one.series == DEVIATION:
+                if one.series.partition(".")[0] == DEVIATION:
                     values[place] = np.nan
             if place in runs:
                 message = f"{runs[place].message}; there is no nominal run: {why}"

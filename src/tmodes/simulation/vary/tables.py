@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.analysis.error_parts import straight
-from tmodes.equations.loop.lean import Shown
+from tmodes.equations.loop.outputs import COMMANDED, DEVIATION
 from tmodes.errors import InputError
 from tmodes.sheet import Robot
 from tmodes.sheet.parts import Command
@@ -22,7 +22,6 @@ from tmodes.simulation.start import RunSetup, run_setup
 from tmodes.simulation.vary.families import Spans
 from tmodes.simulation.vary.lanes import Side
 from tmodes.simulation.vary.lots import Lot
-from tmodes.simulation.vary.series import COMMANDED, DEVIATION
 from tmodes.simulation.vary.simulate import Prepared, prepared, run_prepared
 from tmodes.simulation.warnings import jumps
 
@@ -33,8 +32,6 @@ Progress = Callable[[str, float], None]
 
 _REAL = "real"
 """Numbers below this path are those of the actual robot alone."""
-
-_TIP = tuple(Shown("point", (0, axis)) for axis in range(3))
 
 
 class Table(NamedTuple):
@@ -151,9 +148,10 @@ class Nominal:
 
     def _works(self, out: Array) -> list[Work]:
         """Runs whose tips are written into ``out`` (k, n, 3)."""
-        wanted = Wanted(_TIP, np.zeros((1, out.shape[1], 0)), self.lanes.times, out, folds=False)
-        empty = np.empty((self.lanes.size, 0, 0))
-        return [lot.work(self.lanes.times, empty, wanted) for lot in self.lanes.lots]
+        table, empty = np.zeros((1, out.shape[1], 0)), np.empty((self.lanes.size, 0, 0))
+        tips = [lot.like.model.outputs.groups["tip"] for lot in self.lanes.lots]
+        wanted = [Wanted(tip, table, self.lanes.times, out, folds=False) for tip in tips]
+        return [lot.work(self.lanes.times, empty, one) for lot, one in zip(self.lanes.lots, wanted, strict=True)]
 
 
 def _commanded(lot: Lot, times: Array) -> Array:

@@ -8,12 +8,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from tmodes.equations.loop.outputs import COMMANDED, DEVIATION
 from tmodes.errors import InputError, SimulationError
 from tmodes.gradients.gradient import adjoint_gradient
 from tmodes.gradients.quantities import Functional
 from tmodes.sheet import Robot
-from tmodes.simulation.start import run_setup
-from tmodes.simulation.vary.series import COMMANDED, DEVIATION, units_of
+from tmodes.simulation.outputs import robot_outputs
 from tmodes.simulation.vary.tables import Nominal, nominal_side, setpoints
 from tmodes.study.optimize.gradient import Terms, neighbours, slopes
 from tmodes.study.optimize.leaves import factor, formulas, leaves, numbers_of, restricted
@@ -137,7 +137,7 @@ class Adjoint:
         if references is not None:
             moved = slopes(references, point.shares)
             slope = slope - np.tensordot(moved, weights[0], axes=([0, 1], [0, 1]))
-        unit = units_of(run_setup(point.robot.pair().real))[series]
+        unit = robot_outputs(point.robot)[series].unit
         return value * factor(unit, quantity.unit), slope * factor(unit, quantity.unit)
 
     def _references(self, point: _Point, series: str, which: str) -> Array:

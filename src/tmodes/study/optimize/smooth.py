@@ -8,11 +8,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from tmodes.equations.loop.outputs import COMMANDED, DEVIATION
 from tmodes.errors import InputError
 from tmodes.gradients.quantities import Functional
 from tmodes.sheet import Robot
 from tmodes.simulation.start import run_setup
-from tmodes.simulation.vary.series import COMMANDED, DEVIATION
 
 __all__ = ["REFERENCED", "has_slope", "reduced_series"]
 

@@ -11,9 +11,8 @@ from pydantic import Field
 from tmodes.errors import InputError
 from tmodes.kinds.schema.quantity import Issue
 from tmodes.sheet import Robot
-from tmodes.simulation.quantities import named_setup
+from tmodes.simulation.outputs import robot_outputs
 from tmodes.simulation.vary.reductions import Reduction, refuse_unknown_rules
-from tmodes.simulation.vary.series import refuse_unknown_series, units_of
 from tmodes.study.quantities.contract import QUANTITIES, Asked, Found, Needs, Quantity, in_any
 
 __all__ = ["Series"]
@@ -47,7 +46,7 @@ class Series(Quantity):
 
         def issues(robot: Robot) -> Iterator[Issue]:
             try:
-                refuse_unknown_series([self.series], list(units_of(named_setup(robot.pair().real))))
+                robot_outputs(robot).find(self.series, "series")
             except InputError as error:
                 yield Issue("series", error.got, error.expected, error.hint)
 
