@@ -9,6 +9,7 @@ import tmodes
 from arm.run.sheets import pendulum, torque
 from tmodes.errors import InputError, InputErrors
 from tmodes.simulation.outputs import robot_outputs
+from tmodes.simulation.reductions import RULES, of_samples, with_slope
 from tmodes.simulation.vary import arrays
 from tmodes.simulation.vary.alone import run_alone
 from tmodes.simulation.vary.reduce import Reduced, Reduction, reduced
@@ -203,3 +204,24 @@ def test_what_cannot_be_asked(reductions, words):
 def test_kept_indices_must_exist():
     with pytest.raises(InputError, match="from 0 to 1"):
         reduced(swing(), {"drives.0.signal.value": [1.0, 2.0]}, [Reduction("tip.speed", "max")], kept=[2])
+
+
+def test_a_series_settles_when_it_stays_in_its_band():
+    times = np.linspace(0.0, 1.0, 11)
+    values = np.array([np.exp(-5 * times), np.full(11, 2.0), np.where(times < 0.95, 1.0, 0.0)])
+    found = of_samples(Reduction("tip.x", "settling:0.05"), values, times)
+    assert found == pytest.approx([0.6, 0.0, 1.0])
+    assert Reduction("tip.x", "settling:0.05").unit_of("m") == "s"
+
+
+@pytest.mark.parametrize("how", [name for name, rule in RULES.items() if rule.slope])
+def test_slopes_of_rules_are_those_of_differences(how):
+    times, values = np.array([0.0, 0.1, 0.25, 0.3]), np.array([0.3, -1.0, 2.0, 0.7])
+    value, slopes = with_slope(one := Reduction("tip.x", how), values, times)
+
+    def at(changed):
+        return of_samples(one, changed[None], times)[0]
+
+    assert value == at(values)
+    moved = [(at(values + step) - at(values - step)) / 2e-6 for step in 1e-6 * np.eye(4)]
+    assert slopes == pytest.approx(moved, abs=1e-8)

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from tmodes.io.units import number
 from tmodes.simulation.outputs import robot_outputs
-from tmodes.simulation.vary.reductions import Reduction, of_samples
+from tmodes.simulation.reductions import Reduction, of_samples
 from tmodes.study.quantities import Asked
 from tmodes.study.rows import Kept, Rows
 

@@ -13,8 +13,8 @@ from numpy.typing import NDArray
 from tmodes.io.sheet_check import sheet_data
 from tmodes.sheet import Robot
 from tmodes.simulation.batch.result import BatchRun
+from tmodes.simulation.reductions import Reduction, of_samples
 from tmodes.simulation.vary.lanes import changed_sheet
-from tmodes.simulation.vary.reductions import Reduction, of_samples
 from tmodes.simulation.vary.refused import accepted, refused_cases
 from tmodes.simulation.vary.simulate import prepared, run_prepared
 from tmodes.simulation.vary.values import changes_of, checked

@@ -16,8 +16,9 @@ from tmodes.model.passes import evaluate_wide
 from tmodes.simulation.batch.private import private
 from tmodes.simulation.loop import LoopModel
 from tmodes.simulation.parts import Trajectory
+from tmodes.simulation.reductions import folded, time_weights
 
-__all__ = ["Given", "Wanted", "folded", "time_weights"]
+__all__ = ["Given", "Wanted"]
 
 Array = NDArray[np.float64]
 
@@ -78,25 +79,6 @@ class Wanted:
             rows = schedule.rows_at(self.times)
             self._last[:] = [(schedule, rows)]  # at once: other threads read it
         return rows
-
-
-def time_weights(times: Array) -> Array:
-    """Weights (n,) of samples in a mean over time, by the trapezoidal rule; the last may follow a shorter step."""
-    if len(times) < 2:
-        return np.ones(len(times))
-    steps = np.diff(times) / (times[-1] - times[0])
-    return (np.append(steps, 0.0) + np.insert(steps, 0, 0.0)) / 2
-
-
-def folded(series: Array, times: Array, weights: Array) -> Array:
-    """What series (n, m) are reduced to, (m, 6), in the order of :data:`tmodes.compile.lanes.series.SUMS`.
-
-    ``weights`` (n,): of the samples in a mean over time.
-    """
-    if not len(series):
-        return np.full((series.shape[1], len(SUMS)), np.nan)
-    sums = series.max(axis=0), series.min(axis=0), weights @ series, weights @ series**2, series[-1]
-    return np.column_stack([*sums, times[series.argmax(axis=0)]])
 
 
 class Given:

@@ -15,9 +15,9 @@ from tmodes.errors import SimulationError
 from tmodes.sheet import Robot
 from tmodes.simulation.batch.result import COUNTS
 from tmodes.simulation.motion_run import RunData
+from tmodes.simulation.reductions import Reduction, of_samples
 from tmodes.simulation.simulate import simulate_motion
 from tmodes.simulation.stops import STOPPED
-from tmodes.simulation.vary.reductions import Reduction, of_samples
 from tmodes.simulation.vary.tables import setpoints
 
 __all__ = ["Alone", "run_alone", "series_of_run"]

@@ -19,12 +19,12 @@ from tmodes.simulation.batch.result import COUNTS
 from tmodes.simulation.batch.runner import PROCESSOR, Runner
 from tmodes.simulation.batch.simulate import thread_count
 from tmodes.simulation.parts import Trajectory
+from tmodes.simulation.reductions import Reduction, refuse_unknown_rules
 from tmodes.simulation.start import run_setup
 from tmodes.simulation.vary.alone import run_alone
 from tmodes.simulation.vary.families import Spans
 from tmodes.simulation.vary.kept import Kept, kept_cases
 from tmodes.simulation.vary.reducing import Reducing
-from tmodes.simulation.vary.reductions import Reduction, refuse_unknown_rules
 from tmodes.simulation.vary.refused import accepted, refused_cases
 from tmodes.simulation.vary.simulate import changes_of, checked, prepared
 from tmodes.simulation.vary.tables import Nominal, nominal_side, own_tip, setpoints

@@ -1,4 +1,4 @@
-"""Cases that were prepared, reduced part by part: series are folded in the loops, or written for percentiles."""
+"""Cases that were prepared, reduced part by part: series are folded in the loops, or written for rules on samples."""
 
 from __future__ import annotations
 
@@ -16,8 +16,8 @@ from tmodes.simulation.batch.result import not_begun
 from tmodes.simulation.batch.runner import Runner
 from tmodes.simulation.batch.wanted import Wanted
 from tmodes.simulation.parts import Trajectory
+from tmodes.simulation.reductions import Reduction, of_samples, of_sums
 from tmodes.simulation.vary.lots import Indices, Lot
-from tmodes.simulation.vary.reductions import Reduction, of_samples, of_sums
 from tmodes.simulation.vary.simulate import Prepared
 from tmodes.simulation.vary.tables import Nominal, Table
 
@@ -81,7 +81,7 @@ class Reducing:
 
     @cached_property
     def _folds(self) -> bool:
-        return all(one.percentile is None for one in self.reductions)
+        return all(one.sampled is None for one in self.reductions)
 
     @cached_property
     def _common(self) -> bool:

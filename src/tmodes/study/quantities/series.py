@@ -12,7 +12,7 @@ from tmodes.errors import InputError
 from tmodes.kinds.schema.quantity import Issue
 from tmodes.sheet import Robot
 from tmodes.simulation.outputs import robot_outputs
-from tmodes.simulation.vary.reductions import Reduction, refuse_unknown_rules
+from tmodes.simulation.reductions import Reduction, refuse_unknown_rules
 from tmodes.study.quantities.contract import QUANTITIES, Asked, Found, Needs, Quantity, in_any
 
 __all__ = ["Series"]
@@ -27,7 +27,9 @@ class Series(Quantity):
     type: Literal["series"] = Field(description="kind of quantity")
     series: str = Field(min_length=1, max_length=200, description="name of a series, as stop conditions know it")
     reduce: str = Field(
-        min_length=1, max_length=20, description="max, min, max_abs, mean, rms, end, range, time_of_max, percentile:P"
+        min_length=1,
+        max_length=20,
+        description="max, min, max_abs, mean, rms, end, range, time_of_max, percentile:P, settling:B",
     )
 
     def needs(self) -> Needs:
