@@ -25,6 +25,7 @@ from tmodes.kinds.drives.contract import DriveKind, Dry
 from tmodes.kinds.drives.registry import drive_kind
 from tmodes.kinds.joints.contract import Coordinate, JointKind
 from tmodes.kinds.links.contract import Link
+from tmodes.kinds.noted.functions import array, number
 
 __all__ = [
     "Axis", "Chain", "Friction", "Gear", "Joint", "Motor", "Node", "ParallelSpring", "Point", "joint_of_element",
@@ -173,7 +174,7 @@ class Joint:
     @property
     def numbers(self) -> Array:
         """Axis and parameters, as the formulas of its kind take them."""
-        return np.array([*self.axis, *self.parameters], dtype=float)
+        return array([*self.axis, *self.parameters])
 
     def driven_by(self, *drives: DriveKind) -> Joint:
         """The same joint with a kind of drive for each coordinate."""
@@ -190,7 +191,7 @@ class Joint:
 
     def placed(self, q: Sequence[float]) -> Placement:
         """The link's frame in the joint's at coordinates q."""
-        return Placement(*self.kind.placement(q, [*map(float, self.numbers)]))
+        return Placement(*self.kind.placement(q, [*map(number, self.numbers)]))
 
 
 @dataclass(frozen=True, eq=False)

@@ -19,6 +19,7 @@ from tmodes.kinds.joints.registry import joint_kind
 from tmodes.kinds.links.contract import Body
 from tmodes.kinds.links.registry import RigidLink
 from tmodes.kinds.links.sheet import LoweredLink, Spot, moved_body, placed, sheet_body
+from tmodes.kinds.noted.functions import zeros
 from tmodes.kinds.schema.axes import unit
 from tmodes.sheet import Robot
 from tmodes.sheet.parts import Command, LinkSheet, TipSheet
@@ -84,7 +85,7 @@ def _joint(sheet: JointSheet, placement: Placement, robot: Robot) -> Joint:
     drives, limits = tuple(_drive(sheet, name, robot) for name in sheet.coordinates), sheet.limits
     drive, gear = drives[0], sheet.gear
     gear = Gear(gear.stiffness, gear.torque_limits, gear.damping, gear.backlash) if gear else None
-    spring = ParallelSpring(*sheet.spring.model_dump().values()) if sheet.spring else None
+    spring = ParallelSpring(*(value for _, value in sheet.spring)) if sheet.spring else None
     lower, upper = (limits.lower, limits.upper) if limits else (None, None)
     return Joint(
         name=sheet.name,
@@ -143,7 +144,8 @@ def _couplings(robot: Robot, nodes: list[Node]) -> NDArray[np.float64] | None:
     if not robot.couplings:
         return None
     names = [axis.name for node in nodes for axis in node.joint.axes if axis.drive.has_motor]
-    matrix = np.eye(len(names))
+    given = [factor for factors in robot.couplings.values() for factor in factors.values()]
+    matrix = np.eye(len(names)) + zeros((len(names), len(names)), given)
     for joint, factors in robot.couplings.items():
         row = names.index(joint)
         matrix[row] = 0.0

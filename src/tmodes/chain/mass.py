@@ -11,6 +11,8 @@ from numpy.typing import NDArray
 from tmodes.chain.chain import Axis, Chain, Joint, Node
 from tmodes.frame import Placement
 from tmodes.kinds.links.contract import Body
+from tmodes.kinds.noted.functions import array, least_eigenvalue_exceeds, number, sqrt, zeros
+from tmodes.kinds.noted.number import is_noted
 from tmodes.kinds.schema.axes import cross_matrix
 from tmodes.kinds.schema.quantity import Issue
 from tmodes.sheet import Robot
@@ -62,9 +64,9 @@ def carried_by_joints(chain: Chain) -> dict[str, Carried]:
         subspace = [each.packed() for each in node.joint.kind.subspace(_general(node.joint, index), node.joint.numbers)]
         if len(subspace) == 1:
             column = np.array(subspace[0])
-            pull = turned[-1].T @ np.asarray(chain.gravity, dtype=float)
+            pull = turned[-1].T @ array(chain.gravity)
             push = moved @ column
-            found[node.joint.name] = Carried(float(moved[3, 3]), float(column @ push), abs(float(push[3:] @ pull)))
+            found[node.joint.name] = Carried(number(moved[3, 3]), number(column @ push), abs(number(push[3:] @ pull)))
     return found
 
 
@@ -82,10 +84,10 @@ def _nothing_moved(chain: Chain, index: int, moved: Array) -> str:
     columns = _columns(joint, index)
     if len(columns) and moved[3, 3] <= 0 and not (moved[:3, :3].any() and columns[:, :3].any()):
         return f"has no mass and is moved by `{joint.name}`"
-    turning, along = float(np.trace(moved[:3, :3])), float(moved[3, 3])
+    turning, along = number(np.trace(moved[:3, :3])), number(moved[3, 3])
     for column in columns:
-        size = turning * float(column[:3] @ column[:3]) + along * float(column[3:] @ column[3:])
-        if float(column @ moved @ column) <= NEGLIGIBLE * size:
+        size = turning * number(column[:3] @ column[:3]) + along * number(column[3:] @ column[3:])
+        if number(column @ moved @ column) <= NEGLIGIBLE * size:
             return f"has no inertia about the axis of `{joint.name}`"
     return ""
 
@@ -104,11 +106,11 @@ def _dependent(chain: Chain, carried: list[Array]) -> dict[int, str]:
     bodies (Featherstone, Rigid Body Dynamics Algorithms, 2008, Table 6.2).
     """
     columns = [_columns(node.joint, index) for index, node in enumerate(chain.nodes)]
-    own = [np.linalg.eigvalsh(_own(node))[0] > 0 for node, of in zip(chain.nodes, columns, strict=True) if len(of)]
+    own = [least_eigenvalue_exceeds(_own(node), 0.0) for node, of in zip(chain.nodes, columns, strict=True) if len(of)]
     if all(own):
         return {}
     starts = np.cumsum([0, *map(len, columns)])
-    mass = np.zeros((starts[-1], starts[-1]))
+    mass = zeros((starts[-1], starts[-1]), *carried)
     for index, of in enumerate(columns):
         force, at = carried[index] @ of.T, index
         while len(of) and at >= 0:
@@ -116,13 +118,21 @@ def _dependent(chain: Chain, carried: list[Array]) -> dict[int, str]:
             mass[starts[at] : starts[at + 1], starts[index] : starts[index + 1]] = block
             force, at = _upward(chain, at) @ force, chain.nodes[at].parent
     mass = np.triu(mass) + np.triu(mass, 1).T
-    scale = 1 / np.sqrt(np.diag(mass))
+    scale = 1 / sqrt(np.diag(mass))
     scaled = mass * np.outer(scale, scale)
-    if not len(scaled) or np.linalg.eigvalsh(scaled)[0] >= NEGLIGIBLE:
+    if not len(scaled) or not _singular(scaled):
         return {}
     ends = ((k, starts[k + 1]) for k, of in enumerate(columns) if len(of))
-    index = next(k for k, end in ends if np.linalg.eigvalsh(scaled[:end, :end])[0] < NEGLIGIBLE)
+    index = next(k for k, end in ends if _singular(scaled[:end, :end]))
     return {index: f"moves with `{chain.nodes[index].joint.name}` only as it does with the joints before"}
+
+
+def _singular(scaled: Array) -> bool:
+    return (
+        not least_eigenvalue_exceeds(scaled, NEGLIGIBLE)
+        if is_noted(scaled)
+        else bool(np.linalg.eigvalsh(scaled)[0] < NEGLIGIBLE)
+    )
 
 
 def _upward(chain: Chain, index: int) -> Array:
@@ -131,8 +141,7 @@ def _upward(chain: Chain, index: int) -> Array:
     length = chain.nodes[parent].link.length if parent >= 0 else 0.0
     tip = Placement(position=np.array([length, 0.0, 0.0]))  # of the parent's link in its frame, unbent
     offset = tip @ joint.placement @ joint.placed(_general(joint, index))
-    shift = np.eye(6)
-    shift[3:, :3] = -cross_matrix(offset.position)
+    shift = np.block([[np.eye(3), np.zeros((3, 3))], [-cross_matrix(offset.position), np.eye(3)]])
     return shift.T @ np.kron(np.eye(2), offset.rotation)
 
 

@@ -11,7 +11,7 @@ from tmodes.io.filipovic2010 import importer
 from tmodes.io.filipovic2010.format import FORMAT, PLANT, Format2010
 from tmodes.sheet import SHEET_FORMAT, Robot
 
-__all__ = ["F2010", "ROBOT", "SHORTHANDS", "Form", "editor_schema", "form_of", "json_schema", "own_path"]
+__all__ = ["F2010", "ROBOT", "SHORTHANDS", "Form", "editor_schema", "follows", "form_of", "json_schema", "own_path"]
 __all__ += ["register_form", "robot_path", "with_reach"]
 
 
@@ -68,6 +68,11 @@ def own_path(path: str, data: Any) -> str:
 def with_reach(before: Mapping[str, Any], after: dict[str, Any]) -> dict[str, Any]:
     """Changed plain data of a robot, with what follows from the changes in the format that it was imported from."""
     return importer.with_reach(before, after) if _is_imported(after) else after
+
+
+def follows(robot: Robot, changed: Mapping[tuple[str | int, ...], Any]) -> dict[tuple[str | int, ...], Any]:
+    """As :func:`with_reach` of numbers of a robot by their steps: what follows from those that are ``changed``."""
+    return importer.reach_of(robot, changed) if robot.imported == importer.NAME else {}
 
 
 def _is_imported(data: Any) -> bool:

@@ -17,6 +17,7 @@ from tmodes.equations.mechanics import Mechanics
 from tmodes.equations.recursion.parts import Parts
 from tmodes.equations.recursion.passes import BASE, resting_base
 from tmodes.kinds.kernel.schedule import Schedule, Slot
+from tmodes.kinds.noted.functions import zeros
 from tmodes.model.rows import Rows
 
 __all__ = ["ChainPasses", "PointMotion", "derivatives", "evaluate", "evaluate_wide", "packed", "split"]
@@ -183,7 +184,8 @@ class ChainPasses:
     @cached_property
     def rotor_inertias(self) -> Array:
         """Inertia of the rotors along each coordinate."""
-        rotors = np.zeros(self.parts.size)
+        inertias = [axis.node.joint.motor.inertia for axis in self.parts.axes if axis.node.joint.motor]
+        rotors = zeros(self.parts.size, inertias)
         for axis in self.parts.axes:
             motor = axis.node.joint.motor
             if motor and axis.effort >= 0:

@@ -10,6 +10,8 @@ import numpy as np
 
 from tmodes import upward
 from tmodes.kinds.joints.joint import JointSheet
+from tmodes.kinds.noted.functions import regular
+from tmodes.kinds.noted.number import is_noted
 from tmodes.kinds.schema.frames import Convention
 from tmodes.kinds.schema.quantity import SMALLEST, Issue
 from tmodes.sheet.parts import Command, DriveSheet, TipSheet
@@ -144,6 +146,8 @@ def _singular(couplings: Mapping[str, Mapping[str, float]], names: list[str]) ->
         return
     rows = {name: couplings.get(name, {name: 1.0}) for name in names}
     matrix = np.array([[rows[joint].get(motor, 0.0) for motor in names] for joint in names])
+    if is_noted(matrix) and regular(matrix, SINGULAR):
+        return
     _, sizes, motions = np.linalg.svd(matrix)
     if sizes[-1] <= SINGULAR * sizes[0]:
         alone = motions[-1] / np.abs(motions[-1]).max()

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.equations.loop.plan import Driver
+from tmodes.kinds.noted.functions import number
 from tmodes.model.model import Model
 from tmodes.sheet import Robot
 from tmodes.sheet.parts import InitialState
@@ -51,7 +52,7 @@ def placed(robot: Robot, model: LoopModel) -> list[str]:
     """Coordinates that the sheet puts somewhere: all initial ones but motors on their first setpoint."""
     setpoints = {
         model.coordinates[driver.coordinate]: next(
-            float(sheet.signal.schedule(robot.integration.duration).at(0.0))
+            number(sheet.signal.schedule(robot.integration.duration).at(0.0))
             for sheet in robot.drives
             if sheet.joint == driver.plan.joint
         )

@@ -262,7 +262,7 @@ def loop_numbers(loop: ClosedLoop, rest: Planned) -> Blocks:
     return {
         "parameters": loop.parts.numbers.vector,
         "rest": ClosedLoop(rest.plan).parts.numbers.vector,
-        "rest_row": rest.schedule.rows_at(np.zeros(1))[0],
+        "rest_row": rest.first_row,
     }
 
 

@@ -8,6 +8,7 @@ from enum import StrEnum
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from tmodes.chain.chain import Axis, Chain
 from tmodes.equations.loop.contact_kernels import Touch
@@ -16,6 +17,7 @@ from tmodes.equations.loop.plan import DrivePlan, LoadPlan, LoopPlan, TouchPlan,
 from tmodes.errors import InputError
 from tmodes.kinds.drives.contract import DriveKind
 from tmodes.kinds.drives.registry import drive_kind
+from tmodes.kinds.noted.functions import array, number
 from tmodes.kinds.signals.registry import Clock, Jolts, MergedSchedule, constant_signal, merge
 from tmodes.kinds.signals.schedule import Schedule
 from tmodes.sheet.parts import Command, DriveSheet, InitialState, LoadFrame
@@ -41,7 +43,8 @@ class Planned:
     Joints without a drive: ``undriven`` ones are held at their first value; those of ``loose`` have an initial rate and
     move freely with it, their motors without torque.
 
-    ``signals``: all on common knots; ``each``: what the sheet says of them, one by one.
+    ``signals``: all on common knots; ``each``: what the sheet says of them, one by one; ``pieces``: each on its own.
+    Where numbers are noted, those of ``pieces`` are, and ``signals`` have none: common knots have no fixed structure.
     """
 
     chain: Chain
@@ -51,6 +54,21 @@ class Planned:
     undriven: tuple[str, ...]
     each: tuple[Any, ...] = ()
     loose: tuple[str, ...] = ()
+    pieces: tuple[Schedule, ...] = ()
+
+    @property
+    def first_row(self) -> NDArray[np.float64]:
+        """The row of the signals at time 0."""
+        if not any(piece.is_noted for piece in self.pieces):
+            return self.schedule.rows_at(np.zeros(1))[0]
+        rows = [np.pad(one.coefficients[0], (0, self.plan.degree - one.degree)) for one in self.pieces]
+        return array(np.concatenate([[0.0], *rows]))
+
+    def signals_at_start(self, derivative: int) -> NDArray[np.float64]:
+        """Values (signals,) of all signals, or of a derivative, at time 0."""
+        if not any(piece.is_noted for piece in self.pieces):
+            return self.signals.at(0.0, derivative)
+        return array([number(piece.at(0.0, derivative)) for piece in self.pieces])
 
 
 @dataclass(eq=False)
@@ -101,9 +119,12 @@ def planned(robot: Robot, follow: Follow = Follow.SHEET, like: Chain | None = No
     jolts = () if follow is Follow.HELD else tuple(_jolts(robot, chain, drives, base, signals))
     if jolts:  # a jump at the very end is after the run
         signals.schedules = [schedule.until(signals.until) for schedule in signals.schedules]
-    merged = merge(signals.schedules) if signals.schedules else _nothing(signals.until)
+    merged = merge([each.plain() for each in signals.schedules]) if signals.schedules else _nothing(signals.until)
+    if any(each.is_noted for each in signals.schedules):
+        merged = MergedSchedule(merged.knots, np.full_like(merged.coefficients, np.nan))
     plan = LoopPlan(chain, tuple(drives), len(signals.schedules), merged.degree, loads, touch, base, jolts)
-    return Planned(chain, plan, merged.schedule, merged, tuple(undriven), tuple(signals.info), tuple(loose))
+    return Planned(chain, plan, merged.schedule, merged, tuple(undriven), tuple(signals.info), tuple(loose),
+                   tuple(signals.schedules))  # fmt: skip
 
 
 def refuse_massless(robot: Robot) -> None:
@@ -138,7 +159,7 @@ def initial_value(robot: Robot, joint: str) -> float:
             return info[name]
     sheet = next((drive for drive in robot.drives if drive.joint == joint), None)
     if sheet and sheet.command.is_motion:
-        return float(sheet.signal.schedule(robot.integration.duration).at(0.0))
+        return number(sheet.signal.schedule(robot.integration.duration).at(0.0))
     return 0.0
 
 
@@ -172,7 +193,7 @@ def _kind(axis: Axis, plan: DrivePlan) -> DriveKind:
 def _loads(robot: Robot, names: list[str], signals: _Signals) -> Iterator[LoadPlan]:
     for index, load in enumerate(robot.loads):
         signal = signals.add(load.signal, f"loads.{index}.signal") if load.signal else -1
-        wrench = (*map(float, load.force), *map(float, load.moment))
+        wrench = (*load.force, *load.moment)
         yield LoadPlan(names.index(load.point), load.frame is LoadFrame.SECTION, wrench, signal)
 
 
@@ -220,11 +241,11 @@ def refuse_jumps(robot: Robot, plan: Planned) -> None:
         if drive.command is Command.PRESCRIBED and drive.joint in rigid
     }
     given |= {k: f"base_motion.{name}" for k, name in zip(plan.plan.base, WAYS, strict=False)}
-    signals = plan.signals
     for place, path in given.items():
-        far = MergedSchedule(signals.knots, signals.coefficients[:, [place]]).gaps()[1][:, 0]
+        piece = plan.pieces[place]
+        far = MergedSchedule(piece.knots, piece.coefficients[:, None, :]).gaps()[1][:, 0]
         if far.any():
-            got = f"a jump in position at t = {signals.knots[1:][far.argmax()]:.6g} s"
+            got = f"a jump in position at t = {piece.knots[1:][far.argmax()]:.6g} s"
             hint = "move there in a short time, or let a controller follow it (`command: position`)"
             raise InputError(path, got, "a motion without jumps in position, which no finite force gives", hint)
 

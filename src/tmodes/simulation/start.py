@@ -17,6 +17,7 @@ from tmodes.errors import InputError, SimulationError
 from tmodes.integrate.choice import chosen_method, implicit_method
 from tmodes.integrate.registry import AUTO
 from tmodes.integrate.settings import Integration
+from tmodes.kinds.noted.functions import array
 from tmodes.model.model import Model
 from tmodes.sheet import Robot
 from tmodes.sheet.parts import InitialState
@@ -64,7 +65,7 @@ class RunSetup:
     @property
     def first_row(self) -> Array:
         """The row of the signals at time 0."""
-        return self.planned.schedule.rows_at(np.zeros(1))[0]
+        return self.planned.first_row
 
     @cached_property
     def spectrum(self) -> Spectrum:
@@ -207,7 +208,7 @@ def first_state(robot: Robot, plan: Planned, model: LoopModel, rest: Equilibrium
 def placed_state(robot: Robot, plan: Planned, model: LoopModel, q: Array) -> Array:
     """The same in the pose ``q`` (nq,)."""
     names, layout = model.coordinates, model.layout
-    state = np.zeros(layout.size)
+    state = np.zeros(layout.size, dtype=object)
     state[layout.controls] = model.plan.controls
     state[layout.q] = q
     motors = {name.removesuffix(".motor"): name for name in names if name.endswith(".motor")}
@@ -220,18 +221,18 @@ def placed_state(robot: Robot, plan: Planned, model: LoopModel, q: Array) -> Arr
             state[block][names.index(name)] = value
             if group == "rates" and name in motors and motors[name] not in info:
                 state[block][names.index(motors[name])] = value
-    positions, rates = (plan.signals.at(0.0, derivative) for derivative in (0, 1))
+    positions, rates = (plan.signals_at_start(derivative) for derivative in (0, 1))
     rates[[signal for signal, _ in plan.plan.jolts]] -= rates[[jump for _, jump in plan.plan.jolts]]  # before them
     for driver in model.loop.drivers:
         if driver.plan.servo is None:
             state[layout.q.start + driver.coordinate] = positions[driver.plan.signal]
             state[layout.v.start + driver.coordinate] = rates[driver.plan.signal]
-    return state
+    return array(state)
 
 
 def undeformed(names: tuple[str, ...], held: Mapping[str, float]) -> Array:
     """Each joint where its motor is, nothing bent."""
-    return np.array([held.get(name, held.get(f"{name}.motor", 0.0)) for name in names])
+    return array([held.get(name, held.get(f"{name}.motor", 0.0)) for name in names])
 
 
 def run_trajectory(

@@ -14,12 +14,22 @@ from tmodes.analysis.validity import link_ranges
 from tmodes.chain.chain import Chain, Node
 from tmodes.io.sheet_plausible import turned
 from tmodes.kinds.joints.joint import JointSheet, JointState
+from tmodes.kinds.noted.functions import number
 from tmodes.kinds.schema.frames import TURN
 from tmodes.sheet import Robot
 from tmodes.sheet.parts import LinkSheet
 from tmodes.sheet.topology import loose_links
 
-__all__ = ["gear_rows", "joint_rows", "link_rows", "notices", "parallel_rows", "pose_notices", "rest_notices"]
+__all__ = [
+    "gear_rows",
+    "joint_rows",
+    "link_masses",
+    "link_rows",
+    "notices",
+    "parallel_rows",
+    "pose_notices",
+    "rest_notices",
+]
 
 
 def joint_rows(robot: Robot) -> list[dict[str, Any]]:
@@ -65,8 +75,7 @@ def link_rows(robot: Robot, chain: Chain) -> list[dict[str, Any]]:
 
 def _link_row(robot: Robot, chain: Chain, name: str) -> dict[str, Any]:
     nodes = [*link_nodes(chain, name)]
-    bodies = float(sum(body.mass for node in nodes for body in node.link.all_bodies))
-    bending = [node.link for node in nodes if node.link.bends]
+    bodies, bending = _bodies(nodes), [node.link for node in nodes if node.link.bends]
     row = {"name": name, "model": "rigid", "mass_kg": bodies, "length_m": None}
     if not bending:
         return row
@@ -74,6 +83,25 @@ def _link_row(robot: Robot, chain: Chain, name: str) -> dict[str, Any]:
     if "mass_kg" not in info:
         return row | info | _lumped_masses(robot.link(name), bodies)
     return row | info | {"mass_kg": bodies + info["beam_mass_kg"]}
+
+
+def _bodies(nodes: Sequence[Node]) -> float:
+    return number(sum(body.mass for node in nodes for body in node.link.all_bodies))
+
+
+def link_masses(robot: Robot, chain: Chain) -> dict[str, tuple[float, float]]:
+    """Mass of each link and of its beam [kg], by its name, as :func:`link_rows` has them."""
+    found = {}
+    for joint in robot.joints:
+        nodes = [*link_nodes(chain, joint.child)]
+        bodies, bending = _bodies(nodes), [node.link for node in nodes if node.link.bends]
+        beam = bending[0].beam_mass if bending else 0.0
+        if beam is None:
+            lumped = _lumped_masses(robot.link(joint.child), bodies)
+            found[joint.child] = lumped["mass_kg"], lumped["beam_mass_kg"]
+        else:
+            found[joint.child] = bodies + beam, beam
+    return found
 
 
 def _lumped_masses(link: LinkSheet, equivalent: float) -> dict[str, float]:

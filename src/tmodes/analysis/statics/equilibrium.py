@@ -20,6 +20,7 @@ from tmodes.frame import rotation_vector
 from tmodes.io.arguments import checked_arguments, numbers_of
 from tmodes.io.words import several
 from tmodes.kinds.contacts.registry import Contact
+from tmodes.kinds.noted.functions import array
 from tmodes.model.model import Model
 
 __all__ = ["Equilibrium", "Load", "driven", "equilibrium", "free_coordinates", "held_coordinates"]
@@ -184,10 +185,10 @@ def free_coordinates(model: Model, held: Mapping[str, float], free: Sequence[str
 def starting_pose(model: Model, held: Mapping[str, float], start: Mapping[str, float]) -> Array:
     """The unloaded pose (nq,): ``held`` and ``start`` as given, joints behind gears where their motors put them."""
     given = {**start, **held}
-    q = np.zeros(model.nq)
+    q = np.zeros(model.nq, dtype=object)
     names = list(model.coordinates)
     q[model.motors] = [given.get(names[k], given.get(names[k].removesuffix(".motor"), 0.0)) for k in model.motors]
-    q[sprung(model)] = gear_inputs(model, q[None], rest=True)[0]
+    q[sprung(model)] = gear_inputs(model, array(q)[None], rest=True)[0]
     for name, value in given.items():
         q[names.index(name)] = value
-    return q
+    return array(q)

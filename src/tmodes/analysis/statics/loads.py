@@ -16,6 +16,7 @@ from tmodes.errors import InputError
 from tmodes.io.units import finite_number
 from tmodes.io.words import shown
 from tmodes.kinds.contacts.registry import Contact, Surface
+from tmodes.kinds.noted.functions import number
 from tmodes.kinds.schema.axes import cross_matrix
 from tmodes.kinds.signals.contract import Signal
 from tmodes.model.model import Model
@@ -131,7 +132,7 @@ def sheet_loads(robot: Robot) -> list[Load]:
 
 def first_value(robot: Robot, signal: Signal) -> float:
     """The value of a signal at time 0; beyond the robot's run it may have none."""
-    return float(signal.schedule(min(1.0, robot.integration.duration)).coefficients[0, 0])
+    return number(signal.schedule(min(1.0, robot.integration.duration)).coefficients[0, 0])
 
 
 def point_index(model: Model, name: str) -> int:

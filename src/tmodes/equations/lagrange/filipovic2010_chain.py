@@ -10,6 +10,7 @@ import numpy as np
 from tmodes.chain.chain import Chain
 from tmodes.errors import InputError
 from tmodes.frame import Placement
+from tmodes.kinds.noted.functions import allclose, array, isfinite, number
 
 __all__ = ["COORDINATES", "NUMBERS", "matches", "numbers"]
 
@@ -35,7 +36,7 @@ def numbers(chain: Chain) -> Mapping[str, float]:
     if len(chain.nodes) != 1 or len(modes) != _MODES:
         expected = "one joint that carries one link of the kind `modes` with two modes"
         raise InputError("equations", "another robot", expected, "take `equations: recursion`, which suits all robots")
-    _refuse_elsewhere(chain, float(modes[0].length + modes[1].length))
+    _refuse_elsewhere(chain, number(modes[0].length + modes[1].length))
     mass = [modes[0].tip_mass, modes[1].tip_mass]
     inertia = [modes[0].tip_inertia, modes[1].tip_inertia]
     for s, body in link.carried:
@@ -43,17 +44,17 @@ def numbers(chain: Chain) -> Mapping[str, float]:
             expected = "bodies at the tip itself, with the same rotary inertia about all axes"
             raise InputError("links", "another body on the link", expected, "take `equations: recursion`")
         mass[1] += body.mass
-        inertia[1] += float(body.inertia[0, 0])
-    bends = [bool(np.isfinite(mode.bending_stiffness)) for mode in modes]
+        inertia[1] += number(body.inertia[0, 0])
+    bends = [isfinite(mode.bending_stiffness) for mode in modes]
     springs = [mode.tip_stiffness if free else 0.0 for mode, free in zip(modes, bends, strict=True)]
     dampers = [mode.tip_damping if free else 0.0 for mode, free in zip(modes, bends, strict=True)]
     values = (modes[0].length, modes[1].length, *mass, *inertia, *springs, *dampers)
-    return dict(zip(NUMBERS, map(float, values), strict=True))
+    return dict(zip(NUMBERS, map(number, values), strict=True))
 
 
 def _refuse_elsewhere(chain: Chain, length: float) -> None:
     """Refuse a joint, a weight or a tip that the energies do not know of."""
-    node, down = chain.nodes[0], np.asarray(chain.gravity, dtype=float)
+    node, down = chain.nodes[0], array(chain.gravity)
     turned = [*node.joint.axis, *node.joint.placement.rotation.ravel(), *node.joint.placement.position]
     end = chain.points[0].offset if chain.points else Placement()
     expected = np.zeros(3) if node.link.bends else np.array([length, 0.0, 0.0])
@@ -61,7 +62,7 @@ def _refuse_elsewhere(chain: Chain, length: float) -> None:
         "joints": (chain.sliding or np.any(turned != np.array([0, 0, 1, *np.eye(3).ravel(), 0, 0, 0])),
                    "one revolute joint about z at the base, with the link's root on its axis"),
         "gravity": (down[0] or down[1] or down[2] > 0, "gravity along -z"),
-        "tip": (not np.allclose(end.position, expected) or not np.allclose(end.rotation, np.eye(3)),
+        "tip": (not allclose(end.position, expected) or not allclose(end.rotation, np.eye(3)),
                 "the tip at the end of the last mode"),
     }  # fmt: skip
     for path, (wrong, needed) in issues.items():

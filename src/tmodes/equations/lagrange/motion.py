@@ -18,6 +18,7 @@ from tmodes.equations.recursion.parts import AxisPart, Parts
 from tmodes.equations.recursion.passes import Blocks
 from tmodes.errors import InputError
 from tmodes.kinds.kernel.schedule import Divisible, Kernel, Slot
+from tmodes.kinds.noted.functions import allclose, array, number
 
 __all__ = ["ChainedSystem", "LagrangeDynamics", "LagrangeWay"]
 
@@ -30,8 +31,8 @@ class ChainedSystem:
         self.system, self.parts = system, parts
         self.kernels = SystemKernels(system, _columns(system, parts))
         self.held = tuple(index - parts.joints.start for index in parts.held)
-        gravity = np.asarray(parts.chain.gravity, dtype=float)
-        square = float(gravity @ gravity)
+        gravity = array(parts.chain.gravity)
+        square = number(gravity @ gravity)
         block = parts.numbers.block
         self.parameters = block(system.values(parts.chain))
         self.unit = block(gravity / square if square else gravity)
@@ -39,7 +40,7 @@ class ChainedSystem:
         self.none = block(np.zeros(self.kernels.own))
         self.points = _points(system, parts)
         placed = parts.chain.base
-        if not (np.allclose(placed.rotation, np.eye(3)) and np.allclose(placed.position, 0)):
+        if not (allclose(placed.rotation, np.eye(3)) and allclose(placed.position, 0)):
             expected = f"left out: the system `{system.name}` stands in the world's axes"
             raise InputError("base", "a placed base", expected, "remove `base`")
 

@@ -34,6 +34,7 @@ from tmodes.equations.lagrange.as_sheet import system_data
 from tmodes.equations.lagrange.terms import Energies, EquationTerms, Members, equation_terms
 from tmodes.errors import InputError, TmodesError, error_words
 from tmodes.io.arguments import refuse_fields
+from tmodes.kinds.noted.functions import norm, number
 from tmodes.kinds.registry import Registry
 from tmodes.sheet.robot import RECURSION, Robot
 
@@ -147,7 +148,7 @@ class System:
 
     def values(self, chain: Chain) -> Array:
         """Parameters of a robot: the system's own, changed by the chain's, in the order of ``parameter_names``."""
-        known = {GRAVITY: float(np.linalg.norm(chain.gravity)), **self.parameters}
+        known = {GRAVITY: number(norm(chain.gravity)), **self.parameters}
         known |= dict(self.numbers(chain)) if self.numbers else {}
         for name, value in chain.parameters.items():
             if name not in known:

@@ -18,6 +18,7 @@ from tmodes.kinds.contacts.registry import Contact, Meeting
 from tmodes.kinds.kernel import vectors as v
 from tmodes.kinds.kernel.schedule import kernel
 from tmodes.kinds.kernel.spatial import FORCE, INERTIA, Force, Inertia
+from tmodes.kinds.noted.functions import number
 
 __all__ = ["CONTACT_OUTPUTS", "MODE", "SLIP", "TOUCHES", "LawAt", "Touch", "contact_law"]
 
@@ -65,7 +66,7 @@ class Touch:
         """The numbers, for ``gravity`` (3,) [m/s^2]."""
         law = self.sheet
         surface = (*law.shape.numbers(), law.moving_mass, *gravity, *law.velocity)
-        return (*map(float, surface), *law.numbers())
+        return (*map(number, surface), *law.numbers())
 
     @property
     def has_mass(self) -> bool:

@@ -22,6 +22,7 @@ from tmodes.equations.recursion.passes import resting_base
 from tmodes.errors import InputError
 from tmodes.kinds.drives.registry import drive_kind
 from tmodes.kinds.kernel.schedule import Slot
+from tmodes.kinds.noted.functions import number
 
 __all__ = [
     "DrivePlan", "Driver", "LoadPlan", "LoopParts", "LoopPlan", "TouchPlan", "winding_of",
@@ -149,7 +150,7 @@ class LoopPlan:
     @property
     def controls(self) -> tuple[float, ...]:
         """The own states of all controllers at time 0, in the order of the drives."""
-        return tuple(float(value) for drive in self.drives if drive.servo for value in drive.servo.start)
+        return tuple(number(value) for drive in self.drives if drive.servo for value in drive.servo.start)
 
 
 def winding_of(motor: Motor | None) -> tuple[Winding, tuple[float, ...]]:

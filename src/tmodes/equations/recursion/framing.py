@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from tmodes.chain.chain import Chain, Node
 from tmodes.frame import Placement
 from tmodes.kinds.links.contract import Body
+from tmodes.kinds.noted.functions import array, hypot, largest, norm, number
 
 __all__ = ["STRAIGHT", "Framing", "ScrewWay", "moved_body"]
 
@@ -48,7 +49,7 @@ class ScrewWay:
     def of(cls, placement: Placement, *, heir: bool) -> ScrewWay:
         """Of the z axis at a placement; ``heir``: the parent's x axis stands across both axes, so beta is zero."""
         turn, place = placement.rotation, placement.position
-        oblique, small = float(np.hypot(turn[0, 2], turn[1, 2])), _ROUNDING * (1 + float(np.abs(place).max()))
+        oblique, small = number(hypot(turn[0, 2], turn[1, 2])), _ROUNDING * (1 + number(np.abs(place).max()))
         beta = STRAIGHT if heir or oblique <= _ROUNDING else _unit(-turn[1, 2], turn[0, 2])
         back = _about_z(beta).T
         turn, place = back @ turn, back @ place
@@ -56,9 +57,9 @@ class ScrewWay:
         phase = _unit(turn[0, 0], turn[1, 0] * c + turn[2, 0] * s)
         along = 0.0
         if heir:
-            along = float(c * place[2] - s * place[1] if oblique > _OBLIQUE else place[2] / c)
+            along = number(c * place[2] - s * place[1] if oblique > _OBLIQUE else place[2] / c)
         lever = place - along * np.array([0.0, -s, c])
-        x, y, z = (0.0 if abs(part) <= small else float(part) for part in lever)
+        x, y, z = (0.0 if abs(part) <= small else number(part) for part in lever)
         return cls(beta, (x, y, z), alpha, 0.0 if abs(along) <= small else along, phase)
 
     def placement(self) -> Placement:
@@ -125,7 +126,7 @@ class Framing:
 def moved_body(body: Body, placement: Placement) -> Body:
     """A body, seen from the frame in which its own frame stands as given."""
     turn = placement.rotation
-    center = turn @ np.asarray(body.center, dtype=float) + placement.position
+    center = turn @ array(body.center) + placement.position
     return replace(body, center=center, inertia=turn @ body.inertia @ turn.T)
 
 
@@ -134,8 +135,8 @@ def _turns(node: Node) -> bool:
 
 
 def _unit(cosine: float, sine: float) -> tuple[float, float]:
-    size = float(np.hypot(cosine, sine))
-    return float(cosine) / size, float(sine) / size
+    size = number(hypot(cosine, sine))
+    return number(cosine) / size, number(sine) / size
 
 
 def _cross(a: Array, b: Array) -> Array:
@@ -152,20 +153,20 @@ def _about_z(angle: tuple[float, float]) -> Array:
 def _standing(axis: Array, across: Array, shift: float) -> Placement:
     """Axes with z along an axis, x along ``across`` (any where that is zero), moved along the axis."""
     across = across - (across @ axis) * axis
-    if np.linalg.norm(across) == 0:
-        across = np.eye(3)[(int(np.argmax(np.abs(axis))) + 1) % 3]
+    if norm(across) == 0:
+        across = np.eye(3)[(largest(axis) + 1) % 3]
         across = across - (across @ axis) * axis
-    across = across / np.linalg.norm(across)
+    across = across / norm(across)
     return Placement(np.stack([across, _cross(axis, across), axis], axis=1), shift * axis)
 
 
 def _across(axis: Array, place: Array, other: Array) -> Placement:
     """On the axis, x across to the axis ``other`` through ``place``; near the foot of the common normal."""
     normal = _cross(axis, other)
-    sine, cosine, height = float(np.linalg.norm(normal)), float(axis @ other), float(place @ axis)
+    sine, cosine, height = number(norm(normal)), number(axis @ other), number(place @ axis)
     if sine > _OBLIQUE:
-        height += cosine * (cosine * height - float(place @ other)) / sine**2
+        height += cosine * (cosine * height - number(place @ other)) / sine**2
     offset = place - (place @ axis) * axis
-    near = float(np.linalg.norm(offset)) <= _ROUNDING * (1 + float(np.linalg.norm(place)))
+    near = number(norm(offset)) <= _ROUNDING * (1 + number(norm(place)))
     across = normal if sine > _ROUNDING else np.zeros(3) if near else offset
     return _standing(axis, across, height)

@@ -19,6 +19,7 @@ from tmodes.equations.recursion.screw import Screw, screw_numbers
 from tmodes.kinds.kernel.schedule import Numbers, Slot
 from tmodes.kinds.kernel.spatial import FORCE, INERTIA
 from tmodes.kinds.links.contract import Body, Link
+from tmodes.kinds.noted.functions import array
 
 __all__ = ["LinkPart", "NodePart", "Parts", "packed_bodies"]
 
@@ -242,8 +243,8 @@ def packed_bodies(bodies: tuple[Body, ...]) -> Array:
     """Mass, first moment and inertia about the frame's origin of bodies that move as one."""
     total = np.zeros(10)
     for body in bodies:
-        c = np.asarray(body.center, dtype=float)
+        c = array(body.center)
         inertia = body.inertia + body.mass * (c @ c * np.eye(3) - np.outer(c, c))
         six = [inertia[0, 0], inertia[1, 1], inertia[2, 2], inertia[0, 1], inertia[0, 2], inertia[1, 2]]
-        total += [body.mass, *(body.mass * c), *six]
+        total = total + np.array([body.mass, *(body.mass * c), *six])
     return total

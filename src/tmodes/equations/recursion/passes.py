@@ -24,6 +24,7 @@ from tmodes.equations.recursion.screw import TURN, Screw, turn_kernel
 from tmodes.equations.recursion.screw_rates import rates_kernel
 from tmodes.kinds.kernel.schedule import Schedule, Slot
 from tmodes.kinds.kernel.spatial import FORCE
+from tmodes.kinds.noted.functions import array
 
 __all__ = ["BASE", "Blocks", "Passes", "Way", "resting_base"]
 
@@ -36,7 +37,7 @@ _TOGETHER = 8
 def resting_base(chain: Chain, factor: float = 1.0) -> NDArray[np.float64]:
     """The row of a base that stands still under ``factor`` times gravity."""
     placed = chain.base
-    pull = placed.rotation.T @ (factor * np.asarray(chain.gravity, dtype=float))
+    pull = placed.rotation.T @ (factor * array(chain.gravity))
     return np.concatenate([np.zeros(3), -pull, np.zeros(3), placed.rotation.ravel(), placed.position, np.zeros(3)])
 
 

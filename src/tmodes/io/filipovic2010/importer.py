@@ -113,6 +113,16 @@ def with_reach(before: Mapping[str, Any], after: dict[str, Any]) -> dict[str, An
     return after
 
 
+def reach_of(robot: Any, changed: Mapping[tuple[str | int, ...], Any]) -> dict[tuple[str | int, ...], Any]:
+    """The radius of the environment, by its steps, that follows from changed lengths of modes (:func:`with_reach`)."""
+    lengths = {("links", 0, "beam", "modes", k, "length"): m.length for k, m in enumerate(robot.links[0].beam.modes)}
+    contact = "contact" if robot.contact else "contact_off"
+    shape, place = getattr(getattr(robot, contact), "shape", None), (contact, "shape", "radius")
+    if not changed.keys() & lengths or place in changed or getattr(shape, "radius", None) != sum(lengths.values()):
+        return {}
+    return {place: sum(changed.get(steps, length) for steps, length in lengths.items())}
+
+
 COORDINATES = ("q", "delta", "gamma", "vt", "e", "theta")
 """Names of the paper's coordinates, in its order."""
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator
 from typing import Any, Literal
 
@@ -10,6 +9,7 @@ from pydantic import Field
 
 from tmodes.kinds.contacts.contract import SURFACES, Meeting, Surface
 from tmodes.kinds.kernel import vectors as v
+from tmodes.kinds.noted.functions import cos, hypot, sin
 from tmodes.kinds.schema.frames import Vector, list_of_numbers
 from tmodes.kinds.schema.quantity import Issue, any_sign, positive
 
@@ -44,7 +44,7 @@ class Plane(_Flat):
 
     def numbers(self) -> tuple[float, float, float, float]:
         """Direction into the plane, and its distance from the origin."""
-        size = math.hypot(*self.normal)
+        size = hypot(*self.normal)
         x, y, z = (-part / size for part in self.normal)
         return x, y, z, v.dot([x, y, z], list(self.position))
 
@@ -68,7 +68,7 @@ class Wall(_Flat):
 
     def numbers(self) -> tuple[float, float, float, float]:
         """Direction into the wall, and its distance."""
-        return math.cos(self.heading), math.sin(self.heading), 0.0, self.distance
+        return cos(self.heading), sin(self.heading), 0.0, self.distance
 
     def drawing(self) -> dict[str, Any]:
         """A plane."""

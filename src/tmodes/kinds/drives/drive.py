@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator
 from enum import StrEnum
 from itertools import pairwise
@@ -10,6 +9,7 @@ from typing import Annotated, Any, NamedTuple
 
 from pydantic import Field, field_validator
 
+from tmodes.kinds.noted.functions import isinf
 from tmodes.kinds.schema.frames import list_of_numbers
 from tmodes.kinds.schema.quantity import (
     LARGEST,
@@ -213,7 +213,7 @@ class GearSheet(DataSheet):
             most = f"1 to {MOST_RANGES} stiffnesses"
             yield Issue("stiffness", f"a list of {count}", most, "write one for each range of the torque")
         for value in self.stiffness:
-            if not (SMALLEST <= value <= LARGEST or (math.isinf(value) and count == 1)):
+            if not (SMALLEST <= value <= LARGEST or (isinf(value) and count == 1)):
                 bounds = f"a magnitude from {SMALLEST:g} to {LARGEST:g}"
                 hint = "correct the exponent or the unit" + ("; one .inf alone makes it rigid" if count > 1 else "")
                 yield Issue("stiffness", f"{value:g}", bounds, hint)
@@ -228,4 +228,4 @@ class GearSheet(DataSheet):
     @property
     def is_rigid(self) -> bool:
         """True when it does not give: rigid on purpose."""
-        return math.isinf(self.stiffness[0])
+        return isinf(self.stiffness[0])

@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 from tmodes.kinds.kernel import vectors as v
 from tmodes.kinds.kernel.jets import Jet, jet
 from tmodes.kinds.kernel.spatial import Force
+from tmodes.kinds.noted.functions import array
 from tmodes.kinds.registry import NamedKind, Registry
 from tmodes.kinds.schema.quantity import DataSheet
 
@@ -118,7 +119,7 @@ class JointKind(NamedKind):
     def placement(self, q: Sequence[float], numbers: Sequence[float]) -> tuple[Array, Array]:
         """Rotation (3, 3) and position (3,) [m] as arrays."""
         rotation, position = self.place(q, numbers)
-        return np.array(rotation, dtype=float), np.array(position, dtype=float)
+        return array(rotation), array(position)
 
     def commutes(self, axis: Array, rotation: Array, position: Array) -> bool:
         """Whether the joint, seen from a frame placed so in its moved frame, is the same about its axis as seen there.

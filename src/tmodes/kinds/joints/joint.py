@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator
 from enum import StrEnum
 from itertools import chain
@@ -15,6 +14,7 @@ from pydantic_core import PydanticKnownError
 from tmodes.kinds.drives.drive import FrictionSheet, GearSheet, MotorSheet, SpringSheet
 from tmodes.kinds.drives.registry import DRIVES
 from tmodes.kinds.joints.registry import JOINTS, JointKind
+from tmodes.kinds.noted.functions import hypot, number
 from tmodes.kinds.schema.frames import DenavitHartenberg, Origin, Vector, list_of_numbers
 from tmodes.kinds.schema.kind import NameOf, NumbersOf
 from tmodes.kinds.schema.quantity import DataSheet, Issue, any_sign, not_negative
@@ -128,7 +128,7 @@ class JointSheet(DataSheet):
                 yield Issue("axis", f"an axis of {why}", "left out", "remove the line `axis: ...`")
         elif self.axis is None:
             yield Issue("axis", "nothing", f"the axis of a {self.type} joint", "add the line `axis: [0, 0, 1]`")
-        elif (length := math.hypot(*self.axis)) < SHORTEST_AXIS:
+        elif (length := hypot(*self.axis)) < SHORTEST_AXIS:
             got = f"an axis of {f'length {length:g}' if length else 'zeros'}, which has no direction"
             yield Issue("axis", got, f"a direction, of length {SHORTEST_AXIS:g} or more", "write [0, 0, 1] for z")
 
@@ -234,4 +234,4 @@ def _checked(schema: type[DataSheet] | None, given: Any) -> DataSheet | None:
 
 
 def _numbers(given: DataSheet | None) -> tuple[float, ...]:
-    return tuple(float(x) for x in given.model_dump().values()) if given else ()
+    return tuple(number(getattr(given, name)) for name in type(given).model_fields) if given else ()

@@ -35,4 +35,4 @@ class Revolute(JointKind):
     def commutes(self, axis: Array, rotation: Array, position: Array) -> bool:
         """Where the axis meets the offset frame."""
         del rotation
-        return float(np.abs(np.cross(axis, position)).max()) == 0.0
+        return not np.any(np.cross(axis, position))

@@ -15,6 +15,8 @@ from typing import Any, Protocol
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from tmodes.kinds.noted.functions import array
+
 __all__ = ["Divisible", "Kernel", "Numbers", "Schedule", "Slot", "kernel"]
 
 
@@ -86,10 +88,10 @@ class Numbers:
 
     def block(self, values: ArrayLike) -> Slot:
         """Append a block of numbers."""
-        array = np.asarray(values, dtype=float).ravel()
-        slot = Slot("parameters", self.size, array.size)
-        self._values.append(array)
-        self.size += array.size
+        row = array(values).ravel()
+        slot = Slot("parameters", self.size, row.size)
+        self._values.append(row)
+        self.size += row.size
         return slot
 
     @property

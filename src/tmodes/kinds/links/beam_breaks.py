@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from tmodes.kinds.links.beam_pieces import BeamNumbers, BeamPiece
 from tmodes.kinds.links.facts import DIRECTIONS
+from tmodes.kinds.noted.functions import array
 
 __all__ = ["TURNING", "BreakFunction", "break_places", "breaks_of", "broken_pieces"]
 
@@ -38,29 +39,37 @@ class BreakFunction(NamedTuple):
 
     def values(self, s: ArrayLike) -> Array:
         """Its values, shape of s."""
-        s = np.asarray(s, dtype=float)
+        s = array(s)
         return np.where(s <= self.place, (1 - s / self.place) ** self.degree, 0.0)
 
 
+class Break(NamedTuple):
+    """A place inside that carries bodies of a ``mass``; whether any of them resists turning (``turns``)."""
+
+    place: Any
+    turns: bool
+    mass: Any
+
+
 @lru_cache(maxsize=64)
-def break_places(beam: BeamNumbers) -> dict[float, bool]:
-    """Places inside that carry bodies, from root to tip, and whether any of the bodies there resists turning.
+def break_places(beam: BeamNumbers) -> tuple[Break, ...]:
+    """Places inside that carry bodies, from root to tip.
 
     Of many the heaviest, as far as :data:`MOST_BROKEN` allows.
     """
-    found: dict[float, bool] = {}
-    masses: dict[float, float] = {}
+    found: list[Break] = []
     for s, body in sorted(beam.bodies, key=lambda one: one[0]):
-        last = next(reversed(found), 0.0)
         if not APART < s < 1 - APART:
             continue
-        place = last if last and s - last <= APART else s
-        turns = bool(np.any(body.center) or np.any(body.inertia)) or place != s
-        found[place] = found.get(place, False) or turns
-        masses[place] = masses.get(place, 0.0) + body.mass
+        last = found.pop() if found and s - found[-1].place <= APART else Break(s, False, 0.0)
+        turns = bool(np.any(body.center) or np.any(body.inertia)) or last.place != s
+        found.append(Break(last.place, last.turns or turns, last.mass + body.mass))
     each = sum(2 if "bend" in name else 1 for name in DIRECTIONS if getattr(beam, name))
-    heaviest = sorted(found, key=lambda place: masses[place], reverse=True)[: MOST_BROKEN // max(each, 1)]
-    return {place: turns for place, turns in found.items() if place in heaviest}
+    most = MOST_BROKEN // max(each, 1)
+    if len(found) <= most:
+        return tuple(found)
+    heaviest = sorted(range(len(found)), key=lambda k: found[k].mass, reverse=True)[:most]
+    return tuple(found[k] for k in sorted(heaviest))
 
 
 @lru_cache(maxsize=64)
@@ -68,7 +77,7 @@ def broken_pieces(beam: BeamNumbers) -> tuple[BeamPiece, ...]:
     """The pieces of a beam, cut where bodies inside break its moment: quadrature goes piece by piece."""
     found, start = [], 0.0
     for piece in beam.pieces:
-        cuts = [place for place in break_places(beam) if start < place < piece.end]
+        cuts = [each.place for each in break_places(beam) if start < each.place < piece.end]
         shares = [(place - start) / (piece.end - start) for place in (*cuts, piece.end)]
         found += [_part(piece, *part) for part in zip([0.0, *shares], shares, [*cuts, piece.end], strict=False)]
         start = piece.end
@@ -94,7 +103,7 @@ def breaks_of(beam: BeamNumbers, direction: str) -> list[BreakFunction]:
     if not getattr(beam, direction):
         return []
     found = []
-    for place, turns in break_places(beam).items():
+    for place, turns, _ in break_places(beam):
         if direction not in TURNING or "bend" not in direction:
             found += [BreakFunction(place, 0)] if turns or direction not in TURNING else []
         else:

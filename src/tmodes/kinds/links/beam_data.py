@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator
 from itertools import chain
 from typing import Annotated, Any, ClassVar
@@ -14,6 +13,7 @@ from tmodes.kinds.links.beam_pieces import Basis, BeamModel, Piece, RotaryInerti
 from tmodes.kinds.links.material import Material, find_material
 from tmodes.kinds.links.section import GivenSection, Section, between
 from tmodes.kinds.links.sheet import BendingSheet
+from tmodes.kinds.noted.functions import isclose, isinf
 from tmodes.kinds.schema.frames import Origin, Vector, list_of_numbers
 from tmodes.kinds.schema.quantity import DataSheet, Issue, dissipation, positive, quantity, refuse
 
@@ -190,7 +190,7 @@ class BeamData(BendingSheet):
                 yield Issue(
                     f"pieces.{index}.end", repr(later), f"more than {earlier!r} [m]", "order them from root to tip"
                 )
-        if ends and not math.isclose(ends[-1], self.length, rel_tol=1e-9):
+        if ends and not isclose(ends[-1], self.length, rel_tol=1e-9):
             which, hint = f"pieces.{len(ends) - 1}.end", "end the last piece at the beam's length"
             yield Issue(which, repr(ends[-1]), f"the length {self.length!r} [m]", hint)
 
@@ -199,12 +199,12 @@ class BeamData(BendingSheet):
             return
         ends = [numbers for piece in self.section_pieces() for numbers in (piece.start, piece.stop)]
         for name in ("bend_y", "bend_z"):
-            rigid = {math.isinf(getattr(numbers, name)) for numbers in ends}
+            rigid = {isinf(getattr(numbers, name)) for numbers in ends}
             if getattr(self.functions, name) and len(rigid) == 2:
                 hint = "give every piece a finite stiffness, or make the rigid part a link of its own"
                 yield Issue("pieces", f"{name} rigid in some pieces only", "finite, or rigid, in all pieces", hint)
         for name, (stiffness, info) in _GIVEN.items():
-            if getattr(self.functions, name) and any(math.isinf(getattr(numbers, stiffness)) for numbers in ends):
+            if getattr(self.functions, name) and any(isinf(getattr(numbers, stiffness)) for numbers in ends):
                 got, hint = f"{getattr(self.functions, name)} with infinite {info}", f"write 0, or give `{info}`"
                 yield Issue(f"functions.{name}", got, f"0 where {info} is infinite", hint)
         if self.functions.twist and not self._turns("x"):

@@ -19,9 +19,23 @@ from numpy.typing import ArrayLike, NDArray
 
 from tmodes.kinds.links.beam_breaks import TURNING, breaks_of, broken_pieces
 from tmodes.kinds.links.beam_pieces import BeamNumbers
+from tmodes.kinds.noted.functions import (
+    array,
+    clip,
+    inverse_cholesky,
+    isfinite,
+    isinf,
+    legendre_values,
+    norm,
+    number,
+    place,
+    solve,
+    sqrt,
+)
+from tmodes.kinds.noted.number import is_noted
 
 __all__ = [
-    "MODULI", "SHIFTING", "BareBeam", "bare_beam", "fine_rule", "function_names", "function_order",
+    "MODULI", "SHIFTING", "BareBeam", "bare_beam", "beam_mass", "fine_rule", "function_names", "function_order",
     "function_values", "interval_integrals", "is_uniform", "last_functions", "pieces_at", "softened",
     "stiffness_matrix",
 ]  # fmt: skip
@@ -48,37 +62,37 @@ def pieces_at(beam: BeamNumbers, name: str, s: ArrayLike) -> Array:
     ``name``: a field of :class:`tmodes.kinds.links.beam_pieces.BeamPiece`;
     ``inertia0``, ``inertia1``, ``inertia2`` about x, y, z.
     """
-    s = np.asarray(s, dtype=float)
+    s = array(s)
     starts, ends = _bounds(beam)
-    k = np.minimum(np.searchsorted(ends, s - 1e-12), len(ends) - 1)
+    k = np.minimum(place(ends, s - 1e-12), len(ends) - 1)
     values = _ends(beam, name)
-    rise = np.zeros(len(values))
-    np.subtract(values[:, 1], values[:, 0], out=rise, where=values[:, 1] != values[:, 0])  # infinite ones are equal
+    rise = np.array([last - first if first != last else 0.0 for first, last in values])  # infinite ones are equal
     return values[k, 0] + rise[k] * (s - starts[k]) / (ends - starts)[k]
 
 
 def _bounds(beam: BeamNumbers) -> tuple[Array, Array]:
     """Where each piece starts and where it ends."""
-    ends = np.array([piece.end for piece in broken_pieces(beam)])
+    ends = array([piece.end for piece in broken_pieces(beam)])
     return np.concatenate([[0.0], ends[:-1]]), ends
 
 
 def _ends(beam: BeamNumbers, name: str) -> Array:
     """(pieces, 2): a quantity at the start and the end of each piece."""
     if name.startswith("inertia"):
-        return np.array([piece.inertia[int(name[-1])] for piece in broken_pieces(beam)], dtype=float)
-    return np.array([getattr(piece, name) for piece in broken_pieces(beam)], dtype=float)
+        return array([piece.inertia[int(name[-1])] for piece in broken_pieces(beam)])
+    return array([getattr(piece, name) for piece in broken_pieces(beam)])
 
 
 def is_uniform(beam: BeamNumbers, direction: str) -> bool:
     """True where a direction has one stiffness all along the link."""
-    return bool(np.ptp(_ends(beam, MODULI[direction])) == 0.0) if _weighted(beam, direction) else True
+    ends = _ends(beam, MODULI[direction])
+    return bool((ends == ends[0, 0]).all()) if _weighted(beam, direction) else True
 
 
 def _weighted(beam: BeamNumbers, direction: str) -> bool:
     """Whether 1/EI is a number everywhere and not 0 everywhere; of links without any stiffness it is not."""
     values = _ends(beam, MODULI[direction])
-    return bool(values.min() > 0.0 and np.isfinite(values).any())
+    return bool((values > 0.0).all() and isfinite(values).any())
 
 
 def fine_rule(beam: BeamNumbers) -> tuple[Array, Array]:
@@ -91,28 +105,28 @@ def fine_rule(beam: BeamNumbers) -> tuple[Array, Array]:
 def _shares(beam: BeamNumbers, direction: str, s: Array) -> Array:
     """EI_ref/EI at s."""
     if not _weighted(beam, direction) or is_uniform(beam, direction):
-        return np.ones_like(s)
+        return np.ones(s.shape)
     places, weights = fine_rule(beam)
     mean = np.sum(weights / pieces_at(beam, MODULI[direction], places))
-    return np.asarray(1 / (mean * pieces_at(beam, MODULI[direction], s)), dtype=np.float64)
+    return array(1 / (mean * pieces_at(beam, MODULI[direction], s)))
 
 
 def function_values(beam: BeamNumbers, direction: str, s: ArrayLike) -> Array:
     """Values (functions, *s) of the functions of a direction, those of bodies inside last; at a break the inner one."""
-    s = np.asarray(s, dtype=float)
+    s = array(s)
     if not getattr(beam, direction):
         return np.zeros((0, *s.shape))
     values, broken = _moments(beam, direction, s), _broken(beam, direction)
     if broken is not None:
         raw = [one.values(s) for one in breaks_of(beam, direction)]
-        values = np.concatenate([values, np.tensordot(broken, [*values, *raw], 1)])
-    return np.asarray(values * _shares(beam, direction, s), dtype=np.float64)
+        values = np.concatenate([values, np.tensordot(broken, np.array([*values, *raw]), 1)])
+    return array(values * _shares(beam, direction, s))
 
 
 def _moments(beam: BeamNumbers, direction: str, s: Array) -> Array:
     """The polynomials p_j (functions, *s) of a direction."""
-    polynomials = np.moveaxis(legendre.legvander(2 * s - 1, getattr(beam, direction) - 1), -1, 0)
-    window = 1 - s if direction.startswith("bend") and beam.basis == "tip_weighted" else np.ones_like(s)
+    polynomials = np.moveaxis(legendre_values(2 * s - 1, getattr(beam, direction) - 1), -1, 0)
+    window = 1 - s if direction.startswith("bend") and beam.basis == "tip_weighted" else np.ones(s.shape)
     return polynomials * window
 
 
@@ -127,16 +141,16 @@ def _broken(beam: BeamNumbers, direction: str) -> Array | None:
     if not breaks:
         return None
     s, w = fine_rule(beam)
-    root, values = np.sqrt(w * _shares(beam, direction, s)), _moments(beam, direction, s)
+    root, values = sqrt(w * _shares(beam, direction, s)), _moments(beam, direction, s)
     columns = np.array([*values, *(one.values(s) for one in breaks)]) * root
-    known = np.linalg.inv(np.linalg.cholesky(columns[: len(values)] @ columns[: len(values)].T))
+    known = inverse_cholesky(columns[: len(values)] @ columns[: len(values)].T)
     sums = [np.pad(row, (0, len(breaks))) for row in known]
     for k in range(len(values), len(columns)):
         own = np.eye(len(columns))[k]
         for _ in range(2):
             own = own - sum(((row @ columns) @ (own @ columns)) * row for row in sums)
-        size = float(np.linalg.norm(own @ columns))
-        if size > _NEW * np.linalg.norm(columns[k]):
+        size = norm(own @ columns)
+        if size > _NEW * norm(columns[k]):
             sums.append(own / size)
     return np.array(sums[len(values) :]) if len(sums) > len(values) else None
 
@@ -154,24 +168,38 @@ def interval_integrals(beam: BeamNumbers, start: Array, end: Array) -> tuple[Arr
     The integral, and the first moment about the interval's middle over its length; broken at the ends of the pieces.
     """
     middle, length = (start + end) / 2, end - start
-    per_length = np.divide(1.0, length, out=np.zeros_like(length), where=length > 0)
     starts, ends = _bounds(beam)
-    low, high = (np.clip(place, starts[:, None], ends[:, None]) for place in (start, end))
+    low, high = (clip(at, starts[:, None], ends[:, None]) for at in (start, end))
     s = low[..., None] + (high - low)[..., None] * (1 + _X) / 2
-    weights = (high - low)[..., None] * _W / 2
-    values = np.concatenate([function_values(beam, direction, s) for direction in TURNING]) * weights
-    moments = values * (s - middle[:, None]) * per_length[:, None]
-    alpha, beta = (part.sum(axis=-1).sum(axis=1).T for part in (values, moments))
+    values = np.concatenate([function_values(beam, direction, s) for direction in TURNING])
+    if is_noted(values):
+        return _noted_integrals(values, low, high, middle, length)
+    per_length = np.divide(1.0, length, out=np.zeros_like(length), where=length > 0)
+    weighed = values * ((high - low)[..., None] * _W / 2)
+    moments = weighed * (s - middle[:, None]) * per_length[:, None]
+    alpha, beta = (part.sum(axis=-1).sum(axis=1).T for part in (weighed, moments))
     return alpha, beta
+
+
+def _noted_integrals(values: Array, low: Array, high: Array, middle: Array, length: Array) -> tuple[Array, Array]:
+    """The same of noted numbers: what is a constant of the rule first, then the lengths of the intervals."""
+    share = np.frompyfunc(lambda own, whole: own / whole if whole > 0 else 0.0, 2, 1)(high - low, length)
+    aside = np.frompyfunc(lambda own, whole: own / whole if whole > 0 else 0.0, 2, 1)((low + high) / 2 - middle, length)
+    sums, first = values @ (_W / 2), values @ (_W * _X / 4)
+    alpha = (high - low) * sums
+    return alpha.sum(axis=1).T, (alpha * aside + (high - low) * (share * first)).sum(axis=1).T
 
 
 def stiffness_matrix(beam: BeamNumbers, direction: str) -> Array:
     """K = 1/L int EI b_i b_j ds [N*m] of a direction that turns sections; else L int EA b_i b_j ds or kGA [N*m]."""
     s, w = fine_rule(beam)
     values, stiffness = function_values(beam, direction, s), pieces_at(beam, MODULI[direction], s)
-    stiffness = np.where(np.isinf(stiffness) & (values == 0.0).all(axis=0), 0.0, stiffness)
+    stiffness = np.where(isinf(stiffness) & (values == 0.0).all(axis=0), 0.0, stiffness)
     scale = beam.length if direction in SHIFTING else 1 / beam.length
-    matrix = np.asarray(scale * (values * w * stiffness) @ values.T, dtype=np.float64)
+    if is_noted(stiffness) and is_uniform(beam, direction):  # constants of the functions first
+        matrix = (scale * stiffness[0]) * ((values * w) @ values.T)
+    else:
+        matrix = array(scale * (values * w * stiffness) @ values.T)
     if not beam.softened:
         return matrix
     order = function_order(beam, direction)
@@ -207,7 +235,7 @@ def softened(stiffness: Array, last: int) -> Array:
     first = len(stiffness) - last
     others, coupled = stiffness[:first, :first], stiffness[:first, first:]
     changed = stiffness.copy()
-    changed[first:, first:] -= (stiffness[first:, first:] - coupled.T @ np.linalg.solve(others, coupled)) / 2
+    changed[first:, first:] -= (stiffness[first:, first:] - coupled.T @ solve(others, coupled)) / 2
     return changed
 
 
@@ -246,7 +274,13 @@ def bare_beam(beam: BeamNumbers) -> BareBeam:
         float(np.sum(weight * (1 - s) ** 2 / numbers[name])) * beam.length**3 for name in ("bend_y", "bend_z")
     )
     twist = _twisting(beam.length, functions, weight, numbers["torsion"], numbers["inertia0"])
-    return BareBeam(float(np.sum(weight * mass)) * beam.length, about_y, about_z, twist, (give_y, give_z))
+    return BareBeam(beam_mass(beam), about_y, about_z, twist, (give_y, give_z))
+
+
+def beam_mass(beam: BeamNumbers) -> float:
+    """Mass of the beam alone [kg]."""
+    s, weight = fine_rule(beam)
+    return number(np.sum(weight * pieces_at(beam, "mass", s))) * beam.length
 
 
 def _integrals(s: Array) -> _Functions:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from enum import StrEnum
-from functools import lru_cache
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -13,6 +12,7 @@ from numpy.typing import NDArray
 from tmodes.kinds.links.contract import Body
 from tmodes.kinds.links.material import Material
 from tmodes.kinds.links.section import Section, SectionNumbers, between
+from tmodes.kinds.noted.functions import highest, isfinite, kept, number
 
 __all__ = [
     "Basis", "BeamModel", "BeamNumbers", "BeamPiece", "Piece", "RotaryInertia", "tapered_pieces", "uniform_piece",
@@ -135,7 +135,7 @@ def uniform_piece(end: float, numbers: SectionNumbers) -> Piece:
     return Piece(end, numbers, numbers)
 
 
-@lru_cache(maxsize=64)
+@kept
 def tapered_pieces(root: Section, tip: Section, material: Material | None) -> tuple[Piece, ...]:
     """The fewest equal pieces that follow a beam whose dimensions are linear from root to tip.
 
@@ -157,12 +157,12 @@ def _fitted(root: Section, tip: Section, material: Material | None, start: float
     with np.errstate(invalid="ignore", divide="ignore"):  # of infinite stiffnesses, which are distinguished below
         mean, slope = _WEIGHTS @ table / 2, 1.5 * (_WEIGHTS * _NODES) @ table
         ends = np.array([mean - slope, mean + slope])
-        usable = np.isfinite(table).all(axis=0) & (ends > 0).all(axis=0)
+        usable = isfinite(table).all(axis=0) & (ends > 0).all(axis=0)
         ends = np.where(usable, ends, exact)
         error = np.abs((ends[0] + np.outer(1 + _NODES, ends[1] - ends[0]) / 2) / table - 1)
-    error = np.where(np.isfinite(table) & (table > 0), error, 0.0)
-    first, last = (SectionNumbers(*map(float, row)) for row in ends)
-    return Piece(end, first, last), float(np.nanmax(error[:, :FOLLOWED]))
+    error = np.where(isfinite(table) & (table > 0), error, 0.0)
+    first, last = (SectionNumbers(*map(number, row)) for row in ends)
+    return Piece(end, first, last), number(highest(error[:, :FOLLOWED]))
 
 
 def _numbers(root: Section, tip: Section, material: Material | None, share: float) -> SectionNumbers:

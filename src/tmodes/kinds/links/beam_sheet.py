@@ -18,6 +18,7 @@ from tmodes.kinds.links.rigid import RigidLink
 from tmodes.kinds.links.rigid_beam import RigidBeam, rigid_body
 from tmodes.kinds.links.section import Round, Tube
 from tmodes.kinds.links.sheet import LINKS, MORE, BendingSheet, LoweredLink, Spot, moved_body, placed, sheet_body
+from tmodes.kinds.noted.functions import array, floor, highest, isinf, number, rounded
 from tmodes.kinds.schema.axes import bent_line
 from tmodes.kinds.schema.quantity import Issue
 
@@ -73,7 +74,7 @@ class BeamSheet(BeamData):
         if self.model is not BeamModel.SEGMENTS or self.segments is None:
             return
         for index, body in enumerate(bodies):
-            if abs(body.station * self.segments - round(body.station * self.segments)) > 1e-9:
+            if abs(body.station * self.segments - rounded(body.station * self.segments)) > 1e-9:
                 expected = f"an end of one of the {self.segments} segments: a multiple of 1/{self.segments}"
                 hint = "move the body, change `segments`, or take the model `strain`"
                 yield Issue(f"bodies.{index}.at", f"{body.station:g}", expected, hint)
@@ -155,9 +156,9 @@ def _strain(beam: BeamData, bodies: Sequence[BodySheet]) -> LoweredLink:
         damping_time=beam.damping_time or 0.0,
         rest_curvature=np.array(beam.rest_curvature),
         bodies=tuple((body.station, sheet_body(body, _mount(beam, body.station))) for body in bodies),
-        outer=(max(_ends(pieces, "outer_y")), max(_ends(pieces, "outer_z"))),
-        young=max(_ends(pieces, "young")),
-        shear=max(_ends(pieces, "shear")),
+        outer=(_largest(pieces, "outer_y"), _largest(pieces, "outer_z")),
+        young=_largest(pieces, "young"),
+        shear=_largest(pieces, "shear"),
     )
     root = placed(beam.root_mount)
     return LoweredLink(
@@ -170,11 +171,11 @@ def _segments(beam: BeamData, bodies: Sequence[BodySheet]) -> LoweredLink:
     count = beam.segments or 1
     links = []
     for k in range(count):
-        own = [body for body in bodies if body.station > 0 and round(body.station * count) == k + 1]
+        own = [body for body in bodies if body.station > 0 and rounded(body.station * count) == k + 1]
         links.append(_segment(beam, k, tuple(sheet_body(body, _mount(beam, body.station)) for body in own)))
 
     def spot(s: float) -> Spot:
-        k = min(int(s * count), count - 1)
+        k = min(floor(s * count), count - 1)
         return Spot(k, s * count - k, _mount(beam, s))
 
     at_root = tuple(sheet_body(body, Placement()) for body in bodies if body.station == 0)
@@ -216,7 +217,7 @@ def _bends(beam: BeamData) -> bool:
 def _finite_functions(beam: BeamData) -> Functions:
     """The functions of the directions that are not rigid; segments bend both ways by default."""
     wanted, pieces = beam.functions or Functions(bend_y=1, bend_z=1), beam.section_pieces()
-    rigid = {name: 0 for name in ("bend_y", "bend_z") if np.isinf(_ends(pieces, name)).any()}
+    rigid = {name: 0 for name in ("bend_y", "bend_z") if any(map(isinf, _ends(pieces, name)))}
     return wanted.model_copy(update=rigid)
 
 
@@ -239,6 +240,10 @@ def _chain_piece(piece: Piece, counted: str) -> BeamPiece:
 
 def _ends(pieces: list[Piece], name: str) -> list[float]:
     return [getattr(numbers, name) for piece in pieces for numbers in (piece.start, piece.stop)]
+
+
+def _largest(pieces: list[Piece], name: str) -> float:
+    return number(highest(array(_ends(pieces, name))))
 
 
 def _between(pieces: list[Piece], name: str, s: float) -> float:

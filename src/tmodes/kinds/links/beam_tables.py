@@ -7,9 +7,7 @@ points, under its own mass per length, and its own polynomials. A taper, also on
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
-from functools import lru_cache
 from itertools import pairwise
 
 import numpy as np
@@ -30,6 +28,23 @@ from tmodes.kinds.links.beam_functions import (
 )
 from tmodes.kinds.links.beam_pieces import BeamNumbers
 from tmodes.kinds.links.strain_shape import StrainShape
+from tmodes.kinds.noted.functions import (
+    array,
+    ceil,
+    clip,
+    distinct,
+    full_like,
+    golub_welsch,
+    kept,
+    legendre_series,
+    legendre_values,
+    number,
+    place,
+    solve,
+    sqrt,
+    triangle,
+    zeros,
+)
 
 __all__ = ["JUMP", "BeamTables", "Rule", "beam_rule", "beam_tables", "section_edges"]
 
@@ -53,21 +68,21 @@ class Rule:
 
     def cardinal(self, s: ArrayLike) -> Array:
         """Values (g, *s) of the functions that are 1 at one point and 0 at the others, 0 outside its span."""
-        s = np.asarray(s, dtype=float)
-        where = np.searchsorted(self.edges[1:-1], s, side="right")
+        s = array(s)
+        where = place(self.edges[1:-1], s, "right")
         found = [np.where(where == k, _cardinal(x, self._local(k, s)), 0.0) for k, x in enumerate(self._places())]
         return np.concatenate(found)
 
     def integrals(self, until: ArrayLike) -> Array:
         """Integral (u, g) from 0 to each of ``until`` (u,) of each of those functions."""
-        until, found = np.asarray(until, dtype=float), []
+        until, found = array(until), []
         for k, x in enumerate(self._places()):
             length = self.edges[k + 1] - self.edges[k]
             primitives = [legendre.legint(row, lbnd=-1) * length / 2 for row in np.eye(len(x))]
-            reached = self._local(k, np.clip(until, self.edges[k], self.edges[k + 1]))
-            values = np.array([legendre.legval(reached, row) for row in primitives])
-            found.append(np.linalg.solve(legendre.legvander(x, len(x) - 1).T, values))
-        return np.asarray(np.concatenate(found).T, dtype=np.float64)
+            reached = self._local(k, clip(until, self.edges[k], self.edges[k + 1]))
+            values = legendre_series(reached, primitives)
+            found.append(solve(legendre_values(x, len(x) - 1).T, values))
+        return array(np.concatenate(found).T)
 
     def rotary(self, beam: BeamNumbers, axis: int) -> Array:
         """Section inertia at the points [kg*m^2] about an axis of the section.
@@ -79,7 +94,7 @@ class Rule:
         spread = w * pieces_at(beam, f"inertia{axis}", s) * beam.length
         found, masses = (self._by_span(numbers) for numbers in (self.cardinal(s) @ spread, self.masses))
         for own, mass in zip(found, masses, strict=True):
-            if own.min() < 0.0:
+            if (own < 0.0).any():
                 own[:] = mass * (own.sum() / mass.sum())
         return np.concatenate(found)
 
@@ -98,8 +113,8 @@ class Rule:
 
 def _cardinal(points: Array, x: Array) -> Array:
     order = len(points) - 1
-    at_points, at_x = legendre.legvander(points, order).T, np.moveaxis(legendre.legvander(x, order), -1, 0)
-    return np.asarray(np.linalg.solve(at_points, at_x.reshape(len(points), -1)).reshape(at_x.shape), dtype=np.float64)
+    at_points, at_x = legendre_values(points, order).T, np.moveaxis(legendre_values(x, order), -1, 0)
+    return array(solve(at_points, at_x.reshape(len(points), -1)).reshape(at_x.shape))
 
 
 def beam_rule(beam: BeamNumbers) -> Rule:
@@ -114,8 +129,8 @@ def beam_rule(beam: BeamNumbers) -> Rule:
     most = beam.points or largest + (2 if len(edges) == 2 else 1)
     counts = [most] * (len(edges) - 1)
     if break_places(beam) and not beam.points:
-        counts = [min(most, math.ceil(1.5 * largest * length) + LEAST) for length in np.diff(edges)]
-    spans = [_gauss(beam, float(a), float(b), count) for (a, b), count in zip(pairwise(edges), counts, strict=True)]
+        counts = [min(most, ceil(1.5 * largest * length) + LEAST) for length in np.diff(edges)]
+    spans = [_gauss(beam, number(a), number(b), count) for (a, b), count in zip(pairwise(edges), counts, strict=True)]
     points, masses = (np.concatenate(part) for part in zip(*spans, strict=True))
     return Rule(edges, points, masses, tuple(counts))
 
@@ -128,7 +143,7 @@ def _edges(beam: BeamNumbers) -> Array:
         pairs = [(getattr(piece, name)[1], getattr(following, name)[0]) for name in names]
         if any(min(pair) < (1 - JUMP) * max(pair) for pair in pairs):
             inner.append(piece.end)
-    return np.unique([0.0, *inner, *break_places(beam), 1.0])
+    return array(distinct([0.0, *inner, *(each.place for each in break_places(beam)), 1.0]))
 
 
 def _gauss(beam: BeamNumbers, start: float, end: float, count: int) -> tuple[Array, Array]:
@@ -141,19 +156,19 @@ def _gauss(beam: BeamNumbers, start: float, end: float, count: int) -> tuple[Arr
     inside = (s > start) & (s < end)
     s, w = s[inside], w[inside]
     mass = pieces_at(beam, "mass", s)
-    if np.ptp(mass) == 0.0:
+    if (mass == mass[0]).all():
         x, weights = legendre.leggauss(count)
         return start + (end - start) * (1 + x) / 2, weights * (end - start) / 2 * mass[0] * beam.length
     measure = w * mass
-    before, now = np.zeros_like(s), np.full_like(s, 1 / np.sqrt(measure.sum()))
-    diagonal, off_diagonal = np.zeros(count), np.zeros(count)
+    before, now = np.zeros(s.shape), full_like(s, 1 / sqrt(measure.sum()))
+    diagonal, off_diagonal = zeros(count, s, measure), zeros(count, s, measure)
     for k in range(count):
         diagonal[k] = np.sum(measure * s * now**2)
         following = (s - diagonal[k]) * now - (off_diagonal[k - 1] if k else 0.0) * before
-        off_diagonal[k] = np.sqrt(np.sum(measure * following**2))
+        off_diagonal[k] = sqrt(np.sum(measure * following**2))
         before, now = now, following / off_diagonal[k]
-    nodes, vectors = np.linalg.eigh(np.diag(diagonal) + np.diag(off_diagonal[:-1], 1) + np.diag(off_diagonal[:-1], -1))
-    return nodes, measure.sum() * vectors[0] ** 2 * beam.length
+    nodes, weights = golub_welsch(diagonal, off_diagonal[:-1])
+    return nodes, measure.sum() * weights * beam.length
 
 
 @dataclass(frozen=True, eq=False)
@@ -173,7 +188,7 @@ class BeamTables:
 
 
 def _shape(beam: BeamNumbers, rule: Rule, stations: tuple[float, ...]) -> StrainShape:
-    before = tuple(int(np.searchsorted(rule.points, s, side="right")) for s in stations)
+    before = tuple(int(place(rule.points, s, "right")) for s in stations)
     inertia = [any(max(piece.inertia[axis]) > 0 for piece in beam.pieces) for axis in range(3)]
     return StrainShape(
         **{direction: len(function_names(beam, direction)) for direction in MODULI},
@@ -191,7 +206,7 @@ def section_edges(shape: StrainShape, points: Array, stations: tuple[float, ...]
     return np.array([0.0, *(places[kind][k] for kind, k in shape.breaks)])
 
 
-@lru_cache(maxsize=64)
+@kept
 def beam_tables(beam: BeamNumbers, stations: tuple[float, ...] = ()) -> BeamTables:
     """All tables of a beam with the sections at ``stations``; found once for the model, its rest and its lines."""
     rule = beam_rule(beam)
@@ -199,7 +214,7 @@ def beam_tables(beam: BeamNumbers, stations: tuple[float, ...] = ()) -> BeamTabl
     edges = section_edges(shape, rule.points, stations)
     to_point = beam.length * rule.integrals(rule.points)
     alpha, beta = interval_integrals(beam, edges[:-1], edges[1:])
-    rest = np.diff(edges)[:, None] * beam.length * np.asarray(beam.rest_curvature)
+    rest = np.diff(edges)[:, None] * beam.length * array(beam.rest_curvature)
     tables = {
         "alpha": alpha,
         "beta": beta if shape.planar is None else np.empty(0),
@@ -222,11 +237,12 @@ def _root_mass(to_point: Array, masses: Array, shape: StrainShape) -> Array:
 
     Of several spans the rows of m^1/2 A itself, of each point m^1/2 for the whole spans before it, then its own span.
     """
-    rows = np.sqrt(masses)[:, None] * to_point
+    rows = sqrt(masses)[:, None] * to_point
     if shape.spans:
-        return np.concatenate([np.insert(rows[m, part], 0, np.sqrt(masses[m])) for part in shape.parts for m in part])
-    root = np.linalg.qr(rows, mode="r")
-    return np.asarray(root, dtype=np.float64)[np.triu_indices(len(masses))]
+        return np.concatenate(
+            [np.concatenate([[sqrt(masses[m])], rows[m, part]]) for part in shape.parts for m in part]
+        )
+    return array(triangle(rows))[np.triu_indices(len(masses))]
 
 
 def _stiffness(beam: BeamNumbers, shape: StrainShape) -> Array:

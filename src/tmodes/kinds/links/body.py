@@ -9,6 +9,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from pydantic import Field, field_validator
 
+from tmodes.kinds.noted.functions import positive_definite
+from tmodes.kinds.noted.number import is_noted
 from tmodes.kinds.schema.axes import rpy_matrix
 from tmodes.kinds.schema.frames import TURN, Vector, list_of_numbers
 from tmodes.kinds.schema.quantity import DataSheet, Issue, any_sign, not_negative, quantity
@@ -32,10 +34,20 @@ def principal_moments(matrix: ArrayLike) -> tuple[NDArray[np.float64], Literal["
 
     The rules: no moment is negative, and the largest is at most the sum of the others.
     """
+    if is_noted(matrix):
+        return _noted_moments(np.asarray(matrix))
     low, middle, high = moments = np.linalg.eigvalsh(np.asarray(matrix, dtype=float))
     if low < -ROUNDING * high:
         return moments, "sign"
     return moments, "triangle" if low + middle < (1 - ROUNDING) * high else ""
+
+
+def _noted_moments(matrix: NDArray[Any]) -> tuple[NDArray[Any], Literal["sign", ""]]:
+    """Sufficient for both rules, noted: that J + small 1 and tr(J)/(2 - small) 1 - J are positive definite."""
+    trace, one = np.trace(matrix), np.eye(3)
+    fits = positive_definite(matrix + ROUNDING / 3 * trace * one)
+    fits = fits and positive_definite(trace / (2 - ROUNDING) * one - matrix)
+    return np.diag(matrix), "" if fits else "sign"
 
 
 def raised_inertia(matrix: ArrayLike, uses: ArrayLike = ()) -> NDArray[np.float64]:
@@ -71,6 +83,8 @@ class Inertia(DataSheet):
 
     def _issues(self) -> Iterator[Issue]:
         moments, broken = principal_moments(self.matrix())
+        if not broken:
+            return
         info = "an inertia with the principal moments " + ", ".join(f"{moment:.6g}" for moment in moments)
         hint = "check signs, units, and that it is about the center of mass"
         if broken == "sign":

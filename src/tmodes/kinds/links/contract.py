@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from tmodes.kinds.kernel import vectors as v
 from tmodes.kinds.links.facts import LinkFacts
 from tmodes.kinds.links.line import CubicLine, LineOfLink
+from tmodes.kinds.noted.functions import distinct
 from tmodes.kinds.registry import source_digest
 
 __all__ = ["Body", "ElasticForces", "Link", "LinkNumbers", "LinkStructure", "QuadraticStructure", "Row"]
@@ -234,7 +235,7 @@ class Link(LinkFacts):
 
     def along(self, asked: Sequence[float]) -> tuple[float, ...]:
         """Places s < 1 of bodies and of what is asked for, in rising order."""
-        return tuple(sorted({*self.body_places, *(s for s in asked if s < 1.0)}))
+        return tuple(distinct([*self.body_places, *(s for s in asked if s < 1.0)]))
 
     @property
     def mass_line(self) -> Any:

@@ -9,6 +9,8 @@ from typing import Any, ClassVar, NamedTuple, Self
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from tmodes.kinds.noted.functions import isfinite
+
 __all__ = ["DIRECTIONS", "LUMPS_OF_BEAM", "AngleLimit", "LinkFacts"]
 
 Array = NDArray[np.float64]
@@ -102,6 +104,11 @@ class LinkFacts(ABC):
         """Stiffness of the section against a direction at s [N*m^2], of stretch and shear [N]; infinite: rigid."""
         return np.full(np.shape(s), np.inf)
 
+    @property
+    def beam_mass(self) -> float | None:
+        """Mass of the beam itself [kg]; None where masses are lumped: then the sheet's own mass counts."""
+        return self.described([self]).get("beam_mass_kg")
+
     @abstractmethod
     def described(self, row: Sequence[Any]) -> dict[str, Any]:
         """Data for ``tmodes describe`` of all elements of one link, ``row``, of which this is the first.
@@ -112,4 +119,4 @@ class LinkFacts(ABC):
 
 def ends(first: float, last: float) -> list[float | None]:
     """Values at root and tip; None: rigid."""
-    return [x if np.isfinite(x) else None for x in (first, last)]
+    return [x if isfinite(x) else None for x in (first, last)]

@@ -21,6 +21,7 @@ from tmodes.kinds.links.modes_places import ModePlaces
 from tmodes.kinds.links.modes_sheet import Mode, eased, shape_angle, shape_slope
 from tmodes.kinds.links.modes_structure import ModesStructure
 from tmodes.kinds.links.rigid import RigidLink, rod
+from tmodes.kinds.noted.functions import distinct, isfinite, minimum, number
 
 __all__ = ["ModesLink", "RigidModesLink"]
 
@@ -43,7 +44,7 @@ class ModesLink(Link):
     length: float = field(init=False)
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "length", float(sum(mode.length for mode in self.modes)))
+        object.__setattr__(self, "length", number(sum(mode.length for mode in self.modes)))
 
     @property
     def carried(self) -> tuple[tuple[float, Body], ...]:
@@ -53,7 +54,7 @@ class ModesLink(Link):
     @property
     def free(self) -> tuple[bool, ...]:
         """Which modes bend."""
-        return tuple(bool(np.isfinite(mode.bending_stiffness)) for mode in self.modes)
+        return tuple(isfinite(mode.bending_stiffness) for mode in self.modes)
 
     @property
     def coordinates(self) -> tuple[str, ...]:
@@ -68,7 +69,7 @@ class ModesLink(Link):
     @property
     def body_places(self) -> tuple[float, ...]:
         """Places s < 1 that carry bodies."""
-        return tuple(sorted({s for s, _ in self.bodies if s < 1.0}))
+        return tuple(distinct(s for s, _ in self.bodies if s < 1.0))
 
     def bodies_at(self, s: float) -> tuple[Body, ...]:
         """Bodies on the section at s; at the tip the last mode's equivalent mass, too."""
@@ -119,7 +120,7 @@ class ModesLink(Link):
         at, start = s * self.length, 0.0
         for k, mode in enumerate(self.modes):
             if at <= start + mode.length * (1 + 1e-12) or k == len(self.modes) - 1:
-                return k, min((at - start) / mode.length, 1.0)
+                return k, minimum((at - start) / mode.length, 1.0)
             start += mode.length
         raise AssertionError
 

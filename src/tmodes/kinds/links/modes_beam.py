@@ -18,6 +18,7 @@ from tmodes.kinds.links.modes import ModesLink, RigidModesLink
 from tmodes.kinds.links.modes_sheet import Mode
 from tmodes.kinds.links.section import GivenSection
 from tmodes.kinds.links.sheet import LINKS, BendingSheet, LoweredLink, Spot, moved_body, placed, sheet_body, straight
+from tmodes.kinds.noted.functions import isfinite, number
 from tmodes.kinds.schema.frames import Origin
 
 __all__ = ["MOST_MODES", "ModesSheet"]
@@ -42,12 +43,12 @@ class ModesSheet(BendingSheet):
     @property
     def line_length(self) -> float:
         """Sum of the modes' lengths [m]."""
-        return float(sum(mode.length for mode in self.modes))
+        return number(sum(mode.length for mode in self.modes))
 
     @property
     def coordinate_count(self) -> int:
         """An azimuth and an elevation of each mode that bends."""
-        return 2 * sum(math.isfinite(mode.bending_stiffness) for mode in self.modes)
+        return 2 * sum(isfinite(mode.bending_stiffness) for mode in self.modes)
 
     @property
     def description(self) -> str:
@@ -62,7 +63,7 @@ class ModesSheet(BendingSheet):
     @property
     def _ends(self) -> list[float]:
         """Where each mode ends, as a share of the length."""
-        return [float(end) for end in np.cumsum([mode.length for mode in self.modes]) / self.line_length]
+        return [number(end) for end in np.cumsum([mode.length for mode in self.modes]) / self.line_length]
 
     def section_pieces(self) -> list[Piece]:
         """One uniform piece for each mode."""

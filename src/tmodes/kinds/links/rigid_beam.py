@@ -12,6 +12,7 @@ from tmodes.kinds.links.beam_data import BeamData
 from tmodes.kinds.links.contract import Body
 from tmodes.kinds.links.line import SAME
 from tmodes.kinds.links.sheet import moved_body
+from tmodes.kinds.noted.functions import maximum, minimum, number
 from tmodes.kinds.schema.axes import bent_line
 
 __all__ = ["RigidBeam", "rigid_body"]
@@ -29,14 +30,14 @@ def rigid_body(beam: BeamData, until: float = 1.0) -> Body:
     masses, positions, inertia, start = [], [], np.zeros((3, 3)), 0.0
     for piece in beam.section_pieces():
         span = piece.end - start
-        inside = min(max((until - start) / span, 0.0), 1.0)
+        inside = minimum(maximum((until - start) / span, 0.0), 1.0)
         for part in range(4) if inside else ():
             share = (part + (1 + nodes) / 2) / 4 * inside
             for x, weight in zip(share, weights * span * beam.length / 8 * inside, strict=True):
                 rotation, position = bent_line(beam.rest_curvature, (start + x * span) * beam.length)
                 counted = beam.turning_axes
                 own = np.diag([piece.at(f"inertia_{axis}", x) if axis in counted else 0.0 for axis in "xyz"])
-                inertia += weight * rotation @ own @ rotation.T
+                inertia = inertia + weight * rotation @ own @ rotation.T
                 masses.append(weight * piece.at("mass", x))
                 positions.append(position)
         start = piece.end
@@ -46,7 +47,7 @@ def rigid_body(beam: BeamData, until: float = 1.0) -> Body:
     center = mass @ places / mass.sum()
     off = places - center
     spread = np.einsum("i,ij,ik->jk", mass, off, off)
-    return Body(float(mass.sum()), center, inertia + np.trace(spread) * np.eye(3) - spread)
+    return Body(number(mass.sum()), center, inertia + np.trace(spread) * np.eye(3) - spread)
 
 
 @dataclass(frozen=True, eq=False)
@@ -76,7 +77,9 @@ class RigidBeam:
         first = sum((body.mass * body.center for body in bodies), np.zeros(3))
         inertia = np.zeros((3, 3))
         for body in bodies:
-            inertia += body.inertia + body.mass * (
-                body.center @ body.center * np.eye(3) - np.outer(body.center, body.center)
+            inertia = (
+                inertia
+                + body.inertia
+                + body.mass * (body.center @ body.center * np.eye(3) - np.outer(body.center, body.center))
             )
         return sum(body.mass for body in bodies), first, inertia

@@ -28,6 +28,7 @@ from tmodes.kinds.links.section_shapes import (
     tube_peak,
     tube_shear,
 )
+from tmodes.kinds.noted.functions import isinf, minimum, number
 from tmodes.kinds.schema.quantity import DataSheet, Issue, positive
 
 __all__ = [
@@ -145,7 +146,7 @@ class Box(DrawnSection):
         if self.thickness is not None and any(pair.values()):
             yield Issue("thickness", "one next to those of flanges and webs", "left out", "remove `thickness`")
         sides = {
-            "thickness": min(self.width, self.height),
+            "thickness": number(minimum(self.width, self.height)),
             "flange_thickness": self.height,
             "web_thickness": self.width,
         }
@@ -226,12 +227,12 @@ def between(root: Section, tip: Section, share: float) -> Section:
 
     Raises :class:`tmodes.errors.InputError` when the shapes differ, or one is solid and the other hollow, or one rigid.
     """
-    first, last = root.model_dump(exclude_none=True), tip.model_dump(exclude_none=True)
+    first, last = ({name: value for name, value in end if value is not None} for end in (root, tip))
     if type(root) is not type(tip) or first.keys() != last.keys():
         ends = [f"{end.shape} ({', '.join(names)})" for end, names in ((root, first), (tip, last))]
         hint = "draw both ends in the same shape, or write the beam as pieces"
         raise InputError("taper", f"{ends[1]} at the tip of {ends[0]}", "the same shape at both ends", hint)
-    return type(root)(**{name: _mixed(first[name], last[name], share) for name in first})
+    return root.model_copy(update={name: _mixed(first[name], last[name], share) for name in first})
 
 
 def _mixed(first: Any, last: Any, share: float) -> Any:
@@ -239,7 +240,7 @@ def _mixed(first: Any, last: Any, share: float) -> Any:
         return first
     if isinstance(first, tuple):
         return tuple(_mixed(*both, share) for both in zip(first, last, strict=True))
-    if math.isinf(first) or math.isinf(last):
+    if isinf(first) or isinf(last):
         got, hint = "a stiffness that is infinite at one end", "make both ends elastic or both .inf, or write pieces"
         raise InputError("taper", got, "finite or infinite at both ends", hint)
     return first + share * (last - first)

@@ -9,6 +9,7 @@ from typing import Annotated, Any, Literal, NamedTuple
 from pydantic import Field, field_validator
 
 from tmodes.kinds.links.material import Material
+from tmodes.kinds.noted.functions import isinf
 from tmodes.kinds.schema.frames import list_of_numbers
 from tmodes.kinds.schema.quantity import LARGEST, SMALLEST, DataSheet, Issue, not_negative, positive
 
@@ -47,7 +48,7 @@ class GivenSection(DataSheet):
         for name, unit in (("bending_stiffness", "N*m^2"), ("shear_stiffness", "N")):
             expected = f"a magnitude from {SMALLEST:g} to {LARGEST:g} [{unit}], or .inf for rigid"
             for value in getattr(self, name):
-                if not (SMALLEST <= value <= LARGEST or math.isinf(value)):
+                if not (SMALLEST <= value <= LARGEST or isinf(value)):
                     yield Issue(name, f"{value:g}", expected, "correct the exponent or the unit")
 
     def properties(self, material: Material | None = None) -> SectionNumbers:
@@ -79,9 +80,9 @@ class GivenSection(DataSheet):
 
 def _share(bend_y: float, bend_z: float) -> float:
     """bend_y/(bend_y + bend_z), also where one is rigid; half where both are."""
-    if math.isinf(bend_y) and math.isinf(bend_z):
+    if isinf(bend_y) and isinf(bend_z):
         return 0.5
-    return 1.0 if math.isinf(bend_y) else bend_y / (bend_y + bend_z)
+    return 1.0 if isinf(bend_y) else bend_y / (bend_y + bend_z)
 
 
 class SectionNumbers(NamedTuple):

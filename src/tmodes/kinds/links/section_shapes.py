@@ -9,6 +9,8 @@ from __future__ import annotations
 
 import math
 
+from tmodes.kinds.noted.functions import exp, maximum, minimum, number, total
+
 __all__ = [
     "box_peak", "box_shear", "i_beam_peaks", "i_beam_shear", "i_beam_torsion", "rectangle_shear", "rectangle_torsion",
     "round_shear", "thin_box_torsion", "tube_peak", "tube_shear",
@@ -97,10 +99,10 @@ def rectangle_torsion(width: float, height: float) -> float:
     S. P. Timoshenko, J. N. Goodier, Theory of Elasticity, 3rd ed. 1970, art. 109. Summed as the limit of long
     rectangles, tanh = 1, less what the ends take away: six terms of that are exact to rounding.
     """
-    long, short = max(width, height), min(width, height)
+    long, short = number(maximum(width, height)), number(minimum(width, height))
     ratio = long / short
-    decays = ((n, math.exp(-n * math.pi * ratio)) for n in range(1, 12, 2))
-    series = _ODD_FIFTHS - math.fsum(2 * decay / (1 + decay) / n**5 for n, decay in decays)
+    decays = ((n, exp(-n * math.pi * ratio)) for n in range(1, 12, 2))
+    series = _ODD_FIFTHS - total(2 * decay / (1 + decay) / n**5 for n, decay in decays)
     return long * short**3 / 3 * (1 - 192 / (math.pi**5 * ratio) * series)
 
 

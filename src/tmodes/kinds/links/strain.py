@@ -13,6 +13,7 @@ from tmodes.kinds.links.beam_breaks import TURNING
 from tmodes.kinds.links.beam_functions import (
     MODULI,
     bare_beam,
+    beam_mass,
     fine_rule,
     function_names,
     function_order,
@@ -29,6 +30,7 @@ from tmodes.kinds.links.line import LineOfLink
 from tmodes.kinds.links.strain_link import strain_link
 from tmodes.kinds.links.strain_places import BeamLine
 from tmodes.kinds.links.strain_shape import StrainShape
+from tmodes.kinds.noted.functions import distinct, number
 
 __all__ = ["Beam", "BeamPiece", "StrainStructure"]
 
@@ -75,7 +77,7 @@ class Beam(BeamNumbers, Link):
     @property
     def body_places(self) -> tuple[float, ...]:
         """Places s < 1 that carry bodies."""
-        return tuple(sorted({s for s, _ in self.bodies if s < 1.0}))
+        return tuple(distinct(s for s, _ in self.bodies if s < 1.0))
 
     def bodies_at(self, s: float) -> tuple[Body, ...]:
         """Bodies on the section at s."""
@@ -83,8 +85,8 @@ class Beam(BeamNumbers, Link):
 
     def unbent_bodies(self) -> tuple[Body, ...]:
         """The bodies on it, and the beam as a straight rod of its mean mass per length."""
-        mass = self.length * float(np.mean([number for piece in self.pieces for number in piece.mass]))
-        polar = self.length * float(np.mean([number for piece in self.pieces for number in piece.inertia[0]]))
+        mass = self.length * number(np.mean([x for piece in self.pieces for x in piece.mass]))
+        polar = self.length * number(np.mean([x for piece in self.pieces for x in piece.inertia[0]]))
         across = mass * self.length**2 / 12
         rod = Body(mass, np.array([self.length / 2, 0.0, 0.0]), np.diag([polar, across, across]))
         return (rod, *super().unbent_bodies())
@@ -154,6 +156,11 @@ class Beam(BeamNumbers, Link):
     def stiffness_at(self, direction: str, s: ArrayLike) -> Array:
         """EI, GJ or EA at s."""
         return pieces_at(self, MODULI[direction], s)
+
+    @property
+    def beam_mass(self) -> float:
+        """Its mass per length over its length."""
+        return beam_mass(self)
 
     def described(self, row: Sequence[Any]) -> dict[str, Any]:  # noqa: ARG002
         """Its functions, stiffnesses and first frequencies by itself."""

@@ -5,6 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from tmodes.kinds.noted.functions import array, norm, number, sin
+
 __all__ = [
     "bent_line", "cross_matrix", "matrix_quaternion", "quaternion_matrix", "rotation_about", "rpy_matrix", "unit",
 ]  # fmt: skip
@@ -14,21 +16,22 @@ Array = NDArray[np.float64]
 
 def unit(vector: ArrayLike) -> Array:
     """The vector of length 1 in the same direction; the vector must not be zero."""
-    values = np.asarray(vector, dtype=float)
-    values = values / np.abs(values).max()  # first by the largest entry, so that no square overflows or vanishes
-    return values / np.linalg.norm(values)
+    values = array(vector)
+    if values.dtype == float:
+        values = values / np.abs(values).max()  # first by the largest entry, so that no square overflows or vanishes
+    return values / norm(values)
 
 
 def cross_matrix(vector: ArrayLike) -> Array:
     """The matrix (3, 3) that multiplies as ``vector x``."""
-    x, y, z = np.asarray(vector, dtype=float)
+    x, y, z = array(vector)
     return np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
 
 
 def rotation_about(axis: ArrayLike, angle: float) -> Array:
     """Rotation (3, 3) by an angle [rad] about a unit vector (Rodrigues)."""
     cross = cross_matrix(axis)
-    return np.eye(3) + np.sin(angle) * cross + 2 * np.sin(angle / 2) ** 2 * cross @ cross
+    return np.eye(3) + sin(angle) * cross + 2 * sin(angle / 2) ** 2 * cross @ cross
 
 
 def rpy_matrix(roll: float, pitch: float, yaw: float) -> Array:
@@ -66,8 +69,8 @@ def bent_line(curvature: ArrayLike, length: float) -> tuple[Array, Array]:
 
     The line starts at the origin along x; its frame obeys R' = R [curvature x], its position p' = R e_x: a helix.
     """
-    bent = np.asarray(curvature, dtype=float) * length
-    angle = float(np.linalg.norm(bent))
+    bent = array(curvature) * length
+    angle = number(norm(bent))
     if angle == 0.0:
         return np.eye(3), np.array([length, 0.0, 0.0])
     cross = cross_matrix(bent)
@@ -78,7 +81,7 @@ def bent_line(curvature: ArrayLike, length: float) -> tuple[Array, Array]:
 
 def _half_versine(angle: float) -> float:
     """(1 - cos a)/a^2."""
-    return float(2 * (np.sin(angle / 2) / angle) ** 2)
+    return number(2 * (sin(angle / 2) / angle) ** 2)
 
 
 def _sine_defect(angle: float) -> float:
@@ -86,4 +89,4 @@ def _sine_defect(angle: float) -> float:
     if angle < 0.1:
         square = angle**2
         return 1 / 6 - square / 120 + square**2 / 5040 - square**3 / 362880
-    return float((angle - np.sin(angle)) / angle**3)
+    return number((angle - sin(angle)) / angle**3)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator
 from enum import StrEnum
 from typing import Annotated, Any
@@ -11,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import Field
 
+from tmodes.kinds.noted.functions import hypot
 from tmodes.kinds.schema.axes import quaternion_matrix, rotation_about, rpy_matrix
 from tmodes.kinds.schema.quantity import LARGEST, DataSheet, Issue, any_sign
 
@@ -62,7 +62,7 @@ class Origin(DataSheet):
 
     @property
     def _quaternion_length(self) -> float:
-        return math.hypot(*self.quaternion) if self.quaternion else 1.0
+        return hypot(*self.quaternion) if self.quaternion else 1.0
 
     def rotation(self) -> Array:
         """Rotation matrix (3, 3), columns = the axes of this frame."""

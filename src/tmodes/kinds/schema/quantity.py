@@ -7,7 +7,6 @@ printed).
 
 from __future__ import annotations
 
-import math
 import unicodedata
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, NamedTuple, Self
@@ -16,6 +15,8 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationInfo, field_validat
 from pydantic_core import PydanticCustomError
 
 from tmodes.errors import InputError
+from tmodes.kinds.noted.functions import isinf
+from tmodes.kinds.noted.number import Noted
 
 __all__ = [
     "LARGEST", "SMALLEST", "DataSheet", "Issue", "any_sign", "dissipation", "not_negative", "plain_texts",
@@ -105,7 +106,7 @@ class DataSheet(BaseModel):
     @classmethod
     def _in_range_of_arithmetic(cls, value: Any, info: ValidationInfo) -> Any:
         extra = cls.model_fields[info.field_name or ""].json_schema_extra
-        if isinstance(value, float) and isinstance(extra, dict) and not math.isinf(value):
+        if isinstance(value, (float, Noted)) and isinstance(extra, dict) and not isinf(value):
             smallest = float(str(extra["smallest"])) or (LEAST if value and "kg" in str(extra["unit"]) else 0.0)
             if not smallest <= abs(value) <= LARGEST:
                 bounds = {"smallest": smallest, "largest": LARGEST}

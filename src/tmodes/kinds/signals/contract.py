@@ -19,6 +19,7 @@ from typing import Any
 
 import numpy as np
 
+from tmodes.kinds.noted.functions import zeros
 from tmodes.kinds.schema.kind import Kind
 from tmodes.kinds.schema.quantity import any_sign, not_negative
 from tmodes.kinds.signals.schedule import Schedule
@@ -64,7 +65,7 @@ def delayed(move: Schedule, delay: float, until: float, first: float | None = No
     """The move from ``delay`` on, its first value before; cut or held at ``until`` [s]."""
     knots, pieces = move.knots + delay, move.coefficients
     if delay > 0:
-        held = np.zeros((1, pieces.shape[1]))
+        held = zeros((1, pieces.shape[1]), pieces, first)
         held[0, 0] = pieces[0, 0] if first is None else first
         knots, pieces = np.append(0.0, knots), np.vstack([held, pieces])
     return Schedule(knots, pieces).until(until)

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.errors import InputError
+from tmodes.kinds.noted.functions import ceil, sin
 from tmodes.kinds.signals.schedule import Schedule
 from tmodes.kinds.signals.switches import Switch
 
@@ -87,14 +88,14 @@ def fitted_sine(amplitude: float, frequency: float, phase: float, offset: float,
     A piece is 0.4 rad long: the interpolation's error is (0.4 rad)^8/(8! 2^15) = 5e-13.
     """
     omega = 2 * np.pi * frequency
-    count = max(1.0, float(np.ceil(omega * until / 0.4)))
+    count = max(1, ceil(omega * until / 0.4))
     if count > MOST_PIECES:
         raise _too_many("sine", until)
-    knots = np.linspace(0.0, until, int(count) + 1)
+    knots = np.linspace(0.0, until, count + 1)
     widths = np.diff(knots)
     times = omega * (knots[:-1, None] + widths[:, None] * _points()) + phase
-    coefficients = amplitude * _powers(np.sin(times))
-    coefficients[:, 0] += offset
+    coefficients = amplitude * _powers(sin(times))
+    coefficients = np.column_stack([coefficients[:, :1] + offset, coefficients[:, 1:]])
     return Schedule(knots, coefficients / widths[:, None] ** np.arange(DEGREE + 1))
 
 

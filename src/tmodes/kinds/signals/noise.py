@@ -2,19 +2,20 @@
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
 from pydantic import Field
 
 from tmodes.errors import InputError
+from tmodes.kinds.noted.functions import ceil
 from tmodes.kinds.schema.quantity import any_sign, not_negative, positive
 from tmodes.kinds.signals.contract import SIGNALS, Signal
 from tmodes.kinds.signals.fit import MOST_PIECES
 from tmodes.kinds.signals.schedule import Schedule
 
-__all__ = ["Noise", "normal_numbers"]
+__all__ = ["Noise", "hermite", "normal_numbers"]
 
 
 @SIGNALS.register
@@ -40,22 +41,22 @@ class Noise(Signal):
         if until / spacing > MOST_PIECES:
             got, most = f"{self.frequency:g} Hz over {until:g} s", f"at most {MOST_PIECES / 2 / until:.3g} Hz"
             raise InputError("frequency", got, most, "lower the frequency, or shorten the run")
-        count = int(np.ceil(until / spacing)) + 1
+        count = ceil(until / spacing) + 1
         values = self.mean + self.deviation * np.append(0.0, normal_numbers(self.seed, count + 1))
         # Slopes of neighbours (Catmull, Rom 1974) hang on nothing that comes later, as those of a whole spline would.
         slopes = np.append(0.0, (values[2:] - values[:-2]) / (2 * spacing))
-        pieces = _hermite(values[:count], values[1 : count + 1], slopes[:count], slopes[1 : count + 1], spacing)
+        pieces = hermite(values[:count], values[1 : count + 1], slopes[:count], slopes[1 : count + 1], spacing)
         return Schedule(spacing * np.arange(count + 1, dtype=np.float64), pieces).until(until)
 
 
-def _hermite(
+def hermite(
     start: NDArray[np.float64],
     end: NDArray[np.float64],
     slope: NDArray[np.float64],
     last_slope: NDArray[np.float64],
-    length: float,
+    length: Any,
 ) -> NDArray[np.float64]:
-    """Cubics with given values and slopes at both ends, (pieces, 4)."""
+    """Cubics (pieces, 4) with given values and slopes at both ends, of a ``length`` [s], one for all or of each."""
     rise = (end - start) / length
     square = (3 * rise - 2 * slope - last_slope) / length
     return np.column_stack([start, slope, square, (slope + last_slope - 2 * rise) / length**2])

@@ -27,7 +27,7 @@ SIGNALS.bring(
 
 def constant_signal(value: float) -> Signal:
     """A signal that keeps one value."""
-    return SIGNALS["constant"](type="constant", value=value)
+    return SIGNALS["constant"].model_construct(type="constant", value=value)
 
 
 def quintic_move(start: float, end: float, duration: float) -> Signal:

@@ -14,8 +14,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from tmodes.errors import InputError
+from tmodes.kinds.noted.functions import array, highest, maximum, number, place, polynomial_derivative, zeros
+from tmodes.kinds.noted.number import Lost, is_noted, plain_value
 
-__all__ = ["Clock", "Jolts", "MergedSchedule", "Schedule", "merge"]
+__all__ = ["Clock", "Jolts", "MergedSchedule", "Schedule", "merge", "merge_cases"]
 
 
 @dataclass(frozen=True)
@@ -32,7 +34,7 @@ class Schedule:
     @property
     def duration(self) -> float:
         """Length of the schedule [s]."""
-        return float(self.knots[-1] - self.knots[0])
+        return number(self.knots[-1] - self.knots[0])
 
     @property
     def degree(self) -> int:
@@ -41,30 +43,41 @@ class Schedule:
 
     def at(self, time: ArrayLike, derivative: int = 0) -> NDArray[np.float64]:
         """The value, or its ``derivative``-th derivative, at each time [s]; at a jump, the later piece counts."""
-        time = np.asarray(time, dtype=float)
+        time = array(time)
         piece = self._piece(time)
         tau = time - self.knots[piece]
-        powers = np.polynomial.polynomial.polyder(self.coefficients, derivative, axis=1)
-        value = np.zeros_like(tau)
+        powers = polynomial_derivative(self.coefficients, derivative, axis=1)
+        value = zeros(time.shape, tau, self.coefficients)
         for column in powers.T[::-1]:
             value = value * tau + column[piece]
         return value
 
     def rows_at(self, time: ArrayLike) -> NDArray[np.float64]:
         """Start and coefficients of the piece at each time [s], shape (n, degree + 2): what compiled code reads."""
-        piece = self._piece(np.asarray(time, dtype=float))
+        piece = self._piece(array(time))
         return np.column_stack([self.knots[piece], self.coefficients[piece]])
 
     def _piece(self, time: NDArray[np.float64]) -> NDArray[np.intp]:
-        return np.clip(np.searchsorted(self.knots, time, side="right") - 1, 0, len(self.coefficients) - 1)
+        return np.clip(place(self.knots, time, "right") - 1, 0, len(self.coefficients) - 1)
+
+    @property
+    def is_noted(self) -> bool:
+        """Whether any number is noted."""
+        return is_noted(self.knots) or is_noted(self.coefficients)
+
+    def plain(self) -> Schedule:
+        """The same with the values of noted numbers; itself where none is."""
+        if not self.is_noted:
+            return self
+        return Schedule(*(np.vectorize(plain_value, [float])(part) for part in (self.knots, self.coefficients)))
 
     def until(self, end: float) -> Schedule:
         """The same motion from its start to ``end`` [s]: cut short, or held in its last position."""
         kept = self.knots[:-1] < end
         knots, pieces = self.knots[:-1][kept], self.coefficients[kept]
         if end > self.knots[-1]:
-            rest = np.zeros((1, self.degree + 1))
-            rest[0, 0] = self.at(self.knots[-1])
+            rest = zeros((1, self.degree + 1), self.coefficients, self.knots)
+            rest[0, 0] = number(self.at(self.knots[-1]))
             knots, pieces = np.append(knots, self.knots[-1]), np.vstack([pieces, rest])
         return Schedule(np.append(knots, end), pieces)
 
@@ -98,10 +111,10 @@ class MergedSchedule:
     def at(self, time: ArrayLike, derivative: int = 0) -> NDArray[np.float64]:
         """Values, or ``derivative``-th derivatives, shape (*times, signals); at a jump, the later piece counts."""
         time = np.asarray(time, dtype=float)
-        piece = np.clip(np.searchsorted(self.knots, time, side="right") - 1, 0, len(self.coefficients) - 1)
+        piece = np.clip(place(self.knots, time, "right") - 1, 0, len(self.coefficients) - 1)
         tau = (time - self.knots[piece])[..., None]
-        powers = np.polynomial.polynomial.polyder(self.coefficients, derivative, axis=2)
-        value = np.zeros((*time.shape, self.coefficients.shape[1]))
+        powers = polynomial_derivative(self.coefficients, derivative, axis=2)
+        value = zeros((*time.shape, self.coefficients.shape[1]), self.coefficients, tau)
         for column in np.moveaxis(powers, 2, 0)[::-1]:
             value = value * tau + column[piece]
         return value
@@ -112,13 +125,10 @@ class MergedSchedule:
         What counts is measured by the largest position, or rate, within the pieces: at its ends a move may be at rest.
         """
         lengths = np.diff(self.knots)
-        orders = [
-            np.asarray(np.polynomial.polynomial.polyder(self.coefficients, order, axis=2), dtype=np.float64)
-            for order in range(derivative + 1)
-        ]
-        sizes = np.zeros(self.coefficients.shape[1])
+        orders = [polynomial_derivative(self.coefficients, order, axis=2) for order in range(derivative + 1)]
+        sizes = zeros(self.coefficients.shape[1], self.coefficients)
         for powers in orders:
-            sizes = np.maximum(_largest(powers, lengths), sizes * _SLOW / (self.knots[-1] - self.knots[0]))
+            sizes = maximum(_largest(powers, lengths), sizes * _SLOW / (self.knots[-1] - self.knots[0]))
         gaps = orders[-1][1:, :, 0] - _values(orders[-1], lengths)[:-1]
         return gaps, np.abs(gaps) > _SAME_VALUE * sizes
 
@@ -147,12 +157,12 @@ a formula is fitted to 1e-12 of its value by at least 16 pieces of degree 7, its
 def _largest(powers: NDArray[np.float64], lengths: NDArray[np.float64]) -> NDArray[np.float64]:
     """Magnitudes (signals,) of polynomials within their pieces; 0 only where all of them vanish."""
     shares = np.linspace(0.0, 1.0, powers.shape[2] + 1)
-    return np.max([np.abs(_values(powers, share * lengths)).max(axis=0) for share in shares], axis=0)
+    return highest(np.array([highest(np.abs(_values(powers, share * lengths)), 0) for share in shares]), 0)
 
 
 def _values(powers: NDArray[np.float64], times: NDArray[np.float64]) -> NDArray[np.float64]:
     """Polynomials (pieces, signals, degree + 1) at a time [s] (pieces,) after the start of each piece."""
-    values = np.zeros(powers.shape[:2])
+    values = zeros(powers.shape[:2], powers, times)
     for k in reversed(range(powers.shape[2])):
         values = values * times[:, None] + powers[:, :, k]
     return values
@@ -165,12 +175,55 @@ def merge(schedules: Sequence[Schedule]) -> MergedSchedule:
     """
     if not schedules:
         return MergedSchedule(np.array([0.0, 1.0]), np.zeros((1, 0, 1)))
-    end = max(float(schedule.knots[-1]) for schedule in schedules)
+    end = max(number(schedule.knots[-1]) for schedule in schedules)
     whole = [schedule.until(end) if schedule.knots[-1] < end else schedule for schedule in schedules]
     knots = _common_knots(np.concatenate([schedule.knots for schedule in whole]))
     degree = max(schedule.degree for schedule in whole)
     parts = [_on_knots(schedule, knots, degree) for schedule in whole]
     return MergedSchedule(knots, np.stack(parts, axis=1))
+
+
+def merge_cases(parts: Sequence[tuple[NDArray[np.float64], NDArray[np.float64]]]) -> list[Schedule]:
+    """The rows of :func:`merge` of n cases at once, bitwise; of each signal its knots (n, k) and pieces (n, k - 1, m).
+
+    Cases whose knots come in the same order, and coincide alike, are merged together.
+    """
+    knots = np.concatenate([own for own, _ in parts], axis=1)
+    order = np.argsort(knots, axis=1, kind="stable")
+    rising = np.take_along_axis(knots, order, axis=1)
+    apart = np.diff(rising, axis=1) > SAME * (rising[:, -1:] - rising[:, :1])
+    _, first, groups = np.unique(np.column_stack([order, apart]), axis=0, return_index=True, return_inverse=True)
+    found: list[Schedule] = [Schedule(knots[0], knots[:0])] * len(knots)
+    for group in range(len(first)):
+        which = np.flatnonzero(groups.ravel() == group)
+        if len(which) == 1 or any((own[which, -1] != rising[which, -1]).any() for own, _ in parts):
+            for k in which.tolist():
+                found[k] = merge([Schedule(own[k], pieces[k]) for own, pieces in parts]).schedule
+            continue
+        common = rising[which][:, np.append(True, apart[which[0]])]
+        common[:, -1] = rising[which, -1]
+        for k, own, rows in zip(which.tolist(), common, _merged_alike(parts, which, common), strict=True):
+            found[k] = Schedule(own, rows)
+    return found
+
+
+def _merged_alike(
+    parts: Sequence[tuple[NDArray[np.float64], NDArray[np.float64]]],
+    which: NDArray[np.intp],
+    knots: NDArray[np.float64],
+) -> NDArray[np.float64]:
+    """Rows (m, k - 1, numbers) on common ``knots`` (m, k) of cases of one order of knots."""
+    degree = max(pieces.shape[2] for _, pieces in parts) - 1
+    middle, size = (knots[:, :-1] + knots[:, 1:]) / 2, np.ptp(knots, axis=1)[:, None]
+    rows = []
+    for own, pieces in parts:
+        starts = own[which]
+        piece = np.clip((starts[:, None, :] <= middle[:, :, None]).sum(axis=2) - 1, 0, pieces.shape[1] - 1)
+        shift = knots[:, :-1] - np.take_along_axis(starts, piece, axis=1)
+        powers = np.take_along_axis(pieces[which], piece[:, :, None], axis=1)
+        moved = _shifted(powers, np.where(np.abs(shift) <= SAME * size, 0.0, shift))
+        rows.append(np.pad(moved, [(0, 0), (0, 0), (0, degree + 1 - moved.shape[2])]))
+    return np.stack(rows, axis=2).reshape(len(which), knots.shape[1] - 1, -1)
 
 
 def _common_knots(knots: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -185,14 +238,14 @@ def _on_knots(schedule: Schedule, knots: NDArray[np.float64], degree: int) -> ND
     """Coefficients (pieces, degree + 1) of the schedule about the starts of new pieces."""
     rows = schedule.rows_at((knots[:-1] + knots[1:]) / 2)
     shift = knots[:-1] - rows[:, 0]
-    new = np.zeros((len(rows), degree + 1))
+    new = zeros((len(rows), degree + 1), rows, knots)
     new[:, : rows.shape[1] - 1] = _shifted(rows[:, 1:], np.where(np.abs(shift) <= SAME * np.ptp(knots), 0.0, shift))
     return new
 
 
 def _shifted(powers: NDArray[np.float64], shift: NDArray[np.float64]) -> NDArray[np.float64]:
     """Coefficients (..., degree + 1) about times later by ``shift`` (...) [s]."""
-    new = np.zeros_like(powers)
+    new = zeros(powers.shape, powers, shift)
     for power in range(powers.shape[-1]):
         for lower in range(power + 1):
             new[..., lower] += comb(power, lower) * powers[..., power] * shift ** (power - lower)
@@ -217,6 +270,8 @@ class Clock:
 
         Raises :class:`tmodes.errors.InputError` for more than a million samples.
         """
+        if is_noted(self.period):
+            raise Lost("samples on the instants of the output are structure", self.period)
         count = int(np.ceil(until / self.period * (1 - 1e-12)))
         if count > MOST_SAMPLES:
             got, most = f"{self.period:g} s, {count} samples in {until:g} s", f"at most {MOST_SAMPLES} samples"
@@ -263,7 +318,7 @@ class Jolts:
         except InputError:  # it has no value at its end
             begin = moved
         rates = np.abs(begin.at(np.linspace(0.0, begin.knots[-1], _LOOKS), 1))
-        return float(moved.at(0.0, 1)) if rates[0] > _SAME_VALUE * rates.max() else 0.0
+        return number(moved.at(0.0, 1)) if rates[0] > _SAME_VALUE * rates.max() else 0.0
 
     def jump(self, until: float) -> bool:
         """Whether any is there."""

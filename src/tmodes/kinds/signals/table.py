@@ -9,8 +9,11 @@ from typing import Annotated, Any, Literal
 import numpy as np
 from pydantic import Field
 
+from tmodes.kinds.noted.functions import cubic_slopes, number
+from tmodes.kinds.noted.number import is_noted
 from tmodes.kinds.schema.quantity import LARGEST, Issue
 from tmodes.kinds.signals.contract import SIGNALS, Signal, delayed
+from tmodes.kinds.signals.noise import hermite
 from tmodes.kinds.signals.schedule import Schedule
 
 __all__ = ["Interpolation", "Table"]
@@ -73,23 +76,25 @@ class Table(Signal):
         pieces = self._cubic(times, values) if self.interpolation is Interpolation.CUBIC else _straight(times, values)
         rising = np.diff(times) > 0
         move = Schedule(np.append(times[:-1][rising], times[-1]) - times[0], pieces[rising])
-        return _ending(delayed(move, float(times[0]), until, first=self.values[0]), float(times[-1]), self.values[-1])
+        return _ending(delayed(move, number(times[0]), until, first=self.values[0]), number(times[-1]), self.values[-1])
 
     @staticmethod
     def _cubic(times: Any, values: Any) -> Any:
+        if is_noted(times) or is_noted(values):
+            slopes, width = cubic_slopes(times, values), times[1:] - times[:-1]
+            return hermite(values[:-1], values[1:], slopes[:-1], slopes[1:], width)
         from scipy.interpolate import CubicSpline
 
         return CubicSpline(times, values, bc_type="clamped").c[::-1].T
 
 
 def _straight(times: Any, values: Any) -> Any:
-    rise = np.diff(times)
-    slope = np.divide(np.diff(values), rise, out=np.zeros_like(rise), where=rise > 0)
+    slope = np.array([b / a if a > 0 else 0.0 for a, b in zip(np.diff(times), np.diff(values), strict=True)])
     return np.column_stack([values[:-1], slope])
 
 
 def _ending(schedule: Schedule, last: float, value: float) -> Schedule:
     """The schedule with exactly ``value`` from the time ``last`` [s] on (a jump may stand in the last row)."""
-    coefficients = schedule.coefficients.copy()
-    coefficients[schedule.knots[:-1] >= last] = np.eye(1, coefficients.shape[1])[0] * value
-    return Schedule(schedule.knots, coefficients)
+    coefficients = schedule.coefficients
+    late, held = (schedule.knots[:-1] >= last)[:, None], np.eye(1, coefficients.shape[1])[0] * value
+    return Schedule(schedule.knots, np.where(late, held, coefficients))

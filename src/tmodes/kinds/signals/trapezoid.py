@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator
 from typing import Literal
 
 import numpy as np
 from pydantic import ConfigDict, Field
 
+from tmodes.kinds.noted.functions import number, sqrt
 from tmodes.kinds.schema.quantity import Issue, positive
 from tmodes.kinds.signals.contract import SIGNALS, Signal, delayed, signal_time, signal_value
 from tmodes.kinds.signals.schedule import Schedule
@@ -50,9 +50,9 @@ class Trapezoid(Signal):
     def _times(self) -> tuple[float, float]:
         """Duration of the move and of each ramp [s]; where it is too short for the speed, the ramps meet below it."""
         if self.speed is None or self.acceleration is None:
-            return float(self.duration or 0.0), float(self.duration or 0.0) * float(self.ramp_fraction or 0.0)
+            return number(self.duration or 0.0), number(self.duration or 0.0) * number(self.ramp_fraction or 0.0)
         way = abs(self.end - self.start)
-        ramp = min(self.speed / self.acceleration, math.sqrt(way / self.acceleration))
+        ramp = min(self.speed / self.acceleration, sqrt(way / self.acceleration))
         return (way / (ramp * self.acceleration) + ramp if ramp else 0.0), ramp
 
     def schedule(self, until: float) -> Schedule:
