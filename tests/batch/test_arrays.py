@@ -83,7 +83,7 @@ def test_starts_and_signals_of_each_case(prepared_alone, monkeypatch):
     assert np.abs(found.states - true.states).max() < 1e-13
 
 
-def test_what_has_no_form_goes_case_by_case(prepared_alone, monkeypatch):
+def test_structure_goes_case_by_case(prepared_alone, monkeypatch):
     """Seeds of noise."""
     vary = {"reference.noise.seed": np.arange(1.0, 8.0)}
     robot = tmodes.load("filipovic2010").with_(SHORT | {"reference.noise.deviation": 1e-4})

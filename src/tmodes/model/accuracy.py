@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Mapping
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,13 +26,9 @@ def rounding(values: Array) -> Array:
     return _ROUNDING * np.lib.stride_tricks.sliding_window_view(padded, 2 * _NEAR + 1).max(axis=1, initial=0.0)
 
 
-def mistaken(form: Form, values: Mapping[int, float], true: Array, *, exact: Collection[int] = ()) -> NDArray[np.bool_]:
-    """Which numbers of a form are not the ``true`` ones (n,) at a point, but for rounding.
-
-    ``exact``: numbers with no more rounding than that of their own size, whatever that of their neighbours is.
-    """
+def mistaken(form: Form, values: Mapping[int, float], true: Array) -> NDArray[np.bool_]:
+    """Which numbers of a form are not the ``true`` ones (n,) at a point, but for rounding."""
     noise = rounding(true)
-    noise[[*exact]] = 0.0
     allowed = np.maximum(_VERIFIED * np.maximum(np.abs(true), _reach(form, true)), noise)
     return ~(np.abs(form.at(values) - true) <= allowed)
 
@@ -42,5 +38,4 @@ def _reach(form: Form, true: Array) -> Array:
     size = np.zeros_like(true)
     for entry, terms in form.sums.items():
         size[entry] = max(abs(form.base[entry]), *(abs(coefficient) for coefficient, _ in terms))
-    size[[*form.roots]] **= 0.5
     return size

@@ -1,22 +1,18 @@
 """A vector of numbers as exact functions of a few others.
 
 Each number is a product of powers of those that it depends on, or a polynomial that is linear in each of their powers:
-a mass, a stiffness, the duration of a move enter the numbers of a robot in no other way. The dimensions of a section
-do so by curves in place of powers, and where they are entangled by surfaces.
+a mass, a stiffness, the duration of a move enter the numbers of a robot in no other way.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-
-from tmodes.model.curves import Curve
-from tmodes.model.surfaces import SmoothSurface
 
 __all__ = ["Form", "Powers", "Product", "Range", "Unfit", "share", "variables_of"]
 
@@ -63,28 +59,26 @@ class Unfit(Exception):
 Product = tuple[tuple[int, int], ...]
 """Variables, by their index, each with its exponent."""
 
-Powers = tuple[tuple[int, int | Curve | SmoothSurface], ...]
-"""Variables, by their index, each with its exponent or curve; the first one of a surface with that."""
+Powers = tuple[tuple[int, int], ...]
+"""Variables, by their index, each with its exponent."""
 
 
 def variables_of(powers: Powers) -> frozenset[int]:
-    """The variables, by their index, with those of surfaces."""
-    return frozenset(k for one, p in powers for k in (p.variables if isinstance(p, SmoothSurface) else (one,)))
+    """The variables, by their index."""
+    return frozenset(k for k, _ in powers)
 
 
 @dataclass(frozen=True, eq=False)
 class Form:
     """base * product of (x/start)^p of some numbers; base + sum of terms of others.
 
-    A term is its coefficient times the product of (x^p - start^p)/(far^p - start^p), or of the values of curves and
-    surfaces. Where a number has one of the ``roots``, 1 or -1, this is its square, and it is that root of it.
+    A term is its coefficient times the product of (x^p - start^p)/(far^p - start^p).
     """
 
     base: Array
     ranges: tuple[Range, ...]
     products: dict[int, Product] = field(default_factory=dict)
     sums: dict[int, list[tuple[float, Powers]]] = field(default_factory=dict)
-    roots: dict[int, float] = field(default_factory=dict)
 
     @classmethod
     def of(cls, base: Array, ranges: tuple[Range, ...], parts: dict[str, Any]) -> Form:
@@ -109,16 +103,9 @@ class Form:
         for entry, terms in self.sums.items():
             for coefficient, powers in terms:
                 if powers not in known:
-                    known[powers] = math.prod(self._share(k, p, here) for k, p in powers)
+                    known[powers] = math.prod(share(self.ranges[k], p, here[k]) for k, p in powers)
                 found[..., entry] += coefficient * known[powers]
-        for entry, sign in self.roots.items():
-            found[..., entry] = sign * np.sqrt(np.maximum(found[..., entry], 0.0))
         return found
-
-    def _share(self, k: int, p: int | Curve | SmoothSurface, here: Sequence[float | Array]) -> Any:
-        if isinstance(p, SmoothSurface):
-            return p.at([here[one] for one in p.variables])
-        return share(self.ranges[k], p, here[k])
 
     def acting(self, start: int, stop: int) -> set[int]:
         """Variables, by their index, that change one of these numbers."""
@@ -130,8 +117,7 @@ class Form:
         """The form of these numbers alone."""
         products = {entry - start: powers for entry, powers in self.products.items() if start <= entry < stop}
         sums = {entry - start: terms for entry, terms in self.sums.items() if start <= entry < stop}
-        roots = {entry - start: sign for entry, sign in self.roots.items() if start <= entry < stop}
-        return Form(self.base[start:stop], self.ranges, products, sums, roots)
+        return Form(self.base[start:stop], self.ranges, products, sums)
 
     def info(self) -> dict[str, Any]:
         """As plain data with arrays: what ``web/src/live/map.ts`` evaluates."""
@@ -152,8 +138,6 @@ class Form:
         }
 
 
-def share(one: Range, p: int | Curve, value: Any) -> Any:
-    """(value^p - start^p)/(far^p - start^p), or that of a curve."""
-    if isinstance(p, Curve):
-        return p.at(value)
+def share(one: Range, p: int, value: Any) -> Any:
+    """(value^p - start^p)/(far^p - start^p)."""
     return (value**p - one.start**p) / (one.far**p - one.start**p)

@@ -1,6 +1,6 @@
-"""Many cases of one sheet as arrays: their numbers by a form of the varied ones, their starts found all at once.
+"""Many cases of one sheet as arrays: their numbers by programs, their starts found all at once.
 
-A form is found from some sheets and verified with others. Cases without one go the ordinary way, case by case.
+A program is noted at one case and holds for all of the same structure. Cases without one go one by one.
 """
 
 from __future__ import annotations
@@ -10,8 +10,7 @@ from collections.abc import Callable, Mapping
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.errors import InputError, InputErrors
-from tmodes.model.forms import Unfit
+from tmodes.model.parameters import Structural
 from tmodes.sheet import Robot
 from tmodes.simulation.start import RunSetup
 from tmodes.simulation.vary.cases import Cases
@@ -22,87 +21,68 @@ from tmodes.simulation.vary.lots import Lot
 __all__ = ["array_lots"]
 
 Array = NDArray[np.float64]
+One = Callable[[int], RunSetup | str]
 
 _FEW = 12
-"""Cases for each varied path, and one more, that are prepared one by one sooner than a form is found."""
+"""Cases that are prepared one by one sooner than a program is noted."""
+
+_MOST, _MOST_SMALL, _LEAST = 24, 4, 4
+"""Programs of a batch, those of few cases among them, and the cases that one is used for; others go one by one."""
 
 
 def array_lots(
     sheet: Robot,
     values: Mapping[str, Array],
-    one: Callable[[int], RunSetup | str],
+    one: One,
     progress: Callable[[float], None],
     side: Side = Side.ACTUAL,
     threads: int = 1,
     family: Family | None = None,
 ) -> list[Lot]:
-    """Lots of the cases that can be prepared as arrays; ``one`` prepares a case by itself, as most others are to be.
+    """Lots of the cases that can be prepared as arrays; ``one`` prepares a case by itself, as the others are to be.
 
-    None are where there are too few cases, or the numbers of the varied paths act in no simple way, or where starts
-    or numbers that were found differ from those of their sheets. ``progress`` is given the share that is done.
-    ``family``: what was found and verified before for values among which these are.
+    A program is noted at the first case that none before holds for, as long as enough are left. None are where
+    lowering cannot be followed, or where starts or numbers that were found differ from those of their sheets: then
+    cases are prepared one by one. ``progress`` is given the share that is done. ``family``: what was noted and verified
+    before. Raises what ``one`` raises for the first case that the sheet refuses.
     """
-    if family is not None:
-        cases = family.cases(values)
-        return list(
-            cases.lots(cases.starts(progress, threads), np.arange(len(next(iter(values.values())))), family.setups)
-        )
-    whole_of = np.array([*values.values()])
-    plain = np.flatnonzero(np.isfinite(whole_of).all(axis=0) & (whole_of != 0).all(axis=0))
-    if len(plain) < _FEW * (len(values) + 1):
-        return []
-    tried = _extremes(whole_of[:, plain], lambda k: one(int(plain[k])))
-    setups = {k: lane for k, lane in tried.items() if not isinstance(lane, str)}
-    if not setups:
-        return []
-    try:
-        cases = Cases(sheet, dict(zip(values, whole_of[:, plain], strict=True)), next(iter(setups.values())), side)
-        starts = cases.starts(progress, threads)
-    except Unfit:
-        return []
-    if any(np.isfinite(starts[k]).all() for k in tried if k not in setups):
-        return []
-    return list(cases.lots(starts, plain, [*setups.values()])) if agree(cases, starts, setups) else []
+    size, lots, small = len(next(iter(values.values()))), list[Lot](), 0
+    left = np.flatnonzero(np.isfinite([*values.values()]).all(axis=0))
 
+    def tell(share: float) -> None:
+        progress((size - len(left) + share * len(places)) / size)
 
-def _extremes(values: Array, one: Callable[[int], RunSetup | str]) -> dict[int, RunSetup | str]:
-    """The first case, and those with the least and the largest of each number.
-
-    Where such a case is refused, the error is that of the first case that is, by limits of single numbers.
-    """
-    chosen = sorted({0, *values.argmin(axis=1).tolist(), *values.argmax(axis=1).tolist()})
-    tried: dict[int, RunSetup | str] = {}
-    for k in chosen:
-        try:
-            tried[k] = one(k)
-        except (InputError, InputErrors):
-            _first_refused(values, k, one)
-            raise
-    return tried
-
-
-def _first_refused(values: Array, wrong: int, one: Callable[[int], RunSetup | str]) -> None:
-    """Raise the error of the first case beyond a limit that refuses ``wrong``, which has an extreme number."""
-
-    def refused(k: int) -> bool:
-        try:
-            one(k)
-        except (InputError, InputErrors):
-            return True
-        return False
-
-    first = wrong
-    for numbers in values:
-        ends = numbers.min(), numbers.max()
-        if numbers[wrong] not in ends or ends[0] == ends[1]:
+    if family:
+        cases, places = family.cases({path: own[left] for path, own in values.items()}).holding()
+        places = left[places]
+        if len(places):
+            lots += cases.lots(cases.starts(tell, threads), places, family.setups)
+        left = np.setdiff1d(left, places)
+    for _ in range(_MOST):
+        if len(left) < _FEW or small > _MOST_SMALL:
+            break
+        like = one(int(left[0]))
+        if isinstance(like, str):
+            left, small = left[1:], small + 1
             continue
-        order = np.argsort(numbers * (1 if numbers[wrong] == numbers.max() else -1), kind="stable")
-        good, bad = 0, len(order) - 1
-        if refused(int(order[good])):
+        try:
+            cases, which = Cases(sheet, {path: own[left] for path, own in values.items()}, 0, like, side).holding()
+        except Structural:
+            break
+        places = left[which]
+        left, small = left[~np.isin(left, places)][not len(places) :], small + (len(places) < _FEW)
+        if len(places) < min(_FEW, _LEAST):
             continue
-        while bad - good > 1:
-            middle = (good + bad) // 2
-            good, bad = (good, middle) if refused(int(order[middle])) else (middle, bad)
-        found = int(order[bad:].min())
-        first = min(first, found) if refused(found) else first
-    one(first)
+        tried = {k: one(int(places[k])) for k in _extremes(cases)}
+        setups = {k: lane for k, lane in tried.items() if not isinstance(lane, str)}
+        starts = cases.starts(tell, threads)
+        if any(np.isfinite(starts[k]).all() for k in tried if k not in setups) or not agree(cases, starts, setups):
+            break
+        lots += cases.lots(starts, places, [*setups.values()])
+    return lots
+
+
+def _extremes(cases: Cases) -> list[int]:
+    """The first case, and those with the least and the largest of each number."""
+    values = np.array([*cases.values.values()])
+    return sorted({0, *values.argmin(axis=1).tolist(), *values.argmax(axis=1).tolist()})

@@ -1,4 +1,4 @@
-"""Cases of one sheet as arrays: their numbers by a form of those of the varied paths, their starts all at once."""
+"""Cases of one sheet as arrays: their numbers by a program from the varied ones, their starts all at once."""
 
 from __future__ import annotations
 
@@ -6,29 +6,30 @@ from collections.abc import Callable, Iterator, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.integrate.choice import STIFF, chosen_method
 from tmodes.integrate.registry import AUTO, integrator
-from tmodes.kinds.signals.schedule import Schedule
+from tmodes.kinds.noted.functions import array
+from tmodes.kinds.signals.schedule import Schedule, merge_cases
 from tmodes.model.accuracy import rounding
-from tmodes.model.forms import Form, Range, Unfit
 from tmodes.model.model import Model
+from tmodes.model.parameters import Structural
 from tmodes.sheet import Robot
 from tmodes.simulation.balance import STANDS, Balance, Tangent, frozen
 from tmodes.simulation.closed_start import closes, uncontrolled
-from tmodes.simulation.loop import LoopModel, loop_numbers, whole
-from tmodes.simulation.plan import Follow, planned, starts_at_rest
+from tmodes.simulation.loop import Blocks, LoopModel, loop_numbers
+from tmodes.simulation.plan import Follow, planned, refuse_jumps, starts_at_rest
 from tmodes.simulation.start import RunSetup, closed_balance, held_at_start, placed_state, slipping, undeformed
-from tmodes.simulation.vary.block_forms import block_forms, pair_at
 from tmodes.simulation.vary.lanes import Side
 from tmodes.simulation.vary.lots import Indices, LaneNumbers, Lot
+from tmodes.simulation.vary.programs import CaseProgram, case_program
 from tmodes.simulation.vary.rests import rests
+from tmodes.simulation.vary.values import changes_of
 
-__all__ = ["Cases"]
+__all__ = ["Cases", "run_blocks"]
 
 Array = NDArray[np.float64]
 
@@ -46,39 +47,64 @@ _SURELY = 2.0
 """Share of the limit up to which, or beyond which, the stiffness of a few cases decides the method of all."""
 
 
-_MOST = 400
-"""Vectors that surfaces may take where these cases are part of more: it must not depend on which part they are."""
-
-
-_COMMON = ("ranges", "held", "_standing", "_closed", "_structure", "forms", "_moves")
+_COMMON = ("program", "held", "_standing", "_closed", "_moves")
 """What does not depend on the values themselves."""
+
+
+def run_blocks(robot: Robot, follow: Follow) -> Blocks:
+    """All numbers of a robot in a run, by what they are of; each signal on its own knots."""
+    plan, rest = planned(robot, follow), planned(robot, Follow.HELD)
+    refuse_jumps(robot, plan)
+    model, chain = LoopModel(plan.plan), Model(plan.chain, trials=True)
+    at_start, at_rest = held_at_start(robot, model), starts_at_rest(robot)
+    pose = np.full(chain.nq, np.nan) if at_rest else undeformed(model.coordinates, at_start)
+    blocks = loop_numbers(model.loop, rest) | {
+        "chain": chain.parameters, "base": chain.at_rest(gravity=0.0), "held": array([*at_start.values()]),
+        "start": placed_state(robot, plan, model, pose),
+    }  # fmt: skip
+    if at_rest:
+        closes(robot, model)  # which is structure
+    for k, piece in enumerate(plan.pieces):
+        if piece.is_noted and piece.coefficients.size > _LONGEST:
+            raise Structural("a signal has too many pieces")
+        blocks |= {f"knots {k}": piece.knots, f"powers {k}": piece.coefficients}
+    return blocks
 
 
 @dataclass(frozen=True, eq=False)
 class Cases:
-    """k cases of a sheet: ``values`` (k,) of each path; ``like``: one of them; ``side``: which of its robots runs.
+    """k cases of a sheet: ``values`` (k,) of each path; ``like``: that of index ``at``; ``side``: which robot runs.
 
-    ``spans``: the least and the largest value of each path for which forms are found; None: those of the values.
+    Those for which :meth:`holds` is false have other structures than ``like``: they are no cases of these.
     """
 
     sheet: Robot
     values: Mapping[str, Array]
+    at: int
     like: RunSetup
     side: Side = Side.ACTUAL
-    spans: Mapping[str, tuple[float, float]] | None = None
 
     def others(self, values: Mapping[str, Array]) -> Cases:
-        """Other cases within the same spans, by the same forms."""
-        made = replace(self, values={path: values[path] for path in self.values})
-        made.__dict__.update({name: self.__dict__[name] for name in _COMMON if name in self.__dict__})
+        """Other cases, by the same program."""
+        made = replace(self, values={path: values[path] for path in self.values}, at=-1)
+        made.__dict__.update({name: getattr(self, name) for name in _COMMON})
         return made
 
+    def holding(self) -> tuple[Cases, Indices]:
+        """The cases that have the structure of ``like``, and their indices."""
+        which = np.flatnonzero(self.program.holds(self.values))
+        return self.others({path: values[which] for path, values in self.values.items()}), which
+
     @cached_property
-    def ranges(self) -> tuple[Range, ...]:
-        """From the least to the largest value of each path."""
-        own = {path: (float(values.min()), float(values.max())) for path, values in self.values.items()}
-        ends = (own if self.spans is None else {path: self.spans[path] for path in own}).values()
-        return tuple(Range(low, low, high) for low, high in ends)
+    def program(self) -> CaseProgram:
+        """The program of their numbers. Raises :class:`tmodes.model.parameters.Structural` where there is none."""
+        other = self.held.loop.modes or self.held.coordinates != self.like.model.coordinates
+        if other and starts_at_rest(self.like.robot):
+            raise Structural("its rest is found by other equations")
+        if self._closed and (self.like.off or uncontrolled(self.like.model)):
+            raise Structural("its start may be no equilibrium")
+        case, follow = changes_of(self.values, self.at), self.side.follow
+        return case_program(self.sheet, case, self.side.of, lambda robot: run_blocks(robot, follow))
 
     @cached_property
     def held(self) -> LoopModel:
@@ -107,60 +133,30 @@ class Cases:
         states[:, self.held.layout.q] = q
         return states
 
-    @cached_property
-    def _structure(self) -> Any:
-        return self._at({})[1]
-
-    @cached_property
-    def forms(self) -> dict[str, Form]:
-        """The form of each block of numbers. Raises :class:`tmodes.model.forms.Unfit` where there is none."""
-        other = self.held.loop.modes or self.held.coordinates != self.like.model.coordinates
-        if other and starts_at_rest(self.like.robot):
-            raise Unfit({0: "its rest is found by other equations"})
-        if self._closed and (self.like.off or uncontrolled(self.like.model)):
-            raise Unfit({0: "its start may be no equilibrium"})
-        most = _MOST if self.spans is not None else len(next(iter(self.values.values())))
-        return block_forms(self._at, self.ranges, self._structure, most)
-
-    def _at(self, point: Mapping[int, float]) -> tuple[Array, Any]:
-        """All numbers where some paths have other values than their least."""
-        return self._of(self.side.of(pair_at(self.sheet, self.values, self.ranges, point)))
-
-    def _of(self, robot: Robot) -> tuple[Array, Any]:
-        """The numbers of a robot, and all that must be the same for all cases."""
-        plan, rest = planned(robot, self.side.follow), planned(robot, Follow.HELD)
-        model, chain, held = LoopModel(plan.plan), Model(plan.chain, trials=True), LoopModel(rest.plan)
-        at_start, at_rest = held_at_start(robot, model), starts_at_rest(robot)
-        pose = np.full(chain.nq, np.nan) if at_rest else undeformed(model.coordinates, at_start)
-        blocks = loop_numbers(model.loop, rest) | {
-            "chain": chain.parameters, "base": chain.at_rest(gravity=0.0), "held": np.array([*at_start.values()]),
-            "start": placed_state(robot, plan, model, pose),
-            "knots": plan.schedule.knots, "coefficients": plan.schedule.coefficients,
-        }  # fmt: skip
-        vector, places = whole(blocks)
-        if plan.schedule.coefficients.size > _LONGEST:
-            raise Unfit({0: "its signals have too many pieces"})
-        keys = model.loop.rate.key, held.loop.rate.key, chain.passes.schedule("inertia").key
-        closed = at_rest and closes(robot, model)
-        return vector, (keys, model.coordinates, tuple(at_start), at_rest, closed, robot.integration, places)
-
     def block(self, name: str, which: Indices) -> Array:
         """A block of numbers of some cases, (m, ...)."""
-        found = self.forms[name].at({k: values[which] for k, values in enumerate(self.values.values())})
-        return found.reshape(len(which), *self._structure[-1][name]["shape"])
+        return self.program.block(name, {path: values[which] for path, values in self.values.items()})
 
     @cached_property
     def _moves(self) -> bool:
         """Whether the signals differ."""
-        return any(form.products or form.sums for form in (self.forms["knots"], self.forms["coefficients"]))
+        return not all(map(self.program.is_constant, self._signal_blocks))
+
+    @property
+    def _signal_blocks(self) -> list[str]:
+        return [f"{name} {k}" for k in range(len(self.like.planned.pieces)) for name in ("knots", "powers")]
+
+    def _schedules(self, which: Indices) -> tuple[Schedule, ...]:
+        """The signals of some cases on common knots: one schedule where they are the same for all."""
+        if not self._moves:
+            return (self.like.planned.schedule,)
+        blocks = [self.block(name, which) for name in self._signal_blocks]
+        return tuple(merge_cases([*zip(blocks[::2], blocks[1::2], strict=True)]))
 
     def numbers(self, which: Indices) -> LaneNumbers:
         """The numbers of some cases."""
         parameters, chain, base = (self.block(name, which) for name in ("parameters", "chain", "base"))
-        if not self._moves:
-            return LaneNumbers(parameters, chain, base, (self.like.planned.schedule,))
-        pieces = zip(self.block("knots", which), self.block("coefficients", which), strict=True)
-        return LaneNumbers(parameters, chain, base, tuple(Schedule(knots, powers) for knots, powers in pieces))
+        return LaneNumbers(parameters, chain, base, self._schedules(which))
 
     def has_numbers(self, index: int, setup: RunSetup) -> bool:
         """Whether the numbers of a case are those of its sheet but for rounding, however far its values are apart."""
@@ -186,10 +182,8 @@ class Cases:
 
     def _rows(self, which: Indices) -> Array:
         """The rows of the signals at time 0."""
-        if not self._moves:
-            return np.tile(self.like.first_row, (len(which), 1))
-        pieces = self.block("coefficients", which)[:, 0].reshape(len(which), -1)
-        return np.column_stack([self.block("knots", which)[:, 0], pieces])
+        rows = [np.append(one.knots[0], one.coefficients[0]) for one in self._schedules(which)]
+        return np.broadcast_to(np.array(rows), (len(which), len(rows[0]))).copy()
 
     def _starts(self, which: Indices) -> Array:
         model, parameters, rows = self.like.model, self.block("parameters", which), self._rows(which)
@@ -218,9 +212,7 @@ class Cases:
         assert rest is not None  # noqa: S101
         places = [names.index(name) for name in held_at_start(self.like.robot, self.like.model)]
         held, numbers, rows = (self.block(name, which) for name in ("held", "rest", "rest_row"))
-        far = np.stack(
-            [one.shares(values[which]) for one, values in zip(self.ranges, self.values.values(), strict=True)]
-        )
+        far = np.stack([values[which] / (np.abs(values).max() or 1.0) for values in self.values.values()])
         found, lost, near = np.full((len(which), len(names)), np.nan), np.arange(len(which)), rest.q[None]
         while len(lost):
             begin = np.broadcast_to(near, (len(lost), len(names))).copy()

@@ -1,4 +1,4 @@
-"""What is found once for many batches of one sheet: the forms of their numbers, over all values that they will have."""
+"""What is found once for many batches of one sheet: the program of their numbers."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.errors import InputError, InputErrors
-from tmodes.model.forms import Unfit
+from tmodes.model.parameters import Structural
 from tmodes.sheet import Robot
 from tmodes.simulation.start import RunSetup
 from tmodes.simulation.vary.cases import Cases
@@ -33,13 +33,13 @@ _SAME_START = 1e-9
 
 @dataclass(frozen=True, eq=False)
 class Family:
-    """Cases at the ends of the spans, and their ``setups``, prepared as sheets; the forms agree with all of them."""
+    """Cases at the ends of the spans, and their ``setups``, prepared as sheets; the program agrees with all of them."""
 
     corners: Cases
     setups: list[RunSetup]
 
     def cases(self, values: Mapping[str, Array]) -> Cases:
-        """Other cases of the same family, by the same forms."""
+        """Other cases, by the same program."""
         return self.corners.others(values)
 
 
@@ -88,10 +88,12 @@ def _found(
         return None
     known = [setup for setup in setups if not isinstance(setup, str)]
     values = {path: np.array([corner[path] for corner in corners]) for path in spans}
-    cases = Cases(sheet, values, known[0], side, spans)
+    cases = Cases(sheet, values, 0, known[0], side)
     try:
+        if not cases.program.holds(values).all():
+            return None
         starts = cases.starts(lambda share: None, 1)
-    except Unfit:
+    except Structural:
         return None
     return Family(cases, known) if agree(cases, starts, dict(enumerate(known))) else None
 

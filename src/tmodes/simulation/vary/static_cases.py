@@ -3,26 +3,26 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.analysis.describe.links import link_rows
+from tmodes.analysis.describe.links import link_masses
 from tmodes.analysis.modes.modes import MotorState, moving_coordinates
 from tmodes.analysis.statics.at_rest import first_commands, robot_rest
 from tmodes.analysis.statics.equilibrium import Equilibrium, free_coordinates, starting_pose
 from tmodes.analysis.statics.path import STRAY
 from tmodes.analysis.statics.system import ROUNDING, SETTLED
-from tmodes.model.forms import Form, Range
+from tmodes.kinds.noted.functions import array, number
 from tmodes.model.model import Model
 from tmodes.model.passes import PointMotion, derivatives, evaluate
 from tmodes.sheet import Robot
-from tmodes.simulation.loop import whole
-from tmodes.simulation.vary.block_forms import block_forms, pair_at
+from tmodes.simulation.loop import Blocks
 from tmodes.simulation.vary.lots import Indices
+from tmodes.simulation.vary.programs import CaseProgram, case_program
 from tmodes.simulation.vary.rests import inverses
 
 __all__ = ["StaticCases", "Statics", "masses_of"]
@@ -54,18 +54,22 @@ class Statics(NamedTuple):
 
 def masses_of(robot: Robot) -> dict[str, float]:
     """``mass``: of all that moves [kg]; ``mass.links``: of all beams; and that of each link."""
-    rows = link_rows(robot, robot.chain())
-    found = {"mass": float(sum(row["mass_kg"] for row in rows))}
-    found["mass.links"] = float(sum(row.get("beam_mass_kg", 0.0) for row in rows))
-    return found | {f"mass.{row['name']}": float(row["mass_kg"]) for row in rows}
+    each = link_masses(robot, robot.chain())
+    found = {"mass": number(sum(mass for mass, _ in each.values()))}
+    found["mass.links"] = number(sum(beam for _, beam in each.values()))
+    return found | {f"mass.{name}": number(mass) for name, (mass, _) in each.items()}
 
 
 @dataclass(frozen=True, eq=False)
 class StaticCases:
-    """k cases of a sheet: ``values`` (k,) of each path; ``first``: the actual robot of the first of them."""
+    """k cases of a sheet: ``values`` (k,) of each path; ``first``: the actual robot of one, whose values are ``case``.
+
+    Those for which the ``program`` does not hold have another structure: they are no cases of these.
+    """
 
     sheet: Robot
     values: Mapping[str, Array]
+    case: Mapping[str, float]
     first: Robot
 
     @cached_property
@@ -77,41 +81,25 @@ class StaticCases:
         return robot_rest(self.first, model=self._model, sheet=False, contact=False)
 
     @cached_property
-    def _ranges(self) -> tuple[Range, ...]:
-        ends = [(float(values.min()), float(values.max())) for values in self.values.values()]
-        return tuple(Range(low, low, high) for low, high in ends)
+    def program(self) -> CaseProgram:
+        """The program of their numbers. Raises :class:`tmodes.model.parameters.Structural` where there is none."""
+        return case_program(self.sheet, self.case, lambda pair: pair.real, _blocks_of)
 
-    @cached_property
-    def _structure(self) -> Any:
-        return self._at({})[1]
-
-    @cached_property
-    def forms(self) -> dict[str, Form]:
-        """The form of each block of numbers. Raises :class:`tmodes.model.forms.Unfit` where there is none."""
-        return block_forms(self._at, self._ranges, self._structure, len(next(iter(self.values.values()))))
-
-    def _at(self, point: Mapping[int, float]) -> tuple[Array, Any]:
-        robot = pair_at(self.sheet, self.values, self._ranges, point).real
-        model = Model(robot.chain(), trials=True)
-        known = {name: value for name, value in robot.initial.coordinates.items() if name in model.coordinates}
-        masses = masses_of(robot)
-        vector, places = whole({
-            "chain": model.parameters, "weight": model.at_rest(), "light": model.at_rest(gravity=0.0),
-            "rotors": model.rotor_inertias, "start": starting_pose(model, first_commands(robot, model), known),
-            "masses": np.array([*masses.values()]),
-        })  # fmt: skip
-        keys = tuple(model.passes.schedule(name).key for name in ("inertia", "elastic"))
-        return vector, (keys, model.coordinates, tuple(masses), bool(robot.base_motion), places)
+    def holding(self) -> tuple[StaticCases, Indices]:
+        """The cases that the program holds for, and their indices."""
+        which = np.flatnonzero(self.program.holds(self.values))
+        made = replace(self, values={path: values[which] for path, values in self.values.items()})
+        vars(made)["program"] = self.program
+        return made, which
 
     def block(self, name: str, which: Indices) -> Array:
         """A block of numbers of some cases, (m, ...)."""
-        found = self.forms[name].at({k: values[which] for k, values in enumerate(self.values.values())})
-        return found.reshape(len(which), *self._structure[-1][name]["shape"])
+        return self.program.block(name, {path: values[which] for path, values in self.values.items()})
 
     @property
     def mass_names(self) -> tuple[str, ...]:
         """Names of the masses."""
-        return self._structure[2]
+        return tuple(masses_of(self.first))
 
     def found(self, which: Indices, *, rests: bool) -> Statics:
         """The numbers of some cases; ``rests``: not the masses alone."""
@@ -210,6 +198,17 @@ class StaticCases:
         places = np.searchsorted(self._free, moving)
         stiffness = slopes[:, places][:, :, places]
         return _squares(mass, (stiffness + stiffness.swapaxes(1, 2)) / 2)
+
+
+def _blocks_of(robot: Robot) -> Blocks:
+    """The numbers of a robot."""
+    model, masses = Model(robot.chain(), trials=True), masses_of(robot)
+    known = {name: value for name, value in robot.initial.coordinates.items() if name in model.coordinates}
+    return {
+        "chain": model.parameters, "weight": model.at_rest(), "light": model.at_rest(gravity=0.0),
+        "rotors": model.rotor_inertias, "start": starting_pose(model, first_commands(robot, model), known),
+        "masses": array([*masses.values()]),
+    }  # fmt: skip
 
 
 def _squares(mass: Array, stiffness: Array) -> Array:

@@ -16,8 +16,8 @@ from tmodes.analysis.statics.steady import base_spin, steady_rates
 from tmodes.errors import InputError, SimulationError
 from tmodes.io.arguments import checked_arguments
 from tmodes.io.words import nearest, several
-from tmodes.model.forms import Unfit
 from tmodes.model.model import Model
+from tmodes.model.parameters import Structural
 from tmodes.sheet import Robot
 from tmodes.sheet.robot import refuse_other
 from tmodes.simulation.batch.simulate import thread_count
@@ -35,6 +35,9 @@ _FREQUENCY = re.compile(r"frequency\.locked\.([1-9][0-9]?)")
 _BLOCK = 512
 _FEW = 24
 """Cases up to which each is a sheet of its own."""
+
+_MOST = 16
+"""Programs of all cases."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -67,7 +70,7 @@ def static_numbers(
     and stiffness alone, rising, damped or not [Hz]; ``mass``: of all that moves, ``mass.links``: of the beams, and
     ``mass.NAME`` of a link [kg]. Frequencies are those with the loads and the contact of the sheet.
 
-    All cases at once where their numbers follow from the varied ones by a form, and, for frequencies, without loads,
+    All cases of a structure at once by a program of their numbers, and, for frequencies, without loads,
     contact or steady motion; else sheet by sheet, which is slow.
 
     Raises :class:`tmodes.errors.InputError` or :class:`tmodes.errors.InputErrors` for wrong numbers and unknown names.
@@ -103,6 +106,7 @@ class _Rows:
         self.status, self.message = ["finished"] * size, [""] * size
         for index, why in refused.items():
             self.status[index], self.message[index] = "refused", why
+        self.done = np.zeros(0, dtype=np.int64)
         self.going = np.array([k for k in range(size) if k not in refused], dtype=np.int64)
 
     def _robot(self, index: int) -> Robot:
@@ -115,30 +119,43 @@ class _Rows:
         first = self._robot(int(self.going[0]))
         refuse_unknown_numbers(self.names, masses_of(first))
         whole = np.array([*self.given.values()])[:, self.going]
-        usual = self.going[np.isfinite(whole).all(axis=0) & (whole != 0).all(axis=0)]
-        done = self._at_once(usual, progress) if len(usual) > _FEW else np.zeros(0, dtype=np.int64)
-        left = np.setdiff1d(self.going, done).tolist()
-        for count, index in enumerate(left, 1):
+        left = self.going[np.isfinite(whole).all(axis=0)]
+        for _ in range(_MOST):
+            if len(left) <= _FEW:
+                break
+            done, held = self._at_once(left, progress)
+            self.done = np.append(self.done, done)
+            left = np.setdiff1d(left, held)
+            if not len(held):
+                break
+        for count, index in enumerate(np.setdiff1d(self.going, self.done).tolist(), 1):
             self._one(index)
-            progress((len(done) + count) / len(self.going))
+            progress((len(self.done) + count) / len(self.going))
 
-    def _at_once(self, usual: NDArray[np.int64], progress: Callable[[float], None]) -> NDArray[np.int64]:
-        """Fill the rows that have forms; which they are."""
-        first = self._robot(int(usual[0]))
+    def _at_once(
+        self, left: NDArray[np.int64], progress: Callable[[float], None]
+    ) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+        """Fill rows by a program that is noted at the first; which have numbers, and which the program holds for."""
+        none, first = np.zeros(0, dtype=np.int64), self._robot(int(left[0]))
         if any(_FREQUENCY.fullmatch(name) for name in self.names) and _is_moved(first):
-            return np.zeros(0, dtype=np.int64)
-        cases = StaticCases(self.sheet, {path: values[usual] for path, values in self.given.items()}, first)
-        rests = any(name in _SAG or _FREQUENCY.fullmatch(name) for name in self.names)
-        blocks = [np.arange(k, min(k + _BLOCK, len(usual))) for k in range(0, len(usual), _BLOCK)]
+            return none, none
+        values, case = {path: own[left] for path, own in self.given.items()}, changes_of(self.given, int(left[0]))
         try:
-            done = [self._fill(cases, blocks[0], usual, rests=rests)]  # by which all code is made
+            cases, which = StaticCases(self.sheet, values, case, first).holding()
+        except Structural:
+            return none, none
+        held = left[which]
+        rests = any(name in _SAG or _FREQUENCY.fullmatch(name) for name in self.names)
+        blocks = [np.arange(k, min(k + _BLOCK, len(held))) for k in range(0, len(held), _BLOCK)]
+        try:
+            done = [self._fill(cases, blocks[0], held, rests=rests)]  # by which all code is made
             with ThreadPoolExecutor(self.threads, "tmodes-statics") as pool:
-                for places in pool.map(lambda which: self._fill(cases, which, usual, rests=rests), blocks[1:]):
+                for places in pool.map(lambda which: self._fill(cases, which, held, rests=rests), blocks[1:]):
                     done.append(places)
-                    progress(sum(map(len, done)) / len(self.going))
-        except (Unfit, SimulationError):
-            return np.zeros(0, dtype=np.int64)
-        return np.concatenate(done)
+                    progress((len(self.done) + sum(map(len, done))) / len(self.going))
+        except SimulationError:
+            return none, none
+        return np.concatenate(done), held
 
     def _fill(
         self, cases: StaticCases, which: NDArray[np.int64], usual: NDArray[np.int64], *, rests: bool

@@ -1,0 +1,133 @@
+"""A sheet with each registered kind of link, section, joint, drive, controller, contact, surface and signal."""
+
+from __future__ import annotations
+
+from typing import Any
+
+Sheet = dict[str, Any]
+
+BODY = {"name": "load", "mass": 0.4, "center": [0.02, 0.01, 0.03],
+        "inertia": {"xx": 2e-3, "yy": 3e-3, "zz": 2.5e-3, "xy": 1e-4, "xz": -2e-4, "yz": 1e-4}}  # fmt: skip
+STEEL = {"young": 2.1e11, "shear": 8.1e10, "density": 7850.0}
+GIVEN = {"bending_stiffness": [40.0, 60.0], "torsional_stiffness": 30.0, "axial_stiffness": 1e6,
+         "shear_stiffness": [1e5, 2e5], "mass_per_length": 0.5, "polar_inertia_per_length": 5e-4}  # fmt: skip
+TUBE = {"shape": "tube", "outer_diameter": 0.03, "thickness": 0.002}
+PD = {"type": "pd", "position_gain": 80.0, "velocity_gain": 8.0}
+MOVE = {"type": "quintic", "start": 0.1, "end": 0.5, "duration": 0.3, "delay": 0.05}
+
+
+def strain(section: Sheet, **more: Any) -> Sheet:
+    """A strain beam."""
+    drawn = {} if "mass_per_length" in section else {"material": STEEL}
+    return {"model": "strain", "functions": {"bend_y": 2, "bend_z": 1}, "length": 0.7, "damping_time": 1e-3,
+            "section": section} | drawn | more  # fmt: skip
+
+
+BEAMS: dict[str, Sheet] = {
+    "given": strain(GIVEN, functions={"twist": 1, "bend_y": 2, "bend_z": 2, "stretch": 1, "shear_y": 1, "shear_z": 1}),
+    "tube": strain(TUBE, functions={"twist": 1, "bend_y": 2, "bend_z": 1}),
+    "round": strain({"shape": "round", "diameter": 0.02}),
+    "box": strain({"shape": "box", "width": 0.02, "height": 0.03}),
+    "hollow": strain({"shape": "box", "width": 0.02, "height": 0.03, "flange_thickness": 2e-3, "web_thickness": 1e-3}),
+    "i_beam": strain({"shape": "i_beam", "width": 0.03, "height": 0.04, "flange_thickness": 3e-3,
+                      "web_thickness": 2e-3}),
+    "taper": strain(TUBE, taper={"section": TUBE | {"outer_diameter": 0.02, "thickness": 1.5e-3}}),
+    "pieces": {"model": "strain", "functions": 2, "length": 0.7, "damping_time": 1e-3, "material": STEEL,
+               "pieces": [{"end": 0.3, "section": TUBE}, {"end": 0.7, "section": TUBE | {"outer_diameter": 0.02}}]},
+    "curved": strain(GIVEN, rest_curvature=[0.1, 0.3, -0.2], root_mount={"position": [0.0, 0.0, 0.05],
+                                                                         "rpy": [0.1, 0.2, 0.3]}),
+    "tip_weighted": strain(GIVEN, basis="tip_weighted", rotary_inertia="full", points=5),
+    "segments": {"model": "segments", "segments": 2, "length": 0.7, "damping_time": 1e-3, "section": GIVEN},
+    "rigid": {"model": "rigid", "length": 0.7, "section": GIVEN, "tip_mount": {"position": [0.1, 0.0, 0.0]}},
+    "modes": {"model": "modes", "modes": [
+        {"length": 0.3, "bending_stiffness": 40.0, "mass_per_length": 0.5, "damping_time": 1e-3},
+        {"length": 0.4, "bending_stiffness": 30.0, "mass_per_length": 0.4, "damping_time": 2e-3}]},
+}  # fmt: skip
+JOINTS: dict[str, Sheet] = {
+    "revolute": {"type": "revolute", "axis": [0.2, 1.0, -0.3], "origin": {"position": [0.1, 0.2, 0.3],
+                                                                       "rpy": [0.2, 0.1, -0.4]}},
+    "prismatic": {"type": "prismatic", "axis": [0.2, 1.0, -0.3], "friction": {
+        "viscous": 0.2, "normal_force": 10.0, "coefficient": 0.1, "static_coefficient": 0.2}},
+    "universal": {"type": "universal", "state": "free", "spring": {"stiffness": 20.0, "rest": 0.1, "damping": 0.3}},
+    "elastic": {"type": "revolute", "axis": [0, 1, 0], "motor": {
+        "inertia": 1e-4, "side": "motor", "ratio": 60.0, "resistance": 1.5, "back_emf_constant": 0.05,
+        "torque_constant": 0.06, "inductance": 1e-3,
+        "friction": {"viscous": 1e-5, "coulomb": 1e-3, "static_extra": 5e-4, "stribeck_rate": 3.0}},
+        "gear": {"stiffness": [300.0, 500.0], "torque_limits": [8.0], "damping": 0.3, "backlash": 1e-3},
+        "friction": {"viscous": 0.1, "coulomb": 0.2, "smoothing": 0.01}},
+    "locked": {"type": "revolute", "axis": [0, 1, 0], "state": "locked", "locked_at": 0.3},
+    "dh": {"type": "revolute", "dh": {"convention": "standard", "a": 0.2, "alpha": 0.3, "d": 0.1, "theta": 0.4}},
+    "quaternion": {"type": "revolute", "axis": [0, 0, 1], "origin": {"position": [0.1, 0.2, 0.3],
+                                                                     "quaternion": [0.5, 0.5, 0.5, 0.5]}},
+}  # fmt: skip
+SIGNALS: dict[str, Sheet] = {
+    "constant": {"type": "constant", "value": 0.3},
+    "step": {"type": "step", "start": 0.0, "end": 0.2, "time": 0.1},
+    "trapezoid": {"type": "trapezoid", "start": 0.1, "end": 0.4, "duration": 0.3, "ramp_fraction": 0.2},
+    "ramp": {"type": "trapezoid", "start": 0.1, "end": 0.4, "speed": 1.5, "acceleration": 20.0, "delay": 0.02},
+    "quintic": MOVE,
+    "sine": {"type": "sine", "amplitude": 0.2, "frequency": 3.0, "phase": 0.3, "offset": 0.1},
+    "linear": {"type": "table", "times": [0.05, 0.2, 0.4], "values": [0.1, 0.3, 0.2], "interpolation": "linear"},
+    "cubic": {"type": "table", "times": [0.05, 0.2, 0.4], "values": [0.1, 0.3, 0.2], "interpolation": "cubic"},
+    "noise": {"type": "noise", "deviation": 0.01, "frequency": 30.0, "seed": 3, "mean": 0.1},
+    "sum": {"type": "sum", "signals": [MOVE, {"type": "sine", "amplitude": 0.02, "frequency": 3.0}]},
+}
+CONTROLLERS: dict[str, Sheet] = {
+    "pd": PD,
+    "pid": {"type": "pid", "position_gain": 80.0, "velocity_gain": 8.0, "integral_gain": 20.0},
+    "sampled_pid": {"type": "sampled_pid", "position_gain": 80.0, "velocity_gain": 8.0, "integral_gain": 20.0,
+                    "sample_time": 0.01},
+    "state_feedback": {"type": "state_feedback", "position_gains": {"first": 80.0, "link.bend_y1": 3.0},
+                       "velocity_gains": {"first": 8.0}, "rest": {"link.bend_y1": 0.1}, "feedforward": 0.5},
+}  # fmt: skip
+PLANE = {"type": "plane", "position": [0.0, 0.0, -0.3], "normal": [0.1, 0.0, 1.0]}
+CONTACTS: dict[str, Sheet] = {
+    "unilateral": {"law": "unilateral", "shape": PLANE, "stiffness": 3e3, "damping": 20.0, "friction": 0.2,
+                   "static_friction": 0.3, "velocity": [0.1, 0.0, 0.0]},
+    "bilateral": {"law": "bilateral", "shape": {"type": "wall", "distance": 0.8, "heading": 0.3}, "stiffness": 3e3,
+                  "damping": 20.0, "preload": 2.0, "mass": 0.1, "friction": 0.2, "friction_velocity": 0.01},
+    "environment": {"law": "dynamic_environment", "shape": {"type": "ball", "center": [0.1, 0.2, 0.3], "radius": 0.9},
+                    "mass": 0.1, "damping": 20.0, "preload": 2.0, "stiffness": 3e3, "friction": 0.2,
+                    "friction_velocity": 0.01},
+}  # fmt: skip
+
+
+def sheet(
+    *, joint: Sheet = JOINTS["revolute"], beam: Sheet | None = None, signal: Sheet = MOVE, controller: Sheet = PD,
+    contact: Sheet | None = None, **more: Any,
+) -> Sheet:  # fmt: skip
+    """Two joints: the first of a kind, with a link that carries bodies; the second with a rigid link."""
+    bodies = [BODY | ({"at": 1.0} if beam else {})]
+    drives = [
+        {"joint": "second", "command": "effort", "signal": {"type": "step", "start": 0.0, "end": 1.0, "time": 0.1}}
+    ]
+    if joint.get("state", "active") == "active":
+        drives.append({"joint": "first", "command": "position", "signal": signal, "controller": controller})
+    return {
+        "format": 1, "kind": "arm", "name": "kinds", "gravity": [0.3, -0.2, -9.8],
+        "base": {"position": [0.1, 0.2, 0.3], "rpy": [0.1, -0.2, 0.3]},
+        "joints": [{"name": "first", "parent": "base", "child": "link"} | joint,
+                   {"name": "second", "type": "revolute", "child": "end", "axis": [0, 0, 1],
+                    "friction": {"viscous": 0.1}}],
+        "links": [{"name": "link", "bodies": bodies} | ({"beam": beam} if beam else {}),
+                  {"name": "end", "bodies": [BODY]}],
+        "tip": {"link": "end", "position": [0.2, 0.1, 0.05]}, "drives": drives,
+        "loads": [{"point": "tip", "frame": "section", "force": [1.0, 2.0, 3.0], "moment": [0.1, 0.2, 0.3]}],
+        "initial": {"state": "zero", "coordinates": {"second": 0.2}, "rates": {"second": 0.3}},
+        "integration": {"duration": 0.5, "output_step": 0.05},
+        **({"contact": contact} if contact else {}), **more,
+    }  # fmt: skip
+
+
+KINDS: dict[str, Sheet] = {
+    **{f"beam {name}": sheet(beam=beam) for name, beam in BEAMS.items()},
+    **{f"joint {name}": sheet(joint=joint) for name, joint in JOINTS.items()},
+    **{f"signal {name}": sheet(signal=signal) for name, signal in SIGNALS.items()},
+    **{f"controller {name}": sheet(controller=one, beam=BEAMS["given"]) for name, one in CONTROLLERS.items()},
+    **{f"contact {name}": sheet(contact=contact) for name, contact in CONTACTS.items()},
+    "body inside": sheet(beam=strain(TUBE)) | {"links": [
+        {"name": "link", "beam": strain(TUBE), "bodies": [BODY | {"at": 0.4}, BODY | {"name": "end", "at": 1.0}]},
+        {"name": "end", "bodies": [BODY]}]},
+    "base motion": sheet(base_motion={"x": SIGNALS["sine"], "yaw": MOVE}),
+    "couplings": sheet(joint=JOINTS["elastic"]) | {"couplings": {"first": {"first": 0.9}}},
+}  # fmt: skip

@@ -1,0 +1,220 @@
+"""Programs of lowering: every number of a sheet of every kind noted at once; checks of the sheet as guards."""
+
+from __future__ import annotations
+
+import os
+
+import numpy as np
+import pytest
+
+from noted.sheets import KINDS
+from tmodes.errors import InputErrors
+from tmodes.io.sheet_check import sheet_data
+from tmodes.kinds.contacts.registry import CONTACTS, SURFACES
+from tmodes.kinds.controllers.registry import CONTROLLERS
+from tmodes.kinds.joints.registry import JOINTS
+from tmodes.kinds.links.sheet import LINKS
+from tmodes.kinds.noted import functions
+from tmodes.kinds.noted.number import Lost, Tape
+from tmodes.kinds.noted.program import program_of
+from tmodes.kinds.signals.registry import SIGNALS
+from tmodes.kinds.signals.schedule import Schedule, merge, merge_cases
+from tmodes.robots.load import load
+from tmodes.sheet import Robot
+from tmodes.simulation.plan import Follow
+from tmodes.simulation.vary.cases import run_blocks
+from tmodes.simulation.vary.programs import case_program
+
+ROBOTS = ("filipovic2010", "deluca_siciliano1991", "flexarm1990", "manutec_r3", "quanser_2dsfl", "spong1987")
+COUNT = int(os.environ.get("TMODES_PROPERTIES", "1"))
+
+HELD = ("integration", "real", "format")
+APART = (".at", "sample_time", "pieces.1.end")
+"""Numbers that stand in a place of their own: a station at an end, samples on the output's instants, the last end."""
+
+
+def numbers_of(robot, held=APART):
+    """Every finite number of a sheet that is not zero, by its path."""
+    found = {}
+
+    def walk(value, steps):
+        if isinstance(value, dict):
+            for key, inner in value.items():
+                walk(inner, (*steps, key))
+        elif isinstance(value, list):
+            for key, inner in enumerate(value):
+                walk(inner, (*steps, key))
+        elif isinstance(value, float) and np.isfinite(value) and value:
+            found[".".join(map(str, steps))] = value
+
+    walk({key: value for key, value in sheet_data(robot).items() if key not in HELD}, ())
+    if "links.0.beam.pieces.0.end" in found:
+        held = (*held, "links.0.beam.length")
+    return {path: value for path, value in found.items() if not path.endswith(held)}
+
+
+def noted(robot, values):
+    return case_program(robot, values, lambda pair: pair.real, lambda one: run_blocks(one, Follow.SHEET))
+
+
+def compare(program, robot, values):
+    """The blocks of a case with those of its own sheet, to 1e-12 of the neighbours' size."""
+    true = run_blocks(robot.with_(values).pair().real, Follow.SHEET)
+    row = {path: np.array([value]) for path, value in values.items()}
+    found = {name: program.block(name, row)[0] for name in program.places}
+    assert found.keys() == true.keys()
+    for name, block in true.items():
+        if name.startswith(("knots", "powers")):
+            continue
+        assert found[name].shape == block.shape
+        size = np.nanmax(np.abs(np.where(np.isfinite(block), block, np.nan)), initial=1e-300)
+        assert np.array_equal(np.isfinite(found[name]), np.isfinite(block)), name
+        assert np.abs(found[name] - block)[np.isfinite(block)].max(initial=0.0) <= 1e-12 * size, name
+    for k in range(sum(name.startswith("knots") for name in true)):
+        own, other = (Schedule(blocks[f"knots {k}"], blocks[f"powers {k}"]) for blocks in (found, true))
+        times = np.linspace(0.0, 0.5, 23) + 1e-3
+        assert own.at(times) == pytest.approx(other.at(times), rel=1e-11, abs=1e-12)
+
+
+def check_changes(robot, held=APART, seed=0, draws=COUNT):
+    values, generator = numbers_of(robot, held), np.random.default_rng(seed)
+    program, held = noted(robot, values), 0
+    assert not program.fixed
+    compare(program, robot, values)
+    for _ in range(draws):
+        for share in (0.2, 0.05, 0.01, 2e-4):
+            changed = {path: value * (1 + share * generator.uniform(-1, 1)) for path, value in values.items()}
+            if program.holds({path: np.array([value]) for path, value in changed.items()})[0]:
+                compare(program, robot, changed)
+                held += 1
+                break
+    assert held == draws
+
+
+@pytest.mark.parametrize("name", list(KINDS))
+def test_all_numbers_of_a_kind_at_once(name):
+    check_changes(Robot.from_data(KINDS[name]))
+
+
+@pytest.mark.parametrize("name", ROBOTS)
+def test_all_numbers_of_a_published_robot_at_once(name):
+    own = (*APART, "duration", "inertia.xx", "inertia.yy", "inertia.zz")  # a move as long as the run; a lump
+    check_changes(load(name), own if name == "filipovic2010" else APART)
+
+
+def test_every_registered_kind_has_a_sheet():
+    words = {value for one in KINDS.values() for value in str(one).replace("'", " ").replace('"', " ").split() if value}
+    families = (SIGNALS, CONTROLLERS, CONTACTS, SURFACES, LINKS, JOINTS)
+    known = {name for family in families for name in family.names if family[name].__module__.startswith("tmodes.")
+             or type(family[name]).__module__.startswith("tmodes.")}  # fmt: skip
+    assert known - words - {"expression", "fixed"} == set()
+
+
+@pytest.mark.parametrize(
+    "name", ["beam tube", "beam i_beam", "joint elastic", "signal trapezoid", "contact unilateral"]
+)
+def test_no_wild_case_is_accepted_that_the_sheet_refuses(name):
+    robot, generator = Robot.from_data(KINDS[name]), np.random.default_rng(7)
+    values = numbers_of(robot)
+    program, refused = noted(robot, values), 0
+    for _ in range(20 * COUNT):
+        wild = dict(values)
+        for path in generator.choice(list(values), 2):
+            wild[path] *= float(generator.choice([-1.0, 0.0, 1e-14, 0.1, 10.0, 1e7, 1e16]))
+        try:
+            robot.with_(wild)
+        except InputErrors:
+            refused += 1
+            assert not program.holds({path: np.array([value]) for path, value in wild.items()})[0], wild
+    assert refused > 0
+
+
+def test_structure_has_its_value():
+    """Samples on instants of the output, and seeds, are structure; other numbers of the same cases are not."""
+    robot = Robot.from_data(KINDS["controller sampled_pid"])
+    path, gain = "drives.first.controller.sample_time", "drives.first.controller.position_gain"
+    program = noted(robot, {path: 0.01, gain: 80.0})
+    assert program.fixed == {path: 0.01}
+    assert program.paths == (gain,)
+    holds = program.holds({path: np.array([0.01, 0.02]), gain: np.array([70.0, 70.0])})
+    assert holds.tolist() == [True, False]
+
+
+def test_factors_of_the_real_robot():
+    robot = load("filipovic2010")
+    values = {"real.gear.stiffness": 1.3, "gear.stiffness": 900.0, "link.modes.0.length": 0.4, "gravity": 9.7}
+    program = noted(robot.with_(values), values)
+    assert not program.fixed
+    compare(program, robot, values)
+    compare(program, robot, {path: 1.1 * value for path, value in values.items()})
+
+
+def test_nothing_is_lost_silently():
+    x = Tape().input(2.0)
+    for lossy in (float, int, hash, complex, round, lambda x: f"{x:g}", lambda x: [1, 2, 3][x], lambda x: {x: 1}):
+        with pytest.raises(Lost):
+            lossy(x)
+    with pytest.raises((TypeError, ValueError)):
+        np.zeros(2)[0] = x
+    with pytest.raises((TypeError, ValueError)):
+        np.isfinite(np.array([x]))
+
+
+def test_a_branch_is_a_guard_and_a_derivative_is_exact():
+    tape = Tape()
+    x, y = tape.input(2.0), tape.input(3.0)
+    z = functions.sqrt(x * y) / (x + 1) if x < y else x
+    program = program_of(tape, [x, y], [z, 5.0, functions.sin(x) ** 2, abs(x - y)])
+    found, holds = program(np.array([[2.0, 3.0], [1.0, 9.0], [4.0, 1.0]]))
+    assert holds.tolist() == [True, True, False]
+    assert found[1] == pytest.approx([1.5, 5.0, np.sin(1.0) ** 2, 8.0])
+    point, step = np.array([2.0, 3.0]), 1e-6
+    for k in range(2):
+        ends = [program(point[None] + sign * step * np.eye(2)[k])[0][0] for sign in (1, -1)]
+        assert program.derivative(point)[:, k] == pytest.approx((ends[0] - ends[1]) / (2 * step), abs=1e-8)
+    assert program.part(slice(1, 2)).is_constant
+
+
+def test_linear_algebra_of_noted_numbers():
+    """As NumPy and SciPy have it."""
+    from scipy.interpolate import CubicSpline
+
+    generator, tape = np.random.default_rng(0), Tape()
+
+    def of(values):
+        return np.vectorize(tape.input, otypes=[object])(values)
+
+    def plain(values):
+        return np.vectorize(lambda x: getattr(x, "value", x), otypes=[float])(values)
+
+    rows = generator.normal(size=(5, 5))
+    rows[2, :2] = 0.0
+    assert plain(functions.triangle(of(rows))) == pytest.approx(np.linalg.qr(rows, mode="r"), abs=1e-13)
+    right = generator.normal(size=(5, 2))
+    assert plain(functions.solve(of(rows), right)) == pytest.approx(np.linalg.solve(rows, right), rel=1e-11)
+    square = rows @ rows.T + np.eye(5)
+    assert plain(functions.inverse_cholesky(of(square))) == pytest.approx(
+        np.linalg.inv(np.linalg.cholesky(square)), abs=1e-12
+    )
+    main, upper = generator.uniform(0.4, 0.6, 4), generator.uniform(0.1, 0.3, 3)
+    for found, true in zip(functions.golub_welsch(of(main), of(upper)), functions.golub_welsch(main, upper),
+                           strict=True):  # fmt: skip
+        assert plain(found) == pytest.approx(true, abs=1e-13)
+    times, values = np.cumsum(generator.uniform(0.1, 1, 6)), generator.normal(size=6)
+    slopes = CubicSpline(times, values, bc_type="clamped")(times, 1)
+    assert plain(functions.cubic_slopes(of(times), of(values))) == pytest.approx(slopes, abs=1e-12)
+
+
+def test_signals_of_all_cases_are_merged_as_those_of_one():
+    generator, count = np.random.default_rng(0), 40
+    first = generator.uniform(0.3, 1.9, count)
+    second = np.where(generator.random(count) < 0.3, first, generator.uniform(0.3, 2.0, count))
+    parts = [
+        (np.stack([np.zeros(count), ends, np.full(count, 2.0)], axis=1), generator.normal(size=(count, 2, 6)))
+        for ends in (first, second)
+    ]
+    parts.append((np.tile([0.0, 2.0], (count, 1)), generator.normal(size=(count, 1, 1))))
+    for k, found in enumerate(merge_cases(parts)):
+        true = merge([Schedule(knots[k], pieces[k]) for knots, pieces in parts]).schedule
+        assert found.knots.tobytes() == true.knots.tobytes()
+        assert np.array_equal(found.coefficients, true.coefficients)
