@@ -19,7 +19,7 @@ from tmodes.io.forms import follows
 from tmodes.io.sheet_check import sheet_data
 from tmodes.io.sheet_paths import steps_of
 from tmodes.kinds.noted.functions import isfinite
-from tmodes.kinds.noted.number import Noted, Tape
+from tmodes.kinds.noted.number import Noted, Tape, is_noted
 from tmodes.sheet import Robot, RobotPair
 
 __all__ = ["Structural", "limits_of", "noted_pair"]
@@ -173,11 +173,11 @@ def _real(robot: Robot, known: Robot, leaves: Mapping[Steps, Any], data: Any) ->
     for path, factor in known.real.items():
         steps = tuple(steps_of(path, data))
         ends = dict(_ends_of_value(_at(robot, steps), steps))
-        if isinstance(factor, Noted) and not (ends and factor):
+        if is_noted(factor) and not (ends and factor):
             raise Structural(f"`real.{path}` is a factor on numbers that are not in the sheet")
         for place, plain in ends.items():
             number = found.get(place, plain) * factor
-            if isinstance(number, Noted):
+            if is_noted(number):
                 found[place] = number
     return _changed(real, found)
 

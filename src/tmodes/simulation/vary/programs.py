@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.errors import InputError, InputErrors, SimulationError
-from tmodes.kinds.noted.number import Lost, Noted, Tape
+from tmodes.kinds.noted.number import Lost, Tape, is_noted
 from tmodes.kinds.noted.program import Program, program_of
 from tmodes.model.parameters import Structural, noted_pair
 from tmodes.sheet import Robot, RobotPair
@@ -83,7 +83,7 @@ def case_program(
             vector, places = whole(blocks(robot_of(noted)))
             program = program_of(tape, [*inputs.values()], [*vector])
         except Lost as lost:
-            acting = tape.inputs_of(lost.number.node) if isinstance(lost.number, Noted) else set()
+            acting = tape.inputs_of(lost.number.node) if is_noted(lost.number) else set()
             structural = [path for path, node in tape.names.items() if node in acting]
             if not structural:
                 raise Structural(str(lost)) from lost
