@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from tmodes.result.run import run
     from tmodes.robots.load import load
     from tmodes.sheet.robot import Robot
+    from tmodes.simulation.outputs import robot_outputs as outputs
     from tmodes.simulation.vary.simulate import simulate_batch
     from tmodes.study.optimize import optimize
     from tmodes.study.read import read_study
@@ -43,6 +44,7 @@ __all__ = [
     "load",
     "load_study",
     "optimize",
+    "outputs",
     "read_study",
     "run",
     "run_study",
@@ -66,6 +68,7 @@ _HOMES = {
     "load": "tmodes.robots.load.load",
     "load_study": "tmodes.study.result.load_study",
     "optimize": "tmodes.study.optimize.optimize",
+    "outputs": "tmodes.simulation.outputs.robot_outputs",
     "read_study": "tmodes.study.read.read_study",
     "run": "tmodes.result.run.run",
     "run_study": "tmodes.study.runner.run_study",

@@ -21,6 +21,7 @@ from tmodes.report.pack import pack
 from tmodes.report.scene import scene_of
 from tmodes.result import Result, assemble_result
 from tmodes.sheet import Robot
+from tmodes.simulation.outputs import robot_outputs
 from tmodes.simulation.plan import Follow
 from tmodes.simulation.simulate import simulate_motion
 
@@ -104,6 +105,23 @@ def bundle(native: Result) -> dict[str, Any]:
 @pytest.fixture(scope="module")
 def runs(bundle: dict[str, Any], live: LiveMap, tmp_path_factory: pytest.TempPathFactory) -> list[dict[str, Any]]:
     return live_in_node(bundle, [unchanged(live), *drawn(live)], tmp_path_factory.mktemp("live"))
+
+
+def test_page_has_outputs_by_their_names(native: Result, runs: list[dict[str, Any]]) -> None:
+    """What a result stores of an output is in the page's series of the same name, at the same place."""
+    data, series, found = native.record, runs[0]["series"], set()
+    for name, output in robot_outputs(native.actual).items():
+        variable, *labels = output.stored or ("",)
+        if variable not in series:
+            continue
+        dims = data[variable].dims[1:]
+        place = tuple(data.places(dim, label) for dim, label in zip(dims, labels, strict=True))
+        expected = native.output(name).values
+        size = max(float(np.abs(data[variable].values).max()), 1e-9)
+        assert series[variable][:, *place] == pytest.approx(expected, rel=0, abs=EQUAL * size), name
+        found.add(name.rpartition(".")[2])
+    assert {"position", "velocity", "acceleration", "effort", "gear_torque", "gear_twist", "x", "kinetic"} <= found
+    assert {"penetration", "force", "motor", "deviation"} <= found
 
 
 def scales(data: Any) -> dict[str, float]:

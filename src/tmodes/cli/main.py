@@ -27,7 +27,8 @@ FAULT = 70
 COMMANDS = {
     "run": "run.run", "robots": "sheets.robots", "check": "sheets.check", "describe": "describe.describe",
     "batch": "batch.batch", "study": "study.study", "static": "static.static", "ladder": "describe.ladder",
-    "modes": "modes.modes", "eval": "evaluate.evaluate", "schema": "sheets.schema", "show": "show.show",
+    "modes": "modes.modes", "outputs": "outputs.outputs",
+    "eval": "evaluate.evaluate", "schema": "sheets.schema", "show": "show.show",
     "view": "show.view", "figures": "figures.figures", "studio": "studio.studio", "export": "export.export",
     "sensitivity": "sensitivity.sensitivity", "optimize": "optimize.optimize",
     "cache": "cache.cache",

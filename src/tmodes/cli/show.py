@@ -40,6 +40,9 @@ def show(
     everything: Annotated[bool, typer.Option("--all", help="Every series, not only the first ones.")] = False,
     events: Annotated[bool, typer.Option("--events", help="What happened when: touch, stick, slip, teeth.")] = False,
     settling_band: SettlingBand = None,
+    output: Annotated[
+        list[str] | None, typer.Option("--output", help="One output by its name alone; may be repeated.")
+    ] = None,
     as_json: AsJson = False,
 ) -> None:
     """What a stored result says: how the run ended, the numbers that matter, frequencies, and every course in a line.
@@ -51,16 +54,25 @@ def show(
 
     With `--settling-band` the settling is found anew in the samples of the file, which end with the run.
 
+    With `--output NAME` outputs by their names, as `tmodes outputs` lists them, stored or computed from the motion.
+
     Of a study, its folder: what its quantities are over all cases, as the study has reported it.
     """
-    from tmodes.cli.series import first_series, series_of_result
+    from tmodes.cli.series import Series, first_series, series_of_result
 
     if is_study(result):
         _show_study(result, as_json=as_json)
         return
     stored = stored_result(result)
     data = stored.record
-    chosen = list(series_of_result(data)) if everything or as_json else first_series(data)
+    if output:
+        named = [stored.output(name) for name in output]
+        chosen = [Series(str(one.name), "", one.attrs["units"], one.values) for one in named]
+        if not as_json:
+            _print_series(chosen, float(data["time"][-1]))
+            return
+    else:
+        chosen = list(series_of_result(data)) if everything or as_json else first_series(data)
     if as_json:
         series = [{"variable": one.variable, "of": one.of, "unit": one.unit} | _extremes(one) for one in chosen]
         print_json({"file": str(result_file(result)), **result_record(stored, settling_band), "series": series})
@@ -103,12 +115,16 @@ def _show(stored: Result, file: Path, chosen: list[Series], total: int, band: st
         print_table(
             "frequencies", ["motors", "dominant element", "natural [Hz]", "damped [Hz]", "damping ratio"], modes
         )
-    columns = ["series", "min", "max", "at end", f"0 ... {float(stored.record['time'][-1]):.4g} s"]
-    print_table("series", columns, [_row(one) for one in chosen])
+    _print_series(chosen, float(stored.record["time"][-1]))
     if len(chosen) < total:
         print(f"{total - len(chosen)} more series: --all")
     print(f"data    {plain(str(file))}")
     warn(map(plain, stored.warnings))
+
+
+def _print_series(chosen: list[Series], end: float) -> None:
+    columns = ["series", "min", "max", "at end", f"0 ... {end:.4g} s"]
+    print_table("series", columns, [_row(one) for one in chosen])
 
 
 def _row(one: Series) -> list[str]:

@@ -28,6 +28,7 @@ __all__ = [
     "library_factor",
     "number",
     "scalar",
+    "udunits",
 ]
 
 NUMBER = r"[-+]?(?:\.[0-9]+|[0-9]+(?:\.[0-9]*)?)(?:[eE][-+]?[0-9]+)?"
@@ -51,6 +52,16 @@ EVERYDAY = {
     "-": {"percent": 0.01},
 }
 """Factors as the unit library gives them, by unit of the place and text: it takes half a second to load."""
+
+
+def udunits(unit: str) -> str:
+    """A unit as files for other programs write it (UDUNITS): ``N*m/s^2`` is ``N m s-2``, no unit is 1."""
+    above, *below = unit.replace("^", "").replace("*", " ").split("/")
+    words = [
+        *above.replace("-", "1").split(),
+        *(f"{one.rstrip('23')}-{one[-1] if one[-1] in '23' else 1}" for one in below),
+    ]
+    return " ".join(word for word in words if word != "1") or "1"
 
 
 @dataclass

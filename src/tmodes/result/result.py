@@ -27,7 +27,7 @@ from tmodes.result.record import absent_kinds
 from tmodes.result.summary import summarise_result, vibrations
 
 if TYPE_CHECKING:
-    from xarray import Dataset
+    from xarray import DataArray, Dataset
 
     from tmodes.kinds.registry import UnknownKindError
     from tmodes.result.assemble import Assembly
@@ -124,12 +124,12 @@ class Result:
 
         Raises :class:`tmodes.kinds.registry.UnknownKindError` where it names a kind that is not registered here.
         """
-        return made.known if (made := self._made) else record.stored_robot(self.record, "robot")
+        return made.known if (made := self.made) else record.stored_robot(self.record, "robot")
 
     @cached_property
     def actual(self) -> Robot:
         """The robot as it really ran, its ``real`` factors taken; raises as :attr:`robot`."""
-        return made.run.robot if (made := self._made) else record.stored_robot(self.record, "robot_real")
+        return made.run.robot if (made := self.made) else record.stored_robot(self.record, "robot_real")
 
     @property
     def frequencies(self) -> dict[str, list[dict[str, Any]]]:
@@ -205,6 +205,35 @@ class Result:
         """What the integration took: steps, rejected steps, evaluations, dt times the highest frequency."""
         return record.from_json(self.record, "statistics")
 
+    @checked_arguments
+    def output(self, name: str) -> DataArray:
+        """One output by its name, such as ``tip.x``, over the time [s] of the run; its unit is in the attributes.
+
+        ``tmodes.outputs(result.robot)`` lists the names. What is not stored is computed by the equations of the run.
+        Raises :class:`tmodes.errors.InputError` for an unknown name, with the nearest one, and where a run has it not.
+        """
+        from xarray import DataArray
+
+        from tmodes.result.outputs import output_values
+
+        data, made = live.motion if (live := self.assembly) else self.record, self.made
+        output, values = output_values(data, self.actual, made and made.run, name)
+        info = {"units": output.unit, "long_name": output.meaning}
+        return DataArray(values, {"time": ("time", data["time"].values, {"units": "s"})}, ("time",), name, info)
+
+    @checked_arguments
+    def reduce(self, name: str, how: str) -> float:
+        """One number of an output over the run, in its unit or in s: ``result.reduce("tip.speed", "percentile:95")``.
+
+        ``how``: as of :class:`tmodes.simulation.reductions.Reduction`, over the stored samples. Raises
+        :class:`tmodes.errors.InputError` as :meth:`output`, and for a rule that is none.
+        """
+        from tmodes.simulation.reductions import Reduction, of_samples, refuse_unknown_rules
+
+        refuse_unknown_rules([one := Reduction(name, how)])
+        series = self.output(name)
+        return float(of_samples(one, series.values[None], series["time"].values)[0])
+
     @property
     def move_end(self) -> float | None:
         """When the last signal stops changing [s]; None where one never does."""
@@ -265,10 +294,10 @@ class Result:
     @property
     def assembly(self) -> Assembly | None:
         """The run that was made just now, until its whole record was put together."""
-        return None if self._record is not None else self._made
+        return None if self._record is not None else self.made
 
     @property
-    def _made(self) -> Assembly | None:
+    def made(self) -> Assembly | None:
         """The run that was made just now, while its dataset cannot have been changed."""
         return None if "data" in self.__dict__ else self._assembly
 

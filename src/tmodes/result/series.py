@@ -11,11 +11,12 @@ from tmodes.analysis.error_parts import without_elasticity
 from tmodes.analysis.quasistatic import deflections, elastic_names
 from tmodes.chain.chain import line_before
 from tmodes.io.labelled import Record
+from tmodes.io.units import udunits
 from tmodes.result.paths import error_parts
 from tmodes.simulation.motion_run import RunData
 
 __all__ = [
-    "MIXED", "Series", "Variables", "coordinate_units", "coordinates_of", "error_series", "motion_series", "over_time",
+    "MIXED", "Series", "Variables", "coordinates_of", "error_series", "motion_series", "over_time",
     "record_of", "run_wrenches", "straight_shape",
 ]  # fmt: skip
 
@@ -63,7 +64,8 @@ def coordinates_of(run: RunData, count: int, names: dict[str, list[str]], statio
     further = {
         "link_parent": ("link", [line_before(run.chain, name, links) or "base" for name in links],
                         "link on which each link stands"),  # the nearest that is drawn
-        "coordinate_unit": ("coordinate", coordinate_units(run), "unit of each coordinate"),
+        "coordinate_unit": ("coordinate", [udunits(unit) for unit in run.chain.units(run.coordinates).values()],
+                            "unit of each coordinate"),
         "controller_state_unit": ("controller_state", list(run.planned.plan.control_units),
                                   "unit of each state of a controller"),
     } | {name: (name, values, name.replace("_", " ")) for name, values in labels.items()}  # fmt: skip
@@ -82,18 +84,6 @@ def record_of(variables: Variables, coordinates: dict[str, Any]) -> Record:
     }
     labels = {name: ((dim,), np.asarray(values), info) for name, (dim, values, info) in coordinates.items()}
     return Record(series | labels, labels)
-
-
-def coordinate_units(run: RunData) -> list[str]:
-    """The unit of each coordinate: rad, m along prismatic joints, 1 of stretch."""
-    sliding = run.chain.sliding
-    joints = len(run.model.motors) + len(run.model.joints)
-    return [
-        ("m" if name in sliding else "rad")
-        if k < joints
-        else ("1" if name.rpartition(".")[2].startswith(("stretch", "shear")) else "rad")
-        for k, name in enumerate(run.coordinates)
-    ]
 
 
 def motion_series(run: RunData, count: int) -> Variables:

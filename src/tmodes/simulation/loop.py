@@ -144,14 +144,17 @@ class LoopModel:
         return self._series[key]
 
     def seen(
-        self, shown: Sequence[Output], time: ArrayLike, state: ArrayLike, row: ArrayLike, given: Array | None = None
-    ) -> Array:
+        self, shown: Sequence[Output], time: ArrayLike, state: ArrayLike, row: ArrayLike, given: Array | None = None,
+        *, after: bool | None = None,
+    ) -> Array:  # fmt: skip
         """Outputs at n instants, (n, outputs); ``given`` (n, numbers): what distances are from.
 
-        Controllers are shown after the samples at each time.
+        Controllers are shown after the samples at each time; ``after`` False: the states are after them already.
         """
         blocks, more = self._blocks(time, state, row), np.zeros((0, 0)) if given is None else given
-        wanted = self.series(tuple(shown), more.shape[1], after=self.plan.is_sampled, lean=False)
+        wanted = self.series(
+            tuple(shown), more.shape[1], after=self.plan.is_sampled if after is None else after, lean=False
+        )
         if given is not None:
             blocks["state"] = np.hstack([blocks["state"], given])
         numbers, count = np.concatenate([self.numbers, wanted.further]), len(blocks["time"])

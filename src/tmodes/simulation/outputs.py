@@ -7,8 +7,10 @@ from collections.abc import Iterator
 import numpy as np
 
 from tmodes.equations.loop.outputs import DISTANCES, Output, Outputs
+from tmodes.io.arguments import checked_arguments
 from tmodes.model.model import Model
 from tmodes.sheet import Robot
+from tmodes.sheet.robot import refuse_other
 from tmodes.simulation.loop import LoopModel
 from tmodes.simulation.plan import planned
 from tmodes.simulation.start import RunSetup
@@ -17,11 +19,15 @@ from tmodes.simulation.stops import Stop, Stops, resolved
 __all__ = ["named_setup", "refuse_wrong_stops", "robot_outputs", "run_stops"]
 
 
+@checked_arguments
 def robot_outputs(robot: Robot) -> Outputs:
-    """All outputs of the actual robot in a run; nothing is compiled for it.
+    """All outputs of the actual robot in a run, :class:`tmodes.equations.loop.outputs.Output` by name.
+
+    Each has a ``name``, a ``unit`` and a ``meaning``; ``rows`` lists them. Nothing is compiled.
 
     Raises :class:`tmodes.errors.InputError` for a robot that cannot run.
     """
+    refuse_other(robot)
     return Outputs(LoopModel(planned(robot.pair().real).plan).loop, tuple(DISTANCES))
 
 

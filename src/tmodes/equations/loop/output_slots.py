@@ -217,8 +217,9 @@ def lines_of(parts: Parts, node: int, s: float) -> Any:
 
 @kernel("length", (3,), (1,))
 def _length(a: Any) -> list[list[Any]]:
-    """Vector -> its length."""
-    return [[f.sqrt(v.dot(v.vec(a), v.vec(a)))]]
+    """Vector -> its length, whose slope is none where it is zero."""
+    square = v.dot(v.vec(a), v.vec(a))
+    return [[f.if_else(square > 0, f.sqrt(f.if_else(square > 0, square, 1.0)), 0.0)]]
 
 
 def _difference(size: int = 1) -> Kernel:

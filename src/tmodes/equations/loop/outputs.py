@@ -39,8 +39,8 @@ ENERGIES = ("kinetic", "gravity", "elastic_gear", "elastic_link")
 """Energies [J] by kind."""
 
 _AXES = ("x", "y", "z")
-_SHOWN = 12
-"""Names that a message lists."""
+_SHOWN, _LISTED = 12, 8
+"""Names that a message lists, and a representation."""
 
 
 class Output(NamedTuple):
@@ -125,6 +125,17 @@ class Outputs(Mapping[str, Output]):
 
     def __len__(self) -> int:
         return len(self._own)
+
+    @property
+    def rows(self) -> list[tuple[str, str, str]]:
+        """Name, unit and meaning of each; of stations along links with ``@S`` in the place of the station."""
+        named = [*self._own.items(), *self.stations.items()]
+        return [(name, output.unit, output.meaning) for name, output in named]
+
+    def __repr__(self) -> str:
+        rows = self.rows
+        shown = [f"  {name} [{unit}]: {text}" for name, unit, text in rows[:_LISTED]]
+        return "\n".join([f"{len(rows)} outputs", *shown, *["  ..."] * (len(rows) > _LISTED)])
 
     def find(self, name: str, which: str) -> Output:
         """The output of a name; raises :class:`tmodes.errors.InputError` of ``which`` with the nearest name."""
@@ -271,7 +282,8 @@ class Outputs(Mapping[str, Output]):
     def _distances(self) -> Iterator[Output]:
         for place, name in enumerate(self._given):
             text = f"of the tip from the {DISTANCES[name]}"
-            yield Output(name, "m", f"distance {text}", Seen.apart, (3 * place,))
+            stored = (name,) if name == DEVIATION else ()
+            yield Output(name, "m", f"distance {text}", Seen.apart, (3 * place,), stored)
             for axis, letter in enumerate(_AXES):
                 yield Output(f"{name}.{letter}", "m", f"step {text}, {letter}", Seen.step, (3 * place, axis, 1))
 

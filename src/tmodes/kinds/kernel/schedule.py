@@ -161,6 +161,16 @@ class Schedule:
                 kept.append(call)
         return replace(self, calls=kept[::-1], outputs=given)
 
+    def reads(self, block: Slot) -> bool:
+        """Whether a call takes, or an output is, a number of a block."""
+        taken = [slot for call in self.calls for slot in call[1]] + [
+            slot for slots in self.outputs.values() for slot in slots
+        ]
+        ends = block.start, block.start + block.size
+        return any(
+            one.region == block.region and one.start < ends[1] and ends[0] < one.start + one.size for one in taken
+        )
+
     def _block(self, size: int) -> Slot:
         slot = Slot("changing", self.changing, size)
         self.changing += size
