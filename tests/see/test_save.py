@@ -11,11 +11,10 @@ from unittest.mock import patch
 
 import pytest
 
+from see.conftest import IN_ALL_FORMATS
 from tmodes import plot
 from tmodes.errors import InputError, ResultFileError
 from tmodes.result import Result
-
-pytestmark = pytest.mark.nightly
 
 Drawn = tuple[Path, list[tuple[int, int, str]]]
 
@@ -32,10 +31,11 @@ print("report", hashlib.sha256(page(result).encode()).hexdigest())
 """
 
 
-def test_every_figure_in_every_format(good: Result, drawn_figures: Drawn) -> None:
+def test_every_figure_and_every_format(good: Result, drawn_figures: Drawn) -> None:
     place, info = drawn_figures
     names = list(plot.all_figures(good))
-    assert {path.name for path in place.iterdir()} == {f"{n}.{kind}" for n in names for kind in ("svg", "png", "pdf")}
+    others = {f"{name}.{kind}" for name in IN_ALL_FORMATS for kind in ("png", "pdf")}
+    assert {path.name for path in place.iterdir()} == {f"{name}.svg" for name in names} | others
     assert info == [(k, len(names), name) for k, name in enumerate([*names, ""])]
     starts = {".svg": b"<?xml", ".png": b"\x89PNG", ".pdf": b"%PDF"}
     assert all(file.read_bytes().startswith(starts[file.suffix]) for file in place.iterdir())
@@ -52,9 +52,7 @@ def test_the_same_bytes_in_any_process_on_any_day(
         [sys.executable, "-W", "error", "-c", HASHES, str(stored), str(tmp_path / "there")], stdout=subprocess.PIPE,
         text=True, check=True, env=os.environ | {"PYTHONPATH": os.pathsep.join(sys.path)} | there,
     )  # fmt: skip
-    files = [
-        drawn_figures[0] / f"{name}.{kind}" for name in ("joint_efforts", "tip_path") for kind in ("svg", "png", "pdf")
-    ]
+    files = [drawn_figures[0] / f"{name}.{kind}" for name in IN_ALL_FORMATS for kind in ("svg", "png", "pdf")]
     contents = {file.name: file.read_bytes() for file in files} | {"report": reports["good"].read_bytes()}
     hashes = [f"{name} {hashlib.sha256(content).hexdigest()}" for name, content in contents.items()]
     assert done.stdout.splitlines() == hashes

@@ -17,8 +17,6 @@ from see.looking import SIZES, Window, look
 from tmodes.report.data import page_data
 from tmodes.report.parts import viewer_document
 
-pytestmark = pytest.mark.nightly
-
 PHONE = (400, 800)
 TOUCH = 40
 """Least side of what a finger meets [px]."""
@@ -57,24 +55,26 @@ def compared(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return path
 
 
-def phone(browser: Any, report: Path) -> Window:
-    return look(browser, report, PHONE, has_touch=True, is_mobile=True)
-
-
-@pytest.mark.parametrize("which", ["good", "compared"])
-def test_on_a_phone_all_that_is_touched_is_large(
-    browser: Any, reports: dict[str, Path], compared: Path, which: str
-) -> None:
-    window = phone(browser, compared if which == "compared" else reports["good"])
-    window.page.get_by_text("Show", exact=True).first.click()
-    assert window.page.evaluate(SMALL % TOUCH) == []
-    assert window.page.evaluate("document.documentElement.scrollWidth") == PHONE[0]
-    assert window.said == []
+@pytest.fixture(scope="module")
+def on_phone(browser: Any, reports: dict[str, Path]) -> Any:
+    """The report of a finished run on a phone."""
+    window = look(browser, reports["good"], PHONE, has_touch=True, is_mobile=True)
+    yield window
     window.page.context.close()
 
 
-def test_on_a_phone_the_time_takes_one_row(browser: Any, reports: dict[str, Path]) -> None:
-    window = phone(browser, reports["good"])
+def test_on_a_phone_all_that_is_touched_is_large(browser: Any, on_phone: Window, compared: Path) -> None:
+    runs = look(browser, compared, PHONE, has_touch=True, is_mobile=True)
+    for window in (on_phone, runs):
+        window.page.get_by_text("Show", exact=True).first.click()
+        assert window.page.evaluate(SMALL % TOUCH) == []
+        assert window.page.evaluate("document.documentElement.scrollWidth") == PHONE[0]
+        assert window.said == []
+    runs.page.context.close()
+
+
+def test_on_a_phone_the_time_takes_one_row(on_phone: Window) -> None:
+    window = on_phone
     parts = window.page.locator(".transport :is(.play, input, output, select)")
     boxes = [part.bounding_box() for part in parts.all()]
     assert len(boxes) == 4
@@ -83,7 +83,6 @@ def test_on_a_phone_the_time_takes_one_row(browser: Any, reports: dict[str, Path
     assert max(middles) - min(middles) < 6
     assert window.page.locator(".transport").bounding_box()["height"] < 56
     assert boxes[1]["width"] > 80
-    window.page.context.close()
 
 
 @pytest.mark.parametrize("size", SIZES)
@@ -121,31 +120,29 @@ def settled(page: Any) -> bytes:
     return steady(page.locator(".scene-view").screenshot)
 
 
-@pytest.mark.parametrize("motion", ["reduce", "no-preference"])
-def test_another_view_is_there_at_once_where_motion_is_not_wanted(
-    browser: Any, reports: dict[str, Path], motion: str
-) -> None:
+def test_another_view_is_there_at_once_where_motion_is_not_wanted(browser: Any, compared: Path) -> None:
     """By the page's clock, which the test holds: however busy the machine, two frames are 40 ms."""
-    page = look(browser, reports["good"]).page
-    page.emulate_media(reduced_motion=motion)
+    page = look(browser, compared).page
     page.clock.install()
     page.clock.pause_at(datetime.now() + timedelta(hours=1))
     before = settled(page)
-    page.get_by_label("View", exact=True).select_option("top")
-    page.clock.run_for(40)
-    soon = settled(page)
-    page.clock.run_for(3000)
-    assert soon != before
-    assert (settled(page) == soon) == (motion == "reduce")
+    for motion, view in (("reduce", "top"), ("no-preference", "front")):
+        page.emulate_media(reduced_motion=motion)
+        page.get_by_label("View", exact=True).select_option(view)
+        page.clock.run_for(40)
+        soon = settled(page)
+        page.clock.run_for(3000)
+        assert soon != before
+        before = settled(page)
+        assert (before == soon) == (motion == "reduce")
     page.context.close()
 
 
-@pytest.mark.parametrize("kind", ["compared", "report"])
-def test_charts_are_on_paper(browser: Any, compared: Path, reports: dict[str, Path], kind: str) -> None:
+def test_charts_are_on_paper(browser: Any, compared: Path) -> None:
     """All are drawn, also those never looked at; as in the light scheme though the screen is dark, until it is done."""
     shown, printed = [], []
     for scheme in ("light", "dark"):
-        page = look(browser, compared if kind == "compared" else reports["good"], (1280, 640), scheme, idle=True).page
+        page = look(browser, compared, (1280, 640), scheme, idle=True).page
         count = page.locator(".chart-grid .chart").count()
         until(lambda page=page, count=count: page.locator(".chart-grid .chart canvas").count() == count, "all charts")
         before = page.evaluate(PAPER)
@@ -182,9 +179,9 @@ def test_what_is_opened_for_paper_is_closed_again(browser: Any, reports: dict[st
     page.context.close()
 
 
-def test_on_a_phone_the_robot_stays_in_sight(browser: Any, reports: dict[str, Path]) -> None:
+def test_on_a_phone_the_robot_stays_in_sight(on_phone: Window) -> None:
     """Above the chart that is looked at, in less than half of the screen."""
-    page = look(browser, reports["good"], PHONE).page
+    page = on_phone.page
     page.evaluate("document.querySelector('#tm-charts .chart').scrollIntoView()")
     boxes = [page.locator(one).first.bounding_box() for one in ("#tmodes-app > .stage", "#tm-charts .chart")]
     bottom = boxes[0]["y"] + boxes[0]["height"]

@@ -22,7 +22,7 @@ __all__ = ["Tab", "address", "browser", "drag", "opened", "tab"]
 BUILT = Path(pack.__file__).parent / "web" / "studio.js"
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture(scope="package")
 def address(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
     """A studio as its command starts it, which must end by itself when it is asked to."""
     folder = tmp_path_factory.mktemp("studies")
@@ -44,7 +44,7 @@ def address(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
         assert running.returncode == 0
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture(scope="package")
 def browser(chromium: str) -> Iterator[Any]:
     sync_api = pytest.importorskip("playwright.sync_api", reason="needs the package playwright")
     if not BUILT.exists():

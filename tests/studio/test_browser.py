@@ -17,8 +17,6 @@ from studio.test_looks import ELASTICITY, stl
 from studio.test_looks import URDF as MESHED
 from tmodes.studio.folders import door
 
-pytestmark = pytest.mark.nightly
-
 STILL = "Promise.all(document.getAnimations().map((one) => one.finished))"
 """Colours that change by and by have changed."""
 MASS = "links.0.bodies.0.mass"
@@ -233,11 +231,11 @@ def test_accessible(tab):
         assert [(one["id"], one["nodes"][0]["html"][:120]) for one in found] == [], scheme
 
 
-@pytest.mark.parametrize("size", [(1280, 800), (1920, 1080), (400, 800)])
-def test_no_width_makes_the_page_scroll_sideways(tab, size):
-    tab.page.set_viewport_size({"width": size[0], "height": size[1]})
-    tab.page.wait_for_function(f"() => innerWidth === {size[0]}")
-    assert steady(lambda: tab.page.evaluate("document.documentElement.scrollWidth")) <= size[0]
+def test_no_width_makes_the_page_scroll_sideways(tab):
+    for width, height in ((1280, 800), (1920, 1080), (400, 800)):
+        tab.page.set_viewport_size({"width": width, "height": height})
+        tab.page.wait_for_function(f"() => innerWidth === {width}")
+        assert steady(lambda: tab.page.evaluate("document.documentElement.scrollWidth")) <= width
 
 
 def studio_of_its_own(folder: Path, *more: str) -> subprocess.Popen[str]:
@@ -254,9 +252,12 @@ AbortSignal.timeout = (wait) => limit(wait / 8);
 
 
 def test_a_studio_that_goes_away_and_comes_back(browser, tmp_path):
-    """The page says that nothing answers, and continues by itself; one that was started again has another address."""
-    if os.name == "nt":
-        pytest.skip("stops and continues a process by signals")
+    """The page says that nothing answers, and continues by itself; one that was started again has another address.
+
+    Even where it is killed, and cannot say goodbye, its workers end.
+    """
+    if not Path("/proc").exists():
+        pytest.skip("stops and continues a process by signals, and looks for processes in /proc")
     with studio_of_its_own(tmp_path) as running:
         assert running.stdout is not None
         address = running.stdout.readline().split()[1]
@@ -279,7 +280,10 @@ def test_a_studio_that_goes_away_and_comes_back(browser, tmp_path):
         assert again.stdout is not None
         again.stdout.readline()
         tab.page.locator(".gone", has_text="open the address that it printed").wait_for()
-        again.terminate()
+        workers = [int(one) for one in os.listdir("/proc") if one.isdecimal() and _parent(one) == again.pid]  # noqa: PTH208
+        assert len(workers) >= 2
+        again.kill()
+    until(lambda: not any(Path(f"/proc/{worker}").exists() and _parent(str(worker)) for worker in workers))
     tab.page.close()
 
 
@@ -293,20 +297,6 @@ def test_what_is_added_has_units_and_values_that_may_be(tab):
     kinds.select_option("noise")
     deviation = tab.page.locator("details[data-path='drives.0.signal'] .field", has_text="Deviation")
     deviation.locator(".unit", has_text="rad").wait_for()
-
-
-def test_nothing_is_left_when_the_studio_is_killed(tmp_path):
-    """Even where it cannot say goodbye, its workers end."""
-    if not Path("/proc").exists():
-        pytest.skip("looks for processes in /proc")
-    command = [sys.executable, "-m", "tmodes.cli.entry", "studio", "--no-open", "--folder", str(tmp_path)]
-    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as running:
-        assert running.stdout is not None
-        running.stdout.readline()
-        workers = [int(one) for one in os.listdir("/proc") if one.isdecimal() and _parent(one) == running.pid]  # noqa: PTH208
-        assert len(workers) >= 2
-        running.kill()
-    until(lambda: not any(Path(f"/proc/{worker}").exists() and _parent(str(worker)) for worker in workers))
 
 
 def _parent(process: str) -> int:

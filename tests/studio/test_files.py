@@ -12,13 +12,7 @@ import pytest
 
 from patience import steady, until
 from see.test_small import PAPER
-from studio import tabs
 from studio.tabs import Tab
-
-pytestmark = pytest.mark.nightly
-
-address, browser, tab = tabs.address, tabs.browser, tabs.tab
-"""Fixtures that are those of the studio's page."""
 
 
 def stale(tab: Tab) -> bool:
