@@ -6,24 +6,34 @@ The names below are loaded when they are first used, so that ``import tmodes`` i
 """
 
 from importlib import import_module
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from tmodes.analysis.statics.loads import Load
+    from tmodes.chain.checks import chain_issues
+    from tmodes.chain.lowering import lowered as lowered_chain
     from tmodes.equations.lagrange.system import System
     from tmodes.errors import TmodesError
     from tmodes.gradients.gradient import adjoint_gradient, forward_sensitivities
     from tmodes.gradients.quantities import Functional, tracking_error
+    from tmodes.interface.batches import batch
+    from tmodes.interface.checks import check, evaluate
+    from tmodes.interface.description import describe
+    from tmodes.interface.hierarchy import hierarchy
+    from tmodes.interface.modes import modes
+    from tmodes.interface.objects import Result, Robot, load, run
+    from tmodes.interface.show import show
+    from tmodes.interface.statics import linearize, static
+    from tmodes.interface.studies import gradient
+    from tmodes.io.sheet_check import changed_robot, real_robot, sheet_from_data
     from tmodes.kinds.outside import use
     from tmodes.model.model import Model
-    from tmodes.report.notebook import show
-    from tmodes.result.result import Result
-    from tmodes.result.run import run
-    from tmodes.robots.load import load
-    from tmodes.sheet.robot import Robot
     from tmodes.simulation.outputs import robot_outputs as outputs
+    from tmodes.simulation.sampled_controller import Measurement
     from tmodes.simulation.vary.simulate import simulate_batch
+    from tmodes.study.evaluate import evaluated as evaluated_study
     from tmodes.study.optimize import optimize
-    from tmodes.study.read import read_study
+    from tmodes.study.read import read_study, study_from_data
     from tmodes.study.result import load_study
     from tmodes.study.runner import run_study
     from tmodes.study.sensitivity import sensitivity
@@ -33,6 +43,8 @@ __version__ = "0.1.0"
 
 __all__ = [
     "Functional",
+    "Load",
+    "Measurement",
     "Model",
     "Result",
     "Robot",
@@ -40,9 +52,17 @@ __all__ = [
     "System",
     "TmodesError",
     "adjoint_gradient",
+    "batch",
+    "check",
+    "describe",
+    "evaluate",
     "forward_sensitivities",
+    "gradient",
+    "hierarchy",
+    "linearize",
     "load",
     "load_study",
+    "modes",
     "optimize",
     "outputs",
     "read_study",
@@ -51,63 +71,65 @@ __all__ = [
     "sensitivity",
     "show",
     "simulate_batch",
+    "static",
     "tracking_error",
     "use",
 ]
 
 _HOMES = {
     "Functional": "tmodes.gradients.quantities.Functional",
+    "Load": "tmodes.analysis.statics.loads.Load",
+    "Measurement": "tmodes.simulation.sampled_controller.Measurement",
     "Model": "tmodes.model.model.Model",
-    "Result": "tmodes.result.result.Result",
-    "Robot": "tmodes.sheet.robot.Robot",
+    "Result": "tmodes.interface.objects.Result",
+    "Robot": "tmodes.interface.objects.Robot",
     "Study": "tmodes.study.study.Study",
     "System": "tmodes.equations.lagrange.system.System",
     "TmodesError": "tmodes.errors.TmodesError",
     "adjoint_gradient": "tmodes.gradients.gradient.adjoint_gradient",
+    "batch": "tmodes.interface.batches.batch",
+    "check": "tmodes.interface.checks.check",
+    "describe": "tmodes.interface.description.describe",
+    "evaluate": "tmodes.interface.checks.evaluate",
     "forward_sensitivities": "tmodes.gradients.gradient.forward_sensitivities",
-    "load": "tmodes.robots.load.load",
+    "gradient": "tmodes.interface.studies.gradient",
+    "hierarchy": "tmodes.interface.hierarchy.hierarchy",
+    "linearize": "tmodes.interface.statics.linearize",
+    "load": "tmodes.interface.objects.load",
     "load_study": "tmodes.study.result.load_study",
+    "modes": "tmodes.interface.modes.modes",
     "optimize": "tmodes.study.optimize.optimize",
     "outputs": "tmodes.simulation.outputs.robot_outputs",
     "read_study": "tmodes.study.read.read_study",
-    "run": "tmodes.result.run.run",
+    "run": "tmodes.interface.objects.run",
     "run_study": "tmodes.study.runner.run_study",
     "sensitivity": "tmodes.study.sensitivity.sensitivity",
-    "show": "tmodes.report.notebook.show",
+    "show": "tmodes.interface.show.show",
     "simulate_batch": "tmodes.simulation.vary.simulate.simulate_batch",
+    "static": "tmodes.interface.statics.static",
     "tracking_error": "tmodes.gradients.quantities.tracking_error",
     "use": "tmodes.kinds.outside.use",
 }
 
-
 _UPWARD = {
-    "Model.static": "tmodes.analysis.statics.equilibrium.equilibrium",
-    "Result.figures": "tmodes.plot.figure.all_figures",
-    "Result.show": "tmodes.report.notebook.show",
-    "Robot.chain": "tmodes.chain.lowering.lowered",
-    "Robot.chain_issues": "tmodes.chain.checks.chain_issues",
-    "Robot.from_data": "tmodes.io.sheet_check.sheet_from_data",
-    "Robot.pair": "tmodes.io.sheet_check.real_robot",
-    "Robot.show": "tmodes.report.notebook.show",
-    "Robot.with_": "tmodes.io.sheet_check.changed_robot",
-    "Study.evaluate": "tmodes.study.evaluate.evaluated",
-    "Study.from_data": "tmodes.study.read.study_from_data",
+    "chain_issues": "tmodes.chain.checks.chain_issues",
+    "changed_robot": "tmodes.io.sheet_check.changed_robot",
+    "evaluated_study": "tmodes.study.evaluate.evaluated",
+    "lowered_chain": "tmodes.chain.lowering.lowered",
+    "real_robot": "tmodes.io.sheet_check.real_robot",
+    "sheet_from_data": "tmodes.io.sheet_check.sheet_from_data",
+    "study_from_data": "tmodes.study.read.study_from_data",
 }
-"""Methods whose work is done by an upper package, and by what: the only imports that run upward (at most 12)."""
+"""What does the work of a method in an upper package: the only imports that run upward (at most 12)."""
 
 
-def upward(method: str) -> Any:
-    """The function of an upper package that does the work of a method."""
-    module, _, attribute = _UPWARD[method].rpartition(".")
-    return getattr(import_module(module), attribute)
-
-
-def __getattr__(name: str) -> Any:
-    if name not in _HOMES:
+def __getattr__(name: str) -> object:
+    home = _HOMES.get(name) or _UPWARD.get(name)
+    if home is None:
         raise AttributeError(f"module 'tmodes' has no attribute {name!r}")
-    module, _, attribute = _HOMES[name].rpartition(".")
+    module, _, attribute = home.rpartition(".")
     return getattr(import_module(module), attribute)
 
 
 def __dir__() -> list[str]:
-    return sorted([*globals(), *__all__])
+    return sorted([*__all__, "__version__"])

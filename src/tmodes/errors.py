@@ -15,7 +15,14 @@ from dataclasses import dataclass
 
 
 class TmodesError(Exception):
-    """Base of every error that tmodes raises on purpose."""
+    """Base of every error that tmodes raises on purpose.
+
+    >>> try:
+    ...     tmodes.load("spong")
+    ... except tmodes.TmodesError as error:
+    ...     print(error.exit_code)
+    2
+    """
 
     exit_code = 1
 

@@ -66,7 +66,7 @@ class TestEveryRobot:
         assert accepted(done), done.stderr
 
     def test_has_a_hierarchy_of_models(self, run: tuple[str, Path]) -> None:
-        done = called("ladder", run[0], "--finest", 1, *SHORT, "--json")
+        done = called("hierarchy", run[0], "--finest", 1, *SHORT, "--json")
         assert accepted(done), done.stderr
 
     def test_is_evaluated(self, run: tuple[str, Path], tmp_path: Path) -> None:

@@ -8,7 +8,7 @@ from types import SimpleNamespace
 import pytest
 
 from command import tmodes
-from tmodes.cli.summary_text import integration_lines
+from tmodes.interface.summary import integration_lines
 from tmodes.result import Result
 
 SHORT = ["--duration", "0.2", "--no-contact", "--no-report"]

@@ -101,7 +101,7 @@ def test_names_apart():
 
 def test_a_result_in_a_notebook():
     """An iframe whose whole document is in it, escaped; the same as the page that can be saved."""
-    shown = result_of("cantilever").show(height=500)
+    shown = show(result_of("cantilever"), height=500)
     frame = shown._repr_html_()
     assert 'height="500"' in frame
     inside = re.search(r'srcdoc="([^"]*)"', frame)

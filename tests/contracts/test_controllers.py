@@ -62,7 +62,7 @@ def gains(sheet: Any = None) -> list[float]:
     """The gains of least cost: a Riccati equation of the linearised robot, whose first coordinate is driven."""
     model = Model((sheet or robot({"type": "pd", "position_gain": 0.0, "velocity_gain": 0.0})).chain())
     n = model.nq
-    mass, damping, stiffness = model.linearised(np.zeros(n))
+    mass, damping, stiffness = model.linearize(np.zeros(n))
     a, b = np.zeros((2 * n + 1, 2 * n + 1)), np.zeros((2 * n + 1, 1))
     a[:n, n : 2 * n], a[2 * n, 0] = np.eye(n), 1.0
     a[n : 2 * n, :n], a[n : 2 * n, n : 2 * n] = -np.linalg.solve(mass, stiffness), -np.linalg.solve(mass, damping)

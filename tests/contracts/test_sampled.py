@@ -120,7 +120,7 @@ def open_loop() -> tuple[np.ndarray, np.ndarray]:
     """State matrix (q, v) and input column of the robot of the controllers' tests."""
     model = Model(robot({"type": "pd", "position_gain": 0.0, "velocity_gain": 0.0}).chain())
     n = model.nq
-    mass, damping, stiffness = model.linearised(np.zeros(n))
+    mass, damping, stiffness = model.linearize(np.zeros(n))
     a, b = np.zeros((2 * n, 2 * n)), np.zeros((2 * n, 1))
     a[:n, n:], a[n:, :n], a[n:, n:] = np.eye(n), -np.linalg.solve(mass, stiffness), -np.linalg.solve(mass, damping)
     b[n:, 0] = np.linalg.solve(mass, np.eye(n)[:, 0])

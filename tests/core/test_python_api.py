@@ -27,7 +27,7 @@ Q = [0.1, 0.2]
 CALLS = {
     "q": [
         *(lambda m, x, name=name: getattr(m, name)(x)
-          for name in ("mass_matrix", "gravity_forces", "points", "pose", "jacobian", "linearised", "stiffness")),
+          for name in ("mass_matrix", "gravity", "points", "pose", "jacobian", "linearised", "stiffness")),
         *(lambda m, x, name=name: getattr(m, name)(x, Q)
           for name in ("bias", "elastic_forces", "energies", "losses", "power_lost", "momentum", "forward_dynamics",
                        "forward_dynamics_derivatives")),
@@ -37,7 +37,7 @@ CALLS = {
           for name in ("bias", "elastic_forces", "energies", "losses", "points", "linearised", "forward_dynamics",
                        "forward_dynamics_derivatives")),
     ],
-    "a": [lambda m, x: m.inverse_dynamics(Q, Q, x), lambda m, x: m.points(Q, Q, x), lambda m, x: m.linearised(Q, Q, x)],
+    "a": [lambda m, x: m.inverse_dynamics(Q, Q, x), lambda m, x: m.points(Q, Q, x), lambda m, x: m.linearize(Q, Q, x)],
     "effort": [lambda m, x: m.forward_dynamics(Q, Q, x), lambda m, x: m.forward_dynamics_derivatives(Q, Q, x)],
     "step": [lambda m, x: m.forward_dynamics(Q, Q, step=x)],
     "wrenches": [lambda m, x: m.forward_dynamics(Q, Q, wrenches=x), lambda m, x: m.stiffness(Q, wrenches=x)],

@@ -131,7 +131,7 @@ def test_wrenches_are_inputs_too() -> None:
 def test_linearisation_is_that_of_the_inverse_dynamics() -> None:
     model, rng = model_of(26), np.random.default_rng(5)
     (q, v, a), way = random_state(5, tuple(model.coordinates)), rng.normal(size=model.nq)
-    mass, damping, stiffness = model.linearised(q, v, a)
+    mass, damping, stiffness = model.linearize(q, v, a)
     by_q = richardson(lambda by: model.inverse_dynamics(q + by * way, v, a))
     by_v = richardson(lambda by: model.inverse_dynamics(q, v + by * way, a))
     assert stiffness @ way == pytest.approx(by_q, rel=1e-7, abs=1e-8 * np.abs(by_q).max())

@@ -119,7 +119,6 @@ def test_the_contact_is_switched_off_and_on() -> None:
     ("path", "meant"),
     [
         ("gear.stifness", "`gear.stiffness`"),
-        ("stiffness", "`gear.stiffness`"),
         ("Gear.Damping", "`gear.damping`"),
         ("link.modes.2.length", "expected one of 0, 1; give the name of an item, or its number from 0"),
         ("real.gear.stif", "`real.gear.stiffness`"),
@@ -200,7 +199,6 @@ def test_any_assignment_is_read_or_refused(text: str) -> None:
         ("manutec_r3", "payload.mass", "links.b6.bodies.load.mass"),
         ("flexarm1990", "payload.mass", "links.forearm.bodies"),
         ("manutec_r3", "actual.gear.stiffness", "real.gear.stiffness"),
-        ("manutec_r3", "gear.stiffness", "joints.joint1.gear.stiffness"),
         ("manutec_r3", "integration.dt", "integration.output_step"),
         ("manutec_r3", "links.b2.mass", "links.b2.bodies.b2.mass"),
     ],

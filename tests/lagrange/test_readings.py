@@ -27,7 +27,7 @@ def test_the_recursion_is_the_consistent_reading(contact: bool) -> None:
 def test_linearised_is_a_difference_of_forces() -> None:
     model = Model(chain("printed"))
     q = np.array([0.1, 0.2, 0.02, -0.03, 0.05, 0.04])
-    _, damping, stiffness = model.linearised(q)
+    _, damping, stiffness = model.linearize(q)
     step, zero = 1e-6, np.zeros(6)
     for k in range(6):
         change = np.eye(6)[k] * step

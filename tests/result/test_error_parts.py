@@ -13,9 +13,10 @@ from arm.see.runs import NASTY, result_of, run_of, sheet
 from tmodes.analysis.error_parts import element_steps, substitutions, tips
 from tmodes.analysis.modes.of_sheet import sheet_frequencies
 from tmodes.analysis.spectrum import growth_warnings, spectrum_of
-from tmodes.cli.summary_text import summary_rows
 from tmodes.frame import along
+from tmodes.interface.summary import summary_rows
 from tmodes.model.model import Model
+from tmodes.plot import all_figures
 from tmodes.result import Result
 from tmodes.result.paths import part_names
 from tmodes.result.summary import largest_elements
@@ -250,7 +251,7 @@ def test_without_setpoints_there_are_no_parts():
     result = result_of("pendulum")
     assert "tip_error" not in result.data
     assert result.summary()["tip_error"] == {}
-    assert "tip_errors" not in result.figures()
+    assert "tip_errors" not in all_figures(result)
 
 
 def test_parts_of_a_deformation_that_cancel_are_not_given():

@@ -16,9 +16,9 @@ import tmodes
 from arm.run.sheets import arm, landing, pendulum
 from arm.run.test_extrapolation import stiff
 from error_runs import judged, simulated
-from tmodes.cli.summary_text import error_of
 from tmodes.integrate.registry import integrator, integrators
 from tmodes.integrate.settings import Integration
+from tmodes.interface.summary import error_of
 from tmodes.kinds.signals.schedule import MergedSchedule
 from tmodes.report.page import error_table
 from tmodes.result.assemble import Assembly

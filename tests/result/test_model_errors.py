@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 
 from arm.run.sheets import arm, beam
 from tmodes.chain.chain import Chain
-from tmodes.cli.summary_text import integration_lines, model_error_of
+from tmodes.interface.summary import integration_lines, model_error_of
 from tmodes.kinds.links.beam_functions import softened
 from tmodes.kinds.links.segment import Segment
 from tmodes.result.assemble import Assembly

@@ -41,11 +41,12 @@ def export(
     import { open } from "./filipovic2010.js"; const run = await (await open()).run();
     """
     from tmodes.cli.run import folder_name
+    from tmodes.interface.integration import run_changes
     from tmodes.live.wasm_export import exported
 
     if not wasm:
         raise InputError("export", "none", "called with a kind of files", f"write: tmodes export {robot} --wasm")
-    changes = options.integration_changes(method=integrator)
+    changes = run_changes(integrator=integrator)
     sheet = chosen_sheet(
         robot, settings, reading, contact, roots=root, trust_paths=trust_paths, fix_inertia=fix_inertia, changes=changes
     )

@@ -7,9 +7,8 @@ from typing import Annotated
 
 import typer
 
-from tmodes.cli.options import is_study, result_file, stored_result
+from tmodes.cli.options import stored_result
 from tmodes.cli.show import ResultArgument
-from tmodes.cli.study_text import unfinished
 from tmodes.cli.terminal import warn, working
 
 __all__ = ["figures"]
@@ -32,6 +31,7 @@ def figures(
 
     Of a study, its folder: tmodes figures results/gear_known distribution tornado
     """
+    from tmodes.interface.show import is_study, result_file
     from tmodes.plot import save_figures
 
     formats = ["svg", *(["png"] if png else []), *(["pdf"] if pdf else [])]
@@ -57,4 +57,4 @@ def _of_study(place: Path, folder: Path, formats: list[str], names: list[str] | 
         data = figure_data(study, progress, bands=names is None or "bands" in names)
         written = save_study_figures(data, folder, formats, names, lambda k, n, _: progress("figures", k / max(n, 1)))
     print(f"wrote   {len(written)} files to {folder}")
-    warn(unfinished(study))
+    warn(study.unfinished)

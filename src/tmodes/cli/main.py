@@ -26,7 +26,7 @@ FAULT = 70
 
 COMMANDS = {
     "run": "run.run", "robots": "sheets.robots", "check": "sheets.check", "describe": "describe.describe",
-    "batch": "batch.batch", "study": "study.study", "static": "static.static", "ladder": "describe.ladder",
+    "batch": "batch.batch", "study": "study.study", "static": "static.static", "hierarchy": "describe.hierarchy",
     "modes": "modes.modes", "outputs": "outputs.outputs",
     "eval": "evaluate.evaluate", "schema": "sheets.schema", "show": "show.show",
     "view": "show.view", "figures": "figures.figures", "studio": "studio.studio", "export": "export.export",
@@ -34,6 +34,9 @@ COMMANDS = {
     "cache": "cache.cache",
 }  # fmt: skip
 """The function of each command, by its module in this package; imported when the command is given."""
+
+_OLD = {"ladder": "describe.ladder"}
+"""Names that commands had: they still work."""
 
 _PLAIN: Any = {"add_completion": False, "pretty_exceptions_enable": False, "rich_markup_mode": None}
 """No markup: its tables cut long words, and take units in brackets for markup."""
@@ -47,9 +50,10 @@ class Commands(TyperGroup):
 
     def get_command(self, ctx: Any, cmd_name: str) -> Any:  # noqa: ARG002
         """The command of a name; None where there is none."""
-        if cmd_name not in COMMANDS:
+        home = COMMANDS.get(cmd_name) or _OLD.get(cmd_name)
+        if home is None:
             return None
-        module, _, function = COMMANDS[cmd_name].partition(".")
+        module, _, function = home.partition(".")
         single = typer.Typer(**_PLAIN)
         single.command(cmd_name)(getattr(import_module(f"tmodes.cli.{module}"), function))
         return typer.main.get_command(single)

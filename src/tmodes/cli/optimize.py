@@ -2,20 +2,16 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
 
 from tmodes.cli.options import AsJson, Roots, TrustPaths
 from tmodes.cli.sensitivity import CasesFolder, Seed, StudyArgument, asked_study
-from tmodes.cli.terminal import notice, print_json, print_table, working
-
-if TYPE_CHECKING:
-    from tmodes.study.optimize import Candidate, Optimum
+from tmodes.cli.terminal import print_result, working
 
 __all__ = ["optimize"]
 
-MOST_SHOWN = 10
 NOTHING_FEASIBLE = 3
 
 
@@ -55,91 +51,15 @@ def optimize(
 
     asked = asked_study(study, root, trust_paths=trust_paths)
     with working() as tell:
-        found = best_design(asked, method, trials=trials, seed=seed, folder=out, progress=tell)
+        found = best_design(asked, method, trials=trials, seed=seed, out=out, progress=tell)
     page = None
     if out and (found.best or found.nearest):
         from tmodes.study.page.figures import write_designs
 
         with working("page", at_once=True):
             page = write_designs(found, asked, out / "designs.html")
-    if as_json:
-        print_json(found.info() | ({"files": {"page": str(page)}} if page else {}))
-    else:
-        _print(found)
-        if out:
-            print(f"All cases are in {out}." + (f"\nPage: {page}" if page else ""))
+    print_result(found, as_json, **({"files": {"page": str(page)}} if page else {}))
+    if out and not as_json:
+        print(f"All cases are in {out}." + (f"\nPage: {page}" if page else ""))
     if found.best is None:
         raise typer.Exit(NOTHING_FEASIBLE)
-
-
-def _print(found: Optimum) -> None:
-    how = "every design tried, so the optimum is exact" if found.exact else _METHODS[found.method]
-    counts = f"{found.designs:,} designs, {found.feasible:,} feasible"
-    failed = f", {found.failed:,} failed" if found.failed else ""
-    cases = f", {found.cases:,} cases" if found.cases != found.designs else ""
-    runs = f", {found.gradients:,} runs with gradients" if found.gradients else ""
-    print(f"{found.name}: {counts}{failed}{cases}{runs} ({how})\n")
-    if found.front:
-        _print_designs(found, f"Pareto front ({len(found.front)} designs)", found.front)
-    elif found.best:
-        _print_designs(found, "Best designs", found.ranked[:MOST_SHOWN])
-    elif found.nearest:
-        _print_nearest(found, found.nearest)
-    if found.best and not found.front:
-        _print_limits(found, found.best)
-
-
-_METHODS = {
-    "gradient": "along gradients: a local optimum",
-    "tpe": "tree-structured Parzen estimators: a better design may exist",
-    "nsga2": "NSGA-II: better designs may exist",
-}
-
-
-def _print_designs(found: Optimum, title: str, designs: tuple[Candidate, ...]) -> None:
-    """One row for each design: what is chosen, the objectives, the quantities of the limits."""
-    first = designs[0]
-    objectives = [text.partition(" ")[2] for text in found.objectives]
-    columns = [*first.values, *(_with_unit(found, text) for text in objectives), *(one.text for one in first.limits)]
-    rows = [
-        [
-            *(one.choices.get(name, f"{value:.6g}") for name, value in one.values.items()),
-            *(f"{value:.6g}" for value in one.objectives),
-            *(f"{limit.value:.5g}" for limit in one.limits),
-        ]
-        for one in designs
-    ]
-    print_table(title, columns, rows)
-
-
-def _with_unit(found: Optimum, text: str) -> str:
-    unit = found.units.get(text, "-")
-    return text if unit == "-" else f"{text} [{unit}]"
-
-
-def _print_limits(found: Optimum, best: Candidate) -> None:
-    """How far the best design is from its limits, and what each limit costs."""
-    for limit in best.limits:
-        lost = found.lost_to[limit.text]
-        state = "is active" if limit.active else f"has {limit.margin:.1%} left"
-        price = found.prices.get(limit.text)
-        cost = "" if price is None else f"; the objective changes by {price:.4g} for each {_of(limit.unit)} of it"
-        print(f"{limit.text} {state}{cost}; {lost:,} designs exceed it")
-
-
-def _of(unit: str) -> str:
-    return "unit" if unit == "-" else unit
-
-
-def _print_nearest(found: Optimum, nearest: Candidate) -> None:
-    """No design is feasible: the one that is nearest to it."""
-    shown = ", ".join(f"{name} = {nearest.choices.get(name, f'{value:.6g}')}" for name, value in nearest.values.items())
-    notice(f"no design keeps all limits; the one that exceeds them least: {shown}")
-    for limit in nearest.limits:
-        if limit.margin < 0:
-            unit = "" if limit.unit == "-" else f" {limit.unit}"
-            notice(f"  {limit.text}: {limit.value:.5g}{unit}, exceeded by {-limit.margin:.2%}")
-    if nearest.reason:
-        notice(f"  a case of it failed: {nearest.reason}")
-    for text, lost in found.lost_to.items():
-        notice(f"  {text} is exceeded by {lost:,} of {found.designs:,} designs")

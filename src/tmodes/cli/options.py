@@ -8,10 +8,8 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from tmodes.cli.terminal import working
-from tmodes.errors import InputError
-from tmodes.io.atomic import file_error
 from tmodes.io.filipovic2010.reading import Reading
-from tmodes.robots.load import load_with_urdf, sheet_names
+from tmodes.robots.load import load_with_urdf
 
 if TYPE_CHECKING:
     from tmodes.io.urdf import UrdfRobot
@@ -38,10 +36,6 @@ __all__ = [
     "TrustPaths",
     "chosen_robot",
     "chosen_sheet",
-    "integration_changes",
-    "is_study",
-    "plain",
-    "result_file",
     "stored_result",
 ]
 
@@ -185,71 +179,19 @@ def chosen_robot(
 
     Raises an InputError for any wrong part.
     """
+    from tmodes.interface.integration import prepared
     from tmodes.io.assignment import parse_assignment
 
     info = dict(parse_assignment(text) for text in settings or []) | (changes or {})
     sheet, urdf = load_with_urdf(robot, info, roots=roots or (), trust_paths=trust_paths, fix_inertia=fix_inertia)
-    limited = any(joint.limits for joint in sheet.joints)
-    refusals: tuple[tuple[Any, ...], ...] = (
-        (
-            reading is not None and not sheet.imported, "--reading", reading.value if reading else "",
-            "left out: only sheets of the 2010 robot have a reading",
-            "remove it; `equations` chooses those of another robot",
-        ),
-        (
-            contact and not (sheet.contact or sheet.contact_off), "--contact", "a robot that touches nothing",
-            "given for a robot with a contact", "add it to the sheet",
-        ),
-        (
-            "integration.stop_at_limits" in info and not limited, "--stop-at-limits",
-            f"the robot {robot}, which has none", "given for a robot whose joints have limits",
-            "leave it out; --stop ends a run at a value of your choice",
-        ),
-    )  # fmt: skip
-    for wrong, *words in refusals:
-        if wrong:
-            raise InputError(*words)
-    own: dict[str, Any] = {"reading": reading and reading.value, "contact": contact}
-    own = {name: value for name, value in own.items() if value is not None}
-    return sheet.with_(own) if own else sheet, urdf
-
-
-def integration_changes(**options: Any) -> dict[str, Any]:
-    """Options by their names under ``integration`` as changes by path, without those that are not given."""
-    return {f"integration.{name}": value for name, value in options.items() if not (value is None or value is False)}
-
-
-def result_file(path: Path) -> Path:
-    """The result file that a path means: itself, or ``result.nc`` in a folder of a run.
-
-    Raises :class:`tmodes.errors.ResultFileError` for a folder without one, and where nothing is.
-    """
-    hint = "name a result.nc, or the folder that `tmodes run --out` was given"
-    if path.is_dir():
-        if not (path / "result.nc").is_file():
-            raise file_error(path, "a folder without result.nc", "the folder of a run", hint)
-        return path / "result.nc"
-    if not path.exists():
-        if str(path) in sheet_names():
-            hint = f"run it first: tmodes run {path} --out FOLDER, and name that folder"
-            raise file_error(path, "the name of a robot", "a result file, or the folder of a run", hint)
-        raise file_error(path, "nothing", "a result file, or the folder of a run", hint)
-    return path
-
-
-def is_study(path: Path) -> bool:
-    """Whether a path means the folder of a study, which has what that of a run has not."""
-    return (path / "study.json").is_file()
+    at_limits = "integration.stop_at_limits" in info
+    return prepared(sheet, reading.value if reading else None, contact, stop_at_limits=at_limits), urdf
 
 
 def stored_result(path: Path) -> Result:
     """The result that a path means; the errors are those of reading it."""
+    from tmodes.interface.show import result_file
     from tmodes.result import Result
 
     with working("reading", at_once=True):
         return Result.load(result_file(path))
-
-
-def plain(text: str) -> str:
-    """Text of a file that may be anybody's, without what steers a terminal."""
-    return "".join(letter if letter.isprintable() else "?" for letter in text)

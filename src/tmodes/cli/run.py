@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -10,12 +10,10 @@ import typer
 
 from tmodes.cli import options
 from tmodes.cli.options import chosen_robot
-from tmodes.cli.summary_text import print_run, result_record
-from tmodes.cli.terminal import TIMES, notice, print_json, print_table, warn, working
+from tmodes.cli.terminal import TIMES, notice, print_json, print_parts, print_table, warn, working
 from tmodes.errors import SimulationError
 
 if TYPE_CHECKING:
-    from tmodes.cli.terminal import Stages
     from tmodes.io.urdf import UrdfRobot
     from tmodes.report.folder import RunFolder
     from tmodes.sheet import Robot
@@ -64,13 +62,14 @@ def run(
     Example, a high-accuracy run with an error estimate: tmodes run spong1987 --integrator dop853 --rtol 1e-11
     --atol 1e-14 --check-error
     """
-    changes = options.integration_changes(
-        method=integrator, relative_tolerance=rtol, absolute_tolerance=atol, duration=duration,
-        check_error=check_error, stop=stop or None, stop_at_limits=stop_at_limits,
+    from tmodes.interface.integration import run_changes
+    from tmodes.io.sheet_plausible import notices_about
+
+    changes = run_changes(
+        integrator=integrator, rtol=rtol, atol=atol, check_error=check_error, error_estimate=error_estimate,
+        model_error=model_error, duration=duration, stop=stop, stop_at_limits=stop_at_limits,
         settling_band=settling_band,
     )  # fmt: skip
-    left_out = {"error_estimate": error_estimate, "model_error": model_error}
-    changes |= {f"integration.{name}": False for name, wanted in left_out.items() if not wanted}
     with working() as progress:
         progress("reading", 0.0)
         sheet, urdf = chosen_robot(
@@ -79,7 +78,15 @@ def run(
         )  # fmt: skip
         place = out or Path("results") / folder_name(sheet.name)
         folder = _folder(place, sheet, overwrite, urdf, live=live, spent=progress.spent if timing else None)
-        result, fault = _computed(folder, sheet, progress, [folder.report] * report + [folder.draw] * figures)
+        with folder:
+            if folder.continues:
+                notice(f"continuing what was begun in {folder.path}")
+            try:
+                result = folder.simulate(progress)
+            except SimulationError:
+                warn(notices_about(sheet))  # a wrong unit is the likely cause
+                raise
+            fault = folder.products(result, progress, report=report, figures=figures)
     _say(result, folder, as_json, progress.spent if timing else {})
     if fault:
         raise fault
@@ -87,7 +94,7 @@ def run(
         from tmodes.cli.show import opened
 
         opened(folder.report_file)
-    if _unfinished(result):
+    if folder.is_unfinished(result):
         raise typer.Exit(130)
     if not result.success:
         raise typer.Exit(3)
@@ -111,46 +118,18 @@ def _folder(
     return RunFolder(path, sheet, overwrite, shapes, live=live, spent=spent)
 
 
-def _computed(
-    folder: RunFolder, sheet: Robot, progress: Stages, products: list[Callable[[Any, Any], None]]
-) -> tuple[Any, Exception | None]:
-    """The result, and why not all ``products`` of it could be made."""
-    from tmodes.io.sheet_plausible import notices_about
-
-    with folder:
-        if folder.continues:
-            notice(f"continuing what was begun in {folder.path}")
-        try:
-            result = folder.simulate(progress)
-        except SimulationError:
-            warn(notices_about(sheet))  # a wrong unit is the likely cause
-            raise
-        if _unfinished(result):
-            return result, None
-        faults = []
-        for make in products:
-            try:
-                make(result, progress)
-            except Exception as error:  # the others are made, and the numbers are said, all the same
-                faults.append(error)
-    return result, next(iter(faults), None)
-
-
-def _unfinished(result: Any) -> bool:
-    """Whether Ctrl-C ended the run, or what is computed of it."""
-    from tmodes.result.derived import is_unfinished
-
-    return result.status == "interrupted" or is_unfinished(result.record)
-
-
 def _say(result: Any, folder: RunFolder, as_json: bool, spent: Mapping[str, list[float]]) -> None:
+    from tmodes.interface.summary import result_record, run_tables
+
     if as_json:
         timing = {"files": folder.written(), "seconds_per_simulated_second": result.timing}
         if spent:
             timing["stages_s"] = {stage: dict(zip(TIMES, times, strict=True)) for stage, times in spent.items()}
         print_json(result_record(result) | timing)
     else:
-        print_run(result, folder)
+        print_parts(run_tables(result, ended=result.status == "finished"))  # any other ending is said with the errors
+        print(f"open    {folder.report_file}" if folder.report_file.exists() else "no report was written")
+        print(f"data    {folder.result_file}")
         if spent:
             rows = [[stage, *(f"{time:.2f}" for time in times)] for stage, times in spent.items()]
             print_table("where the time went", ["stage", *(f"{name} [s]" for name in TIMES)], rows)

@@ -10,8 +10,8 @@ import typer
 
 from tmodes.cli.memory import prepare_study
 from tmodes.cli.options import AsJson, Roots, TrustPaths
-from tmodes.cli.study_text import notice_slow
-from tmodes.cli.terminal import notice, print_json, print_table, working
+from tmodes.cli.study import notice_slow
+from tmodes.cli.terminal import print_result, working
 
 if TYPE_CHECKING:
     from tmodes.study.sensitivity import Sensitivity
@@ -24,8 +24,6 @@ Seed = Annotated[int, typer.Option(min=0, help="Same seed, same cases.")]
 CasesFolder = Annotated[
     Path | None, typer.Option(help="A folder for all cases; the same command resumes what was interrupted.")
 ]
-
-MOST_PAIRS = 20
 
 
 def asked_study(path: Path, roots: list[Path] | None, *, trust_paths: bool) -> Study:
@@ -78,14 +76,10 @@ def sensitivity(
 
     asked = asked_study(study, root, trust_paths=trust_paths)
     with working() as tell:
-        found = analyse(asked, method, samples=samples, seed=seed, second_order=second_order, folder=out, progress=tell)
+        found = analyse(asked, method, samples=samples, seed=seed, second_order=second_order, out=out, progress=tell)
         page = _page(found, out, tell) if out else None
-    if as_json:
-        print_json(found.info() | ({"files": {"page": str(page)}} if page else {}))
-        return
-    for name in found.quantities:
-        _print(found, name)
-    if page:
+    print_result(found, as_json, **({"files": {"page": str(page)}} if page else {}))
+    if page and not as_json:
         print(f"All cases are in {out}.\nPage: {page}")
 
 
@@ -96,63 +90,3 @@ def _page(found: Sensitivity, folder: Path, tell: Callable[[str, float], None]) 
     from tmodes.study.result import load_study
 
     return write_page(load_study(folder), folder / "study.html", progress=tell, indices=indices_of(found))
-
-
-def _print(found: Sensitivity, name: str) -> None:
-    """The table of one quantity, the most important parameter first."""
-    k = found.quantities.index(name)
-    unit = found.units.get(name, "-")
-    unit_text = "" if unit == "-" else f" {unit}"
-    if note := found.notes.get(name):
-        notice(f"{name} has no indices: {note}")
-        return
-    print(
-        f"{name}: mean {found.mean[k]:.4g}{unit_text}, standard deviation {found.deviation[k]:.3g}{unit_text} "
-        f"({found.cases:,} cases)"
-    )
-    order = [found.names.index(one) for one in found.ranked(name)]
-    columns = ["parameter", *(_HEADINGS[index].format(unit=unit) for index in _shown(found))]
-    rows = [[found.names[i], *(_cell(found, index, (k, i)) for index in _shown(found))] for i in order]
-    print_table("", columns, rows)
-    if found.second is not None:
-        _print_pairs(found, k)
-    if found.failed[k]:
-        print(f"{found.failed[k]:,} cases have no value and are left out: this may change an index by up to "
-              f"{found.shift[k]:.2g}.\n")  # fmt: skip
-
-
-_HEADINGS = {
-    "first": "first", "total": "total", "size": "size of the effect [{unit}]", "effect": "mean effect [{unit}]",
-    "spread": "spread [{unit}]",
-}  # fmt: skip
-
-
-def _shown(found: Sensitivity) -> tuple[str, ...]:
-    return ("total", "first") if found.method == "sobol" else ("size", "effect", "spread")
-
-
-def _cell(found: Sensitivity, index: str, place: tuple[int, ...]) -> str:
-    """A number and half of its interval."""
-    import numpy as np
-
-    value = found.indices[index][place]
-    if index not in found.intervals:
-        return f"{value:.3g}"
-    low, high = found.intervals[index][place]
-    half = (high - low) / 2
-    if found.method == "morris":
-        return f"{value:.3g} ± {half:.2g}"
-    places = int(np.clip(1 - np.floor(np.log10(half)), 2, 6)) if half > 0 else 6
-    return f"{value:.{places}f} ± {half:.{places}f}"
-
-
-def _print_pairs(found: Sensitivity, k: int) -> None:
-    """The pairs with the largest indices."""
-    second = found.indices["second"][k]
-    pairs = sorted(
-        ((i, j) for i in range(len(found.names)) for j in range(i)), key=lambda pair: -abs(float(second[pair]))
-    )
-    rows = [[f"{found.names[j]}, {found.names[i]}", _cell(found, "second", (k, i, j))] for i, j in pairs[:MOST_PAIRS]]
-    if rows:
-        print("Pairs: what two parameters make together, beyond each by itself")
-        print_table("", ["pair", "second"], rows)

@@ -7,15 +7,13 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from tmodes.cli.options import AsJson, FixInertia, Roots, Settings, SheetArgument, TrustPaths, chosen_sheet
-from tmodes.cli.terminal import print_json, print_table, working
-from tmodes.errors import InputError, InputErrors, SimulationError
+from tmodes.cli.terminal import print_json, print_parts, print_table, working
+from tmodes.errors import InputError, InputErrors
 from tmodes.io.words import meant, shown
 from tmodes.robots.load import load, sheet_names, sheet_text
 
 if TYPE_CHECKING:
     from pathlib import Path
-
-    from tmodes.sheet import Robot
 
 __all__ = ["check", "robots", "schema"]
 
@@ -84,63 +82,19 @@ def check(
     as_json: AsJson = False,
 ) -> None:
     """Check a data sheet: report all wrong values together, then what looks implausible (a wrong unit, say)."""
-    from tmodes.analysis.consequences import consequences
-    from tmodes.io.sheet_plausible import notices_about
+    from tmodes.interface.checks import check as found_of
 
     try:
         sheet = chosen_sheet(robot, settings, roots=root, trust_paths=trust_paths, fix_inertia=fix_inertia)
         with working("checking", at_once=True):
-            info, numbers = _described(sheet)
-            notices = [*notices_about(sheet), *consequences(sheet), *_starting(sheet)]
+            found = found_of(sheet)
     except (InputError, InputErrors) as error:
         if as_json:
             errors = error.errors if isinstance(error, InputErrors) else (error,)
             keys = ("which", "got", "expected", "hint", "where")
             print_json({"ok": False, "errors": [{key: getattr(one, key) for key in keys} for one in errors]})
         raise
-    if as_json:
-        print_json({"ok": True, "name": sheet.name, **numbers, "notes": sheet.held_notices, "warnings": notices})
-        return
-    print(f"{sheet.name}: valid ({info})")
-    for note in sheet.held_notices:
-        print(f"note: {note}")
-    for notice in notices:
-        print(f"warning: {notice}")
-
-
-def _starting(sheet: Robot) -> list[str]:
-    """Why the robot cannot run as it stands, or that its start is no equilibrium."""
-    from tmodes.result.run import ready_to_run
-    from tmodes.simulation.start import run_setup
-    from tmodes.simulation.warnings import departures
-
-    try:
-        setup = run_setup(ready_to_run(sheet).pair().real)
-    except (InputError, SimulationError) as error:
-        return [f"`tmodes run` needs more: {error}"]
-    return [*departures(setup, setup.first_row)]
-
-
-def _described(sheet: Robot) -> tuple[str, dict[str, object]]:
-    """What the sheet describes, in words and for machines."""
-    from tmodes.model.model import Model
-    from tmodes.simulation.outputs import refuse_wrong_stops
-
-    real = sheet.pair().real
-    refuse_wrong_stops(real)
-    coordinates = list(Model(real.chain()).coordinates)
-    bending = sum(link.beam is not None for link in sheet.links)
-    counts = [_count(len(sheet.joints), "joint"), _count(bending, "flexible link")]
-    counts.append(_count(len(coordinates), "coordinate"))
-    driven = [drive.joint for drive in sheet.drives]
-    contact = "contact on" if sheet.contact else "contact off" if sheet.contact_off else "no contact"
-    words = [*counts, _count(len(driven), "drive"), contact, f"equations: {sheet.equations}"]
-    data = {"kind": sheet.kind, "equations": sheet.equations, "contact": sheet.contact is not None}
-    return ", ".join(words), {**data, "coordinates": coordinates, "drives": driven}
-
-
-def _count(count: int, what: str) -> str:
-    return f"{count} {what}" + ("" if count == 1 else "s")
+    print_json(found.info()) if as_json else print_parts(found.tables())
 
 
 def schema(general: Annotated[bool, typer.Option("--arm", help="Of sheets with `kind: arm`.")] = False) -> None:

@@ -11,11 +11,11 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from tmodes.cli.options import AsJson, SettlingBand, is_study, plain, result_file, stored_result
-from tmodes.cli.summary_text import integration_lines, print_event_count, print_events, print_summary, result_record
-from tmodes.cli.terminal import print_json, print_table, warn, working
+from tmodes.cli.options import AsJson, SettlingBand, stored_result
+from tmodes.cli.terminal import print_json, print_parts, print_result, print_table, warn, working
 from tmodes.errors import InputError
 from tmodes.io.atomic import atomic_write, file_error
+from tmodes.io.printed import plain
 
 if TYPE_CHECKING:
     from tmodes.cli.series import Series
@@ -59,6 +59,8 @@ def show(
     Of a study, its folder: what its quantities are over all cases, as the study has reported it.
     """
     from tmodes.cli.series import Series, first_series, series_of_result
+    from tmodes.interface.show import is_study, result_file
+    from tmodes.interface.summary import events_table, result_record
 
     if is_study(result):
         _show_study(result, as_json=as_json)
@@ -78,27 +80,22 @@ def show(
         print_json({"file": str(result_file(result)), **result_record(stored, settling_band), "series": series})
         return
     if events:
-        print_events(stored)
+        print_parts([events_table(stored)])
         return
     _show(stored, result_file(result), chosen, sum(1 for _ in series_of_result(data)), settling_band)
 
 
 def _show_study(place: Path, *, as_json: bool) -> None:
-    from tmodes.cli.study_text import print_study, study_info, unfinished
     from tmodes.study.result import load_study
-    from tmodes.study.store import PAGE
 
     with working("reading", at_once=True):
         study = load_study(place)
     if not study.stored.has_table:
-        missing = unfinished(study)
+        missing = study.unfinished
         got = missing[0].partition(";")[0] if missing else f"no {study.parquet.name} of these cases"
         hint = "give the same `tmodes study` again: it computes the rest"
         raise file_error(place, got, "a study that is complete", hint)
-    files = {"table": study.parquet, "page": place / PAGE}
-    info = study_info(study) | {"files": {what: str(file) for what, file in files.items() if file.is_file()}}
-    print_json(info) if as_json else print_study(info)
-    warn(info["warnings"])
+    print_result(study, as_json)
 
 
 def _extremes(one: Series) -> dict[str, float]:
@@ -106,11 +103,9 @@ def _extremes(one: Series) -> dict[str, float]:
 
 
 def _show(stored: Result, file: Path, chosen: list[Series], total: int, band: str | None) -> None:
-    summary = print_summary(stored, band)
-    print(f"end     {plain(stored.message)}")
-    print_event_count(stored)
-    for line in integration_lines(stored, summary):
-        print(line)
+    from tmodes.interface.summary import run_tables
+
+    print_parts(run_tables(stored, band))
     if modes := list(_modes(stored.frequencies)):
         print_table(
             "frequencies", ["motors", "dominant element", "natural [Hz]", "damped [Hz]", "damping ratio"], modes

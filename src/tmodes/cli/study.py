@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import time as clock
-from collections.abc import Sequence
-from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -13,15 +11,14 @@ import typer
 from tmodes.cli import options
 from tmodes.cli.memory import prepare_study
 from tmodes.cli.run import folder_name
-from tmodes.cli.study_text import notice_slow, print_study, study_info
-from tmodes.cli.terminal import notice, print_json, warn, working
+from tmodes.cli.terminal import notice, print_result, working
 from tmodes.errors import InputError
 
 if TYPE_CHECKING:
     from tmodes.cli.terminal import Stages
     from tmodes.study.study import Study
 
-__all__ = ["Rate", "changed", "resources", "study"]
+__all__ = ["Rate", "notice_slow", "resources", "study"]
 
 
 def study(
@@ -64,53 +61,38 @@ def study(
     Example, on workers of a Dask scheduler: tmodes study gear-stiffness.yaml --on dask://127.0.0.1:8786
     """
     prepare_study()
+    from tmodes.interface.studies import changed_study
+    from tmodes.io.assignment import parse_assignment
     from tmodes.study.read import read_study
     from tmodes.study.runner import run_study
 
     given = resources(resource or [])
     with working() as stages:
         stages("reading", 0.0)
-        asked = changed(read_study(sheet, roots=root or (), trust_paths=trust_paths), settings or [], runs)
+        changes = dict(parse_assignment(text) for text in settings or [])
+        asked = changed_study(read_study(sheet, roots=root or (), trust_paths=trust_paths), changes, runs)
         notice_slow(asked)
         place = out or Path("results") / folder_name(asked.sheet.name)
         result = run_study(
             asked, place, on, threads=threads, recompute=recompute, overwrite=overwrite, insecure=insecure, tls=tls,
             resources=given, progress=Rate(stages, asked), notice=notice,
         )  # fmt: skip
-        written = {"table": str(result.parquet)}
         if page:
             from tmodes.study.page import write_page
 
             stages("page", 0.0)
-            written["page"] = str(write_page(result, place / "study.html", progress=stages))
-    info = study_info(result) | {"files": written}
-    print_json(info) if as_json else print_study(info)
-    warn(info["warnings"])
-    if not info["good"]:
+            write_page(result, place / "study.html", progress=stages)
+    print_result(result, as_json)
+    if not result.info()["good"]:
         raise typer.Exit(3)
 
 
-def changed(asked: Study, settings: Sequence[str], runs: int | None) -> Study:
-    """The study with the robot's settings of the line, and its number of cases; raises InputError for wrong ones."""
-    from tmodes.io.assignment import parse_assignment
-    from tmodes.io.sheet_check import sheet_data
-
-    sheet, robot = dict(asked.data["study"]), asked.data["robot"]
-    if runs is not None:
-        if "runs" not in type(asked.sheet.plan).model_fields:
-            got = f"{runs} runs of the plan `{asked.sheet.plan.name_of_kind()}`"
-            raise InputError("--runs", got, "given for a plan that has runs", "change the plan in the file")
-        sheet["plan"] = {**sheet["plan"], "runs": runs}
-    if settings:
-        if asked.robot is None:
-            raise InputError("--set", "a study without a robot", "given for a study of a robot", "leave it out")
-        changes = dict(parse_assignment(text) for text in settings)
-        sheet["set"] = {**sheet.get("set", {}), **changes}
-        robot = sheet_data(asked.robot.with_(changes))
-    if runs is None and not settings:
-        return asked
-    found = asked.from_data({"study": sheet, "robot": robot}, functions=asked.functions)
-    return replace(found, places=asked.places)
+def notice_slow(study: Study) -> None:
+    """Say which quantities make a study slow."""
+    slow = [name for name, one in study.sheet.quantities.items() if one.needs().result]
+    if slow:
+        names, verb = ", ".join(slow), "needs" if len(slow) == 1 else "need"
+        notice(f"{names} {verb} the whole result of each case, which is run by itself: slow")
 
 
 def resources(texts: list[str]) -> dict[str, str]:

@@ -11,7 +11,10 @@ import time as clock
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager, suppress
 from types import FrameType
-from typing import Any, TextIO
+from typing import TYPE_CHECKING, Any, TextIO
+
+if TYPE_CHECKING:
+    from tmodes.io.printed import CommandResult, Table
 
 __all__ = [
     "TIMES",
@@ -19,7 +22,8 @@ __all__ = [
     "notice",
     "print_json",
     "print_json_list",
-    "print_known",
+    "print_parts",
+    "print_result",
     "print_table",
     "warn",
     "working",
@@ -70,10 +74,21 @@ def print_table(title: str, columns: Sequence[str], rows: Sequence[Sequence[str]
         _print_blocks(title, columns, rows, room)
 
 
-def print_known(title: str, columns: Sequence[str], rows: Sequence[Sequence[str]]) -> None:
-    """Print a table without the columns that have nothing but ``-``."""
-    kept = [k for k in range(len(columns)) if any(row[k] != "-" for row in rows)]
-    print_table(title, [columns[k] for k in kept], [[row[k] for k in kept] for row in rows])
+def print_result(found: CommandResult, as_json: bool, **more: Any) -> None:
+    """Print what a command gives: as JSON, with ``more`` of it, or as sentences and tables with its warnings."""
+    if as_json:
+        print_json(found.info() | more)
+    else:
+        print_parts(found.tables())
+    for text in found.notices:
+        notice(text)
+    warn(() if as_json else found.warnings)
+
+
+def print_parts(parts: Iterable[str | Table]) -> None:
+    """Print sentences and tables."""
+    for part in parts:
+        print(part) if isinstance(part, str) else print_table(*part)
 
 
 def _widths(cells: Sequence[str]) -> tuple[int, int]:

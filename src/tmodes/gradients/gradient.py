@@ -103,6 +103,10 @@ def forward_sensitivities(
     (dormand_prince, dop853, rk4 and extrapolation can), and :class:`tmodes.errors.SimulationError` for a run that does
     not reach its end, or in which the force of a contact jumps. Sensitivity equations of the discrete steps: E. Hairer,
     S. P. Norsett, G. Wanner, Solving Ordinary Differential Equations I, section II.6.
+
+    >>> found = tmodes.forward_sensitivities(robot, ["joints.joint.gear.stiffness"], quantities=["tip"])
+    >>> found.of["tip"]["joints.joint.gear.stiffness"].shape == found.info["tip"].shape
+    True
     """
     watch, here, replay = _begun(sheet, most_bytes)
     done = replay.recording
@@ -136,6 +140,10 @@ def adjoint_gradient(
     reverse over the recorded steps gives them all, whose cost does not grow with the number of ``paths``. Memory and
     errors as of :func:`forward_sensitivities`. Adjoints of the discrete steps with checkpoints: A. Griewank, A.
     Walther, Evaluating Derivatives (2008), chapters 3 and 12.
+
+    >>> error = tmodes.tracking_error("tip", [0, 0, -1])
+    >>> tmodes.adjoint_gradient(robot, error, ["joints.joint.gear.stiffness"]).by
+    {'joints.joint.gear.stiffness': ...}
     """
     watch, here, replay = _begun(sheet, most_bytes)
     done = replay.recording

@@ -82,6 +82,13 @@ class Functional:
     ``quantities``: names of what is looked at, as :class:`tmodes.gradients.quantities.Quantities` knows them;
     ``quantities`` holds each as an array (n, numbers), derivatives by the same names in the same shapes; a name that
     is left out has none.
+
+    >>> def end(times, quantities):  # height of the tip at the end [m], and its derivatives
+    ...     slope = np.zeros_like(quantities["tip"])
+    ...     slope[-1, 2] = 1.0
+    ...     return quantities["tip"][-1, 2], {"tip": slope}
+    >>> round(robot.gradient(tmodes.Functional(("tip",), end), ["gear.stiffness"]).value, 3)
+    -1.0
     """
 
     quantities: tuple[str, ...]
@@ -126,6 +133,9 @@ def tracking_error(quantity: str, reference: ArrayLike | Callable[[Array], Array
 
     ``tracking_error("tip", path)`` [m^2 s] with ``path`` (n, 3) [m] at the samples, one position (3,) for all, or a
     function of the times (n,) [s]. The rule's error is that of the samples' distance squared; its derivative is exact.
+
+    >>> tmodes.adjoint_gradient(robot, tmodes.tracking_error("tip", [0, 0, -1])).value > 0
+    True
     """
 
     def measure(times: Array, info: Mapping[str, Array]) -> tuple[float, Mapping[str, ArrayLike]]:

@@ -79,7 +79,7 @@ def _annotated(function: Callable[..., Any]) -> tuple[inspect.Signature, dict[st
         if str(parameter).startswith("**") or parameter.annotation is inspect.Parameter.empty:
             continue
         try:
-            hints[name] = eval(parameter.annotation, dict(known), _Public())  # noqa: S307 - an annotation of ours
+            hints[name] = eval(parameter.annotation, {}, _Public(known))  # noqa: S307 - an annotation of ours
         except NameError:  # imported for type checkers alone
             continue
     return signature, hints
@@ -91,7 +91,10 @@ class _Public(dict[str, Any]):
     def __missing__(self, name: str) -> Any:
         if name not in tmodes.__all__:
             raise KeyError(name)
-        return getattr(tmodes, name)
+        found = getattr(tmodes, name)  # a class of the same name that it extends is taken as well
+        return (
+            next(one for one in reversed(found.__mro__) if one.__name__ == name) if isinstance(found, type) else found
+        )
 
 
 def _wanted(value: Any, hint: Any) -> str:

@@ -1,16 +1,16 @@
 """Change the plain data of a robot by dotted path: ``joints.shoulder.gear.stiffness``, ``links.0.beam.length``.
 
 Items of a list go by their name (drives by their joint, loads by their point), or by their number where none has that
-name.
+name. An ending of a path that only one place has is a path too: ``gear.stiffness`` of a robot with one gear.
 """
 
 from __future__ import annotations
 
 import copy
 from collections import Counter
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from difflib import get_close_matches
-from typing import Any, get_args, get_origin
+from typing import Any, NamedTuple, get_args, get_origin
 
 from tmodes.errors import InputError
 from tmodes.io.arguments import copied
@@ -83,23 +83,76 @@ def entered(data: Any, steps: Sequence[Step], path: str) -> Any:
 
 
 def steps_of(path: str, data: Any) -> list[Step]:
-    """The keys and numbers that lead to a path; InputError with the nearest name when nothing may stand there."""
+    """The keys and numbers that lead to a path, or to the only place whose path ends so.
+
+    InputError with the nearest name when nothing may stand there, with all paths where several end so.
+    """
     if not isinstance(path, str) or not 0 < len(path) <= LONGEST:
         expected, hint = "the path of a value of the data sheet", "write it like payload.mass"
         raise InputError(shown(path), "an unknown path", expected, hint)
-    steps: list[Step] = []
-    place: ChainPlace | None = root_of(data)
-    value, words = data, robot_path(path, data).split(".")
+    words = robot_path(path, data).split(".")
+    here = _Node(data, root_of(data), ())
+    last, rest = _led(here, words, data)
+    if not rest:
+        return list(last.steps)
+    ends = [end for node in _nodes(here, data) if (end := _ending(node, words, data))]
+    if len(ends) == 1:
+        return list(ends[0])
+    if ends:
+        known = [own_path(named(steps, data), data) for steps in ends[:MOST_LISTED]]
+        more = f", {len(ends) - len(known)} more" if len(ends) > len(known) else ""
+        got = f"the ending of {len(ends)} paths"
+        raise InputError(path, got, f"one of {', '.join(known)}{more}", "write more of the path")
+    used = _step(last.value, rest, last.place)[1]
+    raise _unknown(path, last.steps, (".".join(rest[:used]), *rest[used:]), last.value, last.place, data)
+
+
+class _Node(NamedTuple):
+    """What stands at a place of plain data, and the steps that lead there."""
+
+    value: Any
+    place: ChainPlace | None
+    steps: tuple[Step, ...]
+
+
+def _led(node: _Node, words: list[str], data: Any) -> tuple[_Node, list[str]]:
+    """How far words lead from a node, and those that lead nowhere from there."""
     while words:
-        step, used = _step(value, words, place)
-        where = ".".join(words[:used])
-        group = expanded(value, steps)
-        inner = inside(place, step, group, [*steps, step], data) if place else None
+        step, used = _step(node.value, words, node.place)
+        group, steps = expanded(node.value, node.steps), (*node.steps, step)
+        inner = inside(node.place, step, group, steps, data) if node.place else None
         if inner is None:
-            raise _unknown(path, steps, (where, *words[used:]), value, place, data)
-        steps.append(step)
-        place, value, words = inner, at(group, step), words[used:]
-    return steps
+            break
+        node, words = _Node(at(group, step), inner, steps), words[used:]
+    return node, words
+
+
+def _nodes(node: _Node, data: Any) -> Iterator[_Node]:
+    """All groups and lists inside of a node, whatever they are called by."""
+    items = node.value.items() if isinstance(node.value, Mapping) else ()
+    items = enumerate(node.value) if isinstance(node.value, (list, tuple)) else items
+    for step, value in items:
+        if isinstance(value, (Mapping, list, tuple)) and node.place and (node.steps or step != "real"):
+            steps = (*node.steps, step)
+            inner = inside(node.place, step, node.value, steps, data)
+            if inner is not None:
+                yield (found := _Node(value, inner, steps))
+                yield from _nodes(found, data)
+
+
+def _ending(node: _Node, words: list[str], data: Any) -> tuple[Step, ...]:
+    """The steps of what stands where words lead from a node; empty where nothing does."""
+    value = node.value
+    if isinstance(value, Mapping):
+        begins = words[0] in value
+    else:  # by its number an item could be that of any list
+        begins = not words[0].isdecimal() and any(
+            words[0] == name.partition(".")[0] for name in filter(None, _names(value))
+        )
+    if not begins:
+        return ()
+    found, rest = _led(node, words, data)
+    return found.steps if not rest and found.value is not None else ()
 
 
 def expanded(value: Any, steps: Sequence[Step]) -> Any:

@@ -9,7 +9,7 @@ import csv
 import json
 import math
 import os
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -22,10 +22,12 @@ from tmodes.io.filipovic2010.importer import COORDINATES
 from tmodes.io.words import meant, shown, shown_path
 from tmodes.kinds.schema.quantity import LARGEST
 
-__all__ = ["ChainStates", "holds_phi", "read_phi_states", "read_states"]
+__all__ = ["ChainStates", "States", "holds_phi", "read_phi_states", "read_states"]
 
 Array = NDArray[np.float64]
 Names = tuple[str, ...]
+States = str | os.PathLike[str] | Sequence[Mapping[str, Any]]
+"""Records of Python, or the name of a file of them."""
 
 MOST_BYTES = 50_000_000
 MOST_RECORDS = 100_000
@@ -63,14 +65,14 @@ class _Repeated(dict[str, Any]):
     key = ""
 
 
-def read_phi_states(path: str | os.PathLike[str], coordinates: Names = COORDINATES) -> list[dict[str, Any]]:
-    """Records ``{phi, phid, u}`` of a JSON file: a list of them, or ``{"states": [...]}``.
+def read_phi_states(given: States, coordinates: Names = COORDINATES) -> list[dict[str, Any]]:
+    """Records ``{phi, phid, u}`` that are given, or of a JSON file: a list of them, or ``{"states": [...]}``.
 
     ``phi`` [rad] and ``phid`` [rad/s] are lists of floats, one of each of the ``coordinates``, ``u`` [V] is a float.
     Raises :class:`tmodes.errors.InputError` that names the record and the field of the first wrong value.
     """
-    source = shown_path(path)
-    rows = _records(_parsed(read_bytes(path, MOST_BYTES), source), PHI, ANSWERS, source)
+    data, source = _read(given)
+    rows = _records(data, PHI, ANSWERS, source)
     return [
         {key: _block(row[key], coordinates, f"record {k}: {key}", source) for key in ("phi", "phid")}
         | {"u": _number(row["u"], f"record {k}: u", source)}
@@ -78,16 +80,15 @@ def read_phi_states(path: str | os.PathLike[str], coordinates: Names = COORDINAT
     ]
 
 
-def read_states(path: str | os.PathLike[str], coordinates: Names, efforts: Names) -> ChainStates:
-    """States from a file, ``.csv`` or JSON.
+def read_states(given: States, coordinates: Names, efforts: Names) -> ChainStates:
+    """States that are given, or from a file, ``.csv`` or JSON.
 
     JSON: a list of records ``{"q": ..., "v": ..., "effort": ...}`` or ``{"states": [...]}``; each a list of all
     numbers, or numbers by name, where those that are not named are 0; v and effort may be left out. CSV: a column for
     each coordinate, ``NAME.rate`` and ``effort.JOINT``; a column that is missing is 0. Raises
     :class:`tmodes.errors.InputError` that names the record and the field of the first wrong value.
     """
-    source, content = shown_path(path), read_bytes(path, MOST_BYTES)
-    data = _table(content, source) if _is_table(path) else _parsed(content, source)
+    data, source = _read(given)
     rows = _records(data, ("q",), ("v", "effort"), source)
     blocks = {"q": coordinates, "v": coordinates, "effort": efforts}
     arrays = {
@@ -97,18 +98,29 @@ def read_states(path: str | os.PathLike[str], coordinates: Names, efforts: Names
     return ChainStates(**{key: array.reshape(len(rows), len(blocks[key])) for key, array in arrays.items()})
 
 
-def holds_phi(path: str | os.PathLike[str]) -> bool:
-    """Whether a file holds records in the coordinates of the 2010 robot, not numbers by name in ``q`` or a table."""
-    if _is_table(path):
-        return False
-    data = _parsed(read_bytes(path, MOST_BYTES), shown_path(path))
+def holds_phi(given: States) -> bool:
+    """Whether records, or those of a file, are in the coordinates of the 2010 robot and have no ``q``."""
+    data, _ = _read(given)
     records = data.get("states", data) if isinstance(data, Mapping) else data
     first = records[0] if isinstance(records, list) and records else records
     return not isinstance(first, Mapping) or "q" not in first
 
 
-def _is_table(path: str | os.PathLike[str]) -> bool:
-    return str(path).lower().endswith(".csv")
+def _read(given: States) -> tuple[Any, str]:
+    """Plain data of records, or of a file, and what they are called in messages."""
+    if not isinstance(given, str | os.PathLike):
+        if not isinstance(given, Sequence) or not all(isinstance(one, Mapping) for one in given):
+            raise InputError("states", shown(given), "a list of records, or a file of them", EXAMPLES["q",])
+        return [{key: _plain(value) for key, value in one.items()} for one in given], "states"
+    source, content = shown_path(given), read_bytes(given, MOST_BYTES)
+    return (_table if str(given).lower().endswith(".csv") else _parsed)(content, source), source
+
+
+def _plain(value: Any) -> Any:
+    """Arrays, also of a group, as lists and numbers."""
+    if isinstance(value, Mapping):
+        return {str(name): _plain(one) for name, one in value.items()}
+    return value.tolist() if hasattr(value, "tolist") else value
 
 
 def _parsed(content: bytes, source: str) -> Any:

@@ -33,6 +33,9 @@ def use(*names: str | os.PathLike[str]) -> list[str]:
 
     Raises :class:`tmodes.errors.InputError` for a name that is none of these, and for code that cannot be loaded, with
     the line at which it fails.
+
+    >>> tmodes.use("own.py")  # which registers a controller, say
+    ['own.py']
     """
     offered = {point.name: point for point in entry_points(group=ENTRY_POINTS)}
     asked = [os.fspath(name) if isinstance(name, str | os.PathLike) else _refused(name) for name in names or offered]

@@ -67,6 +67,9 @@ class DifferentiatedModel:
 
         ``directions``: changes by the names of inputs ``q``, ``v``, ``effort``, ``given``, ``wrenches``, ``base``, each
         in the shape of that input; ``parameters`` (numbers,) changes those of the chain, in all states.
+
+        >>> model.forward_dynamics_jvp([0, 0], [0, 0], directions={"effort": [1.0]}).round(4)
+        array([3.3333, 0.    ])
         """
         rows, loaded = self._rows(q, v), wrenches is not None
         known = self._known(directions, loaded=loaded)
@@ -95,6 +98,9 @@ class DifferentiatedModel:
 
         ``weights``: shape of q. The inputs are those of :meth:`forward_dynamics_jvp`; ``parameters`` (numbers,) sums
         over all states. One sweep in reverse gives them all.
+
+        >>> model.forward_dynamics_vjp([0, 0], [0, 0], weights=[1, 0], by=["effort"])["effort"].round(4)
+        array([3.3333])
         """
         rows, loaded = self._rows(q, v), wrenches is not None
         names = self._known(by, loaded=loaded)
@@ -116,6 +122,9 @@ class DifferentiatedModel:
         """Derivatives of the accelerations at one state q, v (nq,), exact; rows of prescribed joints are zero.
 
         Raises :class:`tmodes.errors.SimulationError` where the mass matrix is not positive definite.
+
+        >>> model.forward_dynamics_derivatives([0, 0], [0, 0]).effort.shape
+        (2, 1)
         """
         passes, parts, loaded = self.passes, self.passes.parts, wrenches is not None
         state = self._state(q, v, base, wrenches)
@@ -142,7 +151,11 @@ class DifferentiatedModel:
         )
 
     def static_forces_along(self, q: ArrayLike, change: Array) -> Array:
-        """Derivative of the forces on the left side at rest in q (nq,), along a change of the parameters, (nq,)."""
+        """Derivative of the forces on the left side at rest in q (nq,), along a change of the parameters, (nq,).
+
+        >>> model.static_forces_along([0.1, 0.1], np.ones(len(model.parameters))).shape
+        (2,)
+        """
         state = self._state(q, 0.0, None, None)
         state["a"] = state["v"]
         blocks = {name: value[None] for name, value in state.items()}

@@ -84,7 +84,7 @@ class RunFolder:
         if not self.result_file.exists():
             return
         earlier = self._earlier()
-        if earlier and (earlier.status == "interrupted" or is_unfinished(earlier.record)):
+        if earlier and self.is_unfinished(earlier):
             self.continues = self.overwrite = True
         elif earlier and earlier.success and not self.report_file.exists():
             self.continues, self._done = True, earlier
@@ -109,8 +109,10 @@ class RunFolder:
             journal.close()
         self._lock.__exit__(kind, value, trace)
 
-    def simulate(self, progress: Progress) -> Any:
+    def simulate(self, progress: Progress, **how: Any) -> Result:
         """Run, store the motion, then what is computed of it too, and drop the checkpoints that this replaces.
+
+        ``how``: as of :func:`tmodes.result.run.run`.
 
         Ctrl-C after the motion leaves it stored, and the checkpoints, so that the same command computes the rest.
         """
@@ -118,7 +120,7 @@ class RunFolder:
             self._drop_checkpoints()
             return self._done
         progress("preparing", 0.0)
-        result = run(self.robot, progress=progress, journals=self._journal)
+        result = run(self.robot, progress=progress, journals=self._journal, **how)
         self._save(result.begun())
         result, heard = result.complete(progress), False
         try:
@@ -126,7 +128,7 @@ class RunFolder:
         except KeyboardInterrupt:
             heard = True
         result = self._save(result)
-        if result.status != "interrupted" and not is_unfinished(result.record):
+        if not self.is_unfinished(result):
             self._drop_checkpoints()
         if heard:
             raise KeyboardInterrupt
@@ -144,6 +146,21 @@ class RunFolder:
         result.save(self.result_file, overwrite=self.overwrite)
         self.overwrite = True
         return result
+
+    def products(self, result: Result, progress: Progress, *, report: bool, figures: bool) -> Exception | None:
+        """Write the report and the figures of a result that is complete; why not all of them could be made."""
+        faults = []
+        for make in [] if self.is_unfinished(result) else [self.report] * report + [self.draw] * figures:
+            try:
+                make(result, progress)
+            except Exception as error:  # the others are made, and the numbers are said, all the same
+                faults.append(error)
+        return next(iter(faults), None)
+
+    @staticmethod
+    def is_unfinished(result: Result) -> bool:
+        """Whether Ctrl-C ended the run, or what is computed of it."""
+        return result.status == "interrupted" or is_unfinished(result.record)
 
     def report(self, result: Any, progress: Progress) -> None:
         """Write the report."""

@@ -7,7 +7,6 @@ import os
 from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
-from tmodes.equations.lagrange.registry import SYSTEMS
 from tmodes.errors import InputError, InputErrors
 from tmodes.integrate.registry import AUTO, INTEGRATORS
 from tmodes.io.atomic import file_error
@@ -166,7 +165,6 @@ _PLACES: dict[str, Registry[Any]] = {
     "contact.law": CONTACTS,
     "contact.shape.type": SURFACES,
     "integration.method": INTEGRATORS,
-    "equations": SYSTEMS,
 }
 
 """Where a data sheet names kinds, and of which family; ``*``: any item or name."""
@@ -176,8 +174,10 @@ _OURS = {"", AUTO, RECURSION}
 
 def absent_kinds(sheet: Mapping[str, Any]) -> list[UnknownKindError]:
     """The kinds that the plain data of a robot name and that are not registered, as the errors of using them."""
+    from tmodes.equations.lagrange.registry import SYSTEMS
+
     found: dict[str, UnknownKindError] = {}
-    for path, registry in _PLACES.items():
+    for path, registry in (_PLACES | {"equations": SYSTEMS}).items():
         for name in _values(sheet, path.split(".")):
             if isinstance(name, str) and name not in registry and name not in _OURS:
                 which = f"the {registry.noun} kind of this result" if registry is not SYSTEMS else "equations"

@@ -16,7 +16,6 @@ from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Self, cast
 
-from tmodes import upward
 from tmodes.integrate.band import Band
 from tmodes.io.arguments import checked_arguments
 from tmodes.io.labelled import Record
@@ -76,17 +75,28 @@ class Result:
         return cast("Record", self._record)
 
     def with_record(self, record: Record) -> Self:
-        """The same run with another record."""
+        """The same run with another record.
+
+        >>> result.with_record(result.record).status
+        'finished'
+        """
         return type(self)(record, self.timing, self._assembly)
 
     def begun(self) -> Self:
-        """The motion alone, nothing computed of it: what is stored first. Of a result that is complete, itself."""
+        """The motion alone, nothing computed of it: what is stored first. Of a result that is complete, itself.
+
+        >>> result.begun().status
+        'finished'
+        """
         return type(self)(live.begun, self.timing) if (live := self.assembly) else self
 
     def complete(self, progress: Callable[[str, float], None]) -> Self:
         """Compute all that is stored of it, which :attr:`data` else does, and report the stages; returns itself.
 
         What fails is left out, see :attr:`not_computed`; Ctrl-C leaves out what is not computed by then.
+
+        >>> result.complete(lambda stage, share: None) is result
+        True
         """
         if live := self.assembly:
             self._record = live.whole(progress, keep=True)
@@ -245,6 +255,9 @@ class Result:
 
         ``band``: another one than the robot's own within which the tip counts as settled: a share of the move, such as
         0.02 or "2 %", or a length, such as "0.1 mm". Raises :class:`tmodes.errors.InputError` for what is neither.
+
+        >>> result.summary()["settling"]["time_s"] is None  # it is still moving
+        True
         """
         known = {} if "data" in self.__dict__ else self._summaries  # the dataset may be changed by who asked for it
         asked = None if band is None else Band.parsed(band)
@@ -258,6 +271,9 @@ class Result:
 
         Whatever happens meanwhile, the path holds the old file or the new one, whole. Raises
         :class:`tmodes.errors.ResultFileError` when the file exists, cannot be written, or a number is not finite.
+
+        >>> result.save("run.nc").name
+        'run.nc'
         """
         return record.write_record(self.record, Path(path), overwrite=overwrite)
 
@@ -267,12 +283,20 @@ class Result:
         """Read a result back, whole and checked; a kind that is not registered here gives a warning that names it.
 
         Raises :class:`tmodes.errors.ResultFileError` when the file is damaged, foreign, or of another version.
+
+        >>> _ = result.save("again.nc")
+        >>> tmodes.Result.load("again.nc").status
+        'finished'
         """
         return cls.of(record.read_record(path), path)
 
     @classmethod
     def of(cls, data: Record, path: object) -> Self:
-        """The result that a record or a dataset holds; ``path`` names it in errors, which are those of :meth:`load`."""
+        """The result that a record or a dataset holds; ``path`` names it in errors, which are those of :meth:`load`.
+
+        >>> tmodes.Result.of(result.record, "a record").name
+        'spong1987'
+        """
         record.refuse_incomplete(data := record.with_present_names(data), path)
         if not record.is_earlier(data):
             return cls(data)
@@ -280,16 +304,8 @@ class Result:
 
         return cls(made=earlier.earlier_assembly(data, path))
 
-    def show(self, height: int = 760) -> Any:
-        """The viewer of this run for a notebook: the robot in 3D, linked charts, numbers; ``height`` in pixels."""
-        return upward("Result.show")(self, height=height)
-
     def _repr_html_(self) -> str:
         return self.data._repr_html_()
-
-    def figures(self) -> dict[str, Any]:
-        """The figures that this result can fill: name -> function that draws it, ``figures()["tip_tracking"]()``."""
-        return upward("Result.figures")(self)
 
     @property
     def assembly(self) -> Assembly | None:

@@ -15,6 +15,7 @@ from tmodes.sheet.robot import refuse_other
 from tmodes.simulation.callback import Controller
 from tmodes.simulation.parts import Journal, sample_times
 from tmodes.simulation.plan import free_drive, refuse_massless
+from tmodes.simulation.sampled_controller import SampledController
 from tmodes.simulation.simulate import simulate_motion
 
 __all__ = ["movable_joints", "ready_to_run", "result_bytes", "run", "stands_still"]
@@ -26,7 +27,8 @@ def run(
     *,
     progress: Callable[[str, float], None] = lambda stage, share: None,
     journals: Callable[[str], Journal | None] = lambda stage: None,
-    controller: Controller | None = None,
+    controller: Controller | SampledController | None = None,
+    period: float | None = None,
     stop: str | Sequence[str] = (),
 ) -> Result:
     """Plan with the robot as known, run the actual one under control, and return the :class:`tmodes.Result`.
@@ -34,7 +36,8 @@ def run(
     ``robot``: its ``real`` factors make the actual one; or a pair of your own. A robot without drives moves freely from
     its ``initial`` state. ``progress`` receives the stage and its share; ``journals`` gives where the stages
     ``reference`` and ``real`` keep their progress, so that an interrupted run resumes. ``controller``: a Python
-    function in place of the sheet's controllers. ``stop``: one or several conditions, next to ``integration.stop``.
+    function in place of the sheet's controllers, called once every ``period`` [s] where that is given. ``stop``: one or
+    several conditions, next to ``integration.stop``.
 
     A run that cannot continue keeps what it had: look at ``result.status`` and ``result.message``. Raises
     :class:`tmodes.errors.InputError` for what cannot be run, and :class:`tmodes.errors.SimulationError` where it cannot
@@ -42,7 +45,7 @@ def run(
     """
     refuse_other(robot, RobotPair)
     pair = robot if isinstance(robot, RobotPair) else ready_to_run(robot).pair()
-    done = simulate_motion(pair, progress=progress, journals=journals, controller=controller, stop=stop)
+    done = simulate_motion(pair, progress=progress, journals=journals, controller=controller, period=period, stop=stop)
     return assemble_result(done, pair.nominal)
 
 

@@ -8,7 +8,6 @@ from typing import Any
 
 import numpy as np
 
-from tmodes import upward
 from tmodes.kinds.joints.joint import JointSheet
 from tmodes.kinds.noted.functions import regular
 from tmodes.kinds.noted.number import is_noted
@@ -30,6 +29,8 @@ SINGULAR = 1e-9
 
 def sheet_issues(robot: Any) -> list[Issue]:
     """All that does not fit; the names only where the tree stands, the masses only where the names do."""
+    from tmodes import chain_issues
+
     return (
         list(tree_issues(robot.joints, [link.name for link in robot.links]))
         or [
@@ -40,7 +41,7 @@ def sheet_issues(robot: Any) -> list[Issue]:
             *_links(robot),
             *_size(robot),
         ]
-        or list(upward("Robot.chain_issues")(robot))
+        or list(chain_issues(robot))
     )
 
 

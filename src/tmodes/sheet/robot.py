@@ -12,7 +12,6 @@ from typing import Annotated, Any, Literal, Self
 
 from pydantic import Field, field_validator, model_validator
 
-from tmodes import upward
 from tmodes.errors import InputError
 from tmodes.integrate.settings import RobotIntegration
 from tmodes.kinds.contacts.registry import Contact
@@ -135,25 +134,22 @@ class Robot(DataSheet):
         Raises :class:`tmodes.errors.InputErrors` with everything that is wrong, where building a ``Robot`` directly
         raises pydantic's own error.
         """
-        return upward("Robot.from_data")(data)
+        from tmodes import sheet_from_data
+
+        return sheet_from_data(data)
 
     def with_(self, changes: Mapping[str, Any]) -> Robot:
         """A new, checked robot with values changed by path: ``robot.with_({"joints.shoulder.gear.stiffness": 900.0})``.
 
         Items of lists go by their name or their index. Raises :class:`tmodes.errors.InputErrors` that name the path.
         """
-        return upward("Robot.with_")(self, changes)
+        from tmodes import changed_robot
 
-    def show(self, height: int = 760) -> Any:
-        """The viewer of this robot at rest with its modes, for a notebook; ``height`` in pixels.
-
-        Raises :class:`tmodes.errors.SimulationError` where it has no rest.
-        """
-        return upward("Robot.show")(self, height=height)
+        return changed_robot(self, changes)
 
     def __reduce__(self) -> tuple[Any, ...]:
         """What was pickled is read again as a data sheet, and checked."""
-        return Robot.from_data, (self.model_dump(mode="json", by_alias=True, exclude_none=True),)
+        return type(self).from_data, (self.model_dump(mode="json", by_alias=True, exclude_none=True),)
 
     @property
     def held_notices(self) -> list[str]:
@@ -161,18 +157,28 @@ class Robot(DataSheet):
         return [notice for notice in self.notices if notice in self.assumed]
 
     def link(self, name: str) -> LinkSheet:
-        """The link with this name; one that the sheet does not describe is rigid and has no mass."""
+        """The link with this name; one that the sheet does not describe is rigid and has no mass.
+
+        >>> robot.link("link").bodies[0].mass
+        1.0
+        """
         if not isinstance(name, str) or not name:
             raise InputError("link", f"a {type(name).__name__}", "the name of a link", "links have their names as text")
         return next((link for link in self.links if link.name == name), None) or LinkSheet(name=name)
 
-    def chain(self) -> Any:
-        """The robot in the terms of the recursion: placements, joints, links and points, SI, joint side."""
+    def chain(self):
+        """The robot in the terms of the recursion: placements, joints, links and points, SI, joint side.
+
+        >>> robot.chain().coordinates
+        ('joint.motor', 'joint')
+        """
         return self._chain
 
     @cached_property
-    def _chain(self) -> Any:
-        return upward("Robot.chain")(self)
+    def _chain(self):
+        from tmodes import lowered_chain
+
+        return lowered_chain(self)
 
     @cached_property
     def undriven(self) -> Robot:
@@ -194,8 +200,13 @@ class Robot(DataSheet):
 
         Raises :class:`tmodes.errors.InputErrors` for an entry of ``real`` that names no number, and for a factor that
         makes a number no robot can have.
+
+        >>> robot.with_({"real.gear.stiffness": 0.5}).pair().real.joints[0].gear.stiffness
+        (50.0,)
         """
-        return RobotPair(nominal=self, real=upward("Robot.pair")(self))
+        from tmodes import real_robot
+
+        return RobotPair(nominal=self, real=real_robot(self))
 
 
 def refuse_other(robot: object, *others: type) -> None:

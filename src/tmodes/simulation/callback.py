@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from tmodes.equations.loop.control_kernels import WINDING, Servo
 from tmodes.errors import SimulationError
 from tmodes.integrate.settings import Integration
-from tmodes.simulation.guarded import Controller, Guarded
+from tmodes.simulation.guarded import Controller, Guarded, controller_name
 from tmodes.simulation.loop import LoopModel
 from tmodes.simulation.native_run import BOUND
 from tmodes.simulation.parts import Trajectory, completed, sample_times, used_up
@@ -29,12 +29,16 @@ __all__ = ["Controller", "driven_by", "fixed_steps", "run_with_controller"]
 Array = NDArray[np.float64]
 
 
-def driven_by(setup: RunSetup) -> RunSetup:
-    """The setup with the efforts of its servos taken from the rows; nothing in it switches at instants."""
+def driven_by(setup: RunSetup, *, volts: bool = False) -> RunSetup:
+    """The setup with the efforts of its servos taken from the rows; ``volts``: commands, voltages where they are."""
     plan = setup.planned.plan
     drives = tuple(
         replace(
-            drive, servo=Servo(None, driven=False, winding=drive.winding), numbers=drive.numbers[:WINDING], noise=-1
+            drive,
+            servo=Servo(None, driven=volts and drive.servo.driven, winding=drive.winding),
+            numbers=drive.numbers[:WINDING],
+            noise=-1,
+            clock=-1,
         )
         if drive.servo
         else drive
@@ -44,6 +48,7 @@ def driven_by(setup: RunSetup) -> RunSetup:
     model = LoopModel(own)
     start = np.zeros(model.layout.size)
     start[: 2 * len(model.coordinates)] = setup.held[: 2 * len(model.coordinates)]
+    start = model.settled(start, setup.first_row)
     return replace(setup, planned=replace(setup.planned, plan=own), model=model, start=start, callback=True)
 
 
@@ -113,7 +118,7 @@ class _Run:
         """Raises where steps have long been so short [s] that the end is out of reach: the answers are not smooth."""
         self.short = self.short + 1 if length * _MOST_SHORT < self.settings.duration else 0
         if self.short > _SHORT_STEPS:
-            name = self.guarded.name
+            name = controller_name(self.guarded.controller)
             raise SimulationError(
                 f"stopped at t = {time:.6g} s, at steps of {length:.2g} s: what the controller {name} answers is not "
                 "smooth (noise, a switch); take fixed steps, --integrator rk4, or method auto"

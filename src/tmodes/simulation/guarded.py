@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from tmodes.errors import SimulationError, error_words
 
-__all__ = ["Controller", "Guarded"]
+__all__ = ["Controller", "Guarded", "controller_error", "controller_name"]
 
 Array = NDArray[np.float64]
 
@@ -26,11 +26,6 @@ class Guarded:
     joints: tuple[str, ...]
     size: int
 
-    @property
-    def name(self) -> str:
-        """What the function is called."""
-        return getattr(self.controller, "__qualname__", type(self.controller).__qualname__)
-
     def __call__(self, time: float, q: Array, v: Array) -> Array:
         """The efforts (m,); raises :class:`tmodes.errors.SimulationError` for an answer that is none."""
         q, v = q.copy(), v.copy()
@@ -38,16 +33,26 @@ class Guarded:
         try:
             effort = np.asarray(self.controller(time, q, v), dtype=float)
         except Exception as error:
-            raise self._failed(time, error_words(error), "an answer") from error
+            raise controller_error(self.controller, time, error_words(error), "an answer") from error
         wanted = f"an array of shape ({len(self.joints)},), the efforts of {', '.join(self.joints)}"
         if effort.shape != (len(self.joints),):
-            raise self._failed(time, f"an array of shape {effort.shape}", wanted)
+            raise controller_error(self.controller, time, f"an array of shape {effort.shape}", wanted)
         if not np.isfinite(effort).all():
             bad = int(np.flatnonzero(~np.isfinite(effort))[0])
-            raise self._failed(time, f"{effort[bad]} for joint {self.joints[bad]}", "finite numbers")
+            raise controller_error(
+                self.controller, time, f"{effort[bad]} for joint {self.joints[bad]}", "finite numbers"
+            )
         return effort
 
-    def _failed(self, time: float, got: str, expected: str) -> SimulationError:
-        return SimulationError(
-            f"controller {self.name} at t = {time:.6g} s must return {expected}, got {got}; correct the function"
-        )
+
+def controller_name(controller: object) -> str:
+    """What a controller is called."""
+    return getattr(controller, "__qualname__", type(controller).__qualname__)
+
+
+def controller_error(controller: object, time: float, got: str, expected: str) -> SimulationError:
+    """The error of an answer that is none, with name and time [s]."""
+    name = controller_name(controller)
+    return SimulationError(
+        f"controller {name} at t = {time:.6g} s must return {expected}, got {got}; correct the function"
+    )

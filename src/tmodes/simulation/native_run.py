@@ -53,7 +53,7 @@ class NativeRun:
         self.state = np.array(state, dtype=float)
         self.samples = np.zeros((len(self.times), len(self.state))) if samples is None else samples
         self.samples[0] = self.state
-        self.looks, self.seen = 0.0, np.zeros(1)
+        self.looks, self.seen, self.segments = 0.0, np.zeros(1), len(self.rows)
         self.changes: tuple[Change, ...] = ()
         self._put(sample=1.0, fresh=1.0, old_error=1e-4)
 
@@ -99,6 +99,11 @@ class NativeRun:
             values = self.arguments(end - self._tried).values()
             self.loop(*(value if isinstance(value, int) else value.ctypes.data for value in values))
             going = self._paused() and self._tried < end
+        self.settle()
+
+    def settle(self) -> None:
+        """After the native loop returned: keep a change at which it paused, and choose the method to continue with."""
+        self._paused()
         if self.status is Status.STIFF:
             self._put(status=float(Status.RUNNING), **self.change.switched(self.cell))
         elif self.running:
@@ -134,7 +139,7 @@ class NativeRun:
         given: dict[str, Any] = {
             "memory": self.memory, "y": self.state, "k1": self.slope, "p": self.parameters, "knots": self.knots,
             "rows": self.rows, "times": self.times, "out": self.samples, "seen": self.seen,
-            "segments": len(self.rows), "samples": len(self.times),
+            "segments": self.segments, "samples": len(self.times),
             "options": np.array([chosen[name] for name in OPTIONS], dtype=float),
         }  # fmt: skip
         return {name: given[name] for name in ARGUMENTS}

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
-from typing import NamedTuple
+from typing import Any, NamedTuple, cast
 
 import numpy as np
 
@@ -25,6 +25,7 @@ from tmodes.simulation.motion_run import RunData, bytes_per_sample, gathered
 from tmodes.simulation.outputs import run_stops
 from tmodes.simulation.parts import Journal, Trajectory
 from tmodes.simulation.plan import Follow
+from tmodes.simulation.sampled_controller import SampledController, refuse_period, run_with_samples
 from tmodes.simulation.start import RunSetup, run_setup, run_trajectory
 from tmodes.simulation.stops import STOPPED, Instants, Stops
 from tmodes.simulation.warnings import departures, jumps, no_motion, run_warnings, start_warnings
@@ -70,25 +71,29 @@ def simulate_motion(
     *,
     progress: Progress = lambda stage, share: None,
     journals: Journals = lambda stage: None,
-    controller: Controller | None = None,
+    controller: Controller | SampledController | None = None,
+    period: float | None = None,
     stop: str | Sequence[str] = (),
 ) -> RunData:
     """The trajectories of the nominal and the actual robot; arguments and errors as of :func:`tmodes.run`.
 
-    A ``controller`` (:data:`tmodes.simulation.callback.Controller`) is slow, integrated by an explicit method (at
-    fixed steps where ``auto`` chooses: its answers need not be smooth), and kept in no journal.
+    A ``controller`` (:data:`tmodes.simulation.callback.Controller`) without a ``period`` is slow, integrated by an
+    explicit method (at fixed steps where ``auto`` chooses: its answers need not be smooth). None is kept in a journal.
     """
     pair = robot if isinstance(robot, RobotPair) else robot.pair()
     real = run_setup(pair.real)
+    if period is not None:
+        refuse_period(controller, period, pair.real.integration.duration)
+        real = driven_by(real, volts=True)
     further = several("stop", stop)
     stops = run_stops(real, further)
     _refuse(real)
-    if controller is not None:
+    if controller is not None and period is None:
         refuse_switches(real.model, "a Python controller", "take a controller of the sheet")
     else:
         stops.refuse_at_start(Instants(np.zeros(1), real.start[None, :], real.first_row[None, :]))
     setups, verdict, why = _prepared(pair, real).by_method()
-    if controller and pair.real.integration.method == AUTO:
+    if controller and period is None and pair.real.integration.method == AUTO:
         real, why = fixed_steps(setups.real, verdict.highest)
         setups = setups._replace(real=real)
     warnings = [
@@ -100,7 +105,12 @@ def simulate_motion(
     reference, until = _reference(setups.nominal, progress, journals, warnings)
     if reference and reference.status == "diverged":
         reference = replace(reference, message=f"{reference.message}; likely cause: {_cause(verdict, warnings)}")
-    trajectory, used, rows = _run(setups.real, until, stops, progress, journals, controller, further)
+    if controller and period is not None:
+        trajectory, used, rows = run_with_samples(
+            setups.real, cast("SampledController", controller), period, _of_actual(progress), stops
+        )
+    else:
+        trajectory, used, rows = _run(setups.real, until, stops, progress, journals, controller, further)
     warnings += departures(used, used.first_row if rows is None else rows[0])
     if reference and trajectory.status == STOPPED:
         cut = run_trajectory(reference.setup, until=float(trajectory.times[-1]))  # so that it has a sample there
@@ -142,7 +152,7 @@ def _prepared(pair: RobotPair, real: RunSetup) -> _Setups:
 def _growing(setups: _Setups) -> list[str]:
     """What grows at the start of both robots; of sampled controllers the spectrum has the held command alone."""
     named = (("nominal robot", setups.nominal), ("actual robot", setups.real))
-    known = [(name, setup) for name, setup in named if setup and not setup.planned.plan.is_sampled]
+    known = [(name, setup) for name, setup in named if setup and not (setup.planned.plan.is_sampled or setup.callback)]
     return [warning for name, setup in known for warning in growth_warnings(setup.spectrum, name, _CAUSES)]
 
 
@@ -152,17 +162,21 @@ def _run(
     stops: Stops,
     progress: Progress,
     journals: Journals,
-    controller: Controller | None,
+    controller: Any,
     stop: tuple[str, ...],
 ) -> tuple[Trajectory, RunSetup, np.ndarray | None]:
     """The trajectory of the actual robot, the setup that moved, and its rows where they are not the schedule's."""
     if controller is None:
-        done = run_trajectory(real, lambda share: progress("actual robot", share), journals("real"), until, stops)
+        done = run_trajectory(real, _of_actual(progress), journals("real"), until, stops)
         return done, real, None
     real = driven_by(real)
     own = run_stops(real, stop)  # states of a run without the sheet's control are shorter
-    done, rows = run_with_controller(real, controller, lambda share: progress("actual robot", share), own)
+    done, rows = run_with_controller(real, controller, _of_actual(progress), own)
     return done, real, rows
+
+
+def _of_actual(progress: Progress) -> Callable[[float], None]:
+    return lambda share: progress("actual robot", share)
 
 
 def _reference(

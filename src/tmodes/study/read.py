@@ -40,6 +40,9 @@ def read_study(
     ``functions``: Python functions of a :class:`tmodes.Result`, which quantities of the type ``function`` name. Raises
     :class:`tmodes.errors.InputError` where it cannot be read, and :class:`tmodes.errors.InputErrors` with all wrong
     values and their lines.
+
+    >>> tmodes.read_study("study.yaml").cases
+    4
     """
     data, positions = read_yaml(path)
     source = shown_path(path)
@@ -67,9 +70,27 @@ def study_from_data(
     return _study(copied(data, "study"), {}, "", folders, functions or {}, Path(folder) if folder else None)
 
 
-def study_of_robot(robot: Robot, data: Mapping[str, Any]) -> Study:
-    """The study of a robot that is loaded already; ``data`` as in a file, without `robot`. Raises as a file's."""
-    return _of_robot(robot, dict(data), Shorthands({}, "", None), {}, None)
+def study_of_robot(
+    robot: Robot,
+    study: Study | Mapping[str, Any] | FilePath,
+    *,
+    roots: Roots = (),
+    trust_paths: bool = False,
+    functions: Functions | None = None,
+) -> Study:
+    """The study of a robot that is loaded already: plain data as in a file, a file or a study, whose robot it takes.
+
+    Raises as :func:`read_study`.
+    """
+    if isinstance(study, Study):
+        data = {"study": dict(study.data["study"]), "robot": sheet_data(robot)}
+        return study_from_data(data, functions=functions or study.functions)
+    if isinstance(study, Mapping):
+        head = {"format": 1, "kind": "study", "name": robot.name}
+        return _of_robot(robot, {**head, **copied(study, "study")}, Shorthands({}, "", None), functions or {}, None)
+    data, positions = read_yaml(study)
+    found = Shorthands(positions, shown_path(study), folders_of(study, roots, trust_paths))
+    return _of_robot(robot, dict(data), found, functions or {}, Path(study).absolute().parent)
 
 
 def _study(

@@ -52,6 +52,9 @@ def run_study(
 
     Killed at any moment, the same call computes only what is missing. Raises :class:`tmodes.errors.ResultFileError`
     for a folder that is damaged, foreign, in use, or without room; :class:`tmodes.errors.InputError` for a wrong place.
+
+    >>> tmodes.run_study("study.yaml", "done").counts
+    {'finished': 4}
     """
     needed("pyarrow", "study")
     study = as_study(study).fixed()

@@ -13,7 +13,6 @@ from typing import Any, Self
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes import upward
 from tmodes.errors import InputError, InputErrors
 from tmodes.io.arguments import checked_arguments, numbers_of, whole_number
 from tmodes.io.sheet_check import sheet_data
@@ -47,6 +46,10 @@ class Study:
     ``data``: the sheet as plain data, all files that it names read into it (robot, catalogues, samples), so that
     another machine needs no file: ``Study.from_data(data)`` gives the same study. ``functions``: quantities of one's
     own by name, Python functions of a :class:`tmodes.Result`.
+
+    >>> study = tmodes.read_study("study.yaml")
+    >>> study.names, study.cases
+    (('k',), 4)
     """
 
     sheet: StudySheet
@@ -60,9 +63,16 @@ class Study:
     """What the functions are known by while the study runs; None: by what they are when it is asked."""
 
     @classmethod
-    def from_data(cls, data: Mapping[str, Any], functions: Mapping[str, Callable[[Any], float]] | None = None) -> Self:
-        """The study of :attr:`data`; raises :class:`tmodes.errors.InputErrors` for what is none."""
-        return upward("Study.from_data")(data, functions=functions)
+    def from_data(cls, data: Mapping[str, Any], functions: Mapping[str, Callable[[Any], float]] | None = None) -> Study:
+        """The study of :attr:`data`; raises :class:`tmodes.errors.InputErrors` for what is none.
+
+        >>> study = tmodes.read_study("study.yaml")
+        >>> tmodes.Study.from_data(study.data).names
+        ('k',)
+        """
+        from tmodes import study_from_data
+
+        return study_from_data(data, functions=functions)
 
     def __reduce__(self) -> tuple[Any, ...]:
         """What was pickled is read again as data, and checked."""
@@ -91,7 +101,11 @@ class Study:
 
     @checked_arguments
     def choice_names(self, name: str) -> tuple[str, ...]:
-        """Names of the entries of a choice, by their numbers; none of another parameter."""
+        """Names of the entries of a choice, by their numbers; none of another parameter.
+
+        >>> tmodes.read_study("study.yaml").choice_names("k")  # a number that is no choice
+        ()
+        """
         if name not in self.names:
             raise InputError("parameter", shown(name), f"one of {', '.join(self.names)}", "check the spelling")
         return tuple(entry.name for entry in self.sheet.parameters[name].choices)
@@ -122,7 +136,11 @@ class Study:
         return self.sheet.plan.cases(self.space)
 
     def design(self) -> Design:
-        """All cases, by the plan of the sheet; the same each time."""
+        """All cases, by the plan of the sheet; the same each time.
+
+        >>> tmodes.read_study("study.yaml").design().values.shape
+        (4, 1)
+        """
         return self.sheet.plan.design(self.space)
 
     @cached_property
@@ -156,10 +174,15 @@ class Study:
         that fails is a row with its reason. Raises :class:`tmodes.errors.InputError` for what is wrong with the study
         itself: a series, a number or a key of the summary that its robot does not have, a unit to which a quantity
         cannot be converted.
+
+        >>> tmodes.read_study("study.yaml").evaluate(0, [[1.0], [2.0]]).quantities["y"]
+        array([1., 4.])
         """
         first = whole_number("first", first, 0, 2**53)
         given = numbers_of(values, "values", ((None, len(self.names)),), "rows of Study.design().values")
-        return upward("Study.evaluate")(self, first, given, progress, threads, runner)
+        from tmodes import evaluated_study
+
+        return evaluated_study(self, first, given, progress, threads, runner)
 
     @cached_property
     def base_identity(self) -> str:
@@ -167,7 +190,11 @@ class Study:
         return base_digest(self.sheet, self.robot, self.choices)
 
     def fixed(self) -> Self:
-        """The study with its functions known as what they are now, whatever becomes of what they depend on."""
+        """The study with its functions known as what they are now, whatever becomes of what they depend on.
+
+        >>> tmodes.read_study("study.yaml").fixed().names
+        ('k',)
+        """
         if self.identified is not None:
             return self
         return replace(self, identified=function_identities(self.sheet.quantities.values(), self.functions))

@@ -66,7 +66,7 @@ def test_elements_are_all_of_the_elastic_slope():
     model = arm()
     q = np.array([0.1, 0.3, 0.2, 0.1, -0.2, 0.05, 0.3, 0.1, -0.05])
     together = np.sum([one.matrix for one in springs_of(model, q).values()], axis=0)
-    assert together == pytest.approx(model.linearised(q)[2], abs=1e-9)
+    assert together == pytest.approx(model.linearize(q)[2], abs=1e-9)
 
 
 def test_a_rigid_arm_does_not_give():

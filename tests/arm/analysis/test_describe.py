@@ -117,7 +117,7 @@ def test_an_arm_in_which_nothing_moves(data):
     model = Model(arm.chain())
     assert model.jacobian(np.zeros((3, 0))).shape == (3, 1, 6, 0)
     assert model.mass_matrix(np.zeros(0)).shape == (0, 0)
-    assert [matrix.shape for matrix in model.linearised(np.zeros(0))] == [(0, 0)] * 3
+    assert [matrix.shape for matrix in model.linearize(np.zeros(0))] == [(0, 0)] * 3
 
 
 def test_ways_that_are_not_modelled_have_no_stiffness():

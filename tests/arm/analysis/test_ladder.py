@@ -186,7 +186,7 @@ def test_an_arm_without_beams_and_a_foolish_tolerance_are_refused() -> None:
 def test_command_reports_the_ladder(tmp_path: Any) -> None:
     file = tmp_path / "slewing.yaml"
     file.write_text(json.dumps(sheet()), encoding="utf-8")  # which is YAML too
-    command = [sys.executable, "-m", "tmodes.cli.main", "ladder", str(file), "--finest", "3", "--tolerance", "0.05"]
+    command = [sys.executable, "-m", "tmodes.cli.main", "hierarchy", str(file), "--finest", "3", "--tolerance", "0.05"]
     done = subprocess.run([*command, "--json"], capture_output=True, text=True, check=False, timeout=LONG)
     assert done.returncode == 0, done.stderr
     info = json.loads(done.stdout)

@@ -76,7 +76,7 @@ def test_modes_with_locked_motors_are_poles(damper: float, stiffness: float, dec
         "joints.hub.gear": {"stiffness": stiffness, "damping": damper}, "links.beam.beam.damping_time": decay,
     })  # fmt: skip
     rest = robot_rest(sheet)
-    mass, damping, spring = (matrix[np.ix_(rest.free, rest.free)] for matrix in Model(sheet.chain()).linearised(rest.q))
+    mass, damping, spring = (matrix[np.ix_(rest.free, rest.free)] for matrix in Model(sheet.chain()).linearize(rest.q))
     zero, eye = np.zeros_like(mass), np.eye(len(mass))
     matrix = np.block([[zero, eye], [-np.linalg.solve(mass, spring), -np.linalg.solve(mass, damping)]])
     modes = vibrations(sheet).states["locked"]

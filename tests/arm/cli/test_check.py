@@ -63,7 +63,7 @@ def test_a_file_in_another_folder_is_let_in_by_its_flags(tmp_path):
         ("modes", allowed),
     ):
         tmodes(command, sheet, *flags)
-    assert "--trust-paths" in tmodes("ladder", "--help").stdout
+    assert "--trust-paths" in tmodes("hierarchy", "--help").stdout
 
 
 def test_a_list_on_the_command_line():

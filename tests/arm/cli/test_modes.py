@@ -16,6 +16,7 @@ from command import tmodes
 from tmodes import load
 from tmodes.analysis.modes.of_sheet import vibrations
 from tmodes.analysis.statics.at_rest import robot_rest
+from tmodes.analysis.statics.equilibrium import equilibrium
 from tmodes.model.model import Model
 
 
@@ -136,7 +137,7 @@ def test_a_pose_means_the_same_to_every_command_and_in_python():
     poses = [
         robot_rest(robot, held={"joint": 0.5}).named,
         robot_rest(robot, held={"joint.motor": 0.5}).named,
-        Model(robot.chain()).static(held={"joint": 0.5}).named,
+        equilibrium(Model(robot), held={"joint": 0.5}).named,
         *(json.loads(tmodes("static", "spong1987", option, "joint=0.5", "--json").stdout)["coordinates"]
           for option in ("--at", "--hold")),
     ]  # fmt: skip

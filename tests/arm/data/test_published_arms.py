@@ -44,7 +44,7 @@ def ringing(data):
     """All frequencies [Hz] of an arm at its zero pose, straight."""
     model = Model(Robot.model_validate(data).chain())
     mass, _, stiffness = (
-        np.asarray(matrix).reshape(model.nq, model.nq) for matrix in model.linearised(np.zeros(model.nq))
+        np.asarray(matrix).reshape(model.nq, model.nq) for matrix in model.linearize(np.zeros(model.nq))
     )
     return np.sqrt(np.maximum(eigh(stiffness, mass, eigvals_only=True), 0)) / (2 * np.pi)
 

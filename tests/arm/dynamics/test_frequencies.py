@@ -76,7 +76,7 @@ def frequencies(chain: Chain, shift: float = 0.0) -> Array:
     ``shift`` [1/s^2] makes K positive where the whole chain can turn freely; that motion is left out.
     """
     model = Model(chain)
-    mass, _, stiffness = model.linearised(np.zeros(len(model.coordinates)))
+    mass, _, stiffness = model.linearize(np.zeros(len(model.coordinates)))
     values = eigh(mass, stiffness + shift * mass, eigvals_only=True)[::-1]
     return np.sqrt(1 / values[1:] - shift) if shift else np.sqrt(1 / values)
 
@@ -203,7 +203,7 @@ def steady(chain: Chain, speed: float) -> Array:
     size = len(model.coordinates)
     v = np.zeros(size)
     v[model.coordinates.index("spin")] = speed
-    mass, damping, stiffness = model.linearised(np.zeros(size), v)
+    mass, damping, stiffness = model.linearize(np.zeros(size), v)
     free = [i for i in range(size) if model.coordinates[i] != "spin"]
     part = np.ix_(free, free)
     first = np.block([[0 * mass[part], np.eye(len(free))], [-stiffness[part], -damping[part]]])

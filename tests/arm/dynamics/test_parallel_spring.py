@@ -68,7 +68,7 @@ def test_frequency_and_rest_of_a_sprung_joint() -> None:
     loose = shank({"state": "free", "spring": SPRING}, gravity=9.81)
     rest = robot_rest(loose).named["knee"]
     assert 20 * (rest - 0.1) == pytest.approx(0.5 * 9.81 * 0.2 * np.cos(rest), rel=1e-12)
-    assert Model(loose.chain()).gravity_forces([rest])[0] == pytest.approx(-20 * (rest - 0.1), rel=1e-12)
+    assert Model(loose.chain()).gravity([rest])[0] == pytest.approx(-20 * (rest - 0.1), rel=1e-12)
 
 
 def test_motion_without_torque_is_a_cosine_about_its_rest() -> None:

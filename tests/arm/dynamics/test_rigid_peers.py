@@ -65,7 +65,7 @@ def assert_equal_engines(chain: Any, peer: Any, depth_first: bool = True) -> Non
     bias = np.array([pinocchio.nonLinearEffects(peer, data, *row).copy() for row in zip(q, v, strict=True)])
     assert_near(np.asarray(model.bias(*mine[:2]))[:, order], bias)
     fall = np.array([pinocchio.computeGeneralizedGravity(peer, data, row).copy() for row in q])
-    assert_near(np.asarray(model.gravity_forces(mine[0]))[:, order], fall)
+    assert_near(np.asarray(model.gravity(mine[0]))[:, order], fall)
     if depth_first:
         masses = [pinocchio.crba(peer, data, row).copy() for row in q]
         mass = np.array([np.triu(m) + np.triu(m, 1).T for m in masses])
@@ -121,7 +121,7 @@ def test_ur5_equals_reference_values() -> None:
         q, v, a, torque = (np.array(state[name]) for name in ("q", "v", "a", "tau"))
         np.testing.assert_allclose(model.mass_matrix(q), state["mass_matrix"], atol=1e-12)
         np.testing.assert_allclose(model.bias(q, v), state["bias"], atol=1e-11)
-        np.testing.assert_allclose(model.gravity_forces(q), state["gravity"], atol=1e-11)
+        np.testing.assert_allclose(model.gravity(q), state["gravity"], atol=1e-11)
         np.testing.assert_allclose(model.inverse_dynamics(q, v, a), state["inverse_dynamics"], atol=1e-11)
         np.testing.assert_allclose(model.forward_dynamics(q, v, torque), state["forward_dynamics"], rtol=1e-10)
         places, axes = model.pose(q)

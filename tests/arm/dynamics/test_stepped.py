@@ -50,7 +50,7 @@ def compliance(model: Model) -> Array:
     """(6, 6): motion of the tip (place, then turn) per force and moment on it."""
     rest = np.zeros(len(model.coordinates))
     jacobian = np.asarray(model.jacobian(rest)).reshape(-1, len(rest))[:6]
-    return np.asarray(jacobian @ np.linalg.solve(model.linearised(rest)[2], jacobian.T), np.float64)
+    return np.asarray(jacobian @ np.linalg.solve(model.linearize(rest)[2], jacobian.T), np.float64)
 
 
 def unit_load(case: tuple[float, tuple[BeamPiece, ...]], name: str, lever: int) -> float:
@@ -103,7 +103,7 @@ def test_axial_frequency(basis: str, mass: float, root: float) -> None:
     body = ((1.0, Body(mass * own)),) if mass else ()
     model = clamped((length, (bar,)), basis=basis, twist=0, bend_y=0, bend_z=1, stretch=3, points=6, bodies=body)
     rest = np.zeros(len(model.coordinates))
-    inertia, _, stiffness = model.linearised(rest)
+    inertia, _, stiffness = model.linearize(rest)
     along = [model.coordinates.index(f"rod.stretch{k}") for k in (1, 2, 3)]
     part = np.ix_(along, along)
     first = np.sqrt(eigh(stiffness[part], inertia[part], eigvals_only=True)[0])
@@ -134,7 +134,7 @@ def finite_elements(case: tuple[float, tuple[BeamPiece, ...]], count: int = 24) 
 def test_frequencies_of_steps(case: str, functions: int, errors: tuple[float, float]) -> None:
     """From above but for the rule of the masses, and as near as those of a uniform beam."""
     model = clamped(CASES[case], twist=0, bend_y=functions, bend_z=0)
-    inertia, _, stiffness = model.linearised(np.zeros(functions))
+    inertia, _, stiffness = model.linearize(np.zeros(functions))
     found = np.sqrt(1 / eigh(inertia, stiffness, eigvals_only=True)[::-1])
     for mode, limit in enumerate(errors):
         error = found[mode] / finite_elements(CASES[case])[mode] - 1

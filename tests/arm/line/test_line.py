@@ -81,7 +81,7 @@ def test_static_tip_force() -> None:
     """Force F across, weightless, small: moment F (L - x), shear F, deflection F x^2 (3 L - x)/(6 EI)."""
     model = clamped(gravity=np.zeros(3))
     force = np.array([0.0, 2e-6, -3e-6])
-    _, _, stiffness = model.linearised(np.zeros(6))
+    _, _, stiffness = model.linearize(np.zeros(6))
     push = np.concatenate([force, np.zeros(3)])[None, None]
     q = np.linalg.solve(stiffness, -model.inverse_dynamics(np.zeros(6), np.zeros(6), np.zeros(6), wrenches=push))
     line = elastic_line(model, q, wrenches=push)["rod"]
@@ -191,7 +191,7 @@ def test_free_vibration_bends_as_its_inertia_asks(functions: int, tolerance: flo
     from scipy.linalg import eigh
 
     model = clamped(beam(bend_y=0, bend_z=functions), gravity=np.zeros(3))
-    mass, _, stiffness = model.linearised(np.zeros(functions))
+    mass, _, stiffness = model.linearize(np.zeros(functions))
     squares, shapes = eigh(stiffness, mass)
     q = 1e-6 * shapes[:, 0]
     line = elastic_line(model, q, 0.0, -squares[0] * q)["rod"]

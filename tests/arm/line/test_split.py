@@ -100,7 +100,7 @@ def test_oscillatory_part_of_a_slow_move_goes_with_the_square_of_its_speed() -> 
 
 def test_release_rings_about_zero_at_the_natural_frequency() -> None:
     model = clamped(beam(bend_y=0, bend_z=2), gravity=np.zeros(3))
-    mass, _, stiffness = model.linearised(np.zeros(2))
+    mass, _, stiffness = model.linearize(np.zeros(2))
     wave = np.sqrt(np.sort(np.linalg.eigvals(np.linalg.solve(mass, stiffness)).real))
     push = np.array([0.0, 0.02, 0.0, 0.0, 0.0, 0.0])[None, None]
     start, _ = held_shape(model, np.zeros(2), wrenches=push)

@@ -83,7 +83,7 @@ def assert_parts_agree(both: Pair, seed: int) -> None:
     assert_near(both.model.mass_matrix(q), mass, 1e-12)
     turn, fall, _, damping = both.oracle.forces(x, rates)
     assert_near(both.model.bias(q, v), (turn + fall)[both.order], 1e-11)
-    assert_near(both.model.gravity_forces(q), fall[both.order], 1e-12)
+    assert_near(both.model.gravity(q), fall[both.order], 1e-12)
     places, axes, jacobians = both.oracle.points(x)
     found_places, found_axes = both.model.pose(q)
     assert_near(found_places, places, 1e-13)

@@ -71,7 +71,6 @@ MISTAKES = [
     ("format: 1", "version: 1", "version", "`format`"),
     ("links:\n", "bodies:\n", "bodies", "`links`"),
     ("tip: {link: upper}", "actual: {x: 0.8}", "actual", "`real`"),
-    ("tip: {link: upper}", "real: {gear.stiffness: 0.8}", "stiffness", "`real.joints.shoulder.gear.stiffness`"),
     ("tip: {link: upper}", "loads: {force: [0, 0, -10]}", "loads", "- "),
     ("tip: {link: upper}", "initial: {shoulder: 0.3}", "shoulder", "`initial.coordinates.shoulder`"),
     ("tip: {link: upper}", "stop: tip.z < -5", "stop", "`integration.stop`"),

@@ -37,7 +37,7 @@ def test_each_joint_carries_what_is_beyond(name: str, seed: int) -> None:
         back = rest.q - step * np.eye(model.nq)[axis.angle]
         turn = (model.pose(moved)[1][0] - model.pose(back)[1][0]) / (2 * step) @ model.pose(rest.q)[1][0].T
         rate = np.array([turn[2, 1], turn[0, 2], turn[1, 0]])
-        work = model.gravity_forces(rest.q)[axis.angle] - moment @ rate
+        work = model.gravity(rest.q)[axis.angle] - moment @ rate
         work -= force @ (model.pose(moved)[0][0] - model.pose(back)[0][0]) / (2 * step)
         assert np.array(one["moment_Nm"]) @ rate == pytest.approx(work, rel=1e-6, abs=1e-6)
     assert np.isfinite(tip).all()

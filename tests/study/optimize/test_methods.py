@@ -127,9 +127,9 @@ def test_a_search_resumes_from_its_folder(tmp_path: Path, monkeypatch: pytest.Mo
 
     asked = design_study({"f": "(a - 1)**2"}, {"a": (-3.0, 3.0)}, [{"minimize": "f"}])
     alone = optimize(asked, "tpe", trials=80)
-    optimize(asked, "tpe", trials=48, folder=tmp_path / "f")
+    optimize(asked, "tpe", trials=48, out=tmp_path / "f")
     computed = counted(monkeypatch)
-    again = optimize(asked, "tpe", trials=80, folder=tmp_path / "f")
+    again = optimize(asked, "tpe", trials=80, out=tmp_path / "f")
     assert again.info() == alone.info()
     assert len(load_study(tmp_path / "f").rows) == 80
     assert sum(computed) == 32 + 1  # one for the units

@@ -141,9 +141,9 @@ def test_choices_have_indices_too() -> None:
 def test_a_folder_resumes_and_gives_the_same(tmp_path: Path) -> None:
     pytest.importorskip("pyarrow")
     alone = sensitivity(ISHIGAMI, samples=128)
-    stored = sensitivity(ISHIGAMI, samples=128, folder=tmp_path / "study")
+    stored = sensitivity(ISHIGAMI, samples=128, out=tmp_path / "study")
     np.testing.assert_array_equal(stored.total, alone.total)
-    more = sensitivity(ISHIGAMI, samples=256, folder=tmp_path / "study")
+    more = sensitivity(ISHIGAMI, samples=256, out=tmp_path / "study")
     np.testing.assert_array_equal(more.total, sensitivity(ISHIGAMI, samples=256).total)
 
 

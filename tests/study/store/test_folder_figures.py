@@ -32,7 +32,7 @@ optimize: {objectives: [{minimize: mass}, {minimize: sag}], limits: ["mass <= 1.
 
 @pytest.mark.parametrize(("method", "samples", "name"), [("sobol", 64, "sobol_y"), ("morris", 16, "morris_y")])
 def test_a_sensitivity_has_its_indices(method, samples, name, tmp_path):
-    found = sensitivity(read_study(EXAMPLES / "ishigami.yaml"), method, samples=samples, folder=tmp_path)
+    found = sensitivity(read_study(EXAMPLES / "ishigami.yaml"), method, samples=samples, out=tmp_path)
     tmodes("figures", tmp_path)
     assert (tmp_path / "figures" / f"{name}.svg").exists()
     data = figure_data(load_study(tmp_path))
@@ -80,7 +80,7 @@ def test_an_optimization_has_its_front(tmp_path):
     pytest.importorskip("optuna")
     file, folder = tmp_path / "designs.yaml", tmp_path / "out"
     file.write_text(DESIGNS, encoding="utf-8")
-    found = optimize(read_study(file), trials=64, folder=folder)
+    found = optimize(read_study(file), trials=64, out=folder)
     data = figure_data(load_study(folder))
     assert len(data["status"]) == found.designs
     mass, sag = (column["values"][data["pareto"]["front"]] for column in data["quantities"][:2])

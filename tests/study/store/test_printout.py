@@ -9,7 +9,6 @@ import pytest
 
 from command import tmodes
 from study.core.studies import study
-from tmodes.cli import study_text
 from tmodes.study.result import StudyResult
 from tmodes.study.rows import Rows
 from tmodes.study.runner import run_study
@@ -88,7 +87,7 @@ def test_it_never_has_all_rows(tmp_path, monkeypatch):
     result = run_study(study(), tmp_path)
     monkeypatch.setattr(StudyResult, "rows", property(lambda _: pytest.fail("all rows were read")))
     monkeypatch.setattr(StudyResult, "blocks", lambda _: pytest.fail("blocks were read"))
-    assert study_text.study_info(result)["good"] == 8
+    assert result.info()["good"] == 8
 
 
 def test_whether_rows_ended_well_is_found_once():

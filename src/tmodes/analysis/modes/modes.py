@@ -193,7 +193,7 @@ def _matrices(rest: Equilibrium) -> tuple[Array, Array, Array]:
     mass, damping, stiffness = rest.matrices
     smooth = without_dry_friction(rest.model.chain)
     if smooth is not None:
-        damping = Model(smooth).linearised(rest.q, rest.rates, base=rest.base)[1]
+        damping = Model(smooth).linearize(rest.q, rest.rates, base=rest.base)[1]
     return mass, damping, stiffness
 
 

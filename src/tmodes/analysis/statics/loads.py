@@ -37,6 +37,9 @@ class Load:
 
     ``follows`` False: both keep their direction in the world (dead load). True: they are given in the axes of the
     point and turn with it (follower load).
+
+    >>> robot.static(load=[tmodes.Load("tip", force=(0, 0, "-10 N"))]).stable
+    True
     """
 
     point: str = "tip"
@@ -45,7 +48,11 @@ class Load:
     follows: bool = False
 
     def wrench(self) -> Array:
-        """Force then moment, shape (6,). Raises :class:`InputError` for what are no three finite numbers each."""
+        """Force then moment, shape (6,). Raises :class:`InputError` for what are no three finite numbers each.
+
+        >>> tmodes.Load(force=(0, 0, -10)).wrench()
+        array([  0.,   0., -10.,   0.,   0.,   0.])
+        """
         return np.concatenate([_three(f"load on {self.point}: force", self.force, "N"),
                                _three(f"load on {self.point}: moment", self.moment, "N*m")])  # fmt: skip
 

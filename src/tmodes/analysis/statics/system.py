@@ -99,7 +99,7 @@ class StaticSystem:
         if self.rates is None:
             stiffness = self.model.stiffness(q, **acting)
         else:
-            stiffness = self.model.linearised(q, np.sqrt(factor) * self.rates, **acting)[2]
+            stiffness = self.model.linearize(q, np.sqrt(factor) * self.rates, **acting)[2]
         for act, pose in self._posed(q, turning=True):
             added = act.stiffness(pose)
             stiffness = stiffness if added is None else stiffness + factor * added
@@ -108,7 +108,7 @@ class StaticSystem:
     def matrices(self, q: Array, factor: float) -> tuple[Array, Array, Array]:
         """M, D, K (nq, nq) about a pose, with what loads and surfaces add to them; Newton's method needs only K."""
         rates = None if self.rates is None else np.sqrt(factor) * self.rates
-        _, damping, _ = self.model.linearised(q, rates, wrenches=self.wrenches(q, factor), base=self.base(factor))
+        _, damping, _ = self.model.linearize(q, rates, wrenches=self.wrenches(q, factor), base=self.base(factor))
         for act, pose in self._posed(q, turning=True):
             carried = act.carried(pose)
             damping = damping + carried[1] if carried else damping

@@ -87,6 +87,10 @@ class System:
     ``numbers(chain)`` gives parameters that follow from a robot's own joints and links instead. ``directions`` (n, n):
     constant map from the robot's coordinates to those of the energies, where these are others, named ``own``.
     ``contact_map(q, p)`` (n, 3): carries a force on the first point to the equations instead of the Jacobian.
+
+    >>> system = tmodes.System("bead", {"x": "m"}, {"m": 2.0}, lambda q, v, p: p.m * v.x**2 / 2)
+    >>> tmodes.Model(system.robot()).mass_matrix([0.0])
+    array([[2.]])
     """
 
     name: str
@@ -129,6 +133,10 @@ class System:
         Coordinates that ``drives`` (or a motor in ``joints``) name are driven, the others are free. ``sheet``: entries
         of a data sheet: drives, loads, contact, initial, integration, parameters, real, gravity, ... Raises
         :class:`tmodes.errors.InputErrors` for a wrong entry.
+
+        >>> system = tmodes.System("rail", {"x": "m"}, {"m": 2.0}, lambda q, v, p: p.m * v.x**2 / 2)
+        >>> system.robot(integration={"duration": 1.0, "output_step": 0.1}).name
+        'rail'
         """
         SYSTEMS.register(self)
         own = {"name": self.name, "title": self.title, "equations": self.name}
@@ -147,7 +155,12 @@ class System:
         return (*self.parameters, *(() if GRAVITY in self.parameters else (GRAVITY,)))
 
     def values(self, chain: Chain) -> Array:
-        """Parameters of a robot: the system's own, changed by the chain's, in the order of ``parameter_names``."""
+        """Parameters of a robot: the system's own, changed by the chain's, in the order of ``parameter_names``.
+
+        >>> system = tmodes.System("sled", {"x": "m"}, {"m": 2.0}, lambda q, v, p: p.m * v.x**2 / 2)
+        >>> system.values(system.robot().chain())
+        array([2.  , 9.81])
+        """
         known = {GRAVITY: number(norm(chain.gravity)), **self.parameters}
         known |= dict(self.numbers(chain)) if self.numbers else {}
         for name, value in chain.parameters.items():
@@ -221,7 +234,11 @@ class System:
         return f"{self.name} {digest.hexdigest()[:24]}"
 
     def basis(self) -> Array:
-        """Constant map from the robot's coordinates to those of the energies (n, n)."""
+        """Constant map from the robot's coordinates to those of the energies (n, n).
+
+        >>> tmodes.System("cart", {"x": "m"}, {}, lambda q, v, p: v.x**2 / 2).basis()
+        array([[1.]])
+        """
         return np.eye(self.size) if self.directions is None else np.asarray(self.directions, dtype=float)
 
     def _check_kinetic(self, kinetic: Any, terms: EquationTerms, v: Any) -> None:

@@ -87,6 +87,11 @@ class DataSheet(BaseModel):
         """Refused, as an assignment."""
         raise _unchanging(self, name, None)
 
+    def __dir__(self) -> list[str]:
+        """Its fields and what is defined for users, without what it has of the library that checks it."""
+        hidden = {*vars(BaseModel), *vars(DataSheet)}
+        return sorted(name for name in object.__dir__(self) if not name.startswith("_") and name not in hidden)
+
     @classmethod
     def members(cls) -> tuple[type[DataSheet], ...]:
         """The sheets that may stand where this one is named: itself, or those of all registered kinds of a family."""

@@ -67,6 +67,9 @@ def simulate_batch(
     (``failed``) or cannot continue keeps what it had and disturbs no other: look at ``status`` and ``message``. Raises
     :class:`tmodes.errors.InputError` or :class:`tmodes.errors.InputErrors` for wrong numbers, reporting their lane;
     :class:`tmodes.errors.SimulationError` where none can start.
+
+    >>> tmodes.simulate_batch(robot, {"joints.joint.gear.stiffness": [80.0, 120.0]}).status
+    ('finished', 'finished')
     """
     if figures and out is not None:
         raise InputError("out", "a folder", "no folder where figures are asked for", "leave out one of the two")

@@ -1,12 +1,16 @@
-"""Optimum: the best design, those next to it, and how it was found."""
+"""Optimum: the best design, those next to it, and how it was found; its tables and figure."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
+from tmodes.io.printed import CommandResult, Table
 from tmodes.study.plain import plain
+
+if TYPE_CHECKING:
+    from xarray import Dataset
 
 __all__ = ["Candidate", "Held", "Optimum"]
 
@@ -67,8 +71,8 @@ class Candidate:
         }  # fmt: skip
 
 
-@dataclass(frozen=True, eq=False)
-class Optimum:
+@dataclass(frozen=True, eq=False, repr=False)
+class Optimum(CommandResult):
     """What :func:`tmodes.study.optimize.optimize` has found.
 
     ``best``: the feasible design with the best (first) objective, or None; ``nearest``: where none is feasible, the
@@ -107,3 +111,102 @@ class Optimum:
             "ranked": [one.info() for one in self.ranked], "front": [one.info() for one in self.front],
         }  # fmt: skip
         return plain(one | more)
+
+    @property
+    def designs_shown(self) -> tuple[Candidate, ...]:
+        """The Pareto front, else the feasible designs, the best one first, else the nearest one."""
+        return self.front or self.ranked or ((self.nearest,) if self.nearest else ())
+
+    @property
+    def data(self) -> Dataset:
+        """Along ``design``, the front or the ranked ones: what is chosen, objectives, and terms of the limits."""
+        from xarray import Dataset
+
+        shown = self.designs_shown
+        names = shown[0].values if shown else ()
+        series = {name: ("design", [one.values[name] for one in shown]) for name in names}
+        series |= {text: ("design", [one.objectives[k] for one in shown]) for k, text in enumerate(self.objectives)}
+        for k, limit in enumerate(shown[0].limits if shown else ()):
+            series[limit.text] = ("design", [one.limits[k].value for one in shown])
+        return Dataset(series, {"design": [one.number for one in shown]})
+
+    def plot(self, ax: Any = None) -> list[Any]:
+        """The Pareto front of the first two objectives; of one objective its best value over the trials."""
+        from tmodes.plot.commands import points
+
+        if self.front:
+            across, up = ([one.objectives[k] for one in self.front] for k in (0, 1))
+            return points({"": (across, up)}, self.objectives[0], self.objectives[1], title=self.name, ax=ax)
+        trials, best = zip(*self.history, strict=True) if self.history else ((), ())
+        return points({"": (trials, best)}, "trial", self.objectives[0], title=self.name, ax=ax, line="-")
+
+    def tables(self) -> Iterator[str | Table]:
+        """How many designs were tried, the best ones, and how far the best is from its limits."""
+        how = "every design tried, so the optimum is exact" if self.exact else _METHODS[self.method]
+        counts = f"{self.designs:,} designs, {self.feasible:,} feasible"
+        failed = f", {self.failed:,} failed" if self.failed else ""
+        cases = f", {self.cases:,} cases" if self.cases != self.designs else ""
+        runs = f", {self.gradients:,} runs with gradients" if self.gradients else ""
+        yield f"{self.name}: {counts}{failed}{cases}{runs} ({how})\n"
+        if self.front:
+            yield self._table(f"Pareto front ({len(self.front)} designs)", self.front)
+        elif self.best:
+            yield self._table("Best designs", self.ranked[:_MOST_SHOWN])
+            yield from self._limits(self.best)
+
+    def _table(self, title: str, designs: Sequence[Candidate]) -> Table:
+        """One row for each design: what is chosen, the objectives, the quantities of the limits."""
+        first = designs[0]
+        objectives = [text.partition(" ")[2] for text in self.objectives]
+        columns = [*first.values, *map(self._with_unit, objectives), *(one.text for one in first.limits)]
+        rows = [
+            [
+                *(one.choices.get(name, f"{value:.6g}") for name, value in one.values.items()),
+                *(f"{value:.6g}" for value in one.objectives),
+                *(f"{limit.value:.5g}" for limit in one.limits),
+            ]
+            for one in designs
+        ]
+        return Table(title, columns, rows)
+
+    def _with_unit(self, text: str) -> str:
+        unit = self.units.get(text, "-")
+        return text if unit == "-" else f"{text} [{unit}]"
+
+    def _limits(self, best: Candidate) -> Iterator[str]:
+        """How far the best design is from its limits, and what each limit costs."""
+        for limit in best.limits:
+            lost = self.lost_to[limit.text]
+            state = "is active" if limit.active else f"has {limit.margin:.1%} left"
+            price, unit = self.prices.get(limit.text), "unit" if limit.unit == "-" else limit.unit
+            cost = "" if price is None else f"; the objective changes by {price:.4g} for each {unit} of it"
+            yield f"{limit.text} {state}{cost}; {lost:,} designs exceed it"
+
+    @property
+    def notices(self) -> list[str]:
+        """Where no design is feasible, the one that is nearest to it, and why."""
+        one = self.nearest
+        if self.front or self.best or not one:
+            return []
+        shown = ", ".join(f"{name} = {one.choices.get(name, f'{value:.6g}')}" for name, value in one.values.items())
+        exceeded = [
+            f"  {limit.text}: {limit.value:.5g}{'' if limit.unit == '-' else f' {limit.unit}'}, exceeded by "
+            f"{-limit.margin:.2%}"
+            for limit in one.limits
+            if limit.margin < 0
+        ]
+        return [
+            f"no design keeps all limits; the one that exceeds them least: {shown}",
+            *exceeded,
+            *([f"  a case of it failed: {one.reason}"] if one.reason else []),
+            *(f"  {text} is exceeded by {lost:,} of {self.designs:,} designs" for text, lost in self.lost_to.items()),
+        ]
+
+
+_MOST_SHOWN = 10
+
+_METHODS = {
+    "gradient": "along gradients: a local optimum",
+    "tpe": "tree-structured Parzen estimators: a better design may exist",
+    "nsga2": "NSGA-II: better designs may exist",
+}

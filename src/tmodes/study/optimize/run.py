@@ -48,7 +48,7 @@ def optimize(
     *,
     trials: int | None = None,
     seed: int = 0,
-    folder: str | os.PathLike[str] | None = None,
+    out: str | os.PathLike[str] | None = None,
     functionals: Mapping[str, Functional] | None = None,
     progress: Progress = lambda stage, share: None,
     **where: Any,
@@ -58,11 +58,14 @@ def optimize(
     ``method``: ``grid`` tries every design of a finite space, whose optimum is exact; ``gradient`` descends, from the
     sheet's own design where the adjoint gives the slopes of a simulated objective, from the best of ``trials`` evenly
     spread designs where differences do (static numbers and formulas); ``tpe`` and ``nsga2`` try ``trials`` designs;
-    ``auto``: the first of these that fits. ``folder``: where finished cases are stored, so that the same call resumes.
+    ``auto``: the first of these that fits. ``out``: a folder for finished cases, so that the same call resumes.
     ``functionals``: further quantities by name, measured on the run, for ``gradient``. ``where``: as of
     :func:`tmodes.study.run_study`.
 
     Raises :class:`tmodes.errors.InputError` for what is wrong in the sheet, before anything runs.
+
+    >>> tmodes.optimize("study.yaml", "tpe", trials=2).designs
+    2
     """
     whole_number("seed", seed, 0, MOST_SEED)
     if trials is not None:
@@ -79,7 +82,7 @@ def optimize(
     units = dict(study.parameter_units) | dict.fromkeys(functionals or {}, "-")
     units |= study.evaluate(0, scenarios[:1], progress).units
     goals = goals_of(asked, units)
-    tried = Trials(study, space, goals, scenarios, folder, progress, where)
+    tried = Trials(study, space, goals, scenarios, out, progress, where)
     count = trials or TRIALS.get(chosen, 0)
     if chosen == "grid":
         designs = space.all()

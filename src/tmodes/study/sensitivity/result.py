@@ -2,22 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from tmodes.io.printed import CommandResult, Table
 from tmodes.study.plain import plain
+
+if TYPE_CHECKING:
+    from xarray import Dataset
 
 __all__ = ["Sensitivity"]
 
 Array = NDArray[np.float64]
 
 
-@dataclass(frozen=True, eq=False)
-class Sensitivity:
+@dataclass(frozen=True, eq=False, repr=False)
+class Sensitivity(CommandResult):
     """Indices of q quantities by d parameters, not-a-number where a quantity has none.
 
     ``method`` ``sobol``: ``first`` (q, d), the share of the variance that a parameter makes by itself; ``total``
@@ -87,3 +91,89 @@ class Sensitivity:
         }  # fmt: skip
         bare = {index: values[k] for index, values in self.indices.items()}
         return one | bare | {f"{index}_interval": ends[k] for index, ends in self.intervals.items()}
+
+    @property
+    def data(self) -> Dataset:
+        """Each index (quantity, parameter), and ``NAME_interval`` (quantity, parameter, end) with both of its ends."""
+        from xarray import Dataset
+
+        pair = ("quantity", "parameter", "other")
+        series = {name: (pair[: values.ndim], values) for name, values in self.indices.items()}
+        series |= {
+            f"{name}_interval": ((*pair[: values.ndim - 1], "end"), values) for name, values in self.intervals.items()
+        }
+        names = list(self.names)
+        coords = {"quantity": list(self.quantities), "parameter": names, "other": names, "end": ["low", "high"]}
+        used = {dim for dims, _ in series.values() for dim in dims}
+        return Dataset(series, {dim: values for dim, values in coords.items() if dim in used})
+
+    def plot(self, ax: Any = None, quantity: str | None = None) -> list[Any]:
+        """The indices of a quantity, the first one if none is named, as bars."""
+        from tmodes.plot.commands import bars
+
+        name = self.quantities[0] if quantity is None else quantity
+        k = self.quantities.index(name)
+        shown = {index: self.indices[index][k] for index in self._shown if index != "spread"}
+        return bars(shown, self.names, "index" if self.method == "sobol" else "effect", title=name, ax=ax)
+
+    @property
+    def notices(self) -> list[str]:
+        """Quantities without indices, and why."""
+        return [f"{name} has no indices: {note}" for name, note in self.notes.items() if note]
+
+    def tables(self) -> Iterator[str | Table]:
+        """A table for each quantity, the most important parameter first."""
+        for k, name in enumerate(self.quantities):
+            if not self.notes.get(name):
+                yield from self._table(k, name)
+
+    def _table(self, k: int, name: str) -> Iterator[str | Table]:
+        unit = self.units.get(name, "-")
+        unit_text = "" if unit == "-" else f" {unit}"
+        spread = f"standard deviation {self.deviation[k]:.3g}{unit_text} ({self.cases:,} cases)"
+        yield f"{name}: mean {self.mean[k]:.4g}{unit_text}, {spread}"
+        order = [self.names.index(one) for one in self.ranked(name)]
+        columns = ["parameter", *(_HEADINGS[index].format(unit=unit) for index in self._shown)]
+        rows = [[self.names[i], *(_cell(self, index, (k, i)) for index in self._shown)] for i in order]
+        yield Table("", columns, rows)
+        if self.second is not None:
+            yield from self._pairs(self.second[k], k)
+        if self.failed[k]:
+            left_out = f"{self.failed[k]:,} cases have no value and are left out"
+            yield f"{left_out}: this may change an index by up to {self.shift[k]:.2g}.\n"
+
+    def _pairs(self, second: Array, k: int) -> Iterator[str | Table]:
+        """The pairs with the largest indices."""
+        pairs = sorted(
+            ((i, j) for i in range(len(self.names)) for j in range(i)), key=lambda pair: -abs(float(second[pair]))
+        )
+        rows = [[f"{self.names[j]}, {self.names[i]}", _cell(self, "second", (k, i, j))]
+                for i, j in pairs[:_MOST_PAIRS]]  # fmt: skip
+        if rows:
+            yield "Pairs: what two parameters make together, beyond each by itself"
+            yield Table("", ["pair", "second"], rows)
+
+    @property
+    def _shown(self) -> tuple[str, ...]:
+        return ("total", "first") if self.method == "sobol" else ("size", "effect", "spread")
+
+
+_MOST_PAIRS = 20
+
+_HEADINGS = {
+    "first": "first", "total": "total", "size": "size of the effect [{unit}]", "effect": "mean effect [{unit}]",
+    "spread": "spread [{unit}]",
+}  # fmt: skip
+
+
+def _cell(found: Sensitivity, index: str, place: tuple[int, ...]) -> str:
+    """A number and half of its interval."""
+    value = found.indices[index][place]
+    if index not in found.intervals:
+        return f"{value:.3g}"
+    low, high = found.intervals[index][place]
+    half = (high - low) / 2
+    if found.method == "morris":
+        return f"{value:.3g} ± {half:.2g}"
+    places = int(np.clip(1 - np.floor(np.log10(half)), 2, 6)) if half > 0 else 6
+    return f"{value:.{places}f} ± {half:.{places}f}"

@@ -33,7 +33,7 @@ def sensitivity(
     samples: int | None = None,
     seed: int = 0,
     second_order: bool = False,
-    folder: str | os.PathLike[str] | None = None,
+    out: str | os.PathLike[str] | None = None,
     progress: Progress = lambda stage, share: None,
     **where: Any,
 ) -> Sensitivity:
@@ -42,15 +42,18 @@ def sensitivity(
     ``method`` ``sobol``: shares of the variance, from ``samples`` (a power of two) times the number of parameters and 2
     cases; ``second_order``: of pairs of parameters too, from nearly twice as many. ``morris``: mean size and spread of
     elementary effects, from ``samples`` times one more case than parameters: a quick screening. The plan of the sheet
-    is not used. ``folder``: where finished cases are stored, so that the same call resumes; ``where``: as of
+    is not used. ``out``: the folder where finished cases are stored, so that the same call resumes; ``where``: as of
     :func:`tmodes.study.run_study`.
 
     Raises :class:`tmodes.errors.InputError` for an unknown method, samples that are none of it, and correlated
     parameters; :class:`tmodes.errors.SimulationError` where too many cases fail.
+
+    >>> tmodes.sensitivity("study.yaml", samples=64).ranked("y")
+    ('k',)
     """
     planned = _planned(as_study(study), method, samples, seed, second_order)
     design = planned.design()
-    rows = _rows(planned, design, folder, progress, where)
+    rows = _rows(planned, design, out, progress, where)
     return analysed(method, rows, design)
 
 

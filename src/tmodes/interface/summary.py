@@ -1,4 +1,4 @@
-"""What a finished run says on the terminal: the numbers that a reader asks first, its steps, and where to look."""
+"""What a finished run has shown, in tables: the numbers that a reader asks first, its events, steps and errors."""
 
 from __future__ import annotations
 
@@ -6,26 +6,23 @@ from collections.abc import Iterator
 from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
 
-from tmodes.cli.options import plain
-from tmodes.cli.terminal import print_table
+from tmodes.io.printed import Table, plain
 
 if TYPE_CHECKING:
-    from tmodes.report.folder import RunFolder
     from tmodes.result import Result
 
 __all__ = [
     "error_of",
+    "events_table",
     "integration_lines",
-    "print_event_count",
-    "print_events",
-    "print_run",
-    "print_summary",
+    "model_error_of",
     "result_record",
+    "run_tables",
     "summary_rows",
 ]
 
 
-def result_record(result: Result, band: str | None = None) -> dict[str, Any]:
+def result_record(result: Result, band: str | float | None = None) -> dict[str, Any]:
     """What a result says, for machines."""
     return {
         "status": result.status, "message": result.message, "warnings": list(result.warnings),
@@ -34,26 +31,37 @@ def result_record(result: Result, band: str | None = None) -> dict[str, Any]:
     }  # fmt: skip
 
 
-def print_event_count(result: Result) -> None:
-    """Print how many events there are of each kind, where there are any."""
-    from tmodes.result.events import counted
-
-    if events := result.events:
-        print(f"events  {len(events):,}: {counted(events)} (tmodes show --events)")
-
-
-def print_events(result: Result) -> None:
-    """Print what happened at instants as a table."""
+def events_table(result: Result) -> str | Table:
+    """What happened at instants."""
     rows = [
         (f"{event.time:.9g}", event.kind, plain(event.place), f"{event.direction:+d}" if event.direction else "",
          f"{event.speed:.6g}" if event.unit else "-", event.unit)
         for event in result.events
     ]  # fmt: skip
     if not rows:
-        print(f"{plain(result.name)}: no events")
-        return
+        return f"{plain(result.name)}: no events"
     columns = ["time [s]", "event", "where", "direction", "speed", "unit"]
-    print_table(f"{plain(result.name)}: {len(rows):,} events", columns, rows)
+    return Table(f"{plain(result.name)}: {len(rows):,} events", columns, rows)
+
+
+def run_tables(result: Result, band: str | float | None = None, *, ended: bool = True) -> Iterator[str | Table]:
+    """What a run has shown: its numbers, how it ended (``ended``), its events, its steps and its errors.
+
+    ``band``: within which the tip counts as settled.
+    """
+    from tmodes.result.events import counted
+
+    summary = result.summary(band)
+    columns = ["quantity", "value", "error", "model error", "where"]
+    rows = list(summary_rows(summary))
+    if not (summary["model_error"] or {}).get("figures"):
+        columns, rows = [name for name in columns if name != "model error"], [(*row[:3], row[4]) for row in rows]
+    yield Table(f"{result.name}: {result.status}", columns, rows)
+    if ended:
+        yield f"end     {plain(result.message)}"
+    if events := result.events:
+        yield f"events  {len(events):,}: {counted(events)} (tmodes show --events)"
+    yield from integration_lines(result, summary)
 
 
 def error_of(summary: dict[str, Any], path: str, factor: float, unit: str) -> str:
@@ -101,29 +109,6 @@ def _seconds(timing: dict[str, float]) -> str:
 
 _MOST_JOINTS = 8
 _MOST_DEFORMATIONS = 8
-
-
-def print_run(result: Result, folder: RunFolder) -> None:
-    """Print the summary of a run as a table, and the files to open."""
-    summary = print_summary(result)
-    if result.status == "finished":  # any other ending is reported with the errors
-        print(f"end     {result.message}")
-    print_event_count(result)
-    for line in integration_lines(result, summary):
-        print(line)
-    print(f"open    {folder.report_file}" if folder.report_file.exists() else "no report was written")
-    print(f"data    {folder.result_file}")
-
-
-def print_summary(result: Result, band: str | None = None) -> dict[str, Any]:
-    """Print the summary of a result as a table, and give it back; ``band``: within which the tip counts as settled."""
-    summary = result.summary(band)
-    columns = ["quantity", "value", "error", "model error", "where"]
-    rows = list(summary_rows(summary))
-    if not (summary["model_error"] or {}).get("figures"):
-        columns, rows = [name for name in columns if name != "model error"], [(*row[:3], row[4]) for row in rows]
-    print_table(f"{result.name}: {result.status}", columns, rows)
-    return summary
 
 
 Row = tuple[str, str, str, str, str]

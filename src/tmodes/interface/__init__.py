@@ -1,0 +1,1 @@
+"""What a user touches: Robot, Result, and a function for each command, whose answer prints itself."""

@@ -1,0 +1,73 @@
+"""Figures of what commands give: bars of named numbers, points over numbers, shapes of a robot."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from tmodes.plot.panels import Axes, AxesLike, panels
+from tmodes.plot.style import COMPONENTS, INK, house_style
+
+__all__ = ["bars", "points", "shape"]
+
+
+def bars(
+    shown: Mapping[str, ArrayLike], names: Sequence[str], what: str, *, title: str = "", ax: AxesLike = None,
+    stacked: bool = False,
+) -> list[Axes]:  # fmt: skip
+    """Horizontal bars of the numbers (n,) of each of ``shown`` for n ``names``, next to each other or ``stacked``."""
+    with house_style():
+        (panel,) = panels(ax, [["a"]], 1.3 + 0.3 * max(len(names), 1))
+        places, left = np.arange(len(names), dtype=float), np.zeros(len(names))
+        height = 0.8 if stacked else 0.8 / max(len(shown), 1)
+        for k, (label, values) in enumerate(shown.items()):
+            numbers = np.nan_to_num(np.asarray(values, dtype=float))
+            shift = 0.0 if stacked else height * (k - (len(shown) - 1) / 2)
+            color = COMPONENTS[k % len(COMPONENTS)]["color"]
+            panel.barh(places + shift, numbers, height, left, color=color, label=label or None, linewidth=0)
+            left = left + numbers if stacked else left
+        panel.set_yticks(places, names)
+        panel.invert_yaxis()
+        panel.set(xlabel=what, title=title)
+        if len(shown) > 1:
+            panel.legend()
+        return [panel]
+
+
+def points(
+    shown: Mapping[str, tuple[ArrayLike, ArrayLike]], across: str, up: str, *, title: str = "", ax: AxesLike = None,
+    line: str = "", log: bool = False,
+) -> list[Axes]:  # fmt: skip
+    """Points of each of ``shown``, x (n,) and y (n,), joined where ``line`` is a style; ``log``: up."""
+    with house_style():
+        (panel,) = panels(ax, [["a"]], 3.0)
+        for k, (label, (x, y)) in enumerate(shown.items()):
+            color = COMPONENTS[k % len(COMPONENTS)]["color"]
+            panel.plot(x, y, line, marker="o", markersize=3, color=color, label=label or None)
+        panel.set(xlabel=across, ylabel=up, title=title)
+        panel.margins(x=0.05)
+        if log:
+            panel.set_yscale("log")
+        else:
+            panel.axhline(0.0, color=INK, linewidth=0.4)
+        if len(shown) > 1:
+            panel.legend()
+        return [panel]
+
+
+def shape(lines: Mapping[str, Sequence[ArrayLike]], *, title: str = "", ax: AxesLike = None) -> list[Axes]:
+    """Lines (S, 3) [m] of robots, in the plane of the two world axes along which they extend most."""
+    every = np.concatenate([np.asarray(one, dtype=float) for some in lines.values() for one in some])
+    across, up = sorted(np.argsort(-np.ptp(every, axis=0), kind="stable")[:2].tolist())
+    with house_style():
+        (panel,) = panels(ax, [["a"]], 3.2)
+        for k, (label, some) in enumerate(lines.items()):
+            for number, one in enumerate(some):
+                own = np.asarray(one, dtype=float)
+                panel.plot(own[:, across], own[:, up], label=None if number else label, **COMPONENTS[-1 - k])
+        panel.set(xlabel=f"{'xyz'[across]} [m]", ylabel=f"{'xyz'[up]} [m]", title=title)
+        panel.set_aspect("equal", adjustable="datalim")
+        panel.legend()
+        return [panel]
