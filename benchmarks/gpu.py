@@ -40,7 +40,7 @@ VARIED = {"gear.stiffness": 0.2, "payload.mass": 0.1, "link.modes.1.bending_stif
 
 def shown(model: LoopModel) -> tuple[Output, ...]:
     """Outputs of which a kernel is made: a place, a speed, an effort, and a distance of the tip."""
-    outputs = Outputs(model.lean, (OWN,))
+    outputs = Outputs(model.loop, (OWN,))
     names = ("tip.x", "tip.speed", f"{model.plan.drives[0].joint}.effort", OWN)
     return tuple(outputs[name] for name in names)
 

@@ -27,7 +27,7 @@ METHODS = ("dormand_prince", "rk4", "reduced")
 
 def shown(model):
     """Outputs of which a kernel is made: a place, a speed, an effort, and a distance of the tip."""
-    outputs = Outputs(model.lean, (OWN,))
+    outputs = Outputs(model.loop, (OWN,))
     names = ("tip.x", "tip.speed", f"{model.plan.drives[0].joint}.effort", OWN)
     return tuple(outputs[name] for name in names)
 

@@ -55,7 +55,7 @@ class Everything(Runner):
 
 def asked(robot):
     """All reductions of all series that are compiled."""
-    names = [each for each in robot_outputs(robot) if not each.startswith(("work.", "energy.", "power.", "base."))]
+    names = [each for each in robot_outputs(robot) if not each.startswith(("energy.", "power.", "base."))]
     return [Reduction(series, how) for series in names for how in HOWS]
 
 

@@ -111,12 +111,16 @@ class LoopModel:
 
         more = {"motion": True} if goes_side_by_side(method) else {}
         wanted = CaseSeries(self.series(shown, given, after=self.plan.is_sampled).schedule, given, folds)
-        return CaseLoop(self.lean.rate, 2 * len(self.coordinates), method, more, wanted)
+        return CaseLoop(self.side(shown).rate, 2 * len(self.coordinates), method, more, wanted)
 
     @cached_property
     def lean(self) -> LeanLoop:
         """The same without works, for runs side by side of which only series are wanted."""
         return LeanLoop(self.plan)
+
+    def side(self, shown: Sequence[Output]) -> ClosedLoop:
+        """What integrates runs of which only some outputs are wanted: without works where none is among them."""
+        return self.loop if any(one.is_work for one in shown) else self.lean
 
     @cached_property
     def settles(self) -> LoopModel:
@@ -135,11 +139,11 @@ class LoopModel:
     def series(self, shown: tuple[Output, ...], given: int = 0, *, after: bool = False, lean: bool = True) -> Series:
         """The schedule of some outputs, ``series``; see :func:`tmodes.equations.loop.outputs.output_schedule`.
 
-        ``lean``: of states without works.
+        ``lean``: of states without works where none is among them, see :meth:`side`.
         """
         key = tuple((one.of, one.places) for one in shown), given, after, lean
         if key not in self._series:
-            loop = self.lean if lean else self.loop
+            loop = self.side(shown) if lean else self.loop
             self._series[key] = output_schedule(loop, {"series": shown}, given, after=after, often=lean)
         return self._series[key]
 
@@ -163,7 +167,7 @@ class LoopModel:
     def lean_lane_loop(self, method: str, shown: tuple[Output, ...], given: int, *, folds: bool) -> Library:
         """The native loop over robots side by side that writes some outputs, or reduces them (``folds``)."""
         wanted = self.series(shown, given).schedule
-        return lane_loop(self.lean.rate, 2 * len(self.coordinates), method, wanted, given=given, folds=folds)
+        return lane_loop(self.side(shown).rate, 2 * len(self.coordinates), method, wanted, given=given, folds=folds)
 
     @property
     def batch_widths(self) -> dict[str, int]:

@@ -58,6 +58,11 @@ class Output(NamedTuple):
     stored: tuple[str, ...] = ()
 
     @property
+    def is_work(self) -> bool:
+        """Whether it is integrated next to the motion."""
+        return self.stored[:1] == ("work",)
+
+    @property
     def further(self) -> bool:
         """Whether it takes numbers of its own next to those of the loop."""
         return self.of is Seen.along

@@ -38,7 +38,7 @@ class Room:
         method, size, wanted = work.settings.method, work.inputs.starts.shape[1], work.wanted
         library = work.model.lane_loop(method) if wanted is None else wanted.library(work.model, method)
         if wanted is not None:
-            size = work.model.lean.layout.size
+            size = work.model.side(wanted.shown).layout.size
         self.loop, self.work = library[method], work
         self.given = None if wanted is None else Given(wanted)
         self.memory, self.options = private(len(CELLS), WIDTH), private(len(LANE_OPTIONS))

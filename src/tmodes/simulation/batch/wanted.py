@@ -50,7 +50,7 @@ class Wanted:
     def take(self, model: LoopModel, parameters: Array, schedule: Schedule, run: Trajectory, place: int) -> None:
         """The series of one run from its samples."""
         times, table = run.times, self.table[place if len(self.table) > 1 else 0]
-        count, size = len(times), model.lean.layout.size
+        count, size = len(times), model.side(self.shown).layout.size
         if not count:
             self.out[place] = np.nan
             return

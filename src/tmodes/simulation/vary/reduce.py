@@ -85,7 +85,7 @@ def reduced(
     path. Numbers are those of :func:`tmodes.run` within the tolerance of the integration.
 
     Cases run side by side, or by themselves where they are stiff; each is run as :func:`tmodes.run` does where stop
-    conditions or the energy may end it, and for works and what is at stations along links, which is slow. ``kept``:
+    conditions or the energy may end it, and for what is at stations along links, which is slow. ``kept``:
     indices of cases whose motions are kept. ``wrong``: what becomes of cases that the sheet refuses: an ``error``
     before anything runs, or a ``row`` with the status ``refused``. ``spans``: where these cases are part of more, the
     least and the largest value of each path over all of them; what can be found once for all is then kept, and no case

@@ -67,10 +67,9 @@ class Reducing:
         """The outputs that are wanted, by the lot's structure; None where lanes do not give all that it has."""
         found: dict[int, dict[str, Output] | None] = {}
         for lot in self.lanes.lots:
-            lean, whole = Outputs(lot.like.model.lean, self._given), lot.like.model.outputs
-            wanted = {name: lean[name] for name in self._names if name in lean}
-            slow = any(name in whole for name in self._names if name not in wanted)
-            found[id(lot.like)] = None if slow or any(one.further for one in wanted.values()) else wanted
+            outputs = Outputs(lot.like.model.loop, self._given)
+            wanted = {name: outputs[name] for name in self._names if name in outputs}
+            found[id(lot.like)] = None if any(one.further for one in wanted.values()) else wanted
         return found
 
     @cached_property
