@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from tmodes.equations.lagrange.system import System
     from tmodes.errors import TmodesError
     from tmodes.gradients.gradient import adjoint_gradient, forward_sensitivities
-    from tmodes.gradients.quantities import Functional, tracking_error
+    from tmodes.gradients.quantities import Functional, reduced_output, tracking_error
     from tmodes.interface.batches import batch
     from tmodes.interface.checks import check, evaluate
     from tmodes.interface.description import describe
@@ -66,6 +66,7 @@ __all__ = [
     "optimize",
     "outputs",
     "read_study",
+    "reduced_output",
     "run",
     "run_study",
     "sensitivity",
@@ -106,6 +107,7 @@ _HOMES = {
     "sensitivity": "tmodes.study.sensitivity.sensitivity",
     "show": "tmodes.interface.show.show",
     "simulate_batch": "tmodes.simulation.vary.simulate.simulate_batch",
+    "reduced_output": "tmodes.gradients.quantities.reduced_output",
     "static": "tmodes.interface.statics.static",
     "tracking_error": "tmodes.gradients.quantities.tracking_error",
     "use": "tmodes.kinds.outside.use",

@@ -21,7 +21,8 @@ from command import called
 from tmodes.analysis.line.line import elastic_line
 from tmodes.equations.loop.outputs import DISTANCES, ENERGIES, Output
 from tmodes.errors import InputError
-from tmodes.gradients.gradient import forward_sensitivities
+from tmodes.gradients.gradient import adjoint_gradient, forward_sensitivities
+from tmodes.gradients.quantities import reduced_output
 from tmodes.io.units import udunits
 from tmodes.plot.units import pretty, readable
 from tmodes.result import Result, assemble_result
@@ -267,6 +268,15 @@ def test_gradients_of_all_outputs_are_those_of_differences(robot: str) -> None:
         close(found.info[name][:, 0], known[:, k], 1e-9, name)
         size = max(float(np.abs(slope).max()), 1e-7 * float(np.abs(found.info[name]).max()))
         assert found.of[name][path] == pytest.approx(slope, rel=0, abs=2e-6 * size), name
+
+
+def test_gradient_of_a_reduced_output_is_that_of_differences() -> None:
+    sheet, path = tmodes.load("spong1987", SHORT), "joints.joint.gear.stiffness"
+    sides = [tmodes.run(sheet.with_({path: at})).reduce("energy.total", "rms") for at in (99.0, 101.0)]
+    found = adjoint_gradient(sheet, reduced_output("energy.total", "rms"), [path])
+    assert found.by[path] == pytest.approx((sides[1] - sides[0]) / 2, rel=1e-3)
+    with pytest.raises(InputError, match="one of mean, rms, end"):
+        reduced_output("energy.total", "max")
 
 
 def test_a_station_of_a_link_has_no_gradient() -> None:

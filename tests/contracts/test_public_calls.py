@@ -171,6 +171,7 @@ def calls(folder: Path) -> dict[str, tuple[Callable[..., Any], dict[str, Any]]]:
         "Model.stiffness": (model.stiffness, {"q": still, "wrenches": None, "base": None}),
         **{f"Model.{name}": (getattr(model, name), {"q": still}) for name in ("mass_matrix", "gravity", "pose", "jacobian")},
         **{f"Model.{name}": (getattr(model, name), {"q": still, "v": still}) for name in ("elastic_forces", "energies", "losses", "power_lost", "momentum")},
+        "reduced_output": (tmodes.reduced_output, {"output": "tip.x", "how": "rms"}),
         "Result.output": (result.output, {"name": "tip.x"}),
         "Result.reduce": (result.reduce, {"name": "tip.x", "how": "max"}),
         "outputs": (tmodes.outputs, {"robot": robot}),

@@ -16,8 +16,9 @@ from tmodes.io.arguments import checked_arguments, numbers_of, refuse_fields
 from tmodes.io.words import shown
 from tmodes.model.derivatives import Blocks, differentiated
 from tmodes.simulation.recording import Recording
+from tmodes.simulation.reductions import SMOOTH, Reduction, with_slope
 
-__all__ = ["Functional", "Quantities", "Weights", "measured_by", "tracking_error"]
+__all__ = ["Functional", "Quantities", "Weights", "measured_by", "reduced_output", "tracking_error"]
 
 Array = NDArray[np.float64]
 
@@ -146,6 +147,24 @@ def tracking_error(quantity: str, reference: ArrayLike | Callable[[Array], Array
         return float((shares * apart**2).sum()), {quantity: 2 * shares * apart}
 
     return Functional((quantity,), measure)
+
+
+@checked_arguments
+def reduced_output(output: str, how: str) -> Functional:
+    """One number of an output over the run, in its unit: ``reduced_output("energy.total", "rms")``.
+
+    ``how``: a rule that has a derivative, ``mean``, ``rms`` or ``end``, as of
+    :class:`tmodes.simulation.reductions.Reduction`. Raises :class:`tmodes.errors.InputError` for another one.
+    """
+    if how not in SMOOTH:
+        hint = "a largest or least value has no slope everywhere; take rms"
+        raise InputError("how", shown(how), f"one of {', '.join(SMOOTH)} for gradients", hint)
+
+    def measure(times: Array, info: Mapping[str, Array]) -> tuple[float, Mapping[str, ArrayLike]]:
+        value, slopes = with_slope(Reduction(output, how), info[output][:, 0], times)
+        return value, {output: slopes[:, None]}
+
+    return Functional((output,), measure)
 
 
 def _trapezoids(times: Array) -> Array:

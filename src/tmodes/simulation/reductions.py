@@ -14,8 +14,8 @@ from tmodes.errors import InputError
 from tmodes.io.words import nearest
 
 __all__ = [
-    "RULES", "SAMPLED", "Reduction", "folded", "of_samples", "of_sums", "refuse_unknown_rules", "time_weights",
-    "with_slope",
+    "RULES", "SAMPLED", "SMOOTH", "Reduction", "folded", "of_samples", "of_sums", "refuse_unknown_rules",
+    "time_weights", "with_slope",
 ]  # fmt: skip
 
 Array = NDArray[np.float64]
@@ -43,6 +43,10 @@ RULES = {
     "time_of_max": Rule(lambda s: s["time"], is_time=True),
 }
 """Rules by name, which run in the loops too."""
+
+
+SMOOTH = tuple(name for name, rule in RULES.items() if rule.slope)
+"""Those that have a derivative by the samples everywhere."""
 
 
 def _settling(values: Array, times: Array, band: float) -> Array:
