@@ -78,6 +78,5 @@ def departure(setup: RunSetup, row: Array) -> Departure | None:
     if free[most] in mechanics.deformations:
         tip = float(np.linalg.norm(mechanics.jacobian(q)[0, :3, free].T @ accelerations))
         return Departure(name.rpartition(".")[0], True, tip, "m/s^2", at_once, distance)
-    name = name.removesuffix(".motor")
-    unit = "m/s^2" if name in setup.planned.chain.sliding else "rad/s^2"
-    return Departure(name, False, float(accelerations[most]), unit, at_once, distance)
+    unit = setup.model.outputs[f"{name}.acceleration"].unit
+    return Departure(name.removesuffix(".motor"), False, float(accelerations[most]), unit, at_once, distance)

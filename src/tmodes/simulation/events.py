@@ -76,8 +76,7 @@ class _Reader:
         self.before, self.after, self.was, self.found = before, after, was, found
         self.layout, self.slipping = layout, tuple(loop.slipping)
         self.names = run.coordinates
-        sliding = run.chain.sliding
-        self.units = ["m/s" if name.removesuffix(".motor") in sliding else "rad/s" for name in self.names]
+        self.units = [run.setup.model.outputs[f"{name}.velocity"].unit for name in self.names]
         self.touch = loop.plan.touch.touch if loop.plan.touch else None
         self.touching = len(self.slipping) + (SLIP if self.touch and self.touch.sheet.sticks else 0)
         self.gears = [axis.angle for axis in loop.parts.axes if axis.drive and axis.drive.dead_zone]

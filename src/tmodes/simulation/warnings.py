@@ -41,7 +41,7 @@ def _begun(setup: RunSetup) -> Iterator[str]:
     powers, rates, jolts = setup.planned.signals.coefficients[0], setup.start[setup.model.layout.v], dict(plan.jolts)
     for driver in setup.model.loop.drivers:
         joint, signal, rate = driver.plan.joint, driver.plan.signal, rates[driver.coordinate]
-        unit = "m/s" if joint in setup.planned.chain.sliding else "rad/s"
+        unit = setup.model.outputs[f"{joint}.velocity"].unit
         if signal in jolts and (jump := powers[jolts[signal], 1]):
             what = f"joint {joint} begins with {jump:.4g} {unit} at t = 0, and gives what it carries an impulse"
             yield f"{what}; to begin otherwise, name the rates after it in `initial.rates`"
