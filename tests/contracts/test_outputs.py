@@ -288,7 +288,7 @@ def test_a_station_of_a_link_has_no_gradient() -> None:
 
 
 def test_figures_show_the_same_numbers() -> None:
-    result, outputs = assemble_result(run_of(0)), run_of(0).setup.model.outputs
+    result, outputs = tmodes.Result.like(assemble_result(run_of(0))), run_of(0).setup.model.outputs
     panels = result.figures()["joint_tracking"]()
     output, values = outputs["j0.position"], result.output("j0.position").values
     lines = {line.get_label(): line.get_ydata() for line in panels[0].get_lines()}
@@ -296,6 +296,10 @@ def test_figures_show_the_same_numbers() -> None:
         unit for unit in (readable(output.unit, value) for value in (1.0, 1e-3)) if unit.name in panels[0].get_ylabel()
     )
     close(lines["joint"], unit.of(values), 1e-9, "joint")
+    drawn = result.plot(name="l0.moment.y@0.37")[0]
+    moment, unit = known_of(0)["l0.moment.y@0.37"], readable("N*m", known_of(0)["l0.moment.y@0.37"])
+    assert unit.name in drawn.get_ylabel()
+    close(drawn.get_lines()[0].get_ydata(), unit.of(moment), 1e-8, "moment")
     forces = result.figures()["contact_force"]()
     output, values = outputs["contact.force"], result.output("contact.force").values
     assert pretty(output.unit)[-1] in forces[0].get_ylabel()

@@ -155,6 +155,9 @@ def reduced_output(output: str, how: str) -> Functional:
 
     ``how``: a rule that has a derivative, ``mean``, ``rms`` or ``end``, as of
     :class:`tmodes.simulation.reductions.Reduction`. Raises :class:`tmodes.errors.InputError` for another one.
+
+    >>> tmodes.reduced_output("tip.speed", "rms").quantities
+    ('tip.speed',)
     """
     if how not in SMOOTH:
         hint = "a largest or least value has no slope everywhere; take rms"

@@ -16,6 +16,7 @@ from tmodes.result import result as lower
 from tmodes.sheet import robot as sheet
 
 if TYPE_CHECKING:
+    from tmodes.equations.loop.outputs import Outputs
     from tmodes.report.notebook import Shown
     from tmodes.sheet.robot import RobotPair
     from tmodes.simulation.callback import Controller
@@ -191,6 +192,18 @@ class Robot(sheet.Robot):
         """
         return self.of(super().with_(changes))
 
+    def outputs(self) -> Outputs:
+        """Every number of an instant of a run by name, each with ``unit`` and ``meaning``, as ``tmodes outputs``.
+
+        Raises :class:`tmodes.errors.InputError` for a robot that cannot run.
+
+        >>> tmodes.load("spong1987").outputs()["joint.gear_twist"].unit
+        'rad'
+        """
+        from tmodes.simulation.outputs import robot_outputs
+
+        return robot_outputs(self)
+
     def show(self, height: int = HEIGHT) -> Shown:
         """The viewer of this robot at rest with its modes, for a notebook; ``height`` in pixels.
 
@@ -292,13 +305,16 @@ class Result(lower.Result, CommandResult):  # pyright: ignore[reportIncompatible
     def plot(self, ax: Any = None, name: str | None = None) -> list[Any]:
         """Draw one of the figures, by ``name`` (:meth:`figures` has them), the first one if none is named.
 
-        Raises :class:`tmodes.errors.InputError` for a figure that this result cannot fill.
+        An output by its name, such as ``tip.speed``, is a figure too. Raises :class:`tmodes.errors.InputError` for what
+        this result cannot fill.
 
         >>> tmodes.load("spong1987").run(duration=0.1).plot(name="joint_tracking")
         [<Axes: ...>...]
         """
-        from tmodes.plot.figure import FIGURES
+        from tmodes.plot.figure import FIGURES, output_figure
 
+        if name and "." in name:
+            return output_figure(self, name, ax)
         figure = FIGURES[name or next(iter(self.figures()))]
         return figure(self, ax)
 

@@ -161,8 +161,8 @@ class Statics(CommandResult):
         yield circumstances(robot, contact=True, at=self.at, efforts=info["efforts"])
         if not info["coordinates"]:
             yield "It has no coordinates: nothing in it moves or bends."
-        sliding = robot.chain().sliding
-        coordinates = [[name, *numbers([value], 1.0, 1.0), _unit(name, robot, sliding)]
+        units = robot.chain().units(info["coordinates"])
+        coordinates = [[name, *numbers([value], 1.0, 1.0), units[name]]
                        for name, value in info["coordinates"].items()]  # fmt: skip
         if coordinates:
             yield Table("Pose", ["coordinate", "value", "unit"], coordinates)
@@ -256,14 +256,6 @@ def numbers(values: list[float], factor: float, largest: float) -> list[str]:
 
 def _largest(rows: list[dict[str, Any]], name: str) -> float:
     return max((abs(value) for one in rows for value in one[name]), default=0.0)
-
-
-def _unit(name: str, sheet: Robot, sliding: Container[str]) -> str:
-    """The unit of a coordinate: m along prismatic joints, none for stretch and shear, else rad."""
-    joints = {coordinate for joint in sheet.joints for coordinate in joint.coordinates}
-    if name.removesuffix(".motor") in joints:
-        return "m" if name in sliding else "rad"
-    return "-" if name.rpartition(".")[2].startswith(("stretch", "shear")) else "rad"
 
 
 def stiffness_table(info: Mapping[str, Any] | None) -> Iterator[Table]:

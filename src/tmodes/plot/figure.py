@@ -13,12 +13,12 @@ from tmodes.errors import InputError
 from tmodes.io.arguments import checked_arguments
 from tmodes.io.atomic import atomic_write, check_writable
 from tmodes.kinds.registry import Registry
-from tmodes.plot.panels import Axes, AxesLike
-from tmodes.plot.style import house_style
+from tmodes.plot.panels import Axes, AxesLike, curves, last_times, panels
+from tmodes.plot.style import REAL, house_style
 from tmodes.result.result import Result
 
 __all__ = [
-    "FIGURES", "FORMATS", "Figure", "all_figures", "left_out", "register", "rendered", "save_figures",
+    "FIGURES", "FORMATS", "Figure", "all_figures", "left_out", "output_figure", "register", "rendered", "save_figures",
 ]  # fmt: skip
 
 
@@ -100,6 +100,17 @@ def rendered(figure: Any, kind: str, dpi: int = DPI) -> bytes:
     with house_style():
         figure.savefig(stream, format=kind, dpi=dpi, metadata=FORMATS[kind])
     return stream.getvalue()
+
+
+def output_figure(result: Result, name: str, ax: AxesLike = None) -> list[Axes]:
+    """The course of one output of a result by its name, in one panel; raises as :meth:`Result.output`."""
+    series = result.output(name)
+    times = series["time"].values
+    with house_style():
+        axes = panels(ax, [[name]], 2.4)
+        curves(axes[0], times, {"": (series.values, REAL)}, series.attrs["units"], name)
+        last_times(axes, times, 1)
+    return axes
 
 
 def _files(formats: Sequence[str], result: Result, name: str) -> dict[str, bytes]:

@@ -221,6 +221,9 @@ class Result:
 
         ``tmodes.outputs(result.robot)`` lists the names. What is not stored is computed by the equations of the run.
         Raises :class:`tmodes.errors.InputError` for an unknown name, with the nearest one, and where a run has it not.
+
+        >>> result.output("tip.speed").attrs["units"]
+        'm/s'
         """
         from xarray import DataArray
 
@@ -237,6 +240,9 @@ class Result:
 
         ``how``: as of :class:`tmodes.simulation.reductions.Reduction`, over the stored samples. Raises
         :class:`tmodes.errors.InputError` as :meth:`output`, and for a rule that is none.
+
+        >>> result.reduce("tip.speed", "max") > result.reduce("tip.speed", "rms")
+        True
         """
         from tmodes.simulation.reductions import Reduction, of_samples, refuse_unknown_rules
 

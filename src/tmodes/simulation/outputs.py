@@ -26,6 +26,9 @@ def robot_outputs(robot: Robot) -> Outputs:
     Each has a ``name``, a ``unit`` and a ``meaning``; ``rows`` lists them. Nothing is compiled.
 
     Raises :class:`tmodes.errors.InputError` for a robot that cannot run.
+
+    >>> tmodes.outputs(tmodes.load("spong1987"))["tip.speed"].unit
+    'm/s'
     """
     refuse_other(robot)
     return Outputs(LoopModel(planned(robot.pair().real).plan).loop, tuple(DISTANCES))
