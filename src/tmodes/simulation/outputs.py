@@ -4,11 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-import numpy as np
-
 from tmodes.equations.loop.outputs import DISTANCES, Output, Outputs
 from tmodes.io.arguments import checked_arguments
-from tmodes.model.model import Model
 from tmodes.sheet import Robot
 from tmodes.sheet.robot import refuse_other
 from tmodes.simulation.loop import LoopModel
@@ -16,7 +13,7 @@ from tmodes.simulation.plan import planned
 from tmodes.simulation.start import RunSetup
 from tmodes.simulation.stops import Stop, Stops, resolved
 
-__all__ = ["named_setup", "refuse_wrong_stops", "robot_outputs", "run_stops"]
+__all__ = ["refuse_wrong_stops", "robot_outputs", "run_stops"]
 
 
 @checked_arguments
@@ -39,11 +36,7 @@ def run_stops(setup: RunSetup, more: tuple[str, ...] = ()) -> Stops:
 
     Raises :class:`tmodes.errors.InputError` as :func:`tmodes.simulation.stops.resolved`.
     """
-    settings, model = setup.robot.integration, setup.model
-    if not (settings.stop or more or settings.stop_at_limits):
-        return Stops()
-    limits = tuple(_limits(setup)) if settings.stop_at_limits else ()
-    return Stops((*resolved(settings.stop, model), *resolved(more, model, "stop"), *limits), model)
+    return _stops_of(setup.robot, setup.model, more)
 
 
 def refuse_wrong_stops(robot: Robot) -> None:
@@ -52,20 +45,21 @@ def refuse_wrong_stops(robot: Robot) -> None:
     Raises :class:`tmodes.errors.InputError`.
     """
     if robot.integration.stop:
-        run_stops(named_setup(robot))
+        _stops_of(robot, LoopModel(planned(robot).plan), ())
 
 
-def named_setup(robot: Robot) -> RunSetup:
-    """A setup without a state to start from, of which only the names are asked; nothing is compiled for it."""
-    plan = planned(robot)
-    nowhere = np.zeros(0)
-    return RunSetup(robot, plan, LoopModel(plan.plan), nowhere, Model(plan.chain), nowhere)
+def _stops_of(robot: Robot, model: LoopModel, more: tuple[str, ...]) -> Stops:
+    settings = robot.integration
+    if not (settings.stop or more or settings.stop_at_limits):
+        return Stops()
+    limits = tuple(_limits(robot, model)) if settings.stop_at_limits else ()
+    return Stops((*resolved(settings.stop, model), *resolved(more, model, "stop"), *limits), model)
 
 
-def _limits(setup: RunSetup) -> Iterator[Stop]:
+def _limits(robot: Robot, model: LoopModel) -> Iterator[Stop]:
     """The limits of joints. One is passed where it is by more than the tolerance: a joint may rest at its limit."""
-    settings = setup.robot.integration
-    for joint, own in ((each, name) for each in setup.robot.joints for name in each.coordinates):
+    settings = robot.integration
+    for joint, own in ((each, name) for each in robot.joints for name in each.coordinates):
         limits = joint.limits
         if limits is None:
             continue
@@ -74,7 +68,7 @@ def _limits(setup: RunSetup) -> Iterator[Stop]:
             ("velocity", limits.speed, True, True), ("effort", limits.effort, True, True),
         )  # fmt: skip
         for kind, limit, above, size in kinds:
-            output: Output | None = setup.model.outputs.get(f"{own}.{kind}")
+            output: Output | None = model.outputs.get(f"{own}.{kind}")
             if limit is None or output is None:
                 continue
             margin = settings.absolute_tolerance + settings.relative_tolerance * max(1.0, abs(limit))
