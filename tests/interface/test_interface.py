@@ -132,6 +132,16 @@ def test_a_stored_result_is_shown_by_its_path(tmp_path: Any) -> None:
     assert repr(tmodes.show(tmp_path / "study")) == repr(done)
 
 
+def test_a_controller_or_a_stop_never_takes_the_result_of_another_run(tmp_path: Any) -> None:
+    SHORT.run(out=tmp_path, report=False)
+    for more in ({"controller": lambda m: 0.0, "period": 0.05}, {"stop": "joint.position > 1 rad"}):
+        with pytest.raises(tmodes.TmodesError):
+            SHORT.run(out=tmp_path, report=False, **more)
+    found = SHORT.run(out=tmp_path, report=False, overwrite=True, controller=lambda m: 1.0, period=0.05)
+    assert float(found.data["effort"][0, 0]) == 1.0
+    assert tmodes.Result.load(tmp_path / "result.nc").data["effort"].equals(found.data["effort"])
+
+
 def test_names_are_those_for_users() -> None:
     for thing in (LINK, LINK.joints[0], LINK.integration):
         assert not set(dir(thing)) & (set(vars(BaseModel)) | {"members", "chosen_by"})

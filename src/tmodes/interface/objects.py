@@ -120,7 +120,7 @@ def run(
         return Result.like(simulated(robot, journals=journals, **how))
     from tmodes.report.folder import RunFolder
 
-    with RunFolder(Path(out), robot, overwrite, live=live) as folder:
+    with RunFolder(Path(out), robot, overwrite, live=live, resumes=not (controller or stop)) as folder:
         del how["progress"]
         found = folder.simulate(progress, **how)
         if fault := folder.products(found, progress, report=report, figures=figures):

@@ -36,7 +36,8 @@ class RunFolder:
     """The folder of one run: ``result.nc``, ``report.html``, ``figures/``.
 
     ``shapes``: the surfaces of its links; ``live``: whether the report holds the robot's equations;
-    ``spent``: wall and processor time [s] by stage, for its provenance. Used as a context.
+    ``spent``: wall and processor time [s] by stage, for its provenance; ``resumes``: an earlier result of the same
+    sheet is of this run. Used as a context.
     Raises :class:`tmodes.errors.InputError` for a robot that nothing moves, or a result too large for memory, before
     anything is made; and :class:`tmodes.errors.ResultFileError` on entry where the run could not be stored: no
     permission, no room, another writer, a result that is there already.
@@ -44,10 +45,10 @@ class RunFolder:
 
     def __init__(
         self, path: Path, robot: Robot, overwrite: bool = False, shapes: Sequence[LinkShape] = (), *, live: bool = True,
-        spent: Mapping[str, Sequence[float]] | None = None,
+        spent: Mapping[str, Sequence[float]] | None = None, resumes: bool = True,
     ) -> None:  # fmt: skip
         self.path, self.robot, self.overwrite, self.live = path, ready_to_run(robot), overwrite, live
-        self.spent = spent
+        self.spent, self.resumes = spent, resumes
         self._size, self._shapes = result_bytes(self.robot), shapes
         self.result_file, self.report_file, self.figures = path / "result.nc", path / "report.html", path / "figures"
         self.continues = False
@@ -83,7 +84,7 @@ class RunFolder:
         self.continues = any(self.path.glob(".checkpoint-*"))
         if not self.result_file.exists():
             return
-        earlier = self._earlier()
+        earlier = self._earlier() if self.resumes else None
         if earlier and self.is_unfinished(earlier):
             self.continues = self.overwrite = True
         elif earlier and earlier.success and not self.report_file.exists():
