@@ -27,14 +27,14 @@ Q = [0.1, 0.2]
 CALLS = {
     "q": [
         *(lambda m, x, name=name: getattr(m, name)(x)
-          for name in ("mass_matrix", "gravity", "points", "pose", "jacobian", "linearised", "stiffness")),
+          for name in ("mass_matrix", "gravity", "points", "pose", "jacobian", "linearize", "stiffness")),
         *(lambda m, x, name=name: getattr(m, name)(x, Q)
           for name in ("bias", "elastic_forces", "energies", "losses", "power_lost", "momentum", "forward_dynamics",
                        "forward_dynamics_derivatives")),
     ],
     "v": [
         *(lambda m, x, name=name: getattr(m, name)(Q, x)
-          for name in ("bias", "elastic_forces", "energies", "losses", "points", "linearised", "forward_dynamics",
+          for name in ("bias", "elastic_forces", "energies", "losses", "points", "linearize", "forward_dynamics",
                        "forward_dynamics_derivatives")),
     ],
     "a": [lambda m, x: m.inverse_dynamics(Q, Q, x), lambda m, x: m.points(Q, Q, x), lambda m, x: m.linearize(Q, Q, x)],

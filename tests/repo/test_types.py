@@ -17,10 +17,10 @@ SEEN = {
     'tmodes.load("x")': "Robot", "robot.with_({})": "Robot", "robot.run()": "Result", "robot.run().robot": "Robot",
     "robot.run().data": "Dataset", "robot.modes()": "Modes", "robot.static()": "Statics",
     "robot.describe()": "Description", "robot.linearize().mass": "ndarray[tuple[Any, ...], dtype[float64]]",
-    "robot.hierarchy()": "Hierarchy", "robot.batch()": "Batch", "robot.study({})": "StudyResult",
+    "robot.hierarchy()": "Hierarchy", "robot.batch()": "BatchResult", "robot.study({})": "StudyResult",
     "robot.sensitivity({})": "Sensitivity", "robot.optimize({})": "Optimum", "robot.check()": "Check",
     "robot.eval([])": "Evaluation", "robot.show()": "Shown", "robot.chain()": "Chain", "robot.pair().real": "Robot",
-    'robot.gradient(tmodes.tracking_error("tip", 0), [])': "Gradient", 'tmodes.show("x")': "Result | StudyResult",
+    'robot.gradient(tmodes.tracking_error("tip", 0), [])': "GradientResult", 'tmodes.show("x")': "Result | StudyResult",
     "tmodes.Model(robot).energies(0, 0)": "dict[str, ndarray[tuple[Any, ...], dtype[float64]]]",
     "tmodes.run(robot)": "Result", "tmodes.modes(robot)": "Modes", "tmodes.Study.from_data({})": "Study",
 }  # fmt: skip

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from tmodes.sheet import Robot
     from tmodes.study.rows import Rows
 
-__all__ = ["Batch", "batch"]
+__all__ = ["BatchResult", "batch"]
 
 MOST_CASES = 1_000_000
 MOST_REPORTED = 5
@@ -46,7 +46,7 @@ def batch(
     threads: int | None = None,
     out: str | os.PathLike[str] | None = None,
     progress: Callable[[str, float], None] = lambda stage, share: None,
-) -> Batch:
+) -> BatchResult:
     """Many runs with numbers varied: a sweep (``vary``) or a Monte Carlo study (``draw``), one of the two.
 
     ``vary``: by path ``(low, high, count)`` or an array of all numbers; of several paths all combinations, the last
@@ -75,11 +75,11 @@ def batch(
     asked = drawn_study(sheet, drawn, runs, seed) if drawn else grid_study(sheet, spread)
     rows = sampled(asked, out, threads, progress) if out else computed(asked, threads, progress)
     paths = {name: one.path or name for name, one in asked.sheet.parameters.items()}
-    return Batch(sheet.name, rows, paths, asked.cases, None if out is None else os.fspath(out))
+    return BatchResult(sheet.name, rows, paths, asked.cases, None if out is None else os.fspath(out))
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Batch(CommandResult):
+class BatchResult(CommandResult):
     """Cases of a robot: ``rows`` has their numbers and how each ended; ``paths``: what each parameter varies."""
 
     name: str

@@ -30,7 +30,6 @@ HEIGHT = 760
 """Height of a viewer in a notebook [pixels]."""
 
 
-@checked_arguments
 def load(
     name_or_path: str | os.PathLike[str],
     changes: Mapping[str, Any] | None = None,

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from tmodes.study.sensitivity import Sensitivity
     from tmodes.study.study import Study
 
-__all__ = ["Gradient", "changed_study", "gradient", "optimize", "sensitivity", "study"]
+__all__ = ["GradientResult", "changed_study", "gradient", "optimize", "sensitivity", "study"]
 
 Asked = str | os.PathLike[str] | Mapping[str, Any]
 """The file of a study, or its plain data."""
@@ -177,7 +177,7 @@ def optimize(
 @checked_arguments
 def gradient(
     robot: Robot, functional: Functional, paths: Sequence[str], *, most_bytes: float | None = None
-) -> Gradient:
+) -> GradientResult:
     """Exact derivatives of one number that is measured on a run, by numbers of the sheet.
 
     ``functional``: as :func:`tmodes.tracking_error` gives it, or a :class:`tmodes.Functional` of one's own; ``paths``:
@@ -193,11 +193,11 @@ def gradient(
     from tmodes.gradients.gradient import adjoint_gradient
 
     memory = {} if most_bytes is None else {"most_bytes": most_bytes}
-    return Gradient(robot.name, adjoint_gradient(robot, functional, paths, **memory))
+    return GradientResult(robot.name, adjoint_gradient(robot, functional, paths, **memory))
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Gradient(CommandResult):
+class GradientResult(CommandResult):
     """The ``value`` that is measured on a run, and its derivatives ``by`` path, per SI unit of each number.
 
     ``found``: also by the state at the start, by all numbers of the compiled code and by the signals, and the cost.

@@ -42,7 +42,7 @@ class Model(DifferentiatedModel):
         chain = lowered() if callable(lowered) else robot
         if not isinstance(chain, Chain):
             hint = "write tmodes.Model(robot)"
-            raise InputError("robot", f"a {type(robot).__name__}", "a robot, or the chain of one", hint)
+            raise InputError("robot", f"a {type(robot).__name__}", "a robot, or the chain of a robot", hint)
         super().__init__(chain, trials=trials)
 
     def __repr__(self) -> str:

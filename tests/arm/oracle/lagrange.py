@@ -142,7 +142,7 @@ class Lagrangian:
         stiffness, damping = self._function([self._q, self._v], parts)(q, v)
         return np.array(stiffness), np.array(damping)
 
-    def linearised(self, q: Array, v: Array) -> tuple[Array, Array, Array]:
+    def linearize(self, q: Array, v: Array) -> tuple[Array, Array, Array]:
         """M, D, K (nq, nq): derivatives of the inverse dynamics by a, v and q at a = 0."""
         turn = ca.jtimes(self._momenta, self._q, self._v) - ca.gradient(self._kinetic, self._q)
         potential = energy.gravity(self.motion) + energy.elastic_gear(self.motion) + energy.elastic_link(self.motion)
