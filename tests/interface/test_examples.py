@@ -38,6 +38,7 @@ def public() -> Iterator[tuple[str, Any]]:
             plain = inspect.isfunction(getattr(member, "__func__", member))
             if plain and not inner.startswith("_") and inner not in LIBRARY:
                 yield f"{name}.{inner}", getattr(one, inner)
+    yield "Robot.outputs", tmodes.Robot.outputs
 
 
 NAMES = dict(public())

@@ -166,6 +166,19 @@ class Robot(sheet.Robot):
         vars(made).update({name: value for name, value in vars(robot).items() if name == "_chain"})
         return made
 
+    @property
+    def outputs(self) -> Outputs:
+        """All numbers of an instant of a run by name, each with ``unit`` and ``meaning``, as ``tmodes outputs``.
+
+        Raises :class:`tmodes.errors.InputError` for a robot that cannot run.
+
+        >>> tmodes.load("spong1987").outputs["joint.gear_twist"].unit
+        'rad'
+        """
+        from tmodes.simulation.outputs import robot_outputs
+
+        return robot_outputs(self)
+
     @classmethod
     def from_data(cls, data: Mapping[str, Any]) -> Self:
         """A checked robot from plain data (as a YAML file holds it); numbers may be text with a unit.
@@ -190,18 +203,6 @@ class Robot(sheet.Robot):
         True
         """
         return self.of(super().with_(changes))
-
-    def outputs(self) -> Outputs:
-        """Every number of an instant of a run by name, each with ``unit`` and ``meaning``, as ``tmodes outputs``.
-
-        Raises :class:`tmodes.errors.InputError` for a robot that cannot run.
-
-        >>> tmodes.load("spong1987").outputs()["joint.gear_twist"].unit
-        'rad'
-        """
-        from tmodes.simulation.outputs import robot_outputs
-
-        return robot_outputs(self)
 
     def show(self, height: int = HEIGHT) -> Shown:
         """The viewer of this robot at rest with its modes, for a notebook; ``height`` in pixels.
