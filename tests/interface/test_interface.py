@@ -134,7 +134,10 @@ def test_a_stored_result_is_shown_by_its_path(tmp_path: Any) -> None:
 
 def test_a_controller_or_a_stop_never_takes_the_result_of_another_run(tmp_path: Any) -> None:
     SHORT.run(out=tmp_path, report=False)
-    for more in ({"controller": lambda m: 0.0, "period": 0.05}, {"stop": "joint.position > 1 rad"}):
+    others: list[dict[str, Any]] = [
+        {"controller": lambda m: 0.0, "period": 0.05}, {"stop": "joint.position > 1 rad"}
+    ]  # fmt: skip
+    for more in others:
         with pytest.raises(tmodes.TmodesError):
             SHORT.run(out=tmp_path, report=False, **more)
     found = SHORT.run(out=tmp_path, report=False, overwrite=True, controller=lambda m: 1.0, period=0.05)
