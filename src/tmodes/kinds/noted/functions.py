@@ -247,7 +247,7 @@ def total(values: Iterable[Any]) -> Any:
 def legendre_values(x: Array, order: int) -> Array:
     """As :func:`numpy.polynomial.legendre.legvander`."""
     if not is_noted(x):
-        return np.polynomial.legendre.legvander(x, order)
+        return np.polynomial.legendre.legvander(array(x), order)
     rows = [np.ones(x.shape), x]
     for k in range(2, order + 1):
         rows.append((rows[k - 1] * x * (2 * k - 1) - rows[k - 2] * (k - 1)) / k)
@@ -257,7 +257,7 @@ def legendre_values(x: Array, order: int) -> Array:
 def legendre_series(x: Array, rows: Sequence[Array]) -> Array:
     """Values (k, *x) of k series of Legendre polynomials, as :func:`numpy.polynomial.legendre.legval`."""
     if not is_noted(x):
-        return np.array([np.polynomial.legendre.legval(x, row) for row in rows])
+        return np.array([np.polynomial.legendre.legval(array(x), row) for row in rows])
     values = legendre_values(x, max(map(len, rows)) - 1)
     return np.array([values[..., : len(row)] @ row for row in rows])
 
@@ -268,7 +268,7 @@ def legendre_series(x: Array, rows: Sequence[Array]) -> Array:
 def solve(matrix: Array, right: Array) -> Array:
     """As :func:`numpy.linalg.solve`; of noted numbers by elimination with partial pivoting."""
     if not (is_noted(matrix) or is_noted(right)):
-        return np.linalg.solve(matrix, right)
+        return np.linalg.solve(array(matrix), array(right))
     rows = [[*row] for row in matrix]
     sides = [[*np.atleast_1d(row)] for row in right]
     count = len(rows)
@@ -291,7 +291,7 @@ def solve(matrix: Array, right: Array) -> Array:
 def triangle(rows: Array) -> Array:
     """The upper triangle R of a QR factorization, as ``numpy.linalg.qr(rows, mode="r")`` has it; by Householder."""
     if not is_noted(rows):
-        return np.asarray(np.linalg.qr(rows, mode="r"))
+        return np.asarray(np.linalg.qr(array(rows), mode="r"))
     matrix = np.array(rows, dtype=object)
     count, width = matrix.shape
     for k in range(min(count - 1, width)):
@@ -315,7 +315,7 @@ def triangle(rows: Array) -> Array:
 def inverse_cholesky(matrix: Array) -> Array:
     """Inverse of the lower triangle L with L L^T = ``matrix``."""
     if not is_noted(matrix):
-        return np.linalg.inv(np.linalg.cholesky(matrix))
+        return np.linalg.inv(np.linalg.cholesky(array(matrix)))
     count = len(matrix)
     lower = zeros((count, count), matrix)
     for i in range(count):
@@ -368,6 +368,7 @@ def golub_welsch(diagonal: Array, off_diagonal: Array) -> tuple[Array, Array]:
     on the recurrence, from the nodes at the values; that the last step is rounding is a guard.
     """
     if not (is_noted(diagonal) or is_noted(off_diagonal)):
+        diagonal, off_diagonal = array(diagonal), array(off_diagonal)
         whole = np.diag(diagonal) + np.diag(off_diagonal, 1) + np.diag(off_diagonal, -1)
         nodes, vectors = np.linalg.eigh(whole)
         return nodes, vectors[0] ** 2
@@ -414,7 +415,7 @@ def _squares(diagonal: Array, off_diagonal: Array, x: Any) -> Any:
 def least_eigenvalue_exceeds(matrix: Array, bound: float) -> bool:
     """Whether the least eigenvalue of a symmetric matrix is above a bound; of noted numbers by the signs of pivots."""
     if not is_noted(matrix):
-        return bool(np.linalg.eigvalsh(matrix)[0] > bound)
+        return bool(np.linalg.eigvalsh(array(matrix))[0] > bound)
     return positive_definite(matrix - bound * np.eye(len(matrix)))
 
 
