@@ -23,6 +23,7 @@ from tmodes.robots.load import load
 from tmodes.sheet import Robot
 from tmodes.simulation.plan import Follow
 from tmodes.simulation.vary.cases import run_blocks
+from tmodes.simulation.vary.parameters import parameters_of
 from tmodes.simulation.vary.programs import case_program
 
 ROBOTS = ("filipovic2010", "deluca_siciliano1991", "flexarm1990", "manutec_r3", "quanser_2dsfl", "spong1987")
@@ -147,6 +148,21 @@ def test_factors_of_the_real_robot():
     assert not program.fixed
     compare(program, robot, values)
     compare(program, robot, {path: 1.1 * value for path, value in values.items()})
+
+
+@pytest.mark.parametrize("name", ROBOTS)
+def test_every_number_of_a_published_robot_can_be_varied(name):
+    """But for settings, counts, seeds, and stiffnesses that are infinite on purpose."""
+    found = parameters_of(load(name))
+    assert len({one.path for one in found}) == len(found) > len(numbers_of(load(name)))
+    structure = {one.path for one in found if one.is_structure and np.isfinite(one.value)}
+    assert all(path.startswith("integration.") or ".functions." in path or path.endswith((".points", ".seed"))
+               for path in structure), structure  # fmt: skip
+    stiff = next(one for one in found if one.path.endswith(("gear.stiffness.0", "bending_stiffness.1", "gain")))
+    assert stiff.low in (0.0, -np.inf)
+    assert "parameters" in stiff.enters
+    for one in found:
+        assert one.low <= one.value
 
 
 def test_nothing_is_lost_silently():

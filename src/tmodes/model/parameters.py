@@ -5,6 +5,7 @@ The robot is lowered by the code of any other robot; what comes out are noted nu
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping, Sequence
 from inspect import signature
 from types import SimpleNamespace, UnionType
@@ -22,7 +23,7 @@ from tmodes.kinds.noted.functions import isfinite
 from tmodes.kinds.noted.number import Noted, Tape, is_noted
 from tmodes.sheet import Robot, RobotPair
 
-__all__ = ["Structural", "limits_of", "noted_pair"]
+__all__ = ["Structural", "bounds_of", "limits_of", "noted_pair"]
 
 Steps = tuple[str | int, ...]
 
@@ -49,6 +50,20 @@ def limits_of(kind: Any, steps: Steps, own: Sequence[Any] = ()) -> list[Any]:
     if get_origin(kind) is tuple and isinstance(steps[0], int):
         return limits_of(arms[0] if arms[-1] is Ellipsis else arms[steps[0]], steps[1:])
     return limits_of(arms[1], steps[1:]) if get_origin(kind) is dict else []
+
+
+def bounds_of(robot: Robot, steps: Steps) -> tuple[float, float]:
+    """The least and the largest value of the number at steps of a robot, as its type bounds it; infinite: no bound."""
+    group: Any = robot
+    limits: list[Any] = []
+    for k, step in enumerate(steps):
+        if isinstance(group, BaseModel) and str(step) in type(group).model_fields:
+            info = type(group).model_fields[str(step)]
+            limits = limits_of(info.annotation, steps[k + 1 :], info.metadata)
+        group = _at(group, [step])
+    low = [getattr(one, name) for one in limits for name in ("gt", "ge") if getattr(one, name, None) is not None]
+    high = [getattr(one, name) for one in limits for name in ("lt", "le") if getattr(one, name, None) is not None]
+    return float(max(low, default=-math.inf)), float(min(high, default=math.inf))
 
 
 def _refuse_beyond(limits: Sequence[Any], value: Any) -> None:

@@ -83,6 +83,15 @@ class Program:
         places = np.array([own[k] for k in chosen], dtype=np.intp)
         return Program(self.inputs, self.constants, operations, places, guards)
 
+    def acting(self, outputs: slice) -> set[int]:
+        """The inputs that some outputs depend on."""
+        masks = [1 << k for k in range(self.inputs)] + [0] * len(self.constants)
+        for _, *operands in self.operations:
+            masks.append(0)
+            for k in operands:
+                masks[-1] |= masks[k]
+        return {k for k in range(self.inputs) if any(masks[place] >> k & 1 for place in self.outputs[outputs])}
+
     @property
     def is_constant(self) -> bool:
         """Whether no output depends on an input."""
@@ -98,7 +107,7 @@ class Program:
         return registers
 
     def _holds(self, registers: Sequence[Any], cases: Array) -> NDArray[np.bool_]:
-        holds: NDArray[np.bool_] = np.isfinite(cases).all(axis=1)
+        holds = np.asarray(np.isfinite(cases).all(axis=1))
         with np.errstate(all="ignore"):
             for relation, a, b in self.guards:
                 np.logical_and(holds, RELATIONS[relation](registers[a], registers[b]), out=holds)

@@ -53,6 +53,11 @@ class CaseProgram:
             for name, place in self.places.items()
         }
 
+    def acting(self, name: str) -> set[str]:
+        """The paths that a block depends on."""
+        start, size = self.places[name]["start"], int(np.prod(self.places[name]["shape"]))
+        return {self.paths[k] for k in self.program.acting(slice(start, start + size))}
+
     def is_constant(self, name: str) -> bool:
         """Whether a block is the same for all cases."""
         return self._parts[name].is_constant
