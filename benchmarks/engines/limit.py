@@ -15,8 +15,8 @@ from typing import Any
 
 import numpy as np
 from benchmarks.engines.contender import now
+from benchmarks.engines.latency import BODY, OPERATIONS, chains
 
-from tmodes.compile.ir.latency import BODY, OPERATIONS, chains
 from tmodes.compile.ir.program import READ, BlockProgram
 from tmodes.compile.ir.unroll import unrolled
 

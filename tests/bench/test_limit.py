@@ -5,9 +5,9 @@ from __future__ import annotations
 import casadi as ca
 import numpy as np
 import pytest
+from benchmarks.engines.latency import BODY, OPERATIONS, chains
 from benchmarks.engines.limit import critical_path, machine, throughput
 
-from tmodes.compile.ir.latency import BODY, OPERATIONS, chains
 from tmodes.compile.ir.program import block_program
 
 LATENCY = {"add": 2.0, "mul": 3.0, "div": 10.0, "sqrt": 20.0, "sin": 50.0, "fma": 4.0}
