@@ -6,11 +6,16 @@ import os
 import shutil
 import subprocess
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
 import pytest
 from hypothesis import settings
 
+import tmodes
 from tmodes.kinds.outside import USED
+
+if TYPE_CHECKING:
+    from tmodes.sheet import Robot
 
 os.environ["MPLBACKEND"] = "Agg"
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # as the command does; read when NumPy is loaded, by all workers
@@ -26,6 +31,12 @@ def private_cache(tmp_path_factory: pytest.TempPathFactory) -> None:
     place = (own.parent if "PYTEST_XDIST_WORKER" in os.environ else own) / "compiled"
     place.mkdir(mode=0o700, exist_ok=True)
     os.environ["TMODES_CACHE"] = str(place)
+
+
+@pytest.fixture(scope="session")
+def robot() -> Robot:
+    """The robot of the 2010 paper as shipped."""
+    return tmodes.load("filipovic2010")
 
 
 @pytest.fixture(autouse=True)

@@ -45,13 +45,13 @@ FAULTS = (
         "kinds/contacts/spring_damper.py",
         "f.sqrt(v.dot(slip, slip) + p[4] * p[4])",
         "f.sqrt(v.dot(slip, slip) + p[4])",
-        "tests/paper tests/arm/run/test_contact.py",
+        "tests/paper tests/simulation/test_contact.py",
     ),
     Fault(
         "kinds/drives/contract.py",
         "presses = meets * (push > 0)",
         "presses = meets",
-        "tests/arm/dynamics/test_joints.py tests/arm/statics/test_elements.py",
+        "tests/equations/test_joints.py tests/analysis/statics/test_elements.py",
     ),
     Fault(
         "kinds/drives/contract.py",
@@ -87,13 +87,13 @@ FAULTS = (
         "integrate/dormand_prince.py",
         "22 / 525, -1 / 40)",
         "22 / 525, -1 / 30)",
-        "tests/core/test_integrators.py tests/contracts/test_integrators.py",
+        "tests/integrate/test_integrators.py tests/contracts/test_integrators.py",
     ),
     Fault(
         "equations/loop/control_kernels.py",
         "amperes = (command - back * thd[0]) / resistance",
         "amperes = (command + back * thd[0]) / resistance",
-        "tests/contracts/test_drives.py tests/arm/run tests/paper/test_independent.py",
+        "tests/contracts/test_drives.py tests/simulation tests/paper/test_independent.py",
     ),
     Fault(
         "equations/loop/contact_kernels.py",
@@ -105,7 +105,7 @@ FAULTS = (
         "equations/loop/contact_kernels.py",
         "mass = self.mass(p, met, step, mode)\n        direction,",
         "mass = p[SURFACE]\n        direction,",
-        "tests/arm/run tests/contracts/test_contacts.py",
+        "tests/simulation tests/contracts/test_contacts.py",
     ),
     Fault(
         "io/resultfile.py",
@@ -120,8 +120,8 @@ FAULTS = (
         "tests/result/test_resultfile.py",
     ),
     Fault("io/atomic.py", "path.unlink(missing_ok=True)\n\n\ndef _create", "pass\n\n\ndef _create", "tests/result"),
-    Fault("compile/cache_folder.py", "if status.st_uid != os.getuid():", "if False:", "tests/core/test_cache.py"),
-    Fault("compile/cache_folder.py", "if status.st_mode & _OTHERS:", "if False:", "tests/core/test_cache.py"),
+    Fault("compile/cache_folder.py", "if status.st_uid != os.getuid():", "if False:", "tests/compile/test_cache.py"),
+    Fault("compile/cache_folder.py", "if status.st_mode & _OTHERS:", "if False:", "tests/compile/test_cache.py"),
     Fault(
         "analysis/vibration.py",
         "(times[k + 1] - times[k]) - since)",
@@ -138,7 +138,7 @@ FAULTS = (
         "simulation/stops.py",
         "signs = np.array([1.0 if stop.above else -1.0 for stop in self.stops])",
         "signs = np.array([1.0 for _ in self.stops])",
-        "tests/core/test_stops.py tests/arm/run/test_stops.py",
+        "tests/simulation/test_stop_conditions.py tests/simulation/test_stops.py",
     ),
     Fault(
         "result/errors.py",
@@ -162,7 +162,7 @@ FAULTS = (
         "compile/loops/step_control.py",
         "return 1.0 / self.order - self.damping * self.beta",
         "return 2.0 / self.order - self.damping * self.beta",
-        "tests/core/test_integrators.py tests/contracts/test_integrators.py",
+        "tests/integrate/test_integrators.py tests/contracts/test_integrators.py",
     ),
 )
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import tmodes
-from arm.run.sheets import pendulum, torque
+from simulation.sheets import pendulum, torque
 from tmodes.errors import InputErrors
 from tmodes.simulation.vary import arrays, simulate
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from arm.run.sheets import ZERO, arm
+from simulation.sheets import ZERO, arm
 from tmodes.compile.loops.gate import SHORTEST
 from tmodes.simulation.batch.simulate import simulate_lanes
 from tmodes.simulation.start import run_setup

@@ -8,7 +8,7 @@ import pytest
 from pydantic import ValidationError
 
 import tmodes
-from arm.run.sheets import pendulum, torque
+from simulation.sheets import pendulum, torque
 from tmodes.errors import InputError
 from tmodes.kinds.signals.noise import Noise, normal_numbers
 from tmodes.simulation.simulate import simulate_motion

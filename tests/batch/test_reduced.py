@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import tmodes
-from arm.run.sheets import pendulum, torque
+from simulation.sheets import pendulum, torque
 from tmodes.errors import InputError, InputErrors
 from tmodes.simulation.outputs import robot_outputs
 from tmodes.simulation.reductions import RULES, of_samples, with_slope

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import tmodes
-from arm.run.sheets import pendulum, torque
+from simulation.sheets import pendulum, torque
 from tmodes.errors import InputError, InputErrors, TmodesError
 from tmodes.simulation.batch.result import load_batch
 from tmodes.simulation.simulate import simulate_motion

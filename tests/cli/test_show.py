@@ -11,9 +11,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from arm.see.runs import NASTY, result_of
 from command import COMMAND, tmodes
 from result.synthetic import synthetic_result
+from see.runs import NASTY, result_of
 from tmodes.cli.series import ASCII, BLOCKS, first_series, series_of_result, sparkline, steps_for
 from tmodes.result import Result
 

@@ -14,8 +14,8 @@ from pathlib import Path
 import pytest
 
 import tmodes
-from arm.see.runs import result_of
 from command import tmodes as command
+from see.runs import result_of
 from tmodes.cli.show import names_apart
 from tmodes.errors import InputError, ResultFileError
 from tmodes.report.differences import differences, names_by_difference

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from pydantic import Field
 
-from arm.run.sheets import ZERO, arm
+from simulation.sheets import ZERO, arm
 from tmodes.equations.loop.contact_kernels import Touch, contact_law
 from tmodes.gradients.gradient import forward_sensitivities
 from tmodes.kinds.contacts.registry import CONTACTS, SURFACES, Contact, Surface

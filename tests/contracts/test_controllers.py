@@ -9,7 +9,7 @@ import pytest
 from pydantic import Field
 from scipy.linalg import solve_continuous_are
 
-from arm.run.sheets import ZERO, arm, beam, pendulum
+from simulation.sheets import ZERO, arm, beam, pendulum
 from tmodes import simulate_batch
 from tmodes.gradients.gradient import forward_sensitivities
 from tmodes.kinds.controllers.registry import CONTROLLERS, Controller, Measured

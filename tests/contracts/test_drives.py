@@ -12,9 +12,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
-from arm.oracle.robots import GRAVITY
-from arm.random_chains import random_body
-from arm.run.sheets import arm
+from oracle.arms.robots import GRAVITY
+from random_chains import random_body
+from simulation.sheets import arm
 from tmodes.chain.chain import Chain, Friction, Gear, Joint, Motor, Node
 from tmodes.compile.ir.ordering import kernel_function
 from tmodes.equations.recursion.drive_kernels import LOCK, drive_kernels, drive_numbers

@@ -12,7 +12,7 @@ import pytest
 from matplotlib import figure as mpl_figure
 
 import tmodes
-from arm.see.runs import QUINTIC, SHEETS, result_of, sheet
+from see.runs import QUINTIC, SHEETS, result_of, sheet
 from tmodes import plot
 from tmodes.errors import InputError
 from tmodes.plot.figure import rendered

@@ -14,9 +14,9 @@ from hypothesis import Phase, given, settings
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
-from arm.run.sheets import ZERO, arm
 from contracts import test_controllers as of_a_user
 from contracts.test_contacts import LAWS
+from simulation.sheets import ZERO, arm
 from tmodes.kinds.contacts.registry import CONTACTS, SURFACES
 from tmodes.kinds.controllers.registry import CONTROLLERS
 from tmodes.model.passes import evaluate

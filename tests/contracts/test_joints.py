@@ -10,9 +10,9 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from arm.oracle.pair import SPRUNG, Pair, assert_equations_agree, assert_parts_agree
-from arm.oracle.robots import GRAVITY, turned
-from arm.random_chains import random_body
+from oracle.arms.pair import SPRUNG, Pair, assert_equations_agree, assert_parts_agree
+from oracle.arms.robots import GRAVITY, turned
+from random_chains import random_body
 from tmodes.chain.chain import Chain, Friction, Gear, Joint, Motor, Node, Point
 from tmodes.errors import InputError, TmodesError
 from tmodes.kinds.drives.registry import drive_kind

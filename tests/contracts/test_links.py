@@ -10,7 +10,7 @@ import pytest
 from pydantic import Field
 
 import tmodes
-from arm.run.sheets import arm
+from simulation.sheets import arm
 from tmodes.errors import InputError
 from tmodes.gradients.gradient import forward_sensitivities
 from tmodes.kinds.kernel.functions import fabs, fmax, if_else

@@ -16,8 +16,8 @@ import numpy as np
 import pytest
 
 import tmodes
-from arm.random_sheets import random_sheet
 from command import called
+from random_sheets import random_sheet
 from tmodes.analysis.line.line import elastic_line
 from tmodes.equations.loop.outputs import DISTANCES, ENERGIES, Output
 from tmodes.errors import InputError

@@ -14,8 +14,8 @@ import numpy as np
 import pytest
 
 import tmodes
-from arm.run.sheets import arm
 from contracts import test_contacts, test_controllers, test_joints, test_links, test_signals
+from simulation.sheets import arm
 from tmodes.gradients.gradient import forward_sensitivities
 from tmodes.kinds.joints.registry import JOINTS
 from tmodes.live.bundle import live_bundle, why_not_live

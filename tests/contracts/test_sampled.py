@@ -10,8 +10,8 @@ from numpy.typing import ArrayLike, NDArray
 from scipy.linalg import expm
 
 import tmodes
-from arm.run.sheets import arm
 from contracts.test_controllers import gains, robot
+from simulation.sheets import arm
 from tmodes.analysis.modes.of_sheet import vibrations
 from tmodes.errors import InputError
 from tmodes.gradients.gradient import forward_sensitivities

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from pydantic import Field
 
-from arm.run.sheets import arm
+from simulation.sheets import arm
 from tmodes.kinds.schema.quantity import any_sign, positive
 from tmodes.kinds.signals.fit import fitted
 from tmodes.kinds.signals.registry import SIGNALS, Signal

@@ -7,7 +7,7 @@ import cmath
 import numpy as np
 import pytest
 
-from arm.run.sheets import landing
+from simulation.sheets import landing
 from tmodes.errors import SimulationError
 from tmodes.gradients.gradient import adjoint_gradient, forward_sensitivities
 from tmodes.gradients.quantities import tracking_error

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from arm.random_chains import random_chain, random_state
+from random_chains import random_chain, random_state
 from tmodes.chain.chain import Chain, Joint, Motor, Node
 from tmodes.errors import InputError, SimulationError
 from tmodes.frame import Placement

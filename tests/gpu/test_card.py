@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import tmodes
-from arm.run.sheets import pendulum, torque
+from simulation.sheets import pendulum, torque
 from tmodes.compile.gpu.cuda import first_gpu, unavailable
 from tmodes.compile.gpu.device import HostDevice
 from tmodes.simulation.gpu.run import run_on_gpu

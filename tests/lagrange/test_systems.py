@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 import tmodes
-from arm.run.sheets import arm
+from simulation.sheets import arm
 from tmodes.analysis.modes.modes import modes_about
 from tmodes.analysis.statics.at_rest import robot_rest
 from tmodes.errors import InputError, InputErrors

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from arm.run.sheets import landing
+from simulation.sheets import landing
 from tmodes.live.bundle import live_bundle
 from tmodes.live.map import live_map
 from tmodes.report.charts import charts_of

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from arm.see.runs import swinging
+from see.runs import swinging
 from tmodes import load, run
 from tmodes.live.bundle import live_bundle, why_not_live
 from tmodes.sheet import Robot

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from arm.run.test_jolts import hinged, ramps
+from simulation.test_jolts import hinged, ramps
 from tmodes import load
 from tmodes.io.mesh_file import box
 from tmodes.io.urdf_shapes import LinkShape

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from arm.run.sheets import arm
+from simulation.sheets import arm
 from tmodes import run
 from tmodes.live.bundle import live_bundle
 from tmodes.live.map import live_map

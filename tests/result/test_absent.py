@@ -10,7 +10,7 @@ from pydantic import Field
 from typer.testing import CliRunner
 
 import tmodes
-from arm.run.sheets import arm
+from simulation.sheets import arm
 from tmodes.cli.main import app
 from tmodes.errors import TmodesError
 from tmodes.kinds.controllers.registry import CONTROLLERS, Controller, Measured

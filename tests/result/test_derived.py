@@ -18,7 +18,7 @@ import tmodes.result.assemble
 import tmodes.result.settling
 import tmodes.result.summary
 import tmodes.simulation.trajectory
-from arm.see.runs import HOLD, cantilever, sheet, swinging
+from see.runs import HOLD, cantilever, sheet, swinging
 from tmodes.report.data import page_data
 from tmodes.report.folder import RunFolder
 from tmodes.result import Result, assemble_result

@@ -8,8 +8,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import tmodes
-from arm.random_chains import random_chain, random_state
-from arm.see.runs import NASTY, result_of, run_of, sheet
+from random_chains import random_chain, random_state
+from see.runs import NASTY, result_of, run_of, sheet
 from tmodes.analysis.error_parts import element_steps, substitutions, tips
 from tmodes.analysis.modes.of_sheet import sheet_frequencies
 from tmodes.analysis.spectrum import growth_warnings, spectrum_of

@@ -13,9 +13,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import tmodes
-from arm.run.sheets import arm, landing, pendulum
-from arm.run.test_extrapolation import stiff
 from error_runs import judged, simulated
+from simulation.sheets import arm, landing, pendulum
+from simulation.test_extrapolation import stiff
 from tmodes.integrate.registry import integrator, integrators
 from tmodes.integrate.settings import Integration
 from tmodes.interface.summary import error_of

@@ -12,7 +12,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from arm.run.sheets import arm, beam
+from simulation.sheets import arm, beam
 from tmodes.chain.chain import Chain
 from tmodes.interface.summary import integration_lines, model_error_of
 from tmodes.kinds.links.beam_functions import softened

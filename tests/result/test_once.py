@@ -15,7 +15,7 @@ import tmodes.io.yaml_file
 import tmodes.result.assemble
 import tmodes.result.result
 import tmodes.simulation.start
-from arm.see.runs import swinging
+from see.runs import swinging
 from tmodes.analysis.modes.of_sheet import sheet_frequencies
 from tmodes.analysis.statics.at_rest import robot_rest
 from tmodes.analysis.statics.loads import Load

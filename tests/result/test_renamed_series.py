@@ -7,7 +7,7 @@ import json
 import numpy as np
 import pytest
 
-from arm.see.runs import result_of
+from see.runs import result_of
 from tmodes.io.resultfile import write_sealed
 from tmodes.result import Result
 from tmodes.result.record import RENAMED

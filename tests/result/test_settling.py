@@ -11,8 +11,8 @@ import numpy as np
 import pytest
 
 import tmodes
-from arm.see.runs import sheet
 from random_robots import random_robot
+from see.runs import sheet
 from tmodes.analysis.vibration import farthest, residual_vibration, settled_after
 from tmodes.errors import InputError, InputErrors
 from tmodes.integrate.band import BAND, Band

@@ -10,8 +10,8 @@ from typing import Any
 
 import pytest
 
-from arm.see.runs import result_of
 from browsing import OPTIONS, WITHOUT_WEBGL
+from see.runs import result_of
 from see.scene_window import scene_pages
 from tmodes import load, plot, run
 from tmodes.report import write_report

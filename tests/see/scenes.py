@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from functools import cache
 
-from arm.see.runs import QUINTIC, sheet, tube
+from see.runs import QUINTIC, sheet, tube
 from tmodes import load, run
 from tmodes.report.data import live_page
 from tmodes.report.parts import viewer_document

@@ -7,7 +7,7 @@ import re
 import numpy as np
 import pytest
 
-from arm.see.runs import NASTY, result_of
+from see.runs import NASTY, result_of
 from tmodes.plot import all_figures, elastic_line, spectrum, tip_path
 from tmodes.plot.figures.tip_path import views
 from tmodes.report.page import write_report

@@ -8,11 +8,11 @@ from typing import Any
 import numpy as np
 import pytest
 
-from arm.see.runs import result_of
 from patience import until
 from see.conftest import seed_result
 from see.looking import look
 from see.pixels import drawn_under, notes_of, robot_pixels
+from see.runs import result_of
 from see.scenes import arm_result
 from see.test_page import AXE
 from tmodes import load, show

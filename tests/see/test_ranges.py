@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 import tmodes
-from arm.see.runs import QUINTIC, result_of, sheet, tube
+from see.runs import QUINTIC, result_of, sheet, tube
 from tmodes import plot
 from tmodes.plot import ranges
 from tmodes.result import Result

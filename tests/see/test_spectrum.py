@@ -12,7 +12,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from matplotlib.text import Text
 
-from arm.see.runs import result_of
+from see.runs import result_of
 from tmodes.plot import spectrum
 from tmodes.plot.facts import spectral_part
 from tmodes.plot.figures.spectrum import amplitude_spectrum, keep_apart

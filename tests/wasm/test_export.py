@@ -13,8 +13,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from arm.run.sheets import pendulum
 from patience import LONG, WAIT
+from simulation.sheets import pendulum
 from tmodes import load, run
 from tmodes.errors import ResultFileError
 from tmodes.live.wasm_export import Exported, exported

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from arm.random_chains import random_chain, random_state
+from random_chains import random_chain, random_state
 from tmodes.analysis.line.line import elastic_line
 from tmodes.compile.ir.calls import DIRECT
 from tmodes.compile.ir.ordering import kernel_program
