@@ -87,6 +87,6 @@ def test_linearisation(name: str) -> None:
     """M, D, K: derivatives of the inverse dynamics by acceleration, rate and position about a moving state."""
     both = pair(name, True)
     q, v, _ = both.state(11)
-    expected = both.oracle.linearised(q[both.back], v[both.back])
+    expected = both.oracle.linearize(q[both.back], v[both.back])
     for found, wanted in zip(both.model.linearize(q, v), expected, strict=True):
         assert_near(found, wanted[np.ix_(both.order, both.order)], 1e-6)

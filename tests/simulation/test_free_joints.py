@@ -7,6 +7,7 @@ import pytest
 
 import tmodes
 from simulation.sheets import ZERO, arm, pendulum
+from tmodes.sheet import Robot
 
 MOTOR = {"motor": {"inertia": 0.2, "side": "joint"}}
 GEAR = {**MOTOR, "gear": {"stiffness": 100.0, "damping": 0.1}}
@@ -14,7 +15,7 @@ BODY = {"name": "bob", "mass": 1.0, "center": [0.3, 0.1, 0], "inertia": {"xx": 0
 HELD = {"command": "prescribed", "signal": ZERO}
 
 
-def two(free: int, kind: str, actuation: dict, how: dict | None = None, **more: object) -> tmodes.Robot:
+def two(free: int, kind: str, actuation: dict, how: dict | None = None, **more: object) -> Robot:
     """Two joints about z without gravity, of which one has no drive."""
     joints = [{"name": f"j{k}", "type": "revolute", "child": f"l{k}", "axis": [0, 0, 1]} for k in range(2)]
     joints[0]["parent"] = "base"

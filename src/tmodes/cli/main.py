@@ -46,7 +46,8 @@ class Commands(TyperGroup):
     """The commands by name, each imported and built when it is asked for."""
 
     def __init__(self, **given: Any) -> None:
-        super().__init__(**given | {"commands": dict.fromkeys(COMMANDS)})
+        named: Any = given | {"commands": dict.fromkeys(COMMANDS)}
+        super().__init__(**named)
 
     def get_command(self, ctx: Any, cmd_name: str) -> Any:  # noqa: ARG002
         """The command of a name; None where there is none."""

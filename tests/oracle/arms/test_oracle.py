@@ -89,7 +89,7 @@ def test_motor_behind_a_gear_is_a_two_mass_oscillator() -> None:
     )
     segment = Segment(0.4, 1.0, 1.0, bend_y=False, bend_z=False, bodies=(Body(2.0, inertia=0.1 * np.eye(3)),))
     oracle = Lagrangian(Chain("c", (Node("rotor", -1, joint, segment),), np.zeros(3)))
-    mass, damping, stiffness = oracle.linearised(np.zeros(2), np.zeros(2))
+    mass, damping, stiffness = oracle.linearize(np.zeros(2), np.zeros(2))
     np.testing.assert_allclose(mass, np.diag([0.2, 2.0 * 0.16 + 0.1]), atol=1e-14)
     np.testing.assert_allclose(stiffness, 50 * np.array([[1, -1], [-1, 1]]), atol=1e-12)
     np.testing.assert_allclose(damping, 0.3 * np.array([[1, -1], [-1, 1]]), atol=1e-12)
