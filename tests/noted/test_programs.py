@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import json
 import os
 
 import numpy as np
 import pytest
 
+from command import called
 from noted.sheets import KINDS
 from tmodes.errors import InputErrors
 from tmodes.io.sheet_check import sheet_data
@@ -163,6 +165,15 @@ def test_every_number_of_a_published_robot_can_be_varied(name):
     assert "parameters" in stiff.enters
     for one in found:
         assert one.low <= one.value
+
+
+def test_the_command_lists_all_parameters():
+    found = parameters_of(load("spong1987"))
+    listed = json.loads(called("parameters", "spong1987", "--json").stdout)
+    assert [(row["path"], row["value"], row["unit"]) for row in listed] == [one[:3] for one in found]
+    assert listed[0].keys() == {*found[0]._asdict()}
+    shown = called("parameters", "spong1987").stdout
+    assert all(one.path in shown for one in found)
 
 
 def test_nothing_is_lost_silently():

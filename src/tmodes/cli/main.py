@@ -27,7 +27,7 @@ FAULT = 70
 COMMANDS = {
     "run": "run.run", "robots": "sheets.robots", "check": "sheets.check", "describe": "describe.describe",
     "batch": "batch.batch", "study": "study.study", "static": "static.static", "hierarchy": "describe.hierarchy",
-    "modes": "modes.modes", "outputs": "outputs.outputs",
+    "modes": "modes.modes", "outputs": "names.outputs", "parameters": "names.parameters",
     "eval": "evaluate.evaluate", "schema": "sheets.schema", "show": "show.show",
     "view": "show.view", "figures": "figures.figures", "studio": "studio.studio", "export": "export.export",
     "sensitivity": "sensitivity.sensitivity", "optimize": "optimize.optimize",

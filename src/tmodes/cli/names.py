@@ -1,0 +1,68 @@
+"""``tmodes outputs`` and ``tmodes parameters``: what of a robot has a name, to be asked for or to be varied."""
+
+from __future__ import annotations
+
+import math
+
+from tmodes.cli.options import AsJson, FixInertia, Roots, Settings, SheetArgument, TrustPaths, chosen_sheet
+from tmodes.cli.terminal import print_json, print_table
+
+__all__ = ["outputs", "parameters"]
+
+
+def outputs(
+    robot: SheetArgument,
+    settings: Settings = None,
+    root: Roots = None,
+    trust_paths: TrustPaths = False,
+    fix_inertia: FixInertia = False,
+    as_json: AsJson = False,
+) -> None:
+    """Names, units and meaning of all outputs: for stop conditions, studies, gradients, and result.output(NAME).
+
+    Names that end on @S are of any station S along a link, from 0, its root, to 1, its tip: forearm.moment.y@0.5.
+    """
+    from tmodes.simulation.outputs import robot_outputs
+
+    sheet = chosen_sheet(robot, settings, roots=root, trust_paths=trust_paths, fix_inertia=fix_inertia)
+    rows = robot_outputs(sheet).rows
+    if as_json:
+        print_json([dict(zip(("name", "unit", "meaning"), row, strict=True)) for row in rows])
+        return
+    print_table(f"Outputs of {sheet.name}", ["name", "unit", "meaning"], rows)
+
+
+def parameters(
+    robot: SheetArgument,
+    settings: Settings = None,
+    root: Roots = None,
+    trust_paths: TrustPaths = False,
+    fix_inertia: FixInertia = False,
+    as_json: AsJson = False,
+) -> None:
+    """Every number of a data sheet: path, value, unit, bounds, and the numbers of a run that it enters.
+
+    What is marked as structure takes other code where it changes (a count, a rigid stiffness, a sample time): cases of
+    a batch that differ in it are prepared apart. All others vary in one batch, study or gradient, alone or together.
+    """
+    from tmodes.simulation.vary.parameters import parameters_of
+
+    sheet = chosen_sheet(robot, settings, roots=root, trust_paths=trust_paths, fix_inertia=fix_inertia)
+    found = parameters_of(sheet)
+    if as_json:
+        bounds = [
+            {key: getattr(one, key) if math.isfinite(getattr(one, key)) else None for key in ("low", "high")}
+            for one in found
+        ]
+        print_json([one._asdict() | own for one, own in zip(found, bounds, strict=True)])
+        return
+    rows = [
+        [one.path, f"{one.value:g}", one.unit, _bound(one.low), _bound(one.high),
+         "structure" if one.is_structure else ", ".join(one.enters) or "nothing of a run"]
+        for one in found
+    ]  # fmt: skip
+    print_table(f"Parameters of {sheet.name}", ["path", "value", "unit", "low", "high", "enters"], rows)
+
+
+def _bound(value: float) -> str:
+    return f"{value:g}" if math.isfinite(value) else "-"
