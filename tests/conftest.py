@@ -24,6 +24,18 @@ settings.register_profile("tmodes", deadline=None, derandomize=True, print_blob=
 settings.load_profile("tmodes")
 
 
+NIGHTLY = "TMODES_NIGHTLY"
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """What is marked ``nightly`` runs where asked for: the suite of each change must end in a quarter of an hour."""
+    if not os.environ.get(NIGHTLY):
+        left_out = pytest.mark.skip(reason=f"nightly: runs with {NIGHTLY}=1")
+        for item in items:
+            if item.get_closest_marker("nightly"):
+                item.add_marker(left_out)
+
+
 @pytest.fixture(scope="session", autouse=True)
 def private_cache(tmp_path_factory: pytest.TempPathFactory) -> None:
     """Compiled code goes to a folder of this session, also from programs that tests start; all workers share it."""

@@ -20,6 +20,8 @@ from tmodes.simulation.simulate import simulate_motion
 
 from .node import live_in_node
 
+pytestmark = pytest.mark.nightly
+
 SETTINGS = 1
 EQUAL = 1e-9
 

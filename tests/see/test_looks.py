@@ -20,6 +20,8 @@ from tmodes.io.mesh_file import box, sphere
 from tmodes.io.urdf_shapes import LinkShape
 from tmodes.report.meshes import with_shapes
 
+pytestmark = pytest.mark.nightly
+
 PHONE = (390, 844)
 SIZES = ((1280, 800), (1920, 1080), PHONE)
 THICK = [LinkShape("hand", "#102030", sphere(0.25)), LinkShape("rod", "#102030", box([0.8, 0.2, 0.2]))]

@@ -15,6 +15,8 @@ from tmodes.report.data import page_data
 from tmodes.report.parts import viewer_document
 from tmodes.result import Result
 
+pytestmark = pytest.mark.nightly
+
 AXE = Path(__file__).resolve().parents[2] / "web" / "node_modules" / "axe-core" / "axe.min.js"
 INK = """id => { const c = document.querySelector(`[data-chart=${id}] canvas`); const d = c.getContext('2d')
   .getImageData(0, 0, c.width, c.height).data; const seen = new Set(); let count = 0;

@@ -16,6 +16,8 @@ from tmodes import plot
 from tmodes.errors import InputError, ResultFileError
 from tmodes.result import Result
 
+pytestmark = pytest.mark.nightly
+
 Drawn = tuple[Path, list[tuple[int, int, str]]]
 
 HASHES = """

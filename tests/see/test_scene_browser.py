@@ -15,6 +15,8 @@ import pytest
 from see.scene_window import NASTY, WEB, Window, differing, look
 from see.scenes import arm_result
 
+pytestmark = pytest.mark.nightly
+
 
 @pytest.fixture(scope="module", params=["browser", "bare"])
 def opened(request: pytest.FixtureRequest, pages: Callable[[str], Path]) -> Iterator[Window]:

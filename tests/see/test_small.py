@@ -17,6 +17,8 @@ from see.looking import SIZES, Window, look
 from tmodes.report.data import page_data
 from tmodes.report.parts import viewer_document
 
+pytestmark = pytest.mark.nightly
+
 PHONE = (400, 800)
 TOUCH = 40
 """Least side of what a finger meets [px]."""

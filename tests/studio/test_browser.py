@@ -17,6 +17,8 @@ from studio.test_looks import ELASTICITY, stl
 from studio.test_looks import URDF as MESHED
 from tmodes.studio.folders import door
 
+pytestmark = pytest.mark.nightly
+
 STILL = "Promise.all(document.getAnimations().map((one) => one.finished))"
 """Colours that change by and by have changed."""
 MASS = "links.0.bodies.0.mass"

@@ -14,6 +14,8 @@ from patience import steady, until
 from see.test_small import PAPER
 from studio.tabs import Tab
 
+pytestmark = pytest.mark.nightly
+
 
 def stale(tab: Tab) -> bool:
     """Whether the picture is shown as that of another sheet."""

@@ -16,6 +16,8 @@ from tmodes.result.early import LATER, early_result
 from tmodes.studio.sheets import plain_sheet
 from tmodes.studio.work import Workshop
 
+pytestmark = pytest.mark.nightly
+
 SAVE = """async ([name, sheet]) => {
   const headers = { "Content-Type": "application/json" };
   await fetch(`api/studies/${name}`, { method: "PUT", headers, body: JSON.stringify({ sheet, overwrite: true }) });

@@ -14,6 +14,8 @@ from tmodes.errors import InputError, SimulationError
 from tmodes.study.places import How, place_of
 from tmodes.study.places.dask import work_through
 
+pytestmark = pytest.mark.nightly
+
 pytest.importorskip("distributed")
 
 
