@@ -54,6 +54,14 @@ RESULTS = {
 }  # fmt: skip
 
 
+def test_points_that_belong_to_no_course_are_not_joined() -> None:
+    """Modes and poles are points, each thing that motors may do with a look of its own."""
+    for found in (FLEXIBLE.modes(), LINK.linearize()):
+        drawn = [line for line in found.plot()[0].get_lines() if line.get_marker() != "None"]
+        assert {line.get_linestyle() for line in drawn} == {"None"}
+        assert len({(line.get_color(), line.get_marker()) for line in drawn}) == len(drawn)
+
+
 @pytest.mark.parametrize("name", RESULTS)
 def test_a_result_prints_itself_has_arrays_and_a_figure(name: str) -> None:
     found = RESULTS[name]()

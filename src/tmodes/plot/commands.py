@@ -12,6 +12,8 @@ from tmodes.plot.style import COMPONENTS, INK, house_style
 
 __all__ = ["bars", "points", "shape"]
 
+_MARKERS = ("o", "s", "^")
+
 
 def bars(
     shown: Mapping[str, ArrayLike], names: Sequence[str], what: str, *, title: str = "", ax: AxesLike = None,
@@ -44,8 +46,9 @@ def points(
     with house_style():
         (panel,) = panels(ax, [["a"]], 3.0)
         for k, (label, (x, y)) in enumerate(shown.items()):
-            color = COMPONENTS[k % len(COMPONENTS)]["color"]
-            panel.plot(x, y, line, marker="o", markersize=3, color=color, label=label or None)
+            turn, own = divmod(k, len(COMPONENTS))  # the same colour again has another marker
+            look = {"marker": _MARKERS[turn % len(_MARKERS)], "markersize": 3, "color": COMPONENTS[own]["color"]}
+            panel.plot(x, y, linestyle=line or "none", label=label or None, **look)
         panel.set(xlabel=across, ylabel=up, title=title)
         panel.margins(x=0.05)
         if log:
