@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 from numpy.typing import ArrayLike
 
-from tmodes.plot.panels import Axes, AxesLike, panels
+from tmodes.plot.panels import Axes, AxesLike, panels, side_legend
 from tmodes.plot.style import COMPONENTS, INK, house_style
 
 __all__ = ["bars", "points", "shape"]
@@ -34,7 +34,7 @@ def bars(
         panel.invert_yaxis()
         panel.set(xlabel=what, title=title)
         if len(shown) > 1:
-            panel.legend()
+            side_legend(panel)
         return [panel]
 
 
@@ -56,7 +56,7 @@ def points(
         else:
             panel.axhline(0.0, color=INK, linewidth=0.4)
         if len(shown) > 1:
-            panel.legend()
+            side_legend(panel)
         return [panel]
 
 
