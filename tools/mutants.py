@@ -120,8 +120,8 @@ FAULTS = (
         "tests/result/test_resultfile.py",
     ),
     Fault("io/atomic.py", "path.unlink(missing_ok=True)\n\n\ndef _create", "pass\n\n\ndef _create", "tests/result"),
-    Fault("compile/cache_folder.py", "if status.st_uid != os.getuid():", "if False:", "tests/compile/test_cache.py"),
-    Fault("compile/cache_folder.py", "if status.st_mode & _OTHERS:", "if False:", "tests/compile/test_cache.py"),
+    Fault("compile/cache.py", "if status.st_uid != os.getuid():", "if False:", "tests/compile/test_cache.py"),
+    Fault("compile/cache.py", "if status.st_mode & _OTHERS:", "if False:", "tests/compile/test_cache.py"),
     Fault(
         "analysis/vibration.py",
         "(times[k + 1] - times[k]) - since)",
@@ -147,7 +147,7 @@ FAULTS = (
         "tests/result",
     ),
     Fault(
-        "equations/lagrange/terms.py",
+        "equations/lagrange/system.py",
         "inertial=ca.jtimes(momentum, q, v) - ca.gradient(energy.kinetic, q)",
         "inertial=ca.jtimes(momentum, q, v) - ca.gradient(energy.kinetic, q) / 2",
         "tests/paper tests/lagrange",

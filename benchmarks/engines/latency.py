@@ -10,8 +10,7 @@ from typing import Any
 from llvmlite import ir
 
 from tmodes.compile.ir.arithmetic import Double
-from tmodes.compile.ir.builder import Builder
-from tmodes.compile.ir.emit import F64, I64, POINTER, VOID, counted, declare, load, number, store, whole
+from tmodes.compile.ir.emit import F64, I64, POINTER, VOID, Builder, counted, declare, load, number, store, whole
 from tmodes.compile.native import Library, to_object
 
 __all__ = ["BODY", "OPERATIONS", "chains"]

@@ -8,7 +8,7 @@ from llvmlite import ir
 
 from tmodes.compile.ir.arithmetic import Lanes, Wide
 from tmodes.compile.ir.emit import POINTER, VOID, declare
-from tmodes.compile.lanes.powers import exponential, logarithm
+from tmodes.compile.lanes.lanes_explicit import exponential, logarithm
 from tmodes.compile.native import Library, to_object
 
 

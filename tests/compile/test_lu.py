@@ -9,7 +9,7 @@ import pytest
 from llvmlite import ir
 
 from tmodes.compile.ir.emit import POINTER, VOID, declare
-from tmodes.compile.ir.lu import lu_functions
+from tmodes.compile.ir.linear_solve import lu_functions
 from tmodes.compile.native import Library, to_object
 
 

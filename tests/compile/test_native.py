@@ -9,8 +9,7 @@ import pytest
 
 from tmodes.compile import cache
 from tmodes.compile.ir import kernels
-from tmodes.compile.ir.ordering import kernel_function
-from tmodes.compile.ir.program import block_program
+from tmodes.compile.ir.program import block_program, kernel_function
 from tmodes.errors import CompileError, ResultFileError
 from tmodes.kinds.kernel import functions
 from tmodes.kinds.kernel.schedule import Kernel, Schedule

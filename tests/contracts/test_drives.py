@@ -16,7 +16,7 @@ from oracle.arms.robots import GRAVITY
 from random_chains import random_body
 from simulation.sheets import arm
 from tmodes.chain.chain import Chain, Friction, Gear, Joint, Motor, Node
-from tmodes.compile.ir.ordering import kernel_function
+from tmodes.compile.ir.program import kernel_function
 from tmodes.equations.recursion.drive_kernels import LOCK, drive_kernels, drive_numbers
 from tmodes.errors import TmodesError
 from tmodes.gradients.gradient import forward_sensitivities

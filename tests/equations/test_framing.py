@@ -11,9 +11,9 @@ from scipy.spatial.transform import Rotation
 
 from random_chains import random_body, random_placement
 from tmodes.chain.chain import Chain, Joint, Motor, Node, Point
-from tmodes.compile.ir.ordering import kernel_function
+from tmodes.compile.ir.program import kernel_function
 from tmodes.equations.recursion.framing import STRAIGHT, Framing, ScrewWay
-from tmodes.equations.recursion.screw_rates import rates_kernel
+from tmodes.equations.recursion.screw import rates_kernel
 from tmodes.frame import Placement
 from tmodes.kinds.drives.registry import drive_kind
 from tmodes.kinds.joints.registry import joint_kind

@@ -15,9 +15,15 @@ from benchmarks.engines.rigid import RigidChain
 from random_chains import random_chain
 from tmodes.chain.chain import Chain, Gear, Motor
 from tmodes.compile.ir import kernels
-from tmodes.compile.ir.ordering import in_good_order, kernel_function, kernel_program
-from tmodes.compile.ir.program import READ, Instruction, block_program
-from tmodes.compile.ir.tracing import traced
+from tmodes.compile.ir.program import (
+    READ,
+    Instruction,
+    block_program,
+    in_good_order,
+    kernel_function,
+    kernel_program,
+    traced,
+)
 from tmodes.compile.ir.unroll import Unrolled, c_text
 from tmodes.kinds.drives.registry import drive_kind
 from tmodes.kinds.kernel.schedule import Kernel

@@ -12,8 +12,7 @@ from random_chains import random_chain
 from simulation.sheets import arm, pendulum, torque
 from tmodes.compile import native
 from tmodes.compile.ir import calls, kernels, unroll
-from tmodes.compile.ir.ordering import kernel_function
-from tmodes.compile.ir.program import block_program
+from tmodes.compile.ir.program import block_program, kernel_function
 from tmodes.model.model import Model
 from tmodes.simulation.loop import LoopModel
 from tmodes.simulation.plan import planned

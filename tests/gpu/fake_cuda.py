@@ -9,8 +9,7 @@ from typing import Any
 
 import pytest
 
-from tmodes.compile.gpu.case_loop import CaseLoop
-from tmodes.compile.gpu.one_case import CASE
+from tmodes.compile.gpu.case_loop import CASE, CaseLoop
 
 __all__ = ["FakeDriver", "fake_core", "install"]
 

@@ -7,8 +7,7 @@ import pytest
 
 import tmodes
 from simulation.sheets import pendulum, torque
-from tmodes.compile.gpu.cuda import first_gpu, unavailable
-from tmodes.compile.gpu.device import HostDevice
+from tmodes.compile.gpu.cuda import HostDevice, first_gpu, unavailable
 from tmodes.simulation.gpu.run import run_on_gpu
 from tmodes.simulation.gpu.runner import OnDevice
 from tmodes.simulation.start import run_setup

@@ -12,8 +12,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from tmodes.compile.gpu.cuda import first_gpu, unavailable
-from tmodes.compile.gpu.device import HostDevice
+from tmodes.compile.gpu.cuda import HostDevice, first_gpu, unavailable
 from tmodes.errors import SimulationError
 from tmodes.simulation.gpu.run import run_on_gpu
 
@@ -96,7 +95,7 @@ import ctypes, os
 from dataclasses import replace
 import numpy as np
 from gpu.conftest import published_cases
-from tmodes.compile.gpu.one_case import CASE
+from tmodes.compile.gpu.case_loop import CASE
 from tmodes.simulation.gpu.run import run_on_gpu
 cases = published_cases().by("dormand_prince")
 cases = replace(cases, numbers=cases.numbers[:70])

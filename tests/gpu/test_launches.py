@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tmodes.compile.gpu.device import HostDevice
+from tmodes.compile.gpu.cuda import HostDevice
 from tmodes.errors import SimulationError
 from tmodes.integrate.registry import integrators
 from tmodes.simulation.batch.simulate import run_all

@@ -8,8 +8,7 @@ import pytest
 from llvmlite import ir
 
 from tmodes.compile.gpu.mathematics import mathematics_module
-from tmodes.compile.ir.builder import Builder
-from tmodes.compile.ir.emit import F64, I64, POINTER, VOID, counted, declare, load, store
+from tmodes.compile.ir.emit import F64, I64, POINTER, VOID, Builder, counted, declare, load, store
 from tmodes.compile.ir.kernels import native_functions
 from tmodes.compile.native import FAR_COSINE, FAR_SINE, POWER
 

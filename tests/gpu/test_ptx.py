@@ -11,8 +11,7 @@ import pytest
 from benchmarks.assembler import NONE, assembled
 
 import tmodes
-from tmodes.compile.gpu.case_loop import LEAST_TARGET
-from tmodes.compile.gpu.one_case import BLOCK, CASE_ARGUMENTS
+from tmodes.compile.gpu.case_loop import BLOCK, CASE_ARGUMENTS, LEAST_TARGET
 from tmodes.equations.loop.outputs import OWN, Outputs
 from tmodes.simulation.start import run_setup
 

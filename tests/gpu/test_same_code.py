@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import tmodes
-from tmodes.compile.gpu.device import HostDevice
+from tmodes.compile.gpu.cuda import HostDevice
 from tmodes.kinds.signals.schedule import Schedule
 from tmodes.simulation.gpu.run import run_on_gpu
 from tmodes.simulation.start import run_setup

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import tmodes
-from tmodes.compile.gpu.device import HostDevice
+from tmodes.compile.gpu.cuda import HostDevice
 from tmodes.simulation.batch.runner import Runner
 from tmodes.simulation.gpu.block import loop_of
 from tmodes.simulation.gpu.run import run_on_gpu

@@ -11,7 +11,7 @@ from scipy.spatial.transform import Rotation
 
 from io_frames import chain_frames, matrix, sheet_frames
 from tmodes.errors import InputError, InputErrors, TmodesError
-from tmodes.io.elasticity_beam import section_axes
+from tmodes.io.elasticity import section_axes
 from tmodes.io.sheet_check import sheet_from_data
 from tmodes.io.sheet_files import read_sheet
 from tmodes.io.urdf import read_urdf

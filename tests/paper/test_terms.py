@@ -8,8 +8,7 @@ import pytest
 
 from lagrange.robot2010 import TO_ROBOT, chain, terms
 from oracle.line import angles
-from tmodes.equations.lagrange.filipovic2010 import basis
-from tmodes.equations.lagrange.filipovic2010_chain import COORDINATES
+from tmodes.equations.lagrange.filipovic2010 import COORDINATES, basis
 from tmodes.io.filipovic2010.importer import to_robot
 from tmodes.kinds.links.modes_sheet import Mode, shape_angle, shape_deflection, shape_slope
 from tmodes.model.model import Model

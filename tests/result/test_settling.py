@@ -15,7 +15,7 @@ from random_robots import random_robot
 from see.runs import sheet
 from tmodes.analysis.vibration import farthest, residual_vibration, settled_after
 from tmodes.errors import InputError, InputErrors
-from tmodes.integrate.band import BAND, Band
+from tmodes.integrate.conditions import BAND, Band
 from tmodes.result import Result
 from tmodes.result.assemble import Assembly
 from tmodes.result.settling import after_move, at_rest_from, move_end

@@ -9,7 +9,7 @@ import pytest
 
 from see.runs import NASTY, result_of
 from tmodes.plot import all_figures, elastic_line, spectrum, tip_path
-from tmodes.plot.figures.tip_path import views
+from tmodes.plot.figures.tip import views
 from tmodes.report.page import write_report
 from tmodes.result import Result
 

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from simulation.sheets import arm, beam, pendulum, torque
-from tmodes.compile.loops.tableau import difference_weights
+from tmodes.compile.loops.extrapolation_rows import difference_weights
 from tmodes.errors import CompileError
 from tmodes.sheet import Robot
 from tmodes.simulation import trajectory

@@ -5,7 +5,14 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from tmodes.compile.loops.tableau import LANES, limit_weights, passes_of, schedule_of, spread_weights, steady_weights
+from tmodes.compile.loops.extrapolation_rows import (
+    LANES,
+    limit_weights,
+    passes_of,
+    schedule_of,
+    spread_weights,
+    steady_weights,
+)
 
 
 @pytest.mark.parametrize("rows", range(1, 10))

@@ -12,7 +12,7 @@ import pytest
 from random_chains import random_chain, random_state
 from tmodes.analysis.line.line import elastic_line
 from tmodes.compile.ir.calls import DIRECT
-from tmodes.compile.ir.ordering import kernel_program
+from tmodes.compile.ir.program import kernel_program
 from tmodes.compile.wasm.wasm_parts import schedule_samples
 from tmodes.live.functions import Functions, LiveModule, ModelFunctions, live_module, stationed
 from tmodes.model.model import Model

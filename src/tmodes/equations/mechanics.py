@@ -11,7 +11,7 @@ from __future__ import annotations
 from typing import Any
 
 from tmodes.chain.chain import Chain
-from tmodes.equations.lagrange import schedules as lagrange
+from tmodes.equations.lagrange import motion as lagrange
 from tmodes.equations.lagrange.motion import ChainedSystem, LagrangeDynamics, LagrangeWay
 from tmodes.equations.lagrange.registry import SYSTEMS
 from tmodes.equations.lagrange.system import System
@@ -111,11 +111,11 @@ class LagrangeMechanics:
         return self.way(blocks, posed=posed)
 
     def inertia(self, way: Any, a: Slot) -> dict[str, list[Slot]]:
-        """See :func:`tmodes.equations.lagrange.schedules.inertia_forces`."""
+        """See :func:`tmodes.equations.lagrange.motion.inertia_forces`."""
         return lagrange.inertia_forces(way, a)
 
     def elastic(self, way: Any) -> dict[str, list[Slot]]:
-        """See :func:`tmodes.equations.lagrange.schedules.elastic_forces`."""
+        """See :func:`tmodes.equations.lagrange.motion.elastic_forces`."""
         return lagrange.elastic_forces(way)
 
     def drawn(self, blocks: Blocks) -> dict[str, Slot]:

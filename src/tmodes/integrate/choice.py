@@ -10,8 +10,8 @@ from typing import Any
 
 import numpy as np
 
+from tmodes.integrate.implicit import MOST_STATES
 from tmodes.integrate.registry import AUTO, integrator
-from tmodes.integrate.rosenbrock import MOST_STATES
 from tmodes.integrate.settings import Integration
 
 __all__ = [

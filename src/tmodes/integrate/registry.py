@@ -5,11 +5,9 @@ from __future__ import annotations
 from tmodes.errors import InputError
 from tmodes.integrate.dop853 import DOP853
 from tmodes.integrate.dormand_prince import DORMAND_PRINCE
-from tmodes.integrate.extrapolation import EXTRAPOLATION
+from tmodes.integrate.implicit import EXTRAPOLATION, MIDPOINT, ROSENBROCK
 from tmodes.integrate.method import Integrator
-from tmodes.integrate.midpoint import MIDPOINT
 from tmodes.integrate.rk4 import RK4
-from tmodes.integrate.rosenbrock import ROSENBROCK
 from tmodes.kinds.registry import Registry
 
 __all__ = ["AUTO", "INTEGRATORS", "Integrator", "integrator", "integrators"]

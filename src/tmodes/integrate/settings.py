@@ -17,8 +17,7 @@ from pydantic import (
 )
 
 from tmodes.errors import InputError
-from tmodes.integrate.band import BAND, Band
-from tmodes.integrate.condition import MOST, Condition
+from tmodes.integrate.conditions import BAND, MOST, Band, Condition
 from tmodes.integrate.method import Integrator
 from tmodes.integrate.registry import AUTO, integrator, integrators
 from tmodes.kinds.schema.quantity import DataSheet, Issue, positive, refuse

@@ -23,9 +23,17 @@ from numpy.typing import NDArray
 
 from tmodes.errors import InputError
 from tmodes.io.files import FilePath, Folders, Roots, folders_of
-from tmodes.io.mjcf_drives import MOST_LOADS, Servo, compensation, servos
-from tmodes.io.mjcf_meshes import FILE_KEYS, SHAPES, Assets, without_unread
-from tmodes.io.mjcf_read import MJCF
+from tmodes.io.mjcf_parts import (
+    FILE_KEYS,
+    MJCF,
+    MOST_LOADS,
+    SHAPES,
+    Assets,
+    Servo,
+    compensation,
+    servos,
+    without_unread,
+)
 from tmodes.io.units import finite_float
 from tmodes.io.unread import Left, few, sentences
 from tmodes.io.urdf_parts import hold

@@ -18,11 +18,18 @@ import numpy as np
 from tmodes.errors import InputError, InputErrors
 from tmodes.io.files import FilePath, Folders, Roots, folders_of
 from tmodes.io.unread import few, sentences
-from tmodes.io.urdf_body import ImpossibleBodyError, body_of, says_massless
-from tmodes.io.urdf_motors import motor_and_spring, said_of_drives, without_rotor
-from tmodes.io.urdf_parts import MOVING, Follows, UrdfJoint, joint_ends, joint_of
-from tmodes.io.urdf_read import URDF
-from tmodes.io.urdf_repair import POSES, Mover, inertia_of
+from tmodes.io.urdf_body import POSES, ImpossibleBodyError, Mover, body_of, inertia_of, says_massless
+from tmodes.io.urdf_parts import (
+    MOVING,
+    URDF,
+    Follows,
+    UrdfJoint,
+    joint_ends,
+    joint_of,
+    motor_and_spring,
+    said_of_drives,
+    without_rotor,
+)
 from tmodes.io.urdf_tree import Tree, followers, name_of, sheet_of, tree_of
 from tmodes.io.words import shown
 from tmodes.io.xml_file import Element, read_xml

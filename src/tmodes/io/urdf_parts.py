@@ -2,17 +2,191 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from typing import Any
 
 from tmodes.io.units import finite_float
-from tmodes.io.unread import few
-from tmodes.io.urdf_motors import OF_DYNAMICS
+from tmodes.io.unread import Format, Left, few
 from tmodes.io.words import meant, shown
 from tmodes.io.xml_file import Element
 
-__all__ = ["MOVING", "Follows", "UrdfJoint", "follows", "hold", "joint_ends", "joint_of", "zero_limits"]
+__all__ = [
+    "MOVING",
+    "OF_DYNAMICS",
+    "URDF",
+    "DriveWords",
+    "Follows",
+    "UrdfJoint",
+    "follows",
+    "hold",
+    "joint_ends",
+    "joint_of",
+    "motor_and_spring",
+    "plain_tag",
+    "said_of_drives",
+    "without_rotor",
+    "zero_limits",
+]
+
+_SURFACES = "mu mu1 mu2 kp kd fdir1 minDepth maxVel maxContacts selfCollide laserRetro material sensor visual collision"
+_SOLVERS = (
+    "implicitSpringDamper provideFeedback preserveFixedJoint disableFixedJointLumping stopCfm stopErp cfmDamping "
+    "fudgeFactor"
+)
+_ORIGIN = {"xyz", "rpy"}
+_SOFT = "no soft limit acts on the joint"
+_BOUND = "it bounds nothing"
+
+URDF = Format(
+    read={
+        "robot": {"name", "version"},
+        "link": {"name", "type"},
+        "inertial": set(),
+        "inertial/mass": {"value"},
+        "inertial/inertia": {"ixx", "iyy", "izz", "ixy", "ixz", "iyz"},
+        "origin": _ORIGIN,
+        "robot/joint": {"name", "type"},
+        "joint/parent": {"link"},
+        "joint/child": {"link"},
+        "joint/axis": {"xyz"},
+        "joint/limit": {"lower", "upper", "effort", "velocity"},
+        "joint/dynamics": {
+            *("damping", "friction", "armature", "rotor_inertia", "gear_ratio", "stiffness", "spring_stiffness"),
+            *("spring_reference",),
+        },
+        "joint/mimic": {"joint", "multiplier", "offset"},
+        "joint/rotor_inertia": {"value"},
+        "joint/gear_ratio": {"value"},
+        "transmission": {"name", "type"},
+        "transmission/type": set(),
+        "transmission/joint": {"name"},
+        "transmission/actuator": {"name"},
+        "transmission/mechanicalReduction": {"value"},
+        **{
+            f"actuator/{tag}": {"value"}
+            for tag in ("mechanicalReduction", "gear_ratio", "rotor_inertia", "drake:gear_ratio", "drake:rotor_inertia")
+        },
+        "gazebo": {"reference"},
+        "gazebo/springStiffness": {"value"},
+        "gazebo/springReference": {"value"},
+    },
+    idle={
+        *("visual", "collision", "material", "robot/sensor", "ros2_control", "calibration", "hardwareInterface"),
+        *("self_collision_checking", "mujoco", "link@id", "joint@id", "robot@xmlns", "transmission/role"),
+        *(f"gazebo/{tag}" for tag in f"{_SURFACES} {_SOLVERS}".split()),
+    },
+    owners={"link", "joint", "transmission", "gazebo", "plugin"},
+    effects={
+        "joint/safety_controller": _SOFT,
+        "gazebo/stopKp": _SOFT,
+        "gazebo/stopKd": _SOFT,
+        "limit@acceleration": _BOUND,
+        "limit@deceleration": _BOUND,
+        "limit@jerk": _BOUND,
+        "gazebo/plugin": "what a plugin of Gazebo does to the robot is left out",
+        "gazebo/turnGravityOff": "gravity acts on the link",
+        "gazebo/gravity": "gravity acts on the link as on all others",
+        "gazebo/dampingFactor": "nothing but joints, gears and links damps",
+    },
+)
+"""Namespaces that elements declare are idle by the prefix of the attribute, see :meth:`.unread.Format.left`."""
+
+
+def plain_tag(tag: str) -> str:
+    """A tag without its prefix."""
+    return tag.rpartition(":")[2]
+
+
+DriveWords = dict[str, tuple[float, Element]]
+"""What is said of one joint, each number with the element that says it."""
+
+OF_DYNAMICS = {
+    "armature": "armature",
+    "rotor_inertia": "rotor",
+    "gear_ratio": "ratio",
+    "stiffness": "stiffness",
+    "spring_stiffness": "stiffness",
+    "spring_reference": "rest",
+}
+"""Attributes of ``<dynamics>`` and what each says."""
+
+_ELEMENTS = {
+    "rotor_inertia": "rotor",
+    "gear_ratio": "ratio",
+    "mechanicalReduction": "ratio",
+    "springStiffness": "stiffness",
+    "springReference": "rest",
+}
+_LEAST = {"armature": 0.0, "rotor": 0.0, "stiffness": 0.0}
+"""The least value of what has one."""
+
+
+def said_of_drives(robot: Element) -> dict[str, DriveWords]:
+    """What a URDF says of rotors, ratios and springs, by the names of the joints.
+
+    Raises :class:`tmodes.errors.InputError` for what is no number, or negative where nothing can be.
+    """
+    found: dict[str, DriveWords] = {}
+    for name, word, value, element in _words(robot):
+        if value < _LEAST.get(word, value) or (word == "ratio" and value == 0.0):
+            expected = "a ratio that is not zero" if word == "ratio" else "a number not less than 0"
+            raise element.fault(f"joint {name}: {word}", f"{value:g}", expected, "correct it")
+        found.setdefault(name, {})[word] = (value, element)
+    return found
+
+
+def _words(robot: Element) -> Iterator[tuple[str, str, float, Element]]:
+    """Joint, word, number and element."""
+    for element in robot.children:
+        if element.tag == "joint":
+            name = element.attributes.get("name", "")
+            for dynamics in element.all("dynamics"):
+                for attribute, word in OF_DYNAMICS.items():
+                    if attribute in dynamics.attributes:
+                        yield name, word, dynamics.number(attribute, f"joint {name}: {attribute}"), dynamics
+            yield from _inside(element, name)
+        elif element.tag == "transmission":
+            joints = [one.attributes.get("name", "") for one in element.all("joint")]
+            for part in (element, *element.all("actuator")) if len(joints) == 1 else ():
+                yield from _inside(part, joints[0])
+        elif element.tag == "gazebo" and "reference" in element.attributes:
+            yield from _inside(element, element.attributes["reference"])
+
+
+def _inside(element: Element, joint: str) -> Iterator[tuple[str, str, float, Element]]:
+    for one in element.children:
+        if word := _ELEMENTS.get(plain_tag(one.tag)):
+            yield joint, word, one.value(f"joint {joint}: {one.tag}"), one
+
+
+def motor_and_spring(words: DriveWords, *, driven: bool) -> dict[str, Any]:
+    """Keys of the sheet's joint; one on its spring that nothing else drives is free.
+
+    ``driven``: a transmission or an actuator names the joint.
+    """
+    said = {word: value for word, (value, _) in words.items()}
+    data: dict[str, Any] = {}
+    if said.get("stiffness"):
+        data["spring"] = {"stiffness": said["stiffness"], "rest": said.get("rest", 0.0)}
+    if said.get("rotor"):
+        ratio = {"side": "motor", "ratio": said["ratio"]} if "ratio" in said else {"side": "joint"}
+        data["motor"] = {"inertia": said["rotor"], **ratio}
+    elif said.get("armature"):
+        data["motor"] = {"inertia": said["armature"], "side": "joint"}
+    elif "spring" in data and not driven:
+        data["state"] = "free"
+    return data
+
+
+def without_rotor(said: dict[str, DriveWords]) -> Iterator[Left]:
+    """Ratios of joints whose rotor has no inertia: there is no motor to turn."""
+    for name, words in said.items():
+        ratio, element = words.get("ratio", (1.0, None))
+        if element and abs(ratio) != 1.0 and not words.keys() & {"rotor"}:
+            effect = "there is no rotor's inertia that it would multiply; give the joint a `motor` with it"
+            yield Left(f"<{element.tag[:60]}>", effect, f"joint {name}")
+
 
 KINDS = {"revolute": "revolute", "continuous": "revolute", "prismatic": "prismatic", "fixed": "fixed"}
 """What each type of a URDF's joint is in the sheet."""

@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.compile.ir.elimination import BLOCK, aligned, padded
+from tmodes.compile.ir.linear_solve import BLOCK, aligned, padded
 from tmodes.compile.loops.tape_loop import Table, operations
 from tmodes.model.derivatives import Columns
 

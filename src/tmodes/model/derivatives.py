@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.compile.ir.derivative_kernels import LANES
-from tmodes.compile.ir.elimination import aligned, padded
+from tmodes.compile.ir.linear_solve import aligned, padded
 from tmodes.compile.ir.tape import Tape
 from tmodes.compile.loops.tape_loop import Table, operations
 from tmodes.model.passes import Blocks, packed, split

@@ -233,7 +233,7 @@ class DifferentiatedModel:
 
     def _fill(self, found: Array, state: Blocks, *, loaded: bool) -> None:
         """The same by all, into an array, with columns of zeros between those of one input and the next."""
-        from tmodes.compile.ir.elimination import padded
+        from tmodes.compile.ir.linear_solve import padded
 
         passes = self.passes
         inputs = in_a_row(state, passes.schedule("inertia", loaded=loaded).inputs)
@@ -248,7 +248,7 @@ class DifferentiatedModel:
 
     def _solved(self, state: Blocks, *, loaded: bool) -> AccelerationDerivatives:
         """M^-1 times the derivatives of the forces, of a robot with prescribed joints, which stay as they are."""
-        from tmodes.compile.ir.elimination import aligned, eliminate, padded
+        from tmodes.compile.ir.linear_solve import aligned, eliminate, padded
 
         parts = self.passes.parts
         size, driven, width = len(state["q"]), len(parts.driven), 3 * padded(len(state["q"]))
@@ -262,7 +262,7 @@ class DifferentiatedModel:
 
     def _info(self, right: Array, failed: int, columns: Columns) -> AccelerationDerivatives:
         """Solutions by name; ``failed``: the number, from 1, of the coordinate in which there is none."""
-        from tmodes.compile.ir.elimination import padded
+        from tmodes.compile.ir.linear_solve import padded
         from tmodes.model.acceleration_table import AccelerationDerivatives
 
         parts, first = self.passes.parts, padded(len(right))

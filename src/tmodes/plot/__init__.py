@@ -19,11 +19,11 @@ __all__ = [
 FIGURES.bring(
     "tmodes.plot.figures",
     {
-        "tip_tracking": "tip_tracking", "tip_errors": "tip_errors", "tip_path": "tip_path",
-        "elastic_line": "elastic_line", "joint_tracking": "joint_tracking", "deformations": "deformations",
-        "gear_deflections": "decompositions", "link_coordinates": "decompositions", "link_tips": "link_tips",
-        "link_deflection": "link_deflection", "spectrum": "spectrum", "link_loads": "link_loads",
-        "joint_efforts": "joint_efforts", "controller_states": "controller_states", "contact_force": "contact_force",
+        "tip_tracking": "tip", "tip_errors": "tip", "tip_path": "tip",
+        "elastic_line": "tip", "joint_tracking": "joints", "deformations": "elastic",
+        "gear_deflections": "elastic", "link_coordinates": "elastic", "link_tips": "elastic",
+        "link_deflection": "elastic", "spectrum": "spectrum", "link_loads": "forces",
+        "joint_efforts": "joints", "controller_states": "joints", "contact_force": "forces",
         "energies": "energies",
     },
 )  # fmt: skip

@@ -18,9 +18,9 @@ from tmodes.analysis.headline_point import HeadlinePoint, headline_point
 from tmodes.analysis.line.line import line_places
 from tmodes.analysis.modes.of_sheet import frequencies_about, sheet_frequencies
 from tmodes.analysis.quasistatic import elastic_names
-from tmodes.analysis.statics.steady import steady_rates
+from tmodes.analysis.statics.equilibrium import steady_rates
 from tmodes.errors import SimulationError
-from tmodes.integrate.band import Band
+from tmodes.integrate.conditions import Band
 from tmodes.io.labelled import Record
 from tmodes.io.sheet_plausible import implausible_numbers, reading_notices
 from tmodes.result.derived import INTERRUPTED, NOT_YET, Derives, derived

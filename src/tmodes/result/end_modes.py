@@ -6,7 +6,7 @@ from typing import Any
 
 from tmodes.analysis.modes.of_sheet import frequencies_about
 from tmodes.analysis.statics.at_rest import robot_rest
-from tmodes.analysis.statics.steady import steady_rates
+from tmodes.analysis.statics.equilibrium import steady_rates
 from tmodes.errors import SimulationError
 from tmodes.kinds.signals.registry import constant_signal
 from tmodes.sheet import Robot

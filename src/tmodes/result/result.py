@@ -16,7 +16,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Self, cast
 
-from tmodes.integrate.band import Band
+from tmodes.integrate.conditions import Band
 from tmodes.io.arguments import checked_arguments
 from tmodes.io.labelled import Record
 from tmodes.result import record

@@ -20,7 +20,7 @@ from tmodes.analysis.vibration import (
     settled_after,
 )
 from tmodes.errors import InputError
-from tmodes.integrate.band import BAND, Band
+from tmodes.integrate.conditions import BAND, Band
 from tmodes.integrate.registry import integrator
 from tmodes.kinds.signals.schedule import MergedSchedule, Schedule, merge
 

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from tmodes.analysis.energy import STILL, largest_flow
 from tmodes.chain.chain import joint_of_element
 from tmodes.frame import along
-from tmodes.integrate.band import Band
+from tmodes.integrate.conditions import Band
 from tmodes.result.derived import Derives, failed_in
 from tmodes.result.settling import USUAL, not_settled, plain_vibration, settling, vibration
 

@@ -106,8 +106,7 @@ class LoopModel:
 
     def lean_case_loop(self, method: str, shown: tuple[Output, ...], given: int, *, folds: bool) -> Any:
         """The same of an explicit method, where nothing sticks, that writes outputs or reduces them (``folds``)."""
-        from tmodes.compile.gpu.case_loop import CaseLoop
-        from tmodes.compile.gpu.case_series import CaseSeries
+        from tmodes.compile.gpu.case_loop import CaseLoop, CaseSeries
 
         more = {"motion": True} if goes_side_by_side(method) else {}
         wanted = CaseSeries(self.series(shown, given, after=self.plan.is_sampled).schedule, given, folds)

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.compile.ir.derivative_kernels import LANES
-from tmodes.compile.ir.elimination import aligned
+from tmodes.compile.ir.linear_solve import aligned
 from tmodes.compile.loops.tape_loop import Table, operations
 from tmodes.compile.replay.replay_frame import ARRAYS, COUNTS
 from tmodes.compile.replay.tables import loops_of, table_of

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from tmodes.equations.loop.outputs import Output
 from tmodes.errors import InputError, SimulationError
-from tmodes.integrate.condition import Condition
+from tmodes.integrate.conditions import Condition
 from tmodes.io.units import NotANumber, number
 from tmodes.simulation.loop import LoopModel
 

@@ -13,8 +13,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.compile.loops.due_samples import SEEN
-from tmodes.compile.loops.time_loop import CELLS, Status
+from tmodes.compile.loops.time_loop import CELLS, SEEN, Status
 from tmodes.integrate.registry import integrator
 from tmodes.simulation.native_run import NativeRun
 from tmodes.simulation.parts import Change, Trajectory

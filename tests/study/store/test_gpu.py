@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from command import tmodes
-from tmodes.compile.gpu.device import HostDevice
+from tmodes.compile.gpu.cuda import HostDevice
 from tmodes.errors import InputError
 from tmodes.study.read import study_from_data
 from tmodes.study.runner import run_study

@@ -12,10 +12,9 @@ from tmodes.analysis.describe.links import gear_rows, joint_rows, link_rows, not
 from tmodes.analysis.line.line import LinkLines, elastic_line
 from tmodes.analysis.statics.at_rest import robot_rest
 from tmodes.analysis.statics.compliance import DIRECTIONS, PointCompliance, missing_functions, point_compliance
-from tmodes.analysis.statics.equilibrium import Equilibrium
+from tmodes.analysis.statics.equilibrium import Equilibrium, base_spin, steady_rates
 from tmodes.analysis.statics.path import Progress
 from tmodes.analysis.statics.reactions import reactions
-from tmodes.analysis.statics.steady import base_spin, steady_rates
 from tmodes.analysis.validity import link_ranges, missing_share, rest_warnings
 from tmodes.errors import SimulationError
 from tmodes.kinds.joints.joint import JointState

@@ -7,9 +7,8 @@ from typing import Any
 
 import numpy as np
 
-from tmodes.analysis.statics.equilibrium import Equilibrium
+from tmodes.analysis.statics.equilibrium import Equilibrium, base_spin
 from tmodes.analysis.statics.loads import first_value
-from tmodes.analysis.statics.steady import base_spin
 from tmodes.analysis.validity import link_ranges
 from tmodes.chain.chain import Chain, Node
 from tmodes.io.sheet_plausible import turned

@@ -7,11 +7,16 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
-from tmodes.analysis.statics.equilibrium import Equilibrium, Load, equilibrium, held_coordinates
-from tmodes.analysis.statics.given import coordinate_numbers
-from tmodes.analysis.statics.loads import first_value, sheet_loads
+from tmodes.analysis.statics.equilibrium import (
+    Equilibrium,
+    Load,
+    base_spin,
+    equilibrium,
+    held_coordinates,
+    steady_rates,
+)
+from tmodes.analysis.statics.loads import coordinate_numbers, first_value, sheet_loads
 from tmodes.analysis.statics.path import Progress
-from tmodes.analysis.statics.steady import base_spin, steady_rates
 from tmodes.equations.loop.plan import winding_of
 from tmodes.errors import SimulationError
 from tmodes.model.model import Model

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, ClassVar, NamedTuple
@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 from tmodes.equations.loop.contact_kernels import LawAt, contact_law
 from tmodes.errors import InputError
 from tmodes.io.units import finite_number
-from tmodes.io.words import shown
+from tmodes.io.words import meant, shown
 from tmodes.kinds.contacts.registry import Contact, Surface
 from tmodes.kinds.noted.functions import number
 from tmodes.kinds.schema.axes import cross_matrix
@@ -23,7 +23,18 @@ from tmodes.model.model import Model
 from tmodes.sheet import Robot
 from tmodes.sheet.parts import LoadFrame
 
-__all__ = ["Act", "Load", "Pose", "acts_of", "first_value", "point_index", "sheet_loads", "surface_act"]
+__all__ = [
+    "Act",
+    "Load",
+    "Pose",
+    "acts_of",
+    "check_names",
+    "coordinate_numbers",
+    "first_value",
+    "point_index",
+    "sheet_loads",
+    "surface_act",
+]
 
 Array = NDArray[np.float64]
 
@@ -219,3 +230,33 @@ class _Surface(Act):
 def surface_act(model: Model, sheet: Contact) -> Act:
     """The surface as an act on its point. Raises :class:`tmodes.errors.InputError` for an unknown point."""
     return _Surface(point_index(model, sheet.point), sheet)
+
+
+LARGEST_GIVEN = 1e6
+"""Largest value of a coordinate or a rate that is given [rad, m, rad/s, m/s]."""
+
+
+def coordinate_numbers(
+    model: Model, values: Mapping[str, Any] | None, *, rate: bool = False, effort: bool = False
+) -> dict[str, float]:
+    """Values by coordinate [rad, m; ``rate``: rad/s, m/s; ``effort``: N*m, N], each a number or text with a unit.
+
+    Raises :class:`tmodes.errors.InputError` for an unknown name, and for what is no finite number of that unit.
+    """
+    given = values or {}
+    check_names(model, given)
+    units = model.chain.units(given)
+    if rate:
+        units = {name: "1/s" if unit == "-" else f"{unit}/s" for name, unit in units.items()}
+    if effort:
+        units = {name: "N" if unit == "m" else "N*m" for name, unit in units.items()}
+    most = LARGEST if effort else LARGEST_GIVEN
+    return {name: finite_number(name, value, units[name], most=most) for name, value in given.items()}
+
+
+def check_names(model: Model, names: Iterable[str]) -> None:
+    """Refuse names that are no coordinates of the model: :class:`tmodes.errors.InputError` with the nearest one."""
+    for name in names:
+        if name not in model.coordinates:
+            hint = meant(str(name), model.coordinates, "check the spelling")
+            raise InputError("coordinate", f"`{name}`", f"one of {', '.join(model.coordinates)}", hint)

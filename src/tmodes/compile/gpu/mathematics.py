@@ -10,8 +10,7 @@ from typing import Any
 from llvmlite import ir
 
 from tmodes.compile.ir.arithmetic import Lanes
-from tmodes.compile.ir.builder import Builder
-from tmodes.compile.ir.emit import F64, declare, number, whole
+from tmodes.compile.ir.emit import F64, Builder, declare, number, whole
 from tmodes.compile.ir.trigonometry import of_quarter_turns
 from tmodes.compile.lanes.lanes_explicit import exponential, logarithm
 from tmodes.compile.native import FAR_COSINE, FAR_SINE, POWER

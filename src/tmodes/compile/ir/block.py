@@ -8,9 +8,8 @@ from functools import partial
 from typing import Any, NamedTuple
 
 from tmodes.compile.ir.arithmetic import Double
-from tmodes.compile.ir.builder import Builder
 from tmodes.compile.ir.calls import Layout, write_calls
-from tmodes.compile.ir.emit import I64, POINTER, VOID, at, counted, declare, whole
+from tmodes.compile.ir.emit import I64, POINTER, VOID, Builder, at, counted, declare, whole
 from tmodes.compile.ir.program import BlockProgram, Instruction
 from tmodes.compile.ir.rows import copy_numbers, give_rows, take_parameters, take_rows
 from tmodes.compile.ir.unroll import Unrolled, unrolled

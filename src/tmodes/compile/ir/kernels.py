@@ -101,7 +101,7 @@ def kernel_code(kernel: Any, arithmetic: str) -> str:
     from llvmlite import ir
 
     from tmodes.compile.ir.block import write_program
-    from tmodes.compile.ir.ordering import kernel_program
+    from tmodes.compile.ir.program import kernel_program
 
     program = kernel_program(kernel)
     if arithmetic not in program.codes:

@@ -13,8 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.compile.ir.calls import needed_calls, settled_calls
-from tmodes.compile.ir.derivative_kernels import ADD, NONE, STORE, Adjoint, Tangent
-from tmodes.compile.ir.derivative_program import Elements, reached, turned
+from tmodes.compile.ir.derivative_kernels import ADD, NONE, STORE, Adjoint, Elements, Tangent, reached, turned
 from tmodes.compile.loops.tape_loop import Table
 
 __all__ = ["Tape"]

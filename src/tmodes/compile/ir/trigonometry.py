@@ -13,8 +13,7 @@ from typing import Any
 
 from llvmlite import ir
 
-from tmodes.compile.ir.builder import Builder
-from tmodes.compile.ir.emit import F64, I64, POINTER, counted, declare, load, number, store
+from tmodes.compile.ir.emit import F64, I64, POINTER, Builder, counted, declare, load, number, store
 from tmodes.compile.native import FAR_COSINE, FAR_SINE
 
 __all__ = ["of_quarter_turns", "sine_and_cosine", "sines_and_cosines"]

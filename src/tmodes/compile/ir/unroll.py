@@ -10,8 +10,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from tmodes.compile.ir.ordering import kernel_program
-from tmodes.compile.ir.program import BlockProgram, Instruction, needed
+from tmodes.compile.ir.program import BlockProgram, Instruction, kernel_program, needed
 
 __all__ = ["Unrolled", "c_text", "unrolled"]
 

@@ -6,21 +6,87 @@ The method is that of :mod:`tmodes.compile.loops.explicit_loop`.
 from __future__ import annotations
 
 import math
+import struct
+from collections.abc import Callable
 from functools import partial
 from typing import Any
 
+from llvmlite import ir
+
+from tmodes.compile.ir.arithmetic import Lanes
 from tmodes.compile.ir.block import ScheduleRate
-from tmodes.compile.lanes.due import due_samples, write_sample
-from tmodes.compile.lanes.lane_norm import LaneNorm
+from tmodes.compile.ir.emit import I64, counted, whole
 from tmodes.compile.lanes.lanes_loop import LanesLoop, Series
-from tmodes.compile.lanes.powers import exponential, logarithm
+from tmodes.compile.lanes.series import due_samples, write_sample
 from tmodes.compile.loops.explicit_loop import adaptive_control, error_of, hermite, interpolation, slopes, stages
+from tmodes.compile.loops.frame import MotionNorm
 from tmodes.compile.loops.gate import gate_change, gate_numbers
 from tmodes.compile.loops.step_control import StepControl, first_length, next_step
 from tmodes.compile.loops.time_loop import AdaptiveStep, Status
 from tmodes.integrate.method import Tableau
 
-__all__ = ["write_lanes_loop"]
+__all__ = ["LaneNorm", "exponential", "logarithm", "write_lanes_loop"]
+
+
+class LaneNorm(MotionNorm):
+    """The same norm to rounding."""
+
+    def _add_pairs(self, error: Callable[[Any], Any], one: str, before: str, h: Any) -> None:
+        b = self.b
+        often = b.fdiv(self.loop.constant(1.0), h)
+        with counted(b, self.pairs, "pair") as i:
+            paired = b.add(i, whole(self.pairs))
+            scale = self._scale(self._size(i, one, before))
+            own = self._scale(self._size(paired, one, before))
+            self._add(b.fdiv(error(i), scale))
+            self._add(b.fdiv(error(paired), self.loop.intrinsic("maxnum", b.fmul(scale, often), own)))
+
+
+_SHIFT, _ONE = 52, 1023 << 52
+_MAGIC = 1.5 * 2.0**52
+"""Added to a number below 2^51 it leaves the nearest whole number in the low bits."""
+_ROOT_HALF = struct.unpack("<q", struct.pack("<d", math.sqrt(0.5)))[0]
+"""Bits of the square root of 1/2."""
+
+
+def _whole(lanes: Lanes) -> Any:
+    return ir.VectorType(I64, lanes.stride)
+
+
+def _bits(lanes: Lanes, value: int) -> Any:
+    return ir.Constant(_whole(lanes), [value] * lanes.stride)
+
+
+def logarithm(b: Any, lanes: Lanes, x: Any) -> Any:
+    """Logarithm to base 2 of positive normal numbers; of others some finite number."""
+    bits = b.bitcast(x, _whole(lanes))
+    # The mantissa lies in [sqrt(1/2), sqrt(2)) when the exponent is taken at that boundary.
+    shifted = b.sub(bits, _bits(lanes, _ROOT_HALF))
+    exponent = b.and_(b.lshr(shifted, _bits(lanes, _SHIFT)), _bits(lanes, 0xFFF))
+    mantissa = b.bitcast(b.sub(bits, b.shl(exponent, _bits(lanes, _SHIFT))), lanes.kind)
+    # As a double: the whole number becomes the low bits of 2^52, or, where it is negative, of 2^52 + 2^12.
+    signed = b.xor(exponent, _bits(lanes, 0x800))
+    number = b.bitcast(b.or_(signed, _bits(lanes, (1023 + _SHIFT) << _SHIFT)), lanes.kind)
+    power = b.fsub(number, lanes.constant(2.0**_SHIFT + 0x800))
+    t = b.fdiv(b.fsub(mantissa, lanes.constant(1.0)), b.fadd(mantissa, lanes.constant(1.0)))
+    series = _polynomial(b, lanes, b.fmul(t, t), [2 / math.log(2) / (2 * k + 1) for k in range(6)])
+    return b.fadd(power, b.fmul(t, series))
+
+
+def exponential(b: Any, lanes: Lanes, x: Any) -> Any:
+    """2 to the power x, for |x| below 1000."""
+    moved = b.fadd(x, lanes.constant(_MAGIC))
+    share = b.fsub(x, b.fsub(moved, lanes.constant(_MAGIC)))
+    scale = b.add(b.shl(b.bitcast(moved, _whole(lanes)), _bits(lanes, _SHIFT)), _bits(lanes, _ONE))
+    series = _polynomial(b, lanes, share, [math.log(2) ** k / math.factorial(k) for k in range(9)])
+    return b.fmul(series, b.bitcast(scale, lanes.kind))
+
+
+def _polynomial(b: Any, lanes: Lanes, x: Any, coefficients: list[float]) -> Any:
+    value = lanes.constant(coefficients[-1])
+    for coefficient in reversed(coefficients[:-1]):
+        value = b.fadd(lanes.constant(coefficient), b.fmul(x, value))
+    return value
 
 
 def write_lanes_loop(

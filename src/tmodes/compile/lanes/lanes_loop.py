@@ -13,8 +13,7 @@ from llvmlite import ir
 
 from tmodes.compile.ir.arithmetic import Wide
 from tmodes.compile.ir.block import ScheduleRate
-from tmodes.compile.ir.builder import Builder
-from tmodes.compile.ir.emit import F64, I64, POINTER, VOID, at, counted, declare, load, number, store, whole
+from tmodes.compile.ir.emit import F64, I64, POINTER, VOID, Builder, at, counted, declare, load, number, store, whole
 from tmodes.compile.loops.frame import Frame
 from tmodes.compile.loops.time_loop import CELLS, Status
 from tmodes.compile.native import WIDTH

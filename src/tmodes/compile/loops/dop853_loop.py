@@ -11,8 +11,7 @@ from typing import Any
 from tmodes.compile.ir.block import ScheduleRate
 from tmodes.compile.ir.emit import F64, counted, number, store
 from tmodes.compile.loops.gate import Gate
-from tmodes.compile.loops.step_control import ExplicitMethod, StepControl
-from tmodes.compile.loops.stiffness import StiffnessTest
+from tmodes.compile.loops.step_control import ExplicitMethod, StepControl, StiffnessTest
 from tmodes.compile.loops.time_loop import AdaptiveStep, TimeLoop
 from tmodes.integrate.dop853 import DENSE, ERROR_3, ERROR_5, STAGES, A, C
 

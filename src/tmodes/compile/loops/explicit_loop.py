@@ -7,8 +7,14 @@ from typing import Any
 from tmodes.compile.ir.block import ScheduleRate
 from tmodes.compile.ir.emit import counted, number, store
 from tmodes.compile.loops.frame import Frame, MotionNorm
-from tmodes.compile.loops.step_control import ExplicitMethod, FixedGate, StepControl, next_step, take_step
-from tmodes.compile.loops.stiffness import StiffnessTest
+from tmodes.compile.loops.step_control import (
+    ExplicitMethod,
+    FixedGate,
+    StepControl,
+    StiffnessTest,
+    next_step,
+    take_step,
+)
 from tmodes.compile.loops.time_loop import Status, TimeLoop
 from tmodes.integrate.method import Tableau
 

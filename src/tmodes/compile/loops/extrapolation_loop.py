@@ -14,12 +14,18 @@ import numpy as np
 from llvmlite import ir
 
 from tmodes.compile.ir.emit import F64, counted, load, number, store, whole
-from tmodes.compile.loops.extrapolation_rows import PairedRows, constants
+from tmodes.compile.loops.extrapolation_rows import (
+    PairedRows,
+    RowsRate,
+    constants,
+    difference_weights,
+    limit_weights,
+    spread_weights,
+    steady_weights,
+)
 from tmodes.compile.loops.frame import MotionNorm
 from tmodes.compile.loops.gate import Gate
-from tmodes.compile.loops.rows_rate import RowsRate
 from tmodes.compile.loops.step_control import ImplicitControl
-from tmodes.compile.loops.tableau import difference_weights, limit_weights, spread_weights, steady_weights
 from tmodes.compile.loops.time_loop import AdaptiveStep, TimeLoop
 
 __all__ = ["ROWS", "DenseOutput", "write_extrapolation_loop"]

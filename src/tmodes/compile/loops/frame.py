@@ -7,8 +7,7 @@ from typing import Any
 
 from tmodes.compile.ir.arithmetic import Double
 from tmodes.compile.ir.block import ScheduleRate
-from tmodes.compile.ir.builder import Builder
-from tmodes.compile.ir.emit import VOID, at, counted, declare, whole
+from tmodes.compile.ir.emit import VOID, Builder, at, counted, declare, whole
 
 __all__ = ["Frame", "MotionNorm"]
 

@@ -43,7 +43,7 @@ def schedule_loop_module(schedule: Any, guarded: int, method: str, symbol: str, 
     from llvmlite import ir
 
     from tmodes.compile.ir.block import write_rate
-    from tmodes.compile.loops.rows_rate import write_rows_rate
+    from tmodes.compile.loops.extrapolation_rows import write_rows_rate
 
     module, arithmetic = ir.Module(symbol), loop_arithmetic(method)
     if arithmetic == "double":

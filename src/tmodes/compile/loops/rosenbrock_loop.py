@@ -12,16 +12,15 @@ from typing import Any
 
 from tmodes.compile.ir.arithmetic import Derivative
 from tmodes.compile.ir.block import ScheduleRate, write_main
-from tmodes.compile.ir.builder import Builder
-from tmodes.compile.ir.emit import F64, POINTER, VOID, counted, declare, load, number, store, whole
-from tmodes.compile.ir.lu import lu_functions
+from tmodes.compile.ir.emit import F64, POINTER, VOID, Builder, counted, declare, load, number, store, whole
+from tmodes.compile.ir.linear_solve import lu_functions
 from tmodes.compile.ir.rows import take_rows
 from tmodes.compile.loops.frame import MotionNorm
 from tmodes.compile.loops.gate import Gate
 from tmodes.compile.loops.step_control import ImplicitControl
 from tmodes.compile.loops.time_loop import TimeLoop
 from tmodes.errors import CompileError
-from tmodes.integrate.rosenbrock import MOST_STATES
+from tmodes.integrate.implicit import MOST_STATES
 
 __all__ = ["STAGE_RATES", "STAGE_STATES", "RateJacobian", "write_rosenbrock_loop"]
 

@@ -10,10 +10,9 @@ import numpy as np
 from llvmlite import ir
 from numpy.typing import NDArray
 
-from tmodes.compile.ir.builder import Builder
-from tmodes.compile.ir.elimination import BLOCK, write_elimination
-from tmodes.compile.ir.emit import F64, I64, POINTER, VOID, at, counted, declare, load, store, whole
+from tmodes.compile.ir.emit import F64, I64, POINTER, VOID, Builder, at, counted, declare, load, store, whole
 from tmodes.compile.ir.kernels import native_functions
+from tmodes.compile.ir.linear_solve import BLOCK, write_elimination
 from tmodes.compile.native import Library
 
 __all__ = ["WORDS", "Table", "operations", "write_run"]

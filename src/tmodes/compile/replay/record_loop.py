@@ -10,8 +10,7 @@ import numpy as np
 from llvmlite import ir
 from numpy.typing import NDArray
 
-from tmodes.compile.ir.builder import Builder
-from tmodes.compile.ir.emit import I64, POINTER, VOID, at, counted, load, number, store, whole
+from tmodes.compile.ir.emit import I64, POINTER, VOID, Builder, at, counted, load, number, store, whole
 from tmodes.compile.ir.kernels import native_functions
 from tmodes.compile.loops.tape_loop import WORDS
 from tmodes.compile.loops.time_loop import ARGUMENTS, CELLS, Status

@@ -9,8 +9,7 @@ from typing import Any
 
 from llvmlite import ir
 
-from tmodes.compile.ir.builder import Builder
-from tmodes.compile.ir.emit import I64, POINTER, VOID, at, counted, declare, load, number, store, whole
+from tmodes.compile.ir.emit import I64, POINTER, VOID, Builder, at, counted, declare, load, number, store, whole
 from tmodes.compile.ir.kernels import native_functions
 from tmodes.compile.loops.tape_loop import WORDS, write_run
 from tmodes.compile.native import Library

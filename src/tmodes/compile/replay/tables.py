@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.compile.loops.extrapolation_loop import ROWS
-from tmodes.compile.loops.tableau import difference_weights, steady_weights
+from tmodes.compile.loops.extrapolation_rows import difference_weights, steady_weights
 from tmodes.compile.native import Library
 from tmodes.compile.replay.replay_extrapolated import extrapolated_loops
 from tmodes.compile.replay.replay_loop import replay_loops

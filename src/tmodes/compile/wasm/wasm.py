@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cache
 from importlib.metadata import version
@@ -14,10 +14,215 @@ import llvmlite.binding as llvm
 
 from tmodes.compile.cache import load, save, source_digest
 from tmodes.compile.native import for_target, free
-from tmodes.compile.wasm.wasm_binary import finished
 from tmodes.errors import CompileError
 
-__all__ = ["Part", "wasm_module"]
+__all__ = ["GIVEN", "Part", "finished", "wasm_module"]
+
+_CUSTOM, _IMPORT, _MEMORY, _GLOBAL, _EXPORT, _CODE, _DATA, _DATA_COUNT = 0, 2, 5, 6, 7, 10, 11, 12
+_ORDER = (1, _IMPORT, 3, 4, _MEMORY, _GLOBAL, _EXPORT, 8, 9, _DATA_COUNT, _CODE, _DATA)
+"""Sections in the order in which they must stand."""
+
+GIVEN = ("tmodes_far_sin", "tmodes_far_cos", "tmodes_pow")
+"""Functions that the engine gives: sine and cosine of very large angles, and powers."""
+
+_HEAD = b"\0asm\1\0\0\0"
+_ADDRESSES, _FINAL = (3, 4), (0, 6, 7)
+"""Kinds of relocation in code: addresses in memory; indices of functions, types and globals, which are final."""
+
+PAGE = 65536
+_ALIGNED = 64
+"""Alignment of what has a place in memory [bytes]."""
+
+_WIDTH = 5
+"""Bytes of a number that is to be replaced."""
+
+
+class _Reader:
+    def __init__(self, content: bytes, place: int = 0) -> None:
+        self.content, self.place = content, place
+
+    def byte(self) -> int:
+        self.place += 1
+        return self.content[self.place - 1]
+
+    def number(self, *, signed: bool = False) -> int:
+        """An integer of any length (LEB128)."""
+        value = shift = 0
+        more = 0x80
+        while more & 0x80:
+            more = self.byte()
+            value |= (more & 0x7F) << shift
+            shift += 7
+        return value - (1 << shift) if signed and more & 0x40 else value
+
+    def take(self, count: int) -> bytes:
+        self.place += count
+        return self.content[self.place - count : self.place]
+
+    def text(self) -> str:
+        return self.take(self.number()).decode()
+
+    @property
+    def left(self) -> bool:
+        return self.place < len(self.content)
+
+
+def _imports(section: bytes) -> bytes:
+    """The section with its functions alone; memory and stack pointer, which the module then has itself, are left out.
+
+    Raises :class:`CompileError` for what else is asked for.
+    """
+    reader, count, kept = _Reader(section), 0, b""
+    for _ in range(reader.number()):
+        begin = reader.place
+        _, name, kind = reader.text(), reader.text(), reader.byte()
+        if kind == 0:
+            reader.number()
+            count += 1
+            if name not in GIVEN:
+                raise CompileError(f"WebAssembly: the code calls `{name}`; expected one of {', '.join(GIVEN)}")
+            kept += section[begin : reader.place]
+        elif (kind, name) == (2, "__linear_memory"):
+            _skip_limits(reader)
+        elif (kind, name) == (3, "__stack_pointer"):
+            reader.take(2)
+        else:
+            raise CompileError(f"WebAssembly: the code asks for `{name}`, which no page gives it")
+    return _unsigned(count) + kept
+
+
+def _skip_limits(reader: _Reader) -> None:
+    for _ in range(1 + (reader.byte() & 1)):
+        reader.number()
+
+
+def finished(obj: bytes, exports: Sequence[str], stack: int) -> bytes:
+    """The module of an object file: a stack of so many bytes first in memory, then data, then free space.
+
+    A stack that is too deep traps there, and spoils nothing. Exports the functions named, ``memory``, and the global
+    ``heap_base``: where memory is free from. Raises :class:`CompileError` for an object that needs a linker.
+    """
+    sections = dict(_sections(obj))
+    wanted = _exported(sections.pop("linking"), exports)
+    places = _addresses(sections.get("reloc.CODE", b""))
+    if "reloc.DATA" in sections:
+        raise CompileError("WebAssembly: the constants hold addresses; expected numbers alone")
+    code = bytearray(sections[_CODE])
+    stack = -(-stack // _ALIGNED) * _ALIGNED
+    end = _move(sections, code, stack, places)
+    info = {
+        _IMPORT: _imports(sections[_IMPORT]),
+        _CODE: bytes(code),
+        _MEMORY: b"\1\0" + _unsigned(-(-end // PAGE)),
+        _GLOBAL: b"\2\x7f\1\x41" + _signed(stack) + b"\x0b\x7f\0\x41" + _signed(end) + b"\x0b",
+        _EXPORT: _export_section([*wanted, ("memory", 2, 0), ("heap_base", 3, 1)]),
+    }
+    return _HEAD + b"".join(
+        bytes([kind]) + _counted(content) for kind in _ORDER if (content := info.get(kind, sections.get(kind)))
+    )
+
+
+def _sections(obj: bytes) -> Iterator[tuple[int | str, bytes]]:
+    """Contents by number, of custom ones by name."""
+    reader = _Reader(obj, len(_HEAD))
+    while reader.left:
+        kind, content = reader.byte(), reader.take(reader.number())
+        inner = _Reader(content)
+        yield (inner.text(), content[inner.place :]) if kind == _CUSTOM else (kind, content)
+
+
+def _exported(linking: bytes, exports: Sequence[str]) -> list[tuple[str, int, int]]:
+    """Name, kind and index of each function that is wanted."""
+    reader = _Reader(linking)
+    reader.number()
+    indices: dict[str, int] = {}
+    while reader.left:
+        kind, content = reader.byte(), reader.take(reader.number())
+        if kind == 8:
+            indices = dict(_function_symbols(_Reader(content)))
+    return [(name, 0, indices[name]) for name in exports]
+
+
+def _function_symbols(reader: _Reader) -> Iterator[tuple[str, int]]:
+    for _ in range(reader.number()):
+        kind, flags = reader.byte(), reader.number()
+        undefined, named = flags & 0x10, flags & 0x40
+        if kind == 1:
+            reader.text()
+            for _ in range(0 if undefined else 3):
+                reader.number()
+        elif kind == 3:
+            reader.number()
+        else:
+            index = reader.number()
+            name = reader.text() if named or not undefined else ""
+            if kind == 0 and not undefined:
+                yield name, index
+
+
+def _addresses(content: bytes) -> Iterator[int]:
+    """Where in the code addresses stand."""
+    reader = _Reader(content)
+    if not content:
+        return
+    reader.number()  # of the section that they are for: the code
+    for _ in range(reader.number()):
+        kind, place = reader.byte(), reader.number()
+        reader.number()
+        if kind in _ADDRESSES:
+            reader.number(signed=True)
+            yield place
+        elif kind not in _FINAL:
+            raise CompileError(f"WebAssembly: the code has a relocation of kind {kind}, which is not known here")
+
+
+def _move(sections: dict[int | str, bytes], code: bytearray, by: int, places: Iterable[int]) -> int:
+    """Move the data up, in its section and in the code; returns where memory is free from."""
+    end = by
+    if _DATA in sections:
+        reader, moved = _Reader(sections[_DATA]), b""
+        count = reader.number()
+        for _ in range(count):
+            reader.take(2)  # flags: into memory 0; and i32.const
+            start = by + reader.number(signed=True)
+            reader.take(1)  # end of the constant's expression
+            content = reader.take(reader.number())
+            moved += b"\0\x41" + _signed(start) + b"\x0b" + _counted(content)
+            end = max(end, start + len(content))
+        sections[_DATA] = _unsigned(count) + moved
+    for place in places:
+        value = _Reader(bytes(code[place : place + _WIDTH])).number(signed=True)
+        code[place : place + _WIDTH] = _padded(value + by)
+    return -(-end // _ALIGNED) * _ALIGNED
+
+
+def _export_section(entries: Sequence[tuple[str, int, int]]) -> bytes:
+    info = [_counted(name.encode()) + bytes([kind]) + _unsigned(index) for name, kind, index in entries]
+    return _unsigned(len(info)) + b"".join(info)
+
+
+def _counted(content: bytes) -> bytes:
+    return _unsigned(len(content)) + content
+
+
+def _unsigned(value: int) -> bytes:
+    info = bytearray()
+    while value >= 0x80:
+        info.append(value & 0x7F | 0x80)
+        value >>= 7
+    return bytes([*info, value])
+
+
+def _signed(value: int) -> bytes:
+    """A whole number that is not negative as a signed one: its last byte leaves room for the sign."""
+    info = _unsigned(value)
+    return info if info[-1] < 0x40 else info[:-1] + bytes([info[-1] | 0x80, 0])
+
+
+def _padded(value: int) -> bytes:
+    """A number that is not negative in the five bytes that are kept for it."""
+    return bytes([value >> 7 * k & 0x7F | 0x80 for k in range(4)] + [value >> 28])
+
 
 TRIPLE = "wasm32-unknown-unknown"
 

@@ -13,11 +13,9 @@ from typing import Any
 from llvmlite import ir
 
 from tmodes.compile.ir.arithmetic import Double
-from tmodes.compile.ir.builder import Builder
-from tmodes.compile.ir.emit import POINTER, VOID, declare, scratch
+from tmodes.compile.ir.emit import POINTER, VOID, Builder, declare, scratch
 from tmodes.compile.ir.kernels import arithmetic_of, kernel_code, schedule_module
-from tmodes.compile.ir.ordering import kernel_program
-from tmodes.compile.ir.program import READ, BlockProgram, Instruction
+from tmodes.compile.ir.program import READ, BlockProgram, Instruction, kernel_program
 from tmodes.compile.ir.values import write_values
 from tmodes.compile.loops.loops import loop_arithmetic, schedule_loop_module
 from tmodes.compile.native import kernel_symbol, pays

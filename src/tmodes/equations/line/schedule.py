@@ -13,8 +13,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.equations.recursion.body_kernels import body_kernel, times_kernel
 from tmodes.equations.recursion.forces import Balance, balance
+from tmodes.equations.recursion.link_kernels import body_kernel, times_kernel
 from tmodes.equations.recursion.parts import NodePart, Parts
 from tmodes.equations.recursion.passes import Blocks, Passes
 from tmodes.frame import Placement

@@ -10,18 +10,17 @@ from functools import cached_property
 from typing import Any
 
 from tmodes.equations.loop.contact_kernels import CONTACT_OUTPUTS
+from tmodes.equations.loop.contact_modes import against_kernel, narrow_rates
 from tmodes.equations.loop.control_kernels import WINDING, needed_kernel
 from tmodes.equations.loop.friction import contact_fold
 from tmodes.equations.loop.instant import Instant
-from tmodes.equations.loop.landing import against_kernel
 from tmodes.equations.loop.layout import WORKS, StateLayout
-from tmodes.equations.loop.narrow import narrow_rates
 from tmodes.equations.loop.plan import Driver, LoopParts
 from tmodes.equations.loop.serving import sampled_state
 from tmodes.equations.loop.signals_kernels import base_motion, power_kernel
 from tmodes.equations.loop.switching import switched_state
-from tmodes.equations.recursion.body_kernels import times_kernel
 from tmodes.equations.recursion.hinge import POSE
+from tmodes.equations.recursion.link_kernels import times_kernel
 from tmodes.kinds.kernel import vectors as v
 from tmodes.kinds.kernel.schedule import Kernel, Schedule, Slot, kernel
 from tmodes.kinds.kernel.spatial import FORCE

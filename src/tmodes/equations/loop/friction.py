@@ -13,8 +13,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Any
 
-from tmodes.equations.loop.holding import Holding
-from tmodes.equations.loop.rubbing import Rubbing
+from tmodes.equations.loop.contact_modes import Holding, Rubbing
 from tmodes.equations.loop.serving import Serving
 from tmodes.equations.mechanics import Dynamics
 from tmodes.equations.recursion.parts import AxisPart

@@ -15,8 +15,8 @@ from typing import Any, NamedTuple
 from tmodes.equations.loop.serving import Serving
 from tmodes.equations.loop.signals_kernels import SIGNAL, base_kernel, base_motion
 from tmodes.equations.mechanics import Dynamics
-from tmodes.equations.recursion.body_kernels import times_kernel
 from tmodes.equations.recursion.hinge import POSE
+from tmodes.equations.recursion.link_kernels import times_kernel
 from tmodes.kinds.kernel import functions as f
 from tmodes.kinds.kernel import vectors as v
 from tmodes.kinds.kernel.schedule import Kernel, Slot, kernel

@@ -12,9 +12,9 @@ from tmodes.equations.line.schedule import moved_link
 from tmodes.equations.loop.closed_loop import Powers
 from tmodes.equations.loop.friction import contact_fold
 from tmodes.equations.loop.instant import Instant
-from tmodes.equations.recursion.body_kernels import times_kernel
 from tmodes.equations.recursion.forces import balance
 from tmodes.equations.recursion.hinge import POSE
+from tmodes.equations.recursion.link_kernels import times_kernel
 from tmodes.equations.recursion.parts import Parts
 from tmodes.equations.recursion.passes import BASE, Blocks, Passes
 from tmodes.kinds.kernel import functions as f

@@ -13,12 +13,10 @@ from functools import cached_property
 from typing import Any, NamedTuple
 
 from tmodes.equations.loop.contact_kernels import SLIP
+from tmodes.equations.loop.contact_modes import OWN, Holding, Landing, Rubbing, jump_kernel
 from tmodes.equations.loop.friction import with_wrench
-from tmodes.equations.loop.holding import Holding
 from tmodes.equations.loop.jolts import Jolting, given_works
-from tmodes.equations.loop.landing import OWN, Landing, jump_kernel
 from tmodes.equations.loop.layout import WORKS
-from tmodes.equations.loop.rubbing import Rubbing
 from tmodes.equations.loop.serving import Serving
 from tmodes.equations.recursion.drive_kernels import LOCK
 from tmodes.kinds.kernel import functions as f

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 
-from tmodes.equations.recursion.body_kernels import body_moment_kernel, point_kernel, times_kernel
 from tmodes.equations.recursion.driven import Coordinates
+from tmodes.equations.recursion.link_kernels import body_moment_kernel, point_kernel, times_kernel
 from tmodes.equations.recursion.parts import LinkPart, Parts
 from tmodes.equations.recursion.passes import Passes
 from tmodes.kinds.kernel.schedule import Schedule, Slot

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from typing import Any
 
-from tmodes.equations.recursion.body_kernels import times_kernel
 from tmodes.equations.recursion.driven import Driven, Drives
 from tmodes.equations.recursion.forces import point_motion
 from tmodes.equations.recursion.general_joint import GeneralJoint
 from tmodes.equations.recursion.hinge import Hinge
+from tmodes.equations.recursion.link_kernels import times_kernel
 from tmodes.equations.recursion.parts import AxisPart, Parts
 from tmodes.equations.recursion.passes import Passes
 from tmodes.equations.recursion.screw import Screw

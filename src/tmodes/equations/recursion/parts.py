@@ -9,12 +9,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.chain.chain import Axis, Chain, Joint, Node, Point
-from tmodes.equations.recursion.body_kernels import BODY
 from tmodes.equations.recursion.drive_kernels import SIDES, DriveKernels, drive_kernels, drive_numbers
 from tmodes.equations.recursion.framing import STRAIGHT, Framing
 from tmodes.equations.recursion.general_joint import GeneralJoint, held_numbers
 from tmodes.equations.recursion.hinge import HELD, Hinge
-from tmodes.equations.recursion.link_kernels import BendingLink
+from tmodes.equations.recursion.link_kernels import BODY, BendingLink
 from tmodes.equations.recursion.screw import Screw, screw_numbers
 from tmodes.kinds.kernel.schedule import Numbers, Slot
 from tmodes.kinds.kernel.spatial import FORCE, INERTIA

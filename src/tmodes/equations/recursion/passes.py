@@ -9,19 +9,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.chain.chain import Chain
-from tmodes.equations.recursion.body_kernels import (
+from tmodes.equations.recursion.driven import Coordinates
+from tmodes.equations.recursion.general_joint import GeneralJoint
+from tmodes.equations.recursion.hinge import POSE, Hinge
+from tmodes.equations.recursion.link_kernels import (
     body_inertia_kernel,
     body_kernel,
     point_kernel,
     push_kernel,
     sum_kernel,
 )
-from tmodes.equations.recursion.driven import Coordinates
-from tmodes.equations.recursion.general_joint import GeneralJoint
-from tmodes.equations.recursion.hinge import POSE, Hinge
 from tmodes.equations.recursion.parts import LinkPart, NodePart, Parts
-from tmodes.equations.recursion.screw import TURN, Screw, turn_kernel
-from tmodes.equations.recursion.screw_rates import rates_kernel
+from tmodes.equations.recursion.screw import TURN, Screw, rates_kernel, turn_kernel
 from tmodes.kinds.kernel.schedule import Schedule, Slot
 from tmodes.kinds.kernel.spatial import FORCE
 from tmodes.kinds.noted.functions import array

@@ -10,16 +10,90 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import Any
 
-from tmodes.equations.recursion.body_kernels import BODY
 from tmodes.equations.recursion.framing import STRAIGHT, ScrewWay
 from tmodes.equations.recursion.hinge import POSE
-from tmodes.equations.recursion.spin import Spin
+from tmodes.equations.recursion.link_kernels import BODY
 from tmodes.kinds.kernel import vectors as v
 from tmodes.kinds.kernel.functions import cos, sin
 from tmodes.kinds.kernel.schedule import Kernel, kernel
-from tmodes.kinds.kernel.spatial import FORCE, INERTIA, Force, Inertia, body_inertia
+from tmodes.kinds.kernel.spatial import FORCE, INERTIA, Force, Inertia, body_bias, body_inertia
 
-__all__ = ["HINGE", "SCREW", "TURN", "Screw", "screw_numbers", "turn_kernel"]
+__all__ = ["HINGE", "SCREW", "TURN", "Screw", "Spin", "rates_kernel", "screw_numbers", "turn_kernel"]
+
+
+@dataclass(frozen=True)
+class Spin:
+    """Rotation about ``axis`` (0, 1 or 2) by an angle of which cosine, sine, sin^2 and sin cos are given.
+
+    A vector given in the turned axes is ``vector`` in those before; ``back`` goes the other way.
+    """
+
+    axis: int
+    cosine: Any
+    sine: Any
+    square: Any
+    product: Any
+
+    @classmethod
+    def of(cls, axis: int, cosine: Any, sine: Any) -> Spin:
+        """From cosine and sine alone."""
+        return cls(axis, cosine, sine, sine * sine, sine * cosine)
+
+    @property
+    def _plane(self) -> tuple[int, int]:
+        return (self.axis + 1) % 3, (self.axis + 2) % 3
+
+    def vector(self, a: v.Vector) -> v.Vector:
+        """R a."""
+        (i, j), turned = self._plane, list(a)
+        turned[i], turned[j] = self.cosine * a[i] - self.sine * a[j], self.sine * a[i] + self.cosine * a[j]
+        return turned
+
+    def back(self, a: v.Vector) -> v.Vector:
+        """R^T a."""
+        (i, j), turned = self._plane, list(a)
+        turned[i], turned[j] = self.cosine * a[i] + self.sine * a[j], self.cosine * a[j] - self.sine * a[i]
+        return turned
+
+    def back_onto(self, a: v.Vector, sum_: v.Vector) -> v.Vector:
+        """R^T a + sum: the sum is taken in at the beginning, and nothing waits for it."""
+        (i, j), turned = self._plane, v.add(a, sum_)
+        turned[i] = self.sine * a[j] + (self.cosine * a[i] + sum_[i])
+        turned[j] = self.cosine * a[j] - (self.sine * a[i] - sum_[j])
+        return turned
+
+    def force(self, a: Force) -> Force:
+        """Both vectors turned."""
+        return Force(self.vector(a.angular), self.vector(a.linear))
+
+    def force_back(self, a: Force) -> Force:
+        """Both vectors turned back."""
+        return Force(self.back(a.angular), self.back(a.linear))
+
+    def matrix(self, a: v.Matrix, *, is_symmetric: bool = False) -> v.Matrix:
+        """R A R^T with the double angle: what leaves one entry of the diagonal enters the other."""
+        (i, j), k = self._plane, self.axis
+        turned = [list(row) for row in a]
+        across, both = a[i][i] - a[j][j], a[i][j] + a[j][i]
+        passed = self.square * across + self.product * both
+        mixed = self.product * across - self.square * both
+        turned[i][i], turned[j][j] = a[i][i] - passed, a[j][j] + passed
+        turned[i][j], turned[j][i] = a[i][j] + mixed, a[j][i] + mixed
+        turned[i][k] = self.cosine * a[i][k] - self.sine * a[j][k]
+        turned[j][k] = self.sine * a[i][k] + self.cosine * a[j][k]
+        if is_symmetric:
+            turned[k][i], turned[k][j] = turned[i][k], turned[j][k]
+        else:
+            turned[k][i] = self.cosine * a[k][i] - self.sine * a[k][j]
+            turned[k][j] = self.sine * a[k][i] + self.cosine * a[k][j]
+        return turned
+
+    def inertia(self, a: Inertia) -> Inertia:
+        """All blocks turned."""
+        return Inertia(
+            self.matrix(a.angular, is_symmetric=True), self.matrix(a.coupling), self.matrix(a.linear, is_symmetric=True)
+        )
+
 
 TURN = 2
 """Cosine and sine of a joint's angle and phase."""
@@ -235,3 +309,44 @@ def _sums(inertia: Any, push: Any, *, onto_body: bool) -> tuple[Inertia, Force]:
     if onto_body:
         return body_inertia(inertia[0], v.vec(inertia, 1), v.symmetric(inertia, 4)), Force.of(push)
     return Inertia.of(inertia), Force.of(push)
+
+
+def rates_kernel(screw: Screw, *, with_body: bool) -> Kernel:
+    """(way, rate of the parent, turn, speed) -> (hinge, rate of the root).
+
+    ``with_body``: and the link's body -> and its bias force.
+    """
+
+    def build(numbers: Any, parent_rate: Any, turn: Any, speed: Any, *body: Any) -> list[list[Any]]:
+        w, linear, before = v.vec(parent_rate), v.zero(), v.zero()
+        for spin, shift in screw.way(numbers):
+            before = w
+            if spin:
+                w, linear = spin.back(w), spin.back(linear)
+            if shift:
+                linear = v.add(linear, v.cross(w, v.cross(w, shift)))
+        drift = [w[1] * speed[0], -w[0] * speed[0], *linear]
+        rate = _tilted(numbers, before, turn, speed[0]) if screw.tilted else _straight(w, turn, speed[0])
+        forces = [body_bias(v.vec(each, 1), v.symmetric(each, 4), rate).packed() for each in body]
+        return [[turn[0], turn[1], *drift], rate, *forces]
+
+    key = f"inward{' with body' * with_body} {screw.key}"
+    if with_body:
+        return Kernel(key, (SCREW, 3, TURN, 1, BODY), (HINGE, 3, FORCE), build, plain=True)
+    return Kernel(key, (SCREW, 3, TURN, 1), (HINGE, 3), build, plain=True)
+
+
+def _straight(w: v.Vector, turn: Any, speed: Any) -> v.Vector:
+    """The rate in the link's axes, from that in the joint's."""
+    x, y, z = Spin.of(2, turn[0], turn[1]).back(w)
+    return [x, y, z + speed]
+
+
+def _tilted(numbers: Any, w: v.Vector, turn: Any, speed: Any) -> v.Vector:
+    """The same from the rate before alpha, by both turns at once: what the next joint waits for is shorter."""
+    (c, s), (tilt_c, tilt_s) = (turn[0], turn[1]), (numbers[0], numbers[1])
+    return [
+        (s * tilt_c) * w[1] + (c * w[0] + (s * tilt_s) * w[2]),
+        (c * tilt_c) * w[1] - (s * w[0] - (c * tilt_s) * w[2]),
+        (tilt_c * w[2] + speed) - tilt_s * w[1],
+    ]

@@ -1,6 +1,6 @@
 """Elementary functions for kernels, without a numeric library of their own: the operand's implementation is called.
 
-Operands: CasADi expressions, floats, NumPy arrays, and the numbers of :mod:`tmodes.compile.ir.tracing`. A symbolic
+Operands: CasADi expressions, floats, NumPy arrays, and the numbers of :mod:`tmodes.compile.ir.program`. A symbolic
 operand has ``sin``, ``cos``, ``sqrt``, ``fabs`` and ``if_else`` as methods, or ``if_else`` stands in its module (as in
 CasADi's). What is built from these and from sums, products and quotients compiles to native code and to WebAssembly:
 so are ``exp`` and ``tanh`` of a symbolic operand.

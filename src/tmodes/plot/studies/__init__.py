@@ -1,19 +1,6 @@
-"""Figures of studies, for print: one file for each; importing the package registers them."""
+"""Figures of studies, for print; importing the package registers them."""
 
-from tmodes.plot.studies import (
-    bands,
-    cases,
-    distribution,
-    effects,
-    indices,
-    pareto,
-    responses,
-    surface,
-    swings,
-)
+from tmodes.plot.studies import cases, sensitivity
 from tmodes.plot.studies.contract import STUDY_FIGURES, StudyFigure, check_names, save_study_figures
 
-__all__ = [
-    "STUDY_FIGURES", "StudyFigure", "bands", "cases", "check_names", "distribution", "effects", "indices", "pareto",
-    "responses", "save_study_figures", "surface", "swings",
-]  # fmt: skip
+__all__ = ["STUDY_FIGURES", "StudyFigure", "cases", "check_names", "save_study_figures", "sensitivity"]

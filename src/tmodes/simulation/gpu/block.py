@@ -9,10 +9,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.compile.gpu.case_loop import CaseLoop
-from tmodes.compile.gpu.case_series import CaseSeries
-from tmodes.compile.gpu.device import Device
-from tmodes.compile.gpu.one_case import CASE_OPTIONS
+from tmodes.compile.gpu.case_loop import CASE_OPTIONS, CaseLoop, CaseSeries
+from tmodes.compile.gpu.cuda import Device
 from tmodes.compile.loops.time_loop import CELLS, Status
 from tmodes.integrate.method import EXPLICIT
 from tmodes.integrate.registry import integrator

@@ -9,7 +9,7 @@ import time
 from collections.abc import Callable, Sequence
 
 from tmodes.compile.gpu.case_loop import CaseLoop
-from tmodes.compile.gpu.device import Device
+from tmodes.compile.gpu.cuda import Device
 from tmodes.errors import SimulationError
 from tmodes.simulation.batch.simulate import run_all
 from tmodes.simulation.batch.work import Work

@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import ClassVar
 
-from tmodes.compile.gpu.device import Device
+from tmodes.compile.gpu.cuda import Device
 from tmodes.simulation.batch.runner import Runner
 from tmodes.simulation.batch.work import Work
 from tmodes.simulation.gpu.block import suits_gpu

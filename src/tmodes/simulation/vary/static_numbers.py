@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from tmodes.analysis.modes.of_sheet import sheet_frequencies
 from tmodes.analysis.statics.at_rest import robot_rest
-from tmodes.analysis.statics.steady import base_spin, steady_rates
+from tmodes.analysis.statics.equilibrium import base_spin, steady_rates
 from tmodes.errors import InputError, SimulationError
 from tmodes.io.arguments import checked_arguments
 from tmodes.io.words import nearest, several
