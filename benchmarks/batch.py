@@ -31,7 +31,7 @@ from tmodes.integrate.settings import Integration
 from tmodes.kinds.joints.registry import joint_kind
 from tmodes.kinds.links.contract import Body
 from tmodes.kinds.links.rigid import RigidLink
-from tmodes.kinds.signals.schedule import Schedule
+from tmodes.kinds.signals.schedule import SignalPieces
 from tmodes.robots.load import load
 from tmodes.simulation.batch.simulate import simulate_lanes
 from tmodes.simulation.loop import LoopModel
@@ -50,7 +50,7 @@ class Case:
     name: str
     model: Any
     numbers: np.ndarray
-    schedule: Schedule
+    schedule: SignalPieces
     start: np.ndarray
     settings: Integration
 
@@ -86,7 +86,7 @@ def chain(joints: int) -> Case:
     duration, start = _DURATIONS[joints], np.zeros(model.layout.size)
     start[model.layout.q] = 0.1 * np.random.default_rng(0).normal(size=joints)
     settings = Integration(duration=duration, output_step=duration / 50)
-    still = Schedule(np.array([0.0, duration]), np.zeros((1, 0)))
+    still = SignalPieces(np.array([0.0, duration]), np.zeros((1, 0)))
     return Case(f"rigid chain, {joints} coordinates", model, model.numbers, still, start, settings)
 
 

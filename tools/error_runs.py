@@ -13,8 +13,8 @@ from numpy.random import default_rng
 
 from random_robots import KINDS, random_robot
 from tmodes.errors import TmodesError
-from tmodes.result.assemble import Assembly
-from tmodes.result.errors import Figure, summary_figures
+from tmodes.result.assemble import ResultAssembly
+from tmodes.result.errors import SummaryNumber, summary_figures
 from tmodes.result.summary import mean_over_time
 from tmodes.sheet import Robot
 from tmodes.simulation.simulate import simulate_motion
@@ -133,7 +133,7 @@ def _with_beams(robot: Robot, change: Callable[[Any], Any]) -> Robot:
     return robot.model_copy(update={"links": links})
 
 
-def _one(case: Case, robot: Robot, truth: Assembly, check: Assembly) -> dict[str, Any]:
+def _one(case: Case, robot: Robot, truth: ResultAssembly, check: ResultAssembly) -> dict[str, Any]:
     try:
         run = simulated(case.robot(robot))
     except TmodesError as error:
@@ -147,7 +147,7 @@ def _one(case: Case, robot: Robot, truth: Assembly, check: Assembly) -> dict[str
 
 
 def judged(
-    run: Assembly, truth: Assembly, check: Assembly, errors: Mapping[str, Any] | None = None
+    run: ResultAssembly, truth: ResultAssembly, check: ResultAssembly, errors: Mapping[str, Any] | None = None
 ) -> list[tuple[str, bool, float, float, float, float]]:
     """Of each number of a run: its name, whether its error is a bound, the printed error, the true one, and sizes.
 
@@ -166,7 +166,7 @@ def judged(
     return rows
 
 
-def _far(one: Figure, other: Figure, run: Assembly, truth: Assembly) -> float:
+def _far(one: SummaryNumber, other: SummaryNumber, run: ResultAssembly, truth: ResultAssembly) -> float:
     """How far a number of a run is from the same of the truth."""
     values, exact = one.values(run.series[0]), other.values(truth.series[0])
     if one.mean:
@@ -176,9 +176,9 @@ def _far(one: Figure, other: Figure, run: Assembly, truth: Assembly) -> float:
     return abs(float(np.linalg.norm(values[one.sample]) - np.linalg.norm(exact[other.sample])))
 
 
-def simulated(robot: Robot) -> Assembly:
+def simulated(robot: Robot) -> ResultAssembly:
     """A run, and what is asked of it."""
-    return Assembly(simulate_motion(robot), robot)
+    return ResultAssembly(simulate_motion(robot), robot)
 
 
 def _with(robot: Robot, changes: Mapping[str, Any]) -> Robot:

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from tmodes.equations.loop.plan import LoopPlan
 from tmodes.integrate.settings import Integration
-from tmodes.kinds.signals.schedule import Schedule
+from tmodes.kinds.signals.schedule import SignalPieces
 from tmodes.robots.load import load
 from tmodes.simulation.loop import LoopModel
 from tmodes.simulation.start import run_setup
@@ -46,7 +46,7 @@ class Run(ABC):
     """Equal steps of somebody else's simulation, timed whatever their error; 0: none."""
 
     model: LoopModel
-    schedule: Schedule
+    schedule: SignalPieces
     start: Array
 
     @cached_property
@@ -112,7 +112,7 @@ class ChainRun(Run):
     def __init__(self, robot: RigidChain) -> None:
         self.robot = robot
         self.model = LoopModel(LoopPlan(robot.chain(), (), signals=0, degree=0))
-        self.schedule = Schedule(np.array([0.0, self.duration]), np.zeros((1, 0)))
+        self.schedule = SignalPieces(np.array([0.0, self.duration]), np.zeros((1, 0)))
         self.start = np.zeros(self.model.layout.size)
 
     @cached_property

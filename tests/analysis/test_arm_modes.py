@@ -11,7 +11,7 @@ from scipy.optimize import brentq
 
 from analysis.statics.beams import clamped
 from analysis.statics.test_elements import ROD, geared, on_joint
-from tmodes.analysis.modes.modes import MotorState, Servo, modes_about
+from tmodes.analysis.modes.modes import LinearServo, MotorState, modes_about
 from tmodes.analysis.modes.shapes import undamped_shapes
 from tmodes.analysis.statics.equilibrium import Load, equilibrium
 from tmodes.chain.chain import Chain, Friction, Joint, Motor, Node
@@ -86,7 +86,7 @@ def test_motor_under_control():
     """Roots of the fourth-degree polynomial of two inertias, the motor on a spring and a damper."""
     rest = equilibrium(on_joint(geared(), ROD, gravity=NONE))
     stiffness, damping = 200.0, 3.0
-    modes = modes_about(rest, MotorState.CONTROLLED, {"hinge.motor": Servo(stiffness, damping)})
+    modes = modes_about(rest, MotorState.CONTROLLED, {"hinge.motor": LinearServo(stiffness, damping)})
     motor = np.polynomial.Polynomial([stiffness + STIFFNESS, damping, ROTOR])
     joint = np.polynomial.Polynomial([STIFFNESS, 0, INERTIA])
     roots = (motor * joint - STIFFNESS**2).roots()
@@ -173,7 +173,7 @@ def test_a_surface_brings_its_mass_and_damper(ratio):
 def test_natural_frequency_under_control():
     """Of ringing modes |lambda|/2 pi: with the damped frequency and the ratio it makes a right triangle."""
     rest = equilibrium(on_joint(geared(), ROD, gravity=NONE))
-    for mode in modes_about(rest, MotorState.CONTROLLED, {"hinge.motor": Servo(200.0, 30.0)}):
+    for mode in modes_about(rest, MotorState.CONTROLLED, {"hinge.motor": LinearServo(200.0, 30.0)}):
         if mode.damped_frequency_Hz:
             natural = mode.damped_frequency_Hz / np.sqrt(1 - mode.damping_ratio**2)
             assert mode.frequency_Hz == pytest.approx(natural, rel=1e-9)

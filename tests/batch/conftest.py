@@ -11,7 +11,7 @@ import pytest
 import tmodes
 from simulation.sheets import pendulum, torque
 from tmodes.integrate.settings import Integration
-from tmodes.kinds.signals.schedule import Schedule
+from tmodes.kinds.signals.schedule import SignalPieces
 from tmodes.sheet import Robot
 from tmodes.simulation.batch.simulate import simulate_lanes
 from tmodes.simulation.loop import LoopModel
@@ -32,7 +32,7 @@ class Lot:
 
     robot: Robot
     model: LoopModel
-    schedule: Schedule
+    schedule: SignalPieces
     start: np.ndarray
     settings: Integration
     many: np.ndarray

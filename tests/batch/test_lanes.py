@@ -10,7 +10,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tmodes.kinds.signals.schedule import Schedule
+from tmodes.kinds.signals.schedule import SignalPieces
 from tmodes.simulation.batch.result import load_batch
 from tmodes.simulation.batch.simulate import simulate_lanes
 from tmodes.simulation.trajectory import integrate
@@ -99,7 +99,7 @@ def test_each_lane_has_its_own_motion_and_start(lot):
     schedules = []
     for lane in range(5):
         knots = np.linspace(0.0, 0.02, lane + 2) * (1 + 0.3 * (lane == 2))
-        schedules.append(Schedule(knots, 0.1 * rng.normal(size=(lane + 1, 3))))
+        schedules.append(SignalPieces(knots, 0.1 * rng.normal(size=(lane + 1, 3))))
     starts = lot.start + 1e-3 * rng.normal(size=(5, len(lot.start)))
     batch = simulate_lanes(lot.model, lot.model.numbers, schedules, starts, lot.settings)
     for lane in range(5):

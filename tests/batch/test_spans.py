@@ -7,7 +7,7 @@ import pytest
 
 from tmodes.compile.native import WIDTH
 from tmodes.errors import InputError
-from tmodes.kinds.signals.schedule import Schedule
+from tmodes.kinds.signals.schedule import SignalPieces
 from tmodes.simulation.batch.private import LINE, private
 from tmodes.simulation.batch.simulate import simulate_lanes, spans, thread_count
 from tmodes.simulation.batch.work import Work, inputs
@@ -44,7 +44,7 @@ def test_one_room_for_many_groups(lot, method, monkeypatch):
     starts = lot.start + 1e-3 * rng.normal(size=(lanes, len(lot.start)))
     starts[2 * WIDTH] = np.inf
     knots = [np.linspace(0.0, 0.02, 2 + lane % 4) for lane in range(lanes)]
-    schedules = [Schedule(each, 0.1 * rng.normal(size=(len(each) - 1, 3))) for each in knots]
+    schedules = [SignalPieces(each, 0.1 * rng.normal(size=(len(each) - 1, 3))) for each in knots]
     settings = lot.settings.model_copy(update={"method": method, "max_steps": 20_000})
     for moved in (schedules, lot.schedule):
         given = (many, moved, starts, settings)

@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 
 from tmodes.errors import InputError, ResultFileError
-from tmodes.kinds.signals.schedule import Schedule
+from tmodes.kinds.signals.schedule import SignalPieces
 from tmodes.simulation.batch.result import load_batch, room_for
 from tmodes.simulation.batch.simulate import simulate_lanes
 
@@ -123,7 +123,7 @@ def test_too_large_is_refused_with_numbers(lot, tmp_path):
 
 def wrong_calls(lot):
     given = {"parameters": lot.many, "schedules": lot.schedule, "states": lot.start, "settings": lot.settings}
-    linear = Schedule(np.array([0.0, 1.0]), np.zeros((1, 2)))
+    linear = SignalPieces(np.array([0.0, 1.0]), np.zeros((1, 2)))
     numbers, states = lot.many.shape[1], len(lot.start)
     return {
         "lanes": ("9", given | {"states": np.zeros((4, states))}),

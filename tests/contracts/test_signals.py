@@ -12,7 +12,7 @@ from simulation.sheets import arm
 from tmodes.kinds.schema.quantity import any_sign, positive
 from tmodes.kinds.signals.fit import fitted
 from tmodes.kinds.signals.registry import SIGNALS, Signal
-from tmodes.kinds.signals.schedule import Schedule
+from tmodes.kinds.signals.schedule import SignalPieces
 from tmodes.simulation.simulate import simulate_motion
 
 
@@ -24,7 +24,7 @@ class Cosine(Signal):
     amplitude: float = any_sign("signal", "A", "amplitude")
     frequency: float = positive("Hz", "f", "frequency")
 
-    def schedule(self, until: float) -> Schedule:
+    def schedule(self, until: float) -> SignalPieces:
         """Pieces of polynomials, exact to 1e-12."""
         return fitted(lambda t: self.amplitude * np.cos(2 * np.pi * self.frequency * t), until, "frequency")
 

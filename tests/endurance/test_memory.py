@@ -16,11 +16,10 @@ from tmodes.integrate.settings import Integration
 from tmodes.kinds.drives.registry import drive_kind
 from tmodes.kinds.joints.registry import joint_kind
 from tmodes.kinds.kernel.functions import sqrt
-from tmodes.kinds.kernel.schedule import Kernel, Slot
-from tmodes.kinds.kernel.schedule import Schedule as MotionSchedule
+from tmodes.kinds.kernel.schedule import Kernel, Schedule, Slot
 from tmodes.kinds.links.contract import Body
 from tmodes.kinds.links.rigid import RigidLink
-from tmodes.kinds.signals.schedule import Schedule
+from tmodes.kinds.signals.schedule import SignalPieces
 from tmodes.model.model import Model
 from tmodes.simulation.trajectory import integrate
 
@@ -35,7 +34,7 @@ class Oscillator:
     @cached_property
     def loops(self) -> dict[str, Any]:
         rates = Kernel("oscillator", (2, 1), (2,), lambda x, p: [[x[1], -p[0] * x[0]]], plain=True)
-        schedule = MotionSchedule(1)
+        schedule = Schedule(1)
         schedule.input("time", 1)
         state = schedule.input("state", 2)
         schedule.input("row", 2)
@@ -50,7 +49,7 @@ class Oscillator:
 def test_many_steps_in_one_process() -> None:
     """The memory of a run does not grow with its steps, and its end is that of the method, by powers of one step."""
     steps, step = often(2_000_000, 100_000_000), 0.01
-    still = Schedule(np.array([0.0, 1.0]), np.zeros((1, 1)))
+    still = SignalPieces(np.array([0.0, 1.0]), np.zeros((1, 1)))
     numbers, oscillator = np.ones(1), cast("Any", Oscillator())
 
     def run(count: int) -> Any:
@@ -109,7 +108,7 @@ def test_compiled_code_is_freed(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(kernels, "_KEPT", 4)
 
     def compiled(number: int) -> None:
-        schedule = MotionSchedule(0, often=True)  # so that all of its code is in one library
+        schedule = Schedule(0, often=True)  # so that all of its code is in one library
         root = Kernel(f"root {number}", (1,), (1,), lambda x: [[sqrt(x[0]) + number]])
         schedule.output("out", *schedule.call(root, schedule.input("in", 1)))
         kernels.schedule_function("freed", schedule, "double")

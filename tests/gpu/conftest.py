@@ -12,7 +12,7 @@ import pytest
 import tmodes
 from simulation.sheets import pendulum, torque
 from tmodes.integrate.settings import Integration
-from tmodes.kinds.signals.schedule import Schedule
+from tmodes.kinds.signals.schedule import SignalPieces
 from tmodes.simulation.batch.work import Work, inputs
 from tmodes.simulation.loop import LoopModel
 from tmodes.simulation.parts import sample_times
@@ -31,7 +31,7 @@ class Cases:
     """Cases of one structure: what moves them, where they start, and settings of a short run."""
 
     model: LoopModel
-    schedules: tuple[Schedule, ...]
+    schedules: tuple[SignalPieces, ...]
     starts: np.ndarray
     settings: Integration
     numbers: np.ndarray

@@ -9,7 +9,7 @@ import pytest
 
 import tmodes
 from tmodes.compile.gpu.cuda import HostDevice
-from tmodes.kinds.signals.schedule import Schedule
+from tmodes.kinds.signals.schedule import SignalPieces
 from tmodes.simulation.gpu.run import run_on_gpu
 from tmodes.simulation.start import run_setup
 
@@ -91,7 +91,7 @@ def test_each_case_has_its_own_motion_and_start(published):
     schedules = []
     for case in range(5):
         knots = np.linspace(0.0, 0.005, case + 2) * (1 + 0.3 * (case == 2))
-        schedules.append(Schedule(knots, 0.1 * rng.normal(size=(case + 1, width))))
+        schedules.append(SignalPieces(knots, 0.1 * rng.normal(size=(case + 1, width))))
     starts = published.starts + 1e-3 * rng.normal(size=(5, published.starts.shape[1]))
     given = replace(
         published.by("rk4"), schedules=tuple(schedules), starts=starts, numbers=np.array(published.numbers[:5])

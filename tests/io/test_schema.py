@@ -9,7 +9,7 @@ from typing import Any, get_args
 import pytest
 
 from io_cases import SHEET
-from tmodes.io.forms import F2010, ROBOT, Form, json_schema
+from tmodes.io.forms import F2010, ROBOT, SheetForm, json_schema
 from tmodes.io.sheet_words import fields, is_group, members_of, own_unit
 from tmodes.io.yaml_file import parse_yaml
 
@@ -43,7 +43,7 @@ def groups(member: Any, found: dict[str, Any]) -> dict[str, Any]:
 
 
 @pytest.mark.parametrize("form", [F2010, ROBOT], ids=lambda form: form.name)
-def test_it_has_the_places_and_the_units_of_the_data_sheet(form: Form) -> None:
+def test_it_has_the_places_and_the_units_of_the_data_sheet(form: SheetForm) -> None:
     """In the same order, of both forms of data sheets and of every kind that is registered."""
     schema = json_schema(form)
     nodes = {name.rpartition("__")[2]: node for name, node in schema["$defs"].items()}

@@ -12,7 +12,7 @@ from tmodes.errors import InputError, TmodesError
 from tmodes.io.files import folders_of
 from tmodes.io.sheet_files import read_sheet
 from tmodes.io.xacro import expand_xacro, read_xacro
-from tmodes.io.xacro_expression import FormulaError, evaluate
+from tmodes.io.xacro_expression import XacroFormulaError, evaluate
 from tmodes.io.xml_file import Element, parse_xml
 
 MACROS = """<robot xmlns:xacro="http://www.ros.org/wiki/xacro">
@@ -136,7 +136,7 @@ def test_formulas(formula: str, value: object) -> None:
     ],
 )
 def test_formulas_that_are_none(formula: str) -> None:
-    with bounded(1.0), pytest.raises(FormulaError):
+    with bounded(1.0), pytest.raises(XacroFormulaError):
         evaluate(formula, {"x": 3})
 
 

@@ -20,7 +20,7 @@ from tmodes.kinds.noted import functions
 from tmodes.kinds.noted.number import Lost, Tape
 from tmodes.kinds.noted.program import program_of
 from tmodes.kinds.signals.registry import SIGNALS
-from tmodes.kinds.signals.schedule import Schedule, merge, merge_cases
+from tmodes.kinds.signals.schedule import SignalPieces, merge, merge_cases
 from tmodes.robots.load import load
 from tmodes.sheet import Robot
 from tmodes.simulation.plan import Follow
@@ -74,7 +74,7 @@ def compare(program, robot, values):
         assert np.array_equal(np.isfinite(found[name]), np.isfinite(block)), name
         assert np.abs(found[name] - block)[np.isfinite(block)].max(initial=0.0) <= 1e-12 * size, name
     for k in range(sum(name.startswith("knots") for name in true)):
-        own, other = (Schedule(blocks[f"knots {k}"], blocks[f"powers {k}"]) for blocks in (found, true))
+        own, other = (SignalPieces(blocks[f"knots {k}"], blocks[f"powers {k}"]) for blocks in (found, true))
         times = np.linspace(0.0, 0.5, 23) + 1e-3
         assert own.at(times) == pytest.approx(other.at(times), rel=1e-11, abs=1e-12)
 
@@ -242,6 +242,6 @@ def test_signals_of_all_cases_are_merged_as_those_of_one():
     ]
     parts.append((np.tile([0.0, 2.0], (count, 1)), generator.normal(size=(count, 1, 1))))
     for k, found in enumerate(merge_cases(parts)):
-        true = merge([Schedule(knots[k], pieces[k]) for knots, pieces in parts]).schedule
+        true = merge([SignalPieces(knots[k], pieces[k]) for knots, pieces in parts]).schedule
         assert found.knots.tobytes() == true.knots.tobytes()
         assert np.array_equal(found.coefficients, true.coefficients)

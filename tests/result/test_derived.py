@@ -155,7 +155,7 @@ def test_what_is_stored_first(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -
         assert Result.load(path).status == "finished"
         raise SystemExit
 
-    monkeypatch.setattr(tmodes.result.assemble.Assembly, "whole", looks)
+    monkeypatch.setattr(tmodes.result.assemble.ResultAssembly, "whole", looks)
     with pytest.raises(SystemExit), RunFolder(tmp_path, Robot.from_data(BARE["no drives"])) as folder:
         folder.simulate(lambda stage, share: None)
     first = Result.load(path)

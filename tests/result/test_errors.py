@@ -21,7 +21,7 @@ from tmodes.integrate.settings import Integration
 from tmodes.interface.summary import error_of
 from tmodes.kinds.signals.schedule import MergedSchedule
 from tmodes.report.page import error_table
-from tmodes.result.assemble import Assembly
+from tmodes.result.assemble import ResultAssembly
 from tmodes.result.errors import summary_figures
 from tmodes.result.summary import summarise_result
 from tmodes.sheet import Robot
@@ -51,12 +51,12 @@ SETTINGS = [{}, *({"relative_tolerance": rtol, "absolute_tolerance": rtol * 1e-2
 
 
 @pytest.fixture(scope="module")
-def exact() -> dict[str, Assembly]:
+def exact() -> dict[str, ResultAssembly]:
     return {kind: simulated(robot(**EXACT)) for kind, robot in KINDS.items()}
 
 
 @pytest.mark.parametrize(("kind", "method"), CASES)
-def test_printed_bounds_hold(kind: str, method: str, exact: dict[str, Assembly]) -> None:
+def test_printed_bounds_hold(kind: str, method: str, exact: dict[str, ResultAssembly]) -> None:
     """Every number, every method, loose, tight and default; most are bounds, which are not far above the truth."""
     steps = [{"step": step} for step in (1e-3, 2e-4)]
     seen = []

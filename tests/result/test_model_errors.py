@@ -17,7 +17,7 @@ from tmodes.chain.chain import Chain
 from tmodes.interface.summary import integration_lines, model_error_of
 from tmodes.kinds.links.beam_functions import softened
 from tmodes.kinds.links.segment import Segment
-from tmodes.result.assemble import Assembly
+from tmodes.result.assemble import ResultAssembly
 from tmodes.result.model_errors import compared_chain
 from tmodes.simulation.simulate import simulate_motion
 
@@ -39,10 +39,10 @@ def slewing(count: int, *, torque: float, model_error: bool = True, **more: obje
     )  # fmt: skip
 
 
-def assembled(count: int, **more: object) -> Assembly:
+def assembled(count: int, **more: object) -> ResultAssembly:
     """What a run shows."""
     robot = slewing(count, **more)  # pyright: ignore[reportArgumentType]
-    return Assembly(simulate_motion(robot), robot)
+    return ResultAssembly(simulate_motion(robot), robot)
 
 
 @cache

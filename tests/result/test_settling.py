@@ -17,7 +17,7 @@ from tmodes.analysis.vibration import farthest, residual_vibration, settled_afte
 from tmodes.errors import InputError, InputErrors
 from tmodes.integrate.conditions import BAND, Band
 from tmodes.result import Result
-from tmodes.result.assemble import Assembly
+from tmodes.result.assemble import ResultAssembly
 from tmodes.result.settling import after_move, at_rest_from, move_end
 from tmodes.sheet import Robot
 from tmodes.simulation.simulate import simulate_motion
@@ -199,7 +199,7 @@ def test_random_robots_settle_alike_at_any_output_step(kind: str) -> None:
         robot = random_robot(kind, 900 + seed).with_({"integration.error_estimate": False, "drives.0.signal.end": 0.7})
         step, found = robot.integration.output_step, []
         for factor in (1, 2, 5):
-            made = Assembly(simulate_motion(robot.with_({"integration.output_step": factor * step})), robot)
+            made = ResultAssembly(simulate_motion(robot.with_({"integration.output_step": factor * step})), robot)
             found.append(made.settling)
         modes = made.vibration["actual"]["modes"]
         least = 1e-3 / modes[0]["frequency_Hz"] if modes else 1e-3

@@ -11,7 +11,7 @@ import pytest
 import tmodes
 from random_robots import KINDS, random_robot
 from tmodes.analysis.vibration import AT_REST, residual_vibration
-from tmodes.result.assemble import Assembly
+from tmodes.result.assemble import ResultAssembly
 from tmodes.result.settling import AfterMove
 from tmodes.sheet import Robot
 from tmodes.simulation.simulate import simulate_motion
@@ -24,7 +24,7 @@ ALONE = {"integration.error_estimate": False, "integration.model_error": False}
 
 def vibrating(robot: Robot) -> tuple[dict[str, Any], dict[str, AfterMove]]:
     """Residual vibrations of a robot's run, and the motions that they are of."""
-    made = Assembly(simulate_motion(robot.with_(ALONE)), robot)
+    made = ResultAssembly(simulate_motion(robot.with_(ALONE)), robot)
     found = made.vibration
     assert made.failed == {}
     return found, made._afters
@@ -170,7 +170,7 @@ LOOSE = {"motor": {"inertia": 0.01, "side": "joint"}, "gear": PLAY}
 ], ids=["turns", "turns fast", "turns and rattles", "rattles"])  # fmt: skip
 def test_what_is_no_vibration(robot: Robot) -> None:
     """A joint that turns on, teeth within their play: no size, no modes, and the joint that it is by."""
-    made = Assembly(simulate_motion(robot.with_(ALONE)), robot)
+    made = ResultAssembly(simulate_motion(robot.with_(ALONE)), robot)
     found = made.vibration["actual"]
     assert found["amplitude_m"] is None
     assert found["modes"] == []
@@ -180,7 +180,7 @@ def test_what_is_no_vibration(robot: Robot) -> None:
 
 def test_a_straight_drift_is_said() -> None:
     robot = lever({"type": "prismatic", **FREE}, **thrown(0.7))
-    made = Assembly(simulate_motion(robot.with_(ALONE)), robot)
+    made = ResultAssembly(simulate_motion(robot.with_(ALONE)), robot)
     assert "0.7 m/s" in made.settling["reason"]
     found = made.vibration["actual"]
     assert not found["amplitude_m"]
@@ -198,7 +198,7 @@ def test_what_is_damped_strongly_has_a_reason(ratio: float) -> None:
 def test_a_robot_at_constant_setpoints_is_at_rest() -> None:
     """Of rounding nothing is printed."""
     robot = held(0.3, {"type": "constant", "value": 0.3}, {"stiffness": 300.0, "damping": 0.1})
-    made = Assembly(simulate_motion(robot.with_(ALONE)), robot)
+    made = ResultAssembly(simulate_motion(robot.with_(ALONE)), robot)
     assert (made.settling["time_s"], made.settling["reason"]) == (0.0, AT_REST)
     for one in made.vibration.values():
         assert (one["amplitude_m"], one["modes"], one["reason"]) == (0.0, [], AT_REST)
@@ -225,7 +225,7 @@ def test_a_rod_that_swings_far() -> None:
 def test_a_mode_has_one_element(seed: int) -> None:
     """What is seen after the move, and the pole at the end that is its own, of a motor that its controller damps."""
     robot = random_robot("gears", 605 + seed)
-    made = Assembly(simulate_motion(robot.with_(ALONE)), robot)
+    made = ResultAssembly(simulate_motion(robot.with_(ALONE)), robot)
     same = 0
     for which, one in made.vibration.items():
         for mode in one["modes"]:

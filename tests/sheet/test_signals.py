@@ -15,24 +15,24 @@ from patience import bounded
 from tmodes.errors import InputError, InputErrors
 from tmodes.kinds.signals.formula import FormulaError, parse_formula
 from tmodes.kinds.signals.registry import Signal, merge
-from tmodes.kinds.signals.schedule import Schedule
+from tmodes.kinds.signals.schedule import SignalPieces
 from tmodes.robots.load import load
 
 READ = TypeAdapter(Signal)
 
 
-def schedule(until: float = 2.0, **signal) -> Schedule:
+def schedule(until: float = 2.0, **signal) -> SignalPieces:
     return READ.validate_python(signal).schedule(until)
 
 
-def formula(text: str, until: float = 2.0) -> Schedule:
+def formula(text: str, until: float = 2.0) -> SignalPieces:
     return schedule(until, type="expression", formula=text)
 
 
 TIMES = np.linspace(0, 2, 4001)
 
 
-def check(found: Schedule, exact, rate=None, tolerance=1e-12) -> None:
+def check(found: SignalPieces, exact, rate=None, tolerance=1e-12) -> None:
     """Against functions of time, over the largest of their values."""
     values = exact(TIMES)
     np.testing.assert_allclose(found.at(TIMES), values, atol=tolerance * np.abs(values).max(), rtol=0)

@@ -10,7 +10,7 @@ import pytest
 
 from simulation.sheets import TIGHT, arm, pendulum, torque
 from tmodes.errors import InputErrors
-from tmodes.kinds.signals.schedule import Schedule
+from tmodes.kinds.signals.schedule import SignalPieces
 from tmodes.robots.load import load
 from tmodes.sheet import Robot
 from tmodes.simulation import callback
@@ -32,7 +32,7 @@ def swing(**integration: Any) -> Robot:
 def run_with(setup: RunSetup, value: float) -> Trajectory:
     """The run of an arm whose torque is a value from ``BREAK`` on."""
     first = setup.planned.schedule.coefficients[0]
-    pieces = Schedule(np.array([0.0, BREAK, 0.1]), np.stack([first, np.full_like(first, value)]))
+    pieces = SignalPieces(np.array([0.0, BREAK, 0.1]), np.stack([first, np.full_like(first, value)]))
     return integrate(setup.model, setup.model.numbers, pieces, setup.start, setup.robot.integration)
 
 
@@ -60,7 +60,7 @@ def test_the_2010_robot_keeps_what_was_before_a_reference_that_is_no_number(meth
     coefficients = schedule.coefficients.copy()
     coefficients[1:] = np.nan
     settings = setup.robot.integration.model_copy(update={"duration": 2 * knot})
-    run = integrate(setup.model, setup.model.numbers, Schedule(schedule.knots, coefficients), setup.start, settings)
+    run = integrate(setup.model, setup.model.numbers, SignalPieces(schedule.knots, coefficients), setup.start, settings)
     assert run.status == "diverged"
     assert f"at t = {knot:.6g} s in coordinate " in run.message
     assert np.isfinite(run.states).all()

@@ -12,7 +12,7 @@ from tmodes import load
 from tmodes.report.pack import Coarse, TwoParts
 from tmodes.studio.page import LONGEST_WORD, MOST_WORDS
 from tmodes.studio.sheets import plain_sheet
-from tmodes.studio.work import Answer, Workshop
+from tmodes.studio.work import WorkAnswer, Workshop
 
 PARTS = {"deformation_stationary", "deformation_oscillatory"}
 FIXED = {"links", "joints", "meshes"}
@@ -32,7 +32,7 @@ def packed(monkeypatch: pytest.MonkeyPatch) -> list[Any]:
     return found
 
 
-def asked(workshop: Workshop, product: str, sheet: dict[str, Any], series: tuple[str, ...] = ()) -> Answer:
+def asked(workshop: Workshop, product: str, sheet: dict[str, Any], series: tuple[str, ...] = ()) -> WorkAnswer:
     return workshop.answer(product, sheet, lambda stage, share: None, None, series)
 
 

@@ -15,7 +15,7 @@ import pytest
 
 from tmodes.errors import InputError
 from tmodes.io.mesh_file import box
-from tmodes.report.meshes import Kept, kept_meshes
+from tmodes.report.meshes import StoredMesh, kept_meshes
 from tmodes.result import Result
 from tmodes.studio.folders import WorkingFolder
 from tmodes.studio.looks import MOST_KEPT, Shelf, source_of
@@ -76,7 +76,7 @@ def meshes(content: bytes) -> list[Any]:
     return head["page"]["runs"][0]["scene"]["meshes"]
 
 
-def kept(studio: Any, info: Any, path: Path) -> tuple[Any, list[Kept]]:
+def kept(studio: Any, info: Any, path: Path) -> tuple[Any, list[StoredMesh]]:
     """What is reported of a run, and the surfaces that its result keeps."""
     result, content = simulated(studio, info, "data")
     path.write_bytes(content)

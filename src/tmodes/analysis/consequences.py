@@ -45,7 +45,7 @@ FACTORS = (0.01, 100.0)
 
 
 @dataclass(frozen=True)
-class _Gear:
+class _GearRow:
     """A gear by itself: its path, stiffness and damping, and what its joint carries."""
 
     path: str
@@ -80,7 +80,7 @@ def consequences(robot: Robot) -> list[str]:
     return [*(sentence for check in checks for sentence in check), *([blind.reason] if blind else [])]
 
 
-def _gears(robot: Robot, chain: Chain) -> list[_Gear]:
+def _gears(robot: Robot, chain: Chain) -> list[_GearRow]:
     carried = carried_by_joints(chain)
     found = []
     for joint in robot.joints:
@@ -90,11 +90,11 @@ def _gears(robot: Robot, chain: Chain) -> list[_Gear]:
         if math.isfinite(stiffness) and carried[joint.name].inertia > 0:
             unit = joint.kind.coordinates[0].stiffness_unit
             path = f"joints.{joint.name}.gear"
-            found.append(_Gear(path, stiffness, joint.gear.damping, unit, carried[joint.name]))
+            found.append(_GearRow(path, stiffness, joint.gear.damping, unit, carried[joint.name]))
     return found
 
 
-def _sagging(gears: list[_Gear]) -> Iterator[str]:
+def _sagging(gears: list[_GearRow]) -> Iterator[str]:
     """Gears that give too much: a mass is wrong where all that carry it do, a stiffness where one of them does."""
     sagging = [gear for gear in gears if gear.sag > SAG]
     if len(sagging) > 1:
@@ -111,7 +111,7 @@ def _sagging(gears: list[_Gear]) -> Iterator[str]:
         )
 
 
-def _slow(gears: list[_Gear]) -> Iterator[str]:
+def _slow(gears: list[_GearRow]) -> Iterator[str]:
     """Gears that are much softer than the others, for what they carry."""
     for gear in gears:
         others = sorted(other.rate for other in gears if other is not gear and other.unit == gear.unit)
@@ -126,7 +126,7 @@ def _slow(gears: list[_Gear]) -> Iterator[str]:
             )
 
 
-def _damped(gears: list[_Gear]) -> Iterator[str]:
+def _damped(gears: list[_GearRow]) -> Iterator[str]:
     for gear in gears:
         ratio = gear.damping / (2 * gear.stiffness) * gear.rate
         if ratio > DAMPING:

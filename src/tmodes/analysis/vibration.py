@@ -17,7 +17,7 @@ __all__ = [
     "AT_REST",
     "FEWEST",
     "STANDS",
-    "Mode",
+    "Oscillation",
     "Residual",
     "are_coarse",
     "farthest",
@@ -69,7 +69,7 @@ _STRONG = 1e-3
 """Amplitude over the largest above which a frequency must be sampled well."""
 
 
-class Mode(NamedTuple):
+class Oscillation(NamedTuple):
     """A vibration of about one frequency.
 
     ``amplitude``: its largest envelope, the distance from the mean within a turn; ``share`` of the energies
@@ -95,7 +95,7 @@ class Residual(NamedTuple):
     """
 
     amplitude: float | None
-    modes: tuple[Mode, ...] = ()
+    modes: tuple[Oscillation, ...] = ()
     reason: str = ""
     largest: float = 0.0
     time: float = 0.0
@@ -241,7 +241,7 @@ def _checked(t: Array, y: Array, poles: Complex, limit: float, times: Array, val
     if wrong > max(limit * vibration, _NOTHING * size) or vibration > (width := _diameter(y)):
         return None
     one = np.flatnonzero(fast & (poles.imag > 0))
-    signals = _Signals(np.append(0.0, t), poles[one], 2 * parts[one])
+    signals = _Exponentials(np.append(0.0, t), poles[one], 2 * parts[one])
     amplitude = float(signals.envelope(np.arange(len(one))).max(initial=0.0))
     sizes = 2 * np.linalg.norm(parts, axis=1) * (poles.imag > 0)
     if sizes[rings & ~fast].max(initial=0.0) > max(amplitude, wrong, _NOTHING * size):
@@ -269,7 +269,7 @@ def _calm(turning: Complex) -> str:
     return strongly if _RINGS <= ratio < 1 else "nothing oscillates about the slowly moving mean"
 
 
-class _Signals(NamedTuple):
+class _Exponentials(NamedTuple):
     """Turning exponentials: ``poles`` (m,) and ``parts`` (m, k), whose real part is the motion, at ``times`` (n,)."""
 
     times: Array
@@ -288,7 +288,7 @@ class _Signals(NamedTuple):
         return np.sqrt(squares / 2)
 
 
-def _modes(signals: _Signals, apart: Array, length: float, least: float) -> list[Mode]:
+def _modes(signals: _Exponentials, apart: Array, length: float, least: float) -> list[Oscillation]:
     """The modes of a vibration whose distances from its mean are ``apart`` (n, k), larger than ``least``."""
     whole = signals.envelope(np.arange(len(signals.poles)))[1:]
     weighty = np.flatnonzero(whole >= _WEIGHTY * whole.max(initial=0.0))
@@ -304,7 +304,7 @@ def _modes(signals: _Signals, apart: Array, length: float, least: float) -> list
             drift = _drift(signals, group, envelope, pole.imag) if len(group) > 1 else None
             poles = tuple(signals.poles[group].tolist())
             found.append(
-                Mode(
+                Oscillation(
                     pole.imag / (2 * np.pi), -pole.real / abs(pole), float(envelope.max()), np.sum(own**2), drift, poles
                 )
             )
@@ -322,7 +322,7 @@ def _groups(poles: Complex, length: float) -> list[NDArray[np.intp]]:
     return np.split(order, splits) if len(order) else []
 
 
-def _drift(signals: _Signals, group: NDArray[np.intp], envelope: Array, rate: float) -> tuple[float, float] | None:
+def _drift(signals: _Exponentials, group: NDArray[np.intp], envelope: Array, rate: float) -> tuple[float, float] | None:
     """Frequency [Hz] in the first and the last turn in which a vibration counts; None where both are the same."""
     turning, turn = signals.of(group), 2 * np.pi / rate
     strong = signals.times[envelope >= _WEIGHTY * envelope.max()]

@@ -25,14 +25,14 @@ from tmodes.sheet import Robot
 from tmodes.sheet.parts import Command, LinkSheet, TipSheet
 from tmodes.sheet.topology import last_link, parents, rooted_order
 
-__all__ = ["Lowered", "Spot", "lowered", "lowered_link", "placed"]
+__all__ = ["LoweredNodes", "Spot", "lowered", "lowered_link", "placed"]
 
 
 class _Hung(NamedTuple):
     """A lowered link and the index of its first node in the chain."""
 
     first: int
-    link: Lowered
+    link: LoweredNodes
 
     @property
     def last(self) -> int:
@@ -155,7 +155,7 @@ def _couplings(robot: Robot, nodes: list[Node]) -> NDArray[np.float64] | None:
 
 
 @dataclass(frozen=True)
-class Lowered:
+class LoweredNodes:
     """The nodes of a link, and where its places are.
 
     ``tip``: the tip frame in the chain's tip frame of the last node; ``undeformed``: the tip frame in the link's frame
@@ -168,7 +168,7 @@ class Lowered:
     spot: Callable[[float], Spot]
 
 
-def lowered_link(link: LinkSheet, node: Node, frame: Placement, chord: float) -> Lowered:
+def lowered_link(link: LinkSheet, node: Node, frame: Placement, chord: float) -> LoweredNodes:
     """Nodes of a link that hangs on the joint of ``node``.
 
     ``frame``: the link's frame in the frame that the joint has moved; ``chord`` [m]: distance of a rigid link's tip
@@ -180,14 +180,14 @@ def lowered_link(link: LinkSheet, node: Node, frame: Placement, chord: float) ->
     return _bending(info, node, frame) if info.bends else _rigid_beam(info, node, frame)
 
 
-def _rigid(link: LinkSheet, node: Node, frame: Placement, chord: float) -> Lowered:
+def _rigid(link: LinkSheet, node: Node, frame: Placement, chord: float) -> LoweredNodes:
     bodies = tuple(sheet_body(body, frame) for body in link.bodies)
     out = Placement(position=np.array([chord, 0.0, 0.0]))
     tip = frame @ out
-    return Lowered((replace(node, link=RigidLink(bodies)),), tip, out, lambda _: Spot(0, 1.0, tip))
+    return LoweredNodes((replace(node, link=RigidLink(bodies)),), tip, out, lambda _: Spot(0, 1.0, tip))
 
 
-def _rigid_beam(info: LoweredLink, node: Node, frame: Placement) -> Lowered:
+def _rigid_beam(info: LoweredLink, node: Node, frame: Placement) -> LoweredNodes:
     """A beam that does not bend, as one rigid link."""
 
     def spot(s: float) -> Spot:
@@ -196,10 +196,10 @@ def _rigid_beam(info: LoweredLink, node: Node, frame: Placement) -> Lowered:
     bodies = tuple(moved_body(body, frame) for link in info.links for body in link.all_bodies)
     along = info.rigid.beam.seen_from(frame) if info.rigid.beam else None
     nodes = (replace(node, link=replace(info.rigid, bodies=bodies, beam=along)),)
-    return Lowered(nodes, frame @ info.tip, info.undeformed, spot)
+    return LoweredNodes(nodes, frame @ info.tip, info.undeformed, spot)
 
 
-def _bending(info: LoweredLink, node: Node, frame: Placement) -> Lowered:
+def _bending(info: LoweredLink, node: Node, frame: Placement) -> LoweredNodes:
     """The elements of a link in a row, joined rigidly."""
     root, joint = _root(node, frame @ info.root, info.at_root)
     nodes = list(root)
@@ -212,7 +212,7 @@ def _bending(info: LoweredLink, node: Node, frame: Placement) -> Lowered:
         found = info.spot(s)
         return found._replace(node=len(root) + found.node)
 
-    return Lowered(tuple(nodes), info.tip, info.undeformed, spot)
+    return LoweredNodes(tuple(nodes), info.tip, info.undeformed, spot)
 
 
 def _root(node: Node, root: Placement, bodies: tuple[Body, ...] = ()) -> tuple[tuple[Node, ...], Joint]:

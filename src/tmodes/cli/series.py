@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 if TYPE_CHECKING:
     from tmodes.io.labelled import Labelled, Record
 
-__all__ = ["ASCII", "BLOCKS", "Series", "first_series", "series_of_result", "sparkline", "steps_for"]
+__all__ = ["ASCII", "BLOCKS", "StoredSeries", "first_series", "series_of_result", "sparkline", "steps_for"]
 
 FIRST = (
     "deviation", "tip", "deformation", "penetration", "surface_displacement", "contact_force_radial",
@@ -27,7 +27,7 @@ MOST_EACH, MOST = 6, 28
 
 
 @dataclass(frozen=True, eq=False)
-class Series:
+class StoredSeries:
     """One course over time: values [unit, SI], shape (n,)."""
 
     variable: str
@@ -41,17 +41,17 @@ class Series:
         return f"{self.variable} {self.of}".rstrip()
 
 
-def series_of_result(data: Record) -> Iterator[Series]:
+def series_of_result(data: Record) -> Iterator[StoredSeries]:
     """Every series; of what is known along a link the value of the largest size at each instant, with its sign."""
     for name, variable in data.data_vars.items():
         if variable.dims[:1] == ("time",) and np.issubdtype(variable.dtype, np.floating):
             yield from _parts(data, str(name), variable, _coordinate_units(data))
 
 
-def first_series(data: Record) -> list[Series]:
+def first_series(data: Record) -> list[StoredSeries]:
     """Those of the variables that a reader asks first, of each variable the ones with the widest range."""
     found = list(series_of_result(data))
-    shown: list[Series] = []
+    shown: list[StoredSeries] = []
     for name in FIRST:
         own = [one for one in found if one.variable == name]
         widest = sorted(own, key=lambda one: -float(np.ptp(one.values)))[:MOST_EACH]
@@ -87,7 +87,7 @@ def _own_unit(info: str, word: str, units: dict[str, str]) -> str:
     return choices[min(place, len(choices) - 1)].partition(" along ")[0].partition(" of ")[0] + per
 
 
-def _parts(data: Record, name: str, variable: Labelled, units: dict[str, str]) -> Iterator[Series]:
+def _parts(data: Record, name: str, variable: Labelled, units: dict[str, str]) -> Iterator[StoredSeries]:
     dims, values = _farthest(variable)
     labels = [
         [str(one) for one in (data[dim].values if dim in data.coords else range(data.sizes[dim]))] for dim in dims[1:]
@@ -95,7 +95,7 @@ def _parts(data: Record, name: str, variable: Labelled, units: dict[str, str]) -
     values = values.reshape(len(values), -1)
     unit = str(variable.attrs.get("units", ""))
     for column, words in enumerate(product(*labels)):
-        yield Series(name, " ".join(words), _own_unit(unit, words[0] if words else "", units), values[:, column])
+        yield StoredSeries(name, " ".join(words), _own_unit(unit, words[0] if words else "", units), values[:, column])
 
 
 BLOCKS = "▁▂▃▄▅▆▇█"

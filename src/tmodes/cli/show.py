@@ -18,7 +18,7 @@ from tmodes.io.atomic import atomic_write, file_error
 from tmodes.io.printed import plain
 
 if TYPE_CHECKING:
-    from tmodes.cli.series import Series
+    from tmodes.cli.series import StoredSeries
     from tmodes.result import Result
 
 __all__ = ["names_apart", "opened", "show", "view"]
@@ -58,7 +58,7 @@ def show(
 
     Of a study, its folder: what its quantities are over all cases, as the study has reported it.
     """
-    from tmodes.cli.series import Series, first_series, series_of_result
+    from tmodes.cli.series import StoredSeries, first_series, series_of_result
     from tmodes.interface.show import is_study, result_file
     from tmodes.interface.summary import events_table, result_record
 
@@ -69,7 +69,7 @@ def show(
     data = stored.record
     if output:
         named = [stored.output(name) for name in output]
-        chosen = [Series(str(one.name), "", one.attrs["units"], one.values) for one in named]
+        chosen = [StoredSeries(str(one.name), "", one.attrs["units"], one.values) for one in named]
         if not as_json:
             _print_series(chosen, float(data["time"][-1]))
             return
@@ -98,11 +98,11 @@ def _show_study(place: Path, *, as_json: bool) -> None:
     print_result(study, as_json)
 
 
-def _extremes(one: Series) -> dict[str, float]:
+def _extremes(one: StoredSeries) -> dict[str, float]:
     return {"min": float(one.values.min()), "max": float(one.values.max()), "end": float(one.values[-1])}
 
 
-def _show(stored: Result, file: Path, chosen: list[Series], total: int, band: str | None) -> None:
+def _show(stored: Result, file: Path, chosen: list[StoredSeries], total: int, band: str | None) -> None:
     from tmodes.interface.summary import run_tables
 
     print_parts(run_tables(stored, band))
@@ -117,12 +117,12 @@ def _show(stored: Result, file: Path, chosen: list[Series], total: int, band: st
     warn(map(plain, stored.warnings))
 
 
-def _print_series(chosen: list[Series], end: float) -> None:
+def _print_series(chosen: list[StoredSeries], end: float) -> None:
     columns = ["series", "min", "max", "at end", f"0 ... {end:.4g} s"]
     print_table("series", columns, [_row(one) for one in chosen])
 
 
-def _row(one: Series) -> list[str]:
+def _row(one: StoredSeries) -> list[str]:
     from tmodes.cli.series import ASCII, sparkline, steps_for
     from tmodes.plot.panels import readable
 

@@ -15,7 +15,7 @@ from tmodes.integrate.method import EULER
 from tmodes.integrate.registry import integrator
 from tmodes.integrate.settings import Integration
 from tmodes.kinds.contacts.registry import Contact
-from tmodes.kinds.signals.schedule import Schedule
+from tmodes.kinds.signals.schedule import SignalPieces
 from tmodes.sheet import Robot
 from tmodes.simulation.loop import LoopModel, refuse_switches
 from tmodes.simulation.recording import MOST_BYTES, record
@@ -38,7 +38,7 @@ class Lowered:
     model: LoopModel
     rates: Any
     parameters: Array
-    schedule: Schedule
+    schedule: SignalPieces
     start: Array
     settings: Integration
     setup: RunSetup
@@ -91,7 +91,7 @@ def lowered(sheet: Robot) -> Lowered:
     return Lowered(model, rates, model.numbers, setup.planned.schedule, setup.start, settings, setup, real.contact)
 
 
-def rows_of(schedule: Schedule, duration: float) -> Array:
+def rows_of(schedule: SignalPieces, duration: float) -> Array:
     """Start and coefficients of each piece of the signals, (segments, row)."""
     pieces = schedule.until(duration)
     return pieces.rows_at(pieces.knots[:-1])

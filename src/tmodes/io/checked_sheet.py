@@ -13,7 +13,7 @@ from pydantic import ValidationError
 
 from tmodes.errors import InputError, InputErrors
 from tmodes.io.filipovic2010.format import PLANT
-from tmodes.io.forms import F2010, Form, form_of, own_path
+from tmodes.io.forms import F2010, SheetForm, form_of, own_path
 from tmodes.io.sheet_fields import ChainPlace, Step, named, place_of, quantities
 from tmodes.io.sheet_problems import AS_LIST, MOST_REPORTED, SHEET, Problem, sheet_problems
 from tmodes.io.sheet_words import at
@@ -69,7 +69,7 @@ def checked_sheet(
     return sheet
 
 
-def _checked(form: Form, plain: Any, data: Any, wrong: list[Problem]) -> tuple[Any, list[Problem]]:
+def _checked(form: SheetForm, plain: Any, data: Any, wrong: list[Problem]) -> tuple[Any, list[Problem]]:
     """The sheet; and what the form's type refuses, after what is ``wrong`` already."""
     try:
         return form.root.model_validate(plain), wrong
@@ -91,7 +91,7 @@ def _refuse_huge(data: Any, source: str, most_values: int) -> None:
         waiting.extend((item, depth + 1) for item in inner)
 
 
-def _other_format(data: Any, form: Form) -> Iterator[Problem]:
+def _other_format(data: Any, form: SheetForm) -> Iterator[Problem]:
     """A sheet of another version is not read any further: its keys may mean something else."""
     if not isinstance(data, Mapping):
         yield (), InputError("", shown(data), "keys and values, such as `kind: arm`", "see a published arm")

@@ -11,12 +11,22 @@ from tmodes.io.filipovic2010 import importer
 from tmodes.io.filipovic2010.format import FORMAT, PLANT, Format2010
 from tmodes.sheet import SHEET_FORMAT, Robot
 
-__all__ = ["F2010", "ROBOT", "SHORTHANDS", "Form", "editor_schema", "follows", "form_of", "json_schema", "own_path"]
+__all__ = [
+    "F2010",
+    "ROBOT",
+    "SHORTHANDS",
+    "SheetForm",
+    "editor_schema",
+    "follows",
+    "form_of",
+    "json_schema",
+    "own_path",
+]
 __all__ += ["register_form", "robot_path", "with_reach"]
 
 
 @dataclass(frozen=True)
-class Form:
+class SheetForm:
     """One form: the type that checks it, the version of its format, and the groups that ``real`` may name."""
 
     name: str
@@ -29,24 +39,24 @@ _FACTORED = (
     *("gravity", "base", "joints", "links", "tip", "points", "couplings", "loads", "drives"),
     *("contact", "contact_off", "parameters"),
 )
-ROBOT = Form("arm", Robot, SHEET_FORMAT, _FACTORED)
-F2010 = Form(importer.NAME, Format2010, FORMAT, PLANT)
+ROBOT = SheetForm("arm", Robot, SHEET_FORMAT, _FACTORED)
+F2010 = SheetForm(importer.NAME, Format2010, FORMAT, PLANT)
 
 _ROBOT_KEYS = ("kind", "joints", "links", "urdf")
 """Keys by one of which a sheet is that of joints and links."""
 
 
-_OTHERS: dict[str, Form] = {}
+_OTHERS: dict[str, SheetForm] = {}
 """Sheets that are of no robot, by what they say at ``kind``."""
 
 
-def register_form(form: Form) -> Form:
+def register_form(form: SheetForm) -> SheetForm:
     """Let sheets with ``kind: NAME`` be of this form; the packages that read them register them."""
     _OTHERS[form.name] = form
     return form
 
 
-def form_of(data: Any) -> Form:
+def form_of(data: Any) -> SheetForm:
     """The form of a sheet's plain data."""
     if isinstance(data, Mapping) and isinstance(kind := data.get("kind"), str) and kind in _OTHERS:
         return _OTHERS[kind]
@@ -94,7 +104,7 @@ SHORTHANDS = {
 """Lists and groups in whose place one number may stand."""
 
 
-def json_schema(form: Form = ROBOT) -> dict[str, Any]:
+def json_schema(form: SheetForm = ROBOT) -> dict[str, Any]:
     """JSON Schema (draft 2020-12) of a form of data sheets, with units, symbols and meanings."""
     return editor_schema(form.root.model_json_schema(by_alias=True))
 

@@ -29,7 +29,7 @@ from tmodes.io.mjcf_parts import (
     MOST_LOADS,
     SHAPES,
     Assets,
-    Servo,
+    JointActuators,
     compensation,
     servos,
     without_unread,
@@ -142,7 +142,7 @@ def sheet_of_mjcf(
         for element in one.within()
         if element.tag in {"body", "joint"} and "name" in element.attributes
     }
-    reader = _Reader(model, lines, source)
+    reader = _MjcfReader(model, lines, source)
     for body in range(1, model.nbody):
         reader.body(body)
     if not reader.joints:
@@ -214,7 +214,7 @@ def _compiled(path: FilePath, source: str, folders: Folders, assets: Assets) -> 
     return model
 
 
-class _Reader:
+class _MjcfReader:
     """What has been read of a model so far."""
 
     def __init__(self, model: Any, lines: Lines, source: str) -> None:
@@ -267,7 +267,7 @@ class _Reader:
             raise self._fault(name, OTHER_KINDS[kind], "hinge or slide", hint)
         data: dict[str, Any] = {"name": name, "type": "revolute" if kind == HINGE else "prismatic"}
         data["axis"] = model.jnt_axis[joint].tolist()
-        servo = self.servos.get(joint, Servo(most=np.inf))
+        servo = self.servos.get(joint, JointActuators(most=np.inf))
         inertia = float(model.dof_armature[dof]) + servo.inertia
         viscous = float(model.dof_damping[dof]) + servo.viscous
         friction = {"viscous": viscous, "coulomb": float(model.dof_frictionloss[dof])}
@@ -287,7 +287,7 @@ class _Reader:
         if servo is None and stiffness and not inertia:
             return data | {"state": "free"}
         if servo or stiffness:
-            self.drives.append((servo or Servo()).drive(name))
+            self.drives.append((servo or JointActuators()).drive(name))
         elif self.model.nu:
             self.undriven.append(name)
         return data | ({"motor": {"inertia": inertia, "side": "joint"}} if inertia else {})

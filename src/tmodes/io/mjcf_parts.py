@@ -15,7 +15,7 @@ from tmodes.io.unread import Format, Left, few
 from tmodes.io.words import shown
 from tmodes.io.xml_file import Element
 
-__all__ = ["FILE_KEYS", "MJCF", "SHAPES", "Assets", "Servo", "compensation", "servos", "without_unread"]
+__all__ = ["FILE_KEYS", "MJCF", "SHAPES", "Assets", "JointActuators", "compensation", "servos", "without_unread"]
 
 _PLACED = {"pos", "quat", "axisangle", "euler", "xyaxes", "zaxis"}
 _ACTUATOR = {
@@ -123,7 +123,7 @@ MOST_LOADS = 100
 
 
 @dataclass
-class Servo:
+class JointActuators:
     """What all actuators of a joint do together: push - position * q - velocity * q' [N*m or N].
 
     ``inertia`` and ``damping``: what they add to the joint's; ``most``: the largest effort that they have together,
@@ -151,16 +151,16 @@ class Servo:
         return self.damping + (0.0 if self.position else self.velocity)
 
 
-def servos(model: Any) -> tuple[dict[int, Servo], list[Left]]:
+def servos(model: Any) -> tuple[dict[int, JointActuators], list[Left]]:
     """What drives each joint, by its number; and the actuators that are not taken."""
-    found: dict[int, Servo] = {}
+    found: dict[int, JointActuators] = {}
     left = []
     for k in range(model.nu):
         name, joint = model.actuator(k).name or f"actuator {k + 1}", int(model.actuator_trnid[k, 0])
         if why := _strange(model, k):
             left.append(Left("the force of an actuator", why, name))
         else:
-            _add(found.setdefault(joint, Servo()), model, k)
+            _add(found.setdefault(joint, JointActuators()), model, k)
     for joint, servo in [*found.items()]:
         if servo.position < 0 or servo.velocity < 0:
             del found[joint]
@@ -182,7 +182,7 @@ def _strange(model: Any, k: int) -> str:
     return ""
 
 
-def _add(servo: Servo, model: Any, k: int) -> None:
+def _add(servo: JointActuators, model: Any, k: int) -> None:
     gear, gain = float(model.actuator_gear[k, 0]), float(model.actuator_gainprm[k, 0])
     affine = int(model.actuator_biastype[k]) == AFFINE
     constant, by_length, by_rate = map(float, model.actuator_biasprm[k, :3]) if affine else (0.0, 0.0, 0.0)

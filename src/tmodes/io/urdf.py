@@ -63,7 +63,7 @@ class UrdfRobot:
 
 
 @dataclass
-class _Reading:
+class _UrdfReading:
     """What has been read so far, and all that was found wrong."""
 
     links: dict[str, Element] = field(default_factory=dict)
@@ -104,7 +104,7 @@ def urdf_robot(
     ``fix_inertia``: impossible inertias of moving links too are raised to possible ones, each with a notice.
     """
     _check_root(robot)
-    reading = _Reading()
+    reading = _UrdfReading()
     for element in robot.children:
         _tried(reading, _read, element, reading)
     if not reading.links and not reading.errors:
@@ -166,7 +166,7 @@ def _check_root(robot: Element) -> None:
         raise prefixed.fault("robot", f"{prefixed.label} in a plain URDF", "<link> and <joint>", hint)
 
 
-def _read(element: Element, reading: _Reading) -> None:
+def _read(element: Element, reading: _UrdfReading) -> None:
     """Read one link or joint."""
     if element.tag == "link":
         name = element.text("name", "a link's name")
@@ -201,7 +201,7 @@ def _standing(tree: Tree) -> set[str]:
 
 
 def _made_possible(
-    reading: _Reading, tree: Tree, joints: Sequence[dict[str, Any]], *, fix_inertia: bool
+    reading: _UrdfReading, tree: Tree, joints: Sequence[dict[str, Any]], *, fix_inertia: bool
 ) -> Iterator[str]:
     """Notices of what was taken in place of an impossible mass or inertia; the others are errors."""
     standing, mover, added = _standing(tree), Mover(joints), {}
@@ -243,7 +243,7 @@ def _refuse_second(name: str, kind: str, element: Element, first: Element | None
         raise element.fault(f"{kind} {name}", got, f"one {kind} of each name", hint)
 
 
-def _tried(reading: _Reading, read: Any, *what: Any) -> Any:
+def _tried(reading: _UrdfReading, read: Any, *what: Any) -> Any:
     """What is read; what is wrong is kept next to the other errors."""
     try:
         return read(*what)
@@ -252,7 +252,7 @@ def _tried(reading: _Reading, read: Any, *what: Any) -> Any:
         return None
 
 
-def _meshes(name: str, link: Element, folders: Folders, reading: _Reading) -> list[Path]:
+def _meshes(name: str, link: Element, folders: Folders, reading: _UrdfReading) -> list[Path]:
     """The checked paths of a link's files of geometry; those that are not there, or may not be read, are left out."""
     found = []
     for one in link.within():
@@ -266,7 +266,7 @@ def _meshes(name: str, link: Element, folders: Folders, reading: _Reading) -> li
     return found
 
 
-def _unread_meshes(reading: _Reading) -> Iterator[str]:
+def _unread_meshes(reading: _UrdfReading) -> Iterator[str]:
     """A sentence for each reason for which files of geometry are not read; no motion depends on them."""
     for hint, names in reading.unread.items():
         yield f"shapes of links are not drawn, as their files may not be read: {few([*names])}; {hint}."

@@ -178,7 +178,7 @@ def _refuse_others(element: Element, known: set[str]) -> None:
 
 
 @dataclass(frozen=True)
-class _Parameter:
+class _MacroParameter:
     """One parameter: ``stars`` for a block; ``default`` text, None where it must be given; ``outer``: see around."""
 
     name: str
@@ -192,7 +192,7 @@ class Macro:
     """A macro's element and what it takes."""
 
     element: Element
-    parameters: tuple[_Parameter, ...]
+    parameters: tuple[_MacroParameter, ...]
 
     def fill(self, call: Element, given: Mapping[str, Value], around: Mapping[str, Value]) -> dict[str, str]:
         """Default texts of the parameters that a call leaves out; InputError for unknown and missing ones."""
@@ -223,7 +223,7 @@ class Macro:
 def macro_of(element: Element) -> Macro:
     """The macro that an element defines; InputError for a list of parameters that is none."""
     text = element.attributes.get("params", "").strip()
-    parameters: list[_Parameter] = []
+    parameters: list[_MacroParameter] = []
     position = 0
     while position < len(text):
         match = PARAMETER.match(text, position)
@@ -238,10 +238,10 @@ def macro_of(element: Element) -> Macro:
     return Macro(element, tuple(parameters))
 
 
-def _parameter(match: re.Match[str]) -> _Parameter:
+def _parameter(match: re.Match[str]) -> _MacroParameter:
     stars, name, outer, default = match.groups()
     if outer == "^":
         default = None
     elif default is not None and default[:1] in {"'", '"'}:
         default = default[1:-1]
-    return _Parameter(name, len(stars), default, outer is not None)
+    return _MacroParameter(name, len(stars), default, outer is not None)

@@ -22,7 +22,7 @@ from tmodes.io.units import INTEGER, finite_float
 from tmodes.io.words import meant, nearest, shown
 from tmodes.io.xml_file import LONGEST_ATTRIBUTE, Element
 
-__all__ = ["FormulaError", "Scope", "Value", "as_value", "evaluate", "filled", "is_true", "typed"]
+__all__ = ["Scope", "Value", "XacroFormulaError", "as_value", "evaluate", "filled", "is_true", "typed"]
 
 Value = bool | int | float | str
 
@@ -55,32 +55,32 @@ COMPARE: dict[type, Callable[[Any, Any], Any]] = {
 }
 
 
-class FormulaError(ValueError):
+class XacroFormulaError(ValueError):
     """Why a formula has no value; its text is a phrase for a message."""
 
 
 def evaluate(text: str, known: Mapping[str, Value]) -> Value:
-    """The value of a formula with the names that are ``known``; raises :class:`FormulaError`."""
+    """The value of a formula with the names that are ``known``; raises :class:`XacroFormulaError`."""
     tree = _parsed(text)
     if sum(1 for _ in ast.walk(tree)) > MOST_NODES:
-        raise FormulaError(f"a formula of more than {MOST_NODES} parts")
+        raise XacroFormulaError(f"a formula of more than {MOST_NODES} parts")
     try:
         return _value(tree.body, known)
-    except FormulaError:
+    except XacroFormulaError:
         raise
     except (ArithmeticError, TypeError, ValueError) as error:
-        raise FormulaError(f"{shown(text)}, which has no value ({error})") from None
+        raise XacroFormulaError(f"{shown(text)}, which has no value ({error})") from None
 
 
 def _parsed(text: str) -> ast.Expression:
     if len(text) > LONGEST:
-        raise FormulaError(f"a formula of {len(text)} characters")
+        raise XacroFormulaError(f"a formula of {len(text)} characters")
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
             return ast.parse(text.strip(), mode="eval")
     except (SyntaxError, ValueError, MemoryError, RecursionError):
-        raise FormulaError(f"{shown(text)}, which is no formula") from None
+        raise XacroFormulaError(f"{shown(text)}, which is no formula") from None
 
 
 def _value(node: ast.expr, known: Mapping[str, Value]) -> Value:
@@ -102,7 +102,7 @@ def _value(node: ast.expr, known: Mapping[str, Value]) -> Value:
         case ast.Call(func=ast.Name(id=name), args=arguments, keywords=[]) if name in FUNCTIONS:
             result = FUNCTIONS[name](*(_number(_value(argument, known)) for argument in arguments))
         case _:
-            raise FormulaError(f"{shown(ast.unparse(node))}, which is not arithmetic")
+            raise XacroFormulaError(f"{shown(ast.unparse(node))}, which is not arithmetic")
     return _bounded(result)
 
 
@@ -112,7 +112,7 @@ def _named(name: str, known: Mapping[str, Value]) -> Value:
     if name in NAMES:
         return NAMES[name]
     close = nearest(name, [*known, *NAMES])
-    raise FormulaError(f"the unknown name {shown(name)}" + (f" (did you mean {shown(close)}?)" if close else ""))
+    raise XacroFormulaError(f"the unknown name {shown(name)}" + (f" (did you mean {shown(close)}?)" if close else ""))
 
 
 def _combined(op: ast.operator, left: Value, right: Value) -> Value:
@@ -125,7 +125,7 @@ def _combined(op: ast.operator, left: Value, right: Value) -> Value:
         both_whole = isinstance(left, int) and isinstance(right, int) and power.is_integer()
         return int(power) if both_whole and abs(power) <= LARGEST else power
     if type(op) not in BINARY:
-        raise FormulaError("an operator on bits or matrices, which is not arithmetic")
+        raise XacroFormulaError("an operator on bits or matrices, which is not arithmetic")
     return BINARY[type(op)](left, right)
 
 
@@ -140,17 +140,17 @@ def _any_or_all(op: ast.boolop, values: list[ast.expr], known: Mapping[str, Valu
 
 def _number(value: Value) -> int | float:
     if isinstance(value, str):
-        raise FormulaError(f"the text {shown(value)} where a number belongs")
+        raise XacroFormulaError(f"the text {shown(value)} where a number belongs")
     return value
 
 
 def _bounded(value: Value) -> Value:
     if isinstance(value, str) and len(value) > LONGEST:
-        raise FormulaError(f"a text of {len(value)} characters")
+        raise XacroFormulaError(f"a text of {len(value)} characters")
     if isinstance(value, int) and abs(value) > LARGEST:
-        raise FormulaError("a whole number of more than 15 digits")
+        raise XacroFormulaError("a whole number of more than 15 digits")
     if isinstance(value, float) and not math.isfinite(value):
-        raise FormulaError("a result that no double can hold")
+        raise XacroFormulaError("a result that no double can hold")
     return value
 
 
@@ -219,7 +219,7 @@ def _part(part: str, element: Element, scope: Scope) -> Value:
     if part.startswith("${"):
         try:
             return evaluate(part[2:-1], scope.values)
-        except FormulaError as error:
+        except XacroFormulaError as error:
             hint = "write numbers, properties, + - * / ** and functions such as sin, sqrt, radians"
             raise _fault(element, str(error), hint) from None
     command, _, name = part[2:-1].strip().partition(" ")

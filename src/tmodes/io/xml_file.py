@@ -195,7 +195,7 @@ def parse_xml(content: bytes, source: str) -> Element:
     """The root element of the bytes of an XML file; ``source`` is its name in messages."""
     if not content.strip():
         raise InputError("the file", "an empty file", "an XML file", "check that this is the file you mean", source)
-    builder = _Builder(source)
+    builder = _XmlBuilder(source)
     try:
         builder.parser.Parse(content, True)
     except expat.ExpatError as error:
@@ -206,7 +206,7 @@ def parse_xml(content: bytes, source: str) -> Element:
     return builder.top[0]
 
 
-class _Builder:
+class _XmlBuilder:
     """Builds elements from the parser's calls, and refuses what is too much."""
 
     def __init__(self, source: str) -> None:

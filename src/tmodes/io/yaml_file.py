@@ -71,7 +71,7 @@ def parse_yaml(text: str, source: str) -> tuple[dict[str, Any], Positions]:
         if len(line) > LONGEST_LINE:
             got, most = f"a line of {len(line)} characters", f"at most {LONGEST_LINE} characters"
             raise InputError("the file", got, most, "break the line", f"{source}:{number}")
-    builder = _Builder(source)
+    builder = _YamlBuilder(source)
     data = builder.document(yaml_events(text, source))
     if not isinstance(data, dict):
         raise builder.error(1, "the file", shown(data), "keys and values, such as `gravity: 9.81`", "see the examples")
@@ -99,7 +99,7 @@ def _decoded(content: bytes, source: str) -> str:
         raise InputError("the file", got, "text in UTF-8", hint, f"{source}:{line}") from None
 
 
-class _Builder:
+class _YamlBuilder:
     """Builds plain data from events and keeps the lines."""
 
     def __init__(self, source: str) -> None:

@@ -9,7 +9,7 @@ from typing import Any
 
 from tmodes.chain.chain import Chain, Point
 from tmodes.compile.loops.time_loop import ARGUMENTS, CELLS, OPTIONS, Status
-from tmodes.compile.wasm.wasm import Part, wasm_module
+from tmodes.compile.wasm.wasm import WasmPart, wasm_module
 from tmodes.compile.wasm.wasm_parts import each_once, schedule_loop, schedule_samples
 from tmodes.equations.line.schedule import Lines
 from tmodes.equations.loop.closed_loop import ClosedLoop
@@ -199,17 +199,17 @@ class LiveModule:
 class Functions:
     """What goes into a module: code, and by the names that the engine knows, loops and functions over samples."""
 
-    parts: list[Part] = field(default_factory=list)
+    parts: list[WasmPart] = field(default_factory=list)
     loops: dict[str, dict[str, Any]] = field(default_factory=dict)
     samples: dict[str, dict[str, Any]] = field(default_factory=dict)
 
-    def loop(self, name: str, parts: Sequence[Part], *, size: int, row: int, parameters: int) -> None:
+    def loop(self, name: str, parts: Sequence[WasmPart], *, size: int, row: int, parameters: int) -> None:
         """A time loop, whose function is the first part's: numbers of its state, of a row of signals, of parameters."""
         self.parts += parts
         info = {"export": parts[0].symbols[0], "size": size, "row": row, "parameters": parameters}
         self.loops[name] = info | {"method": name.rpartition(".")[2]}
 
-    def schedule(self, name: str, parts: Sequence[Part], schedule: Any, *, stride: int = 1) -> None:
+    def schedule(self, name: str, parts: Sequence[WasmPart], schedule: Any, *, stride: int = 1) -> None:
         """A schedule over samples, whose function is the first part's; ``stride`` 2: with derivatives."""
         self.parts += parts
         inputs = {label: slot.size for label, slot in schedule.inputs.items()}

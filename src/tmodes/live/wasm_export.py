@@ -17,7 +17,7 @@ import numpy as np
 from tmodes.integrate.choice import chosen_method
 from tmodes.integrate.settings import Integration
 from tmodes.io.atomic import file_error
-from tmodes.kinds.signals.schedule import Schedule
+from tmodes.kinds.signals.schedule import SignalPieces
 from tmodes.live.functions import LiveModule, ModelFunctions, engine_settings, live_module
 from tmodes.live.map import live_map
 from tmodes.sheet import Robot, RobotPair
@@ -113,7 +113,7 @@ def _plain(value: Any) -> Any:
     return [_plain(one) for one in value] if isinstance(value, list) else value
 
 
-def _run(schedule: Schedule, state: Any, settings: Integration) -> dict[str, list[float]]:
+def _run(schedule: SignalPieces, state: Any, settings: Integration) -> dict[str, list[float]]:
     signals = schedule.until(settings.duration)
     rows = np.column_stack([signals.knots[:-1], signals.coefficients])
     arrays = {"knots": signals.knots, "rows": rows, "state": state}

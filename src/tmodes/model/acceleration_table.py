@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.compile.ir.linear_solve import BLOCK, aligned, padded
-from tmodes.compile.loops.tape_loop import Table, operations
+from tmodes.compile.loops.tape_loop import RowTable, operations
 from tmodes.model.derivatives import Columns
 
 __all__ = ["AccelerationDerivatives", "AccelerationTable"]
@@ -47,7 +47,7 @@ class AccelerationTable:
             size * padded(len(driven)),
         ]
         self._inner, self._elastic, self._rows, self._units, self._diagonal = np.cumsum(starts).tolist()
-        self._own, self._kept, self.table = threading.local(), [forward, inertia, elastic], Table()
+        self._own, self._kept, self.table = threading.local(), [forward, inertia, elastic], RowTable()
         self._write(forward, inertia, elastic)
 
     def solved(self, inputs: Array) -> tuple[Array, int]:

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from tmodes.compile.ir.derivative_kernels import LANES
 from tmodes.compile.ir.linear_solve import aligned, padded
 from tmodes.compile.ir.tape import Tape
-from tmodes.compile.loops.tape_loop import Table, operations
+from tmodes.compile.loops.tape_loop import RowTable, operations
 from tmodes.model.passes import Blocks, packed, split
 
 __all__ = ["Columns", "Differentiated", "Group", "Ready", "differentiated"]
@@ -42,7 +42,7 @@ def differentiated(schedule: Any, outputs: Sequence[str] | None = None) -> Diffe
 class Ready(NamedTuple):
     """A table, how wide its slopes are, and where its seeds and its results stand among them."""
 
-    table: Table
+    table: RowTable
     lanes: int
     seeds: tuple[int, int]
     found: tuple[int, int]

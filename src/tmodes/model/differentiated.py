@@ -18,7 +18,7 @@ from tmodes.chain.chain import Chain
 from tmodes.equations.mechanics import mechanics
 from tmodes.errors import InputError, SimulationError
 from tmodes.model.passes import Blocks, ChainPasses, derivatives
-from tmodes.model.rows import Rows, in_a_row, one_row
+from tmodes.model.rows import StateRows, in_a_row, one_row
 
 if TYPE_CHECKING:
     from tmodes.model.acceleration_table import AccelerationDerivatives, AccelerationTable
@@ -44,8 +44,8 @@ class DifferentiatedModel:
 
     _made: dict[Any, Any] = field(default_factory=dict, init=False, repr=False)
 
-    def _rows(self, q: ArrayLike, v: ArrayLike) -> Rows:
-        return Rows(q, v, self.passes.parts.size, finite=not self.trials)
+    def _rows(self, q: ArrayLike, v: ArrayLike) -> StateRows:
+        return StateRows(q, v, self.passes.parts.size, finite=not self.trials)
 
     @cached_property
     def passes(self) -> ChainPasses:

@@ -18,7 +18,7 @@ from tmodes.equations.recursion.parts import Parts
 from tmodes.equations.recursion.passes import BASE, resting_base
 from tmodes.kinds.kernel.schedule import Schedule, Slot
 from tmodes.kinds.noted.functions import zeros
-from tmodes.model.rows import Rows
+from tmodes.model.rows import StateRows
 
 __all__ = ["ChainPasses", "PointMotion", "derivatives", "evaluate", "evaluate_wide", "packed", "split"]
 
@@ -111,30 +111,30 @@ class ChainPasses:
             self._schedules[name, loaded] = self.mechanics.schedule(name, loaded=loaded)
         return self._schedules[name, loaded]
 
-    def forward(self, rows: Rows, inputs: Blocks, base: ArrayLike | None, wrenches: ArrayLike | None) -> Array:
+    def forward(self, rows: StateRows, inputs: Blocks, base: ArrayLike | None, wrenches: ArrayLike | None) -> Array:
         """Accelerations of the coordinates; ``inputs``: effort, given, step."""
         schedule = self.schedule("forward", loaded=wrenches is not None)
         return evaluate(self.parameters, schedule, inputs | self._common(rows, base, wrenches), rows.count)["a"]
 
-    def inertia(self, rows: Rows, a: ArrayLike, base: ArrayLike | None, wrenches: ArrayLike | None) -> Blocks:
+    def inertia(self, rows: StateRows, a: ArrayLike, base: ArrayLike | None, wrenches: ArrayLike | None) -> Blocks:
         """Outputs of :func:`tmodes.equations.recursion.forces.inertia_forces`, the rotors among the forces."""
         schedule, blocks = self.schedule("inertia", loaded=wrenches is not None), self.inertial(rows, a, base, wrenches)
         found = evaluate(self.parameters, schedule, blocks, rows.count)
         return found | {"forces": found["forces"] + blocks["a"] * self.rotor_inertias}
 
-    def inertial(self, rows: Rows, a: ArrayLike, base: ArrayLike | None, wrenches: ArrayLike | None) -> Blocks:
+    def inertial(self, rows: StateRows, a: ArrayLike, base: ArrayLike | None, wrenches: ArrayLike | None) -> Blocks:
         """The inputs of the forces of inertia."""
         return {"a": rows.of(a, self.parts.size, "a"), **self._common(rows, base, wrenches)}
 
     def dynamic(
-        self, rows: Rows, effort: ArrayLike, given: ArrayLike, base: ArrayLike | None, wrenches: ArrayLike | None
+        self, rows: StateRows, effort: ArrayLike, given: ArrayLike, base: ArrayLike | None, wrenches: ArrayLike | None
     ) -> Blocks:
         """The inputs of the forward dynamics, without an implicit step."""
         efforts, held = len(self.parts.efforts), len(self.parts.given)
         drives = {"effort": rows.of(effort, efforts, "effort"), "given": rows.of(given, held, "given")}
         return {**drives, "step": rows.of(0.0, 1, "step"), **self._common(rows, base, wrenches)}
 
-    def elastic(self, rows: Rows) -> Blocks:
+    def elastic(self, rows: StateRows) -> Blocks:
         """Outputs of :func:`tmodes.equations.recursion.forces.elastic_forces`."""
         return evaluate(self.parameters, self.schedule("elastic"), self._common(rows, None, None), rows.count)
 
@@ -176,7 +176,7 @@ class ChainPasses:
         return self._lines[s, loaded]
 
     def on_lines(
-        self, lines: Lines, rows: Rows, a: ArrayLike, base: ArrayLike | None, wrenches: ArrayLike | None
+        self, lines: Lines, rows: StateRows, a: ArrayLike, base: ArrayLike | None, wrenches: ArrayLike | None
     ) -> Blocks:
         """Outputs of the schedule of the elastic lines."""
         return evaluate(lines.numbers, lines.schedule, self.inertial(rows, a, base, wrenches), rows.count)
@@ -196,7 +196,7 @@ class ChainPasses:
         """The row of a base at rest; ``gravity``: share of it that pulls."""
         return resting_base(self.parts.chain, gravity)
 
-    def _common(self, rows: Rows, base: ArrayLike | None, wrenches: ArrayLike | None) -> Blocks:
+    def _common(self, rows: StateRows, base: ArrayLike | None, wrenches: ArrayLike | None) -> Blocks:
         blocks = {"q": rows.q, "v": rows.v, "base": rows.of(self.at_rest() if base is None else base, BASE, "base")}
         if wrenches is not None:
             blocks["wrenches"] = rows.of(wrenches, 6 * len(self.parts.points), "wrenches")

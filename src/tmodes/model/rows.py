@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from tmodes.errors import InputError
 from tmodes.io.words import shown
 
-__all__ = ["Rows", "in_a_row", "one_row", "real_numbers", "wrong_shape"]
+__all__ = ["StateRows", "in_a_row", "one_row", "real_numbers", "wrong_shape"]
 
 Array = NDArray[np.float64]
 
@@ -58,7 +58,7 @@ def wrong_shape(name: str, array: Array, expected: str) -> InputError:
     )
 
 
-class Rows:
+class StateRows:
     """States as rows, one or many; ``finite``: they, and what comes with them, must be.
 
     Raises :class:`tmodes.errors.InputError` for what is no state of ``size`` coordinates.

@@ -48,7 +48,7 @@ def drawn(draw: Draw, result: Any, names: Sequence[str], stored: Path | None) ->
         return
     context = multiprocessing.get_context("spawn")
     taken = context.Array("i", [0, len(names)])
-    task = _Task(draw, type(result), stored.resolve(), tuple(names), tuple(USED))
+    task = _DrawingTask(draw, type(result), stored.resolve(), tuple(names), tuple(USED))
     helpers, arrivals = [], _Arrivals()
     try:
         with _without_interrupts():
@@ -65,7 +65,7 @@ def drawn(draw: Draw, result: Any, names: Sequence[str], stored: Path | None) ->
             helper.join()
 
 
-class _Task(NamedTuple):
+class _DrawingTask(NamedTuple):
     """What a helper needs: how to draw, of which result, and the files of a person's own kinds."""
 
     draw: Draw
@@ -137,7 +137,7 @@ def _without_interrupts() -> Iterator[None]:
         signal.signal(signal.SIGINT, before)
 
 
-def _help(task: _Task, taken: Any, pipe: Any) -> None:
+def _help(task: _DrawingTask, taken: Any, pipe: Any) -> None:
     """What a helper does; what fails here is drawn again, and fails, where its error is seen."""
     with suppress(Exception):
         if task.used:

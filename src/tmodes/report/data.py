@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.analysis.modes.modes import Mode
+from tmodes.analysis.modes.modes import VibrationMode
 from tmodes.analysis.spectrum import MotorState
 from tmodes.errors import InputError, InputErrors, SimulationError, TmodesError
 from tmodes.live.bundle import live_bundle, why_not_live
@@ -147,7 +147,7 @@ Array = NDArray[np.float64]
 Lines = Callable[[Array], Array]
 """Coordinates (n, nq) to the lines of all links (n, L, S, 3) [m]."""
 
-Shaped = tuple[Mode, NDArray[np.complex128]]
+Shaped = tuple[VibrationMode, NDArray[np.complex128]]
 
 _CASES = (MotorState.CONTROLLED, MotorState.LOCKED, MotorState.FREE)
 

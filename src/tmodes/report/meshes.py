@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from tmodes.io.urdf_shapes import LinkShape, Unseen
 
 __all__ = [
-    "Kept",
+    "StoredMesh",
     "few_shapes",
     "kept_meshes",
     "read_shapes",
@@ -36,7 +36,7 @@ MOST_TRIANGLES = 40_000
 """Triangles of a whole robot in a result: below a megabyte of its report."""
 
 
-class Kept(NamedTuple):
+class StoredMesh(NamedTuple):
     """A surface as a result keeps it: ``vertices`` (k, 3) [m] in the link's frame, ``faces`` (f, 3)."""
 
     link: str
@@ -118,7 +118,7 @@ def with_few_shapes(result: Result, few: Sequence[LinkShape]) -> Result:
     return result.with_record(data)
 
 
-def kept_meshes(data: Any) -> list[Kept]:
+def kept_meshes(data: Any) -> list[StoredMesh]:
     """The surfaces that a result's dataset keeps."""
     try:
         return _kept(data)
@@ -128,14 +128,14 @@ def kept_meshes(data: Any) -> list[Kept]:
         ) from error
 
 
-def _kept(data: Any) -> list[Kept]:
+def _kept(data: Any) -> list[StoredMesh]:
     found, vertex, face = [], 0, 0
     for info in json.loads(data.attrs.get("meshes", "[]")):
         if min(info["vertices"], info["faces"]) < 0:
             raise ValueError("a surface of less than nothing")
         vertices = data["mesh_vertices"].transpose("mesh_vertex", "axis").values[vertex : vertex + info["vertices"]]
         faces = data["mesh_faces"].transpose("mesh_face", "corner").values[face : face + info["faces"]]
-        found.append(Kept(info["link"], info["colour"], vertices, faces))
+        found.append(StoredMesh(info["link"], info["colour"], vertices, faces))
         vertex, face = vertex + info["vertices"], face + info["faces"]
     return found
 

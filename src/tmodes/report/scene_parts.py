@@ -15,7 +15,7 @@ from tmodes.kinds.links.section_given import SectionNumbers
 from tmodes.kinds.links.sheet import BendingSheet
 from tmodes.model.model import Model
 from tmodes.plot.facts import names_of
-from tmodes.report.meshes import Kept, kept_meshes
+from tmodes.report.meshes import StoredMesh, kept_meshes
 from tmodes.result import Result
 from tmodes.sheet import Robot
 from tmodes.sheet.topology import BASE
@@ -98,7 +98,7 @@ def _is_curved(robot: Robot, name: str) -> bool:
     return any(np.any(getattr(beam, "rest_curvature", None) or 0.0) for beam in beams)
 
 
-def _from_root(robot: Robot, mesh: Kept) -> NDArray[Any]:
+def _from_root(robot: Robot, mesh: StoredMesh) -> NDArray[Any]:
     """The vertices of a link's surface in the frame of its beam's root."""
     mounts = [getattr(link.beam, "root_mount", None) for link in robot.links if link.name == mesh.link]
     if not mounts or mounts[0] is None:
@@ -106,7 +106,7 @@ def _from_root(robot: Robot, mesh: Kept) -> NDArray[Any]:
     return (mesh.vertices - np.asarray(mounts[0].position)) @ mounts[0].rotation()
 
 
-def _surface(mesh: Kept, link: int, vertices: NDArray[Any]) -> dict[str, Any]:
+def _surface(mesh: StoredMesh, link: int, vertices: NDArray[Any]) -> dict[str, Any]:
     return {"link": link, "colour": mesh.colour, "vertices": vertices.astype(np.float32), "faces": mesh.faces}
 
 

@@ -48,7 +48,7 @@ from tmodes.simulation.event import Event
 from tmodes.simulation.events import cut_short, events_of
 from tmodes.simulation.motion_run import RunData
 
-__all__ = ["Assembly"]
+__all__ = ["ResultAssembly"]
 
 Progress = Callable[[str, float], None]
 
@@ -57,7 +57,7 @@ def _no_progress(stage: str, share: float) -> None:
     del stage, share
 
 
-class Assembly(Derives):
+class ResultAssembly(Derives):
     """A run of a robot whose sheet as known is ``known``, and all that a result shows of it.
 
     The time axis is that of the actual robot, as far as its reference came too. ``progress`` receives stages and shares
@@ -305,7 +305,7 @@ class Assembly(Derives):
     @property
     def begun(self) -> Record:
         """The series of the motion, of which nothing is computed yet: what is stored before anything can fail."""
-        empty = Assembly(self.run, self.known)
+        empty = ResultAssembly(self.run, self.known)
         empty.stopped = NOT_YET
         computed = {name: getattr(empty, name) for name in _KEPT}
         return empty._record(self._bare, {}).assign_attrs(empty._described(computed))

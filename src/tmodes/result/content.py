@@ -27,7 +27,7 @@ __all__ = ["AGAIN", "refuse_not_finite", "refuse_wrong_content"]
 AGAIN = "run the robot again"
 
 
-class _Mode(TypedDict):
+class _ModeContent(TypedDict):
     """A mode of vibration; further keys may stand next to these."""
 
     frequency_Hz: float
@@ -53,7 +53,7 @@ class _Vibration(TypedDict):
     element: NotRequired[str]
 
 
-class _Residual(TypedDict):
+class _ResidualContent(TypedDict):
     amplitude_m: FiniteFloat | None
     modes: list[_Vibration]
     reason: str
@@ -82,12 +82,12 @@ class _Attributes(TypedDict, total=False):
     robot_real: _Group
     statistics: _Group
     versions: dict[str, str]
-    frequencies: dict[str, list[_Mode]]
-    end_frequencies: dict[str, list[_Mode]]
+    frequencies: dict[str, list[_ModeContent]]
+    end_frequencies: dict[str, list[_ModeContent]]
     tip_error_elements: dict[str, _Elements]
     warnings: list[str]
     settling: _Settling | None
-    vibration: dict[str, _Residual]
+    vibration: dict[str, _ResidualContent]
     errors: _Errors | _Empty | None
     model_errors: _Errors | _Empty | None
     move_end: FiniteFloat | None

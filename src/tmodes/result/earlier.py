@@ -17,7 +17,7 @@ from tmodes.errors import InputError, InputErrors
 from tmodes.io.atomic import file_error
 from tmodes.io.filipovic2010.importer import COORDINATES, to_robot
 from tmodes.io.sheet_check import sheet_from_data
-from tmodes.result.assemble import Assembly
+from tmodes.result.assemble import ResultAssembly
 from tmodes.result.content import AGAIN
 from tmodes.simulation.motion_run import RunData, gathered
 from tmodes.simulation.parts import Trajectory
@@ -38,7 +38,7 @@ _WORKS = {"motor_friction": "friction"}
 """Kinds of works by the names that they have now."""
 
 
-def earlier_assembly(data: Record, path: object) -> Assembly:
+def earlier_assembly(data: Record, path: object) -> ResultAssembly:
     """What an earlier record shows, as of any run; ``path`` names it.
 
     Raises :class:`tmodes.errors.ResultFileError` for one whose parts do not fit together.
@@ -50,11 +50,11 @@ def earlier_assembly(data: Record, path: object) -> Assembly:
         raise file_error(path, got, "a result of the 2010 robot", AGAIN) from error
 
 
-def _assembly(data: Record) -> Assembly:
+def _assembly(data: Record) -> ResultAssembly:
     known, actual = (sheet_from_data(json.loads(data.attrs[name])) for name in ("robot", "robot_real"))
     real, nominal = run_setup(actual), run_setup(known, Follow.WANTED)
     run = replace(_run(real, data, "", "real"), reference=_run(nominal, data, "_reference", "reference"))
-    made = Assembly(run, known)
+    made = ResultAssembly(run, known)
     kept: dict[str, Any] = {name: json.loads(data.attrs.get(name, "null")) for name in ("errors",)}
     made.__dict__ |= kept | {
         "ending": (data.attrs["status"], data.attrs["message"]),

@@ -19,7 +19,7 @@ from tmodes.simulation.parts import Trajectory
 from tmodes.simulation.second_run import second_run
 from tmodes.simulation.start import RunSetup
 
-__all__ = ["Figure", "distances", "even_samples", "sampled", "summary_errors", "summary_figures"]
+__all__ = ["SummaryNumber", "distances", "even_samples", "sampled", "summary_errors", "summary_figures"]
 
 Array = NDArray[np.float64]
 
@@ -56,7 +56,7 @@ _DENSE = 10
 """Changes of contact or friction beyond which some may be missed by both runs."""
 
 
-class Figure(NamedTuple):
+class SummaryNumber(NamedTuple):
     """A number of the summary: its path there, the sample that it comes from, its series and the place in it.
 
     The place leaves (n,) or (n, components) of the series, whose size counts. ``sample`` None: it is of the whole run,
@@ -164,12 +164,12 @@ def _series(runs: list[RunData], stations: Array, *, lines: bool) -> dict[str, A
 
 
 def distances(
-    figures: Sequence[Figure],
+    figures: Sequence[SummaryNumber],
     first: Mapping[str, Array],
     second: Callable[[list[int]], list[RunData]],
     stations: Array,
     ever: Sequence[int] = (),
-) -> Iterator[tuple[Figure, Array, Array]]:
+) -> Iterator[tuple[SummaryNumber, Array, Array]]:
     """How far two runs are apart in each figure, at the samples that it is looked at, and at those of ``ever``.
 
     ``first``: the series of one, whole; ``second`` gives the other one at some samples, with its nominal run if any.
@@ -192,14 +192,14 @@ def even_samples(count: int, parts: int = _EVEN) -> list[int]:
     return sorted({round(part * (count - 1) / parts) for part in range(parts + 1)})
 
 
-def summary_figures(values: Mapping[str, Array], names: Mapping[str, list[str]]) -> Iterator[Figure]:
+def summary_figures(values: Mapping[str, Array], names: Mapping[str, list[str]]) -> Iterator[SummaryNumber]:
     """The numbers of the summary whose error is estimated, from the series of a run."""
-    yield Figure("tip_m", None, "tip")
+    yield SummaryNumber("tip_m", None, "tip")
     if "apart" in values:
-        yield Figure("deviation.max_m", int(np.linalg.norm(values["apart"], axis=1).argmax()), "apart")
-        yield Figure("deviation.end_m", len(values["apart"]) - 1, "apart")
+        yield SummaryNumber("deviation.max_m", int(np.linalg.norm(values["apart"], axis=1).argmax()), "apart")
+        yield SummaryNumber("deviation.end_m", len(values["apart"]) - 1, "apart")
     if "off" in values:  # joints without a setpoint are in the commanded tip as they move
-        yield Figure("tip_error.commanded.max_m", int(np.linalg.norm(values["off"], axis=1).argmax()), "off")
+        yield SummaryNumber("tip_error.commanded.max_m", int(np.linalg.norm(values["off"], axis=1).argmax()), "off")
     if "deformation" in values:
         size = np.abs(values["deformation"]).max(axis=0)
         for k in map(int, np.argsort(-size, kind="stable")[:_MOST]):
@@ -210,20 +210,20 @@ def summary_figures(values: Mapping[str, Array], names: Mapping[str, list[str]])
             yield _at_worst(f"joints.{joint}.{key}", series, values[series], k)
     yield from _links(values, names)
     if (series := "contact_force_normal") in values:
-        yield Figure("contact_force.min_N", int(values[series].argmin()), series)
-        yield Figure("contact_force.max_N", int(values[series].argmax()), series)
-        yield Figure("contact_force.mean_N", None, series, mean=True)
+        yield SummaryNumber("contact_force.min_N", int(values[series].argmin()), series)
+        yield SummaryNumber("contact_force.max_N", int(values[series].argmax()), series)
+        yield SummaryNumber("contact_force.mean_N", None, series, mean=True)
 
 
-def _links(values: Mapping[str, Array], names: Mapping[str, list[str]]) -> Iterator[Figure]:
+def _links(values: Mapping[str, Array], names: Mapping[str, list[str]]) -> Iterator[SummaryNumber]:
     for k, name in enumerate(names["bending_link"]):
         tip = np.linalg.norm(values["deflection"][:, k, -1], axis=-1)
-        yield Figure(f"links.{name}.deflection.max_m", int(tip.argmax()), "deflection", (k, -1))
+        yield SummaryNumber(f"links.{name}.deflection.max_m", int(tip.argmax()), "deflection", (k, -1))
         sample, s = _largest(np.linalg.norm(values["moment"][:, k, :, 1:], axis=-1))
-        yield Figure(f"links.{name}.bending_moment.max_Nm", sample, "moment", (k, s, slice(1, None)))
+        yield SummaryNumber(f"links.{name}.bending_moment.max_Nm", sample, "moment", (k, s, slice(1, None)))
     for k, name in enumerate(names["stressed_link"]):
         sample, s = _largest(values["stress"][:, k])
-        yield Figure(f"links.{name}.stress.max_Pa", sample, "stress", (k, s))
+        yield SummaryNumber(f"links.{name}.stress.max_Pa", sample, "stress", (k, s))
 
 
 def _largest(values: Array) -> tuple[int, int]:
@@ -232,6 +232,6 @@ def _largest(values: Array) -> tuple[int, int]:
     return int(sample), int(place)
 
 
-def _at_worst(name: str, series: str, values: Array, *place: int) -> Figure:
+def _at_worst(name: str, series: str, values: Array, *place: int) -> SummaryNumber:
     """The largest size of one series (n, ...) at a place of it, at the sample where it is reached."""
-    return Figure(name, int(np.argmax(np.abs(values[(slice(None), *place)]))), series, place)
+    return SummaryNumber(name, int(np.argmax(np.abs(values[(slice(None), *place)]))), series, place)

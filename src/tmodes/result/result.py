@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from xarray import DataArray, Dataset
 
     from tmodes.kinds.registry import UnknownKindError
-    from tmodes.result.assemble import Assembly
+    from tmodes.result.assemble import ResultAssembly
     from tmodes.sheet import Robot
     from tmodes.simulation.event import Event
     from tmodes.simulation.motion_run import RunData
@@ -48,7 +48,10 @@ class Result:
     """
 
     def __init__(
-        self, data: Dataset | Record | None = None, timing: dict[str, float] | None = None, made: Assembly | None = None
+        self,
+        data: Dataset | Record | None = None,
+        timing: dict[str, float] | None = None,
+        made: ResultAssembly | None = None,
     ) -> None:
         self._record = data if isinstance(data, Record) else None
         if data is not None and self._record is None:
@@ -314,19 +317,19 @@ class Result:
         return self.data._repr_html_()
 
     @property
-    def assembly(self) -> Assembly | None:
+    def assembly(self) -> ResultAssembly | None:
         """The run that was made just now, until its whole record was put together."""
         return None if self._record is not None else self.made
 
     @property
-    def made(self) -> Assembly | None:
+    def made(self) -> ResultAssembly | None:
         """The run that was made just now, while its dataset cannot have been changed."""
         return None if "data" in self.__dict__ else self._assembly
 
 
 def assemble_result(run: RunData, known: Robot | None = None) -> Result:
     """The result of a run; ``known``: the robot by whose sheet it was planned, None: the one of the run."""
-    from tmodes.result.assemble import Assembly
+    from tmodes.result.assemble import ResultAssembly
 
     timing = {"real": run.seconds} | ({"reference": run.reference.seconds} if run.reference else {})
-    return Result(timing=timing, made=Assembly(run, known or run.robot))
+    return Result(timing=timing, made=ResultAssembly(run, known or run.robot))

@@ -22,7 +22,7 @@ from tmodes.analysis.vibration import (
 from tmodes.errors import InputError
 from tmodes.integrate.conditions import BAND, Band
 from tmodes.integrate.registry import integrator
-from tmodes.kinds.signals.schedule import MergedSchedule, Schedule, merge
+from tmodes.kinds.signals.schedule import MergedSchedule, SignalPieces, merge
 
 if TYPE_CHECKING:
     from tmodes.simulation.motion_run import RunData
@@ -329,7 +329,7 @@ def at_rest_from(setup: RunSetup, time: float, state: Array, duration: float) ->
     still = np.zeros((len(values), 1, plan.signals.degree + 1))
     still[:, 0, 0] = values
     each = [
-        one.schedule(time + duration).since(time) if k in clocks else Schedule(knots, still[k])
+        one.schedule(time + duration).since(time) if k in clocks else SignalPieces(knots, still[k])
         for k, one in enumerate(plan.each)
     ]
     signals = merge(each) if each else MergedSchedule(knots, still.transpose(1, 0, 2))

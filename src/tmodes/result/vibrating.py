@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 
 from tmodes.analysis.modes.of_sheet import servos_of
 from tmodes.analysis.quasistatic import loose_gears
-from tmodes.analysis.statics.compliance import Spring, springs_of
-from tmodes.analysis.vibration import Mode, Residual, fitted
+from tmodes.analysis.statics.compliance import SpringStiffness, springs_of
+from tmodes.analysis.vibration import Oscillation, Residual, fitted
 from tmodes.simulation.motion_run import RunData
 
 __all__ = ["LOADS", "mode_elements", "named_as_seen", "unrest"]
@@ -87,7 +87,7 @@ def named_as_seen(modes: list[dict[str, Any]], seen: list[dict[str, Any]]) -> li
     return [mode | {"element": names.get(k, mode["element"])} for k, mode in enumerate(modes)]
 
 
-def _element(mode: Mode, parts: NDArray[np.complex128], springs: dict[str, Spring], mass: Array) -> str:
+def _element(mode: Oscillation, parts: NDArray[np.complex128], springs: dict[str, SpringStiffness], mass: Array) -> str:
     """Of the mode's part of the coordinates, over its first turns."""
     instants = np.linspace(0.0, 2.0 / mode.frequency_Hz, _INSTANTS)
     poles: Any = np.array(mode.poles)
@@ -99,11 +99,11 @@ def _element(mode: Mode, parts: NDArray[np.complex128], springs: dict[str, Sprin
     return home if stored and stored[home] > 0 and sum(stored.values()) > _NOTICEABLE * kinetic else LOADS
 
 
-def _controllers(run: RunData) -> dict[str, Spring]:
+def _controllers(run: RunData) -> dict[str, SpringStiffness]:
     """Controllers as the springs that they are to what they keep."""
     found, model = {}, run.model
     for name, servo in servos_of(run.robot, model).items():
         row = np.zeros((1, model.nq))
         row[0, model.coordinates.index(name)] = 1.0
-        found[f"{name.removesuffix('.motor')}.controller"] = Spring(row, max(servo.stiffness, 0.0) * row)
+        found[f"{name.removesuffix('.motor')}.controller"] = SpringStiffness(row, max(servo.stiffness, 0.0) * row)
     return found

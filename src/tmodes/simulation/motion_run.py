@@ -12,7 +12,7 @@ from tmodes.analysis.energy import largest_flow
 from tmodes.chain.chain import Chain
 from tmodes.equations.loop.layout import BROUGHT_IN, WORKS
 from tmodes.model.model import Model, PointMotion
-from tmodes.model.rows import Rows
+from tmodes.model.rows import StateRows
 from tmodes.sheet import Robot
 from tmodes.simulation.loop import LoopModel
 from tmodes.simulation.parts import Trajectory
@@ -173,6 +173,6 @@ def _moved(model: Model, q: Array, v: Array, base: Array) -> dict[str, Array]:
     velocity = np.einsum("nji,nj->ni", turned, base[:, 21:24])
     rates = np.column_stack([base[:, 6:9], velocity])
     row = np.column_stack([rates, np.zeros((len(q), 3)), base[:, 9:21], np.zeros((len(q), 3))])
-    found = model.passes.inertia(Rows(q, 0.0, model.nq, finite=not model.trials), v, row, None)
+    found = model.passes.inertia(StateRows(q, 0.0, model.nq, finite=not model.trials), v, row, None)
     kinetic = ((found["forces"] * v).sum(axis=1) + (found["base_force"] * rates).sum(axis=1)) / 2
     return {"kinetic": kinetic, "gravity": -found["moment"] @ np.asarray(model.chain.gravity, dtype=float)}

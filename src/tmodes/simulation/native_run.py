@@ -11,7 +11,7 @@ from tmodes.compile.loops.time_loop import ARGUMENTS, CELLS, OPTIONS, Status
 from tmodes.integrate.choice import COUNTED, MethodChange
 from tmodes.integrate.registry import integrator
 from tmodes.integrate.settings import Integration
-from tmodes.kinds.signals.schedule import Schedule
+from tmodes.kinds.signals.schedule import SignalPieces
 from tmodes.simulation.loop import LoopModel
 from tmodes.simulation.parts import MOST_CHANGES, Change, Lost, Trajectory, chattered, completed, sample_times, used_up
 
@@ -33,7 +33,7 @@ class NativeRun:
         self,
         model: LoopModel,
         parameters: Array,
-        schedule: Schedule,
+        schedule: SignalPieces,
         state: Array,
         settings: Integration,
         samples: Array | None = None,

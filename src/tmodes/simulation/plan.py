@@ -19,7 +19,7 @@ from tmodes.kinds.drives.contract import DriveKind
 from tmodes.kinds.drives.registry import drive_kind
 from tmodes.kinds.noted.functions import array, number
 from tmodes.kinds.signals.registry import Clock, Jolts, MergedSchedule, constant_signal, merge
-from tmodes.kinds.signals.schedule import Schedule
+from tmodes.kinds.signals.schedule import SignalPieces
 from tmodes.sheet.parts import Command, DriveSheet, InitialState, LoadFrame
 
 if TYPE_CHECKING:
@@ -49,12 +49,12 @@ class Planned:
 
     chain: Chain
     plan: LoopPlan
-    schedule: Schedule
+    schedule: SignalPieces
     signals: MergedSchedule
     undriven: tuple[str, ...]
     each: tuple[Any, ...] = ()
     loose: tuple[str, ...] = ()
-    pieces: tuple[Schedule, ...] = ()
+    pieces: tuple[SignalPieces, ...] = ()
 
     @property
     def first_row(self) -> NDArray[np.float64]:
@@ -76,7 +76,7 @@ class _Signals:
     """Schedules of signals, each with its number."""
 
     until: float
-    schedules: list[Schedule]
+    schedules: list[SignalPieces]
     info: list[Any] = field(default_factory=list)
 
     def add(self, signal: Any, path: str) -> int:

@@ -13,7 +13,7 @@ from tmodes.compile.replay.tables import SamplePlaces, replay_methods, table_of
 from tmodes.errors import InputError, SimulationError
 from tmodes.integrate.registry import integrator
 from tmodes.integrate.settings import Integration, refuse_stops
-from tmodes.kinds.signals.schedule import Schedule
+from tmodes.kinds.signals.schedule import SignalPieces
 from tmodes.simulation.loop import LoopModel
 from tmodes.simulation.native_run import NativeRun
 
@@ -56,7 +56,7 @@ class Recording:
 def record(
     model: LoopModel,
     parameters: Array,
-    schedule: Schedule,
+    schedule: SignalPieces,
     state: Array,
     settings: Integration,
     most_bytes: float = MOST_BYTES,

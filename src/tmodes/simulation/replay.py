@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from tmodes.compile.ir.derivative_kernels import LANES
 from tmodes.compile.ir.linear_solve import aligned
-from tmodes.compile.loops.tape_loop import Table, operations
+from tmodes.compile.loops.tape_loop import RowTable, operations
 from tmodes.compile.replay.replay_frame import ARRAYS, COUNTS
 from tmodes.compile.replay.tables import loops_of, table_of
 from tmodes.integrate.registry import integrator
@@ -116,7 +116,7 @@ class Replay:
             self._call("along", piece, values, LANES, other=table, samples=samples, stage_slopes=stages, **more)
         return samples.transpose(2, 0, 1)
 
-    def _tables(self, kind: str, make: Callable[[Any, Any, bool], Table]) -> list[Table]:
+    def _tables(self, kind: str, make: Callable[[Any, Any, bool], RowTable]) -> list[RowTable]:
         """The tables of what changes in a run, and of what does not, from marks of inputs and of the parameters."""
         marks = self.tape.marked([self.tape.span(name) for name in self._moved])
         own = self.tape.marked([(0, len(self.parameters))])
@@ -149,7 +149,7 @@ class Replay:
             yield piece
 
     def _call(
-        self, loop: str, piece: _Piece, values: Array, lanes: int = 1, *, other: Table | None = None, **arrays: Array
+        self, loop: str, piece: _Piece, values: Array, lanes: int = 1, *, other: RowTable | None = None, **arrays: Array
     ) -> None:
         """Call a native loop for some steps."""
         done, tape, tableau, steps = self.recording, self.tape, self._tableau, piece.steps
@@ -173,7 +173,7 @@ class Replay:
         loops_of(done.method)[loop](*(given.get(name, empty).ctypes.data for name in ARRAYS))
 
 
-def _run(table: Table, values: Array, slopes: Array) -> None:
+def _run(table: RowTable, values: Array, slopes: Array) -> None:
     """Run a table once."""
     arrays = (table.words, values, slopes, slopes, slopes, slopes)
     operations()["samples"](1, table.rows, 0, 0, 0, 0, 0, 0, *(array.ctypes.data for array in arrays))

@@ -19,7 +19,7 @@ from tmodes.compile.loops.time_loop import ARGUMENTS, CELLS, Status
 from tmodes.errors import InputError, SimulationError, error_words
 from tmodes.io.words import meant
 from tmodes.kinds.signals.registry import Clock, merge
-from tmodes.kinds.signals.schedule import Schedule
+from tmodes.kinds.signals.schedule import SignalPieces
 from tmodes.simulation.guarded import controller_error
 from tmodes.simulation.native_run import NativeRun
 from tmodes.simulation.parts import Trajectory
@@ -197,10 +197,10 @@ def run_with_samples(
     """
     settings, own = setup.robot.integration, setup.planned
     times = Clock(period, settings.output_step).schedule(settings.duration).knots
-    signals = [Schedule(own.signals.knots, part) for part in own.signals.coefficients.swapaxes(0, 1)]
-    clocked = Schedule(times, np.zeros((len(times) - 1, 1)))
+    signals = [SignalPieces(own.signals.knots, part) for part in own.signals.coefficients.swapaxes(0, 1)]
+    clocked = SignalPieces(times, np.zeros((len(times) - 1, 1)))
     merged = merge([*(one.until(settings.duration) for one in signals), clocked])
-    schedule = Schedule(merged.knots, merged.coefficients[:, :-1].reshape(len(merged.knots) - 1, -1))
+    schedule = SignalPieces(merged.knots, merged.coefficients[:, :-1].reshape(len(merged.knots) - 1, -1))
     run = NativeRun(setup.model, setup.model.numbers, schedule, setup.start, settings, otherwise=setup.otherwise)
     run.keep_changes()
     samples = _Samples(setup, controller, run)
@@ -212,7 +212,7 @@ def run_with_samples(
     at_sample = np.isin(run.knots[:-1], times)
     done = _advanced(run, going, samples, at_sample, progress, begun)
     done = replace(done, seconds=(clock.monotonic() - begun) / max(run.cell("t"), 1e-300))
-    held = Schedule(run.knots, run.rows[:, 1:].copy())
+    held = SignalPieces(run.knots, run.rows[:, 1:].copy())
     used = replace(setup, planned=replace(own, schedule=held))
     return done, used, held.rows_at(done.times)
 

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from tmodes.integrate.choice import otherwise as later_settings
 from tmodes.integrate.registry import AUTO
 from tmodes.integrate.settings import Integration
-from tmodes.kinds.signals.schedule import Schedule
+from tmodes.kinds.signals.schedule import SignalPieces
 from tmodes.simulation.loop import LoopModel
 from tmodes.simulation.native_run import NativeRun
 from tmodes.simulation.parts import Journal, Trajectory
@@ -28,7 +28,7 @@ _FIRST_PIECE = 500
 def integrate(
     model: LoopModel,
     parameters: NDArray[np.float64],
-    schedule: Schedule,
+    schedule: SignalPieces,
     state: NDArray[np.float64],
     settings: Integration,
     progress: Callable[[float], None] = lambda share: None,

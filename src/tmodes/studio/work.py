@@ -22,13 +22,13 @@ if TYPE_CHECKING:
     from tmodes.result import Result
     from tmodes.sheet import Robot
 
-__all__ = ["OF_SHEET", "PRODUCTS", "Answer", "Workshop", "drawn"]
+__all__ = ["OF_SHEET", "PRODUCTS", "WorkAnswer", "Workshop", "drawn"]
 
 Progress = Callable[[str, float], None]
 
 
 @dataclass(frozen=True)
-class Answer:
+class WorkAnswer:
     """What was asked for: its bytes, and what is reported next to them."""
 
     content: bytes
@@ -49,7 +49,7 @@ class Workshop:
         progress: Progress,
         looks: Mapping[str, Any] | None = None,
         series: Sequence[str] = (),
-    ) -> Answer:
+    ) -> WorkAnswer:
         """What is asked for of a sheet's plain data, by its name in :data:`PRODUCTS` or :data:`OF_SHEET`.
 
         ``seconds`` of the former tell what each part took.
@@ -66,7 +66,7 @@ class Workshop:
         sheet = sheet_from_data(data)
         progress("check", 1.0)
         if product in OF_SHEET:
-            return Answer(OF_SHEET[product](sheet).encode(), {})
+            return WorkAnswer(OF_SHEET[product](sheet).encode(), {})
         light = product in {"curves", "change"}
         still = (light or product == "page") and stands_still(sheet)
         laps.take("check")
@@ -84,7 +84,7 @@ class Workshop:
         info["offer"] = _offer(sheet) if still else []
         info["unseen"] = self._shapes.unseen(data)
         info["seconds"] = laps.info | {"loops": _loop_seconds(result)}
-        return Answer(content, info)
+        return WorkAnswer(content, info)
 
     def _result(self, sheet: Robot, progress: Progress, *, still: bool = False) -> Result:
         key = f"{still} {json.dumps(plain_sheet(sheet), sort_keys=True)}"

@@ -15,7 +15,7 @@ from tmodes.io.words import meant, nearest, shown
 from tmodes.io.yaml_file import nearest_line
 from tmodes.study.quantities import QUANTITIES
 
-__all__ = ["MOST_ROWS", "Shorthands", "Table", "expanded", "filled_places", "read_table"]
+__all__ = ["MOST_ROWS", "CsvTable", "Shorthands", "expanded", "filled_places", "read_table"]
 
 MOST_BYTES = 4 * 2**20
 MOST_ROWS = 100_000
@@ -27,7 +27,7 @@ _HEADER = re.compile(r"(.*?)\s*\[([^\[\]]{1,40})\]\s*")
 
 
 @dataclass(frozen=True)
-class Table:
+class CsvTable:
     """The cells of a CSV file by column, each number with the unit in the header's brackets as text.
 
     ``source``: its name in messages; ``lines``: the line of each row.
@@ -46,7 +46,7 @@ class Table:
         return self.columns[name]
 
 
-def read_table(folders: Folders, name: str, which: str, place: str) -> Table:
+def read_table(folders: Folders, name: str, which: str, place: str) -> CsvTable:
     """The table of a CSV file, whose first line names its columns, ``name`` or ``name [unit]``.
 
     Raises :class:`tmodes.errors.InputError` for a file outside of the folders, one that is too large, a name that
@@ -74,7 +74,7 @@ def read_table(folders: Folders, name: str, which: str, place: str) -> Table:
         got, hint = "a header without a row below it", "add rows, or name another file"
         raise InputError(which, f"{shown(name)}, {got}", "a file with rows", hint, place)
     cells = [tuple(_cell(row[k], units[k]) for _, row in body) for k in range(len(names))]
-    return Table(name, dict(zip(names, cells, strict=True)), tuple(line for line, _ in body))
+    return CsvTable(name, dict(zip(names, cells, strict=True)), tuple(line for line, _ in body))
 
 
 def _text(content: bytes, name: str) -> str:
@@ -148,7 +148,7 @@ class Shorthands:
     source: str
     folders: Folders | None
     errors: list[InputError] = field(default_factory=list)
-    filled: dict[str, Table] = field(default_factory=dict)
+    filled: dict[str, CsvTable] = field(default_factory=dict)
     written: dict[str, str] = field(default_factory=dict)
 
     def place(self, path: str) -> str:
@@ -159,7 +159,7 @@ class Shorthands:
         """An error by the key that stands in the file."""
         return replace(error, which=self.written.get(error.which, error.which))
 
-    def table(self, name: str, which: str) -> Table | None:
+    def table(self, name: str, which: str) -> CsvTable | None:
         """The table of a file; what is wrong with it is kept as an error."""
         try:
             if self.folders is None:
@@ -237,7 +237,7 @@ def _with_table(name: str, group: Any, found: Shorthands) -> Any:
     return {**group}
 
 
-def _entries(table: Table, place: str, found: Shorthands) -> list[dict[str, Any]]:
+def _entries(table: CsvTable, place: str, found: Shorthands) -> list[dict[str, Any]]:
     """The entries of a catalogue; empty cells set nothing."""
     paths = [path for path in table.columns if path != "name"]
     try:

@@ -16,7 +16,7 @@ from tmodes.io.units import NotANumber, number
 from tmodes.io.words import meant, shown
 from tmodes.sheet import Robot
 from tmodes.study.mapping import target_of
-from tmodes.study.plain_data import Shorthands, Table
+from tmodes.study.plain_data import CsvTable, Shorthands
 
 __all__ = ["resolved_parameters", "resolved_plan", "words_of_path"]
 
@@ -96,7 +96,7 @@ def _choices(name: str, group: dict[str, Any], data: Any, found: Shorthands) -> 
 
 
 def _kept(
-    error: InputError, steps: tuple[Any, ...], table: Table | None, row: int, found: Shorthands
+    error: InputError, steps: tuple[Any, ...], table: CsvTable | None, row: int, found: Shorthands
 ) -> Iterator[Problem]:
     """An error of a table with its line there; any other as a problem of the study's file."""
     if table is None:
@@ -151,7 +151,7 @@ def _sampled(name: str, group: Any, unit: str, found: Shorthands, place: str = "
         group["values"] = [_cell(name, cell, unit, table, k, found) for k, cell in enumerate(group["values"])]
 
 
-def _cell(which: str, cell: Any, unit: str, table: Table, row: int, found: Shorthands) -> float:
+def _cell(which: str, cell: Any, unit: str, table: CsvTable, row: int, found: Shorthands) -> float:
     try:
         return _number(which, cell, unit)
     except InputError as error:

@@ -22,7 +22,7 @@ from tmodes.study.rows import GOOD, STATUS, Kept, Rows, joined
 from tmodes.study.statistics import CONFIDENCE, statistics
 from tmodes.study.store import BLOCKS, PAGE, TABLE, Folder, description
 from tmodes.study.study import Study
-from tmodes.study.table import Columns, grouped, table_of
+from tmodes.study.table import TableColumns, grouped, table_of
 
 if TYPE_CHECKING:
     import numpy as np
@@ -77,7 +77,7 @@ class StudyResult(CommandResult):
         """The same for what takes one column at a time: read from the table, where it is whole and of these cases."""
         if not self.stored.has_table:
             return self.rows
-        return Columns(self.parquet).rows(self.study.names, list(self.study.sheet.quantities))
+        return TableColumns(self.parquet).rows(self.study.names, list(self.study.sheet.quantities))
 
     def blocks(self) -> Iterator[Rows]:
         """The rows in order, some 100,000 at a time."""
@@ -191,7 +191,7 @@ class StudyResult(CommandResult):
     @cached_property
     def _spread(self) -> dict[str, Any]:
         """Counts and percentiles; of the table one column at a time is in memory."""
-        columns, plan = Columns(self.parquet), type(self.study.sheet.plan)
+        columns, plan = TableColumns(self.parquet), type(self.study.sheet.plan)
         counts, failures = columns.counts(), columns.lost(MOST_REPORTED)
         good = sum(counts.get(status, 0) for status in GOOD)
         cases = columns.cases

@@ -7,7 +7,7 @@ from typing import Any, Literal
 
 from pydantic import Field
 
-from tmodes.io.forms import Form, register_form
+from tmodes.io.forms import SheetForm, register_form
 from tmodes.kinds.schema.frames import list_of_numbers
 from tmodes.kinds.schema.quantity import DataSheet, Issue, quantity
 from tmodes.study.distributions import Distribution
@@ -151,5 +151,5 @@ class StudySheet(DataSheet):
         yield from study_issues(self)
 
 
-STUDY = register_form(Form("study", StudySheet, STUDY_FORMAT, ()))
+STUDY = register_form(SheetForm("study", StudySheet, STUDY_FORMAT, ()))
 """The form of a study's file, for the readers of sheets."""

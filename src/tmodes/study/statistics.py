@@ -16,7 +16,7 @@ from tmodes.errors import InputError
 from tmodes.study.rows import Rows
 
 __all__ = [
-    "CONFIDENCE", "PERCENTILES", "Correlation", "Interval", "Stack", "Statistics", "correlations", "percentile",
+    "CONFIDENCE", "PERCENTILES", "CorrelationEstimate", "Interval", "Stack", "Statistics", "correlations", "percentile",
     "share_beyond", "statistics", "tolerance_stack",
 ]  # fmt: skip
 
@@ -128,26 +128,26 @@ def share_beyond(values: ArrayLike, limit: float, *, above: bool = True, confide
 
 
 @dataclass(frozen=True)
-class Correlation:
+class CorrelationEstimate:
     """Of a parameter with a quantity: Pearson's, and Spearman's of the ranks; not-a-number where one is constant."""
 
     linear: float
     rank: float
 
 
-def correlations(rows: Rows) -> dict[str, dict[str, Correlation]]:
+def correlations(rows: Rows) -> dict[str, dict[str, CorrelationEstimate]]:
     """Correlations of each parameter with each quantity, by name of the quantity, then of the parameter.
 
     Of cases that have a value; a choice is taken by the number of its entry, which says little.
     """
     from scipy.stats import rankdata
 
-    found: dict[str, dict[str, Correlation]] = {}
+    found: dict[str, dict[str, CorrelationEstimate]] = {}
     for name, values in rows.quantities.items():
         known = np.isfinite(values)
         y, ranks = values[known], rankdata(values[known])
         found[name] = {
-            parameter: Correlation(_pearson(x[known], y), _pearson(rankdata(x[known]), ranks))
+            parameter: CorrelationEstimate(_pearson(x[known], y), _pearson(rankdata(x[known]), ranks))
             for parameter, x in rows.parameters.items()
         }
     return found

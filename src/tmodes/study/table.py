@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
 __all__ = [
     "ROW_GROUP",
-    "Columns",
+    "TableColumns",
     "facts_of",
     "grouped",
     "merged",
@@ -183,7 +183,7 @@ class _Words(Sequence[str]):
 class _Read(Mapping[str, NDArray[np.float64]]):
     """Columns of numbers by their names."""
 
-    columns: Columns
+    columns: TableColumns
     names: Sequence[str]
 
     def __len__(self) -> int:
@@ -197,7 +197,7 @@ class _Read(Mapping[str, NDArray[np.float64]]):
 
 
 @dataclass(frozen=True)
-class Columns:
+class TableColumns:
     """The columns of a table.parquet; nothing is kept in memory."""
 
     path: Path

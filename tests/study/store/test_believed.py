@@ -12,7 +12,7 @@ from tmodes.errors import ResultFileError
 from tmodes.study.result import load_study
 from tmodes.study.runner import run_study
 from tmodes.study.store import MOTIONS, PAGE, STUDY_FILE, TABLE
-from tmodes.study.table import Columns
+from tmodes.study.table import TableColumns
 from tmodes.study.tasks import BYTES, LEAST, Pace
 
 
@@ -71,7 +71,7 @@ def test_a_table_that_cannot_be_read_is_an_error_of_the_file(tmp_path):
     file = tmp_path / TABLE
     file.write_bytes(file.read_bytes()[:-20])
     with pytest.raises(ResultFileError, match=r"no table .*run the study again"):
-        Columns(file).numbers("y")
+        TableColumns(file).numbers("y")
 
 
 @pytest.mark.parametrize("name", [TABLE, PAGE, MOTIONS])

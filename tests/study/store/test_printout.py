@@ -13,7 +13,7 @@ from tmodes.study.result import StudyResult
 from tmodes.study.rows import Rows
 from tmodes.study.runner import run_study
 from tmodes.study.statistics import statistics
-from tmodes.study.table import Columns
+from tmodes.study.table import TableColumns
 
 STUDY = """
 format: 1
@@ -37,7 +37,7 @@ def test_percentiles_have_their_intervals(tmp_path):
     info = json.loads(printed(tmp_path, "type: monte_carlo, runs: 1000", "--json"))
     table = run_study(study(), tmp_path / "other")  # nothing of another study
     assert table.parquet.exists()
-    y = Columns(tmp_path / "out" / "table.parquet").numbers("y")
+    y = TableColumns(tmp_path / "out" / "table.parquet").numbers("y")
     found, known = info["quantities"]["y"], statistics(y)
     assert (found["known"], found["unit"], info["confidence"]) == (1000, "mm", 0.95)
     for percent, one in known.percentiles.items():

@@ -20,9 +20,9 @@ from tmodes.equations.line.schedule import MOVING, RIGID, ROOTS, Lines
 from tmodes.errors import InputError, SimulationError
 from tmodes.kinds.links.line import SAME, LineOfLink, layout
 from tmodes.model.model import Model
-from tmodes.model.rows import Rows
+from tmodes.model.rows import StateRows
 
-__all__ = ["Largest", "LinkLine", "LinkLines", "Shape", "Stress", "elastic_line", "inner_forces", "line_places"]
+__all__ = ["Largest", "LineShape", "LinkLine", "LinkLines", "Stress", "elastic_line", "inner_forces", "line_places"]
 
 Array = NDArray[np.float64]
 
@@ -113,7 +113,7 @@ _MOST_NUMBERS = 500_000_000
 
 
 @dataclass(frozen=True, eq=False)
-class Shape:
+class LineShape:
     """n samples, S places. ``deflection`` (n, S, 2) [m] along y and z of the root, off its tangent; ``slope`` (n, S, 2)
     [rad]: angle of the tangent against the root's, seen in its x-y and x-z planes.
 
@@ -181,7 +181,7 @@ class LinkLine:
     moment: Array
     shear: Array
     axial: Array
-    shape: Shape | None = None
+    shape: LineShape | None = None
     stress: Stress | None = None
 
     @property
@@ -239,7 +239,7 @@ def elastic_line(
     q = np.atleast_2d(np.asarray(q, dtype=float))
     lines = model.passes.lines(tuple(asked), loaded=wrenches is not None)
     _refuse_huge(len(q) * lines.schedule.output_size)
-    found = model.passes.on_lines(lines, Rows(q, v, model.nq, finite=not model.trials), a, base, wrenches)
+    found = model.passes.on_lines(lines, StateRows(q, v, model.nq, finite=not model.trials), a, base, wrenches)
     forces = None if wrenches is None else np.asarray(wrenches, dtype=float)
     named = [
         line for index in range(len(model.chain.nodes)) for line in _lines(model, index, asked, lines, found, forces)
@@ -298,7 +298,7 @@ def _bent(node: Node, index: int, line: LineOfLink, found: Array) -> LinkLine:
 
     return LinkLine(
         node.name + line.suffix, index, node.link.kind, line.length, line.s, values["position"], rotation,
-        values["moment"], values["shear"], values["axial"], Shape(**owned(Shape)),
+        values["moment"], values["shear"], values["axial"], LineShape(**owned(LineShape)),
         Stress(**owned(Stress)) if line.stressed else None,
     )  # fmt: skip
 

@@ -12,13 +12,19 @@ from numpy.typing import NDArray
 from tmodes.analysis.modes.closed_loop import Feedback, closed_loop_motions
 from tmodes.analysis.modes.shapes import Undamped, partners, real_pairs, undamped_shapes
 from tmodes.analysis.spectrum import GROWING, RINGS, MotorState
-from tmodes.analysis.statics.compliance import Spring, springs_of
+from tmodes.analysis.statics.compliance import SpringStiffness, springs_of
 from tmodes.analysis.statics.equilibrium import Equilibrium, driven
 from tmodes.chain.chain import Chain, Friction
 from tmodes.model.model import Model
 
 __all__ = [
-    "Mode", "MotorState", "Servo", "closed_loop_poles", "modes_about", "moving_coordinates", "without_dry_friction",
+    "LinearServo",
+    "MotorState",
+    "VibrationMode",
+    "closed_loop_poles",
+    "modes_about",
+    "moving_coordinates",
+    "without_dry_friction",
 ]  # fmt: skip
 
 Array = NDArray[np.float64]
@@ -31,7 +37,7 @@ ROUNDING = 1e-13
 """Real over absolute value of an eigenvalue below which its motion is undamped."""
 
 
-class Servo(NamedTuple):
+class LinearServo(NamedTuple):
     """What a controller is to a coordinate: ``stiffness`` [N*m/rad, N/m], ``damping`` [N*m*s/rad, N*s/m]."""
 
     stiffness: float
@@ -39,7 +45,7 @@ class Servo(NamedTuple):
 
 
 @dataclass(frozen=True, eq=False)
-class Mode:
+class VibrationMode:
     """One mode of vibration, or one of the two motions without vibration into which damping has parted it.
 
     ``pole``: real and imaginary part [1/s] of its eigenvalue lambda, of all matrices (mass, damping, stiffness,
@@ -72,9 +78,9 @@ class Mode:
 def modes_about(
     rest: Equilibrium,
     motors: MotorState = MotorState.LOCKED,
-    servos: Mapping[str, Servo] | None = None,
+    servos: Mapping[str, LinearServo] | None = None,
     feedback: Feedback | None = None,
-) -> list[Mode]:
+) -> list[VibrationMode]:
     """Modes about a robot at rest, by rising frequency of their undamped shapes; over-damped ones last, slowest first.
 
     ``motors`` locked: the driven coordinates stand still; free: they turn without current; controlled: they are on the
@@ -111,7 +117,9 @@ def modes_about(
     return sorted(modes, key=lambda mode: -(mode.time_constant_s or np.inf))
 
 
-def closed_loop_poles(rest: Equilibrium, servos: Mapping[str, Servo], feedback: Feedback | None = None) -> Complex:
+def closed_loop_poles(
+    rest: Equilibrium, servos: Mapping[str, LinearServo], feedback: Feedback | None = None
+) -> Complex:
     """All eigenvalues [1/s] under control, by rising absolute value; those of currents and controllers among them."""
     moving = moving_coordinates(rest, MotorState.CONTROLLED, servos)
     if not len(moving):
@@ -139,7 +147,7 @@ def _spanned(
     return mass, damping, stiffness, loop.on(basis)
 
 
-def _springs(rest: Equilibrium, servos: Mapping[str, Servo]) -> Feedback:
+def _springs(rest: Equilibrium, servos: Mapping[str, LinearServo]) -> Feedback:
     """Controllers that are springs and dampers."""
     n = rest.model.nq
     stiffness, damping = np.zeros((n, n)), np.zeros((n, n))
@@ -149,10 +157,10 @@ def _springs(rest: Equilibrium, servos: Mapping[str, Servo]) -> Feedback:
     return Feedback(stiffness, damping, np.zeros((n, 0)), np.zeros((0, 2 * n)))
 
 
-def _single(size: int, k: int, value: float) -> Spring:
+def _single(size: int, k: int, value: float) -> SpringStiffness:
     row = np.zeros((1, size))
     row[0, k] = 1.0
-    return Spring(row, value * row)
+    return SpringStiffness(row, value * row)
 
 
 def _eigenvalues(
@@ -176,7 +184,7 @@ def _eigenvalues(
     return values[chosen], motions if spanned is shapes else spanned @ motions, second
 
 
-def moving_coordinates(rest: Equilibrium, motors: MotorState, servos: Mapping[str, Servo]) -> NDArray[np.intp]:
+def moving_coordinates(rest: Equilibrium, motors: MotorState, servos: Mapping[str, LinearServo]) -> NDArray[np.intp]:
     """Indices of the coordinates that move in one of the cases of :func:`modes_about`.
 
     A rotor without inertia has no motion of its own: it is one whose motion is prescribed.
@@ -213,7 +221,9 @@ def without_dry_friction(chain: Chain) -> Chain | None:
     return replace(chain, nodes=tuple(nodes)) if any(dry) else None
 
 
-def _mode(square: float, value: complex, shape: Array, stored: Mapping[str, float], zero: float, alone: bool) -> Mode:
+def _mode(
+    square: float, value: complex, shape: Array, stored: Mapping[str, float], zero: float, alone: bool
+) -> VibrationMode:
     """A mode with unit modal mass and twice the energies ``stored`` in the springs; squares up to ``zero`` are none.
 
     ``alone``: only masses, dampers and springs act.
@@ -221,13 +231,13 @@ def _mode(square: float, value: complex, shape: Array, stored: Mapping[str, floa
     shown = shape / shape[np.abs(shape).argmax()]
     total = sum(stored.values())
     if abs(square) <= zero and total <= zero:
-        return Mode(0.0, None, 0.0, "whole arm, free", 1.0, {}, True, None, None, [0.0, 0.0], shown)
+        return VibrationMode(0.0, None, 0.0, "whole arm, free", 1.0, {}, True, None, None, [0.0, 0.0], shown)
     shares = {name: energy / total for name, energy in stored.items()} if total > zero else {}
     home = max(shares, key=lambda name: shares[name]) if shares else "whole arm, in its weight and loads"
     size, stable = abs(value), bool(value.real <= GROWING * abs(value))
     rings, undamped = value.imag > RINGS * size, float(np.sqrt(max(square, 0.0)))
     natural = undamped if alone and abs(size - undamped) <= _SAME * size else size  # the same number to more digits
-    return Mode(
+    return VibrationMode(
         frequency_Hz=natural / (2 * np.pi) if rings else 0.0,
         damped_frequency_Hz=value.imag / (2 * np.pi) if rings else None,
         damping_ratio=float(-value.real / size) if abs(value.real) > ROUNDING * size else 0.0,

@@ -13,9 +13,9 @@ from tmodes.analysis.describe.describe import NOTHING_MOVES, link_states
 from tmodes.analysis.describe.links import pose_notices
 from tmodes.analysis.modes.closed_loop import feedback_of
 from tmodes.analysis.modes.modes import (
-    Mode,
+    LinearServo,
     MotorState,
-    Servo,
+    VibrationMode,
     closed_loop_poles,
     modes_about,
     moving_coordinates,
@@ -135,7 +135,9 @@ def _poles(robot: Robot, rest: Equilibrium) -> list[tuple[float, float]]:
     return [(float(value.real), float(value.imag)) for value in found]
 
 
-def _states(robot: Robot, rest: Equilibrium, progress: Progress, only: Sequence[str] = ()) -> dict[str, list[Mode]]:
+def _states(
+    robot: Robot, rest: Equilibrium, progress: Progress, only: Sequence[str] = ()
+) -> dict[str, list[VibrationMode]]:
     servos, feedback = servos_of(robot, rest.model), feedback_of(robot, rest)
     locked, free = (moving_coordinates(rest, state, {}) for state in (MotorState.LOCKED, MotorState.FREE))
     turns = len(free) > len(locked)  # else a motor that is free has nothing to turn
@@ -175,7 +177,7 @@ def _notices(robot: Robot, rest: Equilibrium, info: dict[str, list[dict[str, Any
     return found
 
 
-def servos_of(robot: Robot, model: Model) -> dict[str, Servo]:
+def servos_of(robot: Robot, model: Model) -> dict[str, LinearServo]:
     """The controllers of a data sheet as springs and dampers of the coordinates that they keep.
 
     Volts become torque by CM/R, and the back electromotive force damps: Eq. (41) of Filipovic & Djuric 2010.
@@ -190,21 +192,21 @@ def servos_of(robot: Robot, model: Model) -> dict[str, Servo]:
     return found
 
 
-def local_servos(robot: Robot, model: Model) -> dict[str, Servo]:
+def local_servos(robot: Robot, model: Model) -> dict[str, LinearServo]:
     """The same where controllers are no more than that; empty where any is."""
     motors = [axis.joint.motor for axis in model.chain.axes]
     local = all(drive.controller.is_local for drive in robot.drives if drive.controller)
     return servos_of(robot, model) if local and not any(motor.inductance for motor in motors if motor) else {}
 
 
-def _servo(motor: Motor | None, position_gain: float, velocity_gain: float) -> Servo:
+def _servo(motor: Motor | None, position_gain: float, velocity_gain: float) -> LinearServo:
     if motor is None or motor.resistance is None:
-        return Servo(position_gain, velocity_gain)
+        return LinearServo(position_gain, velocity_gain)
     per_volt = motor.torque_constant / motor.resistance
-    return Servo(per_volt * position_gain, per_volt * (velocity_gain + motor.back_emf))
+    return LinearServo(per_volt * position_gain, per_volt * (velocity_gain + motor.back_emf))
 
 
-def _plain(mode: Mode, rest: Equilibrium) -> dict[str, Any]:
+def _plain(mode: VibrationMode, rest: Equilibrium) -> dict[str, Any]:
     info = asdict(mode)
     del info["motion"]
     info["shape"] = dict(zip(rest.model.coordinates, mode.shape.tolist(), strict=True))
@@ -222,7 +224,7 @@ def finer(robot: Robot) -> Robot | None:
 
 
 def frequency_errors(
-    rest: Equilibrium, modes: Sequence[Mode], fine: Equilibrium, fine_modes: Sequence[Mode]
+    rest: Equilibrium, modes: Sequence[VibrationMode], fine: Equilibrium, fine_modes: Sequence[VibrationMode]
 ) -> list[float | None]:
     """By which share each frequency is higher than that of the finer robot's mode most like it; None where none is."""
     if not modes:

@@ -17,8 +17,8 @@ __all__ = [
     "DIRECTIONS",
     "LOADS",
     "PointCompliance",
-    "Spring",
     "SpringRows",
+    "SpringStiffness",
     "missing_functions",
     "point_compliance",
     "spring_rows",
@@ -77,7 +77,7 @@ class PointCompliance:
         return [bool(c > NOTHING * most) for c, most in zip(own, largest, strict=True)]
 
 
-class Spring(NamedTuple):
+class SpringStiffness(NamedTuple):
     """One spring of a robot: its stiffness matrix (nq, nq) is left^T right, both (rows, nq) of few rows."""
 
     left: Array
@@ -93,27 +93,27 @@ class Spring(NamedTuple):
         return np.asarray(np.einsum("rn,rn->n", self.left @ shapes, self.right @ shapes), dtype=float)
 
 
-def springs_of(model: Model, q: Array) -> dict[str, Spring]:
+def springs_of(model: Model, q: Array) -> dict[str, SpringStiffness]:
     """Each spring of a robot about a pose: ``joint.gear``, ``joint.spring``, ``link.bend_y``, ``link.twist``, ...
 
     Together they are the slope of the elastic forces; the weight has no part in it.
     """
     elastic = model.stiffness(q, base=model.at_rest(gravity=0.0))
-    found: dict[str, Spring] = {}
+    found: dict[str, SpringStiffness] = {}
     rows = spring_rows(model)
     for name, (angle, number) in rows.parallel.items():
         left, stiffness = np.zeros((1, model.nq)), float(model.parameters[number])
         left[0, angle] = 1.0
         elastic[angle, angle] -= stiffness  # what is left is the gear's
-        found[name] = Spring(left, stiffness * left)
+        found[name] = SpringStiffness(left, stiffness * left)
     for name, angle in rows.gears.items():
         row = elastic[[angle]]
         own = row[0, angle]
-        found[name] = Spring(row / own if own else np.zeros_like(row), row)
+        found[name] = SpringStiffness(row / own if own else np.zeros_like(row), row)
     for name, own in rows.links.items():
         left = np.zeros((len(own), model.nq))
         left[np.arange(len(own)), own] = 1.0
-        found[name] = Spring(left, elastic[own])
+        found[name] = SpringStiffness(left, elastic[own])
     return found
 
 

@@ -169,7 +169,7 @@ def _three(which: str, values: Any, unit: str) -> Array:
     return np.array([finite_number(which, value, unit, "three finite numbers", most=LARGEST) for value in given])
 
 
-class Touch(NamedTuple):
+class SurfaceDistance(NamedTuple):
     """Distance of a point from a surface [m], positive in the free; the normal towards the free; its curvature [1/m].
 
     ``curvature`` is the derivative of the normal by the position, shape (3, 3).
@@ -180,7 +180,7 @@ class Touch(NamedTuple):
     curvature: Array
 
 
-def touch(shape: Surface, position: Array) -> Touch:
+def touch(shape: Surface, position: Array) -> SurfaceDistance:
     """Where a position (3,) [m] is with regard to a surface."""
     numbers, place = shape.numbers(), [float(x) for x in position]
     still = shape.meet(numbers, place, [0.0, 0.0, 0.0])
@@ -188,11 +188,11 @@ def touch(shape: Surface, position: Array) -> Touch:
     along = [[float(shape.meet(numbers, place, list(a + b)).curving) for b in np.eye(3)] for a in np.eye(3)]
     own = [along[i][i] / 4 for i in range(3)]
     bent = np.array([[(along[i][j] - own[i] - own[j]) / 2 for j in range(3)] for i in range(3)])
-    return Touch(-float(still.depth), -np.array(still.direction, dtype=float), -bent)
+    return SurfaceDistance(-float(still.depth), -np.array(still.direction, dtype=float), -bent)
 
 
 @dataclass(frozen=True, eq=False)
-class _Surface(Act):
+class _RestingSurface(Act):
     """Normal force of the law at rest; friction holds nothing there.
 
     Where it acts, the surface moves with the point along the normal: its mass and its damper are then the robot's too.
@@ -205,7 +205,7 @@ class _Surface(Act):
     def _law(self) -> Callable[[float, float], LawAt]:
         return contact_law(self.sheet)
 
-    def _at(self, pose: Pose) -> tuple[Touch, LawAt]:
+    def _at(self, pose: Pose) -> tuple[SurfaceDistance, LawAt]:
         found = touch(self.sheet.shape, pose.position)
         return found, self._law(-found.gap, 0.0)
 
@@ -229,7 +229,7 @@ class _Surface(Act):
 
 def surface_act(model: Model, sheet: Contact) -> Act:
     """The surface as an act on its point. Raises :class:`tmodes.errors.InputError` for an unknown point."""
-    return _Surface(point_index(model, sheet.point), sheet)
+    return _RestingSurface(point_index(model, sheet.point), sheet)
 
 
 LARGEST_GIVEN = 1e6

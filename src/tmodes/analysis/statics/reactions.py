@@ -8,7 +8,7 @@ import numpy as np
 
 from tmodes.analysis.statics.equilibrium import Equilibrium
 from tmodes.model.passes import evaluate
-from tmodes.model.rows import Rows
+from tmodes.model.rows import StateRows
 from tmodes.sheet import Robot
 
 __all__ = ["reactions"]
@@ -23,7 +23,7 @@ def reactions(robot: Robot, rest: Equilibrium) -> list[dict[str, Any]] | None:
     model, joints = rest.model, {joint.name for joint in robot.joints}
     if not model.passes.mechanics.base_moves:  # equations that know no base
         return None
-    rows = Rows(rest.q, np.zeros(model.nq) if rest.rates is None else rest.rates, model.nq)
+    rows = StateRows(rest.q, np.zeros(model.nq) if rest.rates is None else rest.rates, model.nq)
     schedule = model.passes.schedule("reactions", loaded=rest.wrenches is not None)
     blocks = model.passes.inertial(rows, 0.0, rest.base[None], rest.wrenches)
     found = evaluate(model.parameters, schedule, blocks, 1)

@@ -24,7 +24,7 @@ _HALF_PI = (1.57079632679489655800e00, 6.12323399573676603587e-17, -1.4973849048
 """pi/2 as a sum of three doubles, each the nearest to what the ones before leave."""
 
 
-class _One(Lanes):
+class _SingleLane(Lanes):
     """A vector of one number, for functions that are written for vectors."""
 
     stride = 1
@@ -43,7 +43,7 @@ def mathematics_module() -> Any:
 def _write_power(module: Any) -> None:
     """Of a number that is none, and beyond 1e300, the power of 1e300."""
     function = declare(module, POWER, F64, [("x", F64), ("y", F64)])
-    b, one, (x, y) = Builder(function.append_basic_block("entry")), _One(module), function.args
+    b, one, (x, y) = Builder(function.append_basic_block("entry")), _SingleLane(module), function.args
     x = b.select(b.fcmp_ordered("<", x, number(_LARGEST)), x, number(_LARGEST))
     base, exponent = (b.insert_element(one.constant(0.0), value, whole(0)) for value in (x, y))
     power = exponential(b, one, b.fmul(exponent, logarithm(b, one, base)))

@@ -162,7 +162,7 @@ _LONG = 3000
 """Operations above which code that is seldom called is made quicker to compile than to run."""
 
 
-class _Wide(Lanes):
+class _WideLanes(Lanes):
     stride = LANES
     kind: Any = ir.VectorType(F64, LANES)
 
@@ -251,7 +251,7 @@ class _Writer:
         values, slopes, row = (function := declare(module, symbol, VOID, arguments)).args
         self.b: Any = Builder(function.append_basic_block("entry"))
         self.plain: Double = Double(module)
-        self.wide: Any = _Wide(module) if lanes > 1 else self.plain
+        self.wide: Any = _WideLanes(module) if lanes > 1 else self.plain
         self.written, self.blocks = variant.written()
         self.angles, self.keeps = turned(variant.kernel), getattr(variant, "valued", False)
         self.kinds = [self.wide if block.sloped else self.plain for block in self.blocks]

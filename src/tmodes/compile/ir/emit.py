@@ -26,7 +26,7 @@ __all__ = [
 ]
 
 
-class _Line:
+class _Instruction:
     """An instruction as text, with its type and the name of its value."""
 
     __slots__ = ("reference", "text", "type")
@@ -45,11 +45,11 @@ class _Line:
 class Builder(ir.IRBuilder):
     """llvmlite's, quicker: arithmetic, loads, stores and addresses are checked by LLVM's own parser alone."""
 
-    def _line(self, kind: Any, text: str) -> _Line:
+    def _line(self, kind: Any, text: str) -> _Instruction:
         scope: Any = self.function.scope
         scope.lines = count = getattr(scope, "lines", 0) + 1
         reference = f'%"v:{count}"'
-        line = _Line(kind, reference, f"{reference} = {text}")
+        line = _Instruction(kind, reference, f"{reference} = {text}")
         self._insert(line)
         return line
 
@@ -58,7 +58,7 @@ class Builder(ir.IRBuilder):
         block.instructions.insert(self._anchor, instr)
         self._anchor += 1
 
-    def _binary(self, opcode: str, lhs: Any, rhs: Any, flags: Sequence[str]) -> _Line:
+    def _binary(self, opcode: str, lhs: Any, rhs: Any, flags: Sequence[str]) -> _Instruction:
         words = " ".join([opcode, *flags]) if flags else opcode
         return self._line(lhs.type, f"{words} {lhs.type} {lhs.get_reference()}, {rhs.get_reference()}")
 
@@ -92,7 +92,7 @@ class Builder(ir.IRBuilder):
     def store(self, value: Any, ptr: Any, align: int | None = None) -> Any:
         """Keep a value at an address."""
         where = f"{ptr.type} {ptr.get_reference()}{f', align {align}' if align else ''}"
-        line = _Line(None, "", f"store {value.type} {value.get_reference()}, {where}")
+        line = _Instruction(None, "", f"store {value.type} {value.get_reference()}, {where}")
         self._insert(line)
         return line
 

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from tmodes.compile.ir.calls import needed_calls, settled_calls
 from tmodes.compile.ir.derivative_kernels import ADD, NONE, STORE, Adjoint, Elements, Tangent, reached, turned
-from tmodes.compile.loops.tape_loop import Table
+from tmodes.compile.loops.tape_loop import RowTable
 
 __all__ = ["Tape"]
 
@@ -55,12 +55,12 @@ class Tape:
         slot = self.schedule.inputs[name]
         return self.schedule.offset(slot), slot.size
 
-    def values(self, *, settled: bool | None = None) -> Table:
+    def values(self, *, settled: bool | None = None) -> RowTable:
         """Compute the calls, and gather the outputs; ``settled``: True, only calls that are, False, those that are not.
 
         The first alone gather no outputs.
         """
-        table = Table()
+        table = RowTable()
         for call in self._chosen(settled):
             self._value(table, call)
         if settled is not True:
@@ -77,13 +77,13 @@ class Tape:
         target: int | None = None,
         seldom: bool = False,
         settled: bool | None = None,
-    ) -> Table:
+    ) -> RowTable:
         """Slopes of the outputs, ``lanes`` side by side, along slopes of what is marked.
 
         ``valued``: compute the values as well. ``target``: where among the slopes the outputs' go, by default behind
         the workspace. ``seldom``: few calls are expected. ``settled`` as in :meth:`values`.
         """
-        table, marks, straight = Table(), marks.copy(), {} if valued else self._last(lanes, target)
+        table, marks, straight = RowTable(), marks.copy(), {} if valued else self._last(lanes, target)
         before = self._dependence(marks, settled=True) if settled is False else marks
         marks |= before
         for call in self._chosen(settled):
@@ -111,13 +111,13 @@ class Tape:
         places = {lanes * self.schedule.offset(slot): moved + lanes * place for place, slot in self._gathered()}
         return {start: places[start] for start in places if start // lanes in self._unread}
 
-    def back(self, wanted: Marks, kept: Marks, *, settled: bool | None = None) -> Table:
+    def back(self, wanted: Marks, kept: Marks, *, settled: bool | None = None) -> RowTable:
         """Carry weights of the outputs to what is ``wanted``; where ``kept`` is set they add to what stands there.
 
         The outputs' weights stand behind the workspace, all others at the places of their values. ``settled``: True,
         the weights of what settled calls gave are carried on; False, they are gathered, with those ``kept``.
         """
-        table, depends = Table(), self._dependence(wanted)
+        table, depends = RowTable(), self._dependence(wanted)
         known = kept | (self._given(settled=True) if settled is not None else False)
         for place, slot in self._gathered() if settled is not True else ():
             block = self.schedule.span(slot)
@@ -132,7 +132,7 @@ class Tape:
             table.operation("clear", start, 1)
         return table
 
-    def _call_back(self, table: Table, call: Any, depends: Marks, known: Marks) -> None:
+    def _call_back(self, table: RowTable, call: Any, depends: Marks, known: Marks) -> None:
         kernel, inputs, outputs = call
         blocks = [self.schedule.span(slot) for slot in outputs]
         seeded = tuple(bool((known & depends)[block].any()) for block in blocks)
@@ -154,7 +154,7 @@ class Tape:
         row = [*(self.schedule.offset(slot) for slot in (*inputs, *slots)), *self._turned(call)]
         table.add(*Adjoint(kernel, seeded, tuple(modes)).library(), row)
 
-    def _fill(self, table: Table, known: Marks, block: slice, *, whole: bool = False) -> None:
+    def _fill(self, table: RowTable, known: Marks, block: slice, *, whole: bool = False) -> None:
         """Zero where a block is known in part: what is added to it, or read from it, finds a number everywhere."""
         if known[block].any() or whole:
             for start in np.flatnonzero(~known[block]).tolist():
@@ -187,7 +187,7 @@ class Tape:
         return True
 
     def _gather(
-        self, table: Table, marks: Marks, lanes: int, target: int | None, *, valued: bool, done: dict[int, int]
+        self, table: RowTable, marks: Marks, lanes: int, target: int | None, *, valued: bool, done: dict[int, int]
     ) -> None:
         moved = 0 if target is None else target - lanes * self.end
         for place, slot in self._gathered():
@@ -218,7 +218,7 @@ class Tape:
             yield place, slot
             place += slot.size
 
-    def _value(self, table: Table, call: Any) -> None:
+    def _value(self, table: RowTable, call: Any) -> None:
         kernel, inputs, outputs = call
         variant = Tangent(kernel, tuple(() for _ in inputs), 1, valued=True)
         row = [*(self.schedule.offset(slot) for slot in (*inputs, *outputs)), *self._turned(call)]

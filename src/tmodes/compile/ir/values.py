@@ -15,7 +15,7 @@ def write_values(
     b: Any, program: Sequence[Instruction], arithmetic: Double, read: Callable[[int, int], Any]
 ) -> dict[int, Any]:
     """All values of a program by index; ``read`` gives an element of an argument."""
-    writer = _Writer(b, program, arithmetic, read)
+    writer = _ValueWriter(b, program, arithmetic, read)
     angles = early_angles(program)
     first, rest = order_of_evaluation(program, angles)
     writer.compute(first)
@@ -25,7 +25,7 @@ def write_values(
     return {index: writer.needed(index) for index in range(len(program))}
 
 
-class _Writer:
+class _ValueWriter:
     """Writes values where they are first needed, and so keeps few waiting."""
 
     def __init__(

@@ -16,7 +16,7 @@ from llvmlite import ir
 from tmodes.compile.ir.arithmetic import Lanes
 from tmodes.compile.ir.block import ScheduleRate
 from tmodes.compile.ir.emit import I64, counted, whole
-from tmodes.compile.lanes.lanes_loop import LanesLoop, Series
+from tmodes.compile.lanes.lanes_loop import LaneSeries, LanesLoop
 from tmodes.compile.lanes.series import due_samples, write_sample
 from tmodes.compile.loops.explicit_loop import adaptive_control, error_of, hermite, interpolation, slopes, stages
 from tmodes.compile.loops.frame import MotionNorm
@@ -90,7 +90,7 @@ def _polynomial(b: Any, lanes: Lanes, x: Any, coefficients: list[float]) -> Any:
 
 
 def write_lanes_loop(
-    module: Any, name: str, rate: ScheduleRate, guarded: int, tableau: Tableau, series: Series | None = None
+    module: Any, name: str, rate: ScheduleRate, guarded: int, tableau: Tableau, series: LaneSeries | None = None
 ) -> None:
     """Write the loop of a method: adaptive where it has an embedded error, else with the option ``step``.
 

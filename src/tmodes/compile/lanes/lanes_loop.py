@@ -18,7 +18,7 @@ from tmodes.compile.loops.frame import Frame
 from tmodes.compile.loops.time_loop import CELLS, Status
 from tmodes.compile.native import WIDTH
 
-__all__ = ["LANE_ARGUMENTS", "LANE_OPTIONS", "LanesLoop", "Series"]
+__all__ = ["LANE_ARGUMENTS", "LANE_OPTIONS", "LaneSeries", "LanesLoop"]
 
 LANE_OPTIONS = ("step", "rtol", "atol", "chunk", "bound", "most", "most_events", "event_time")
 """Settings of a loop, the same for all lanes; ``most``: attempted steps of a run after which it is given up."""
@@ -38,7 +38,7 @@ lane, ``weights`` those of the samples in a mean over time, and ``sums`` what se
 _INTEGERS = ("knot_stride", "row_stride", "table_stride", "samples")
 
 
-class Series(Protocol):
+class LaneSeries(Protocol):
     """What is wanted of each sample: ``rate`` gives it from the state and so many ``given`` numbers behind it."""
 
     @property
@@ -66,7 +66,7 @@ class LanesLoop(Frame):
         rate: ScheduleRate,
         scratch_arrays: Sequence[str],
         guarded: int,
-        series: Series | None = None,
+        series: LaneSeries | None = None,
     ) -> None:
         """``guarded``: how many of the first components of the state are watched for divergence.
 

@@ -14,7 +14,7 @@ from tmodes.compile.ir.emit import I64, at, counted, load, store, whole
 from tmodes.compile.lanes.lanes_loop import LanesLoop
 from tmodes.compile.native import WIDTH
 
-__all__ = ["SUMS", "Folded", "Written", "due_samples", "fold", "write_rows", "write_sample"]
+__all__ = ["SUMS", "Folded", "WrittenSeries", "due_samples", "fold", "write_rows", "write_sample"]
 
 
 @contextmanager
@@ -79,7 +79,7 @@ of the samples, its last value, and the time of the largest. For each series a v
 
 
 @dataclass(frozen=True)
-class Written:
+class WrittenSeries:
     """Series are written into the samples."""
 
     rate: ScheduleRate

@@ -50,10 +50,10 @@ def write_extrapolation_loop(
     a direction of slip that is no unit vector is wrong where the slip ends.
     """
     loop = TimeLoop(module, name, rate, ("slope", "new", "apart"), guarded)
-    _Writer(loop, rate, pairs, modes).write()
+    _ExtrapolationWriter(loop, rate, pairs, modes).write()
 
 
-class _Writer:
+class _ExtrapolationWriter:
     """Writes the body of the loop."""
 
     def __init__(self, loop: TimeLoop, rate: RowsRate, pairs: int, modes: int) -> None:

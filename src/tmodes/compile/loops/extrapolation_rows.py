@@ -138,10 +138,10 @@ def write_rows_rate(module: Any, schedule: Any, name: str) -> RowsRate:
     """
     if not {"step", "start"} <= set(schedule.inputs):
         raise CompileError(f"{name}: the schedule has no inputs `step` and `start` for implicit steps")
-    return _Writer(module, schedule, name).written()
+    return _RatesWriter(module, schedule, name).written()
 
 
-class _Writer:
+class _RatesWriter:
     """Offsets are those of doubles in a workspace of vectors."""
 
     def __init__(self, module: Any, schedule: Any, name: str) -> None:

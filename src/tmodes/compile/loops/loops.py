@@ -94,13 +94,13 @@ def lane_loop(
 
         from tmodes.compile.ir.block import write_rate
         from tmodes.compile.lanes.lanes_explicit import write_lanes_loop
-        from tmodes.compile.lanes.series import Folded, Written
+        from tmodes.compile.lanes.series import Folded, WrittenSeries
 
         module, tableau, series = ir.Module(method), integrator(method).tableau, None
         assert tableau is not None  # noqa: S101
         rate = write_rate(module, schedule, Wide(module), "rate")
         if shown is not None:
-            series = (Folded if folds else Written)(write_rate(module, shown, Wide(module), "shown"), given)
+            series = (Folded if folds else WrittenSeries)(write_rate(module, shown, Wide(module), "shown"), given)
         write_lanes_loop(module, method, rate, guarded, tableau, series)
         return module
 

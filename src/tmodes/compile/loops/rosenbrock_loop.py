@@ -80,10 +80,10 @@ def write_rosenbrock_loop(
             f"{MOST_STATES}; take extrapolation, which needs no Jacobian"
         )
     loop = TimeLoop(module, name, lowered, (*_STAGES, "probe", "by_time", "low", "new"), guarded)
-    _Writer(loop, RateJacobian(module, schedule, columns, f"{name}.jacobian"), pairs).write()
+    _RosenbrockWriter(loop, RateJacobian(module, schedule, columns, f"{name}.jacobian"), pairs).write()
 
 
-class _Writer:
+class _RosenbrockWriter:
     """Writes the body of the loop."""
 
     def __init__(self, loop: TimeLoop, jacobian: RateJacobian, pairs: int) -> None:

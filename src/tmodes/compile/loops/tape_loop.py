@@ -15,7 +15,7 @@ from tmodes.compile.ir.kernels import native_functions
 from tmodes.compile.ir.linear_solve import BLOCK, write_elimination
 from tmodes.compile.native import Library
 
-__all__ = ["WORDS", "Table", "operations", "write_run"]
+__all__ = ["WORDS", "RowTable", "operations", "write_run"]
 
 WORDS = I64.as_pointer()
 
@@ -46,7 +46,7 @@ def operations() -> Library:
     return native_functions("tape", _write, functions)
 
 
-class Table:
+class RowTable:
     """Rows (address of a function, words of the row, its numbers), and the libraries that they jump into."""
 
     def __init__(self) -> None:
@@ -64,7 +64,7 @@ class Table:
         """Append a row of one of the :func:`operations`."""
         self.add(name, operations(), numbers)
 
-    def extend(self, other: Table) -> None:
+    def extend(self, other: RowTable) -> None:
         """Append all rows of another table."""
         self._words += other._words
         self._libraries |= other._libraries

@@ -21,7 +21,7 @@ __all__ = ["extrapolated_loops"]
 @cache
 def extrapolated_loops() -> Library:
     """The loops, as :func:`tmodes.compile.replay.replay_frame.written_loops` names them."""
-    return written_loops("replay_extrapolated", (_Again, _Along, _Back))
+    return written_loops("replay_extrapolated", (_ExtrapolatedAgain, _ExtrapolatedAlong, _ExtrapolatedBack))
 
 
 class _Extrapolated(ReplayLoop):
@@ -91,7 +91,7 @@ class _Extrapolated(ReplayLoop):
             store(self.b, number(0.0), target, k)
 
 
-class _Again(_Extrapolated):
+class _ExtrapolatedAgain(_Extrapolated):
     name = "again"
 
     def step(self, step: Any) -> None:
@@ -104,7 +104,7 @@ class _Again(_Extrapolated):
         self.tell(step, here, size, (places, lambda j: self.row_of("states", j, size)))
 
 
-class _Along(_Extrapolated):
+class _ExtrapolatedAlong(_Extrapolated):
     name = "along"
 
     def step(self, step: Any) -> None:
@@ -130,7 +130,7 @@ class _Along(_Extrapolated):
         self.move(self.row_of("stage_slopes", place, wide), source, rates, part, n["lanes"])
 
 
-class _Back(_Extrapolated):
+class _ExtrapolatedBack(_Extrapolated):
     name = "back"
 
     def step(self, step: Any) -> None:

@@ -19,7 +19,7 @@ from tmodes.integrate import dop853
 from tmodes.integrate.method import Integrator, Tableau
 from tmodes.integrate.registry import integrator, integrators
 
-__all__ = ["Extrapolated", "RungeKutta", "SamplePlaces", "Table", "loops_of", "replay_methods", "table_of"]
+__all__ = ["ExtrapolationTableau", "RungeKutta", "SamplePlaces", "Table", "loops_of", "replay_methods", "table_of"]
 
 Array = NDArray[np.float64]
 Counts = NDArray[np.int64]
@@ -126,7 +126,7 @@ def _spread(rows: Sequence[Mapping[int, float]], count: int) -> Array:
 
 
 @dataclass(frozen=True, eq=False)
-class Extrapolated:
+class ExtrapolationTableau:
     """The tableau of ``ROWS`` rows, as :mod:`tmodes.compile.loops.extrapolation_loop` takes them."""
 
     memory = ROWS
@@ -199,7 +199,7 @@ def _terms(end: Array) -> Array:
     return terms
 
 
-Table = RungeKutta | Extrapolated
+Table = RungeKutta | ExtrapolationTableau
 
 
 def replay_methods() -> list[str]:
@@ -212,7 +212,7 @@ def table_of(one: Integrator) -> Table:
     """The table of a method; KeyError for one without."""
     if one.tableau is not None:
         return replayed(one.tableau)
-    return {"dop853": dop853_table, "extrapolation": Extrapolated}[one.name]()
+    return {"dop853": dop853_table, "extrapolation": ExtrapolationTableau}[one.name]()
 
 
 def loops_of(method: str) -> Library:

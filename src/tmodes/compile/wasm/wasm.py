@@ -16,7 +16,7 @@ from tmodes.compile.cache import load, save, source_digest
 from tmodes.compile.native import for_target, free
 from tmodes.errors import CompileError
 
-__all__ = ["GIVEN", "Part", "finished", "wasm_module"]
+__all__ = ["GIVEN", "WasmPart", "finished", "wasm_module"]
 
 _CUSTOM, _IMPORT, _MEMORY, _GLOBAL, _EXPORT, _CODE, _DATA, _DATA_COUNT = 0, 2, 5, 6, 7, 10, 11, 12
 _ORDER = (1, _IMPORT, 3, 4, _MEMORY, _GLOBAL, _EXPORT, 8, 9, _DATA_COUNT, _CODE, _DATA)
@@ -37,7 +37,7 @@ _WIDTH = 5
 """Bytes of a number that is to be replaced."""
 
 
-class _Reader:
+class _BinaryReader:
     def __init__(self, content: bytes, place: int = 0) -> None:
         self.content, self.place = content, place
 
@@ -72,7 +72,7 @@ def _imports(section: bytes) -> bytes:
 
     Raises :class:`CompileError` for what else is asked for.
     """
-    reader, count, kept = _Reader(section), 0, b""
+    reader, count, kept = _BinaryReader(section), 0, b""
     for _ in range(reader.number()):
         begin = reader.place
         _, name, kind = reader.text(), reader.text(), reader.byte()
@@ -91,7 +91,7 @@ def _imports(section: bytes) -> bytes:
     return _unsigned(count) + kept
 
 
-def _skip_limits(reader: _Reader) -> None:
+def _skip_limits(reader: _BinaryReader) -> None:
     for _ in range(1 + (reader.byte() & 1)):
         reader.number()
 
@@ -124,26 +124,26 @@ def finished(obj: bytes, exports: Sequence[str], stack: int) -> bytes:
 
 def _sections(obj: bytes) -> Iterator[tuple[int | str, bytes]]:
     """Contents by number, of custom ones by name."""
-    reader = _Reader(obj, len(_HEAD))
+    reader = _BinaryReader(obj, len(_HEAD))
     while reader.left:
         kind, content = reader.byte(), reader.take(reader.number())
-        inner = _Reader(content)
+        inner = _BinaryReader(content)
         yield (inner.text(), content[inner.place :]) if kind == _CUSTOM else (kind, content)
 
 
 def _exported(linking: bytes, exports: Sequence[str]) -> list[tuple[str, int, int]]:
     """Name, kind and index of each function that is wanted."""
-    reader = _Reader(linking)
+    reader = _BinaryReader(linking)
     reader.number()
     indices: dict[str, int] = {}
     while reader.left:
         kind, content = reader.byte(), reader.take(reader.number())
         if kind == 8:
-            indices = dict(_function_symbols(_Reader(content)))
+            indices = dict(_function_symbols(_BinaryReader(content)))
     return [(name, 0, indices[name]) for name in exports]
 
 
-def _function_symbols(reader: _Reader) -> Iterator[tuple[str, int]]:
+def _function_symbols(reader: _BinaryReader) -> Iterator[tuple[str, int]]:
     for _ in range(reader.number()):
         kind, flags = reader.byte(), reader.number()
         undefined, named = flags & 0x10, flags & 0x40
@@ -162,7 +162,7 @@ def _function_symbols(reader: _Reader) -> Iterator[tuple[str, int]]:
 
 def _addresses(content: bytes) -> Iterator[int]:
     """Where in the code addresses stand."""
-    reader = _Reader(content)
+    reader = _BinaryReader(content)
     if not content:
         return
     reader.number()  # of the section that they are for: the code
@@ -180,7 +180,7 @@ def _move(sections: dict[int | str, bytes], code: bytearray, by: int, places: It
     """Move the data up, in its section and in the code; returns where memory is free from."""
     end = by
     if _DATA in sections:
-        reader, moved = _Reader(sections[_DATA]), b""
+        reader, moved = _BinaryReader(sections[_DATA]), b""
         count = reader.number()
         for _ in range(count):
             reader.take(2)  # flags: into memory 0; and i32.const
@@ -191,7 +191,7 @@ def _move(sections: dict[int | str, bytes], code: bytearray, by: int, places: It
             end = max(end, start + len(content))
         sections[_DATA] = _unsigned(count) + moved
     for place in places:
-        value = _Reader(bytes(code[place : place + _WIDTH])).number(signed=True)
+        value = _BinaryReader(bytes(code[place : place + _WIDTH])).number(signed=True)
         code[place : place + _WIDTH] = _padded(value + by)
     return -(-end // _ALIGNED) * _ALIGNED
 
@@ -228,7 +228,7 @@ TRIPLE = "wasm32-unknown-unknown"
 
 
 @dataclass(frozen=True)
-class Part:
+class WasmPart:
     """Code of one module of IR: ``key`` identifies it, ``write`` gives it or its text, ``symbols`` are its functions.
 
     ``exported``: whether these are to be seen outside. ``simd``: whether it works on vectors. ``level``: how far it is
@@ -251,7 +251,7 @@ def _machine(level: int, *, simd: bool) -> Any:
     return llvm.Target.from_triple(TRIPLE).create_target_machine(features=features, opt=level, reloc="static")
 
 
-def wasm_module(name: str, parts: Sequence[Part], *, simd: bool | None = None, level: int = 1) -> bytes:
+def wasm_module(name: str, parts: Sequence[WasmPart], *, simd: bool | None = None, level: int = 1) -> bytes:
     """One WebAssembly module of all parts, from the cache or made and kept.
 
     ``simd``: whether it may use vectors of two doubles; None: where a part works on vectors. Exports the functions
@@ -272,7 +272,7 @@ def wasm_module(name: str, parts: Sequence[Part], *, simd: bool | None = None, l
 
 
 def _object(
-    name: str, parts: Sequence[Part], exports: Sequence[str], level: int, *, simd: bool
+    name: str, parts: Sequence[WasmPart], exports: Sequence[str], level: int, *, simd: bool
 ) -> tuple[bytes, Sequence[str], int]:
     """Object file, what it exports, and bytes of stack that it needs."""
     machine = _machine(level, simd=simd)
@@ -289,7 +289,7 @@ def _object(
     return machine.emit_object(whole), exports, _stack(str(whole))
 
 
-def _optimised(part: Part, machine: Any) -> Any:
+def _optimised(part: WasmPart, machine: Any) -> Any:
     """The code of a part, as far optimised as it pays."""
     parsed = llvm.parse_assembly(_with_extremes(for_target(str(part.write()), machine)))
     builder = llvm.create_pass_builder(machine, llvm.create_pipeline_tuning_options(speed_level=part.level))

@@ -19,7 +19,7 @@ from tmodes.compile.ir.program import READ, BlockProgram, Instruction, kernel_pr
 from tmodes.compile.ir.values import write_values
 from tmodes.compile.loops.loops import loop_arithmetic, schedule_loop_module
 from tmodes.compile.native import kernel_symbol, pays
-from tmodes.compile.wasm.wasm import Part
+from tmodes.compile.wasm.wasm import WasmPart
 from tmodes.integrate.method import JACOBIAN
 from tmodes.integrate.registry import integrator
 
@@ -29,41 +29,41 @@ PIECE = 5000
 """Values of a kernel that make one function: shorter ones only make the code of usual beams longer."""
 
 
-def schedule_loop(symbol: str, schedule: Any, guarded: int, method: str, **more: Any) -> list[Part]:
+def schedule_loop(symbol: str, schedule: Any, guarded: int, method: str, **more: Any) -> list[WasmPart]:
     """A loop around a schedule with the kernels that it calls; ``more``: pairs and columns, as the method needs."""
     arithmetic = loop_arithmetic(method)
     write = partial(schedule_loop_module, schedule, guarded, method, symbol, **more)
     simd = arithmetic == "lanes"
-    loop = Part(f"loop {method} {guarded} {more} {schedule.key}", write, (symbol,), simd=simd, level=1)
+    loop = WasmPart(f"loop {method} {guarded} {more} {schedule.key}", write, (symbol,), simd=simd, level=1)
     slopes = _kernels(schedule, "derivative") if integrator(method).asks == JACOBIAN else []
     jumps = [*_called(schedule.sampled, "double"), *_called(schedule.switched, "double")]
     return [loop, *_called(schedule, arithmetic), *jumps, *slopes]
 
 
-def schedule_samples(symbol: str, schedule: Any, arithmetic: str = "double", piece: int = PIECE) -> list[Part]:
+def schedule_samples(symbol: str, schedule: Any, arithmetic: str = "double", piece: int = PIECE) -> list[WasmPart]:
     """A schedule over many samples with its kernels, as of :func:`tmodes.compile.ir.kernels.schedule_function`.
 
     ``piece``: values of a kernel that make one function.
     """
     write = partial(schedule_module, schedule, arithmetic, symbol)
-    run = Part(f"schedule {arithmetic} {schedule.key}", write, (symbol,), simd=arithmetic == "lanes")
+    run = WasmPart(f"schedule {arithmetic} {schedule.key}", write, (symbol,), simd=arithmetic == "lanes")
     return [run, *_called(schedule, arithmetic, piece)]
 
 
-def each_once(parts: Iterable[Part]) -> list[Part]:
+def each_once(parts: Iterable[WasmPart]) -> list[WasmPart]:
     """The parts without those that came before: kernels are the same wherever they are called from."""
     return list({part.symbols: part for part in parts}.values())
 
 
-def _called(schedule: Any, arithmetic: str, piece: int = PIECE) -> list[Part]:
+def _called(schedule: Any, arithmetic: str, piece: int = PIECE) -> list[WasmPart]:
     unrolled = not schedule or (arithmetic_of(arithmetic).unrolls and pays(schedule))
     return [] if unrolled else _kernels(schedule, arithmetic, piece)
 
 
-def _kernels(schedule: Any, arithmetic: str, piece: int = PIECE) -> list[Part]:
+def _kernels(schedule: Any, arithmetic: str, piece: int = PIECE) -> list[WasmPart]:
     kernels = {kernel_symbol(kernel, arithmetic): kernel for kernel, _, _ in schedule.calls}
     return [
-        Part(
+        WasmPart(
             f"{symbol} {piece}", partial(kernel_in_pieces, kernel, arithmetic, piece), (symbol,),
             exported=False, simd=arithmetic == "lanes",
         )

@@ -60,7 +60,7 @@ class Solver:
             along = [block[0] for block in efforts] + [0.0] * (k.bodies - self.joints)
             more = [block[0] for block in inertias] + [0.0] * (k.bodies - self.joints)
             matrix, right = self._balance(mass, bias, force, added, push)
-            contact = _Contact(k, *blocks[2 * self.joints :]) if self.touched else None
+            contact = _ContactRows(k, *blocks[2 * self.joints :]) if self.touched else None
             right -= contact.friction if contact else 0.0
             solve = self._solve_own if self._whole else self._solve_reduced
             freely = solve(matrix, right, along, more)
@@ -130,7 +130,7 @@ class Solver:
         return found
 
 
-class _Contact:
+class _ContactRows:
     """A contact in the rows of the energies' own coordinates; N = mass (row . a) + at_rest is its normal force."""
 
     def __init__(self, kernels: SystemKernels, *blocks: Any) -> None:

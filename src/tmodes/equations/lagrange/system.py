@@ -41,11 +41,11 @@ __all__ = [
     "GRAVITY",
     "ORIGIN",
     "SYSTEMS",
-    "Energies",
     "EquationTerms",
     "Expressions",
     "Members",
     "System",
+    "SystemEnergies",
     "equation_terms",
 ]
 
@@ -77,7 +77,7 @@ class Members:
 
 
 @dataclass(frozen=True)
-class Energies:
+class SystemEnergies:
     """Kinetic and potential energies [J], and Rayleigh's function [W], of a system in its coordinates."""
 
     kinetic: Any
@@ -102,7 +102,7 @@ class EquationTerms:
     swing: Any
 
 
-def equation_terms(energy: Energies, q: Any, v: Any) -> EquationTerms:
+def equation_terms(energy: SystemEnergies, q: Any, v: Any) -> EquationTerms:
     """d/dt (dT/dq') - dT/dq + dV/dq + dPhi/dq', sorted by what causes it.
 
     Of the 2010 robot these are its rows but for the gear's torque sigma, which is its drive's:
@@ -152,7 +152,7 @@ class Expressions:
     q: Any
     v: Any
     p: Any
-    energies: Energies
+    energies: SystemEnergies
     terms: EquationTerms
     forces: Any
     points: dict[str, tuple[Any, Any]]
@@ -272,7 +272,7 @@ class System:
         at, moving = Members(own, q, "coordinate"), Members(own, v, "coordinate")
         numbers = Members(self.parameter_names, p, "parameter")
         kinetic = self._scalar("kinetic", at, moving, numbers)
-        energies = Energies(
+        energies = SystemEnergies(
             kinetic=kinetic, gravity=self._scalar("gravity", at, numbers),
             elastic=self._scalar("elastic", at, numbers), dissipation=self._scalar("dissipation", at, moving, numbers),
         )  # fmt: skip

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.equations.recursion.forces import Balance, balance
+from tmodes.equations.recursion.forces import ForceBalance, balance
 from tmodes.equations.recursion.link_kernels import body_kernel, times_kernel
 from tmodes.equations.recursion.parts import NodePart, Parts
 from tmodes.equations.recursion.passes import Blocks, Passes
@@ -92,7 +92,7 @@ def line_schedule(parts: Parts, s: Array, drawn: Drawn, *, loaded: bool = False)
                  tuple(further))  # fmt: skip
 
 
-def moved_link(way: Passes, found: Balance, numbers: Numbers, index: int) -> Moved:
+def moved_link(way: Passes, found: ForceBalance, numbers: Numbers, index: int) -> Moved:
     """A bending link as its lines take it."""
     part, here = way.parts.nodes[index], way.ways[index]
     link = part.link
@@ -106,7 +106,7 @@ def moved_link(way: Passes, found: Balance, numbers: Numbers, index: int) -> Mov
     )  # fmt: skip
 
 
-def _outer(way: Passes, found: Balance, index: int) -> list[Slot]:
+def _outer(way: Passes, found: ForceBalance, index: int) -> list[Slot]:
     """Force that bodies and points need from each station on, then that of the tip alone, about the link's root."""
     part, here, call = way.parts.nodes[index], way.ways[index], way.schedule.call
     assert part.link is not None  # noqa: S101
@@ -120,7 +120,7 @@ def _outer(way: Passes, found: Balance, index: int) -> list[Slot]:
     return carried
 
 
-def _single(way: Passes, found: Balance, index: int, number: int) -> Slot:
+def _single(way: Passes, found: ForceBalance, index: int, number: int) -> Slot:
     """Force that the body and the points at a station need, about it, in the link's axes."""
     part, here, call = way.parts.nodes[index], way.ways[index], way.schedule.call
     assert part.link is not None  # noqa: S101
@@ -142,7 +142,7 @@ def _outer_kernel(force: Any, place: Any, total: Any) -> list[list[Any]]:
     return [(Force.of(total) + Force.of(force).force_at(v.vec(place))).packed()]
 
 
-def _root(way: Passes, found: Balance, numbers: Numbers, index: int) -> Slot:
+def _root(way: Passes, found: ForceBalance, numbers: Numbers, index: int) -> Slot:
     """The load of a node's root."""
     pose, origin = way.ways[index].root_pose, way.parts.framing.offset(index, Placement()).position
     assert pose is not None  # noqa: S101
@@ -167,7 +167,7 @@ def _rigid(way: Passes, numbers: Numbers, index: int, end: Array) -> Sequence[Sl
     return way.schedule.call(_rigid_kernel(), pose, block, numbers.block(far))
 
 
-def _moving(way: Passes, found: Balance, index: int) -> Sequence[Slot]:
+def _moving(way: Passes, found: ForceBalance, index: int) -> Sequence[Slot]:
     here = way.ways[index]
     assert here.root_pose is not None  # noqa: S101
     return way.schedule.call(_moving_kernel(), here.root_pose, here.root_rate, found.roots[index])

@@ -13,7 +13,7 @@ from tmodes.kinds.kernel.schedule import Schedule, Slot
 from tmodes.kinds.kernel.spatial import FORCE
 
 __all__ = [
-    "Balance",
+    "ForceBalance",
     "balance",
     "elastic_forces",
     "elastic_of_drives",
@@ -59,7 +59,7 @@ def joint_reactions(parts: Parts, *, loaded: bool = False) -> Schedule:
 
 
 @dataclass
-class Balance:
+class ForceBalance:
     """Motion and forces that the accelerations ``a`` need, by index of the node, in the axes of its link.
 
     ``roots`` and ``tips``: accelerations less gravity; ``loads``: force on the tip by what moves with it and
@@ -77,10 +77,10 @@ class Balance:
     links: dict[int, Slot] = field(default_factory=dict)
 
 
-def balance(way: Passes, a: Slot) -> Balance:
+def balance(way: Passes, a: Slot) -> ForceBalance:
     """The calls of inverse dynamics, outwards and back, added to the schedule of ``way``."""
     way.outwards()
-    found, schedule, parts = Balance(a, way.none[FORCE]), way.schedule, way.parts
+    found, schedule, parts = ForceBalance(a, way.none[FORCE]), way.schedule, way.parts
     _accelerations(way, found)
     for index, tip in enumerate(found.tips):
         inertia, bias = way.load_of_tip(index)
@@ -104,7 +104,7 @@ def balance(way: Passes, a: Slot) -> Balance:
     return found
 
 
-def _accelerations(way: Passes, found: Balance) -> None:
+def _accelerations(way: Passes, found: ForceBalance) -> None:
     """Accelerations of the roots and of the tips when all coordinates accelerate as given."""
     a = found.a
     for part, here in zip(way.parts.nodes, way.ways, strict=True):

@@ -14,7 +14,7 @@ from tmodes.kinds.links.registry import Mode
 from tmodes.kinds.schema.quantity import DataSheet, any_sign, dissipation, not_negative, plain_texts, positive, refuse
 from tmodes.sheet.parts import by_name
 
-__all__ = ["FORMAT", "PLANT", "Format2010", "FrictionLaw"]
+__all__ = ["FORMAT", "PLANT", "Format2010", "PaperFrictionLaw"]
 
 FORMAT = 1
 """Version of the data sheet's format."""
@@ -29,14 +29,14 @@ _angle = partial(any_sign, "rad", at_least=-1e3, at_most=1e3, plausible=(-TURN, 
 _FACTOR = not_negative("-", "-", "factor of the actual robot on the known value", at_most=1e6)
 
 
-class FrictionLaw(StrEnum):
+class PaperFrictionLaw(StrEnum):
     """How the normal force enters friction: ``signed`` mu Fc, as the formula stands, or ``magnitude`` mu |Fc|."""
 
     SIGNED = "signed"
     MAGNITUDE = "magnitude"
 
 
-class Motor(DataSheet):
+class PaperMotor(DataSheet):
     """A DC motor with its reducer, every quantity referred to the output side of the reducer (S = 1)."""
 
     resistance: float = positive("ohm", "R", "armature resistance", plausible=(1e-3, 1e3))
@@ -46,7 +46,7 @@ class Motor(DataSheet):
     friction: float = dissipation("N*m*s/rad", "Bm", "viscous friction of the motor, after the reducer")
 
 
-class Gear(DataSheet):
+class PaperGear(DataSheet):
     """An elastic gear after the reducer. ``stiffness: .inf`` makes it rigid."""
 
     stiffness: float = positive(
@@ -77,19 +77,19 @@ class Environment(DataSheet):
     stiffness: float = positive("N/m", "ka1", "stiffness along the radius")
     friction: float = not_negative("-", "mu", "friction coefficient, along the tip's velocity", at_most=10.0)
     friction_velocity: float = positive("m/s", "veps", "speed below which friction is smoothed", plausible=(1e-6, 0.1))
-    friction_law: FrictionLaw = Field(
-        default=FrictionLaw.SIGNED, strict=False, description="how the normal force enters friction"
+    friction_law: PaperFrictionLaw = Field(
+        default=PaperFrictionLaw.SIGNED, strict=False, description="how the normal force enters friction"
     )
 
 
-class Controller(DataSheet):
+class PaperController(DataSheet):
     """Proportional-derivative control of the motor angle."""
 
     position_gain: float = not_negative("V/rad", "Klp", "position gain")
     velocity_gain: float = not_negative("V*s/rad", "Klv", "velocity gain")
 
 
-class Noise(DataSheet):
+class PaperNoise(DataSheet):
     """Noise on the reference as the controller receives it; none by default.
 
     To the controller, an error of the sensor is the same with the other sign.
@@ -109,7 +109,7 @@ class Reference(DataSheet):
     ramp_fraction: float = positive(
         "-", "ramp", "share of the duration that each ramp takes", at_most=0.5, smallest=1e-6
     )
-    noise: Noise = Field(default_factory=Noise)
+    noise: PaperNoise = Field(default_factory=PaperNoise)
 
 
 class Format2010(DataSheet):
@@ -124,12 +124,12 @@ class Format2010(DataSheet):
     )
     contact: bool = Field(description="true: the tip presses on the environment; false: free space")
     gravity: float = not_negative("m/s^2", "g", "gravity, along -z", default=9.81, plausible=(0.0, 30.0))
-    motor: Motor
-    gear: Gear
+    motor: PaperMotor
+    gear: PaperGear
     link: FlexibleLink
     payload: Payload
     environment: Environment
-    controller: Controller
+    controller: PaperController
     reference: Reference
     real: dict[str, Annotated[float, _FACTOR]] = by_name(
         "-", "-", "the actual robot where it differs from the known one: path of a number -> factor on it [-]"

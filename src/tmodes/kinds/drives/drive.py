@@ -22,7 +22,7 @@ from tmodes.kinds.schema.quantity import (
     positive,
 )
 
-__all__ = ["FrictionSheet", "GearSheet", "MotorNumbers", "MotorSheet", "Side", "SpringSheet"]
+__all__ = ["FrictionSheet", "GearSheet", "MotorNumbers", "MotorSheet", "ReducerSide", "SpringSheet"]
 
 _Stiffness = Annotated[float, Field(gt=0.0, allow_inf_nan=True)]
 _Limit = Annotated[float, Field(gt=0.0, le=LARGEST)]
@@ -96,7 +96,7 @@ class FrictionSheet(DataSheet):
             yield Issue("static_coefficient", got, expected, "exchange the two")
 
 
-class Side(StrEnum):
+class ReducerSide(StrEnum):
     """Of which side of the reducer a motor's quantities are."""
 
     JOINT = "joint"
@@ -122,7 +122,7 @@ class MotorSheet(DataSheet):
     """A motor with its reducer. ``side: joint``: quantities as felt at the joint; ``motor``: as on its shaft."""
 
     inertia: float = not_negative("kg*m^2|kg", "I", "rotor inertia", plausible=(0.0, 1e4))
-    side: Side = Field(
+    side: ReducerSide = Field(
         strict=False,
         description="of which side of the reducer the quantities are: joint (after it) or motor (before it)",
     )
@@ -136,7 +136,7 @@ class MotorSheet(DataSheet):
     inductance: float = not_negative("H", "La", "armature inductance", default=0.0, plausible=(0.0, 10.0))
 
     def _issues(self) -> Iterator[Issue]:
-        if self.ratio is None and self.side is Side.MOTOR:
+        if self.ratio is None and self.side is ReducerSide.MOTOR:
             hint = "add the line `ratio: ...`, or give all quantities joint side"
             yield Issue("ratio", "nothing", "the reducer's ratio, because `side` is motor", hint)
         if self.ratio is not None and abs(self.ratio) < SMALLEST:
@@ -156,7 +156,7 @@ class MotorSheet(DataSheet):
 
     def at_joint(self) -> MotorNumbers:
         """Its numbers on the joint side: inertia and viscous friction with ratio^2, torques with |ratio|."""
-        ratio = self.ratio if self.side is Side.MOTOR and self.ratio else 1.0
+        ratio = self.ratio if self.side is ReducerSide.MOTOR and self.ratio else 1.0
         friction, turns = self.friction or FrictionSheet(viscous=0.0), abs(ratio)
         coulomb, extra = friction.dry
         return MotorNumbers(

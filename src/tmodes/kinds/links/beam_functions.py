@@ -256,7 +256,7 @@ class BareBeam(NamedTuple):
     compliance: tuple[float, float]
 
 
-class _Functions(NamedTuple):
+class _FunctionValues(NamedTuple):
     """Functions of curvature or twist at the points of a rule, and their first and second integrals from the root."""
 
     own: Array
@@ -283,12 +283,12 @@ def beam_mass(beam: BeamNumbers) -> float:
     return number(np.sum(weight * pieces_at(beam, "mass", s))) * beam.length
 
 
-def _integrals(s: Array) -> _Functions:
+def _integrals(s: Array) -> _FunctionValues:
     """Legendre functions of 2 s - 1 at s, their integrals from 0, and the integrals of those."""
     own = [legendre.Legendre.basis(order, domain=[0, 1]) for order in range(FUNCTIONS)]
     once = [function.integ(lbnd=0) for function in own]
     twice = [function.integ(lbnd=0) for function in once]
-    return _Functions(*(np.array([function(s) for function in kind]) for kind in (own, once, twice)))
+    return _FunctionValues(*(np.array([function(s) for function in kind]) for kind in (own, once, twice)))
 
 
 def _first(stiffness: Array, mass: Array) -> float | None:
@@ -300,7 +300,7 @@ def _first(stiffness: Array, mass: Array) -> float | None:
     return float(1 / np.sqrt(largest)) / (2 * np.pi)
 
 
-def _bending(length: float, functions: _Functions, weight: Array, stiffness: Array, mass: Array) -> float | None:
+def _bending(length: float, functions: _FunctionValues, weight: Array, stiffness: Array, mass: Array) -> float | None:
     if not np.isfinite(stiffness).all():
         return None
     curvature, _, deflection = functions
@@ -309,7 +309,9 @@ def _bending(length: float, functions: _Functions, weight: Array, stiffness: Arr
     )
 
 
-def _twisting(length: float, functions: _Functions, weight: Array, stiffness: Array, inertia: Array) -> float | None:
+def _twisting(
+    length: float, functions: _FunctionValues, weight: Array, stiffness: Array, inertia: Array
+) -> float | None:
     if not (np.isfinite(stiffness) & (stiffness > 0)).all():
         return None
     twist, turn, _ = functions

@@ -46,7 +46,7 @@ from tmodes.kinds.noted.functions import (
     zeros,
 )
 
-__all__ = ["JUMP", "BeamTables", "Rule", "beam_rule", "beam_tables", "section_edges"]
+__all__ = ["JUMP", "BeamTables", "Quadrature", "beam_rule", "beam_tables", "section_edges"]
 
 Array = NDArray[np.float64]
 
@@ -58,7 +58,7 @@ JUMP = 0.05
 
 
 @dataclass(frozen=True, eq=False)
-class Rule:
+class Quadrature:
     """``edges`` (spans + 1,): ends of the spans; ``points`` (g,), ``counts`` of each span; ``masses`` (g,) [kg]."""
 
     edges: Array
@@ -117,7 +117,7 @@ def _cardinal(points: Array, x: Array) -> Array:
     return array(solve(at_points, at_x.reshape(len(points), -1)).reshape(at_x.shape))
 
 
-def beam_rule(beam: BeamNumbers) -> Rule:
+def beam_rule(beam: BeamNumbers) -> Quadrature:
     """The rule of a beam.
 
     Without ``beam.points`` a link of one span has two points more than functions, which is exact for its mass matrix
@@ -132,7 +132,7 @@ def beam_rule(beam: BeamNumbers) -> Rule:
         counts = [min(most, ceil(1.5 * largest * length) + LEAST) for length in np.diff(edges)]
     spans = [_gauss(beam, number(a), number(b), count) for (a, b), count in zip(pairwise(edges), counts, strict=True)]
     points, masses = (np.concatenate(part) for part in zip(*spans, strict=True))
-    return Rule(edges, points, masses, tuple(counts))
+    return Quadrature(edges, points, masses, tuple(counts))
 
 
 def _edges(beam: BeamNumbers) -> Array:
@@ -179,7 +179,7 @@ class BeamTables:
     packed: Array
     stiffness: Array
     damping: Array
-    rule: Rule
+    rule: Quadrature
 
     @property
     def points(self) -> Array:
@@ -187,7 +187,7 @@ class BeamTables:
         return self.rule.points
 
 
-def _shape(beam: BeamNumbers, rule: Rule, stations: tuple[float, ...]) -> StrainShape:
+def _shape(beam: BeamNumbers, rule: Quadrature, stations: tuple[float, ...]) -> StrainShape:
     before = tuple(int(place(rule.points, s, "right")) for s in stations)
     inertia = [any(max(piece.inertia[axis]) > 0 for piece in beam.pieces) for axis in range(3)]
     return StrainShape(

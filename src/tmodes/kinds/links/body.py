@@ -15,7 +15,7 @@ from tmodes.kinds.schema.axes import rpy_matrix
 from tmodes.kinds.schema.frames import TURN, Vector, list_of_numbers
 from tmodes.kinds.schema.quantity import DataSheet, Issue, any_sign, not_negative, quantity
 
-__all__ = ["BodySheet", "Inertia", "entries", "principal_moments", "raised_inertia"]
+__all__ = ["BodySheet", "InertiaSheet", "entries", "principal_moments", "raised_inertia"]
 
 ROUNDING = 1e-4
 """Share of the largest principal moment by which printed digits may violate the triangle inequality [-]."""
@@ -71,7 +71,7 @@ def entries(matrix: NDArray[np.float64]) -> dict[str, float]:
     return {a + b: float(matrix["xyz".index(a), "xyz".index(b)]) for a, b in ("xx", "yy", "zz", "xy", "xz", "yz")}
 
 
-class Inertia(DataSheet):
+class InertiaSheet(DataSheet):
     """Inertia about the center of mass: the six entries of a symmetric matrix (products with the matrix's sign)."""
 
     xx: float = _moment("Jxx", "x")
@@ -106,7 +106,7 @@ class BodySheet(DataSheet):
     name: str = Field(default="", max_length=100, description="name of the body")
     mass: float = not_negative("kg", "m", "mass", plausible=(1e-6, 1e4))
     center: Vector = list_of_numbers("m", "c", "center of mass", default=(0.0, 0.0, 0.0))
-    inertia: Inertia | None = Field(
+    inertia: InertiaSheet | None = Field(
         default=None, description="inertia about the center of mass; one number: about every axis; none: a point mass"
     )
     rpy: Vector | None = list_of_numbers(

@@ -14,14 +14,14 @@ from tmodes.kinds.kernel.functions import cos, sin
 from tmodes.kinds.kernel.spatial import Force
 from tmodes.kinds.links.terms import Section
 
-__all__ = ["TANGENT", "Angles", "ModesLine"]
+__all__ = ["TANGENT", "ModeAngles", "ModesLine"]
 
 TANGENT = 1.5
 """Turn of a mode's end over that of its chord: a cantilever under a tip force."""
 
 
 @dataclass
-class Angles:
+class ModeAngles:
     """Bending angles and their rates of each mode, in one plane; 0.0 where a mode is rigid."""
 
     values: list[Any]
@@ -60,7 +60,9 @@ class _Direction:
 class ModesLine:
     """All chords of the link in one state; ``spin`` (3,) is the angular velocity of its root in its own axes."""
 
-    def __init__(self, lengths: list[Any], azimuth: Angles, elevation: Angles, free: tuple[bool, ...], spin: v.Vector):
+    def __init__(
+        self, lengths: list[Any], azimuth: ModeAngles, elevation: ModeAngles, free: tuple[bool, ...], spin: v.Vector
+    ):
         self.lengths, self.azimuth, self.elevation, self.free, self.spin = lengths, azimuth, elevation, free, spin
         self.chords = [self._chord(k, 1.0) for k in range(len(lengths))]
 

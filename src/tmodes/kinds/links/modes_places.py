@@ -17,7 +17,7 @@ from tmodes.kinds.kernel.functions import cos, sin, sqrt
 from tmodes.kinds.kernel.schedule import Kernel, Slot
 from tmodes.kinds.kernel.spatial import FORCE, Force
 from tmodes.kinds.links.line import PLACE, POSE, LineOfLink, Moved, Shape, packed_place
-from tmodes.kinds.links.modes_line import TANGENT, Angles, ModesLine
+from tmodes.kinds.links.modes_line import TANGENT, ModeAngles, ModesLine
 from tmodes.kinds.links.modes_sheet import shape_angle, shape_deflection, shape_slope
 
 __all__ = ["ModePlaces"]
@@ -89,7 +89,7 @@ class _Kernels:
         sizes = (self.structure.table_size, n, n, n, 3, FORCE)
         return Kernel(f"{self.key} masses", sizes, (_MASS,) * len(self.inner), build)
 
-    def _line(self, tables: Any, azimuth: Angles, elevation: Angles, rate: v.Vector) -> ModesLine:
+    def _line(self, tables: Any, azimuth: ModeAngles, elevation: ModeAngles, rate: v.Vector) -> ModesLine:
         lengths = [tables[k] for k in range(self.structure.modes)]
         return ModesLine(lengths, azimuth, elevation, self.structure.free, rate)
 
@@ -125,7 +125,7 @@ class _Kernels:
         """
         row, tables, springs, dampers, q, qd, pose, tip, outer, last, *masses = packed
         s, angles = row[0], self.structure.angles(q, qd)
-        held = [Angles(part.values, [0.0] * self.structure.modes) for part in angles]
+        held = [ModeAngles(part.values, [0.0] * self.structure.modes) for part in angles]
         line = self._line(tables, held[0], held[1], v.zero())
         section = line.section(self.mode, s, shape_angle(s), shape_slope(s))
         axes = self._chord_axes(line)
@@ -160,7 +160,7 @@ class _Kernels:
         return v.scale(line.lengths[self.mode], along)
 
     def _shape(
-        self, s: Any, angles: tuple[Angles, Angles], line: ModesLine, length: Any, springs: Any, dampers: Any
+        self, s: Any, angles: tuple[ModeAngles, ModeAngles], line: ModesLine, length: Any, springs: Any, dampers: Any
     ) -> Shape:
         """Of the angles in azimuth and elevation.
 

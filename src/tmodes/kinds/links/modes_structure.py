@@ -9,7 +9,7 @@ from tmodes.kinds.kernel import vectors as v
 from tmodes.kinds.kernel.functions import cos, sin
 from tmodes.kinds.kernel.spatial import Force, body_inertia
 from tmodes.kinds.links.contract import ElasticForces, LinkStructure, Row
-from tmodes.kinds.links.modes_line import TANGENT, Angles, ModesLine
+from tmodes.kinds.links.modes_line import TANGENT, ModeAngles, ModesLine
 from tmodes.kinds.links.terms import LinkTerms
 
 __all__ = ["ModesStructure"]
@@ -58,7 +58,7 @@ class ModesStructure(LinkStructure):
         """Cs l^2 of each mode that bends."""
         return sum(self.free)
 
-    def angles(self, q: Any, qd: Any) -> tuple[Angles, Angles]:
+    def angles(self, q: Any, qd: Any) -> tuple[ModeAngles, ModeAngles]:
         """Azimuths and elevations of all modes."""
         n, order, index = sum(self.free), [], 0
         for bends in self.free:
@@ -68,7 +68,7 @@ class ModesStructure(LinkStructure):
         def of(x: Any, first: int) -> list[Any]:
             return [x[first + k] if k >= 0 else 0.0 for k in order]
 
-        return Angles(of(q, 0), of(qd, 0)), Angles(of(q, n), of(qd, n))
+        return ModeAngles(of(q, 0), of(qd, 0)), ModeAngles(of(q, n), of(qd, n))
 
     def sections(self, tables: Any, rate: Any, q: Any, qd: Any) -> tuple[list[Any], list[list[Any]]]:
         """Inertia of the masses before the tip, and the sections at the tip and the stations."""
@@ -87,7 +87,7 @@ class ModesStructure(LinkStructure):
     def elastic(self, stiffness: Any, damping: Any, q: Any, qd: Any) -> ElasticForces:
         """Forces of 1/2 sum Cs l^2 (th_e^2 + cos(b)^2 th_a^2); dampers likewise in the rates, with cos(b) held."""
         azimuth, elevation = self.angles(q, qd)
-        springs, dampers = _Rows(self.free), _Rows(self.free)
+        springs, dampers = _ModeSums(self.free), _ModeSums(self.free)
         energy: list[Any] = []
         loss: list[Any] = []
         for b, k in enumerate(self._bending):
@@ -129,13 +129,13 @@ class ModesStructure(LinkStructure):
     def _bending(self) -> list[int]:
         return [k for k, bends in enumerate(self.free) if bends]
 
-    def _lever(self, elevation: Angles, mode: int) -> tuple[Any, Any]:
+    def _lever(self, elevation: ModeAngles, mode: int) -> tuple[Any, Any]:
         """Cosine and sine of the elevation of a chord."""
         angle = elevation.direction(mode, 1.0)[0]
         return cos(angle), sin(angle)
 
 
-class _Rows:
+class _ModeSums:
     """Sums by coordinate: plane 0 azimuth, 1 elevation, and the number of a mode; rigid modes have none."""
 
     def __init__(self, free: tuple[bool, ...]) -> None:

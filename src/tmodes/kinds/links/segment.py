@@ -191,8 +191,8 @@ def segment_link(bend_y: bool, bend_z: bool, length: Any, rate: Any, q: Any, qd:
     spin = v.vec(rate)
     about_y, rate_y = (angles[0], speeds[0]) if bend_y else (0.0, 0.0)
     about_z, rate_z = (angles[-1], speeds[-1]) if bend_z else (0.0, 0.0)
-    chord = _Turned(about_y, about_z, rate_y, rate_z, spin)
-    tangent = _Turned(1.5 * about_y, 1.5 * about_z, 1.5 * rate_y, 1.5 * rate_z, spin)
+    chord = _TurnedAxes(about_y, about_z, rate_y, rate_z, spin)
+    tangent = _TurnedAxes(1.5 * about_y, 1.5 * about_z, 1.5 * rate_y, 1.5 * rate_z, spin)
     place = v.scale(length, [row[0] for row in chord.rotation])
     move = [v.cross(column, place) for column in chord.columns]
     turns = [v.scale(1.5, column) for column in tangent.columns]
@@ -208,7 +208,7 @@ def turned_axes(about_y: Any, about_z: Any) -> v.Matrix:
     return [[cz * cy, -sz, cz * sy], [sz * cy, cz, sz * sy], [-sy, 0.0, cy]]
 
 
-class _Turned:
+class _TurnedAxes:
     """Axes turned about z, then about the turned y, with their angular velocity and its bias acceleration."""
 
     def __init__(self, about_y: Any, about_z: Any, rate_y: Any, rate_z: Any, spin: v.Vector) -> None:

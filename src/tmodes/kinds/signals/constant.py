@@ -8,7 +8,7 @@ import numpy as np
 from pydantic import Field
 
 from tmodes.kinds.signals.contract import SIGNALS, Signal, signal_value
-from tmodes.kinds.signals.schedule import Schedule
+from tmodes.kinds.signals.schedule import SignalPieces
 
 __all__ = ["Constant"]
 
@@ -25,6 +25,6 @@ class Constant(Signal):
         """It is."""
         return True
 
-    def schedule(self, until: float) -> Schedule:
+    def schedule(self, until: float) -> SignalPieces:
         """One piece up to ``until`` [s]."""
-        return Schedule(np.array([0.0, until]), np.array([[self.value]]))
+        return SignalPieces(np.array([0.0, until]), np.array([[self.value]]))

@@ -22,7 +22,7 @@ import numpy as np
 from tmodes.kinds.noted.functions import zeros
 from tmodes.kinds.schema.kind import Kind
 from tmodes.kinds.schema.quantity import any_sign, not_negative
-from tmodes.kinds.signals.schedule import Schedule
+from tmodes.kinds.signals.schedule import SignalPieces
 
 __all__ = ["SIGNALS", "Signal", "delayed", "signal_time", "signal_value"]
 
@@ -38,7 +38,7 @@ class Signal(Kind, family="signal", key="type"):
         """
         return False
 
-    def schedule(self, until: float) -> Schedule:
+    def schedule(self, until: float) -> SignalPieces:
         """The pieces from time 0 up to ``until`` [s], with a knot on every jump.
 
         Raises :class:`tmodes.errors.InputError` where it has no value.
@@ -61,14 +61,14 @@ def signal_time(symbol: str, meaning: str, **more: Any) -> float:
     return not_negative("s", symbol, meaning, at_most=1e6, **more)
 
 
-def delayed(move: Schedule, delay: float, until: float, first: float | None = None) -> Schedule:
+def delayed(move: SignalPieces, delay: float, until: float, first: float | None = None) -> SignalPieces:
     """The move from ``delay`` on, its first value before; cut or held at ``until`` [s]."""
     knots, pieces = move.knots + delay, move.coefficients
     if delay > 0:
         held = zeros((1, pieces.shape[1]), pieces, first)
         held[0, 0] = pieces[0, 0] if first is None else first
         knots, pieces = np.append(0.0, knots), np.vstack([held, pieces])
-    return Schedule(knots, pieces).until(until)
+    return SignalPieces(knots, pieces).until(until)
 
 
 SIGNALS = Signal.registry

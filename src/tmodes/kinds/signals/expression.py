@@ -12,7 +12,7 @@ from tmodes.kinds.schema.quantity import Issue
 from tmodes.kinds.signals.contract import SIGNALS, Signal
 from tmodes.kinds.signals.fit import fitted
 from tmodes.kinds.signals.formula import FormulaError, parse_formula
-from tmodes.kinds.signals.schedule import Schedule
+from tmodes.kinds.signals.schedule import SignalPieces
 from tmodes.kinds.signals.switches import switches
 
 __all__ = ["Expression"]
@@ -43,7 +43,7 @@ class Expression(Signal):
         line = ways[-1] / times[-1] * times
         return bool((np.abs(ways - line) <= _SAME * (np.abs(line) + np.abs(values[0]))).all())
 
-    def schedule(self, until: float) -> Schedule:
+    def schedule(self, until: float) -> SignalPieces:
         """Pieces of degree 7, exact to 1e-12 of the largest value, up to ``until`` [s].
 
         Raises :class:`tmodes.errors.InputError` where the formula has no value.

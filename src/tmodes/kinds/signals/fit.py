@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from tmodes.errors import InputError
 from tmodes.kinds.noted.functions import ceil, sin
-from tmodes.kinds.signals.schedule import Schedule
+from tmodes.kinds.signals.schedule import SignalPieces
 from tmodes.kinds.signals.switches import Switch
 
 __all__ = ["DEGREE", "MOST_PIECES", "fitted", "fitted_sine"]
@@ -34,7 +34,7 @@ ROUND_OFF = 16 * np.finfo(float).eps
 
 def fitted(
     function: Callable[[Array], Array], until: float, which: str = "expression", switches: Sequence[Switch] = ()
-) -> Schedule:
+) -> SignalPieces:
     """The function from 0 to ``until`` [s]: pieces are halved until each holds 12 digits (of the largest value).
 
     It has knots on ``switches``, where it may jump. Raises :class:`tmodes.errors.InputError` where it has no finite
@@ -53,7 +53,7 @@ def fitted(
         done += _pieces(within, np.array([start, end]), scale, which, until, sum(len(part) for part, _ in done))
     knots = np.concatenate([part for part, _ in done])
     order = np.argsort(knots)
-    return Schedule(np.append(knots[order], until), np.concatenate([part for _, part in done])[order])
+    return SignalPieces(np.append(knots[order], until), np.concatenate([part for _, part in done])[order])
 
 
 def _clipped(function: Callable[[Array], Array], low: float, high: float, times: Array) -> Array:
@@ -82,7 +82,7 @@ def _pieces(
     return done
 
 
-def fitted_sine(amplitude: float, frequency: float, phase: float, offset: float, until: float) -> Schedule:
+def fitted_sine(amplitude: float, frequency: float, phase: float, offset: float, until: float) -> SignalPieces:
     """The wave offset + amplitude sin(2 pi frequency t + phase), frequency [Hz], from 0 to ``until`` [s].
 
     A piece is 0.4 rad long: the interpolation's error is (0.4 rad)^8/(8! 2^15) = 5e-13.
@@ -96,7 +96,7 @@ def fitted_sine(amplitude: float, frequency: float, phase: float, offset: float,
     times = omega * (knots[:-1, None] + widths[:, None] * _points()) + phase
     coefficients = amplitude * _powers(sin(times))
     coefficients = np.column_stack([coefficients[:, :1] + offset, coefficients[:, 1:]])
-    return Schedule(knots, coefficients / widths[:, None] ** np.arange(DEGREE + 1))
+    return SignalPieces(knots, coefficients / widths[:, None] ** np.arange(DEGREE + 1))
 
 
 @cache

@@ -13,7 +13,7 @@ from tmodes.kinds.noted.functions import ceil
 from tmodes.kinds.schema.quantity import any_sign, not_negative, positive
 from tmodes.kinds.signals.contract import SIGNALS, Signal
 from tmodes.kinds.signals.fit import MOST_PIECES
-from tmodes.kinds.signals.schedule import Schedule
+from tmodes.kinds.signals.schedule import SignalPieces
 
 __all__ = ["Noise", "hermite", "normal_numbers"]
 
@@ -32,7 +32,7 @@ class Noise(Signal):
     seed: int = not_negative("-", "seed", "same seed, same noise", at_most=2**53)
     mean: float = any_sign("signal", "u_0", "value that it swings about", default=0.0)
 
-    def schedule(self, until: float) -> Schedule:
+    def schedule(self, until: float) -> SignalPieces:
         """A cubic piece between each two values, up to ``until`` [s]; a longer run has the same noise at its start.
 
         Raises :class:`tmodes.errors.InputError` where it needs too many pieces.
@@ -46,7 +46,7 @@ class Noise(Signal):
         # Slopes of neighbours (Catmull, Rom 1974) hang on nothing that comes later, as those of a whole spline would.
         slopes = np.append(0.0, (values[2:] - values[:-2]) / (2 * spacing))
         pieces = hermite(values[:count], values[1 : count + 1], slopes[:count], slopes[1 : count + 1], spacing)
-        return Schedule(spacing * np.arange(count + 1, dtype=np.float64), pieces).until(until)
+        return SignalPieces(spacing * np.arange(count + 1, dtype=np.float64), pieces).until(until)
 
 
 def hermite(

@@ -1,6 +1,6 @@
 """Motions in time as pieces of polynomials: exact, and every jump is known to the integrators.
 
-One signal is a :class:`Schedule`; compiled loops read many on common knots, one row of coefficients for each piece.
+One signal is a :class:`SignalPieces`; compiled loops read many on common knots, one row of coefficients for each piece.
 """
 
 from __future__ import annotations
@@ -17,11 +17,11 @@ from tmodes.errors import InputError
 from tmodes.kinds.noted.functions import array, highest, maximum, number, place, polynomial_derivative, zeros
 from tmodes.kinds.noted.number import Lost, is_noted, plain_value
 
-__all__ = ["Clock", "Jolts", "MergedSchedule", "Schedule", "merge", "merge_cases"]
+__all__ = ["Clock", "Jolts", "MergedSchedule", "SignalPieces", "merge", "merge_cases"]
 
 
 @dataclass(frozen=True)
-class Schedule:
+class SignalPieces:
     """Piecewise polynomials of time.
 
     ``knots`` [s], shape (pieces + 1,), rising; ``coefficients``, shape (pieces, degree + 1), of powers of
@@ -65,13 +65,13 @@ class Schedule:
         """Whether any number is noted."""
         return is_noted(self.knots) or is_noted(self.coefficients)
 
-    def plain(self) -> Schedule:
+    def plain(self) -> SignalPieces:
         """The same with the values of noted numbers; itself where none is."""
         if not self.is_noted:
             return self
-        return Schedule(*(np.vectorize(plain_value, [float])(part) for part in (self.knots, self.coefficients)))
+        return SignalPieces(*(np.vectorize(plain_value, [float])(part) for part in (self.knots, self.coefficients)))
 
-    def until(self, end: float) -> Schedule:
+    def until(self, end: float) -> SignalPieces:
         """The same motion from its start to ``end`` [s]: cut short, or held in its last position."""
         kept = self.knots[:-1] < end
         knots, pieces = self.knots[:-1][kept], self.coefficients[kept]
@@ -79,13 +79,13 @@ class Schedule:
             rest = zeros((1, self.degree + 1), self.coefficients, self.knots)
             rest[0, 0] = number(self.at(self.knots[-1]))
             knots, pieces = np.append(knots, self.knots[-1]), np.vstack([pieces, rest])
-        return Schedule(np.append(knots, end), pieces)
+        return SignalPieces(np.append(knots, end), pieces)
 
-    def since(self, begin: float) -> Schedule:
+    def since(self, begin: float) -> SignalPieces:
         """The same motion from ``begin`` [s] on, which becomes its time 0."""
         later = self.knots[self.knots > begin + SAME * self.duration]
         knots = np.concatenate([[begin], later if len(later) else [begin + self.duration]])
-        return Schedule(knots - begin, _on_knots(self, knots, self.degree))
+        return SignalPieces(knots - begin, _on_knots(self, knots, self.degree))
 
 
 SAME = 1e-12
@@ -141,9 +141,9 @@ class MergedSchedule:
         return MergedSchedule(knots, pieces.reshape(2 * len(lengths), *self.coefficients.shape[1:]))
 
     @property
-    def schedule(self) -> Schedule:
+    def schedule(self) -> SignalPieces:
         """All in one row for each piece, as compiled code reads them."""
-        return Schedule(self.knots, self.coefficients.reshape(len(self.coefficients), -1))
+        return SignalPieces(self.knots, self.coefficients.reshape(len(self.coefficients), -1))
 
 
 _SAME_VALUE = 1e-6
@@ -168,7 +168,7 @@ def _values(powers: NDArray[np.float64], times: NDArray[np.float64]) -> NDArray[
     return values
 
 
-def merge(schedules: Sequence[Schedule]) -> MergedSchedule:
+def merge(schedules: Sequence[SignalPieces]) -> MergedSchedule:
     """The schedules on all their knots, each held in its last value up to the end of the longest.
 
     Nothing is smeared: every knot of every schedule is a knot, and each polynomial is shifted to its new start.
@@ -183,7 +183,7 @@ def merge(schedules: Sequence[Schedule]) -> MergedSchedule:
     return MergedSchedule(knots, np.stack(parts, axis=1))
 
 
-def merge_cases(parts: Sequence[tuple[NDArray[np.float64], NDArray[np.float64]]]) -> list[Schedule]:
+def merge_cases(parts: Sequence[tuple[NDArray[np.float64], NDArray[np.float64]]]) -> list[SignalPieces]:
     """The rows of :func:`merge` of n cases at once, bitwise; of each signal its knots (n, k) and pieces (n, k - 1, m).
 
     Cases whose knots come in the same order, and coincide alike, are merged together.
@@ -193,17 +193,17 @@ def merge_cases(parts: Sequence[tuple[NDArray[np.float64], NDArray[np.float64]]]
     rising = np.take_along_axis(knots, order, axis=1)
     apart = np.diff(rising, axis=1) > SAME * (rising[:, -1:] - rising[:, :1])
     _, first, groups = np.unique(np.column_stack([order, apart]), axis=0, return_index=True, return_inverse=True)
-    found: list[Schedule] = [Schedule(knots[0], knots[:0])] * len(knots)
+    found: list[SignalPieces] = [SignalPieces(knots[0], knots[:0])] * len(knots)
     for group in range(len(first)):
         which = np.flatnonzero(groups.ravel() == group)
         if len(which) == 1 or any((own[which, -1] != rising[which, -1]).any() for own, _ in parts):
             for k in which.tolist():
-                found[k] = merge([Schedule(own[k], pieces[k]) for own, pieces in parts]).schedule
+                found[k] = merge([SignalPieces(own[k], pieces[k]) for own, pieces in parts]).schedule
             continue
         common = rising[which][:, np.append(True, apart[which[0]])]
         common[:, -1] = rising[which, -1]
         for k, own, rows in zip(which.tolist(), common, _merged_alike(parts, which, common), strict=True):
-            found[k] = Schedule(own, rows)
+            found[k] = SignalPieces(own, rows)
     return found
 
 
@@ -234,7 +234,7 @@ def _common_knots(knots: NDArray[np.float64]) -> NDArray[np.float64]:
     return kept
 
 
-def _on_knots(schedule: Schedule, knots: NDArray[np.float64], degree: int) -> NDArray[np.float64]:
+def _on_knots(schedule: SignalPieces, knots: NDArray[np.float64], degree: int) -> NDArray[np.float64]:
     """Coefficients (pieces, degree + 1) of the schedule about the starts of new pieces."""
     rows = schedule.rows_at((knots[:-1] + knots[1:]) / 2)
     shift = knots[:-1] - rows[:, 0]
@@ -265,7 +265,7 @@ class Clock:
     period: float
     output_step: float
 
-    def schedule(self, until: float) -> Schedule:
+    def schedule(self, until: float) -> SignalPieces:
         """A piece from each sample to the next, up to ``until`` [s].
 
         Raises :class:`tmodes.errors.InputError` for more than a million samples.
@@ -279,7 +279,7 @@ class Clock:
         times = self.period * np.arange(count)
         shown = np.round(times / self.output_step) * self.output_step
         starts = np.where(np.abs(times - shown) < _SAME * self.output_step, shown, times)
-        return Schedule(np.append(starts, until), np.tile([0.0, 1.0], (count, 1)))
+        return SignalPieces(np.append(starts, until), np.tile([0.0, 1.0], (count, 1)))
 
     def move_ends(self, reach: float = 1.0) -> float | None:
         """Never."""
@@ -301,15 +301,15 @@ class Jolts:
     signal: Any
     from_rest: bool
 
-    def schedule(self, until: float) -> Schedule:
+    def schedule(self, until: float) -> SignalPieces:
         """A piece from each jump to the next, up to ``until`` [s]."""
         moved = self.signal.schedule(until).until(until)
         gaps, counts = MergedSchedule(moved.knots, moved.coefficients[:, None, :]).gaps(1)
         kept = counts[:, 0]
         times, slopes = moved.knots[1:-1][kept], np.concatenate([[self._first(moved)], gaps[kept, 0]])
-        return Schedule(np.concatenate([[0.0], times, [until]]), np.column_stack([0 * slopes, slopes]))
+        return SignalPieces(np.concatenate([[0.0], times, [until]]), np.column_stack([0 * slopes, slopes]))
 
-    def _first(self, moved: Schedule) -> float:
+    def _first(self, moved: SignalPieces) -> float:
         """By how much the rate jumps at time 0; zero where it is rounding."""
         if not self.from_rest:
             return 0.0

@@ -14,7 +14,7 @@ from tmodes.kinds.noted.number import is_noted
 from tmodes.kinds.schema.quantity import LARGEST, Issue
 from tmodes.kinds.signals.contract import SIGNALS, Signal, delayed
 from tmodes.kinds.signals.noise import hermite
-from tmodes.kinds.signals.schedule import Schedule
+from tmodes.kinds.signals.schedule import SignalPieces
 
 __all__ = ["Interpolation", "Table"]
 
@@ -70,12 +70,12 @@ class Table(Signal):
             hint = "give the last row a later time; a jump alone is the signal `step`"
             yield Issue("times", f"{self.times[0]!r} s in every row", "a last time after the first", hint)
 
-    def schedule(self, until: float) -> Schedule:
+    def schedule(self, until: float) -> SignalPieces:
         """A piece between each two rows, and the first and last value held, up to ``until`` [s]."""
         times, values = np.array(self.times), np.array(self.values)
         pieces = self._cubic(times, values) if self.interpolation is Interpolation.CUBIC else _straight(times, values)
         rising = np.diff(times) > 0
-        move = Schedule(np.append(times[:-1][rising], times[-1]) - times[0], pieces[rising])
+        move = SignalPieces(np.append(times[:-1][rising], times[-1]) - times[0], pieces[rising])
         return _ending(delayed(move, number(times[0]), until, first=self.values[0]), number(times[-1]), self.values[-1])
 
     @staticmethod
@@ -93,8 +93,8 @@ def _straight(times: Any, values: Any) -> Any:
     return np.column_stack([values[:-1], slope])
 
 
-def _ending(schedule: Schedule, last: float, value: float) -> Schedule:
+def _ending(schedule: SignalPieces, last: float, value: float) -> SignalPieces:
     """The schedule with exactly ``value`` from the time ``last`` [s] on (a jump may stand in the last row)."""
     coefficients = schedule.coefficients
     late, held = (schedule.knots[:-1] >= last)[:, None], np.eye(1, coefficients.shape[1])[0] * value
-    return Schedule(schedule.knots, np.where(late, held, coefficients))
+    return SignalPieces(schedule.knots, np.where(late, held, coefficients))

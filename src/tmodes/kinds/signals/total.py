@@ -9,7 +9,7 @@ from pydantic import Field
 
 from tmodes.errors import InputError
 from tmodes.kinds.signals.contract import SIGNALS, Signal
-from tmodes.kinds.signals.schedule import Schedule, merge
+from tmodes.kinds.signals.schedule import SignalPieces, merge
 
 __all__ = ["Sum"]
 
@@ -30,7 +30,7 @@ class Sum(Signal):
         """Whether all of them are."""
         return all(signal.is_steady for signal in self.signals)
 
-    def schedule(self, until: float) -> Schedule:
+    def schedule(self, until: float) -> SignalPieces:
         """The pieces of all, on all their knots, up to ``until`` [s]."""
         parts = []
         for index, signal in enumerate(self.signals):
@@ -40,7 +40,7 @@ class Sum(Signal):
                 which = f"signals.{index}.{error.which}"
                 raise InputError(which, error.got, error.expected, error.hint, error.where) from error
         both = merge(parts)
-        return Schedule(both.knots, np.ascontiguousarray(both.coefficients.sum(axis=1)))
+        return SignalPieces(both.knots, np.ascontiguousarray(both.coefficients.sum(axis=1)))
 
     def move_ends(self, reach: float = 1.0) -> float | None:
         """When the last of the moves in it is at its end."""

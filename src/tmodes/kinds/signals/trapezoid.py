@@ -11,7 +11,7 @@ from pydantic import ConfigDict, Field
 from tmodes.kinds.noted.functions import number, sqrt
 from tmodes.kinds.schema.quantity import Issue, positive
 from tmodes.kinds.signals.contract import SIGNALS, Signal, delayed, signal_time, signal_value
-from tmodes.kinds.signals.schedule import Schedule
+from tmodes.kinds.signals.schedule import SignalPieces
 
 __all__ = ["Trapezoid"]
 
@@ -55,13 +55,13 @@ class Trapezoid(Signal):
         ramp = min(self.speed / self.acceleration, sqrt(way / self.acceleration))
         return (way / (ramp * self.acceleration) + ramp if ramp else 0.0), ramp
 
-    def schedule(self, until: float) -> Schedule:
+    def schedule(self, until: float) -> SignalPieces:
         """The delay, the three pieces of the move, and the last value, up to ``until`` [s]."""
         if self._times[0] == 0:
-            return Schedule(np.array([0.0, until]), np.array([[self.start]]))
+            return SignalPieces(np.array([0.0, until]), np.array([[self.start]]))
         return delayed(self._move(), self.delay, until)
 
-    def _move(self) -> Schedule:
+    def _move(self) -> SignalPieces:
         """Three pieces of second degree; two pieces when the ramps meet."""
         duration, ramp = self._times
         cruise = duration - 2 * ramp
@@ -75,7 +75,7 @@ class Trapezoid(Signal):
         ]
         if cruise <= 1e-12 * duration:
             del pieces[1]
-        return Schedule(
+        return SignalPieces(
             np.array([start for start, _ in pieces] + [duration]),
             np.array([coefficients for _, coefficients in pieces]),
         )

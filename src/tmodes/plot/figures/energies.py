@@ -12,7 +12,7 @@ from tmodes.plot.panels import Axes, AxesLike, Unit, curves, letter, panels, sid
 from tmodes.plot.ranges import common_unit, largest_shown
 from tmodes.plot.style import COMPONENTS, INK, QUIET
 
-__all__ = ["Energies"]
+__all__ = ["EnergiesFigure"]
 
 LOOKS = (
     *COMPONENTS,
@@ -36,7 +36,7 @@ Curves = dict[str, tuple[Any, dict[str, Any]]]
 
 
 @register
-class Energies(Figure):
+class EnergiesFigure(Figure):
     """Energy by kind [J], that of springs on its own axis, work since the start [J], the residual of the balance [J].
 
     Kinds that are zero throughout are left out, several very small ones are added up. ``ax``: four axes, without

@@ -14,7 +14,7 @@ from tmodes.plot.figure import Figure, register
 from tmodes.plot.panels import Axes, AxesLike, Unit, letter, panels, readable, side_legend
 from tmodes.plot.style import COMPONENTS, QUIET
 
-__all__ = ["Spectrum", "amplitude_spectrum", "keep_apart", "mark_frequencies"]
+__all__ = ["SpectrumFigure", "amplitude_spectrum", "keep_apart", "mark_frequencies"]
 
 
 LEAST_SAMPLES = 32
@@ -33,7 +33,7 @@ Curves = dict[str, tuple[Array, Array]]
 
 
 @register
-class Spectrum(Figure):
+class SpectrumFigure(Figure):
     """Amplitudes of the actual and the nominal tip [m] less the commanded one, and of elastic coordinates [rad].
 
     Of the time after the move where the run continues long enough; else of the part with constant setpoint rates; else

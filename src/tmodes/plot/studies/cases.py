@@ -19,13 +19,13 @@ from tmodes.plot.studies.contract import (
 )  # fmt: skip
 from tmodes.plot.style import BLUE, INK
 
-__all__ = ["Bands", "Cases", "Distribution", "Responses", "Surface"]
+__all__ = ["Bands", "Histogram", "ParallelCoordinates", "Responses", "SurfaceFigure"]
 
 _MOST_LINES, _MOST_AXES = 600, 8
 
 
 @STUDY_FIGURES.register
-class Cases(StudyFigure):
+class ParallelCoordinates(StudyFigure):
     """Each case as a line across the axes of parameters and quantities, coloured by one quantity."""
 
     name = "cases"
@@ -76,7 +76,7 @@ _MARKED = (5, 50, 95)
 
 
 @STUDY_FIGURES.register
-class Distribution(StudyFigure):
+class Histogram(StudyFigure):
     """A histogram with percentiles."""
 
     name = "distribution"
@@ -161,7 +161,7 @@ _FEWEST = 3
 
 
 @STUDY_FIGURES.register
-class Surface(StudyFigure):
+class SurfaceFigure(StudyFigure):
     """Colours over all combinations of two parameters."""
 
     name = "surface"

@@ -19,7 +19,7 @@ from tmodes.compile.native import WIDTH
 from tmodes.errors import InputError
 from tmodes.integrate.registry import AUTO
 from tmodes.integrate.settings import Integration, refuse_stops
-from tmodes.kinds.signals.schedule import Schedule
+from tmodes.kinds.signals.schedule import SignalPieces
 from tmodes.simulation.batch.result import BatchRun, gathered, room_for, stored
 from tmodes.simulation.batch.side_by_side import Alone, Room, SideBySide
 from tmodes.simulation.batch.wanted import Wanted
@@ -139,7 +139,7 @@ def _run_group(
 def simulate_lanes(
     model: LoopModel,
     parameters: ArrayLike,
-    schedules: Schedule | Sequence[Schedule],
+    schedules: SignalPieces | Sequence[SignalPieces],
     states: ArrayLike,
     settings: Integration,
     *,

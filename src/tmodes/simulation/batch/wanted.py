@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from tmodes.compile.lanes.series import SUMS
 from tmodes.compile.native import WIDTH, Library
 from tmodes.equations.loop.outputs import Output
-from tmodes.kinds.signals.schedule import Schedule
+from tmodes.kinds.signals.schedule import SignalPieces
 from tmodes.model.passes import evaluate_wide
 from tmodes.simulation.batch.private import private
 from tmodes.simulation.loop import LoopModel
@@ -36,7 +36,7 @@ class Wanted:
     times: Array
     out: Array
     folds: bool
-    _last: list[tuple[Schedule, Array]] = field(default_factory=list, repr=False)
+    _last: list[tuple[SignalPieces, Array]] = field(default_factory=list, repr=False)
 
     @property
     def given(self) -> int:
@@ -47,7 +47,7 @@ class Wanted:
         """The native loop of runs side by side."""
         return model.lean_lane_loop(method, self.shown, self.given, folds=self.folds)
 
-    def take(self, model: LoopModel, parameters: Array, schedule: Schedule, run: Trajectory, place: int) -> None:
+    def take(self, model: LoopModel, parameters: Array, schedule: SignalPieces, run: Trajectory, place: int) -> None:
         """The series of one run from its samples."""
         times, table = run.times, self.table[place if len(self.table) > 1 else 0]
         count, size = len(times), model.side(self.shown).layout.size
@@ -72,7 +72,7 @@ class Wanted:
         """Weights (n,) of all samples in a mean over time."""
         return time_weights(self.times)
 
-    def _rows(self, schedule: Schedule) -> Array:
+    def _rows(self, schedule: SignalPieces) -> Array:
         """Its rows at all samples; those of the last one are kept, which is most often that of all runs."""
         known, rows = self._last[0] if self._last else (None, self.times)
         if known is not schedule:

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from tmodes.errors import InputError
 from tmodes.integrate.settings import Integration
-from tmodes.kinds.signals.schedule import Schedule
+from tmodes.kinds.signals.schedule import SignalPieces
 from tmodes.simulation.batch.wanted import Wanted
 from tmodes.simulation.loop import LoopModel
 
@@ -28,14 +28,14 @@ class Inputs:
 
     parameters: Array
     starts: Array
-    schedules: tuple[Schedule, ...]
+    schedules: tuple[SignalPieces, ...]
 
     @property
     def size(self) -> int:
         """Number of lanes."""
         return len(self.starts)
 
-    def schedule(self, lane: int) -> Schedule:
+    def schedule(self, lane: int) -> SignalPieces:
         """What moves a lane."""
         return self.schedules[lane if len(self.schedules) > 1 else 0]
 
@@ -59,7 +59,7 @@ class Work:
 
 def inputs(
     parameters: ArrayLike,
-    schedules: Schedule | Sequence[Schedule],
+    schedules: SignalPieces | Sequence[SignalPieces],
     states: ArrayLike,
     duration: float,
     widths: Mapping[str, int],
@@ -70,7 +70,7 @@ def inputs(
     :class:`tmodes.errors.InputError` where shapes do not agree.
     """
     # One schedule for all lanes, or one for each: a question of number, not of the kind of signal.
-    info = (schedules,) if isinstance(schedules, Schedule) else tuple(schedules)
+    info = (schedules,) if isinstance(schedules, SignalPieces) else tuple(schedules)
     given = {"parameters": _rows(parameters, "parameters"), "states": _rows(states, "states")}
     found = {name: {rows.shape[1]} for name, rows in given.items()}
     found["schedules"] = {schedule.coefficients.shape[1] + 1 for schedule in info}

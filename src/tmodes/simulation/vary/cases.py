@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from tmodes.integrate.choice import STIFF, chosen_method
 from tmodes.integrate.registry import AUTO, integrator
 from tmodes.kinds.noted.functions import array
-from tmodes.kinds.signals.schedule import Schedule, merge_cases
+from tmodes.kinds.signals.schedule import SignalPieces, merge_cases
 from tmodes.model.accuracy import rounding
 from tmodes.model.model import Model
 from tmodes.model.parameters import Structural
@@ -146,7 +146,7 @@ class Cases:
     def _signal_blocks(self) -> list[str]:
         return [f"{name} {k}" for k in range(len(self.like.planned.pieces)) for name in ("knots", "powers")]
 
-    def _schedules(self, which: Indices) -> tuple[Schedule, ...]:
+    def _schedules(self, which: Indices) -> tuple[SignalPieces, ...]:
         """The signals of some cases on common knots: one schedule where they are the same for all."""
         if not self._moves:
             return (self.like.planned.schedule,)

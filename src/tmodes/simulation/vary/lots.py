@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.kinds.signals.schedule import Schedule
+from tmodes.kinds.signals.schedule import SignalPieces
 from tmodes.simulation.batch.wanted import Wanted
 from tmodes.simulation.batch.work import Work, inputs
 from tmodes.simulation.start import RunSetup
@@ -30,7 +30,7 @@ class LaneNumbers(NamedTuple):
     parameters: Array
     chain: Array
     base: Array
-    schedules: tuple[Schedule, ...]
+    schedules: tuple[SignalPieces, ...]
 
 
 @dataclass(frozen=True, eq=False)

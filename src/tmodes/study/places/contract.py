@@ -29,10 +29,10 @@ from tmodes.simulation.batch.runner import PROCESSOR, Runner
 from tmodes.study.study import Study
 from tmodes.study.tasks import Task
 
-__all__ = ["PLACES", "How", "Job", "Place", "Task", "place_of"]
+__all__ = ["PLACES", "How", "Place", "PlaceJob", "Task", "place_of"]
 
 
-class Job(Protocol):
+class PlaceJob(Protocol):
     """What is to be computed, as places see it; ``notice`` is given sentences for the user."""
 
     study: Study
@@ -103,7 +103,7 @@ class Place(ABC):
         return
 
     @abstractmethod
-    def run(self, job: Job) -> None:
+    def run(self, job: PlaceJob) -> None:
         """Compute all tasks of the job. What it raises leaves the blocks that are done where they are."""
 
 

@@ -20,7 +20,7 @@ from typing import Any, Self
 from tmodes.errors import InputError, SimulationError, TmodesError
 from tmodes.io.words import meant
 from tmodes.study.extra import needed
-from tmodes.study.places.contract import PLACES, How, Job, Place, Task
+from tmodes.study.places.contract import PLACES, How, Place, PlaceJob, Task
 from tmodes.study.tasks import compute_block
 
 __all__ = ["Dask", "Slurm", "cluster_of", "security", "work_through"]
@@ -62,7 +62,7 @@ class Dask(Place):
         """A scheduler that does not answer."""
         self._connected().close()
 
-    def run(self, job: Job) -> None:
+    def run(self, job: PlaceJob) -> None:
         """Connect, and have all blocks computed."""
         from dask import config
 
@@ -105,7 +105,7 @@ def security(folder: Path | None) -> Any:
     return found
 
 
-def work_through(client: Any, job: Job) -> None:
+def work_through(client: Any, job: PlaceJob) -> None:
     """Keep every worker busy with two blocks, and take back what is done; a block that was lost is given out again."""
     pending: dict[Any, Task] = {}
     try:
@@ -128,7 +128,7 @@ def _of_connection(error: BaseException) -> bool:
     return isinstance(error, (ConnectionError, TimeoutError)) or (isinstance(error, OSError) and error.errno is None)
 
 
-def _work(client: Any, job: Job, pending: dict[Any, Task]) -> None:
+def _work(client: Any, job: PlaceJob, pending: dict[Any, Task]) -> None:
     from distributed import wait
 
     lost: dict[int, int] = {}
@@ -147,7 +147,7 @@ def _work(client: Any, job: Job, pending: dict[Any, Task]) -> None:
             _take(future, pending.pop(future), job, lost)
 
 
-def _take(future: Any, task: Task, job: Job, lost: dict[int, int]) -> None:
+def _take(future: Any, task: Task, job: PlaceJob, lost: dict[int, int]) -> None:
     """Store the block of a future, or put its task back where its worker was lost."""
     if future.status == "finished":
         job.done(task, future.result())
@@ -194,7 +194,7 @@ class Slurm(Place):
             raise InputError("--on slurm", "a machine without Slurm (no sbatch)", "one that submits jobs", hint)
         return cls(how)
 
-    def run(self, job: Job) -> None:
+    def run(self, job: PlaceJob) -> None:
         """Ask for the jobs, and have the blocks computed as they start; all end with the study."""
         from distributed import Client
 

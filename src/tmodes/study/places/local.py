@@ -14,7 +14,7 @@ from tmodes.simulation.batch.runner import Processor
 from tmodes.simulation.batch.simulate import thread_count
 from tmodes.simulation.batch.work import Work
 from tmodes.simulation.parts import Trajectory
-from tmodes.study.places.contract import PLACES, How, Job, Place, Task
+from tmodes.study.places.contract import PLACES, How, Place, PlaceJob, Task
 
 if TYPE_CHECKING:
     from tmodes.simulation.gpu.runner import OnDevice
@@ -39,7 +39,7 @@ class Local(Place):
             raise InputError("--on", f"local://{address}", "local without an address", "write --on local")
         return cls()
 
-    def run(self, job: Job) -> None:
+    def run(self, job: PlaceJob) -> None:
         """Block by block, the first by itself: it compiles what all need."""
         first = job.next()
         if first is None:
@@ -52,7 +52,7 @@ class Local(Place):
             job.done(task, job.compute(task))
 
 
-def _ahead(job: Job) -> None:
+def _ahead(job: PlaceJob) -> None:
     """Two blocks at once: one is prepared, on one core, while the cases of the other keep all of them busy."""
     turns, pending = _InTurn(), dict[Future[bytes], Task]()
     try:
@@ -71,7 +71,7 @@ def _ahead(job: Job) -> None:
 
 
 @contextmanager
-def _ending(job: Job) -> Iterator[None]:
+def _ending(job: PlaceJob) -> Iterator[None]:
     """What is raised within ends the blocks that are being computed."""
     try:
         yield
@@ -117,7 +117,7 @@ class Gpu(Place):
             raise InputError("--on", f"gpu://{address}"[:80], "gpu without an address", hint)
         return cls(OnDevice(cuda.first_gpu()))
 
-    def run(self, job: Job) -> None:
+    def run(self, job: PlaceJob) -> None:
         """Block by block; what did not run on the GPU is reported."""
         computed = 0
         while task := job.next():

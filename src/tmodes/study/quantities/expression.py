@@ -14,11 +14,11 @@ from tmodes.kinds.signals.formula import Formula, FormulaError, parse_formula
 from tmodes.kinds.signals.formula_grammar import names_in
 from tmodes.study.quantities.contract import MOST, QUANTITIES, Asked, Found, Needs, Quantity
 
-__all__ = ["Expression"]
+__all__ = ["FormulaQuantity"]
 
 
 @QUANTITIES.register
-class Expression(Quantity):
+class FormulaQuantity(Quantity):
     """A ``formula`` such as ``peak + 3*settle``, by the grammar of :mod:`tmodes.kinds.signals.formula_grammar`.
 
     Names are those of parameters and of other quantities, in the units in which the study gives these: a quantity in

@@ -15,11 +15,11 @@ from tmodes.simulation.outputs import robot_outputs
 from tmodes.simulation.reductions import Reduction, refuse_unknown_rules
 from tmodes.study.quantities.contract import QUANTITIES, Asked, Found, Needs, Quantity, in_any
 
-__all__ = ["Series"]
+__all__ = ["SeriesQuantity"]
 
 
 @QUANTITIES.register
-class Series(Quantity):
+class SeriesQuantity(Quantity):
     """A ``series`` such as ``deviation``, ``tip.z`` or ``joint.effort``, reduced by ``reduce``."""
 
     named: ClassVar[str] = "series"

@@ -137,7 +137,7 @@ MOST_FAILED = 0.05
 """Share of cases without a value, above which a quantity has no indices: those that are left decide what they are."""
 
 
-class _One(NamedTuple):
+class _QuantityValues(NamedTuple):
     """What is known of one quantity; ``shift``: by how much failed cases may change its indices."""
 
     indices: Indices | None
@@ -184,7 +184,7 @@ def _or_nan(found: Indices | None, part: str, index: str, shape: tuple[int, ...]
     return np.full(shape, np.nan) if found is None else getattr(found, part)[index]
 
 
-def _one(values: Array, of: Callable[[Array], Indices | None], samples: int, rows: Rows) -> _One:
+def _one(values: Array, of: Callable[[Array], Indices | None], samples: int, rows: Rows) -> _QuantityValues:
     """The indices of one quantity, or why it has none."""
     lost = ~np.isfinite(values)
     failed = int(lost.sum())
@@ -194,11 +194,11 @@ def _one(values: Array, of: Callable[[Array], Indices | None], samples: int, row
             f"{failed:,} of {len(values):,} cases ({share:.1%}) have no value, more than {most}: "
             f"indices of the others would mislead; {_why(rows, lost)}"
         )
-        return _One(None, failed, np.nan, note)
+        return _QuantityValues(None, failed, np.nan, note)
     found = of(values.reshape(samples, -1))
     if found is None:
-        return _One(None, failed, np.nan, "it does not vary")
-    return _One(found, failed, _shift(values, lost, found, of, samples), "")
+        return _QuantityValues(None, failed, np.nan, "it does not vary")
+    return _QuantityValues(found, failed, _shift(values, lost, found, of, samples), "")
 
 
 def _why(rows: Rows, lost: NDArray[np.bool_]) -> str:
