@@ -21,6 +21,7 @@ from tmodes.kinds.noted.number import Lost, Tape
 from tmodes.kinds.noted.program import program_of
 from tmodes.kinds.signals.registry import SIGNALS
 from tmodes.kinds.signals.schedule import SignalPieces, merge, merge_cases
+from tmodes.model.passes import derivatives, evaluate_program
 from tmodes.robots.load import load
 from tmodes.sheet import Robot
 from tmodes.simulation.plan import Follow
@@ -200,6 +201,33 @@ def test_a_branch_is_a_guard_and_a_derivative_is_exact():
         ends = [program(point[None] + sign * step * np.eye(2)[k])[0][0] for sign in (1, -1)]
         assert program.derivative(point)[:, k] == pytest.approx((ends[0] - ends[1]) / (2 * step), abs=1e-8)
     assert program.part(slice(1, 2)).is_constant
+
+
+def test_a_program_is_compiled_code_too():
+    """Every operation and relation, natively as in NumPy, with derivatives; sums and products to the bit."""
+    tape = Tape()
+    x, y = tape.input(0.3), tape.input(0.7)
+    exact = [x + y, x - y, x * y, x / y, -x, abs(x - y), functions.sqrt(x), functions.maximum(x, y), x**2, x * y + x]
+    near = [x**-3, x**5, y.tan(), x.exp(), x.tanh(), x.arcsin(), y.arccos(), x.arctan(), (x - y).arctan2(y),
+            x.hypot(y), functions.sin(x), functions.cos(y), functions.minimum(x, y)]  # fmt: skip
+    for holds in (x < 0.6, x <= 0.6, not x > 0.6, not x >= 0.6, y > 0.2, y >= 0.2, not y < 0.2, not y <= 0.2, x != y):
+        assert holds
+    assert x.finite
+    assert not x == y  # noqa: SIM201
+    program = program_of(tape, [x, y], [*exact, *near, 2.0])
+    values = np.random.default_rng(0).uniform(0.01, 0.99, (501, 2))
+    values[:4] = [[0.3, 0.3], [np.nan, 0.5], [0.5, np.inf], [0.3, 0.7]]
+    (true, right), (found, holds) = program(values), evaluate_program(program, values)
+    assert holds.tolist() == right.tolist()
+    assert 50 < holds.sum() < 450
+    assert np.array_equal(found[3:, : len(exact)], true[3:, : len(exact)])
+    assert found[holds] == pytest.approx(true[holds], rel=4e-15, abs=1e-16)
+    blocks, along = {"values": np.tile(values[3], (2, 1))}, {"values": np.eye(2)}
+    slopes = derivatives(program.constants, program.schedule, blocks, along, 2)["numbers"]
+    true = program.derivative(values[3])
+    assert np.allclose(slopes.T, true, rtol=1e-13, atol=1e-14)
+    with pytest.raises(ValueError, match="pow"):
+        _ = program_of(tape, [x, y], [x**1.5]).schedule
 
 
 def test_linear_algebra_of_noted_numbers():

@@ -19,8 +19,11 @@ from tmodes.equations.recursion.passes import BASE, resting_base
 from tmodes.kinds.kernel.schedule import Schedule, Slot
 from tmodes.kinds.noted.functions import zeros
 from tmodes.model.rows import StateRows
+from tmodes.kinds.noted.program import Program
 
-__all__ = ["ChainPasses", "PointMotion", "derivatives", "evaluate", "evaluate_wide", "packed", "split"]
+__all__ = [
+    "ChainPasses", "PointMotion", "derivatives", "evaluate", "evaluate_program", "evaluate_wide", "packed", "split",
+]  # fmt: skip
 
 Array = NDArray[np.float64]
 Blocks = dict[str, Array]
@@ -43,14 +46,26 @@ def evaluate(parameters: Array, schedule: Any, blocks: Blocks, count: int) -> Bl
     return split(out, schedule.outputs)
 
 
-def evaluate_wide(parameters: Array, schedule: Any, blocks: Blocks, count: int) -> Blocks:
+def evaluate_wide(
+    parameters: Array, schedule: Any, blocks: Blocks, count: int, *, arithmetic: str = f"wide{WIDTH}"
+) -> Blocks:
     """The same as :func:`evaluate` for one set of ``parameters`` (numbers,), vectors of samples at once."""
-    library, groups = kernels.schedule_function("arm", schedule, f"wide{WIDTH}"), -(-count // WIDTH)
+    library, groups = kernels.schedule_function("arm", schedule, arithmetic), -(-count // WIDTH)
     inputs, out = np.zeros((groups * WIDTH, schedule.input_size)), np.empty((groups * WIDTH, schedule.output_size))
     inputs[:count] = packed(schedule, blocks)
     inputs[count:] = inputs[count - 1]
     _call(library, groups, parameters, np.zeros(WIDTH * schedule.workspace), inputs, out)
     return split(out[:count], schedule.outputs)
+
+
+def evaluate_program(program: Program, values: Array) -> tuple[Array, NDArray[np.bool_]]:
+    """The same as calling a program of lowering, by native code: to the bit, but for powers, sines and cosines.
+
+    Raises ValueError as the program's ``schedule`` does.
+    """
+    blocks = {"values": np.asarray(values, dtype=float)}
+    found = evaluate_wide(program.constants, program.schedule, blocks, len(values), arithmetic=f"exact{WIDTH}")
+    return found["numbers"], (found["holds"][:, 0] != 0) & np.isfinite(blocks["values"]).all(axis=1)
 
 
 def _call(library: Library, count: int, parameters: Array, *arrays: Array) -> None:

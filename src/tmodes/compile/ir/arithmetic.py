@@ -14,19 +14,19 @@ from tmodes.compile.ir.emit import F64, at, number, spread, whole
 from tmodes.compile.ir.trigonometry import sine_and_cosine, sines_and_cosines
 from tmodes.compile.native import WIDTH
 
-__all__ = ["Derivative", "Double", "Lanes", "Wide"]
+__all__ = ["Derivative", "Double", "Exact", "Lanes", "Wide"]
 
 _FUSE = ("contract",)  # a product and a sum may become one operation with one rounding; nothing else is rearranged
 _SIDE_BY_SIDE = 8  # sines that go at once: where a vector holds fewer, as two halves
 
 _PLAIN: dict[str, Callable[..., Any]] = {
-    "add": lambda b, x, y, _: b.fadd(x, y, flags=_FUSE),
-    "sub": lambda b, x, y, _: b.fsub(x, y, flags=_FUSE),
-    "mul": lambda b, x, y, _: b.fmul(x, y, flags=_FUSE),
-    "sq": lambda b, x, _, __: b.fmul(x, x, flags=_FUSE),
-    "twice": lambda b, x, _, constant: b.fmul(x, constant(2.0), flags=_FUSE),
+    "add": lambda b, x, y, numbers: b.fadd(x, y, flags=numbers.fuse),
+    "sub": lambda b, x, y, numbers: b.fsub(x, y, flags=numbers.fuse),
+    "mul": lambda b, x, y, numbers: b.fmul(x, y, flags=numbers.fuse),
+    "sq": lambda b, x, _, numbers: b.fmul(x, x, flags=numbers.fuse),
+    "twice": lambda b, x, _, numbers: b.fmul(x, numbers.constant(2.0), flags=numbers.fuse),
     "div": lambda b, x, y, _: b.fdiv(x, y),
-    "inv": lambda b, x, _, constant: b.fdiv(constant(1.0), x),
+    "inv": lambda b, x, _, numbers: b.fdiv(numbers.constant(1.0), x),
     "neg": lambda b, x, _, __: b.fneg(x),
     "copy": lambda b, x, _, __: x,
 }
@@ -40,6 +40,7 @@ class Double:
     kind: Any = F64
     unrolls = True
     """Whether small schedules become one program."""
+    fuse: tuple[str, ...] = _FUSE
     packs = False
     """Whether blocks of a workspace share their room (:class:`tmodes.compile.ir.calls.Layout`)."""
 
@@ -94,7 +95,7 @@ class Double:
         if kind in ("sqrt", "fabs"):
             return self.call(b, kind, x)
         if kind in _PLAIN:
-            return _PLAIN[kind](b, x, y, self.constant)
+            return _PLAIN[kind](b, x, y, self)
         return self._condition(b, kind, x, y)
 
     def call(self, b: Any, kind: str, *values: Any) -> Any:
@@ -156,6 +157,13 @@ class Wide(Lanes):
     stride = WIDTH
     name = f"wide{stride}"
     kind: Any = ir.VectorType(F64, stride)
+
+
+class Exact(Wide):
+    """Lanes in which every sum and product is rounded by itself, to the bits that NumPy finds."""
+
+    name = f"exact{WIDTH}"
+    fuse = ()
 
 
 class _Pair(NamedTuple):

@@ -112,10 +112,10 @@ def kernel_code(kernel: Any, arithmetic: str) -> str:
 
 
 def arithmetic_of(name: str) -> Any:
-    """The kind of numbers of a name: ``double``, ``lanes`` or ``derivative``."""
-    from tmodes.compile.ir.arithmetic import Derivative, Double, Lanes, Wide
+    """The kind of numbers of a name: ``double``, ``lanes`` or ``derivative``, ``exact``: without fused products."""
+    from tmodes.compile.ir.arithmetic import Derivative, Double, Exact, Lanes, Wide
 
-    return {kind.name: kind for kind in (Double, Lanes, Wide, Derivative)}[name]
+    return {kind.name: kind for kind in (Double, Lanes, Wide, Exact, Derivative)}[name]
 
 
 def schedule_function(name: str, schedule: Any, arithmetic: str) -> Library:

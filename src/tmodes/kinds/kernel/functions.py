@@ -114,7 +114,7 @@ _TINY = 1e-300
 
 def atan2(y: Any, x: Any) -> Any:
     """Angle of the point (x, y) against the x axis [rad], 0 at the origin; of a symbolic operand to a few roundings."""
-    if _is_number(x) or _is_array(x):
+    if all(_is_number(one) or _is_array(one) for one in (y, x)):
         return np.arctan2(y, x)
     tangent = y / (sqrt(x * x + y * y) + fabs(x) + _TINY)
     for _ in range(_ANGLE_HALVINGS - 1):

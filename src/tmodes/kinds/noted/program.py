@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import hashlib
+import operator
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from tmodes.kinds.kernel import functions as symbolic
+from tmodes.kinds.kernel.schedule import Kernel, Schedule, Slot
 from tmodes.kinds.noted.number import OPERATIONS, RELATIONS, Tape
 
 __all__ = ["Program", "program_of"]
@@ -113,6 +118,44 @@ class Program:
                 np.logical_and(holds, RELATIONS[relation](registers[a], registers[b]), out=holds)
         return holds
 
+    @cached_property
+    def schedule(self) -> Schedule:
+        """For compiled code: ``values`` -> ``numbers`` and ``holds`` (1 or 0); the constants are its parameters.
+
+        Raises ValueError for an operation that compiled code lacks: a logarithm, a power that is no small whole number.
+        """
+        exponents = {b: float(self.constants[b - self.inputs]) for name, *ends in self.operations if name == "pow"
+                     if self.inputs <= (b := ends[1]) < self.inputs + len(self.constants)}  # fmt: skip
+        for name, *ends in self.operations:
+            if not (exponents.get(ends[1], 0.5) in _POWERS if name == "pow" else name in _SYMBOLIC):
+                raise ValueError(f"compiled code has no operation {name!r} of these operands")
+        info = repr((self.operations, sorted(exponents.items()), self.outputs.tolist(), self.guards))
+        sizes = (len(self.constants), self.inputs), (len(self.outputs), 1)
+        key = f"program {hashlib.sha256(info.encode()).hexdigest()}"
+        kernel = Kernel(key, *sizes, lambda *blocks: self._symbols(exponents, *blocks), plain=True)
+        schedule = Schedule(len(self.constants))
+        given = Slot("parameters", 0, len(self.constants)), schedule.input("values", self.inputs)
+        numbers, holds = schedule.call(kernel, *given)
+        schedule.output("numbers", numbers)
+        schedule.output("holds", holds)
+        return schedule
+
+    def _symbols(self, exponents: dict[int, float], constants: Any, values: Any) -> list[list[Any]]:
+        """Outputs, and whether the guards hold, of symbols; each guard as soon as its numbers are known."""
+        registers = [*(values[k] for k in range(self.inputs)), *(constants[k] for k in range(len(self.constants)))]
+        guards: dict[int, list[tuple[str, int, int]]] = {}
+        for relation, a, b in self.guards:
+            guards.setdefault(max(a, b, len(registers) - 1), []).append((relation, a, b))
+        holds: Any = 1.0
+        for k, (name, *operands) in enumerate([("", 0), *self.operations], len(registers) - 1):
+            if name == "pow":
+                registers.append(_whole_power(registers[operands[0]], int(exponents[operands[1]])))
+            elif name:
+                registers.append(_SYMBOLIC[name](*(registers[j] for j in operands)))
+            for relation, a, b in guards.get(k, ()):
+                holds = _RELATED[relation](registers[a], registers[b]) * holds
+        return [[registers[k] for k in self.outputs.tolist()], [holds]]
+
     def derivative(self, values: Array) -> Array:
         """Exact derivatives (numbers, inputs) of the outputs by the inputs at ``values`` (inputs,)."""
         point = np.asarray(values, dtype=float)
@@ -126,6 +169,53 @@ class Program:
                 slopes.append(sum(part * slopes[j] for part, j in zip(parts, operands, strict=True) if slopes[j].any())
                               + np.zeros(self.inputs))  # fmt: skip
         return np.array([slopes[k] for k in self.outputs]).reshape(len(self.outputs), self.inputs)
+
+
+_POWERS = frozenset(k for k in range(-16, 17) if k)
+"""Whole powers that compiled code has, as products."""
+
+
+def _whole_power(x: Any, exponent: int) -> Any:
+    """A product of squares, whose rounding errors are fewer than those of a row of factors."""
+    found, square, left = None, x, abs(exponent)
+    while left:
+        if left & 1:
+            found = square if found is None else found * square
+        left >>= 1
+        square = square * square if left else square
+    return found if exponent > 0 else 1.0 / found
+
+
+def _cathetus(x: Any) -> Any:
+    return symbolic.sqrt((1.0 - x) * (1.0 + x))
+
+
+_SYMBOLIC: dict[str, Callable[..., Any]] = {
+    "add": operator.add, "sub": operator.sub, "mul": operator.mul, "div": operator.truediv, "neg": operator.neg,
+    "abs": symbolic.fabs, "sqrt": symbolic.sqrt, "sin": symbolic.sin, "cos": symbolic.cos, "tan": symbolic.tan,
+    "exp": symbolic.exp, "tanh": symbolic.tanh, "arctan2": symbolic.atan2, "arctan": lambda x: symbolic.atan2(x, 1.0),
+    "arcsin": lambda x: symbolic.atan2(x, _cathetus(x)),
+    "arccos": lambda x: symbolic.atan2(_cathetus(x), x),
+    "hypot": lambda a, b: symbolic.sqrt(a * a + b * b), "fmin": symbolic.fmin, "fmax": symbolic.fmax,
+}  # fmt: skip
+"""The operations on the symbols of compiled code: sums, products, quotients and square roots to the last bit."""
+
+
+def _no(truth: Any) -> Any:
+    return symbolic.if_else(truth, 0.0, 1.0)
+
+
+def _equal(a: Any, b: Any) -> Any:
+    return (a <= b) * (b <= a)
+
+
+_RELATED: dict[str, Callable[[Any, Any], Any]] = {
+    "<": operator.lt, "<=": operator.le, ">": operator.gt, ">=": operator.ge, "==": _equal,
+    "!=": lambda a, b: _no(_equal(a, b)), "not !=": _equal, "not ==": lambda a, b: _no(_equal(a, b)),
+    "not <": lambda a, b: _no(a < b), "not <=": lambda a, b: _no(a <= b), "not >": lambda a, b: _no(a > b),
+    "not >=": lambda a, b: _no(a >= b), "finite": lambda a, b: symbolic.fabs(a) < np.inf,
+}  # fmt: skip
+"""The relations of guards on symbols: the numbers 1 and 0."""
 
 
 def _power(y: float, a: float, b: float) -> tuple[float, float]:
