@@ -279,4 +279,4 @@ def whole(blocks: Blocks) -> tuple[Array, dict[str, Any]]:
     for name, values in blocks.items():
         places[name] = {"start": start, "shape": list(values.shape)}
         start += values.size
-    return np.concatenate([values.ravel() for values in blocks.values()]), places
+    return np.concatenate([np.zeros(0), *(values.ravel() for values in blocks.values())]), places

@@ -15,7 +15,7 @@ from tmodes.sheet import Robot
 from tmodes.simulation.batch.result import BatchRun
 from tmodes.simulation.reductions import Reduction, of_samples
 from tmodes.simulation.vary.lanes import changed_sheet
-from tmodes.simulation.vary.refused import accepted, refused_cases
+from tmodes.simulation.vary.programs import refused_cases
 from tmodes.simulation.vary.simulate import prepared, run_prepared
 from tmodes.simulation.vary.values import changes_of, checked
 from tmodes.study.mapping import Group, groups_of, target_of
@@ -92,7 +92,7 @@ def computed(study: Study, threads: int | None, progress: Progress) -> Rows:
     Raises :class:`tmodes.errors.InputErrors` for the first of the cases that the sheet refuses.
     """
     values = study.design().values
-    _refuse_wrong(study, _group(study, values))
+    _refuse_wrong(_group(study, values))
     parts: list[Rows] = []
     for first in range(0, len(values), _TOGETHER):
         some = values[first : first + _TOGETHER]
@@ -114,7 +114,7 @@ def sampled(study: Study, out: str | os.PathLike[str], threads: int | None, prog
     """
     values = study.design().values
     group = _group(study, values)
-    _refuse_wrong(study, group)
+    _refuse_wrong(group)
     assert group.robot is not None  # noqa: S101
     given = {one.path or name: values[:, k].copy() for k, (name, one) in enumerate(study.sheet.parameters.items())}
     cases = prepared(group.robot, given, out=out, progress=progress, threads=threads)
@@ -152,11 +152,9 @@ def _group(study: Study, values: Array) -> Group:
     return next(groups_of(study.robot, study.names, study.targets, study.choices, values))
 
 
-def _refuse_wrong(study: Study, group: Group) -> None:
+def _refuse_wrong(group: Group) -> None:
     """Raise for the first case that the sheet refuses."""
     assert group.robot is not None  # noqa: S101
-    if accepted(group.robot, group.vary, study.spans.get(group.kind)):
-        return
     if wrong := refused_cases(group.robot, group.vary):
         first = min(wrong)
         changed_sheet(group.robot, changes_of(group.vary, first), first)

@@ -147,16 +147,18 @@ class Study:
     def spans(self) -> dict[tuple[float, ...], dict[str, tuple[float, float]]]:
         """Least and largest value of each path over all cases that share a robot, by the kind of their group.
 
-        What is found once for all cases depends on the plan, and not on how its cases are cut into blocks. Cases that
-        the sheet refuses are left out.
+        What is found once for all cases depends on the plan, and not on how its cases are cut into blocks.
         """
         from tmodes.study.mapping import groups_of
-        from tmodes.study.spans import spans_of
 
         if self.robot is None:
             return {}
-        groups = groups_of(self.robot, self.names, self.targets, self.choices, self.design().values)
-        return {group.kind: found for group in groups if (found := spans_of(group))}
+        found: dict[tuple[float, ...], dict[str, tuple[float, float]]] = {}
+        for group in groups_of(self.robot, self.names, self.targets, self.choices, self.design().values):
+            finite = {path: values[np.isfinite(values)] for path, values in group.vary.items()}
+            if all(map(len, finite.values())):
+                found[group.kind] = {path: (float(own.min()), float(own.max())) for path, own in finite.items()}
+        return found
 
     @cached_property
     def needs(self) -> Needs:

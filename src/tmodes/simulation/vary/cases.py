@@ -14,7 +14,6 @@ from tmodes.integrate.choice import STIFF, chosen_method
 from tmodes.integrate.registry import AUTO, integrator
 from tmodes.kinds.noted.functions import array
 from tmodes.kinds.signals.schedule import SignalPieces, merge_cases
-from tmodes.model.accuracy import rounding
 from tmodes.model.model import Model
 from tmodes.model.parameters import Structural
 from tmodes.sheet import Robot
@@ -39,9 +38,6 @@ _BLOCK = 1024
 
 _LONGEST = 20_000
 """Numbers of all signals."""
-
-_EXACT = 1e-11
-"""Relative error of a number that is rounding."""
 
 _SURELY = 2.0
 """Share of the limit up to which, or beyond which, the stiffness of a few cases decides the method of all."""
@@ -158,14 +154,6 @@ class Cases:
         parameters, chain, base = (self.block(name, which) for name in ("parameters", "chain", "base"))
         return LaneNumbers(parameters, chain, base, self._schedules(which))
 
-    def has_numbers(self, index: int, setup: RunSetup) -> bool:
-        """Whether the numbers of a case are those of its sheet but for rounding, however far its values are apart."""
-        found, true = self.numbers(np.array([index])), (setup.model.numbers, setup.mechanics.parameters)
-        return all(
-            bool((np.abs(given[0] - right) <= _EXACT * np.abs(right) + rounding(right))[np.isfinite(right)].all())
-            for given, right in zip((found.parameters, found.chain), true, strict=True)
-        )
-
     def starts(self, progress: Callable[[float], None], threads: int = 1) -> Array:
         """The first states (k, nx); not-a-number where none is found."""
         found = [self._starts(self._blocks[0])]  # by which all code is made
@@ -227,10 +215,10 @@ class Cases:
             near = found[known[[np.abs(far[:, known] - far[:, [k]]).sum(axis=0).argmin() for k in lost]]]
         return found
 
-    def lots(self, starts: Array, places: Indices, tried: list[RunSetup]) -> Iterator[Lot]:
-        """The cases that have a start, by their method; ``tried``: some, as setups of their own."""
+    def lots(self, starts: Array, places: Indices, fastest: Array) -> Iterator[Lot]:
+        """The cases that have a start, by their method; ``fastest``: the largest eigenvalues of a few, as they go."""
         has_start = np.isfinite(starts).all(axis=1)
-        methods = self._methods(starts, tried)
+        methods = self._methods(starts, fastest)
         for method in sorted(set(methods[has_start].tolist())):
             chosen = np.flatnonzero(has_start & (methods == method))
             yield Lot(
@@ -238,17 +226,19 @@ class Cases:
                 lambda which, chosen=chosen: self.numbers(chosen[which]),
             )  # fmt: skip
 
-    def _methods(self, starts: Array, tried: list[RunSetup]) -> NDArray[np.str_]:
+    def _methods(self, starts: Array, fastest: Array) -> NDArray[np.str_]:
         """The method of each case: that of a few where it is surely the same, else by the eigenvalues of each."""
-        given, few = self.sheet.integration, sorted({setup.robot.integration.method for setup in tried})
+        given = self.sheet.integration
+        if given.method != AUTO:
+            return np.full(len(starts), given.method)
         bounds = STIFF * (integrator("dormand_prince").reach or 1.0) / given.duration
-        fastest = [setup.spectrum.highest for setup in tried]
-        sure = max(fastest) * _SURELY <= bounds or min(fastest) >= bounds * _SURELY
-        if given.method != AUTO or (len(few) == 1 and sure):
-            return np.full(len(starts), few[0])
-        model, found = self.like.model, []
-        for which in self._blocks:
-            states = slipping(model, np.nan_to_num(starts[which]))
-            slopes = model.jacobian(0.0, states, self._rows(which), self.block("parameters", which))
-            found += np.abs(np.linalg.eigvals(np.nan_to_num(slopes))).max(axis=1, initial=0.0).tolist()
-        return np.array([chosen_method(given, highest, self.like.implicit)[0] for highest in found])
+        if not (fastest.max() * _SURELY <= bounds or fastest.min() >= bounds * _SURELY):
+            fastest = np.concatenate([self.fastest(starts, which) for which in self._blocks])
+        found = [chosen_method(given, highest, self.like.implicit)[0] for highest in fastest.tolist()]
+        return np.array(found) if len(found) == len(starts) else np.full(len(starts), found[0])
+
+    def fastest(self, starts: Array, which: Indices) -> Array:
+        """The largest sizes of the eigenvalues of some cases at their starts; no joint or motor sticks."""
+        states = slipping(self.like.model, np.nan_to_num(starts[which]))
+        slopes = self.like.model.jacobian(0.0, states, self._rows(which), self.block("parameters", which))
+        return np.abs(np.linalg.eigvals(np.nan_to_num(slopes))).max(axis=1, initial=0.0)

@@ -16,10 +16,15 @@ from tmodes.kinds.noted.program import Program, program_of
 from tmodes.model.parameters import Structural, noted_pair
 from tmodes.sheet import Robot, RobotPair
 from tmodes.simulation.loop import Blocks, whole
+from tmodes.simulation.vary.values import changes_of
 
-__all__ = ["CaseProgram", "case_program"]
+__all__ = ["CaseProgram", "case_program", "refused_cases"]
 
 Array = NDArray[np.float64]
+
+
+_MOST = 24
+"""Programs of checks; cases that hold to none are checked as sheets."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -101,3 +106,28 @@ def case_program(
             return CaseProgram(tuple(inputs), fixed, program, places)
         break
     raise Structural("all paths are structure")
+
+
+def refused_cases(sheet: Robot, values: Mapping[str, Array]) -> dict[int, str]:
+    """Messages of the cases that the sheet refuses, by index; ``values`` (k,) of each path.
+
+    A case is accepted without being made a sheet where all checks decide as those of one that was: by their program.
+    """
+    messages, programs = dict[int, str](), 0
+    left = np.arange(len(next(iter(values.values()))))
+    while len(left):
+        first, left = int(left[0]), left[1:]
+        try:
+            sheet.with_(changes_of(values, first)).pair()
+        except (InputError, InputErrors) as error:
+            messages[first] = str(error)
+            continue
+        if programs < _MOST and len(left):
+            programs += 1
+            try:
+                program = case_program(sheet, changes_of(values, first), lambda pair: pair.real, lambda robot: {})
+            except Structural:
+                programs = _MOST
+            else:
+                left = left[~program.holds({path: own[left] for path, own in values.items()})]
+    return messages

@@ -22,10 +22,10 @@ from tmodes.simulation.parts import Trajectory
 from tmodes.simulation.reductions import Reduction, refuse_unknown_rules
 from tmodes.simulation.start import run_setup
 from tmodes.simulation.vary.alone import run_alone
-from tmodes.simulation.vary.families import Spans
+from tmodes.simulation.vary.arrays import Spans
 from tmodes.simulation.vary.kept import Kept, kept_cases
+from tmodes.simulation.vary.programs import refused_cases
 from tmodes.simulation.vary.reducing import Reducing
-from tmodes.simulation.vary.refused import accepted, refused_cases
 from tmodes.simulation.vary.simulate import changes_of, checked, prepared
 from tmodes.simulation.vary.tables import Nominal, nominal_side, own_tip, setpoints
 
@@ -106,7 +106,7 @@ def reduced(
         expected = "no kept motions where stop conditions or the energy may end a run"
         raise InputError("kept", f"{len(kept)} cases", expected, "run these cases by themselves")
     rows = _Rows(sheet, values, size, tuple(dict.fromkeys(reductions)), count, spans, runner)
-    if wrong == "row" and not accepted(sheet, values, spans):
+    if wrong == "row":
         rows.refuse(refused_cases(sheet, values))
     rows.run(progress)
     found = rows.found()

@@ -23,8 +23,7 @@ from tmodes.simulation.batch.result import BatchRun, check_room, gathered, not_b
 from tmodes.simulation.batch.simulate import run_all, thread_count
 from tmodes.simulation.parts import Trajectory, sample_times
 from tmodes.simulation.start import RunSetup, run_setup
-from tmodes.simulation.vary.arrays import array_lots
-from tmodes.simulation.vary.families import Spans, family_of, within
+from tmodes.simulation.vary.arrays import Spans, array_lots, family_of
 from tmodes.simulation.vary.lanes import Columns, Side, changed_sheet
 from tmodes.simulation.vary.lots import Indices, Lot, lots_of
 from tmodes.simulation.vary.values import changes_of, checked
@@ -139,7 +138,7 @@ def prepared(
 
     one(0)
     family = None
-    if spans and within(values, spans):
+    if spans and values.keys() <= spans.keys():
         own = {path: spans[path] for path in values}
         family = family_of(sheet, side, own, lambda changes: _lane(sheet, _plain_all(changes), side, 0))
     tell = partial(progress, "preparing")

@@ -22,7 +22,7 @@ from tmodes.sheet import Robot
 from tmodes.sheet.robot import refuse_other
 from tmodes.simulation.batch.simulate import thread_count
 from tmodes.simulation.vary.lanes import changed_sheet
-from tmodes.simulation.vary.refused import refused_cases
+from tmodes.simulation.vary.programs import refused_cases
 from tmodes.simulation.vary.simulate import changes_of, checked
 from tmodes.simulation.vary.static_cases import StaticCases, masses_of
 

@@ -19,7 +19,7 @@ from tmodes.simulation.batch.wanted import Wanted
 from tmodes.simulation.batch.work import Work
 from tmodes.simulation.plan import Follow
 from tmodes.simulation.start import RunSetup, run_setup
-from tmodes.simulation.vary.families import Spans
+from tmodes.simulation.vary.arrays import Spans
 from tmodes.simulation.vary.lanes import Side
 from tmodes.simulation.vary.lots import Lot
 from tmodes.simulation.vary.simulate import Prepared, prepared, run_prepared

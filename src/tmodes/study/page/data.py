@@ -16,7 +16,7 @@ from tmodes.io.sheet_paths import steps_of
 from tmodes.live.knobs import REAL
 from tmodes.live.sheet_numbers import sheet_numbers
 from tmodes.sheet.robot import Robot
-from tmodes.simulation.vary.families import Spans
+from tmodes.simulation.vary.arrays import Spans
 from tmodes.simulation.vary.simulate import prepared, run_prepared
 from tmodes.study.mapping import Group, groups_of
 from tmodes.study.rows import GOOD, Rows

@@ -11,11 +11,11 @@ from tmodes.errors import InputError, InputErrors, SimulationError
 from tmodes.sheet import Robot
 from tmodes.simulation.batch.runner import Runner
 from tmodes.simulation.batch.simulate import thread_count
-from tmodes.simulation.vary.families import Spans
+from tmodes.simulation.vary.arrays import Spans
 from tmodes.simulation.vary.kept import Kept as KeptCase
 from tmodes.simulation.vary.kept import kept_cases
+from tmodes.simulation.vary.programs import refused_cases
 from tmodes.simulation.vary.reduce import Reduction, reduced
-from tmodes.simulation.vary.refused import refused_cases
 from tmodes.study.quantities import Needs
 from tmodes.study.rows import Kept
 from tmodes.study.ways.part import Part
