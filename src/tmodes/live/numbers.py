@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.equations.loop.closed_loop import ClosedLoop
+from tmodes.kinds.noted.functions import array
 from tmodes.live.places import line_lengths, load_places, vibration_numbers
 from tmodes.model.model import Model
 from tmodes.model.passes import ChainPasses
@@ -50,7 +51,7 @@ def run_numbers(robot: Robot, follow: Follow, until: float, stations: tuple[floa
         found |= {"line": lines.numbers, "lengths": line_lengths(lines)}
         found |= vibration_numbers(robot, plan.plan, model)
         if robot.contact:
-            found["surface"] = np.array(robot.contact.shape.moving_numbers(), dtype=float)
+            found["surface"] = array(robot.contact.shape.moving_numbers())
     for k, signal in enumerate(plan.each):
         schedule = signal.schedule(robot.integration.duration if signal.move_ends() is None else until)
         found |= {f"knots.{k}": schedule.knots, f"coefficients.{k}": schedule.coefficients}

@@ -26,6 +26,7 @@ from tmodes.kinds.contacts.registry import Contact
 from tmodes.kinds.drives.contract import FRICTION
 from tmodes.kinds.joints.joint import Limits
 from tmodes.kinds.links.line import layout
+from tmodes.kinds.noted.functions import array
 from tmodes.model.model import Model
 from tmodes.sheet import Robot
 
@@ -61,7 +62,7 @@ def line_names(lines: Lines) -> list[str]:
 
 def line_lengths(lines: Lines) -> Array:
     """Lengths [m] of the lines of the links that bend."""
-    return np.array([line.length for link in lines.links for line in link])
+    return array([line.length for link in lines.links for line in link])
 
 
 def lines_info(lines: Lines, chain: Chain) -> list[dict[str, Any]]:
@@ -122,9 +123,9 @@ def vibration_numbers(robot: Robot, plan: LoopPlan, model: Model) -> dict[str, A
     stiffness, damping, preload = (sheet and sheet.spring()) or (0.0, 0.0, 0.0)
     touch = [sheet.moving_mass, damping, stiffness, preload] if sheet and sheet.spring() else []
     return {
-        "servos": np.array([*local_servos(robot, model).values()], dtype=float).reshape(-1, 2),
-        "loads": np.array([load.wrench for load in plan.loads], dtype=float).reshape(-1, 6),
-        "touch": np.array(touch, dtype=float),
+        "servos": array([*local_servos(robot, model).values()]).reshape(-1, 2),
+        "loads": array([load.wrench for load in plan.loads]).reshape(-1, 6),
+        "touch": array(touch),
     }
 
 

@@ -22,6 +22,7 @@ from tmodes.kinds.kernel import vectors as v
 from tmodes.kinds.kernel.schedule import Numbers, Schedule, Slot, kernel
 from tmodes.kinds.kernel.spatial import FORCE, Force
 from tmodes.kinds.links.line import POSE, LineOfLink, Moved
+from tmodes.kinds.noted.functions import array, norm
 
 __all__ = ["MOVING", "RIGID", "ROOTS", "Lines", "line_schedule", "moved_link"]
 
@@ -198,5 +199,5 @@ def _far_end(parts: Parts, index: int) -> Array:
     bodies = [body.center for body in link.bodies_at(1.0)]
     for places in (joints, points, bodies):
         if places:
-            return np.asarray(max(places, key=lambda place: float(np.linalg.norm(place))), dtype=float)
+            return array(max(places, key=norm))
     return np.zeros(3)

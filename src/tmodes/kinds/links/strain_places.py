@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 from numpy.polynomial import legendre
@@ -22,6 +23,8 @@ from tmodes.kinds.links.beam_pieces import BeamNumbers
 from tmodes.kinds.links.beam_tables import BeamTables, beam_tables, section_edges
 from tmodes.kinds.links.line import LineOfLink, Moved
 from tmodes.kinds.links.strain_place_kernels import BeamKernels
+from tmodes.kinds.noted.functions import array, clip, isfinite, place
+from tmodes.kinds.noted.number import is_noted
 
 __all__ = ["BeamLine", "is_ring", "mass_outboard", "place_tables", "stress_numbers"]
 
@@ -42,7 +45,7 @@ def place_tables(
     ``edges``: the sections of the model, ``before`` (S,) which of them is next before each place.
     """
     alpha, beta = interval_integrals(beam, edges[before], s)
-    rest = (s - edges[before])[:, None] * beam.length * np.asarray(beam.rest_curvature, dtype=float)
+    rest = (s - edges[before])[:, None] * beam.length * array(beam.rest_curvature)
     mass, levers, turning = mass_outboard(beam, own, s)
     side = np.where(np.diff(s, prepend=-1.0) == 0.0, np.nextafter(s, 2.0), s)  # just beyond a body
     turns = [function_values(beam, direction, side) / beam.length for direction in TURNING]
@@ -57,7 +60,7 @@ def place_tables(
 
 def _finite(stiffness: Array) -> Array:
     """Zero where a stiffness is infinite: nothing bends there, and no moment follows from it."""
-    return np.where(np.isfinite(stiffness), stiffness, 0.0)
+    return np.where(isfinite(stiffness), stiffness, 0.0)
 
 
 def mass_outboard(beam: BeamNumbers, own: BeamTables, s: Array) -> tuple[Array, Array, Array]:
@@ -66,33 +69,54 @@ def mass_outboard(beam: BeamNumbers, own: BeamTables, s: Array) -> tuple[Array, 
     mass, levers, turning = np.zeros((len(s), g)), np.zeros((len(s), g, g)), np.zeros((len(s), axes, g))
     start = 0.0
     for piece in broken_pieces(beam):
-        low = np.clip(s, start, piece.end)
+        low = clip(s, start, piece.end)
         at = low[:, None] + (piece.end - low)[:, None] * (1 + _X) / 2
-        weight = (piece.end - low)[:, None] * _W / 2 * beam.length
+        whole = _Outboard(beam.length, at - start, piece.end - start, (piece.end - low)[:, None] * _W / 2)
         cardinal = own.rule.cardinal(at)
-        density = weight * pieces_at(beam, "mass", at)
-        mass += np.einsum("ksm,sm->sk", cardinal, density)
-        levers += np.einsum("jsm,ksm,sm->sjk", cardinal, cardinal, density, optimize=True)
-        for axis in range(axes):
-            turning[:, axis] += np.einsum("ksm,sm->sk", cardinal, weight * pieces_at(beam, f"inertia{axis}", at))
+        mass = mass + whole.sums("ksm,sm->sk", piece.mass, cardinal)
+        levers = levers + whole.sums("jsm,ksm,sm->sjk", piece.mass, cardinal, cardinal)
+        inertia = [whole.sums("ksm,sm->sk", piece.inertia[axis], cardinal) for axis in range(axes)]
+        turning = turning + np.array(inertia).reshape(axes, len(s), g).swapaxes(0, 1)
         start = piece.end
     return mass, levers, turning
+
+
+@dataclass(frozen=True)
+class _Outboard:
+    """A rule (S, points) outboard of places on a piece: ``along`` it, of its ``span``; ``weights`` over the length."""
+
+    length: Any
+    along: Array
+    span: Any
+    weights: Array
+
+    def sums(self, letters: str, ends: tuple[Any, Any], *functions: Array) -> Array:
+        """Integrals of a quantity, which is linear from end to end, with functions at the points of the rule."""
+        first, rise = ends[0], ends[1] - ends[0]
+        if not any(map(is_noted, (self.length, *ends, self.weights, *functions))):
+            density = self.weights * self.length * (first + rise * self.along / self.span)
+            return np.einsum(letters, *functions, density, optimize=len(functions) > 1)
+        found = first * np.einsum(letters, *functions, self.weights)  # constants of the rule first
+        if is_noted(rise) or rise:
+            found = found + rise * np.einsum(letters, *functions, self.weights * self.along / self.span)
+        return self.length * found
 
 
 def is_ring(beam: BeamNumbers) -> bool:
     """Whether the outer fibre of every section is a circle."""
     if beam.outer[0] != beam.outer[1] or not beam.shear > 0:
         return False
-    torsion, bend_y, bend_z = (np.array([getattr(piece, name) for piece in beam.pieces]) for name in (
+    torsion, bend_y, bend_z = (array([getattr(piece, name) for piece in beam.pieces]) for name in (
         "torsion", "bend_y", "bend_z"))  # fmt: skip
-    return bool(np.allclose(torsion / beam.shear, (bend_y + bend_z) / beam.young, rtol=_ROUND, atol=0))
+    polar, bending = torsion / beam.shear, (bend_y + bend_z) / beam.young
+    return bool((abs(polar - bending) <= _ROUND * abs(bending)).all())
 
 
 def stress_numbers(beam: BeamNumbers, s: Array) -> Array:
     """(S, 10) of :class:`tmodes.kinds.links.line.Stressed`; (S, 0) where section or material are not known."""
     if not (beam.young > 0 and min(beam.outer) > 0):
         return np.zeros((len(s), 0))
-    same = np.tile([beam.young, beam.shear, *beam.outer], (len(s), 1))
+    same = np.tile(array([beam.young, beam.shear, *beam.outer]), (len(s), 1))
     stiffness = np.array([pieces_at(beam, name, s) for name in ("torsion", "bend_y", "bend_z", "axial")]).T
     across = np.array([pieces_at(beam, name, s) for name in ("across_y", "across_z")]).T
     return np.concatenate([same, _finite(stiffness), across], axis=1)
@@ -122,16 +146,16 @@ class BeamLine(LineOfLink):
         """Sections of the model from root to tip, what its points push, then each place from the section before."""
         own, shape, kernels = self._tables, self._tables.shape, self._kernels
         edges = section_edges(shape, own.points, self.stations)
-        before = np.maximum(np.searchsorted(edges, self.s, side="left") - 1, 0)
+        before = np.maximum(place(edges, self.s) - 1, 0)
         rotations, states = self._sections(moved)
         pushes = moved.one(kernels.points(), *self._point_blocks(moved, states))
         tables = place_tables(self.beam, own, edges, before, self.s)
         rows = np.concatenate([tables[name] for name, size in kernels.row.items() if size], axis=1)
         link = moved.numbers.block([self.beam.damping_time, *self.beam.rest_curvature])
-        place, found = kernels.place(), []
+        kernel, found = kernels.place(), []
         for row, section, first in zip(rows, before, self.borne(), strict=True):
             blocks = (moved.numbers.block(row), link, rotations[section], moved.q, moved.v, pushes, moved.pose)
-            found.append(moved.one(place, *blocks, moved.outer[first]))
+            found.append(moved.one(kernel, *blocks, moved.outer[first]))
         return found
 
     def _sections(self, moved: Moved) -> tuple[list[Slot], list[Slot]]:
