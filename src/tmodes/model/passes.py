@@ -18,8 +18,8 @@ from tmodes.equations.recursion.parts import Parts
 from tmodes.equations.recursion.passes import BASE, resting_base
 from tmodes.kinds.kernel.schedule import Schedule, Slot
 from tmodes.kinds.noted.functions import zeros
-from tmodes.model.rows import StateRows
 from tmodes.kinds.noted.program import Program
+from tmodes.model.rows import StateRows
 
 __all__ = [
     "ChainPasses", "PointMotion", "derivatives", "evaluate", "evaluate_program", "evaluate_wide", "packed", "split",

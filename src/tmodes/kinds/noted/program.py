@@ -177,7 +177,8 @@ _POWERS = frozenset(k for k in range(-16, 17) if k)
 
 def _whole_power(x: Any, exponent: int) -> Any:
     """A product of squares, whose rounding errors are fewer than those of a row of factors."""
-    found, square, left = None, x, abs(exponent)
+    found: Any = None
+    square, left = x, abs(exponent)
     while left:
         if left & 1:
             found = square if found is None else found * square
