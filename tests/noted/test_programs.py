@@ -107,6 +107,21 @@ def test_all_numbers_of_a_published_robot_at_once(name):
     check_changes(load(name), own if name == "filipovic2010" else APART)
 
 
+def test_the_place_of_a_body_inside_a_beam():
+    """By a short program: integrals of polynomials need few points, and intervals beyond a piece none."""
+    robot = Robot.from_data(KINDS["body inside"])
+    values = {"links.0.bodies.0.at": 0.4, "links.0.beam.length": 0.7, "links.0.beam.section.outer_diameter": 0.03}
+    program = noted(robot, values)
+    assert len(program.program.operations) < 5000
+    held = 0
+    for share in np.random.default_rng(0).uniform(0.8, 1.2, 5 * COUNT):
+        changed = {path: share * value for path, value in values.items()}
+        if program.holds({path: np.array([value]) for path, value in changed.items()})[0]:
+            compare(program, robot, changed)
+            held += 1
+    assert held > 0
+
+
 def test_every_registered_kind_has_a_sheet():
     words = {value for one in KINDS.values() for value in str(one).replace("'", " ").replace('"', " ").split() if value}
     families = (SIGNALS, CONTROLLERS, CONTACTS, SURFACES, LINKS, JOINTS)

@@ -11,6 +11,7 @@ A piece of infinite stiffness has functions of value 0. Positions are s = x/leng
 from __future__ import annotations
 
 from functools import lru_cache
+from itertools import starmap
 from typing import NamedTuple
 
 import numpy as np
@@ -29,8 +30,10 @@ from tmodes.kinds.noted.functions import (
     norm,
     number,
     place,
+    same,
     solve,
     sqrt,
+    zeros,
 )
 from tmodes.kinds.noted.number import is_noted
 
@@ -48,6 +51,8 @@ MODULI = {"twist": "torsion", "bend_y": "bend_y", "bend_z": "bend_z", "stretch":
 
 SHIFTING = ("stretch", "shear_y", "shear_z")
 """Directions that only shift sections."""
+
+_QUANTITIES = (*MODULI.values(), "mass")
 
 _NEW = 1e-4
 """Share of a function of a body inside that the others must lack for it to be one more."""
@@ -95,11 +100,22 @@ def _weighted(beam: BeamNumbers, direction: str) -> bool:
     return bool((values > 0.0).all() and isfinite(values).any())
 
 
+@lru_cache(maxsize=64)
+def _piece_rule(beam: BeamNumbers) -> tuple[Array, Array]:
+    """Rule within a piece; of noted numbers, pieces of one section each, the shortest that is exact: polynomials."""
+    pieces = broken_pieces(beam)
+    pairs = [pair for piece in pieces for pair in (*piece.inertia, *(getattr(piece, name) for name in _QUANTITIES))]
+    noted = is_noted([(piece.end, piece.mass) for piece in pieces]) or is_noted(pairs)
+    if not noted or not all(starmap(same, pairs)):
+        return _X, _W
+    return legendre.leggauss(2 + max(beam.points, 2 + max(getattr(beam, name) for name in MODULI)))
+
+
 def fine_rule(beam: BeamNumbers) -> tuple[Array, Array]:
     """Points and weights (sum 1) of a fine quadrature over all pieces."""
-    starts, ends = _bounds(beam)
+    (starts, ends), (x, w) = _bounds(beam), _piece_rule(beam)
     half = (ends - starts)[:, None] / 2
-    return (starts[:, None] + half * (1 + _X)).ravel(), (half * _W).ravel()
+    return (starts[:, None] + half * (1 + x)).ravel(), (half * w).ravel()
 
 
 def _shares(beam: BeamNumbers, direction: str, s: Array) -> Array:
@@ -169,23 +185,30 @@ def interval_integrals(beam: BeamNumbers, start: Array, end: Array) -> tuple[Arr
     """
     middle, length = (start + end) / 2, end - start
     starts, ends = _bounds(beam)
-    low, high = (clip(at, starts[:, None], ends[:, None]) for at in (start, end))
-    s = low[..., None] + (high - low)[..., None] * (1 + _X) / 2
-    values = np.concatenate([function_values(beam, direction, s) for direction in TURNING])
-    if is_noted(values):
-        return _noted_integrals(values, low, high, middle, length)
+    (low, high), (x, w) = (clip(at, starts[:, None], ends[:, None]) for at in (start, end)), _piece_rule(beam)
+    s = low[..., None] + (high - low)[..., None] * (1 + x) / 2
+    some = low != high if is_noted(s) else np.ones(low.shape, dtype=bool)
+    values = np.concatenate([function_values(beam, direction, s[some]) for direction in TURNING])
+    if is_noted(values) or is_noted(s):
+        spread = zeros((len(values), *s.shape), values)
+        spread[:, some] = values
+        return _noted_integrals(spread, (x, w), low, high, middle, length)
+    values = values.reshape(len(values), *s.shape)
     per_length = np.divide(1.0, length, out=np.zeros_like(length), where=length > 0)
-    weighed = values * ((high - low)[..., None] * _W / 2)
+    weighed = values * ((high - low)[..., None] * w / 2)
     moments = weighed * (s - middle[:, None]) * per_length[:, None]
     alpha, beta = (part.sum(axis=-1).sum(axis=1).T for part in (weighed, moments))
     return alpha, beta
 
 
-def _noted_integrals(values: Array, low: Array, high: Array, middle: Array, length: Array) -> tuple[Array, Array]:
+def _noted_integrals(
+    values: Array, rule: tuple[Array, Array], low: Array, high: Array, middle: Array, length: Array
+) -> tuple[Array, Array]:
     """The same of noted numbers: what is a constant of the rule first, then the lengths of the intervals."""
+    x, w = rule
     share = np.frompyfunc(lambda own, whole: own / whole if whole > 0 else 0.0, 2, 1)(high - low, length)
     aside = np.frompyfunc(lambda own, whole: own / whole if whole > 0 else 0.0, 2, 1)((low + high) / 2 - middle, length)
-    sums, first = values @ (_W / 2), values @ (_W * _X / 4)
+    sums, first = values @ (w / 2), values @ (w * x / 4)
     alpha = (high - low) * sums
     return alpha.sum(axis=1).T, (alpha * aside + (high - low) * (share * first)).sum(axis=1).T
 

@@ -20,8 +20,8 @@ __all__ = [
     "allclose", "array", "ceil", "clip", "cos", "cubic_slopes", "distinct", "exp", "floor", "full_like",
     "golub_welsch", "highest", "hypot", "inverse_cholesky", "isclose", "isfinite", "isinf", "kept", "largest",
     "least_eigenvalue_exceeds", "legendre_series", "legendre_values", "log", "maximum", "minimum", "norm", "number",
-    "place", "polynomial_derivative", "positive_definite", "regular", "rounded", "sin", "solve", "sqrt", "total",
-    "triangle", "zeros",
+    "place", "polynomial_derivative", "positive_definite", "regular", "rounded", "same", "sin", "solve", "sqrt",
+    "total", "triangle", "zeros",
 ]  # fmt: skip
 
 Array = NDArray[Any]
@@ -205,6 +205,11 @@ def norm(vector: Any) -> Any:
     """Euclidean norm of a vector."""
     values = array(vector)
     return np.linalg.norm(values) if values.dtype != object else sqrt(number(sum(x * x for x in values.flat)))
+
+
+def same(a: Any, b: Any) -> bool:
+    """Whether two numbers are one and the same, noted ones whatever their values; no guard."""
+    return (a.node if type(a) is Noted else a) == (b.node if type(b) is Noted else b) and type(a) is type(b)
 
 
 def largest(values: Any) -> int:
