@@ -10,6 +10,7 @@ from tmodes.simulation.vary import arrays, simulate
 from tmodes.simulation.vary import static_numbers as statics
 from tmodes.simulation.vary.reduce import Reduction, reduced
 from tmodes.simulation.vary.static_numbers import static_numbers
+from tmodes.simulation.vary.values import Whole
 
 TUBE = {"shape": "tube", "outer_diameter": 0.04, "thickness": 0.002}
 HOLLOW = {"shape": "box", "width": 0.03, "height": 0.02, "thickness": 0.0015}
@@ -96,11 +97,11 @@ def test_runs_of_all_cases_at_once(name, monkeypatch):
 
 
 def test_blocks_of_a_larger_study(monkeypatch):
-    """What is found for the spans does not depend on which cases are in a block, nor on how many."""
+    """What is found for the whole does not depend on which cases are in a block, nor on how many."""
     robot, vary = CASES["pair"]
-    spans = {path: (float(values.min()), float(values.max())) for path, values in vary.items()}
+    whole = Whole(100, {path: (float(values.min()), float(values.max())) for path, values in vary.items()})
     few = {path: values[:7] for path, values in vary.items()}
-    parts = [reduced(robot, few, [PEAK], spans=spans), reduced(robot, vary, [PEAK], spans=spans)]
+    parts = [reduced(robot, few, [PEAK], whole=whole), reduced(robot, vary, [PEAK], whole=whole)]
     assert parts[0].values[PEAK].tobytes() == parts[1].values[PEAK][:7].tobytes()
     monkeypatch.setattr(arrays, "_FEW", 10**9)
     true = reduced(robot, few, [PEAK])

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -25,6 +26,7 @@ from tmodes.model.passes import derivatives, evaluate_program
 from tmodes.robots.load import load
 from tmodes.sheet import Robot
 from tmodes.simulation.plan import Follow
+from tmodes.simulation.vary import programs
 from tmodes.simulation.vary.cases import run_blocks
 from tmodes.simulation.vary.parameters import parameters_of
 from tmodes.simulation.vary.programs import case_program, refused_cases
@@ -66,7 +68,7 @@ def compare(program, robot, values):
     """The blocks of a case with those of its own sheet, to 1e-12 of the neighbours' size."""
     true = run_blocks(robot.with_(values).pair().real, Follow.SHEET)
     row = {path: np.array([value]) for path, value in values.items()}
-    found = {name: program.block(name, row)[0] for name in program.places}
+    found = {name: block[0] for name, block in zip(program.places, program.blocks([*program.places], row), strict=True)}
     assert found.keys() == true.keys()
     for name, block in true.items():
         if name.startswith(("knots", "powers")):
@@ -218,7 +220,7 @@ def test_a_branch_is_a_guard_and_a_derivative_is_exact():
     for k in range(2):
         ends = [program(point[None] + sign * step * np.eye(2)[k])[0][0] for sign in (1, -1)]
         assert program.derivative(point)[:, k] == pytest.approx((ends[0] - ends[1]) / (2 * step), abs=1e-8)
-    assert program.part(slice(1, 2)).is_constant
+    assert program.part(np.array([1])).is_constant
 
 
 def test_a_program_is_compiled_code_too():
@@ -244,8 +246,23 @@ def test_a_program_is_compiled_code_too():
     slopes = derivatives(program.constants, program.schedule, blocks, along, 2)["numbers"]
     true = program.derivative(values[3])
     assert np.allclose(slopes.T, true, rtol=1e-13, atol=1e-14)
-    with pytest.raises(ValueError, match="pow"):
+    with pytest.raises(ValueError, match="power"):
         _ = program_of(tape, [x, y], [x**1.5]).schedule
+
+
+def test_a_program_of_very_many_cases_is_compiled(monkeypatch):
+    """All blocks at once, with the same numbers; how many go at once decides nothing."""
+    robot, called = Robot.from_data(KINDS["joint elastic"]), []
+    monkeypatch.setattr(programs, "evaluate_program", lambda *given: (called.append(1), evaluate_program(*given))[1])
+    few = noted(robot, values := numbers_of(robot))
+    rows = {path: value * np.random.default_rng(0).uniform(0.9, 1.1, 11) for path, value in values.items()}
+    true, holds = few.blocks([*few.places], rows), few.holds(rows)
+    assert not called
+    many = replace(few, cases=10**6)
+    assert many.holds(rows).tolist() == holds.tolist()
+    for found, right in zip(many.blocks([*many.places], rows), true, strict=True):
+        assert found == pytest.approx(right, rel=1e-12, abs=1e-300, nan_ok=True)
+    assert len(called) == 2
 
 
 def test_linear_algebra_of_noted_numbers():

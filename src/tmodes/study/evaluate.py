@@ -106,8 +106,8 @@ def _found(
     if needs.reductions:
         from tmodes.study.ways.reductions import by_reductions
 
-        spans = None if not group.vary or len(group.places) >= study.cases else study.spans.get(group.kind)
-        parts.append(by_reductions(robot, vary, needs, of_vary, threads, progress, spans, runner))
+        whole = None if not group.vary or len(group.places) >= study.cases else study.wholes.get(group.kind)
+        parts.append(by_reductions(robot, vary, needs, of_vary, threads, progress, whole, runner))
     if needs.static:
         from tmodes.study.ways.static import by_statics
 

@@ -20,6 +20,7 @@ from tmodes.io.sheet_problems import Problem
 from tmodes.io.words import shown
 from tmodes.sheet import Robot
 from tmodes.simulation.batch.runner import PROCESSOR, Runner
+from tmodes.simulation.vary.values import Whole
 from tmodes.study.identity import base_digest, quantity_digests, whole_digest
 from tmodes.study.mapping import Target, target_of
 from tmodes.study.plans import Design
@@ -144,8 +145,8 @@ class Study:
         return self.sheet.plan.design(self.space)
 
     @cached_property
-    def spans(self) -> dict[tuple[float, ...], dict[str, tuple[float, float]]]:
-        """Least and largest value of each path over all cases that share a robot, by the kind of their group.
+    def wholes(self) -> dict[tuple[float, ...], Whole]:
+        """All cases that share a robot, by the kind of their group.
 
         What is found once for all cases depends on the plan, and not on how its cases are cut into blocks.
         """
@@ -153,11 +154,12 @@ class Study:
 
         if self.robot is None:
             return {}
-        found: dict[tuple[float, ...], dict[str, tuple[float, float]]] = {}
+        found: dict[tuple[float, ...], Whole] = {}
         for group in groups_of(self.robot, self.names, self.targets, self.choices, self.design().values):
             finite = {path: values[np.isfinite(values)] for path, values in group.vary.items()}
             if all(map(len, finite.values())):
-                found[group.kind] = {path: (float(own.min()), float(own.max())) for path, own in finite.items()}
+                ends = {path: (float(own.min()), float(own.max())) for path, own in finite.items()}
+                found[group.kind] = Whole(len(group.places), ends)
         return found
 
     @cached_property

@@ -71,7 +71,7 @@ class Program:
             holds[part] = self._holds(registers, cases[part])
         return found, holds
 
-    def part(self, outputs: slice, *, guarded: bool = False) -> Program:
+    def part(self, outputs: NDArray[np.intp], *, guarded: bool = False) -> Program:
         """The program of some outputs alone; ``guarded``: with all guards."""
         guards, chosen = self.guards if guarded else (), self.outputs[outputs]
         first = self.inputs + len(self.constants)
@@ -88,7 +88,7 @@ class Program:
         places = np.array([own[k] for k in chosen], dtype=np.intp)
         return Program(self.inputs, self.constants, operations, places, guards)
 
-    def acting(self, outputs: slice) -> set[int]:
+    def acting(self, outputs: NDArray[np.intp]) -> set[int]:
         """The inputs that some outputs depend on."""
         masks = [1 << k for k in range(self.inputs)] + [0] * len(self.constants)
         for _, *operands in self.operations:
@@ -119,20 +119,32 @@ class Program:
         return holds
 
     @cached_property
+    def _exponents(self) -> dict[int, float]:
+        """The powers that are constants, by their registers."""
+        first, end = self.inputs, self.inputs + len(self.constants)
+        powers = {ends[1] for name, *ends in self.operations if name == "pow"}
+        return {b: float(self.constants[b - first]) for b in sorted(powers) if first <= b < end}
+
+    @cached_property
+    def compiles(self) -> bool:
+        """Whether compiled code has all operations: it lacks logarithms, and powers but small whole numbers."""
+        return all(
+            self._exponents.get(ends[1]) in _POWERS if name == "pow" else name in _SYMBOLIC
+            for name, *ends in self.operations
+        )
+
+    @cached_property
     def schedule(self) -> Schedule:
         """For compiled code: ``values`` -> ``numbers`` and ``holds`` (1 or 0); the constants are its parameters.
 
-        Raises ValueError for an operation that compiled code lacks: a logarithm, a power that is no small whole number.
+        Raises ValueError where the program does not compile.
         """
-        exponents = {b: float(self.constants[b - self.inputs]) for name, *ends in self.operations if name == "pow"
-                     if self.inputs <= (b := ends[1]) < self.inputs + len(self.constants)}  # fmt: skip
-        for name, *ends in self.operations:
-            if not (exponents.get(ends[1], 0.5) in _POWERS if name == "pow" else name in _SYMBOLIC):
-                raise ValueError(f"compiled code has no operation {name!r} of these operands")
-        info = repr((self.operations, sorted(exponents.items()), self.outputs.tolist(), self.guards))
+        if not self.compiles:
+            raise ValueError("a logarithm, or a power that is no small whole number, does not compile")
+        info = repr((self.operations, self._exponents, self.outputs.tolist(), self.guards))
         sizes = (len(self.constants), self.inputs), (len(self.outputs), 1)
         key = f"program {hashlib.sha256(info.encode()).hexdigest()}"
-        kernel = Kernel(key, *sizes, lambda *blocks: self._symbols(exponents, *blocks), plain=True)
+        kernel = Kernel(key, *sizes, self._symbols, plain=True)
         schedule = Schedule(len(self.constants))
         given = Slot("parameters", 0, len(self.constants)), schedule.input("values", self.inputs)
         numbers, holds = schedule.call(kernel, *given)
@@ -140,7 +152,7 @@ class Program:
         schedule.output("holds", holds)
         return schedule
 
-    def _symbols(self, exponents: dict[int, float], constants: Any, values: Any) -> list[list[Any]]:
+    def _symbols(self, constants: Any, values: Any) -> list[list[Any]]:
         """Outputs, and whether the guards hold, of symbols; each guard as soon as its numbers are known."""
         registers = [*(values[k] for k in range(self.inputs)), *(constants[k] for k in range(len(self.constants)))]
         guards: dict[int, list[tuple[str, int, int]]] = {}
@@ -149,7 +161,7 @@ class Program:
         holds: Any = 1.0
         for k, (name, *operands) in enumerate([("", 0), *self.operations], len(registers) - 1):
             if name == "pow":
-                registers.append(_whole_power(registers[operands[0]], int(exponents[operands[1]])))
+                registers.append(_whole_power(registers[operands[0]], int(self._exponents[operands[1]])))
             elif name:
                 registers.append(_SYMBOLIC[name](*(registers[j] for j in operands)))
             for relation, a, b in guards.get(k, ()):

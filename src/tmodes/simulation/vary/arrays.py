@@ -20,14 +20,12 @@ from tmodes.simulation.start import RunSetup
 from tmodes.simulation.vary.cases import Cases
 from tmodes.simulation.vary.lanes import Side
 from tmodes.simulation.vary.lots import Indices, Lot
+from tmodes.simulation.vary.values import Whole
 
-__all__ = ["Family", "Spans", "array_lots", "family_of"]
+__all__ = ["Family", "array_lots", "family_of"]
 
 Array = NDArray[np.float64]
 One = Callable[[int], RunSetup | str]
-
-Spans = Mapping[str, tuple[float, float]]
-"""The least and the largest value of each path, over all batches."""
 
 _FEW = 12
 """Cases that are prepared one by one sooner than a program is noted."""
@@ -43,7 +41,7 @@ _SAME_START = 1e-9
 
 
 class Family(NamedTuple):
-    """What is found once for all batches of a study: cases at the ends of the spans, their largest eigenvalues."""
+    """What is found once for all batches of a study: cases at the ends of each number, their largest eigenvalues."""
 
     cases: Cases
     fastest: Array
@@ -55,17 +53,17 @@ _LOCK = Lock()
 
 
 def family_of(
-    sheet: Robot, side: Side, spans: Spans, prepare: Callable[[Mapping[str, float]], RunSetup | str]
+    sheet: Robot, side: Side, whole: Whole, prepare: Callable[[Mapping[str, float]], RunSetup | str]
 ) -> Family | None:
-    """The family of a sheet's cases within ``spans``, found once; None where there is none.
+    """The family of all cases of a sheet, found once; None where there is none.
 
-    ``prepare`` gives a case by itself. It depends on sheet, side and spans alone, not on the batches before.
+    ``prepare`` gives a case by itself. It depends on sheet, side and ``whole`` alone, not on the batches before.
     """
-    key = sheet.model_dump_json(), side, tuple(spans.items())
+    key = sheet.model_dump_json(), side, whole.cases, tuple(whole.ends.items())
     with _LOCK:
         if key not in _KEPT:
             try:
-                _KEPT[key] = _found(sheet, side, spans, prepare)
+                _KEPT[key] = _found(sheet, side, whole, prepare)
             except (InputError, InputErrors, Structural):
                 _KEPT[key] = None
             if len(_KEPT) > _MOST_KEPT:
@@ -74,15 +72,15 @@ def family_of(
 
 
 def _found(
-    sheet: Robot, side: Side, spans: Spans, prepare: Callable[[Mapping[str, float]], RunSetup | str]
+    sheet: Robot, side: Side, whole: Whole, prepare: Callable[[Mapping[str, float]], RunSetup | str]
 ) -> Family | None:
-    inside = {path: low + _INSIDE * (high - low) for path, (low, high) in spans.items()}
-    corners = [inside, *({**inside, path: end} for path, ends in spans.items() for end in dict.fromkeys(ends))]
+    inside = {path: low + _INSIDE * (high - low) for path, (low, high) in whole.ends.items()}
+    corners = [inside, *({**inside, path: end} for path, ends in whole.ends.items() for end in dict.fromkeys(ends))]
     like = prepare(inside)
     if isinstance(like, str):
         return None
-    values = {path: np.array([corner[path] for corner in corners]) for path in spans}
-    cases, which = Cases(sheet, values, 0, like, side).holding()
+    values = {path: np.array([corner[path] for corner in corners]) for path in inside}
+    cases, which = Cases(sheet, values, 0, like, side, whole.cases).holding()
     starts = cases.starts(lambda share: None)
     ends = np.arange(len(which))
     agrees = len(which) and agree(cases, starts, ends, lambda k: prepare(corners[which[k]]) if k else like)

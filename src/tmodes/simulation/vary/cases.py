@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -43,7 +43,7 @@ _SURELY = 2.0
 """Share of the limit up to which, or beyond which, the stiffness of a few cases decides the method of all."""
 
 
-_COMMON = ("program", "held", "_standing", "_closed", "_moves")
+_COMMON = ("program", "held", "_standing", "_closed", "_moving")
 """What does not depend on the values themselves."""
 
 
@@ -72,6 +72,7 @@ class Cases:
     """k cases of a sheet: ``values`` (k,) of each path; ``like``: that of index ``at``; ``side``: which robot runs.
 
     Those for which :meth:`holds` is false have other structures than ``like``: they are no cases of these.
+    ``cases``: how many there are in all, where these are some; 0: these.
     """
 
     sheet: Robot
@@ -79,6 +80,7 @@ class Cases:
     at: int
     like: RunSetup
     side: Side = Side.ACTUAL
+    cases: int = 0
 
     def others(self, values: Mapping[str, Array]) -> Cases:
         """Other cases, by the same program."""
@@ -100,7 +102,8 @@ class Cases:
         if self._closed and (self.like.off or uncontrolled(self.like.model)):
             raise Structural("its start may be no equilibrium")
         case, follow = changes_of(self.values, self.at), self.side.follow
-        return case_program(self.sheet, case, self.side.of, lambda robot: run_blocks(robot, follow))
+        count = self.cases or len(next(iter(self.values.values())))
+        return case_program(self.sheet, case, self.side.of, lambda robot: run_blocks(robot, follow), count)
 
     @cached_property
     def held(self) -> LoopModel:
@@ -129,30 +132,26 @@ class Cases:
         states[:, self.held.layout.q] = q
         return states
 
-    def block(self, name: str, which: Indices) -> Array:
-        """A block of numbers of some cases, (m, ...)."""
-        return self.program.block(name, {path: values[which] for path, values in self.values.items()})
+    def blocks(self, which: Indices, *names: str) -> list[Array]:
+        """Blocks of numbers of some cases, (m, ...) each."""
+        return self.program.blocks(names, {path: values[which] for path, values in self.values.items()})
 
     @cached_property
-    def _moves(self) -> bool:
-        """Whether the signals differ."""
-        return not all(map(self.program.is_constant, self._signal_blocks))
+    def _moving(self) -> list[str]:
+        """Blocks of signals that differ."""
+        names = [f"{name} {k}" for k in range(len(self.like.planned.pieces)) for name in ("knots", "powers")]
+        return [] if all(map(self.program.is_constant, names)) else names
 
-    @property
-    def _signal_blocks(self) -> list[str]:
-        return [f"{name} {k}" for k in range(len(self.like.planned.pieces)) for name in ("knots", "powers")]
-
-    def _schedules(self, which: Indices) -> tuple[SignalPieces, ...]:
-        """The signals of some cases on common knots: one schedule where they are the same for all."""
-        if not self._moves:
+    def _schedules(self, signals: Sequence[Array]) -> tuple[SignalPieces, ...]:
+        """The signals of some cases, by their blocks, on common knots: one schedule where they are the same for all."""
+        if not signals:
             return (self.like.planned.schedule,)
-        blocks = [self.block(name, which) for name in self._signal_blocks]
-        return tuple(merge_cases([*zip(blocks[::2], blocks[1::2], strict=True)]))
+        return tuple(merge_cases([*zip(signals[::2], signals[1::2], strict=True)]))
 
     def numbers(self, which: Indices) -> LaneNumbers:
         """The numbers of some cases."""
-        parameters, chain, base = (self.block(name, which) for name in ("parameters", "chain", "base"))
-        return LaneNumbers(parameters, chain, base, self._schedules(which))
+        parameters, chain, base, *signals = self.blocks(which, "parameters", "chain", "base", *self._moving)
+        return LaneNumbers(parameters, chain, base, self._schedules(signals))
 
     def starts(self, progress: Callable[[float], None], threads: int = 1) -> Array:
         """The first states (k, nx); not-a-number where none is found."""
@@ -168,17 +167,19 @@ class Cases:
         every = np.arange(len(next(iter(self.values.values()))))
         return [every[k : k + _BLOCK] for k in range(0, len(every), _BLOCK)]
 
-    def _rows(self, which: Indices) -> Array:
+    def _rows(self, signals: Sequence[Array], count: int) -> Array:
         """The rows of the signals at time 0."""
-        rows = [np.append(one.knots[0], one.coefficients[0]) for one in self._schedules(which)]
-        return np.broadcast_to(np.array(rows), (len(which), len(rows[0]))).copy()
+        rows = [np.append(one.knots[0], one.coefficients[0]) for one in self._schedules(signals)]
+        return np.broadcast_to(np.array(rows), (count, len(rows[0]))).copy()
 
     def _starts(self, which: Indices) -> Array:
-        model, parameters, rows = self.like.model, self.block("parameters", which), self._rows(which)
-        states = self.block("start", which).copy()
-        if self.like.rest is not None:
+        model, resting = self.like.model, self.like.rest is not None
+        names = ("held", "rest", "rest_row") if resting else ()
+        parameters, states, *more = self.blocks(which, "parameters", "start", *names, *self._moving)
+        rows, states = self._rows(more[len(names) :], len(which)), states.copy()
+        if resting:
             placed = states[:, model.layout.q]  # a view
-            np.copyto(placed, self._rests(which), where=np.isnan(placed))
+            np.copyto(placed, self._rests(which, *more[: len(names)]), where=np.isnan(placed))
         if self._closed:
             states = self._balanced(*self._closed, states, rows, parameters)
         states = model.settled(states, rows, parameters)
@@ -194,12 +195,11 @@ class Cases:
         states[moved] = balance.outside(found[moved], states[moved], still[moved], parameters[moved])
         return states
 
-    def _rests(self, which: Indices) -> Array:
+    def _rests(self, which: Indices, held: Array, numbers: Array, rows: Array) -> Array:
         """Poses at rest, of each case from that of ``like`` or, where that is too far, from its nearest neighbour's."""
         rest, names = self.like.rest, list(self.like.model.coordinates)
         assert rest is not None  # noqa: S101
         places = [names.index(name) for name in held_at_start(self.like.robot, self.like.model)]
-        held, numbers, rows = (self.block(name, which) for name in ("held", "rest", "rest_row"))
         far = np.stack([values[which] / (np.abs(values).max() or 1.0) for values in self.values.values()])
         found, lost, near = np.full((len(which), len(names)), np.nan), np.arange(len(which)), rest.q[None]
         while len(lost):
@@ -240,5 +240,6 @@ class Cases:
     def fastest(self, starts: Array, which: Indices) -> Array:
         """The largest sizes of the eigenvalues of some cases at their starts; no joint or motor sticks."""
         states = slipping(self.like.model, np.nan_to_num(starts[which]))
-        slopes = self.like.model.jacobian(0.0, states, self._rows(which), self.block("parameters", which))
+        parameters, *signals = self.blocks(which, "parameters", *self._moving)
+        slopes = self.like.model.jacobian(0.0, states, self._rows(signals, len(which)), parameters)
         return np.abs(np.linalg.eigvals(np.nan_to_num(slopes))).max(axis=1, initial=0.0)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -14,6 +14,7 @@ from tmodes.errors import InputError, InputErrors, SimulationError
 from tmodes.kinds.noted.number import Lost, Tape, is_noted
 from tmodes.kinds.noted.program import Program, program_of
 from tmodes.model.parameters import Structural, noted_pair
+from tmodes.model.passes import evaluate_program
 from tmodes.sheet import Robot, RobotPair
 from tmodes.simulation.loop import Blocks, whole
 from tmodes.simulation.vary.values import changes_of
@@ -31,55 +32,79 @@ _MOST = 24
 class CaseProgram:
     """From values of ``paths`` to blocks of numbers, ``places`` in its outputs (start and shape by name).
 
-    ``fixed``: paths that are structure, with the value that the cases of this program have.
+    ``fixed``: paths that are structure, with the value that the cases of this program have. ``cases``: how many it is
+    for, in all, by which it is compiled or not.
     """
 
     paths: tuple[str, ...]
     fixed: Mapping[str, float]
     program: Program
     places: Mapping[str, Any]
+    cases: int = 1
 
     def holds(self, values: Mapping[str, Array]) -> NDArray[np.bool_]:
         """Which of the cases ``values`` (k,) of all paths have the structure of this program."""
-        found = self._guards(self._rows(values))[1]
+        found = _evaluated(self._guards, self._rows(values), self.cases)[1]
         for path, value in self.fixed.items():
             found &= values[path] == value
         return found
 
     @cached_property
     def _guards(self) -> Program:
-        return self.program.part(slice(0, 0), guarded=True)
+        return self.program.part(np.zeros(0, dtype=np.intp), guarded=True)
 
     @cached_property
-    def _parts(self) -> dict[str, Program]:
-        sizes = {name: int(np.prod(place["shape"])) for name, place in self.places.items()}
-        return {
-            name: self.program.part(slice(place["start"], place["start"] + sizes[name]))
-            for name, place in self.places.items()
-        }
+    def _parts(self) -> dict[tuple[str, ...], Program]:
+        return {}
+
+    def _part(self, names: tuple[str, ...]) -> Program:
+        """The program of some blocks, one after the other."""
+        if names not in self._parts:
+            self._parts[names] = self.program.part(np.concatenate([self._span(name) for name in names]))
+        return self._parts[names]
+
+    def _span(self, name: str) -> NDArray[np.intp]:
+        start = self.places[name]["start"]
+        return np.arange(start, start + int(np.prod(self.places[name]["shape"])))
 
     def acting(self, name: str) -> set[str]:
         """The paths that a block depends on."""
-        start, size = self.places[name]["start"], int(np.prod(self.places[name]["shape"]))
-        return {self.paths[k] for k in self.program.acting(slice(start, start + size))}
+        return {self.paths[k] for k in self.program.acting(self._span(name))}
 
     def is_constant(self, name: str) -> bool:
         """Whether a block is the same for all cases."""
-        return self._parts[name].is_constant
+        return self._part((name,)).is_constant
 
-    def block(self, name: str, values: Mapping[str, Array]) -> Array:
-        """A block of numbers of some cases, (m, ...)."""
-        found = self._parts[name](self._rows(values))[0]
-        return found.reshape(len(found), *self.places[name]["shape"])
+    def blocks(self, names: Sequence[str], values: Mapping[str, Array]) -> list[Array]:
+        """Blocks of numbers of some cases, (m, ...) each, all at once."""
+        found = _evaluated(self._part(tuple(names)), self._rows(values), self.cases)[0]
+        shapes = [self.places[name]["shape"] for name in names]
+        ends = np.cumsum([int(np.prod(shape)) for shape in shapes])[:-1]
+        return [
+            part.reshape(len(found), *shape) for part, shape in zip(np.split(found, ends, axis=1), shapes, strict=True)
+        ]
 
     def _rows(self, values: Mapping[str, Array]) -> Array:
         count = len(next(iter(values.values())))
         return np.stack([values[path] for path in self.paths], axis=1) if self.paths else np.zeros((count, 0))
 
 
+_INTERPRETED, _COMPILED, _BEGUN = 7e-9, 1.5e-4, 0.2
+"""Seconds of an operation in NumPy for a case, and to compile; and to begin with that."""
+
+
+def _evaluated(program: Program, rows: Array, cases: int) -> tuple[Array, NDArray[np.bool_]]:
+    """Of some of all cases, natively where that pays for all; not by how many go at once, for bits may differ."""
+    size = len(program.operations)
+    if cases * size * _INTERPRETED > _BEGUN + size * _COMPILED and program.compiles:
+        return evaluate_program(program, rows)
+    return program(rows)
+
+
 def case_program(
-    sheet: Robot, case: Mapping[str, float], robot_of: Callable[[RobotPair], Robot], blocks: Callable[[Robot], Blocks]
-) -> CaseProgram:
+    sheet: Robot, case: Mapping[str, float], robot_of: Callable[[RobotPair], Robot], blocks: Callable[[Robot], Blocks],
+    cases: int = 1,
+) -> CaseProgram:  # fmt: skip
     """The program of the ``blocks`` of numbers of a robot, noted at one ``case`` of the sheet: its value by path.
 
     Paths that lowering asks for as plain numbers are structure, too. Raises
@@ -103,7 +128,7 @@ def case_program(
             raise Structural(str(error)) from error
         fixed = {path: float(value) for path, value in case.items() if path not in inputs}
         if inputs:
-            return CaseProgram(tuple(inputs), fixed, program, places)
+            return CaseProgram(tuple(inputs), fixed, program, places, cases)
         break
     raise Structural("all paths are structure")
 
@@ -125,7 +150,9 @@ def refused_cases(sheet: Robot, values: Mapping[str, Array]) -> dict[int, str]:
         if programs < _MOST and len(left):
             programs += 1
             try:
-                program = case_program(sheet, changes_of(values, first), lambda pair: pair.real, lambda robot: {})
+                program = case_program(
+                    sheet, changes_of(values, first), lambda pair: pair.real, lambda robot: {}, len(left)
+                )
             except Structural:
                 programs = _MOST
             else:

@@ -22,12 +22,12 @@ from tmodes.simulation.parts import Trajectory
 from tmodes.simulation.reductions import Reduction, refuse_unknown_rules
 from tmodes.simulation.start import run_setup
 from tmodes.simulation.vary.alone import run_alone
-from tmodes.simulation.vary.arrays import Spans
 from tmodes.simulation.vary.kept import Kept, kept_cases
 from tmodes.simulation.vary.programs import refused_cases
 from tmodes.simulation.vary.reducing import Reducing
 from tmodes.simulation.vary.simulate import changes_of, checked, prepared
 from tmodes.simulation.vary.tables import Nominal, nominal_side, own_tip, setpoints
+from tmodes.simulation.vary.values import Whole
 
 __all__ = ["Kept", "Reduced", "Reduction", "reduced"]
 
@@ -74,7 +74,7 @@ def reduced(
     progress: Progress = lambda stage, share: None,
     kept: Collection[int] = (),
     wrong: str = "error",
-    spans: Spans | None = None,
+    whole: Whole | None = None,
     runner: Runner = PROCESSOR,
 ) -> Reduced:
     """Run k cases of one sheet and reduce their series to numbers; ``vary`` as of :func:`tmodes.simulate_batch`.
@@ -87,9 +87,8 @@ def reduced(
     Cases run side by side, or by themselves where they are stiff; each is run as :func:`tmodes.run` does where stop
     conditions or the energy may end it, and for what is at stations along links, which is slow. ``kept``:
     indices of cases whose motions are kept. ``wrong``: what becomes of cases that the sheet refuses: an ``error``
-    before anything runs, or a ``row`` with the status ``refused``. ``spans``: where these cases are part of more, the
-    least and the largest value of each path over all of them; what can be found once for all is then kept, and no case
-    within is refused where those at the ends are not.
+    before anything runs, or a ``row`` with the status ``refused``. ``whole``: where these cases are part of more,
+    what of; what can be found once for all is then kept.
     ``runner``: what runs the cases, but for those that run by themselves and the sheet's own.
 
     Raises :class:`tmodes.errors.InputError` or :class:`tmodes.errors.InputErrors` for wrong numbers and unknown names,
@@ -105,7 +104,7 @@ def reduced(
     if kept and _watched(sheet):
         expected = "no kept motions where stop conditions or the energy may end a run"
         raise InputError("kept", f"{len(kept)} cases", expected, "run these cases by themselves")
-    rows = _Rows(sheet, values, size, tuple(dict.fromkeys(reductions)), count, spans, runner)
+    rows = _Rows(sheet, values, size, tuple(dict.fromkeys(reductions)), count, whole, runner)
     if wrong == "row":
         rows.refuse(refused_cases(sheet, values))
     rows.run(progress)
@@ -125,10 +124,10 @@ class _Rows:
 
     def __init__(
         self, sheet: Robot, values: dict[str, Array], size: int, reductions: tuple[Reduction, ...], threads: int,
-        spans: Spans | None, runner: Runner,
+        whole: Whole | None, runner: Runner,
     ) -> None:  # fmt: skip
         self.sheet, self.values, self.reductions, self.threads = sheet, values, reductions, threads
-        self.spans, self.runner = spans, runner
+        self.whole, self.runner = whole, runner
         self.columns = {one: np.full(size, np.nan) for one in reductions}
         self.status, self.message, self.method = ([""] * size for _ in range(3))
         self.counts = {name: np.zeros(size, dtype=np.int64) for name in COUNTS}
@@ -155,7 +154,7 @@ class _Rows:
         if _watched(self.sheet):
             self._alone(going, own, progress)
             return
-        lanes = prepared(self.sheet, values, keep=False, progress=progress, threads=self.threads, spans=self.spans)
+        lanes = prepared(self.sheet, values, keep=False, progress=progress, threads=self.threads, whole=self.whole)
         distances = [name for name in DISTANCES if name in heads]
         if COMMANDED in heads and any(setpoints(lot.like) is None for lot in lanes.lots):
             distances.remove(COMMANDED)
@@ -163,7 +162,7 @@ class _Rows:
         if planned:
             nominal = Nominal.of(
                 self.sheet, values, nominal_side(self.sheet, values, planned), planned, self.threads, progress,
-                self.spans,
+                self.whole,
             )  # fmt: skip
         work = Reducing(lanes, self.reductions, own, nominal, self.threads, self.runner)
         for places, runs, numbers in work.parts(progress):

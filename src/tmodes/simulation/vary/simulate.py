@@ -23,10 +23,10 @@ from tmodes.simulation.batch.result import BatchRun, check_room, gathered, not_b
 from tmodes.simulation.batch.simulate import run_all, thread_count
 from tmodes.simulation.parts import Trajectory, sample_times
 from tmodes.simulation.start import RunSetup, run_setup
-from tmodes.simulation.vary.arrays import Spans, array_lots, family_of
+from tmodes.simulation.vary.arrays import array_lots, family_of
 from tmodes.simulation.vary.lanes import Columns, Side, changed_sheet
 from tmodes.simulation.vary.lots import Indices, Lot, lots_of
-from tmodes.simulation.vary.values import changes_of, checked
+from tmodes.simulation.vary.values import Whole, changes_of, checked
 
 __all__ = ["Prepared", "prepared", "run_prepared", "simulate_batch"]
 
@@ -108,13 +108,13 @@ def prepared(
     progress: Progress = lambda stage, share: None,
     side: Side = Side.ACTUAL,
     threads: int | None = None,
-    spans: Spans | None = None,
+    whole: Whole | None = None,
 ) -> Prepared:
     """All that can be wrong with a batch is reported here, before anything runs; see :func:`simulate_batch`.
 
     ``vary`` None: the sheet as it stands, as a batch of one lane. The room of samples to ``keep`` is asked for as soon
-    as the size of a state is known. ``side``: which robot runs. ``spans``: least and largest value of each path over
-    all batches of which this is one, for which forms are found once.
+    as the size of a state is known. ``side``: which robot runs. ``whole``: what this batch is a part of, for
+    which programs are found once.
     """
     refuse_other(sheet)
     values, folder = {} if vary is None else checked(vary), None if out is None else Path(out)
@@ -138,8 +138,8 @@ def prepared(
 
     one(0)
     family = None
-    if spans and values.keys() <= spans.keys():
-        own = {path: spans[path] for path in values}
+    if whole and values.keys() <= whole.ends.keys():
+        own = whole._replace(ends={path: whole.ends[path] for path in values})
         family = family_of(sheet, side, own, lambda changes: _lane(sheet, _plain_all(changes), side, 0))
     tell = partial(progress, "preparing")
     lots = array_lots(sheet, values, one, tell, side, count, family) if values else []

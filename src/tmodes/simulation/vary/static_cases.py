@@ -83,7 +83,8 @@ class StaticCases:
     @cached_property
     def program(self) -> CaseProgram:
         """The program of their numbers. Raises :class:`tmodes.model.parameters.Structural` where there is none."""
-        return case_program(self.sheet, self.case, lambda pair: pair.real, _blocks_of)
+        count = len(next(iter(self.values.values())))
+        return case_program(self.sheet, self.case, lambda pair: pair.real, _blocks_of, count)
 
     def holding(self) -> tuple[StaticCases, Indices]:
         """The cases that the program holds for, and their indices."""
@@ -92,9 +93,9 @@ class StaticCases:
         vars(made)["program"] = self.program
         return made, which
 
-    def block(self, name: str, which: Indices) -> Array:
-        """A block of numbers of some cases, (m, ...)."""
-        return self.program.block(name, {path: values[which] for path, values in self.values.items()})
+    def _numbers(self, which: Indices, *names: str) -> list[Array]:
+        """Blocks of numbers of some cases, (m, ...) each."""
+        return self.program.blocks(names, {path: values[which] for path, values in self.values.items()})
 
     @property
     def mass_names(self) -> tuple[str, ...]:
@@ -103,13 +104,14 @@ class StaticCases:
 
     def found(self, which: Indices, *, rests: bool) -> Statics:
         """The numbers of some cases; ``rests``: not the masses alone."""
-        masses, none = self.block("masses", which), np.full((len(which), 3), np.nan)
         if not rests:
-            return Statics(none, np.full((len(which), 0), np.nan), masses)
-        chain, weight, start = (self.block(name, which) for name in ("chain", "weight", "start"))
+            none = np.full((len(which), 3), np.nan)
+            return Statics(none, none[:, :0], *self._numbers(which, "masses"))
+        names = "masses", "chain", "weight", "start", "light", "rotors"
+        masses, chain, weight, start, light, rotors = self._numbers(which, *names)
         q = self._rests(chain, weight, start)
         sag = self._tips(chain, weight, q) - self._tips(chain, weight, start)
-        return Statics(sag, self._squares(chain, weight, q, which), masses)
+        return Statics(sag, self._squares(chain, weight, q, light, rotors), masses)
 
     def _tips(self, chain: Array, weight: Array, q: Array) -> Array:
         """The first point (m, 3) [m] in poses (m, nq)."""
@@ -181,19 +183,18 @@ class StaticCases:
             total += along.reshape(count, len(free), len(free)).swapaxes(1, 2)
         return total
 
-    def _squares(self, chain: Array, weight: Array, q: Array, which: Indices) -> Array:
+    def _squares(self, chain: Array, weight: Array, q: Array, light: Array, rotors: Array) -> Array:
         """Squared circular frequencies (m, modes) of what moves with locked motors."""
         moving = moving_coordinates(self._rest, MotorState.LOCKED, {})
         if not len(moving):
             return np.zeros((len(q), 0))
         count, n = len(q), q.shape[1]
         many, units = np.repeat(q, len(moving), axis=0), np.tile(np.eye(n)[moving], (count, 1))
-        light = np.repeat(self.block("light", which), len(moving), axis=0)
-        blocks = self._blocks(many, light) | {"a": units}
+        blocks = self._blocks(many, np.repeat(light, len(moving), axis=0)) | {"a": units}
         inertia = self._model.passes.schedule("inertia")
         mass = evaluate(np.repeat(chain, len(moving), axis=0), inertia, blocks, len(many))["forces"]
         mass = mass.reshape(count, len(moving), n)[:, :, moving]
-        mass = (mass + mass.swapaxes(1, 2)) / 2 + self.block("rotors", which)[:, moving, None] * np.eye(len(moving))
+        mass = (mass + mass.swapaxes(1, 2)) / 2 + rotors[:, moving, None] * np.eye(len(moving))
         slopes = self._slopes(chain, weight, q)
         places = np.searchsorted(self._free, moving)
         stiffness = slopes[:, places][:, :, places]

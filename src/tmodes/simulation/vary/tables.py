@@ -19,10 +19,10 @@ from tmodes.simulation.batch.wanted import Wanted
 from tmodes.simulation.batch.work import Work
 from tmodes.simulation.plan import Follow
 from tmodes.simulation.start import RunSetup, run_setup
-from tmodes.simulation.vary.arrays import Spans
 from tmodes.simulation.vary.lanes import Side
 from tmodes.simulation.vary.lots import Lot
 from tmodes.simulation.vary.simulate import Prepared, prepared, run_prepared
+from tmodes.simulation.vary.values import Whole
 from tmodes.simulation.warnings import jumps
 
 __all__ = ["Nominal", "Table", "nominal_side", "own_tip", "setpoints"]
@@ -106,13 +106,13 @@ class Nominal:
         names: Sequence[str],
         threads: int,
         progress: Progress,
-        spans: Spans | None = None,
+        whole: Whole | None = None,
     ) -> Nominal:
         """Prepare them; numbers under ``real`` are none of the nominal robot."""
         own = {
             path: numbers for path, numbers in values.items() if side is Side.ACTUAL or path.partition(".")[0] != _REAL
         }
-        lanes = prepared(sheet, own or None, keep=False, progress=progress, side=side, threads=threads, spans=spans)
+        lanes = prepared(sheet, own or None, keep=False, progress=progress, side=side, threads=threads, whole=whole)
         return cls(lanes, tuple(names))
 
     @property

@@ -3,15 +3,23 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from tmodes.errors import InputError
 
-__all__ = ["changes_of", "checked"]
+__all__ = ["Whole", "changes_of", "checked"]
 
 Array = NDArray[np.float64]
+
+
+class Whole(NamedTuple):
+    """What a batch is a part of: how many ``cases``, and the least and the largest value of each path over them."""
+
+    cases: int
+    ends: Mapping[str, tuple[float, float]]
 
 
 def checked(vary: Mapping[str, ArrayLike]) -> dict[str, Array]:

@@ -16,8 +16,8 @@ from tmodes.io.sheet_paths import steps_of
 from tmodes.live.knobs import REAL
 from tmodes.live.sheet_numbers import sheet_numbers
 from tmodes.sheet.robot import Robot
-from tmodes.simulation.vary.arrays import Spans
 from tmodes.simulation.vary.simulate import prepared, run_prepared
+from tmodes.simulation.vary.values import Whole
 from tmodes.study.mapping import Group, groups_of
 from tmodes.study.rows import GOOD, Rows
 from tmodes.study.study import Study
@@ -225,7 +225,7 @@ def tip_bands(study: Study, rows: Rows, progress: Callable[[str, float], None]) 
         return []
     try:
         group = _largest(study, rows)
-        return [] if group is None else _bands(group, study.spans.get(group.kind), progress)
+        return [] if group is None else _bands(group, study.wholes.get(group.kind), progress)
     except TmodesError:  # a batch takes no stop conditions, and all of it must fit into memory
         return []
 
@@ -243,7 +243,7 @@ def _largest(study: Study, rows: Rows) -> Group | None:
     return found if found is not None and len(found.places) >= _FEWEST else None
 
 
-def _bands(group: Group, spans: Spans | None, progress: Callable[[str, float], None]) -> list[dict[str, Any]]:
+def _bands(group: Group, whole: Whole | None, progress: Callable[[str, float], None]) -> list[dict[str, Any]]:
     robot = group.robot
     assert robot is not None  # noqa: S101
     samples = robot.integration.duration / robot.integration.output_step
@@ -254,7 +254,7 @@ def _bands(group: Group, spans: Spans | None, progress: Callable[[str, float], N
         progress("motions", share if stage == "running" else 1.0)
 
     vary = {path: values[:count] for path, values in group.vary.items()}
-    some = run_prepared(prepared(robot, vary, spans=spans), tips=True, progress=tell)
+    some = run_prepared(prepared(robot, vary, whole=whole), tips=True, progress=tell)
     if some.tips is None or own.tips is None or some.finished.sum() < _FEWEST or not own.finished.all():
         return []
     kept = np.unique(np.linspace(0, len(some.times) - 1, _MOST_TIMES).astype(int))

@@ -11,11 +11,11 @@ from tmodes.errors import InputError, InputErrors, SimulationError
 from tmodes.sheet import Robot
 from tmodes.simulation.batch.runner import Runner
 from tmodes.simulation.batch.simulate import thread_count
-from tmodes.simulation.vary.arrays import Spans
 from tmodes.simulation.vary.kept import Kept as KeptCase
 from tmodes.simulation.vary.kept import kept_cases
 from tmodes.simulation.vary.programs import refused_cases
 from tmodes.simulation.vary.reduce import Reduction, reduced
+from tmodes.simulation.vary.values import Whole
 from tmodes.study.quantities import Needs
 from tmodes.study.rows import Kept
 from tmodes.study.ways.part import Part
@@ -27,7 +27,7 @@ Array = NDArray[np.float64]
 
 def by_reductions(
     robot: Robot, vary: Mapping[str, Array], needs: Needs, kept: Collection[int],
-    threads: int | None, progress: Callable[[str, float], None], spans: Spans | None, runner: Runner,
+    threads: int | None, progress: Callable[[str, float], None], whole: Whole | None, runner: Runner,
 ) -> Part:  # fmt: skip
     """Reductions of the cases ``vary`` (m,) of one robot, and the motions of those ``kept``, by index.
 
@@ -37,7 +37,7 @@ def by_reductions(
     size = len(next(iter(vary.values())))
     try:
         found = reduced(
-            robot, vary, [*asked.values()], threads=threads, progress=progress, kept=kept, wrong="row", spans=spans,
+            robot, vary, [*asked.values()], threads=threads, progress=progress, kept=kept, wrong="row", whole=whole,
             runner=runner,
         )  # fmt: skip
     except SimulationError as error:
