@@ -17,7 +17,10 @@ _ROUNDS, _STEPS = 4, 8
 """Times that the slope is taken, and steps by each."""
 
 _SHARED_STEPS = 40
-"""Steps by the slope of a robot near by, which costs nothing."""
+"""Steps from the slope of a robot near by, which costs nothing."""
+
+_CURVED = 0.1
+"""Share of a step, along it, that its change of rates must explain to correct the slope."""
 
 _CONTRACTS = 0.5
 """Step over the one before it up to which the slope is good enough."""
@@ -29,7 +32,7 @@ def rests(balance: Balance, numbers: Array, rows: Array, near: Array, tangent: T
     ``numbers`` (k, size) and ``rows`` (k, row) are the parameters and signals at rest, ``near`` (k, size) states of the
     equations where to begin; one whose first step is not longer than ``stands`` (1 + |q|) stays as it is. At rest
     M a = -r vanishes with the forces r of :class:`tmodes.analysis.statics.system.StaticSystem`, to the same tolerance.
-    ``tangent``: of a robot near by, tried first for all: its steps are many and cheap.
+    ``tangent``: of a robot near by, tried first for all; each step corrects the slope of its case.
     """
     search = _Search(balance, numbers, rows, near.copy(), tangent, stands)
     going = search.left
@@ -74,16 +77,21 @@ class _Search:
         self.settled[which] = False
 
     def steps(self, left: NDArray[np.intp], inverse: Array, most: int, ends: tuple[float, float]) -> None:
-        """At most so many steps of each by its ``inverse``, as long as they become shorter quickly.
+        """At most so many steps of each from its ``inverse``, as long as they become shorter quickly.
+
+        Each step corrects the inverse by what it did to the rates: Broyden, A class of methods for solving nonlinear
+        simultaneous equations, Math. Comp. 19, 1965.
 
         ``ends``: steps up to the first of them end the search, those up to the second if they become no shorter.
         """
         unknown = self.balance.unknown
-        for _ in range(most):
+        step = rates = np.zeros((len(left), 0))
+        for k in range(most):
             if not len(left):
                 break
-            rates = self.balance.rates(self.states[left], self.rows[left], self.numbers[left])
-            step = (inverse @ rates[..., None])[..., 0]
+            new = self.balance.rates(self.states[left], self.rows[left], self.numbers[left])
+            inverse = _corrected(inverse, -step, new - rates) if k else inverse
+            rates, step = new, (inverse @ new[..., None])[..., 0]
             size, before = np.abs(step * self.tangent.weighs).max(axis=1), self.before[left]
             begins = np.isinf(before)
             reach = 1 + np.abs(self.states[left][:, self.balance.loop.layout.q]).max(axis=1)
@@ -94,7 +102,7 @@ class _Search:
             found = stands | (size <= ends[0] * reach) | ((size <= ends[1]) & (size >= before))
             self.settled[left], self.before[left] = found, size
             contracts = ~found & (size <= _CONTRACTS * before)
-            left, inverse = left[contracts], inverse[contracts]
+            left, inverse, rates, step = left[contracts], inverse[contracts], rates[contracts], step[contracts]
 
     def inverses(self, which: NDArray[np.intp]) -> Array:
         """Of the slopes of some of them (k, unknown, unknown), along what counts."""
@@ -102,6 +110,15 @@ class _Search:
         found, counts = np.zeros_like(slopes), np.flatnonzero(self.tangent.counts)
         found[:, counts[:, None], counts] = inverses(slopes[:, counts[:, None], counts])
         return found
+
+
+def _corrected(inverse: Array, moved: Array, change: Array) -> Array:
+    """Inverse slopes (k, n, n) that give the ``moved`` (k, n) of the last step for the ``change`` (k, n) of rates."""
+    along = (moved[:, None] @ inverse)[:, 0]
+    share, size = (along * change).sum(axis=1), (moved * moved).sum(axis=1)
+    good = share > _CURVED * size
+    wrong = moved - (inverse @ change[..., None])[..., 0]
+    return inverse + np.where(good, 1 / np.where(good, share, 1.0), 0.0)[:, None, None] * wrong[..., None] * along[:, None]
 
 
 def inverses(slopes: Array) -> Array:
