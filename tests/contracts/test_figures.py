@@ -69,7 +69,7 @@ def test_it_draws_or_reports_why_not(name: str, result: Result, caplog: pytest.L
             plot.FIGURES[name](result)
         return
     axes = figures[name]()
-    rendered(axes[0].figure, "svg")
+    assert_nothing_overlaps(axes)
     for index, panel in enumerate(axes):
         assert UNIT.search(panel.get_ylabel()), panel.get_ylabel()
         assert panel.get_title(loc="left").startswith(f"{chr(ord('a') + index)}) ")
@@ -93,22 +93,24 @@ def filling(name: str) -> Result:
     return tmodes.run(tmodes.Robot.from_data(sheet(joints=joints, links=links, drives=drives)))
 
 
-@pytest.mark.parametrize("name", NAMES)
-def test_nothing_overlaps(name: str) -> None:
+def assert_nothing_overlaps(axes: list[Any]) -> None:
     """Titles, labels and legends of all panels keep apart."""
-    result = filling(name)
-    axes = plot.FIGURES[name](result)
-    axes[0].figure.canvas.draw()
     whole = axes[0].figure
+    whole.canvas.draw()
     drawer = whole.canvas.get_renderer()  # pyright: ignore[reportAttributeAccessIssue]
     titles: list[Any] = [vars(panel)["_left_title"] for panel in axes]
     words = [*titles, *(text for panel in axes for text in (panel.xaxis.label, panel.yaxis.label))]
     boxes = [text.get_window_extent(drawer) for text in words if text.get_text()]
     boxes += [legend.get_window_extent(drawer) for legend in whole.legends]
     for k, box in enumerate(boxes):
-        assert not any(box.overlaps(other) for other in boxes[:k]), name
+        assert not any(box.overlaps(other) for other in boxes[:k])
         assert box.x0 >= 0
         assert box.x1 <= whole.bbox.x1 + 1
+
+
+def test_nothing_overlaps_in_the_states_of_controllers() -> None:
+    """The others are looked at where they are drawn."""
+    assert_nothing_overlaps(plot.FIGURES["controller_states"](filling("controller_states")))
 
 
 @pytest.mark.parametrize("name", NAMES)
