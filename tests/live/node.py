@@ -13,9 +13,11 @@ import numpy as np
 import pytest
 
 from patience import LONG
+from tmodes.live.map import LiveMap
+from tmodes.live.sliders import MOST
 from tmodes.report.pack import pack
 
-__all__ = ["built_page", "in_node", "live_in_node", "worst_difference"]
+__all__ = ["built_page", "drawn", "in_node", "live_in_node", "worst_difference"]
 
 ROOT = Path(__file__).resolve().parents[2]
 WEB = ROOT / "web"
@@ -42,6 +44,28 @@ for (const values of JSON.parse(readFileSync("jobs.json", "utf8"))) {
 const written = (key, value) => ArrayBuffer.isView(value) ? { $f8: Array.from(value, String) } : value;
 process.stdout.write(JSON.stringify(results, written));
 """
+
+
+def drawn(live: LiveMap, count: int, seed: int, others: float = 0.1) -> list[list[float]]:
+    """Random values of all sliders at once for which the program holds.
+
+    The first ones anywhere between their ends, ``others`` by that share of the way to them.
+    """
+    generator, found = np.random.default_rng(seed), list[list[float]]()
+    reach = np.where(np.arange(len(live.sliders)) < MOST, 1.0, others)
+    for _ in range(count):
+        shares = reach * generator.uniform(-1.0, 1.0, len(reach))
+        while True:
+            ends = [one.high if share > 0 else one.low for one, share in zip(live.sliders, shares, strict=True)]
+            values = [
+                one.value + abs(share) * (end - one.value)
+                for one, share, end in zip(live.sliders, shares.tolist(), ends, strict=True)
+            ]
+            if live.holds(values):
+                break
+            shares *= 0.8
+        found.append(values)
+    return found
 
 
 def built_live(folder: Path) -> Path:

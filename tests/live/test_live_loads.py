@@ -18,7 +18,7 @@ from tmodes.result import Result, assemble_result
 from tmodes.sheet import Robot
 from tmodes.simulation.simulate import simulate_motion
 
-from .node import live_in_node
+from .node import drawn, live_in_node
 
 pytestmark = pytest.mark.nightly
 
@@ -99,8 +99,7 @@ class Case(NamedTuple):
 def case(tmp_path_factory: pytest.TempPathFactory) -> Case:
     arm = loaded()
     live = live_map(arm.pair(), (0.0, 1.0))
-    generator = np.random.default_rng(11)
-    jobs = [[float(generator.uniform(s.low, s.high)) for s in live.sliders] for _ in range(SETTINGS)]
+    jobs = drawn(live, SETTINGS, seed=11)
     arms = [arm, *(arm.with_(live.changes(values)) for values in jobs)]
     results = [assemble_result(simulate_motion(one), one) for one in arms]
     bundle = live_bundle(results[0])

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from tmodes.live.bundle import live_bundle
-from tmodes.live.map import LiveMap, live_map
+from tmodes.live.map import live_map
 from tmodes.report.data import modes_of
 from tmodes.report.drafts import own_frequencies
 from tmodes.report.facts import frequency_facts
@@ -17,7 +17,7 @@ from tmodes.result import Result, assemble_result
 from tmodes.sheet import Robot
 from tmodes.simulation.simulate import simulate_motion
 
-from .node import live_in_node
+from .node import drawn, live_in_node
 from .same_modes import SHAPE, assert_same_modes
 from .test_live_run import two_links
 
@@ -35,12 +35,6 @@ _BALL = {"shape": {"type": "ball", "center": [0.0, 0.02, 0.1], "radius": 0.88, "
          "stiffness": 800.0, "damping": 4.0, "preload": 5.0}  # fmt: skip
 
 
-def drawn(live: LiveMap) -> list[list[float]]:
-    generator = np.random.default_rng(3)
-    random = [[float(generator.uniform(s.low, s.high)) for s in live.sliders] for _ in range(SETTINGS)]
-    return [[slider.value for slider in live.sliders], *random]
-
-
 def result_of(arm: Robot) -> Result:
     return assemble_result(simulate_motion(arm), arm)
 
@@ -48,7 +42,7 @@ def result_of(arm: Robot) -> Result:
 def both(arm: Robot, folder: Path, most: int = 1 + SETTINGS) -> list[tuple[dict[str, Any], Result]]:
     live, bundle = live_map(arm.pair(), (0.0, 1.0)), live_bundle(result_of(arm))
     assert bundle is not None
-    values = drawn(live)[:most]
+    values = [live.start, *drawn(live, SETTINGS, seed=3)][:most]
     runs = live_in_node(bundle, values, folder)
     return [(run, result_of(arm.with_(live.changes(one)))) for run, one in zip(runs, values, strict=True)]
 

@@ -26,7 +26,7 @@ from tmodes.simulation.plan import Follow
 from tmodes.simulation.simulate import simulate_motion
 
 from .chain import chain
-from .node import live_in_node, worst_difference
+from .node import drawn, live_in_node, worst_difference
 
 SETTINGS = 10
 EQUAL = 1e-9
@@ -80,9 +80,8 @@ def unchanged(live: LiveMap) -> list[float]:
     return [slider.value for slider in live.sliders]
 
 
-def drawn(live: LiveMap) -> list[list[float]]:
-    generator = np.random.default_rng(7)
-    return [[float(generator.uniform(s.low, s.high)) for s in live.sliders] for _ in range(SETTINGS)]
+def settings(live: LiveMap) -> list[list[float]]:
+    return drawn(live, SETTINGS, seed=7)
 
 
 @pytest.fixture(scope="module")
@@ -104,7 +103,7 @@ def bundle(native: Result) -> dict[str, Any]:
 
 @pytest.fixture(scope="module")
 def runs(bundle: dict[str, Any], live: LiveMap, tmp_path_factory: pytest.TempPathFactory) -> list[dict[str, Any]]:
-    return live_in_node(bundle, [unchanged(live), *drawn(live)], tmp_path_factory.mktemp("live"))
+    return live_in_node(bundle, [unchanged(live), *settings(live)], tmp_path_factory.mktemp("live"))
 
 
 def test_page_has_outputs_by_their_names(native: Result, runs: list[dict[str, Any]]) -> None:
@@ -137,7 +136,7 @@ def test_page_equals_native_run_unchanged_and_at_ten_random_settings(
     native: Result, live: LiveMap, runs: list[dict[str, Any]]
 ) -> None:
     """Every series along time but those of the elastic lines."""
-    arms = [two_links().with_(live.changes(values)) for values in drawn(live)]
+    arms = [two_links().with_(live.changes(values)) for values in settings(live)]
     for run, result in zip(runs, [native, *map(result_of, arms)], strict=True):
         assert run["status"] == result.status == "finished"
         assert set(run["series"]) == {str(name) for name, one in result.data.items() if "time" in one.dims} - LINES
@@ -161,7 +160,7 @@ def test_picture_is_that_of_the_result(native: Result, bundle: dict[str, Any], r
 def test_the_surface_follows_its_slider(live: LiveMap, runs: list[dict[str, Any]]) -> None:
     """The wall of each run is where the changed sheet has it, and the contact there is the native one's."""
     assert "distance of the wall" in [slider.label for slider in live.sliders]
-    for values, run in zip([unchanged(live), *drawn(live)], runs, strict=True):
+    for values, run in zip([unchanged(live), *settings(live)], runs, strict=True):
         contact = two_links().with_(live.changes(values)).contact
         assert contact is not None
         shown, true = run["scene"]["contact"]["surface"], contact.shape.drawing()
@@ -227,7 +226,7 @@ def test_headline_numbers_are_those_of_the_summary(native: Result, runs: list[di
 
 
 def test_saved_sheet_is_that_of_the_settings(live: LiveMap, runs: list[dict[str, Any]]) -> None:
-    for values, run in zip([unchanged(live), *drawn(live)], runs, strict=True):
+    for values, run in zip([unchanged(live), *settings(live)], runs, strict=True):
         data, _ = parse_yaml(run["sheet"], "page")
         assert Robot.from_data(data) == two_links().with_(live.changes(values))
 

@@ -28,8 +28,9 @@ FREE = "free joints"
 
 def without_elasticity(model: Model, q: Array) -> Array:
     """Coordinates (n, nq) of the robot at ``q`` without any elasticity, its motors where they are."""
-    straight, joints = q.copy(), sprung(model)
-    straight[:, joints] -= deflections(model, q)[:, : len(joints)]
+    joints, away = sprung(model), deflections(model, q)
+    straight = np.array(q, dtype=away.dtype)
+    straight[:, joints] -= away[:, : len(joints)]
     straight[:, model.deformations] = 0.0
     return straight
 

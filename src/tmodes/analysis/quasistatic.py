@@ -142,8 +142,9 @@ def gear_inputs(model: Model, values: Array, *, rest: bool = False) -> Array:
 
 def gross_motion(model: Model, values: Array) -> Array:
     """Rates, or accelerations, of the gross motion: no deflection moves."""
-    gross = values.copy()
-    gross[:, sprung(model)] = gear_inputs(model, values)
+    inputs = gear_inputs(model, values)
+    gross = np.array(values, dtype=inputs.dtype)
+    gross[:, sprung(model)] = inputs
     gross[:, model.deformations] = 0.0
     return gross
 

@@ -9,9 +9,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.analysis.error_parts import without_elasticity
 from tmodes.analysis.line.line import elastic_line, line_places
-from tmodes.analysis.quasistatic import deflections, elastic_names
+from tmodes.analysis.quasistatic import elastic_names
 from tmodes.live.functions import ModelFunctions, engine_settings, live_module
 from tmodes.live.knobs import Ahead
 from tmodes.live.map import LiveMap, Progress, live_map
@@ -85,13 +84,21 @@ def _common(result: Result, pair: RobotPair, live: LiveMap, method: str) -> dict
     times = np.asarray(result.record["time"].values, dtype=float)
     return {
         "sliders": [slider.info() for slider in live.sliders],
-        "leftOut": [{"path": path, "reason": reason} for path, reason in live.left_out.items()],
+        "leftOut": _left_out(live),
         "map": live.info(),
         "settings": engine_settings(settings.chosen(method)) | {"method": method, "note": _note(result, method)},
         "times": times,
         "frames": _frames(times, settings.output_step),
         "sheet": sheet_template(pair.nominal, live),
     }
+
+
+def _left_out(live: LiveMap) -> list[dict[str, str]]:
+    """Paths without a slider by reason: what is structure, what changes nothing."""
+    reasons: dict[str, list[str]] = {}
+    for path, reason in live.left_out.items():
+        reasons.setdefault(reason, []).append(path)
+    return [{"path": ", ".join(paths), "reason": reason} for reason, paths in reasons.items()]
 
 
 def _frames(times: NDArray[np.float64], step: float) -> NDArray[np.int32]:
@@ -145,12 +152,8 @@ def mechanics(
         "runs": {name: _run(setup) for name, setup in runs.items()},
         "restSize": LoopModel(planned(pair.real, Follow.HELD).plan).layout.size,
         "atRest": starts_at_rest(pair.real),
-        "base": model.at_rest(gravity=0.0),
-        "gravity": np.asarray(model.chain.gravity, dtype=float),
-        "deflections": _affine(lambda q: deflections(model, q), model.nq),
         "deformations": list(elastic_names(model)),
         "turning": [axis.name for axis in model.chain.axes if not axis.coordinate.slides],
-        "straight": _affine(lambda q: without_elasticity(model, q), model.nq),
         "bends": model.deformations.tolist(),
         "links": _links(model, surfaces),
         "carried": _carried(pair, real, functions),
@@ -205,12 +208,6 @@ def _balance(setup: RunSetup) -> dict[str, Any] | None:
         "weighs": tangent.weighs[counts],
         "noise": [drive.noise for drive in setup.planned.plan.drives if drive.noise >= 0],
     }
-
-
-def _affine(function: Any, size: int) -> dict[str, Array]:
-    """Matrix and constant of an affine function of coordinates."""
-    info = function(np.concatenate([np.zeros((1, size)), np.eye(size)]))
-    return {"matrix": np.ascontiguousarray((info[1:] - info[0]).T), "constant": info[0].copy()}
 
 
 def _carried(pair: RobotPair, real: RunSetup, functions: ModelFunctions) -> dict[str, Any]:

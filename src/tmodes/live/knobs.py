@@ -13,9 +13,10 @@ import numpy as np
 from tmodes.io.sheet_check import sheet_data
 from tmodes.io.sheet_groups import real_entry
 from tmodes.live.sheet_numbers import SheetNumber, sheet_numbers
+from tmodes.model.parameters import STRUCTURE
 from tmodes.sheet import Robot
 
-__all__ = ["REAL", "Ahead", "Knob", "Rule", "knobs_of", "rule_of", "stretched_length"]
+__all__ = ["REAL", "Ahead", "Knob", "Rule", "knobs_of", "other_knobs", "rule_of", "stretched_length"]
 
 
 Ahead = Mapping[str, tuple[float, float]]
@@ -119,6 +120,25 @@ def knobs_of(sheet: Robot, ahead: Ahead | None = None) -> list[Knob]:
     return found
 
 
+def other_knobs(sheet: Robot, knobs: Sequence[Knob]) -> list[Knob]:
+    """Every other number of the robot by itself; from half of it to twice, or of a zero as far as its unit suggests."""
+    own = {knob.first.path for knob in knobs if not knob.together}
+    numbers = [one for one in sheet_numbers(sheet) if one.path not in own and one.path.split(".")[0] not in STRUCTURE]
+    away = {"m": 0.05 * stretched_length(sheet), "rad": 0.5}
+    found: list[Knob] = []
+    for number in numbers:
+        span = (
+            sorted((number.value / 2, 2 * number.value))
+            if number.value
+            else [-(far := away.get(number.unit, 1.0)), far]
+        )
+        low, high = max(span[0], number.least), min(span[1], number.most)
+        if low <= number.value <= high:
+            targets = ((number.path, number.value),)
+            found.append(Knob(number.pattern, targets, number.value, low, high, number.value > 0, (), None, number))
+    return found
+
+
 def _named(sheet: Robot, number: SheetNumber, span: tuple[float, float] | None) -> Knob:
     """A knob of one number that goes from end to end of a span, and a little beyond."""
     low, high = span or (number.value / 2, 2 * number.value)
@@ -181,8 +201,8 @@ def _log(low: float, rule: Rule) -> bool:
     return rule.log and low > 0
 
 
-OTHER = Rule("", "other")
-"""Of numbers that were named and have no rule of their own."""
+OTHER = Rule("", "")
+"""Of numbers without a rule of their own."""
 
 
 def rule_of(knob: Knob) -> Rule:

@@ -1,38 +1,36 @@
-"""The map of a live report: from what its sliders say to all numbers of both runs, fitted once and evaluated there.
+"""The map of a live report: one noted program, with guards, from its sliders to all numbers of both runs.
 
-sliders -> knobs, as known and as they really are -> numbers of each run, by a Form each
+sliders -> numbers of the data sheet -> parameters, signals, rest and lines of the nominal and of the actual robot
 """
 
 from __future__ import annotations
 
 import json
+import math
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from functools import cached_property
-from hashlib import sha256
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.compile.cache import load, save, source_digest
-from tmodes.errors import InputError, InputErrors
+from tmodes.kinds.noted.program import Program
 from tmodes.kinds.registry import outside_digest
-from tmodes.live.knobs import Ahead, Knob, knobs_of
+from tmodes.live.knobs import Ahead, Knob, knobs_of, other_knobs
 from tmodes.live.numbers import follow_of, has_reference, run_numbers, whole_moves
-from tmodes.live.sheet_numbers import sheet_numbers
 from tmodes.live.sliders import Slider, sliders_of
-from tmodes.model.fitting import fitted
-from tmodes.model.forms import Form, Range, Unfit
-from tmodes.sheet import Robot, RobotPair
+from tmodes.model.parameters import Structural
+from tmodes.sheet import RobotPair
 from tmodes.simulation.loop import Blocks, whole
+from tmodes.simulation.vary.programs import CaseProgram, case_program
 
 __all__ = ["LiveMap", "Progress", "live_map"]
 
 Array = NDArray[np.float64]
 Progress = Callable[[str, float], None]
 
-_SEED = 20100
 _LONGEST_MOVE = 2.5
 """How many times as long a move may become, and a little more."""
 
@@ -41,65 +39,133 @@ _NOT_COMPARED = (
     "an actual robot with factors of its own is compared with the nominal one, and this run has no nominal run to "
     "compare with; set them in the data sheet and simulate it by `tmodes run`"
 )
+_STRUCTURE = "structure: another value takes other equations; change it by --set"
 
 
 @dataclass(frozen=True, eq=False)
 class LiveMap:
-    """Sliders, their knobs, and the numbers of each run: ``reference`` and ``real``.
+    """Sliders, their knobs, and the program ``noted`` of the numbers of both runs, ``reference`` and ``real``.
 
-    ``places``: of each run, where each block of its vector is. ``left_out``: paths that have no slider, with reasons.
+    Its blocks are called ``RUN BLOCK``. ``sheet``: the numbers of its paths as they were. ``left_out``: paths that have
+    no slider, with reasons.
     """
 
     sliders: tuple[Slider, ...]
     knobs: tuple[Knob, ...]
-    forms: dict[str, Form]
-    places: dict[str, dict[str, Any]]
+    noted: CaseProgram
+    sheet: Mapping[str, float]
     left_out: dict[str, str]
 
-    def knob_values(self, values: Sequence[float], run: str) -> dict[int, float]:
-        """Where the knobs of a run stand for values of the sliders; of an actual robot with its factors."""
-        known = {k: knob.start for k, knob in enumerate(self.knobs)}
-        factors = {k: knob.factor for k, knob in enumerate(self.knobs)}
-        for slider, value in zip(self.sliders, values, strict=True):
-            (factors if slider.real else known)[slider.knob] = value
-        if run == "reference":
-            return known
-        return {k: _really(knob, known[k], factors[k]) for k, knob in enumerate(self.knobs)}
+    @property
+    def start(self) -> list[float]:
+        """The values of the sliders in the run as it was."""
+        return [slider.value for slider in self.sliders]
+
+    @cached_property
+    def targets(self) -> dict[str, tuple[float, tuple[int, ...]]]:
+        """Paths of the sheet that change: a number times the values of some sliders, by their index."""
+        found: dict[str, tuple[float, tuple[int, ...]]] = {}
+        for k, slider in enumerate(self.sliders):
+            knob = self.knobs[slider.knob]
+            for path, start in slider.changes(knob, slider.value).items():
+                base, others = found.get(path, (start, ()))
+                shared = knob.together and not slider.real
+                found[path] = base if shared else 1.0, (*others, k)
+        return found
+
+    @cached_property
+    def program(self) -> Program:
+        """The program from the values of the sliders."""
+        old, count = self.noted.program, len(self.sliders)
+        known = [self.targets.get(path, (self.sheet[path], ())) for path in self.noted.paths]
+        bases = [base for base, _ in known]
+        first = count + len(bases) + len(old.constants)
+        operations: list[tuple[Any, ...]] = []
+        registers: list[int] = []
+        for k, (base, sliders) in enumerate(known):
+            factors = [*([] if sliders and base == 1.0 else [count + k]), *sliders]
+            registers.append(factors[0])
+            for factor in factors[1:]:
+                operations.append(("mul", registers[k], factor))
+                registers[k] = first + len(operations) - 1
+        registers += range(count + len(bases), first)
+        registers += range(first + len(operations), first + len(operations) + len(old.operations))
+        operations += [(name, *(registers[k] for k in operands)) for name, *operands in old.operations]
+        guards = tuple((relation, registers[a], registers[b]) for relation, a, b in old.guards)
+        outputs = np.array(registers, dtype=np.intp)[old.outputs]
+        return Program(count, np.array([*bases, *old.constants]), tuple(operations), outputs, guards)
+
+    def holds(self, values: Sequence[float]) -> bool:
+        """Whether the program holds for values of the sliders; elsewhere the page says so."""
+        return bool(self.program(np.array([values], dtype=float))[1][0])
 
     def numbers(self, values: Sequence[float], run: str) -> Blocks:
         """The blocks of a run for values of the sliders."""
-        vector = self.forms[run].at(self.knob_values(values, run))
+        (vector,) = self.program(np.array([values], dtype=float))[0]
+        return {name: vector[_part(place)].reshape(place["shape"]) for name, place in self._places(run).items()}
+
+    def _places(self, run: str) -> dict[str, Any]:
         return {
-            name: vector[place["start"] : place["start"] + int(np.prod(place["shape"]))].reshape(place["shape"])
-            for name, place in self.places[run].items()
+            name.removeprefix(f"{run} "): place
+            for name, place in self.noted.places.items()
+            if name.startswith(f"{run} ")
         }
+
+    def entering(self, run: str, *blocks: str) -> set[str]:
+        """The paths of sliders that change a block of a run whose name begins with one of ``blocks``."""
+        places = [_part(place) for name, place in self._places(run).items() if name.startswith(blocks)]
+        return {self.sliders[k].path for place in places for k in self.program.acting(place)}
+
+    def without(self, paths: Mapping[str, str]) -> LiveMap:
+        """The same without the sliders of these paths, for the reasons given, at whose values they stay."""
+        kept = tuple(slider for slider in self.sliders if slider.path not in paths)
+        return replace(self, sliders=kept, left_out=self.left_out | dict(paths))
 
     def changes(self, values: Sequence[float]) -> dict[str, float]:
         """What ``--set`` is to change for these values: of sliders that moved, path and value."""
-        found: dict[str, float] = {}
-        for slider, value in zip(self.sliders, values, strict=True):
-            if value != slider.value:
-                found |= slider.changes(self.knobs[slider.knob], value)
-        return found
+        moved = [value != slider.value for slider, value in zip(self.sliders, values, strict=True)]
+        return {
+            path: float(np.prod([base, *(values[k] for k in sliders)]))
+            for path, (base, sliders) in self.targets.items()
+            if any(moved[k] for k in sliders)
+        }
 
     def info(self) -> dict[str, Any]:
-        """As plain data with arrays: what ``web/src/live/map.ts`` reads."""
+        """As plain data with arrays: what ``web/src/live/map.ts`` evaluates."""
+        program, constants = self.program, len(self.program.constants)
+        names = sorted({operation for operation, *_ in program.operations})
+        code = [
+            (names.index(name), own - operands[0], own - operands[-1])
+            for own, (name, *operands) in enumerate(program.operations, program.inputs + constants)
+        ]
+        changing = np.flatnonzero((program.outputs < program.inputs) | (program.outputs >= program.inputs + constants))
         return {
-            "knobs": [
-                {"start": knob.start, "together": knob.together, "factor": knob.factor} for knob in self.knobs
-            ],
-            "sliders": [{"knob": slider.knob, "real": slider.real} for slider in self.sliders],
-            "runs": {name: form.info() | {"places": self.places[name]} for name, form in self.forms.items()},
+            "paths": [slider.path for slider in self.sliders], "start": self.start,
+            "constants": program.constants, "operations": names, "code": _whole(code, 3),
+            "guards": _whole([_relation(*guard) for guard in program.guards], 3).T.copy(),
+            "base": program(np.array([self.start]))[0][0],
+            "moving": np.diff(_whole(np.stack([changing, program.outputs[changing]], axis=1), 2), prepend=np.int32(0)),
+            "runs": {run: self._places(run) for run in ("reference", "real")},
         }  # fmt: skip
 
 
-def _really(knob: Knob, known: float, factor: float | None) -> float:
-    """Where a knob of the actual robot stands; a proportion is of the actual robot's numbers."""
-    if factor is None or knob.factor is None:
-        return known
-    if not knob.together:
-        return known * factor
-    return known * (factor / knob.factor) if knob.factor else known
+def _part(place: Mapping[str, Any]) -> NDArray[np.intp]:
+    return np.arange(place["start"], place["start"] + int(np.prod(place["shape"])))
+
+
+def _whole(rows: Any, width: int) -> NDArray[np.int32]:
+    """Rows of whole numbers as columns (width, n), which take less room when packed."""
+    return np.ascontiguousarray(np.array(rows, dtype=np.int32).reshape(-1, width).T)
+
+
+def _relation(relation: str, a: int, b: int) -> tuple[int, int, int]:
+    """A guard as the page has it: twice the place of ``<``, ``<=``, ``==`` or ``finite``; negated, one more."""
+    isnt, relation = relation.startswith("not "), relation.removeprefix("not ")
+    if relation == "!=":
+        isnt, relation = not isnt, "=="
+    elif relation[0] == ">":
+        relation, a, b = relation.replace(">", "<"), b, a
+    return 2 * ("<", "<=", "==", "finite").index(relation) + isnt, a, b
 
 
 def live_map(
@@ -108,154 +174,117 @@ def live_map(
     ahead: Ahead | None = None,
     progress: Progress = lambda stage, share: None,
 ) -> LiveMap:
-    """The map of a pair: sliders whose effect has a form, and the forms, each verified at random points.
+    """The map of a pair: a slider of every number of the sheet that is no structure, all by one program.
 
     ``stations``: places along each link of a robot of which its picture is made; ``ahead``: numbers whose sliders come
-    first; ``progress``: is given ``report`` and its share. What was found is kept in the folder of compiled code, and
-    found again where sheet, kinds, program, sliders and the numbers at the start are the same.
+    first; ``progress``: is given ``report`` and its share. The program is kept in the folder of compiled code, and
+    found again where sheet, kinds, program and sliders are the same.
     """
+    progress("report", 0.0)
     knobs = knobs_of(pair.nominal, ahead)
+    knobs += other_knobs(pair.nominal, knobs)
     sliders, left_out = _offered(pair, knobs, ahead)
-    runs = _Runs(pair, knobs, sliders, range(len(knobs)), stations, _onward(progress))
-    found = json.loads(load(runs.key) or b"null")
-    if found is None:
-        found = _found(runs)
-        save(runs.key, json.dumps(found).encode())
-    used = found["used"]
-    sliders = [slider for slider in sliders if slider.knob in used]
-    start, runs = runs.at_start, runs.of(used, sliders)
-    forms = {name: Form.of(start[name], runs.ranges(name), parts) for name, parts in found["forms"].items()}
-    idle = _idle(sliders, used, forms)
-    left_out |= found["left out"] | {slider.path: _NO_EFFECT for slider in sliders if slider in idle}
-    kept = [replace(slider, knob=used.index(slider.knob)) for slider in sliders if slider not in idle]
-    return LiveMap(tuple(kept), tuple(runs.knobs), forms, runs.places, left_out)
+    every = LiveMap(tuple(sliders), tuple(knobs), _fixed({}), {}, left_out)
+    sheet = {path: base * math.prod(sliders[k].value for k in own) for path, (base, own) in every.targets.items()}
+    key = _key(pair, every, stations)
+    kept = json.loads(load(key) or b"null")
+    if kept is None:
+        found = _bounded(_noted(replace(every, sheet=sheet), pair, stations))
+        save(key, json.dumps(_written(found)).encode())
+    else:
+        found = _read(replace(every, sheet=sheet), kept)
+    progress("report", 1.0)
+    return found
 
 
-def _onward(progress: Progress) -> Progress:
-    """The same, whose share never falls: forms are fitted anew where a number turns out to have none."""
-    reached = 0.0
+def _noted(every: LiveMap, pair: RobotPair, stations: tuple[float, ...]) -> LiveMap:
+    """With the program of the numbers of a pair, and the sliders that it follows."""
+    nominal, until = pair.nominal, whole_moves(pair.nominal, _LONGEST_MOVE)
 
-    def forward(stage: str, share: float) -> None:
-        nonlocal reached
-        reached = max(reached, share)
-        progress(stage, reached)
+    def blocks(both: Any) -> Blocks:
+        robots = {"reference": (both.nominal, ())} if has_reference(nominal) else {}
+        found: Blocks = {}
+        for run, (robot, places) in {**robots, "real": (both.real, stations)}.items():
+            numbers = run_numbers(robot, follow_of(nominal, run), until, places)
+            found |= {f"{run} {name}": values for name, values in numbers.items()}
+        return found
 
-    return forward
+    structure = _STRUCTURE
+    try:
+        noted = case_program(nominal, every.sheet, lambda both: both, blocks)
+    except Structural as error:
+        noted, structure = _fixed(blocks(pair)), f"its numbers cannot be followed: {error}"
+    changes = {one.path: one.changes(every.knobs[one.knob], one.value) for one in every.sliders}
+    why = {path: structure for path, own in changes.items() if not own.keys() <= {*noted.paths}}
+    return replace(every, noted=noted).without(why)
 
 
-def _found(every: _Runs) -> dict[str, Any]:
-    """As plain data: the indices of the knobs whose effect has a form (``used``), why others have none, the forms."""
-    left_out: dict[str, str] = {}
-    sliders, used = every.sliders, sorted({slider.knob for slider in every.sliders})
-    while True:
-        runs = every.of(used, sliders)
-        try:
-            forms = {name: runs.fitted(name).parts() for name in every.at_start}
-        except Unfit as error:
-            for place, why in error.reasons.items():
-                left_out |= {path: why for path, _ in runs.knobs[place].targets}
-            used = [k for place, k in enumerate(used) if place not in error.reasons]
-            sliders = [slider for slider in sliders if slider.knob in used]
-            continue
-        return {"used": used, "left out": left_out, "forms": forms}
+def _fixed(blocks: Blocks) -> CaseProgram:
+    """The program of numbers that nothing changes."""
+    vector, places = whole({"real none": np.zeros(0), **blocks})
+    return CaseProgram((), {}, Program(0, vector, (), np.arange(len(vector)), ()), places)
+
+
+_HALVINGS = 8
+
+
+def _bounded(every: LiveMap) -> LiveMap:
+    """With sliders that go, each by itself, as far as the checks of the sheet and the structure of the program hold."""
+    guards = every.program.part(np.zeros(0, dtype=np.intp), guarded=True)
+    start, ends = np.array(every.start), np.array([(one.low, one.high) for one in every.sliders]).reshape(-1, 2)
+    holds, fails = np.zeros(ends.shape), np.ones(ends.shape)
+    share = fails
+    for _ in range(1 + _HALVINGS):
+        here = np.where(share == 1.0, ends, start[:, None] + share * (ends - start[:, None]))
+        cases = np.repeat(start[None], ends.size, axis=0)
+        cases[np.arange(ends.size), np.arange(ends.size) // 2] = here.ravel()
+        right = guards(cases)[1].reshape(ends.shape)
+        holds, fails = np.where(right, share, holds), np.where(right, fails, share)
+        share = (holds + fails) / 2
+        if right.all():
+            break
+    bounds = np.where(holds == 1.0, ends, start[:, None] + holds * (ends - start[:, None])).tolist()
+    sliders = tuple(replace(one, low=low, high=high) for one, (low, high) in zip(every.sliders, bounds, strict=True))
+    acting = every.program.acting(np.arange(len(every.program.outputs)))
+    why = {one.path: _NO_EFFECT for k, one in enumerate(sliders) if k not in acting}
+    why |= {one.path: _STRUCTURE for one in sliders if one.low == one.high}
+    return replace(every, sliders=sliders).without(why)
+
+
+def _written(found: LiveMap) -> dict[str, Any]:
+    """What was found, as JSON holds it."""
+    noted, program = found.noted, found.noted.program
+    lists = program.constants.tolist(), program.operations, program.outputs.tolist(), program.guards
+    return {
+        "bounds": {one.path: (one.low, one.high) for one in found.sliders}, "left_out": found.left_out,
+        "noted": [noted.paths, noted.fixed, noted.places], "program": [program.inputs, *lists],
+    }  # fmt: skip
+
+
+def _read(every: LiveMap, kept: dict[str, Any]) -> LiveMap:
+    """The same as it was written."""
+    inputs, constants, operations, outputs, guards = kept["program"]
+    paths, fixed, places = kept["noted"]
+    tuples = [tuple(map(tuple, rows)) for rows in (operations, guards)]
+    program = Program(inputs, np.array(constants), tuples[0], np.array(outputs, dtype=np.intp), tuples[1])
+    bounds = kept["bounds"]
+    sliders = [
+        replace(one, low=bounds[one.path][0], high=bounds[one.path][1]) for one in every.sliders if one.path in bounds
+    ]
+    noted = CaseProgram(tuple(paths), fixed, program, places)
+    return replace(every, sliders=tuple(sliders), noted=noted, left_out=kept["left_out"])
+
+
+def _key(pair: RobotPair, every: LiveMap, stations: tuple[float, ...]) -> str:
+    """All that a map follows from: program, kinds, both sheets, stations and sliders."""
+    sheets = [robot.model_dump_json() for robot in (pair.nominal, pair.real)]
+    program = source_digest((".",)), outside_digest(), np.__version__
+    return "\n".join(["map", *program, *sheets, repr(stations), repr(every.sliders)])
 
 
 def _offered(pair: RobotPair, knobs: Sequence[Knob], ahead: Ahead | None) -> tuple[list[Slider], dict[str, str]]:
     """Sliders to begin with, and what has none: with a first factor a run would get a reference that is not here."""
-    sliders = sliders_of(pair.nominal, knobs, ahead=ahead)
+    sliders = sliders_of(pair.nominal, knobs, 2 * len(knobs), ahead=ahead)
     if has_reference(pair.nominal) or not any(one.real for one in sliders):
         return sliders, {}
-    return sliders_of(pair.nominal, knobs, factors=False), {"real": _NOT_COMPARED}
-
-
-def _idle(sliders: Sequence[Slider], used: list[int], forms: Mapping[str, Form]) -> list[Slider]:
-    """Sliders that change no number of any run."""
-    acting = {name: form.acting(0, len(form.base)) for name, form in forms.items()}
-    real = set().union(*(own for name, own in acting.items() if name != "reference"))
-    every = real | acting.get("reference", set())
-    return [slider for slider in sliders if used.index(slider.knob) not in (real if slider.real else every)]
-
-
-@dataclass(frozen=True, eq=False)
-class _Runs:
-    """The runs of a pair as functions of knobs; ``used``: which these are among all, by which sliders name them."""
-
-    pair: RobotPair
-    knobs: Sequence[Knob]
-    sliders: Sequence[Slider]
-    used: Sequence[int]
-    stations: tuple[float, ...]
-    progress: Progress
-    places: dict[str, dict[str, Any]] = field(default_factory=dict)
-
-    def of(self, used: Sequence[int], sliders: Sequence[Slider]) -> _Runs:
-        """The same runs as functions of some of the knobs, and with the sliders of these."""
-        return replace(self, knobs=[self.knobs[k] for k in used], sliders=sliders, used=used)
-
-    @cached_property
-    def factors(self) -> dict[int, Slider]:
-        """The sliders that are factors of the actual robot, by their knobs."""
-        return {self.used.index(slider.knob): slider for slider in self.sliders if slider.real}
-
-    @cached_property
-    def at_start(self) -> dict[str, Array]:
-        """The vector of each run where no knob has moved."""
-        return {name: self._vector(name, {}) for name in ("reference", "real")}
-
-    @cached_property
-    def really(self) -> dict[str, float]:
-        """The numbers of the actual robot by their paths."""
-        return {number.path: number.value for number in sheet_numbers(self.pair.real)}
-
-    @property
-    def key(self) -> str:
-        """All that a map follows from: program, kinds, both sheets, stations, and the numbers at the start."""
-        sheets = [robot.model_dump_json() for robot in (self.pair.nominal, self.pair.real)]
-        numbers = [sha256(vector.tobytes()).hexdigest() for vector in self.at_start.values()]
-        program = source_digest((".",)), outside_digest(), np.__version__
-        spans = [(knob.targets[0][0], knob.low, knob.high) for knob in self.knobs]
-        return "\n".join(["map", *program, *sheets, repr(self.stations), repr(spans), *numbers])
-
-    def fitted(self, name: str) -> Form:
-        """The form of a run's numbers."""
-        return fitted(lambda values: self._vector(name, values), self.ranges(name), np.random.default_rng(_SEED))
-
-    def ranges(self, name: str) -> tuple[Range, ...]:
-        """Where the knobs of a run start, and how far they go."""
-        return tuple(self._range(k, known=name == "reference") for k in range(len(self.knobs)))
-
-    def _range(self, k: int, *, known: bool) -> Range:
-        knob, slider = self.knobs[k], self.factors.get(k)
-        if known or knob.factor is None:
-            return Range(knob.start, knob.low, knob.high)
-        factors = [slider.low, slider.high] if slider else [knob.factor, knob.factor]
-        ends = [_really(knob, end, factor) for end in (knob.low, knob.high) for factor in factors]
-        return Range(_really(knob, knob.start, knob.factor), min(ends), max(ends))
-
-    def _vector(self, name: str, values: Mapping[int, float]) -> Array:
-        self.progress("report", (max(values, default=0) / len(self.knobs) + (name == "real")) / 2)
-        sheet: Any = self.pair.nominal if name == "reference" else self.pair.real
-        try:
-            changes = self._changes(values, known=name == "reference")
-            blocks = self._blocks(name, sheet.with_({**changes, "real": {}}) if changes else sheet)
-        except (InputError, InputErrors) as error:
-            raise Unfit({len(self.knobs) - 1: f"the sheet refuses it: {error}"}) from error
-        vector, places = whole(blocks)
-        if self.places.setdefault(name, places) != places:
-            raise Unfit({len(self.knobs) - 1: "it changes how many pieces a signal has"})
-        return vector
-
-    def _changes(self, values: Mapping[int, float], *, known: bool) -> dict[str, float]:
-        """Paths and values of the sheet of a run; of a real one the proportion is of its own numbers."""
-        found: dict[str, float] = {}
-        for k, value in values.items():
-            knob = self.knobs[k]
-            if known or not knob.together:
-                found |= knob.changes(value)
-            else:
-                found |= {path: self.really[path] * value for path, _ in knob.targets}
-        return found
-
-    def _blocks(self, name: str, sheet: Robot) -> Blocks:
-        follow, until = follow_of(self.pair.nominal, name), whole_moves(self.pair.nominal, _LONGEST_MOVE)
-        return run_numbers(sheet, follow, until, self.stations if name == "real" else ())
+    return sliders_of(pair.nominal, knobs, len(knobs), factors=False), {"real": _NOT_COMPARED}

@@ -2,17 +2,22 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 from numpy.typing import NDArray
 
+from tmodes.analysis.error_parts import without_elasticity
+from tmodes.analysis.quasistatic import deflections, gross_motion
 from tmodes.equations.loop.closed_loop import ClosedLoop
 from tmodes.kinds.noted.functions import array
 from tmodes.live.places import line_lengths, load_places, vibration_numbers
 from tmodes.model.model import Model
 from tmodes.model.passes import ChainPasses
 from tmodes.sheet import Robot
-from tmodes.simulation.loop import Blocks, loop_numbers
+from tmodes.simulation.loop import Blocks, LoopModel, loop_numbers
 from tmodes.simulation.plan import Follow, planned
+from tmodes.simulation.start import held_at_start, placed_state, undeformed
 
 __all__ = ["follow_of", "has_reference", "run_numbers", "whole_moves"]
 
@@ -36,16 +41,27 @@ def _commanded(nominal: Robot) -> bool:
 def run_numbers(robot: Robot, follow: Follow, until: float, stations: tuple[float, ...] = ()) -> Blocks:
     """``parameters``; those of its rest (``rest``, ``rest_row``), of its passes (``chain``), and its rotors' inertias.
 
+    ``start``: its first state, with nothing bent; ``gravity``, and the rows of a base without it and with it (``base``,
+    ``weight``); ``deflections``, and coordinates without elasticity (``straight``), by the coordinates, constants in
+    the last column.
+
     ``knots.k`` and ``coefficients.k`` of each signal of the plan; moves with a duration of their own extend to
-    ``until`` [s], beyond the end of the run, to be whole. With ``stations``: ``line``, of the lines of
-    all links, with the ``lengths`` of those that bend, ``surface``, the place of what is touched, and the blocks of
-    :func:`tmodes.live.places.vibration_numbers`.
+    ``until`` [s], beyond the end of the run, to be whole. With ``stations``: ``line``, of the lines of all links, with
+    the ``lengths`` of those that bend, ``surface``, what is touched, the ``gross`` motion by the coordinates, and the
+    blocks of :func:`tmodes.live.places.vibration_numbers`.
     """
     chain = robot.model_copy(update={"drives": ()}).chain()
     plan, rest = (planned(robot, each, like=chain) for each in (follow, Follow.HELD))
     loop, model = ClosedLoop(plan.plan), Model(chain)
-    found = loop_numbers(loop, rest) | {"chain": model.parameters, "rotors": _rotors(loop)}
+    held = held_at_start(robot, LoopModel(plan.plan))
+    found = loop_numbers(loop, rest) | {
+        "chain": model.parameters, "rotors": _rotors(loop), "gravity": array(chain.gravity),
+        "base": model.at_rest(gravity=0.0), "weight": model.at_rest(), "deflections": _affine(deflections, model),
+        "straight": _affine(without_elasticity, model),
+        "start": placed_state(robot, plan, LoopModel(plan.plan), undeformed(tuple(loop.parts.names), held)),
+    }  # fmt: skip
     if stations:
+        found["gross"] = _affine(gross_motion, model)
         loaded = bool(plan.plan.loads or plan.plan.touch)
         lines = model.passes.lines(tuple(load_places(chain, robot.integration.line_points)), loaded=loaded)
         found |= {"line": lines.numbers, "lengths": line_lengths(lines)}
@@ -56,6 +72,12 @@ def run_numbers(robot: Robot, follow: Follow, until: float, stations: tuple[floa
         schedule = signal.schedule(robot.integration.duration if signal.move_ends() is None else until)
         found |= {f"knots.{k}": schedule.knots, f"coefficients.{k}": schedule.coefficients}
     return found
+
+
+def _affine(function: Callable[[Model, Array], Array], model: Model) -> Array:
+    """Matrix and constant (numbers, coordinates + 1) of an affine function of coordinates."""
+    rows = function(model, np.concatenate([np.zeros((1, model.nq)), np.eye(model.nq)]))
+    return np.concatenate([rows[1:] - rows[0], rows[:1]]).T
 
 
 def _rotors(loop: ClosedLoop) -> Array:

@@ -12,7 +12,7 @@ from tmodes.analysis.line.line import line_places
 from tmodes.analysis.modes.modes import MotorState, moving_coordinates
 from tmodes.analysis.modes.of_sheet import local_servos
 from tmodes.analysis.modes.shapes import MOST_WHOLE
-from tmodes.analysis.quasistatic import gross_motion, sprung
+from tmodes.analysis.quasistatic import sprung
 from tmodes.analysis.statics.at_rest import robot_rest
 from tmodes.analysis.statics.compliance import spring_rows
 from tmodes.analysis.statics.equilibrium import Equilibrium
@@ -139,10 +139,7 @@ def vibrations_info(robot: Robot, ended: Robot, plan: LoopPlan, model: Model) ->
     return {
         "loads": [{"point": load.point, "follower": load.follower, "signal": load.signal} for load in plan.loads],
         "touch": _surface(robot.contact, *point) if robot.contact and point else None,
-        "split": {
-            "free": [*sprung(model), *model.deformations.tolist()],
-            "gross": np.ascontiguousarray(gross_motion(model, np.eye(model.nq)).T), "weight": model.at_rest(),
-        },
+        "yields": [*sprung(model), *model.deformations.tolist()],
         "modes": modes,
         "noModes": why,
     }  # fmt: skip
@@ -172,7 +169,6 @@ def _modes(robot: Robot, ended: Robot, model: Model) -> tuple[dict[str, Any] | N
         "rest": rest.q,
         "end": _end(ended),
         "free": rest.free.tolist(),
-        "weight": rest.model.at_rest(),
         "cases": _cases(rest, servos),
         "servos": [
             {"coordinate": names.index(name), "element": f"{name.removesuffix('.motor')}.controller"} for name in servos

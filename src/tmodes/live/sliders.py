@@ -63,6 +63,12 @@ def _label(number: SheetNumber, knob: Knob) -> str:
     return f"{words}, {owner}" if owner else words
 
 
+def _whose(number: SheetNumber) -> str:
+    """The part of the robot that a number is of: ``link forearm``, ``drive shoulder``, ``contact``."""
+    kind = number.path.split(".")[0].replace("_", " ")
+    return f"{kind.removesuffix('s')} {number.owner}" if number.owner else kind
+
+
 def sliders_of(
     sheet: Any, knobs: Sequence[Knob], most: int = MOST, *, factors: bool = True, ahead: Ahead | None = None
 ) -> list[Slider]:
@@ -76,17 +82,18 @@ def sliders_of(
             break
         number = knob.first
         rule = rule_of(knob)
+        group = rule.group or _whose(number)
         label = rule.words.format("xyz"[int(number.path[-1])] if "{" in rule.words else "") or _label(number, knob)
         path, unit = number.path, number.unit
         if knob.together:
             path, unit = group_path(knob.pattern, [own for own, _ in knob.targets], data), "-"
         shown = f"{label}: times the sheet's" if knob.together else label
-        own = (path, shown, number.symbol, unit, rule.group, knob.start, knob.low, knob.high, knob.log)
+        own = (path, shown, number.symbol, unit, group, knob.start, knob.low, knob.high, knob.log)
         found.append(Slider(index, False, *own))
         span = ahead.get(REAL + path)
         if factors and (rule.real or span) and knob.factor and knob.reals:
             low, high = min(knob.factor, 0.2) / 2, 2 * max(knob.factor, 1.0)
             low, high = (min(low, span[0]), max(high, span[1])) if span else (low, high)
-            real = (f"real:{path}", f"{label}: actual / nominal", number.symbol, "-", rule.group)
+            real = (f"real:{path}", f"{label}: actual / nominal", number.symbol, "-", group)
             found.append(Slider(index, True, *real, knob.factor, low, high, log=True))
     return found[:most]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from typing import Any
 
@@ -15,11 +16,11 @@ _NUMBER = re.compile(r"(?<![\w.+-])[-+]?(?:\d+\.\d*(?:e[-+]?\d+)?)(?![\w.])")
 
 
 def sheet_template(sheet: Robot, live: LiveMap) -> list[Any]:
-    """Text, and lines with open places: ``{"parts": [text, {"slider", "base"}, text, ...], "optional"}``.
+    """Text, and lines with open places: ``{"parts": [text, {"sliders", "base"}, text, ...], "optional"}``.
 
-    A place says which slider fills it, and of numbers that move in proportion by which ``base`` it is multiplied (None:
-    by none). ``optional``: the slider whose line is left out where it says 1: a factor that the sheet does not have;
-    ``-1``: no slider's. ``{"header": text}``: left out with all such lines.
+    A place is a number, ``base``, times the values of some sliders. ``optional``: the slider whose line is left out
+    where it says 1: a factor that the sheet does not have; ``-1``: no slider's. ``{"header": text}``: left out with all
+    such lines.
     """
     marks, places, optional = _marked(sheet, live)
     text = robot_to_yaml(sheet.with_(marks))
@@ -48,18 +49,21 @@ def _parts(line: str, numbers: list[re.Match[str]], places: dict[str, Any]) -> l
     return [*parts, line[end:]]
 
 
+_MARK = 1e-9
+
+
 def _marked(sheet: Robot, live: LiveMap) -> tuple[dict[str, float], dict[str, Any], dict[str, int]]:
     """Numbers that stand nowhere else in the sheet, by path; what each stands for; and whose lines may be left out."""
     marks: dict[str, float] = {}
     places: dict[str, Any] = {}
     optional: dict[str, int] = {}
-    for index, slider in enumerate(live.sliders):
-        knob = live.knobs[slider.knob]
-        for path, base in slider.changes(knob, slider.value).items():
-            mark = base * (1 + 1.37e-5 * (len(marks) + 1)) + (0.0 if base else 1.37e-5 * (len(marks) + 1))
-            marks[path] = mark
-            proportion = knob.together and not slider.real
-            places[scalar_text(mark, quantity=False)] = {"slider": index, "base": base if proportion else None}
-            if slider.real and path.removeprefix("real.") not in sheet.real:
-                optional[scalar_text(mark, quantity=False)] = index
+    for path, (base, own) in live.targets.items():
+        value = base * math.prod(live.sliders[k].value for k in own)
+        away = _MARK * (len(marks) + 1) * (abs(value) or 1.0)
+        up = all(slider.high > slider.value for slider in (live.sliders[k] for k in own))
+        marks[path] = value + away if up else value - away
+        text = scalar_text(marks[path], quantity=False)
+        places[text] = {"sliders": [*own], "base": base}
+        if path.startswith("real.") and path.removeprefix("real.") not in sheet.real:
+            optional[text] = own[0]
     return marks, places, optional

@@ -5,7 +5,6 @@ from __future__ import annotations
 import base64
 import html
 import json
-import math
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -50,7 +49,7 @@ def exported(sheet: Robot, name: str, program: Path = _PROGRAM) -> Exported:
         raise file_error(program, "no file", "the engine of the pages, built", hint)
     module, info = _described(sheet)
     description = {"name": sheet.name, "layout": module.layout} | info
-    data = json.dumps(description, allow_nan=False, separators=(",", ":")).replace("<", "\\u003c")
+    data = json.dumps(description, separators=(",", ":")).replace("<", "\\u003c")
     code = program.read_text(encoding="utf-8").rstrip() + f"\n\nexport const description = {data};\n"
     opening = (
         f'export const open = (wasm = new URL("{name}.wasm", import.meta.url)) => Model.open(wasm, description);\n'
@@ -72,9 +71,8 @@ def _described(robot: Robot) -> tuple[LiveModule, dict[str, Any]]:
             which, follow = follows[name]
             moved = run_setup(which, follow)
             runs[name] = _run(moved.planned.schedule, moved.start, which.integration)
-    base = functions.passes["chain"].at_rest(gravity=0.0)
     info = _settings(pair.real.integration, setup)
-    info |= {"runs": runs, "base": base.tolist()} | _named(pair, [*runs])
+    info |= {"runs": runs} | _named(pair, [*runs])
     return live_module(functions, [info["method"]], slopes=False), info
 
 
@@ -86,22 +84,13 @@ def _settings(given: Integration, setup: RunSetup) -> dict[str, Any]:
 
 def _named(pair: RobotPair, runs: Sequence[str]) -> dict[str, Any]:
     """Numbers of the sheet that enter the parameters of the runs and no signal of them, and how they do."""
-    live, forms = live_map(pair), {}
-    entering, moving = set[int](), set[int]()
-    for name in runs:
-        form, places = live.forms[name], live.places[name]
-        ends = {block: (one["start"], one["start"] + math.prod(one["shape"])) for block, one in places.items()}
-        entering |= form.acting(*ends["parameters"])
-        last = ends["chain"][1]
-        for block, place in ends.items():
-            if block.startswith(("knots", "coefficients")):
-                moving |= form.acting(*place)
-        known = {block: places[block] for block, (_, end) in ends.items() if end <= last}
-        forms[name] = form.part(0, last).info() | {"places": known}
-    kept = [slider for slider in live.sliders if slider.knob in entering - moving]
-    sliders = [{"knob": slider.knob, "real": slider.real} for slider in kept]
-    info = live.info() | {"sliders": sliders, "runs": forms}
-    return {"named": {slider.path: slider.value for slider in kept}, "map": _plain(info)}
+    live = live_map(pair)
+    entering, moving = (
+        {path for run in runs for path in live.entering(run, *blocks)}
+        for blocks in (("parameters",), ("knots", "coefficients"))
+    )
+    live = live.without({one.path: "" for one in live.sliders if one.path not in entering - moving})
+    return {"named": {slider.path: slider.value for slider in live.sliders}, "map": _plain(live.info())}
 
 
 def _plain(value: Any) -> Any:

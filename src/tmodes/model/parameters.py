@@ -192,7 +192,7 @@ def _real(robot: Robot, known: Robot, leaves: Mapping[Steps, Any], data: Any) ->
             raise Structural(f"`real.{path}` is a factor on numbers that are not in the sheet")
         for place, plain in ends.items():
             number = found.get(place, plain) * factor
-            if is_noted(number):
+            if is_noted(number) or place in found:
                 found[place] = number
     return _changed(real, found)
 

@@ -17,7 +17,8 @@ from tmodes.equations.mechanics import Mechanics
 from tmodes.equations.recursion.parts import Parts
 from tmodes.equations.recursion.passes import BASE, resting_base
 from tmodes.kinds.kernel.schedule import Schedule, Slot
-from tmodes.kinds.noted.functions import zeros
+from tmodes.kinds.noted.functions import array, zeros
+from tmodes.kinds.noted.number import plain_value
 from tmodes.kinds.noted.program import Program
 from tmodes.model.rows import StateRows
 
@@ -186,9 +187,10 @@ class ChainPasses:
 
     def lines(self, s: tuple[float, ...], *, loaded: bool = False) -> Lines:
         """The elastic lines at the places ``s`` along each link; ``loaded``: forces act on the points."""
-        if (s, loaded) not in self._lines:
-            self._lines[s, loaded] = line_schedule(self.parts, np.array(s), self.mechanics.drawn, loaded=loaded)
-        return self._lines[s, loaded]
+        known = tuple(map(plain_value, s)), loaded
+        if known not in self._lines:
+            self._lines[known] = line_schedule(self.parts, array(s), self.mechanics.drawn, loaded=loaded)
+        return self._lines[known]
 
     def on_lines(
         self, lines: Lines, rows: StateRows, a: ArrayLike, base: ArrayLike | None, wrenches: ArrayLike | None

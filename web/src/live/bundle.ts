@@ -6,30 +6,27 @@ import type { LoadsInfo } from "./loads";
 import type { LoadInfo } from "./wrench";
 import type { Layout } from "./engine";
 
-/** Numbers of a run as functions of its knobs, as tmodes/model/forms.py finds them. */
-export interface FormInfo {
-  base: Numbers;
-  variables: { start: number; far: number }[];
-  /** Variables with their exponents, by kind. */
-  powers: [number, number][][];
-  /** Which number is a multiple, by which kind [.., 2]. */
-  products: Numbers;
-  /** To which number a term is added, of which kind [.., 2], with its coefficient. */
-  terms: Numbers;
-  coefficients: Numbers;
-  places: Record<string, { start: number; shape: number[] }>;
-}
-
+/** The program from the sliders to the numbers of both runs, as tmodes/live/map.py notes it, and their places. */
 export interface MapInfo {
-  knobs: { start: number; together: boolean; factor: number | null }[];
-  sliders: { knob: number; real: boolean }[];
-  runs: Record<string, FormInfo>;
+  /** Of the sliders: where they are in the sheet, and their values in the run as it was. */
+  paths: string[];
+  start: number[];
+  constants: Numbers;
+  operations: string[];
+  /** [3, n]: operations, and how far back in the registers (sliders, constants, results) their operands are. */
+  code: Numbers;
+  /** Kind (`<`, `<=`, `==`, finite, doubled; one more: not so) and two registers, one guard after another. */
+  guards: Numbers;
+  /** All numbers as they were, and [2, m] which of them change, by which registers, each as a step from the last. */
+  base: Numbers;
+  moving: Numbers;
+  runs: Record<string, Record<string, { start: number; shape: number[] }>>;
 }
 
-/** A place in the sheet that a slider fills; of numbers that move in proportion: what is multiplied. */
+/** A place in the sheet: a number times the values of some sliders. */
 export interface Place {
-  slider: number;
-  base: number | null;
+  sliders: number[];
+  base: number;
 }
 
 export type SheetPart = string | { header: string } | { parts: (string | Place)[]; optional: number };
@@ -44,12 +41,6 @@ export function framesOf(bundle: Bundle, count: number): number[] {
 /** The numbers as doubles. */
 export function doubles(info: Numbers): Float64Array {
   return info.data instanceof Float64Array ? info.data : Float64Array.from(info.data);
-}
-
-/** y = matrix x + constant; `matrix` [rows, columns]. */
-export interface Affine {
-  matrix: Numbers;
-  constant: Numbers;
 }
 
 /** By which rates, at which states [size], and of which numbers of them: what one unit of each moves [rad, m]. */
@@ -104,13 +95,9 @@ export interface Bundle extends LiveBundle {
   runs: { reference?: RunInfo; real: RunInfo };
   restSize: number;
   atRest: boolean;
-  base: Numbers;
-  gravity: Numbers;
-  deflections: Affine;
   deformations: string[];
   /** Joints that turn; others slide. */
   turning: string[];
-  straight: Affine;
   /** Names of the parts of the tip's error, controller, gears and links; none where no drive has a setpoint. */
   errorParts: string[] | null;
   /** Coordinates of the links' own deformations. */
@@ -118,7 +105,7 @@ export interface Bundle extends LiveBundle {
   links: { name: string; bends: boolean }[];
   carried: LoadsInfo;
   contactPoint: number;
-  /** What is touched, as the sheet says; the block `surface` of the map reports where it is: place (3) and radius. */
+  /** What is touched, as the sheet says; the block `surface` of the map reports where: place, radius, normal. */
   surface: SceneContact["surface"] | null;
   electric: boolean;
   /** The drives, by their place, whose signals are positions. */
@@ -126,8 +113,8 @@ export interface Bundle extends LiveBundle {
   /** Loads on named points, whose wrenches are a block of numbers; `signal` -1: constant. */
   loads: (LoadInfo & { point: number })[];
   touch: Surface | null;
-  /** The coordinates that give way, the linear map [n, n] to gross motion, and the row of a base under weight. */
-  split: { free: number[]; gross: Numbers; weight: Numbers };
+  /** The coordinates that give way. */
+  yields: number[];
   modes: ModesInfo | null;
   /** Why there are no modes. */
   noModes: string;
@@ -143,14 +130,13 @@ export interface Surface {
   bilateral: boolean;
 }
 
-/** The rest about which modes are reported, the row of a base under weight, and by case the coordinates that move. */
+/** The rest about which modes are reported, and by case the coordinates that move. */
 export interface ModesInfo {
   rest: Numbers;
   /** The rest in which the run ends; null: it has none. */
   end: Numbers | null;
   /** The coordinates that weight and loads move there; others are driven. */
   free: number[];
-  weight: Numbers;
   cases: { name: string; moving: number[] }[];
   servos: { coordinate: number; element: string }[];
   /** `beside`: place in the numbers of the chain of the stiffness of a parallel spring on that joint; -1: none. */

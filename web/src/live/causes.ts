@@ -69,11 +69,11 @@ function steps(
   }
   let [before, tip] = [q, own];
   const found = [tip];
-  const straight = (shape: Float64Array) => affine(bundle.straight, shape, count);
+  const straight = (shape: Float64Array) => affine(mover.blocks.straight, shape, count);
   const shapes = [joints, straight(moved), straight(wanted)];
   for (const shape of shapes) {
     if (known && shape === shapes[2]) tip = known;
-    else if (!same(shape, before)) tip = tipAt(engine, bundle, mover, shape, count);
+    else if (!same(shape, before)) tip = tipAt(engine, mover, shape, count);
     before = shape;
     found.unshift(tip);
   }

@@ -4,7 +4,7 @@
 import { inertiaForces } from "./linear_model";
 import { affine } from "./live_scene";
 import { wrenchesOf } from "./wrench";
-import { doubles, type Bundle } from "./bundle";
+import type { Bundle } from "./bundle";
 import type { Engine } from "./engine";
 import { inverted, product } from "./linear";
 import type { Blocks } from "./map";
@@ -45,12 +45,11 @@ export async function splitOf(
   series: SeriesOf,
   pause: () => Promise<void>,
 ): Promise<SeriesOf> {
-  const { free, gross } = bundle.split;
+  const free = bundle.yields;
   if (!free.length) return {};
   const count = times.length;
   const size = series.q.shape[1];
-  const moved = (name: string) =>
-    affine({ matrix: gross, constant: { data: new Float64Array(size), shape: [size] } }, series[name].data, count);
+  const moved = (name: string) => affine(blocks.gross, series[name].data, count);
   const wrenches = wrenchesOf(bundle, blocks, schedule, times, series);
   const held: Held = {
     engine,
@@ -58,7 +57,7 @@ export async function splitOf(
     free,
     size,
     places: wrenches.length / count,
-    weight: doubles(bundle.split.weight),
+    weight: blocks.weight,
     q: series.q.data.slice(),
     rates: moved("v"),
     gains: moved("a"),
@@ -69,12 +68,12 @@ export async function splitOf(
   for (let start = 0; start < count; start += TOGETHER) {
     const rows = Array.from({ length: Math.min(TOGETHER, count - start) }, (_, k) => start + k);
     if (start)
-      guess(held, present, affine(bundle.deflections, held.q.subarray((start - 1) * size, start * size), 1), rows);
+      guess(held, present, affine(blocks.deflections, held.q.subarray((start - 1) * size, start * size), 1), rows);
     compliance = settled(held, series.q.data, rows, compliance);
     if (!compliance) return {};
     await pause();
   }
-  const stationary = affine(bundle.deflections, held.q, count);
+  const stationary = affine(blocks.deflections, held.q, count);
   return {
     deformation_stationary: shaped(stationary, count, free.length),
     deformation_oscillatory: shaped(difference(present, stationary), count, free.length),

@@ -2,7 +2,7 @@
 
 import { actsAt } from "./point_forces";
 import { isSmall, stepped } from "./rest";
-import { doubles, type Bundle } from "./bundle";
+import type { Bundle } from "./bundle";
 import type { Engine, Samples } from "./engine";
 import { solveInPlace } from "./linear";
 import type { Blocks } from "./map";
@@ -39,7 +39,7 @@ export function linearAbout(
   const n = q.length;
   const still = new Float64Array(n);
   const units = Float64Array.from({ length: n * n }, (_, k) => (k % (n + 1) ? 0 : 1));
-  const base = doubles(bundle.base);
+  const { base } = blocks;
   const driven = engine.sample("inertia", blocks.chain, { q, v: still, a: units, base }, n);
   const { points } = engine.sample("inertia", blocks.chain, { q, v: still, a: still, base }, 1);
   const acts = actsAt(bundle, blocks, schedule, points, driven.points, n, time);
@@ -52,13 +52,13 @@ export function linearAbout(
   for (const k of bundle.modes!.dry) smooth[k] = 0;
   const springs = engine.slopes("elastic.slopes", smooth, { q, v: still, base }, { q: units }, n);
   const dampers = engine.slopes("elastic.slopes", smooth, { q, v: still, base }, { v: units }, n).slopes.forces;
-  const weight = weightSlopes(engine, bundle, blocks, q, acts.wrenches);
+  const weight = weightSlopes(engine, blocks, q, acts.wrenches);
   const turned = (rows: Float64Array) => rows.map((_, k) => rows[(k % n) * n + Math.floor(k / n)]);
   const elastic = turned(springs.slopes.forces);
   const loaded = inertiaForces(
     engine,
     blocks,
-    { q, v: still, a: still, base: doubles(bundle.modes!.weight), wrenches: acts.wrenches },
+    { q, v: still, a: still, base: blocks.weight, wrenches: acts.wrenches },
     1,
   );
   return {
@@ -100,7 +100,6 @@ export function linearAtRest(
 /** Slopes of the forces of weight and dead wrenches by the coordinates [n, n]. */
 function weightSlopes(
   engine: Engine,
-  bundle: Bundle,
   blocks: Blocks,
   q: Float64Array,
   wrenches: Float64Array,
@@ -118,7 +117,7 @@ function weightSlopes(
   const forces = inertiaForces(
     engine,
     blocks,
-    { q: rows, v: still, a: still, base: doubles(bundle.modes!.weight), wrenches },
+    { q: rows, v: still, a: still, base: blocks.weight, wrenches },
     steps.length * n,
   );
   const at = (s: number, i: number, j: number) => forces[(s * n + j) * n + i];

@@ -3,20 +3,21 @@
 import type { SceneContact } from "../contract";
 import type { LiveScene } from "../contract_parts";
 import type { Numbers } from "../pack";
-import { doubles, type Affine, type Bundle } from "./bundle";
+import type { Bundle } from "./bundle";
 import type { Engine } from "./engine";
 import { linesAt, sizeOf } from "./loads";
 import type { Blocks } from "./map";
 import { rowsOf, sizes, type SeriesOf } from "./series";
 
-/** y = matrix x + constant of rows x [n, columns]. */
-export function affine(one: Affine, rows: Float64Array, count: number): Float64Array {
-  const [height, width] = one.matrix.shape;
+/** y = matrix x + constant of rows x [n, columns]; the constants are the last column of the matrix. */
+export function affine(matrix: Float64Array, rows: Float64Array, count: number): Float64Array {
+  const width = rows.length / count;
+  const height = matrix.length / (width + 1);
   const found = new Float64Array(count * height);
   for (let k = 0; k < count; k += 1) {
     for (let i = 0; i < height; i += 1) {
-      let value = one.constant.data[i];
-      for (let j = 0; j < width; j += 1) value += one.matrix.data[i * width + j] * rows[k * width + j];
+      let value = matrix[i * (width + 1) + width];
+      for (let j = 0; j < width; j += 1) value += matrix[i * (width + 1) + j] * rows[k * width + j];
       found[k * height + i] = value;
     }
   }
@@ -50,7 +51,7 @@ export function sceneOf(
   const m = frames.length;
   const real = poseOf(engine, bundle, blocks, at("q"), m);
   const lineAt = (q: Float64Array) => poseOf(engine, bundle, blocks, q, m).line;
-  const rigidAt = (q: Float64Array) => lineAt(affine(bundle.straight, q, m));
+  const rigidAt = (q: Float64Array) => lineAt(affine(blocks.straight, q, m));
   const rigid = rigidAt(at("q"));
   const numbers = (name: string) => ({ data: at(name), shape: [m, ...series[name].shape.slice(1)] });
   const compared = "q_nominal" in series;
@@ -85,10 +86,11 @@ export function sceneOf(
   };
 }
 
-/** The surface where it is now: `numbers` are its place and its radius. */
+/** The surface where it is now: `numbers` are its place, its radius and its normal. */
 function surfaceAt({ surface }: Bundle, numbers: Float64Array): SceneContact["surface"] | undefined {
   const place: [number, number, number] = [numbers[0], numbers[1], numbers[2]];
-  if (surface?.kind === "plane") return { ...surface, position: place };
+  const normal: [number, number, number] = [numbers[4], numbers[5], numbers[6]];
+  if (surface?.kind === "plane") return { ...surface, position: place, normal };
   return surface ? { ...surface, center: place, radius: numbers[3] } : undefined;
 }
 
@@ -109,7 +111,7 @@ export function poseOf(engine: Engine, bundle: Bundle, blocks: Blocks, q: Float6
   const line = new Float64Array(count * L * S * 3);
   const roots = new Float64Array(count * L * 4);
   const infos = bundle.links.map(({ name }) => bundle.carried.lines.find((one) => one.name === name) ?? null);
-  linesAt(engine, blocks, { q, v: still, a: still, base: doubles(bundle.base) }, count, (found, k) => {
+  linesAt(engine, blocks, { q, v: still, a: still, base: blocks.base }, count, (found, k) => {
     bundle.links.forEach(({ name }, l) => {
       const info = infos[l];
       const place = (k * L + l) * 4;

@@ -1,7 +1,7 @@
 // The loads along an arm's links over a run: what is largest of all samples, and all of it at the frames that are
 // shown. They are computed by the module's function `line`, as tmodes/equations/line/schedule.py states it.
 
-import { doubles, type Bundle } from "./bundle";
+import type { Bundle } from "./bundle";
 import type { Engine, Samples } from "./engine";
 import type { Blocks } from "./map";
 import type { Numbers } from "../pack";
@@ -93,7 +93,7 @@ export function loadsOf(
   if ("wrenches" in engine.layout.samples.line.inputs)
     all.wrenches = wrenchesOf(bundle, blocks, schedule, times, series);
   const rows = Object.entries(all).map(([name, data]) => [name, rowsOf(data, data.length / times.length, looked)]);
-  const inputs: Samples = { ...Object.fromEntries(rows), base: doubles(bundle.split.weight) };
+  const inputs: Samples = { ...Object.fromEntries(rows), base: blocks.weight };
   linesAt(engine, blocks, inputs, looked.length, (found, k) => {
     const frame = frameOf.get(looked[k]);
     lines.forEach((line, l) => {

@@ -1,56 +1,60 @@
-// From what the sliders say to all numbers of a run: tmodes/live/map.py found the forms, here they are evaluated.
+// From what the sliders say to all numbers of a run: by the program that tmodes/live/map.py noted, with its guards.
 
-import { doubles, type FormInfo, type MapInfo } from "./bundle";
+import { doubles, type MapInfo } from "./bundle";
+import { EngineError } from "./engine_error";
 
 /** The numbers of a run by the names of their blocks. */
 export type Blocks = Record<string, Float64Array>;
 
-/** Where the knobs of a run stand; those of an actual robot (all but `reference`) with its factors. */
-export function knobValues(map: MapInfo, values: readonly number[], run: string): number[] {
-  const known = map.knobs.map((knob) => knob.start);
-  const factors = map.knobs.map((knob) => knob.factor);
-  map.sliders.forEach((slider, k) => {
-    if (slider.real) factors[slider.knob] = values[k];
-    else known[slider.knob] = values[k];
-  });
-  if (run === "reference") return known;
-  return map.knobs.map((knob, k) => {
-    const factor = factors[k];
-    if (factor === null || knob.factor === null) return known[k];
-    if (!knob.together) return known[k] * factor;
-    return knob.factor ? known[k] * (factor / knob.factor) : known[k];
-  });
-}
+const OPERATIONS: Record<string, (a: number, b: number) => number> = {
+  add: (a, b) => a + b, sub: (a, b) => a - b, mul: (a, b) => a * b, div: (a, b) => a / b, neg: (a) => -a,
+  pow: Math.pow, abs: Math.abs, sqrt: Math.sqrt, sin: Math.sin, cos: Math.cos, tan: Math.tan, exp: Math.exp,
+  log: Math.log, arcsin: Math.asin, arccos: Math.acos, arctan: Math.atan, arctan2: Math.atan2, hypot: Math.hypot,
+  tanh: Math.tanh, fmin: Math.min, fmax: Math.max,
+};
 
-/** All numbers of a run for values of the sliders. */
+/** All numbers of a run for values of the sliders; raises an EngineError where the program does not hold for them. */
 export function numbersOf(map: MapInfo, values: readonly number[], run: string): Blocks {
-  const form = map.runs[run];
-  const vector = evaluated(form, knobValues(map, values, run));
-  const blocks: Blocks = {};
-  for (const [name, place] of Object.entries(form.places)) {
-    const size = place.shape.reduce((product, length) => product * length, 1);
-    blocks[name] = vector.slice(place.start, place.start + size);
+  const registers = computed(map, values);
+  const vector = doubles(map.base).slice();
+  const { data, shape: [, count] } = map.moving;
+  for (let k = 0, place = 0, register = 0; k < count; k += 1) {
+    vector[(place += data[k])] = registers[(register += data[count + k])];
   }
-  return blocks;
+  return Object.fromEntries(Object.entries(map.runs[run]).map(([name, { start, shape }]) =>
+    [name, vector.slice(start, shape.reduce((product, length) => product * length, 1) + start)]));
 }
 
-function evaluated(form: FormInfo, knobs: number[]): Float64Array {
-  const vector = doubles(form.base).slice();
-  const ratios = form.powers.map((pairs) => product(pairs, (k, p) => Math.pow(knobs[k] / form.variables[k].start, p)));
-  const shares = form.powers.map((pairs) => product(pairs, (k, p) => share(form.variables[k], p, knobs[k])));
-  const { products, terms, coefficients } = form;
-  for (let k = 0; k < products.data.length; k += 2) vector[products.data[k]] *= ratios[products.data[k + 1]];
-  for (let k = 0; k < terms.data.length; k += 2) {
-    vector[terms.data[k]] += coefficients.data[k / 2] * shares[terms.data[k + 1]];
+function computed(map: MapInfo, values: readonly number[]): Float64Array {
+  const { data: code, shape: [, count] } = map.code;
+  const first = values.length + map.constants.data.length;
+  const registers = new Float64Array(first + count);
+  registers.set(values);
+  registers.set(map.constants.data, values.length);
+  const operations = map.operations.map((name) => OPERATIONS[name]);
+  for (let k = 0, r = first; k < count; k += 1, r += 1) {
+    registers[r] = operations[code[k]](registers[r - code[count + k]], registers[r - code[2 * count + k]]);
   }
-  return vector;
+  const guards = map.guards.data;
+  for (let k = 0; k < guards.length; k += 3) {
+    const [a, b] = [registers[guards[k + 1]], registers[guards[k + 2]]];
+    const kind = guards[k] >> 1;
+    const holds = kind === 0 ? a < b : kind === 1 ? a <= b : kind === 2 ? a === b : Number.isFinite(a);
+    if (holds === Boolean(guards[k] & 1)) refuse(map, values, guards[k + 1], guards[k + 2]);
+  }
+  return registers;
 }
 
-function product(pairs: [number, number][], factor: (k: number, p: number) => number): number {
-  return pairs.reduce((value, [k, p]) => value * factor(k, p), 1);
-}
-
-function share(one: { start: number; far: number }, p: number, value: number): number {
-  const start = Math.pow(one.start, p);
-  return (Math.pow(value, p) - start) / (Math.pow(one.far, p) - start);
+/** Raises an error that names the sliders that were moved and on which two registers depend. */
+function refuse(map: MapInfo, values: readonly number[], ...registers: number[]): void {
+  const { data: code, shape: [, count] } = map.code;
+  const first = values.length + map.constants.data.length;
+  const acting = new Set(registers);
+  for (const r of acting) if (r >= first) for (const k of [1, 2]) acting.add(r - code[k * count + r - first]);
+  const moved = [...acting].filter((r) => r < values.length && values[r] !== map.start[r]).sort((a, b) => a - b);
+  if (moved.length)
+    throw new EngineError(
+      `${moved.map((k) => `${map.paths[k]} = ${values[k]}`).join(", ")}: ` +
+        "the data sheet refuses that, or it takes other equations; move it back, or set it by --set and run again",
+    );
 }

@@ -30,8 +30,6 @@ export interface Description {
   /** Numbers of the data sheet by their paths, and how the parameters of the runs follow from them. */
   named: Record<string, number>;
   map: MapInfo;
-  /** The row of a base at rest. */
-  base: number[];
 }
 
 /** What a run is to have other than described. */
@@ -102,8 +100,8 @@ export class Model {
     };
     const found = this.engine.sample(`${run}.observe`, this.numbers(run, changes), inputs, count);
     const { q, v, a } = found;
-    const base = Float64Array.from(this.description.base);
-    const { points } = this.engine.sample("inertia", this.blocks(run, changes).chain, { q, v, a, base }, count);
+    const { chain, base } = this.blocks(run, changes);
+    const { points } = this.engine.sample("inertia", chain, { q, v, a, base }, count);
     return { ...found, tip: columns(points, points.length / count, range(9, 9 + 3)) };
   }
 

@@ -41,7 +41,7 @@ export function planHere(engine: Engine, bundle: Bundle): Planner {
     async plan(values, watch) {
       const blocks = numbersOf(bundle.map, values, "reference");
       const regime = await moved(engine, bundle, values, "reference", blocks, watch);
-      return { regime, seen: plannedOf(engine, bundle, regime, regime.run.times.length) };
+      return { regime, seen: plannedOf(engine, regime, regime.run.times.length) };
     },
   };
 }

@@ -66,12 +66,11 @@ function crossed([x, y, z]: Float64Array): Float64Array {
   return Float64Array.of(0, -z, y, z, 0, -x, -y, x, 0);
 }
 
-/** The surface where the sliders have it: `place` is a point of a plane or the center of a ball, and its radius. */
-function placed(surface: Surface, place: Float64Array): Surface {
-  const [x, y, z, radius] = place;
+/** The surface where the sliders have it: its point or center, its radius and its normal. */
+function placed(surface: Surface, [x, y, z, radius, ...normal]: Float64Array): Surface {
   if (surface.radius) return { ...surface, axis: [x, y, z], radius };
-  const [nx, ny, nz] = surface.axis;
-  return { ...surface, distance: -(nx * x + ny * y + nz * z) };
+  const axis = normal.map((value) => value / Math.hypot(...normal));
+  return { ...surface, axis, distance: -(axis[0] * x + axis[1] * y + axis[2] * z) };
 }
 
 /** A surface that is pressed; `numbers`: mass, damping, stiffness, preload. */

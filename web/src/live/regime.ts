@@ -47,7 +47,7 @@ export async function moved(
   const each = range(0, info.signals).map((k) => signals.schedule(blocks[`knots.${k}`], blocks[`coefficients.${k}`]));
   const schedule = signals.merged(each.map((one) => signals.until(one, settings.duration)));
   if (!each.length) schedule.knots[1] = settings.duration;
-  const held = firstState(engine, bundle, values, name, schedule);
+  const held = firstState(engine, bundle, values, name, blocks);
   const run = await integrate(
     engine,
     {

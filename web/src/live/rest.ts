@@ -4,7 +4,6 @@ import { doubles, type Bundle } from "./bundle";
 import type { Engine } from "./engine";
 import { solveInPlace } from "./linear";
 import { numbersOf, type Blocks } from "./map";
-import { valueAt, type Schedule } from "./signals";
 
 export const STEPS = 40;
 const SMALL = 1e-12;
@@ -43,12 +42,15 @@ function slopes(
  * Coordinates at which nothing accelerates under `blocks`, from those near; null where none are found, or where they
  * may be of another branch.
  */
-function rest(engine: Engine, bundle: Bundle, blocks: Blocks, near: Float64Array): Float64Array | null {
+function rest(
+  engine: Engine, bundle: Bundle, blocks: Blocks, near: Float64Array, start: number,
+): Float64Array | null {
   const held = (engine.layout as unknown as { held: number[] }).held;
   const n = near.length;
   const free = Array.from({ length: n }, (_, k) => k).filter((k) => !held.includes(k));
   const state = new Float64Array(bundle.restSize);
   state.set(near);
+  for (const k of held) state[k] = blocks.start[start + k];
   const matrix = new Float64Array(free.length ** 2);
   const right = new Float64Array(free.length);
   let before = Infinity;
@@ -115,21 +117,16 @@ export function firstState(
   bundle: Bundle,
   values: readonly number[],
   run: "reference" | "real",
-  signals: Schedule,
+  blocks: Blocks,
 ): Float64Array {
   const info = bundle.runs[run]!;
-  const state = doubles(info.start).slice();
-  const [q, v] = [info.state.q[0], info.state.v[0]];
+  const state = blocks.start.slice();
+  const [q] = info.state.q;
   if (bundle.atRest) {
     const at = (set: readonly number[], from: Float64Array) =>
-      rest(engine, bundle, numbersOf(bundle.map, set, run), from);
-    const found = restFor(bundle, values, run, state.slice(...info.state.q), at);
+      rest(engine, bundle, numbersOf(bundle.map, set, run), from, q);
+    const found = restFor(bundle, values, run, doubles(info.start).slice(...info.state.q), at);
     for (let k = 0; k < found.length; k += 1) if (!info.info.includes(k)) state[q + k] = found[k];
-  }
-  for (const [coordinate, signal] of info.exact) {
-    state[q + coordinate] = valueAt(signals, signal, 0);
-    const degree = signals.degree;
-    state[v + coordinate] = degree ? signals.coefficients[signal * (degree + 1) + 1] : 0;
   }
   return state;
 }

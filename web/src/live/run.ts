@@ -35,7 +35,7 @@ export async function curvesOf(
   const [nominal, real] = await bothMoved(engine, bundle, values, watch, kept, planner);
   const seconds = (performance.now() - began) / 1000;
   const count = Math.min(real.run.times.length, nominal?.regime.run.times.length ?? Infinity);
-  const own = seenOf(engine, bundle, real, count);
+  const own = seenOf(engine, real, count);
   const planned = nominal && firstOf(nominal.seen, nominal.regime.run.times.length, count);
   const times = real.run.times.subarray(0, count);
   const series = {

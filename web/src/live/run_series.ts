@@ -2,7 +2,7 @@
 
 import type { Regime } from "./regime";
 import { affine } from "./live_scene";
-import { doubles, type Bundle } from "./bundle";
+import type { Bundle } from "./bundle";
 import type { Engine, Samples } from "./engine";
 import { columns, difference, energyBalance, range, shaped, sizes, type SeriesOf } from "./series";
 import { rowsAt } from "./signals";
@@ -30,17 +30,17 @@ function observed(engine: Engine, regime: Regime, count: number): Samples {
 }
 
 /** What is known of the first `count` samples of the actual robot. */
-export function seenOf(engine: Engine, bundle: Bundle, regime: Regime, count: number): Moving {
+export function seenOf(engine: Engine, regime: Regime, count: number): Moving {
   const model = observed(engine, regime, count);
   const { q, v, a } = model;
-  const { points } = engine.sample("points", regime.blocks.chain, { q, v, a, base: doubles(bundle.base) }, count);
+  const { points } = engine.sample("points", regime.blocks.chain, { q, v, a, base: regime.blocks.base }, count);
   return { regime, model, points, tip: columns(points, points.length / count, [9, 10, 11]) };
 }
 
 /** The same of the nominal one. */
-export function plannedOf(engine: Engine, bundle: Bundle, regime: Regime, count: number): Seen {
+export function plannedOf(engine: Engine, regime: Regime, count: number): Seen {
   const model = observed(engine, regime, count);
-  return { regime, model, tip: tipAt(engine, bundle, regime, model.q, count) };
+  return { regime, model, tip: tipAt(engine, regime, model.q, count) };
 }
 
 /** What is known of the first `count` of all samples. */
@@ -52,18 +52,15 @@ export function firstOf(seen: Seen, all: number, count: number): Seen {
 }
 
 /** Where the tip [n, 3] is at coordinates q [n, nq]. */
-export function tipAt(
-  engine: Engine, bundle: Bundle, { blocks }: Regime, q: Float64Array, count: number,
-): Float64Array {
+export function tipAt(engine: Engine, { blocks }: Regime, q: Float64Array, count: number): Float64Array {
   const still = new Float64Array(q.length / count);
-  return engine.sample("tip", blocks.chain, { q, v: still, a: still, base: doubles(bundle.base) }, count).tip;
+  return engine.sample("tip", blocks.chain, { q, v: still, a: still, base: blocks.base }, count).tip;
 }
 
 /** Kinetic, of gravity, of gears, of links [n, 4]. */
-function energiesOf(engine: Engine, bundle: Bundle, { regime, model: { q, v } }: Seen, count: number): Float64Array {
-  const { chain, rotors } = regime.blocks;
+function energiesOf(engine: Engine, { regime, model: { q, v } }: Seen, count: number): Float64Array {
+  const { chain, rotors, base, gravity } = regime.blocks;
   const n = rotors.length;
-  const base = doubles(bundle.base);
   const still = new Float64Array(n);
   const momentum = engine.sample("inertia", chain, { q, v: still, a: v, base }, count, ["forces", "moment"]);
   const elastic = engine.sample("elastic", chain, { q, v, base }, count, ["energies"]).energies;
@@ -74,7 +71,7 @@ function energiesOf(engine: Engine, bundle: Bundle, { regime, model: { q, v } }:
       const rate = v[k * n + j];
       energy[4 * k] += ((momentum.forces[k * n + j] + rotors[j] * rate) * rate) / 2;
     }
-    for (let j = 0; j < 3; j += 1) energy[4 * k + 1] -= momentum.moment[3 * k + j] * bundle.gravity.data[j];
+    for (let j = 0; j < 3; j += 1) energy[4 * k + 1] -= momentum.moment[3 * k + j] * gravity[j];
     for (let j = 0; j < each; j += 1) energy[4 * k + 2 + (j % 2)] += elastic[k * each + j];
   }
   return energy;
@@ -83,7 +80,7 @@ function energiesOf(engine: Engine, bundle: Bundle, { regime, model: { q, v } }:
 /** The series that the actual robot has by itself. */
 export function seriesOf(engine: Engine, bundle: Bundle, real: Regime, own: Moving, count: number): SeriesOf {
   const { model, points, tip } = own;
-  const energy = energiesOf(engine, bundle, own, count);
+  const energy = energiesOf(engine, own, count);
   const n = model.q.length / count;
   const drives = model.gear.length / count;
   const places = points.length / count / POINT;
@@ -108,7 +105,7 @@ export function seriesOf(engine: Engine, bundle: Bundle, real: Regime, own: Movi
   const axes = columns(points, places * POINT, range(0, places).flatMap((k) => range(k * POINT, k * POINT + 9)));
   const series: SeriesOf = {
     q: shaped(model.q, count, n), v: shaped(model.v, count, n), a: shaped(model.a, count, n),
-    deformation: shaped(affine(bundle.deflections, model.q, count), count, bundle.deformations.length),
+    deformation: shaped(affine(real.blocks.deflections, model.q, count), count, bundle.deformations.length),
     position: shaped(vectors(9), count, places, 3), velocity: shaped(vectors(12), count, places, 3),
     acceleration: shaped(vectors(18), count, places, 3), rotation: shaped(axes, count, places, 3, 3),
     tip: shaped(tip, count, 3),
@@ -139,7 +136,7 @@ export function compared(bundle: Bundle, own: Seen, planned: Seen, count: number
     q_nominal: shaped(planned.model.q, count, n),
     v_nominal: shaped(planned.model.v, count, n),
     deformation_nominal: shaped(
-      affine(bundle.deflections, planned.model.q, count),
+      affine(planned.regime.blocks.deflections, planned.model.q, count),
       count,
       bundle.deformations.length,
     ),

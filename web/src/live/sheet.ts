@@ -24,8 +24,7 @@ function isShown(optional: number, values: readonly number[]): boolean {
 }
 
 function filled(place: Place, values: readonly number[]): string {
-  const value = values[place.slider];
-  return yamlNumber(place.base === null ? value : place.base * value);
+  return yamlNumber(place.sliders.reduce((value, k) => value * values[k], place.base));
 }
 
 /** All digits; with a point, so that readers of YAML 1.1 see a number too. */

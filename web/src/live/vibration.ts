@@ -51,8 +51,12 @@ function aboutRest(
   time = 0,
 ): { rest: Float64Array; linear: Linear } {
   let last: ReturnType<typeof linearAtRest> = null;
+  const { state: { q: [start] } } = bundle.runs.real;
   restFor(bundle, values, "real", near, (set, from) => {
-    last = linearAtRest(engine, bundle, numbersOf(bundle.map, set, "real"), schedule, from, time);
+    const blocks = numbersOf(bundle.map, set, "real");
+    const held = (k: number) => !time && !bundle.modes!.free.includes(k);
+    const first = from.map((value, k) => (held(k) ? blocks.start[start + k] : value));
+    last = linearAtRest(engine, bundle, blocks, schedule, first, time);
     return last && last.rest;
   });
   return last!;

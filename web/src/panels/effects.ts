@@ -21,11 +21,11 @@ export function byKind(rows: SliderRow[], count: number): SliderRow[] {
 }
 
 /**
- * Changes of the leading number, as shares of it, for one per cent of each setting; why not, where that would take too
- * long or cannot be; null where somebody wants another run meanwhile.
+ * Changes of the leading number, as shares of it, for one per cent of each of the first `count` settings; why not, where
+ * that would take too long or cannot be; null where somebody wants another run meanwhile.
  */
 export async function effects(
-  live: Live, rows: SliderRow[], wanted: () => boolean,
+  live: Live, rows: SliderRow[], count: number, wanted: () => boolean,
 ): Promise<{ number: string; shares: number[] } | string | null> {
   const own = rows.map((row) => row.slider.value);
   const began = performance.now();
@@ -33,9 +33,9 @@ export async function effects(
   const id = LEADING.find((name) => facts[name]?.value);
   if (!id) return "no number of this run shows it";
   const whole = Number(facts[id].value);
-  if ((performance.now() - began) * rows.length > PATIENCE) return "to measure it would take long";
+  if ((performance.now() - began) * Math.min(count, rows.length) > PATIENCE) return "to measure it would take long";
   const shares: number[] = [];
-  for (const [k, { slider }] of rows.entries()) {
+  for (const [k, { slider }] of rows.slice(0, count).entries()) {
     if (!wanted()) return null;
     const more = slider.value * (1 + STEP);
     const step = more <= slider.max && more >= slider.min ? STEP : -STEP;

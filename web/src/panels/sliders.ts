@@ -21,6 +21,7 @@ export interface SlidersOptions {
 }
 
 const LEADING = 5; // settings that are shown at first
+const RANKED = 16; // settings whose effect is measured: the most useful ones, which come first
 const PATIENCE = 300; // ms after which a bar shows how far a run is
 const PICTURES = 250; // ms that a picture may wait for newer curves
 
@@ -83,6 +84,7 @@ export function mountSliders(
       return;
     }
     [busy, began, heard] = [true, performance.now(), false];
+    rows.forEach((row) => row.element.classList.remove("warned"));
     if (!patience) patience = window.setTimeout(() => { bar.hidden = false; }, PATIENCE);
     try {
       const progress = (share: number) => { if (own === asked) bar.value = share; };
@@ -94,6 +96,7 @@ export function mountSliders(
       const why = (error instanceof Error ? error.message : String(error)).replace(/\.$/, "");
       status.textContent = `This could not be simulated: ${why}; shown is the run as it was.`;
       status.classList.add("warned");
+      rows.forEach((row) => row.element.classList.toggle("warned", why.includes(`${row.slider.path} = `)));
     }
   }
 
@@ -121,7 +124,12 @@ export function mountSliders(
   const first = make("div", { class: "leading" });
   const rest = make("div");
   const order = make("p", { class: "note", hidden: true });
-  const more = make("details", {}, make("summary", { text: `All settings (${rows.length})` }), order, rest);
+  const find = make("input", { type: "search", placeholder: "find a setting", "aria-label": "Find a setting" });
+  find.hidden = rows.length <= RANKED;
+  find.addEventListener("input", () => rows.filter((row) => rest.contains(row.element)).forEach(({ element: row, slider }) => {
+    row.hidden = !`${slider.label} ${slider.path}`.toLowerCase().includes(find.value.toLowerCase());
+  }));
+  const more = make("details", {}, make("summary", { text: `All settings (${rows.length})` }), order, find, rest);
   more.hidden = rows.length <= LEADING;
   more.append(...notes(bundle));
 
@@ -133,18 +141,18 @@ export function mountSliders(
   /** The most effective settings first, once that is known; nothing moves under who uses them. */
   async function rank(opened: Live): Promise<void> {
     if (asked > 0 || closed) return;
-    const found = await effects(opened, rows, () => asked === 0 && !closed);
+    const found = await effects(opened, rows, RANKED, () => asked === 0 && !closed);
     if (found === null || asked > 0 || closed) return;
     order.hidden = false;
     if (typeof found === "string") return put(order, `Ordered by kind, not by effect: ${found}.`);
     const { number, shares } = found;
-    rows.forEach((row, k) => {
+    rows.slice(0, RANKED).forEach((row, k) => {
       row.effect.textContent = shares[k] > 0 ? `${digits(100 * shares[k], 2)} %` : "";
       row.effect.title = "change for 1 % of this setting";
     });
     put(order, `Behind each setting: the change of the ${nameOf(number, options.facts)} for 1 % of it.`);
     if (element.contains(document.activeElement) || element.matches(":hover")) return;
-    const size = (row: SliderRow) => shares[rows.indexOf(row)];
+    const size = (row: SliderRow) => shares[rows.indexOf(row)] ?? -1;
     place([...rows].sort((one, other) => size(other) - size(one)).slice(0, LEADING));
   }
 

@@ -19,6 +19,8 @@ from tmodes.chain.chain import Chain, Node
 from tmodes.equations.line.schedule import MOVING, RIGID, ROOTS, Lines
 from tmodes.errors import InputError, SimulationError
 from tmodes.kinds.links.line import SAME, LineOfLink, layout
+from tmodes.kinds.noted.functions import array, distinct
+from tmodes.kinds.noted.number import is_noted, plain_value
 from tmodes.model.model import Model
 from tmodes.model.rows import StateRows
 
@@ -251,12 +253,23 @@ def elastic_line(
 def line_places(chain: Chain, count: int) -> Array:
     """``count`` places from root to tip, with those of bodies inside a link twice: just before and just beyond them."""
     grid = np.linspace(0.0, 1.0, count)
-    inside = {s for node in chain.nodes for s in node.link.body_places if 0.0 < s < 1.0 and node.link.has_stations}
-    inside |= {
-        s for node in chain.nodes if node.link.mass_line for s, _ in node.link.mass_line.stations if 0.0 < s < 1.0
-    }
-    others = [place for place in grid if all(abs(place - s) > SAME for s in inside)]
-    return np.sort(np.concatenate([others, *([s, s] for s in inside)]))
+    carrying = [s for node in chain.nodes if node.link.has_stations for s in node.link.body_places]
+    carrying += [s for node in chain.nodes if node.link.mass_line for s, _ in node.link.mass_line.stations]
+    inside = distinct(s for s in carrying if 0.0 < s < 1.0)
+    known = [plain_value(s) for s in inside]
+    others = [place for place in grid if all(abs(place - s) > SAME for s in known)]
+    places = np.sort(np.concatenate([others, *([s, s] for s in known)]))
+    return _moving(places, [0.0, *inside, 1.0], [0.0, *known, 1.0]) if is_noted(inside) else places
+
+
+def _moving(places: Array, ends: Sequence[Any], known: Sequence[float]) -> Array:
+    """Places that keep their shares of the way between noted ``ends``, which are ``known`` now."""
+    found: list[Any] = []
+    for place in places.tolist():
+        k = min(int(np.searchsorted(known, place, side="right")), len(ends) - 1) - 1
+        share = (place - known[k]) / (known[k + 1] - known[k])
+        found.append(ends[k] + share * (ends[k + 1] - ends[k]) if share < 1.0 else ends[k + 1])
+    return array(found)
 
 
 def _asked(stations: int | Sequence[float]) -> Array:

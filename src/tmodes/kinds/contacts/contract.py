@@ -69,11 +69,11 @@ class Surface(Kind, family="surface", key="type"):
         """As ``SceneContact.surface`` of ``web/src/contract.ts``: a plane (position, normal) or a ball."""
         raise NotImplementedError
 
-    def moving_numbers(self) -> tuple[float, float, float, float]:
-        """Its place and its radius [m] as a page moves them; the radius of a plane is 0."""
+    def moving_numbers(self) -> tuple[float, ...]:
+        """Its place (3), radius [m] and normal (3) as a page moves them; 0: a plane's radius, a ball's normal."""
         drawn = self.drawing()
-        x, y, z = drawn.get("position") or drawn["center"]
-        return x, y, z, drawn.get("radius", 0.0)
+        place = drawn.get("position") or drawn["center"]
+        return (*place, drawn.get("radius", 0.0), *drawn.get("normal", (0.0, 0.0, 0.0)))
 
     @property
     def steep_axis(self) -> int:

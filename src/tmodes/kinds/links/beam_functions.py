@@ -39,7 +39,7 @@ from tmodes.kinds.noted.number import is_noted
 
 __all__ = [
     "MODULI", "SHIFTING", "BareBeam", "bare_beam", "beam_mass", "fine_rule", "function_names", "function_order",
-    "function_values", "interval_integrals", "is_uniform", "last_functions", "pieces_at", "softened",
+    "function_values", "interval_integrals", "is_uniform", "last_functions", "piece_rule", "pieces_at", "softened",
     "stiffness_matrix",
 ]  # fmt: skip
 
@@ -101,7 +101,7 @@ def _weighted(beam: BeamNumbers, direction: str) -> bool:
 
 
 @lru_cache(maxsize=64)
-def _piece_rule(beam: BeamNumbers) -> tuple[Array, Array]:
+def piece_rule(beam: BeamNumbers) -> tuple[Array, Array]:
     """Rule within a piece; of noted numbers, pieces of one section each, the shortest that is exact: polynomials."""
     pieces = broken_pieces(beam)
     pairs = [pair for piece in pieces for pair in (*piece.inertia, *(getattr(piece, name) for name in _QUANTITIES))]
@@ -113,7 +113,7 @@ def _piece_rule(beam: BeamNumbers) -> tuple[Array, Array]:
 
 def fine_rule(beam: BeamNumbers) -> tuple[Array, Array]:
     """Points and weights (sum 1) of a fine quadrature over all pieces."""
-    (starts, ends), (x, w) = _bounds(beam), _piece_rule(beam)
+    (starts, ends), (x, w) = _bounds(beam), piece_rule(beam)
     half = (ends - starts)[:, None] / 2
     return (starts[:, None] + half * (1 + x)).ravel(), (half * w).ravel()
 
@@ -185,7 +185,7 @@ def interval_integrals(beam: BeamNumbers, start: Array, end: Array) -> tuple[Arr
     """
     middle, length = (start + end) / 2, end - start
     starts, ends = _bounds(beam)
-    (low, high), (x, w) = (clip(at, starts[:, None], ends[:, None]) for at in (start, end)), _piece_rule(beam)
+    (low, high), (x, w) = (clip(at, starts[:, None], ends[:, None]) for at in (start, end)), piece_rule(beam)
     s = low[..., None] + (high - low)[..., None] * (1 + x) / 2
     some = low != high if is_noted(s) else np.ones(low.shape, dtype=bool)
     values = np.concatenate([function_values(beam, direction, s[some]) for direction in TURNING])

@@ -13,25 +13,28 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
-from numpy.polynomial import legendre
 from numpy.typing import NDArray
 
 from tmodes.kinds.kernel.schedule import Slot
 from tmodes.kinds.links.beam_breaks import TURNING, broken_pieces
-from tmodes.kinds.links.beam_functions import MODULI, SHIFTING, function_values, interval_integrals, pieces_at
+from tmodes.kinds.links.beam_functions import (
+    MODULI,
+    SHIFTING,
+    function_values,
+    interval_integrals,
+    piece_rule,
+    pieces_at,
+)
 from tmodes.kinds.links.beam_pieces import BeamNumbers
 from tmodes.kinds.links.beam_tables import BeamTables, beam_tables, section_edges
 from tmodes.kinds.links.line import LineOfLink, Moved
 from tmodes.kinds.links.strain_place_kernels import BeamKernels
 from tmodes.kinds.noted.functions import array, clip, isfinite, place
-from tmodes.kinds.noted.number import is_noted
+from tmodes.kinds.noted.number import is_noted, plain_value
 
 __all__ = ["BeamLine", "is_ring", "mass_outboard", "place_tables", "stress_numbers"]
 
 Array = NDArray[np.float64]
-
-_X, _W = legendre.leggauss(24)
-"""A rule that is exact for every product of polynomials that is met here."""
 
 _ROUND = 1e-9
 """Relative difference of GJ/G and (EI_y + EI_z)/E below which a section is a circle or a ring: no other has it."""
@@ -47,7 +50,8 @@ def place_tables(
     alpha, beta = interval_integrals(beam, edges[before], s)
     rest = (s - edges[before])[:, None] * beam.length * array(beam.rest_curvature)
     mass, levers, turning = mass_outboard(beam, own, s)
-    side = np.where(np.diff(s, prepend=-1.0) == 0.0, np.nextafter(s, 2.0), s)  # just beyond a body
+    beyond = s + 4 * np.spacing([plain_value(x) for x in s]) if is_noted(s) else np.nextafter(s, 2.0)
+    side = np.where(np.diff(s, prepend=-1.0) == 0.0, beyond, s)  # just beyond a body
     turns = [function_values(beam, direction, side) / beam.length for direction in TURNING]
     stiffness = [pieces_at(beam, name, s) for direction, name in MODULI.items() if getattr(beam, direction)]
     return {
@@ -65,13 +69,13 @@ def _finite(stiffness: Array) -> Array:
 
 def mass_outboard(beam: BeamNumbers, own: BeamTables, s: Array) -> tuple[Array, Array, Array]:
     """Mass (S, g) [kg], levers (S, g, g) [kg] and section inertia (S, axes, g) [kg*m^2] outboard of each s."""
-    g, axes = len(own.points), own.shape.rotary
+    g, axes, (x, w) = len(own.points), own.shape.rotary, piece_rule(beam)
     mass, levers, turning = np.zeros((len(s), g)), np.zeros((len(s), g, g)), np.zeros((len(s), axes, g))
     start = 0.0
     for piece in broken_pieces(beam):
         low = clip(s, start, piece.end)
-        at = low[:, None] + (piece.end - low)[:, None] * (1 + _X) / 2
-        whole = _Outboard(beam.length, at - start, piece.end - start, (piece.end - low)[:, None] * _W / 2)
+        at = low[:, None] + (piece.end - low)[:, None] * (1 + x) / 2
+        whole = _Outboard(beam.length, at - start, piece.end - start, (piece.end - low)[:, None] * w / 2)
         cardinal = own.rule.cardinal(at)
         mass = mass + whole.sums("ksm,sm->sk", piece.mass, cardinal)
         levers = levers + whole.sums("jsm,ksm,sm->sjk", piece.mass, cardinal, cardinal)

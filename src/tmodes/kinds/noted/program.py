@@ -6,7 +6,7 @@ import hashlib
 import operator
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
-from functools import cached_property
+from functools import cached_property, reduce
 from typing import Any
 
 import numpy as np
@@ -95,7 +95,8 @@ class Program:
             masks.append(0)
             for k in operands:
                 masks[-1] |= masks[k]
-        return {k for k in range(self.inputs) if any(masks[place] >> k & 1 for place in self.outputs[outputs])}
+        found = reduce(operator.or_, (masks[place] for place in self.outputs[outputs].tolist()), 0)
+        return {k for k in range(self.inputs) if found >> k & 1}
 
     @property
     def is_constant(self) -> bool:

@@ -286,8 +286,8 @@ class Clock:
         del reach
 
 
-_BEGIN, _LOOKS = 1.0, 201
-"""How long from its start a motion is looked at [s], whatever the run's time, and at how many instants."""
+_BEGIN = 1.0
+"""How long from its start a motion is looked at [s], whatever the run's time."""
 
 
 @dataclass(frozen=True)
@@ -317,8 +317,9 @@ class Jolts:
             begin = self.signal.schedule(_BEGIN)
         except InputError:  # it has no value at its end
             begin = moved
-        rates = np.abs(begin.at(np.linspace(0.0, begin.knots[-1], _LOOKS), 1))
-        return number(moved.at(0.0, 1)) if rates[0] > _SAME_VALUE * rates.max() else 0.0
+        rates = polynomial_derivative(begin.coefficients[:, None, :], 1, axis=2)
+        first, largest = number(moved.at(0.0, 1)), number(_largest(rates, np.diff(begin.knots))[0])
+        return first if abs(first) > _SAME_VALUE * largest else 0.0
 
     def jump(self, until: float) -> bool:
         """Whether any is there."""
