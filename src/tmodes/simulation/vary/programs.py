@@ -102,7 +102,7 @@ def _evaluated(program: Program, rows: Array, cases: int) -> tuple[Array, NDArra
 
 
 def case_program(
-    sheet: Robot, case: Mapping[str, float], robot_of: Callable[[RobotPair], Robot], blocks: Callable[[Robot], Blocks],
+    sheet: Robot, case: Mapping[str, float], robot_of: Callable[[RobotPair], Any], blocks: Callable[[Any], Blocks],
     cases: int = 1,
 ) -> CaseProgram:  # fmt: skip
     """The program of the ``blocks`` of numbers of a robot, noted at one ``case`` of the sheet: its value by path.

@@ -118,7 +118,9 @@ def _corrected(inverse: Array, moved: Array, change: Array) -> Array:
     share, size = (along * change).sum(axis=1), (moved * moved).sum(axis=1)
     good = share > _CURVED * size
     wrong = moved - (inverse @ change[..., None])[..., 0]
-    return inverse + np.where(good, 1 / np.where(good, share, 1.0), 0.0)[:, None, None] * wrong[..., None] * along[:, None]
+    return (
+        inverse + np.where(good, 1 / np.where(good, share, 1.0), 0.0)[:, None, None] * wrong[..., None] * along[:, None]
+    )
 
 
 def inverses(slopes: Array) -> Array:
