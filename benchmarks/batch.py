@@ -35,8 +35,9 @@ from tmodes.kinds.signals.schedule import SignalPieces
 from tmodes.robots.load import load
 from tmodes.simulation.batch.simulate import simulate_lanes
 from tmodes.simulation.loop import LoopModel
+from tmodes.simulation.problem import problem_of
+from tmodes.simulation.solve import solve
 from tmodes.simulation.start import run_setup
-from tmodes.simulation.trajectory import integrate
 
 _DURATIONS = {6: 1.0, 12: 0.5, 36: 0.3}
 _ALONE = 4
@@ -56,7 +57,7 @@ class Case:
 
     def alone(self, numbers: np.ndarray) -> Any:
         """One run by itself."""
-        return integrate(self.model, numbers, self.schedule, self.start, self.settings)
+        return solve(problem_of(self.model, numbers, self.schedule, self.start, self.settings))
 
     def batch(self, numbers: np.ndarray, threads: int) -> Any:
         """Many at once."""

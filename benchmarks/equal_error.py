@@ -10,7 +10,8 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from tmodes.integrate.settings import Integration
-from tmodes.simulation.trajectory import integrate
+from tmodes.simulation.problem import problem_of
+from tmodes.simulation.solve import solve
 
 from .peers import example
 
@@ -53,7 +54,7 @@ def at_equal_error(seed: Any, rounds: int) -> list[Equal]:
     def ours(settings: Integration) -> Run:
         def run() -> tuple[float, np.ndarray]:
             began = time.perf_counter()
-            done = integrate(seed.model, seed.parameters, seed.schedule, seed.start, settings)
+            done = solve(problem_of(seed.model, seed.parameters, seed.schedule, seed.start, settings))
             return time.perf_counter() - began, seed.tips(done.states)
 
         return run

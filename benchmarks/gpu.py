@@ -22,11 +22,12 @@ from benchmarks.assembler import NONE, assembled
 from tmodes.compile.gpu.cuda import first_gpu, unavailable
 from tmodes.equations.loop.outputs import OWN, Output, Outputs
 from tmodes.robots.load import load
-from tmodes.simulation.batch.simulate import run_all, thread_count
-from tmodes.simulation.batch.work import Work
+from tmodes.simulation.batch.executor import PROCESSOR, thread_count
+from tmodes.simulation.case_results import CaseResults
 from tmodes.simulation.gpu.run import run_on_gpu
 from tmodes.simulation.loop import LoopModel
 from tmodes.simulation.parts import sample_times
+from tmodes.simulation.problem import Problem
 from tmodes.simulation.start import run_setup
 from tmodes.simulation.vary.simulate import prepared
 
@@ -66,7 +67,7 @@ def table(target: str) -> None:
                 print(f"{robot:22}{method:16}{len(ptx) / 1000:8.0f}{sizes}", flush=True)
 
 
-def works(count: int) -> list[Work]:
+def works(count: int) -> list[Problem]:
     """Cases of the 2010 robot, of which the start and the end are kept."""
     robot, rng = load("filipovic2010"), np.random.default_rng(1)
     kept = robot.integration.model_copy(update={"output_step": robot.integration.duration})
@@ -74,7 +75,7 @@ def works(count: int) -> list[Work]:
     vary = {f"real.{path}": 1 + share * rng.uniform(-1, 1, count) for path, share in VARIED.items()}
     lots, times = prepared(robot, vary).lots, sample_times(kept)
     room = np.empty((count, len(times), lots[0].starts.shape[1]))
-    return [lot.work(times, room) for lot in lots]
+    return [lot.work(room) for lot in lots]
 
 
 def timed(what: Callable[[], object]) -> float:
@@ -88,10 +89,13 @@ def speed(count: int) -> None:
     """Runs a second here and there."""
     few = max(count // 1000, 1000)
     given, same, some, device = works(count), works(few), works(few), first_gpu()
-    run_on_gpu(same, device=device)  # its code is made here, that of the processor in the next line
-    run_all(works(1), 1, lambda share: None)
-    there = timed(lambda: run_on_gpu(given, device=device))
-    here = timed(lambda: run_all(some, thread_count(None), lambda share: None))
+    run_on_gpu(
+        same, CaseResults.of_all(few), device=device
+    )  # its code is made here, that of the processor in the next line
+    PROCESSOR.run(works(1), CaseResults.of_all(1), 1, lambda share: None)
+    there = timed(lambda: run_on_gpu(given, CaseResults.of_all(count), device=device))
+    ends = CaseResults.of_all(few)
+    here = timed(lambda: PROCESSOR.run(some, ends, thread_count(None), lambda share: None))
     print(f"GPU: {count} cases in {there:.3g} s, {count / there:.3g} a second")
     print(f"processor: {few} cases in {here:.3g} s, {few / here:.3g} a second; ratio {count / there * here / few:.3g}")
     one, other = (np.concatenate([work.states[work.places, -1] for work in each]) for each in (same, some))

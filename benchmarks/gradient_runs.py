@@ -19,7 +19,8 @@ from tmodes.io.sheet_check import sheet_data
 from tmodes.io.sheet_paths import entered, steps_of
 from tmodes.io.sheet_words import at
 from tmodes.robots.load import load
-from tmodes.simulation.trajectory import integrate
+from tmodes.simulation.problem import problem_of
+from tmodes.simulation.solve import solve
 
 from .stiff_arm import stiff_arm
 
@@ -58,7 +59,7 @@ class Case:
     def run(self) -> Any:
         """The run alone, from its plan on."""
         here = self.here
-        return integrate(here.model, here.parameters, here.schedule, here.start, here.settings)
+        return solve(problem_of(here.model, here.parameters, here.schedule, here.start, here.settings))
 
     def differences(self, path: str, step: float) -> tuple[float, float]:
         """Derivative of the functional by the logarithm of a number, and by how much twice the step changes it."""

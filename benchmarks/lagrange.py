@@ -10,8 +10,9 @@ import time
 from tmodes.integrate.settings import Integration
 from tmodes.robots.load import load
 from tmodes.sheet import Robot
+from tmodes.simulation.problem import problem_of
+from tmodes.simulation.solve import solve
 from tmodes.simulation.start import run_setup
-from tmodes.simulation.trajectory import integrate
 
 STEPS = 40_000
 DURATION = 2.0
@@ -25,7 +26,7 @@ def nanoseconds(robot: Robot) -> float:
     found = []
     for _ in range(ROUNDS):
         began = time.perf_counter()
-        integrate(setup.model, setup.model.numbers, setup.planned.schedule, setup.start, settings)
+        solve(problem_of(setup.model, setup.model.numbers, setup.planned.schedule, setup.start, settings))
         found.append(time.perf_counter() - began)
     return 1e9 * min(found) / (4 * STEPS)
 

@@ -29,8 +29,9 @@ from benchmarks.engines.contender import PeerMissing
 from tmodes.compile.ir.unroll import c_text, unrolled
 from tmodes.integrate.settings import Integration
 from tmodes.robots.load import load
+from tmodes.simulation.problem import problem_of
+from tmodes.simulation.solve import solve
 from tmodes.simulation.start import run_setup
-from tmodes.simulation.trajectory import integrate
 
 from .equal_error import at_equal_error, tell
 from .peers import example
@@ -59,7 +60,7 @@ class Seed:
     def run(self, settings: Integration) -> tuple[float, np.ndarray]:
         """Time of a run from Python and back, and the final tip [m]."""
         began = time.perf_counter()
-        run = integrate(self.model, self.parameters, self.schedule, self.start, settings)
+        run = solve(problem_of(self.model, self.parameters, self.schedule, self.start, settings))
         return time.perf_counter() - began, self.tips(run.states[-1:])[0]
 
     def tips(self, states: np.ndarray) -> np.ndarray:

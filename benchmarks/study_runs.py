@@ -32,10 +32,11 @@ import numpy as np
 from tmodes.compile.native import processor
 from tmodes.robots.load import load
 from tmodes.sheet import Robot
+from tmodes.simulation.case_results import CaseResults
 from tmodes.simulation.motion_run import tip_motion
 from tmodes.simulation.native_run import NativeRun
 from tmodes.simulation.start import RunSetup, run_setup, run_trajectory
-from tmodes.simulation.vary.reduce import Reduced, Reduction, reduced
+from tmodes.simulation.vary.reduce import Reduction, reduced
 
 from .stiff_arm import two_beams
 
@@ -89,7 +90,7 @@ class Study:
         changes = {path: float(numbers[index]) for path, numbers in self.values(_ALONE).items()}
         return run_setup(self.robot.with_(changes).pair().real).chosen()
 
-    def batch(self, cases: int, threads: int) -> Reduced:
+    def batch(self, cases: int, threads: int) -> CaseResults:
         """All cases at once."""
         return reduced(self.robot, self.values(cases), self.reductions, threads=threads)
 
@@ -109,8 +110,8 @@ def one_by_one(setups: list[RunSetup]) -> tuple[Spent, list[np.ndarray]]:
     """Our native loops, one case after the other: the time in native code."""
     spent, tips = 0.0, []
     for setup in setups:
-        plan, settings = setup.planned, setup.robot.integration
-        run = NativeRun(setup.model, setup.model.numbers, plan.schedule.until(settings.duration), setup.start, settings)
+        settings = setup.robot.integration
+        run = NativeRun(setup.problem())
         loop, given = run.loop, run.arguments(settings.max_steps)
         numbers = [value if isinstance(value, int) else value.ctypes.data for value in given.values()]
         began = time.thread_time()

@@ -18,7 +18,7 @@ from tmodes.compile.ir import kernels
 from tmodes.compile.ir.arithmetic import Wide
 from tmodes.equations.recursion.forward import forward_dynamics
 from tmodes.model.model import Model
-from tmodes.simulation.batch.private import private
+from tmodes.simulation.batch.simd_batch import private
 
 __all__ = ["LANES", "SAMPLES", "Ours", "cores"]
 

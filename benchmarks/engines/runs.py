@@ -18,8 +18,9 @@ from tmodes.integrate.settings import Integration
 from tmodes.kinds.signals.schedule import SignalPieces
 from tmodes.robots.load import load
 from tmodes.simulation.loop import LoopModel
+from tmodes.simulation.problem import problem_of
+from tmodes.simulation.solve import solve
 from tmodes.simulation.start import run_setup
-from tmodes.simulation.trajectory import integrate
 
 __all__ = ["ChainRun", "Run", "SeedRun"]
 
@@ -89,7 +90,7 @@ class Run(ABC):
             chosen["absolute_tolerance"] = chosen["relative_tolerance"] * 1e-3
         settings = Integration(duration=self.duration, output_step=self.duration / len(self.samples), **chosen)
         began = now()
-        run = integrate(self.model, self.model.numbers, self.schedule, self.start, settings)
+        run = solve(problem_of(self.model, self.model.numbers, self.schedule, self.start, settings))
         seconds = now() - began
         return seconds, run.states[1:] if run.status == "finished" else None
 

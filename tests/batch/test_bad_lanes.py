@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 
 from tmodes.simulation.batch.simulate import simulate_lanes
-from tmodes.simulation.trajectory import integrate
+from tmodes.simulation.problem import problem_of
+from tmodes.simulation.solve import solve
 
 
 def spoilt(lot, lane, name, value):
@@ -47,7 +48,7 @@ def test_what_a_lane_says_is_what_the_run_by_itself_says(lot, case):
     many = spoilt(lot, 2, *BAD[case])
     batch = many.run()
     numbers = many.many[2]
-    single = integrate(lot.model, numbers, lot.schedule, lot.start, lot.settings)
+    single = solve(problem_of(lot.model, numbers, lot.schedule, lot.start, lot.settings))
     assert (batch.status[2], batch.message[2]) == (single.status, single.message)
     assert "in coordinate" in batch.message[2]
     assert batch.counts[2] == len(single.times)

@@ -8,8 +8,9 @@ import pytest
 from simulation.sheets import ZERO, arm
 from tmodes.compile.loops.gate import SHORTEST
 from tmodes.simulation.batch.simulate import simulate_lanes
+from tmodes.simulation.problem import problem_of
+from tmodes.simulation.solve import solve
 from tmodes.simulation.start import run_setup
-from tmodes.simulation.trajectory import integrate
 
 SHORT = {"duration": 0.3, "output_step": 0.013, "relative_tolerance": 1e-9, "absolute_tolerance": 1e-11}
 
@@ -42,7 +43,7 @@ def test_each_lane_meets_its_own_wall(bounce, method):
     starts[:, model.layout.v] = speeds[:, None]
     batch = simulate_lanes(model, model.numbers, bounce.planned.schedule, starts, chosen)
     for lane, start in enumerate(starts):
-        single = integrate(model, model.numbers, bounce.planned.schedule, start, chosen)
+        single = solve(problem_of(model, model.numbers, bounce.planned.schedule, start, chosen))
         # An onset is met within SHORTEST: the states may differ by what they change in that time, and no more.
         fastest = np.abs(model.rate(single.times, single.states, bounce.planned.schedule.rows_at(single.times))).max()
         assert np.abs(batch.states[lane] - single.states).max() < SHORTEST * fastest
@@ -58,8 +59,8 @@ def test_pieces_are_not_seen_where_there_is_a_contact(bounce, monkeypatch):
     model, chosen = bounce.model, settings(bounce)
     given = (model.numbers, bounce.planned.schedule, bounce.start, chosen)
     whole = simulate_lanes(model, *given)
-    monkeypatch.setattr("tmodes.simulation.batch.simulate._FIRST_PIECE", 1)
-    monkeypatch.setattr("tmodes.simulation.batch.simulate._PIECE_SECONDS", 0.0)
+    monkeypatch.setattr("tmodes.simulation.native_run._FIRST_PIECE", 1)
+    monkeypatch.setattr("tmodes.simulation.native_run._PIECE_SECONDS", 0.0)
     assert simulate_lanes(model, *given).states.tobytes() == whole.states.tobytes()
 
 
@@ -73,7 +74,7 @@ def test_a_lane_that_chatters_ends_by_itself(bounce, monkeypatch):
         :, None
     ]  # only the second one meets the wall, and leaves it
     batch = simulate_lanes(model, model.numbers, bounce.planned.schedule, starts, chosen)
-    single = integrate(model, model.numbers, bounce.planned.schedule, starts[1], chosen)
+    single = solve(problem_of(model, model.numbers, bounce.planned.schedule, starts[1], chosen))
     assert batch.status == ("finished", single.status, "finished") == ("finished", "chattering", "finished")
     assert batch.counts[1] == len(single.times) < len(batch.times)
     assert "more than 1 times" in batch.message[1]

@@ -13,7 +13,8 @@ import pytest
 from tmodes.kinds.signals.schedule import SignalPieces
 from tmodes.simulation.batch.result import load_batch
 from tmodes.simulation.batch.simulate import simulate_lanes
-from tmodes.simulation.trajectory import integrate
+from tmodes.simulation.problem import problem_of
+from tmodes.simulation.solve import solve
 
 ROBOTS = pytest.mark.parametrize("lot", ["filipovic2010", "pendulum"], indirect=True)
 
@@ -22,7 +23,7 @@ def alone(lot, numbers, schedule=None, start=None, settings=None):
     """The same run on the loop of a single robot."""
     parameters = np.asarray(numbers)
     start = lot.start if start is None else start
-    return integrate(lot.model, parameters, schedule or lot.schedule, start, settings or lot.settings)
+    return solve(problem_of(lot.model, parameters, schedule or lot.schedule, start, settings or lot.settings))
 
 
 @ROBOTS
@@ -57,9 +58,9 @@ def test_bytes_do_not_depend_on_the_company(lot, method, lanes, threads):
 def test_bytes_do_not_depend_on_the_pieces(lot, monkeypatch):
     """How often the loop is called is not seen in its result."""
     whole = lot.run()
-    monkeypatch.setattr("tmodes.simulation.batch.simulate._FIRST_PIECE", 3)
+    monkeypatch.setattr("tmodes.simulation.native_run._FIRST_PIECE", 3)
     monkeypatch.setattr(
-        "tmodes.simulation.batch.simulate._PIECE_SECONDS", 0.0
+        "tmodes.simulation.native_run._PIECE_SECONDS", 0.0
     )  # as on a machine so busy that each step takes long
     assert lot.run().states.tobytes() == whole.states.tobytes()
 

@@ -11,8 +11,8 @@ from tmodes.errors import InputError, InputErrors
 from tmodes.simulation.outputs import robot_outputs
 from tmodes.simulation.reductions import RULES, of_samples, with_slope
 from tmodes.simulation.vary import arrays
-from tmodes.simulation.vary.alone import run_alone
-from tmodes.simulation.vary.reduce import Reduced, Reduction, reduced
+from tmodes.simulation.vary.reduce import Reduction, reduced
+from tmodes.simulation.vary.single_case import single_case
 from tmodes.simulation.vary.tables import own_tip
 
 HOWS = ("max", "min", "max_abs", "mean", "rms", "end", "range")
@@ -51,6 +51,11 @@ def as_arrays(monkeypatch):
     monkeypatch.setattr(arrays, "_FEW", 2)
 
 
+def numbers_alone(*given):
+    """The numbers of a case that is run by itself."""
+    return {one: values[0] for one, values in single_case(*given).values.items()}
+
+
 def case_of(vary, k):
     return {path: float(values[k]) for path, values in vary.items()}
 
@@ -63,11 +68,11 @@ def test_all_series_as_by_itself(name):
     folded = [Reduction(series, how) for series in names for how in HOWS]
     shares = [Reduction(series, "percentile:90") for series in names]
     found, written = reduced(robot, vary, folded), reduced(robot, vary, [*folded, *shares], threads=1)
-    assert found.status == written.status == ("finished",) * 5
+    assert tuple(found.status) == tuple(written.status) == ("finished",) * 5
     assert {*found.method} == {method}
     own = own_tip(robot, 1)[0]
     for k in (0, 3):
-        true = run_alone(robot, case_of(vary, k), [*folded, *shares], own).values
+        true = numbers_alone(robot, case_of(vary, k), [*folded, *shares], own)
         for one in [*folded, *shares]:
             size = max(abs(true[Reduction(one.series, "max")]), abs(true[Reduction(one.series, "min")]), 1e-5)
             stiff = 50 if any(part in one.series for part in STIFF) else 1
@@ -117,9 +122,7 @@ def test_stiff_and_other_cases_mixed():
     found = reduced(swing(), vary, [speed])
     assert {*found.method} == {"dormand_prince", "extrapolation"}
     for k in (0, 4, 10):
-        assert found.values[speed][k] == pytest.approx(
-            run_alone(swing(), case_of(vary, k), [speed], None).values[speed]
-        )
+        assert found.values[speed][k] == pytest.approx(numbers_alone(swing(), case_of(vary, k), [speed], None)[speed])
 
 
 def test_parts_do_not_matter(monkeypatch):
@@ -128,7 +131,7 @@ def test_parts_do_not_matter(monkeypatch):
     many = {path: np.linspace(min(values), max(values), 150) for path, values in vary.items()}
     asked = [Reduction("deviation", "rms"), Reduction("joint.effort", "max")]
     whole = reduced(robot, many, asked)
-    monkeypatch.setattr("tmodes.simulation.batch.runner.Runner.room", 1)
+    monkeypatch.setattr("tmodes.simulation.batch.executor.Executor.room", 1)
     parts = reduced(robot, many, asked, threads=1)
     for one in asked:
         assert parts.values[one].tobytes() == whole.values[one].tobytes()
@@ -139,7 +142,7 @@ def test_stop_conditions_end_cases_and_are_said():
     robot = swing(**{"integration.duration": 1.0, "integration.stop": ["abs(joint.position) > 0.3"]})
     asked = [Reduction("joint.position", "max_abs"), Reduction("energy.total", "range")]
     found = reduced(robot, {"drives.0.signal.value": [1e-3, 3.0]}, asked)
-    assert found.status == ("finished", "stopped_by_condition")
+    assert tuple(found.status) == ("finished", "stopped_by_condition")
     assert "stop condition `abs(joint.position) > 0.3`" in found.message[1]
     assert found.values[asked[0]][1] == pytest.approx(0.3, abs=1e-9)
     assert np.isfinite(found.values[asked[1]]).all()
@@ -171,15 +174,15 @@ def test_some_motions_are_kept():
     found = reduced(robot, {"payload.mass": [0.4, 0.5, 0.6]}, [Reduction("tip.speed", "max")], kept=[2])
     true = tmodes.simulate_batch(robot, {"payload.mass": [0.6]}, tips=True)
     kept = found.kept[2]
-    assert kept.coordinates == true.coordinates
+    assert kept.names == true.coordinates
     assert true.tips is not None
     assert kept.states.tobytes() == true.states[0].tobytes()
-    assert kept.tips.tobytes() == true.tips[0].tobytes()
+    assert kept.tip.tobytes() == true.tips[0].tobytes()
 
 
 def test_a_case_that_is_lost_has_no_numbers():
     robot = swing(**{"integration.max_steps": 100, "integration.duration": 5.0})
-    found: Reduced = reduced(robot, {"drives.0.signal.value": [0.0, 2.0]}, [Reduction("tip.speed", "max")])
+    found = reduced(robot, {"drives.0.signal.value": [0.0, 2.0]}, [Reduction("tip.speed", "max")])
     assert found.status[1] == "stopped"
     assert "max_steps" in found.message[1]
     assert np.isnan(found.values[Reduction("tip.speed", "max")][1])

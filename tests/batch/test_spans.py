@@ -8,16 +8,16 @@ import pytest
 from tmodes.compile.native import WIDTH
 from tmodes.errors import InputError
 from tmodes.kinds.signals.schedule import SignalPieces
-from tmodes.simulation.batch.private import LINE, private
-from tmodes.simulation.batch.simulate import simulate_lanes, spans, thread_count
-from tmodes.simulation.batch.work import Work, inputs
+from tmodes.simulation.batch.executor import spans, thread_count
+from tmodes.simulation.batch.simd_batch import LINE, private
+from tmodes.simulation.batch.simulate import simulate_lanes
+from tmodes.simulation.problem import problem_of
 
 
-def work_of(lot, lanes, method):
+def work(lot, lanes, method):
     settings = lot.settings.model_copy(update={"method": method})
     many = np.tile(lot.many[:1], (lanes, 1))
-    info = inputs(many, lot.schedule, lot.start, settings.duration, lot.model.batch_widths)
-    return Work(lot.model, info, settings, np.zeros(1), np.zeros((lanes, 1, 1)), np.arange(lanes))
+    return problem_of(lot.model, many, lot.schedule, lot.start, settings, np.zeros((lanes, 1, 1)))
 
 
 @pytest.mark.parametrize("method", ["dormand_prince", "dop853"])
@@ -25,7 +25,7 @@ def work_of(lot, lanes, method):
 @pytest.mark.parametrize("lanes", [1, 7, 8, 9, 100, 1024, 5000])
 def test_each_lane_is_in_one_span(lot, lanes, threads, method):
     """Side by side in whole groups; as many spans as keep all threads busy to the end."""
-    found = spans(work_of(lot, lanes, method), threads)
+    found = spans(work(lot, lanes, method), threads)
     assert [lane for span in found for lane in span] == list(range(lanes))
     side = WIDTH if method == "dormand_prince" else 1
     assert all(len(span) % side == 0 for span in found[:-1])
@@ -50,7 +50,7 @@ def test_one_room_for_many_groups(lot, method, monkeypatch):
         given = (many, moved, starts, settings)
         short = simulate_lanes(lot.model, *given, threads=2)
         with monkeypatch.context() as patch:
-            patch.setattr("tmodes.simulation.batch.simulate._SPANS", 1)
+            patch.setattr("tmodes.simulation.batch.executor._SPANS", 1)
             long = simulate_lanes(lot.model, *given, threads=1)
         assert long.states.tobytes() == short.states.tobytes()
         assert (long.status, long.message) == (short.status, short.message)

@@ -151,7 +151,7 @@ def test_a_disk_that_fills_up_meanwhile_is_reported_before_anything_runs(lot, tm
         raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
 
     monkeypatch.setattr(os, "posix_fallocate", full, raising=False)
-    monkeypatch.setattr("tmodes.simulation.batch.simulate.run_all", lambda *_: pytest.fail("it runs"))
+    monkeypatch.setattr("tmodes.simulation.batch.executor.Processor.run", lambda *_: pytest.fail("it runs"))
     with pytest.raises(ResultFileError, match="No space left on device"):
         lot.run(out=tmp_path)
     assert list(tmp_path.iterdir()) == []

@@ -81,7 +81,7 @@ WRONG = {
 @pytest.mark.parametrize("info", list(WRONG))
 def test_wrong_lines_are_refused(info, monkeypatch):
     """Before anything runs."""
-    monkeypatch.setattr("tmodes.simulation.vary.simulate.run_all", lambda *_: pytest.fail("it runs"))
+    monkeypatch.setattr("tmodes.simulation.batch.executor.Processor.run", lambda *_: pytest.fail("it runs"))
     assert info in tmodes_batch(*WRONG[info], code=2).stderr
 
 
@@ -169,7 +169,7 @@ quantities: {far: {series: tip_difference, reduce: max}}
 
 def test_a_folder_that_is_taken_is_refused_before_anything_runs(tmp_path, monkeypatch):
     (tmp_path / "batch.json").write_text("{}")
-    monkeypatch.setattr("tmodes.simulation.vary.simulate.run_all", lambda *_: pytest.fail("it runs"))
+    monkeypatch.setattr("tmodes.simulation.batch.executor.Processor.run", lambda *_: pytest.fail("it runs"))
     done = tmodes_batch("--vary", "gravity=9:10:2", "--out", tmp_path, code=4)
     assert "a batch that is there" in done.stderr
 

@@ -16,9 +16,10 @@ from tmodes.kinds.controllers.registry import CONTROLLERS, Controller, Measured
 from tmodes.kinds.kernel import vectors
 from tmodes.model.model import Model
 from tmodes.simulation.batch.simulate import simulate_lanes
+from tmodes.simulation.problem import problem_of
 from tmodes.simulation.simulate import simulate_motion
+from tmodes.simulation.solve import solve
 from tmodes.simulation.start import run_setup, run_trajectory
-from tmodes.simulation.trajectory import integrate
 
 
 @CONTROLLERS.register
@@ -121,7 +122,7 @@ def test_member(name, lqr):
     numbers = np.array([model.numbers, model.numbers * 1.001])
     settings = sheet.integration.model_copy(update={"method": "dormand_prince"})
     batch = simulate_lanes(model, numbers, setup.planned.schedule, setup.start, settings)
-    single = integrate(model, model.numbers, setup.planned.schedule, setup.start, settings)
+    single = solve(problem_of(model, model.numbers, setup.planned.schedule, setup.start, settings))
     # A limit that is met a rounding earlier or later lets the step control take other steps.
     assert np.abs(batch.states[0] - single.states).max() < 1e-9 * np.abs(single.states).max()
     longer = type(law).of(law.model_dump() | {key: _more(value) for key, value in law.model_dump().items()})

@@ -15,8 +15,8 @@ from tmodes.integrate.method import EXPLICIT, Integrator, explicit
 from tmodes.integrate.registry import AUTO, INTEGRATORS, integrator, integrators
 from tmodes.integrate.settings import Integration
 from tmodes.sheet import Robot
-from tmodes.simulation.second_run import second_run
 from tmodes.simulation.simulate import simulate_motion
+from tmodes.simulation.step_refinement import refined_run
 
 BOGACKI_SHAMPINE = explicit(
     "bogacki_shampine", "explicit, order 3(2), for rough tolerances", 3,
@@ -126,7 +126,7 @@ def test_own_ones_are_differentiated(name: str) -> None:
 def test_a_second_run_finds_its_error(name: str, part: float, exact: np.ndarray) -> None:
     """Within a factor of two, loose or tight, whatever the order."""
     run = simulate_motion(pendulum(name, **accuracy(integrator(name), part)))
-    second = second_run(run.setup, run)
+    second = refined_run(run.setup, run)
     assert second is not None
     estimate = run.robot.integration.refined()[1] * np.abs(second.states - run.states)[:, :4].max()
     true = np.abs(run.states[:, :4] - exact).max()

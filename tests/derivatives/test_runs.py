@@ -186,7 +186,7 @@ def test_gradients_by_quantities_are_those_of_runs_with_other_sheets(name: str) 
 
     def measured(share: float) -> float:
         here = lowered(sheet.with_({path: value * (1 + share)}))
-        done = record(here.model, here.parameters, here.schedule, here.start, here.settings)
+        done = record(here.setup.problem())
         return squares(done.times, done.samples)[0]
 
     assert gradient.by[path] * value == pytest.approx(richardson(measured, 0.01), rel=2e-6)

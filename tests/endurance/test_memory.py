@@ -21,7 +21,8 @@ from tmodes.kinds.links.contract import Body
 from tmodes.kinds.links.rigid import RigidLink
 from tmodes.kinds.signals.schedule import SignalPieces
 from tmodes.model.model import Model
-from tmodes.simulation.trajectory import integrate
+from tmodes.simulation.problem import problem_of
+from tmodes.simulation.solve import solve
 
 from .scale import memory, often
 
@@ -56,7 +57,7 @@ def test_many_steps_in_one_process() -> None:
         settings = Integration(
             method="rk4", step=step, duration=count * step, output_step=count * step / 100, max_steps=10**9
         )
-        return integrate(oscillator, numbers, still, np.array([1.0, 0.0]), settings)
+        return solve(problem_of(oscillator, numbers, still, np.array([1.0, 0.0]), settings))
 
     run(100_000)
     before = memory()

@@ -13,11 +13,12 @@ import tmodes
 from simulation.sheets import pendulum, torque
 from tmodes.integrate.settings import Integration
 from tmodes.kinds.signals.schedule import SignalPieces
-from tmodes.simulation.batch.work import Work, inputs
+from tmodes.simulation.case_results import CaseResults
+from tmodes.simulation.gpu.run import run_on_gpu
 from tmodes.simulation.loop import LoopModel
-from tmodes.simulation.parts import sample_times
+from tmodes.simulation.problem import Problem, problem_of
+from tmodes.simulation.solve import solve
 from tmodes.simulation.start import run_setup
-from tmodes.simulation.trajectory import integrate
 
 EVERY = "TMODES_EVERY_KERNEL"
 
@@ -41,18 +42,22 @@ class Cases:
         chosen = self.settings.model_copy(update={"method": method, **settings})
         return Cases(self.model, self.schedules, self.starts, chosen, self.numbers)
 
-    def work(self) -> Work:
+    def work(self) -> Problem:
         """As a work whose states are not filled yet."""
-        given = inputs(self.numbers, self.schedules, self.starts, self.settings.duration, self.model.batch_widths)
-        times = sample_times(self.settings)
-        states = np.full((given.size, len(times), given.starts.shape[1]), np.nan)
-        return Work(self.model, given, self.settings, times, states, np.arange(given.size))
+        return problem_of(self.model, self.numbers, self.schedules, self.starts, self.settings)
 
     def alone(self, case: int) -> Any:
         """A case by the native loop of single runs."""
         schedule = self.schedules[case if len(self.schedules) > 1 else 0]
         start = self.starts[case if len(self.starts) > 1 else 0]
-        return integrate(self.model, self.numbers[case], schedule, start, self.settings)
+        return solve(problem_of(self.model, self.numbers[case], schedule, start, self.settings))
+
+
+def on_device(works: list[Problem], *given: Any, **how: Any) -> CaseResults:
+    """How the cases of works ended on a device."""
+    results = CaseResults.of_all(sum(work.size for work in works))
+    run_on_gpu(works, results, *given, **how)
+    return results
 
 
 def varied(setup: Any, settings: Integration, count: int, share: float) -> Cases:

@@ -8,13 +8,12 @@ import pytest
 import tmodes
 from simulation.sheets import pendulum, torque
 from tmodes.compile.gpu.cuda import HostDevice, first_gpu, unavailable
-from tmodes.simulation.gpu.run import run_on_gpu
-from tmodes.simulation.gpu.runner import OnDevice
+from tmodes.simulation.gpu.run import OnDevice
 from tmodes.simulation.start import run_setup
 from tmodes.simulation.vary import arrays
 from tmodes.simulation.vary.reduce import Reduction, reduced
 
-from .conftest import varied
+from .conftest import on_device, varied
 from .test_series import ROBOTS, asked
 
 pytestmark = pytest.mark.skipif(bool(unavailable()), reason=f"no GPU: {unavailable()}")
@@ -25,8 +24,8 @@ METHODS = ("rk4", "midpoint", "dormand_prince", "dop853", "extrapolation", "rose
 def on_both(cases):
     """States of cases on the processor and on the GPU, where all must end alike."""
     here, there = cases.work(), cases.work()
-    before, runs = run_on_gpu([here], device=HostDevice()), run_on_gpu([there], device=first_gpu())
-    assert {run.status for run in runs.values()} == {run.status for run in before.values()} == {"finished"}
+    before, runs = on_device([here], device=HostDevice()), on_device([there], device=first_gpu())
+    assert set(runs.status) == set(before.status) == {"finished"}
     return here.states, there.states
 
 
@@ -57,8 +56,8 @@ def test_reductions(monkeypatch, name):
     robot = tmodes.load(name).with_(changes)
     wanted = asked(robot)
     there = reduced(robot, vary, wanted, threads=1)
-    here = reduced(robot, vary, wanted, threads=1, runner=OnDevice(first_gpu()))
-    assert here.status == there.status == ("finished",) * 5
+    here = reduced(robot, vary, wanted, threads=1, executor=OnDevice(first_gpu()))
+    assert here.status.tolist() == there.status.tolist() == ["finished"] * 5
     for one in wanted:
         if one.how != "time_of_max":  # of what is flat any sample may be the largest by rounding
             size = max(np.abs(there.values[Reduction(one.series, "max_abs")]).max(), 1e-5)

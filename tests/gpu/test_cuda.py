@@ -14,8 +14,8 @@ import pytest
 
 from tmodes.compile.gpu.cuda import HostDevice, first_gpu, unavailable
 from tmodes.errors import SimulationError
-from tmodes.simulation.gpu.run import run_on_gpu
 
+from .conftest import on_device
 from .fake_cuda import FakeDriver, Result, fake_core, install
 
 
@@ -60,10 +60,10 @@ def test_a_batch_through_the_driver(monkeypatch, cases):
     core = fake_core(loop)
     install(monkeypatch, driver, core)
     work, other = cases.work(), cases.work()
-    runs = run_on_gpu([work])
-    run_on_gpu([other], device=HostDevice())
+    runs = on_device([work])
+    on_device([other], device=HostDevice())
     assert work.states.tobytes() == other.states.tobytes()
-    assert {run.status for run in runs.values()} == {"finished"}
+    assert set(runs.status) == {"finished"}
     assert (core.launches[0].grid, core.launches[0].block) == (2, 64)
     assert not driver.rooms
     # 4 processors of 2048 threads hold 8,240 bytes each: what is left of 512 MiB
@@ -78,7 +78,7 @@ def test_what_a_gpu_refuses(monkeypatch, cases, fails, words):
     driver = FakeDriver()
     install(monkeypatch, driver, fake_core(cases.model.case_loop("dormand_prince"), fails))
     with pytest.raises(SimulationError, match=words):
-        run_on_gpu([cases.work()])
+        on_device([cases.work()])
     assert not driver.rooms
 
 
@@ -96,13 +96,12 @@ from dataclasses import replace
 import numpy as np
 from gpu.conftest import published_cases
 from tmodes.compile.gpu.case_loop import CASE
-from tmodes.simulation.gpu.run import run_on_gpu
 cases = published_cases().by("dormand_prince")
 cases = replace(cases, numbers=cases.numbers[:70])
 native = cases.model.case_loop("dormand_prince").native()
 os.environ["STAND_IN_CASE"] = str(native.address(CASE))
 work = cases.work()
-run_on_gpu([work])
+on_device([work])
 driver = ctypes.CDLL("libcuda.so.1")
 np.savez("found.npz", states=work.states, launches=driver.stand_in_launches(), taken=driver.stand_in_taken())
 """
@@ -119,7 +118,7 @@ def test_the_real_cuda_core_on_a_driver_that_stands_in(working_gcc, cases, tmp_p
     surroundings = os.environ | {"LD_LIBRARY_PATH": str(tmp_path), "PYTHONPATH": paths}
     subprocess.run([sys.executable, "-c", STAND_IN], check=True, cwd=tmp_path, env=surroundings)
     other = cases.work()
-    run_on_gpu([other], device=HostDevice())
+    on_device([other], device=HostDevice())
     with np.load(tmp_path / "found.npz") as found:
         assert found["states"].tobytes() == other.states.tobytes()
         assert found["launches"] >= 1

@@ -10,9 +10,12 @@ import pytest
 from tmodes.compile.gpu.cuda import HostDevice
 from tmodes.errors import SimulationError
 from tmodes.integrate.registry import integrators
-from tmodes.simulation.batch.simulate import run_all
+from tmodes.simulation.batch.executor import PROCESSOR
+from tmodes.simulation.case_results import CaseResults
 from tmodes.simulation.gpu.block import bytes_per_case, loop_of, suits_gpu
-from tmodes.simulation.gpu.run import block_size, run_on_gpu
+from tmodes.simulation.gpu.run import block_size
+
+from .conftest import on_device
 
 
 class Watched(HostDevice):
@@ -55,7 +58,7 @@ def some(cases, count):
 
 def run(cases, device, **how):
     work = cases.work()
-    return work.states, run_on_gpu([work], device=device, **how)
+    return work.states, on_device([work], device=device, **how)
 
 
 @pytest.fixture
@@ -106,7 +109,7 @@ def test_blocks_fit_the_memory_and_change_nothing(published):
     assert block_size(cases.work(), loop_of(cases.work()), device) == 3
     parted, runs = run(cases, device)
     assert parted.tobytes() == whole.tobytes()
-    assert sorted(runs) == [*range(7)]
+    assert len(runs) == 7
     assert {threads for threads, _ in device.launches} == {3, 1}
     assert device.taken == 0
 
@@ -124,8 +127,7 @@ def test_who_is_over_is_launched_no_more(published, short):
     threads = [threads for threads, _ in device.launches]
     assert threads[0] == 100
     assert threads == sorted(threads, reverse=True)
-    steps = [run.statistics["steps"] + run.statistics["rejected"] for run in runs.values()]
-    assert len(set(steps)) > 1
+    assert len(set(runs.statistics["steps"] + runs.statistics["rejected"])) > 1
     assert 1 <= threads[-1] < 100
 
 
@@ -136,10 +138,10 @@ def test_one_case_that_is_lost_disturbs_no_other(published):
     starts, numbers = np.repeat(cases.starts, 4, axis=0), cases.numbers.copy()
     numbers[1], starts[3, 0] = np.nan, np.nan
     states, runs = run(replace(cases, starts=starts, numbers=numbers), Watched())
-    assert [runs[case].status for case in range(4)] == ["finished", "diverged", "finished", "diverged"]
-    assert runs[1].message.startswith("diverged at t = 0 s in coordinate")
-    assert len(runs[1].times) == 1
-    assert len(runs[3].times) == 0
+    assert [runs.status[case] for case in range(4)] == ["finished", "diverged", "finished", "diverged"]
+    assert runs.message[1].startswith("diverged at t = 0 s in coordinate")
+    assert runs.samples[1] == 1
+    assert runs.samples[3] == 0
     assert np.isnan(states[1, 1:]).all()
     for case in (0, 2):
         assert states[case].tobytes() == whole[case].tobytes()
@@ -148,18 +150,17 @@ def test_one_case_that_is_lost_disturbs_no_other(published):
 def test_limit_on_steps_is_exact(published):
     cases = some(published.by("dormand_prince", max_steps=17), 3)
     states, runs = run(cases, Watched())
-    for one in runs.values():
-        assert one.status == "stopped"
-        assert "integration.max_steps = 17 is used up" in one.message
-        assert one.statistics["steps"] + one.statistics["rejected"] == 17
+    assert set(runs.status) == {"stopped"}
+    assert all("integration.max_steps = 17 is used up" in message for message in runs.message)
+    assert set(runs.statistics["steps"] + runs.statistics["rejected"]) == {17}
     assert np.isfinite(states[:, 0]).all()
 
 
 def test_limit_on_time_stops(published):
     cases = some(published.by("rk4", max_wall_time=20.0), 2)
     _, runs = run(cases, Watched(), clock=ticking(3.0))
-    assert {one.status for one in runs.values()} == {"stopped"}
-    assert "integration.max_wall_time = 20 s is used up" in runs[0].message
+    assert set(runs.status) == {"stopped"}
+    assert "integration.max_wall_time = 20 s is used up" in runs.message[0]
 
 
 def test_interrupted_cases_keep_what_they_have(published):
@@ -171,21 +172,21 @@ def test_interrupted_cases_keep_what_they_have(published):
     run(some(cases, 2), before, clock=ticking(0.3))
     device = Watched(memory, stops_at=len(before.launches) + 2)
     states, runs = run(cases, device, clock=ticking(0.3))
-    assert [runs[case].status for case in range(6)] == ["finished"] * 2 + ["interrupted"] * 4
-    assert runs[2].message.startswith("interrupted at t = 0.00")
-    count = len(runs[2].times)
+    assert [runs.status[case] for case in range(6)] == ["finished"] * 2 + ["interrupted"] * 4
+    assert runs.message[2].startswith("interrupted at t = 0.00")
+    count = runs.samples[2]
     assert 1 < count < len(whole[2])
-    assert runs[2].states.tobytes() == whole[2, :count].tobytes()
+    assert states[2, :count].tobytes() == whole[2, :count].tobytes()
     assert np.isnan(states[2, count:]).all()
-    assert len(runs[5].times) == 1
+    assert runs.samples[5] == 1
     assert device.taken == 0
 
 
 def test_interrupted_before_the_first_launch(published):
     device = Watched(stops_at=0)
     _, runs = run(some(published.by("rk4"), 2), device)
-    assert {one.status for one in runs.values()} == {"interrupted"}
-    assert {len(one.times) for one in runs.values()} == {1}
+    assert set(runs.status) == {"interrupted"}
+    assert set(runs.samples) == {1}
     assert device.taken == 0
 
 
@@ -198,7 +199,7 @@ def test_what_progress_raises_stops_and_gives_memory_back(published):
             raise ZeroDivisionError
 
     with pytest.raises(ZeroDivisionError):
-        run_on_gpu([some(published.by("rk4"), 2).work()], progress, device=device, clock=ticking(0.3))
+        on_device([some(published.by("rk4"), 2).work()], progress, device=device, clock=ticking(0.3))
     assert shares == sorted(shares)
     assert 0 < shares[0] < shares[-1] < 1
     assert device.taken == 0
@@ -214,16 +215,16 @@ def test_answer_is_of_the_same_shape_as_that_of_the_processor(published, swingin
         for each in rooms
     )
     shares = []
-    found = run_on_gpu(works, shares.append, device=Watched())
-    expected = {k: run for work in again for k, run in run_all([work], 1, lambda share: None).items()}
-    assert sorted(found) == sorted(expected) == [*range(5)]
+    found = on_device(works, shares.append, device=Watched())
+    expected = CaseResults.of_all(5)
+    PROCESSOR.run(again, expected, 1, lambda share: None)
     assert shares[-1] == pytest.approx(1.0)
-    for place, one in expected.items():
-        other = found[place]
-        assert (other.status, other.message) == (one.status, one.message)
-        assert np.array_equal(other.times, one.times)
-        assert np.abs(other.states - one.states).max() < 1e-9 * np.abs(one.states).max()
-        assert {"steps", "rejected", "evaluations"} <= set(other.statistics)
+    assert (found.status == expected.status).all()
+    assert (found.message == expected.message).all()
+    assert (found.samples == expected.samples).all()
+    for work, other in zip(works, again, strict=True):
+        gone, right = (one.states[one.places] for one in (work, other))
+        assert np.abs(gone - right).max() < 1e-9 * np.abs(right).max()
 
 
 def test_explicit_methods_gain_from_a_gpu():
@@ -245,20 +246,20 @@ def mixed(published, swinging):
 def test_stiff_works_run_on_the_processor(published, swinging):
     device, shares = Watched(), []
     works = mixed(published, swinging)
-    runs = run_on_gpu(works, shares.append, threads=1, device=device)
-    assert {run.status for run in runs.values()} == {"finished"}
-    assert sorted(runs) == [*range(6)]
+    runs = on_device(works, shares.append, threads=1, device=device)
+    assert set(runs.status) == {"finished"}
+    assert len(runs) == 6
     assert shares == sorted(shares)
     assert shares[-1] == pytest.approx(1.0)
     alone = swinging.by("rosenbrock")
     for case in range(2):
         assert works[1].states[2 + case].tobytes() == alone.alone(case).states.tobytes()
     again = Watched()
-    run_on_gpu(mixed(published, swinging), device=again)
+    on_device(mixed(published, swinging), device=again)
     assert len(again.launches) > len(device.launches)
 
 
 def test_after_an_interruption_the_processor_begins_nothing(published, swinging):
-    runs = run_on_gpu(mixed(published, swinging), threads=1, device=Watched(stops_at=1), clock=ticking(0.3))
-    assert {run.status for run in runs.values()} == {"interrupted"}
-    assert [len(runs[place].times) for place in (2, 3, 4, 5)] == [1] * 4
+    runs = on_device(mixed(published, swinging), threads=1, device=Watched(stops_at=1), clock=ticking(0.3))
+    assert set(runs.status) == {"interrupted"}
+    assert [runs.samples[place] for place in (2, 3, 4, 5)] == [1] * 4

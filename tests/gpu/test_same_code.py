@@ -10,10 +10,9 @@ import pytest
 import tmodes
 from tmodes.compile.gpu.cuda import HostDevice
 from tmodes.kinds.signals.schedule import SignalPieces
-from tmodes.simulation.gpu.run import run_on_gpu
 from tmodes.simulation.start import run_setup
 
-from .conftest import NIGHTLY, varied
+from .conftest import NIGHTLY, on_device, varied
 
 
 def both(first, second):
@@ -32,7 +31,7 @@ def cases(request, name):
 def states(cases, **how):
     """The states of all cases, and their trajectories."""
     work = cases.work()
-    runs = run_on_gpu([work], device=HostDevice(**how))
+    runs = on_device([work], device=HostDevice(**how))
     return work.states, runs
 
 
@@ -40,12 +39,12 @@ def states(cases, **how):
 def test_fixed_steps_are_those_of_single_runs_bit_by_bit(cases, method):
     cases = cases.by(method)
     found, runs = states(cases)
-    assert {run.status for run in runs.values()} == {"finished"}
+    assert set(runs.status) == {"finished"}
     for case in range(len(found)):
         single = cases.alone(case)
         assert found[case].tobytes() == single.states.tobytes()
-        assert runs[case].statistics["evaluations"] == single.statistics["evaluations"]
-        assert runs[case].message == single.message
+        assert runs.statistics["evaluations"][case] == single.statistics["evaluations"]
+        assert runs.message[case] == single.message
     assert len({state.tobytes() for state in found}) == len(found)
 
 
@@ -60,7 +59,7 @@ def test_adaptive_steps_differ_by_powers_alone(cases, method):
         single = cases.alone(case)
         assert exact[case].tobytes() == single.states.tobytes()
         assert np.abs(own[case] - single.states).max() < tolerance * np.abs(single.states).max()
-        assert abs(runs[case].statistics["steps"] - single.statistics["steps"]) <= 1
+        assert abs(runs.statistics["steps"][case] - single.statistics["steps"]) <= 1
     assert own.tobytes() != exact.tobytes()
 
 
@@ -97,8 +96,8 @@ def test_each_case_has_its_own_motion_and_start(published):
         published.by("rk4"), schedules=tuple(schedules), starts=starts, numbers=np.array(published.numbers[:5])
     )
     work = given.work()
-    run_on_gpu([work], device=HostDevice())
+    on_device([work], device=HostDevice())
     for case in range(5):
-        until = work.inputs.schedules[case]
+        until = work.schedules[case]
         single = replace(given, schedules=(until,) * 5).alone(case)
         assert work.states[case].tobytes() == single.states.tobytes()

@@ -7,10 +7,9 @@ import pytest
 
 import tmodes
 from tmodes.compile.gpu.cuda import HostDevice
-from tmodes.simulation.batch.runner import Runner
+from tmodes.simulation.batch.executor import Executor
 from tmodes.simulation.gpu.block import loop_of
-from tmodes.simulation.gpu.run import run_on_gpu
-from tmodes.simulation.gpu.runner import OnDevice
+from tmodes.simulation.gpu.run import OnDevice, run_on_gpu
 from tmodes.simulation.outputs import robot_outputs
 from tmodes.simulation.vary import arrays
 from tmodes.simulation.vary.reduce import Reduction, reduced
@@ -42,15 +41,15 @@ def as_arrays(monkeypatch):
     monkeypatch.setattr(arrays, "_FEW", 2)
 
 
-class Everything(Runner):
+class Everything(Executor):
     """Runs all methods on a device; ``used``: which of the works had series there."""
 
     def __init__(self):
         self.used = []
 
-    def run(self, works, threads, progress):
-        self.used.extend(loop_of(work).series is not None for work in works)
-        return run_on_gpu(works, progress, device=HostDevice())
+    def run(self, problems, results, threads, progress):
+        self.used.extend(loop_of(work).series is not None for work in problems)
+        run_on_gpu(problems, results, progress, device=HostDevice())
 
 
 def asked(robot):
@@ -72,10 +71,10 @@ def test_reductions_of_all_series(name, written):
     wanted, device = asked(robot), Everything()
     wanted += [Reduction(one.series, "percentile:90") for one in wanted[:: len(HOWS)] if written]
     there = reduced(robot, vary, wanted, threads=1)
-    here = reduced(robot, vary, wanted, threads=1, runner=device)
+    here = reduced(robot, vary, wanted, threads=1, executor=device)
     assert device.used[-1] == (name != "deluca_siciliano1991")  # after those of nominal robots
-    assert here.status == there.status == ("finished",) * 5
-    assert here.method == there.method
+    assert tuple(here.status) == tuple(there.status) == ("finished",) * 5
+    assert (here.method == there.method).all()
     for one in wanted:
         size = max(np.abs(there.values[Reduction(one.series, "max_abs")]).max(), 1e-5)
         size = 1.0 if one.how == "time_of_max" else size
@@ -92,11 +91,11 @@ def test_launches_and_blocks_change_no_bit_of_a_reduction(monkeypatch):
     changes, vary = ROBOTS["filipovic2010"]
     robot = tmodes.load("filipovic2010").with_(changes)
     wanted = asked(robot)
-    whole = reduced(robot, vary, wanted, threads=1, runner=Everything())
+    whole = reduced(robot, vary, wanted, threads=1, executor=Everything())
     monkeypatch.setattr("tmodes.simulation.gpu.run._FIRST", 3)
-    monkeypatch.setattr("tmodes.simulation.gpu.run._SECONDS", 0.0)
+    monkeypatch.setattr("tmodes.simulation.native_run._PIECE_SECONDS", 0.0)
     monkeypatch.setattr("tmodes.simulation.gpu.run.block_size", lambda work, loop, device: 2)
-    parted = reduced(robot, vary, wanted, threads=1, runner=Everything())
+    parted = reduced(robot, vary, wanted, threads=1, executor=Everything())
     for one in wanted:
         assert parted.values[one].tobytes() == whole.values[one].tobytes()
 
@@ -108,9 +107,9 @@ class Counting(OnDevice):
         super().__init__(HostDevice())
         self.cases = []
 
-    def run(self, works, threads, progress):
-        self.cases.append(sum(work.inputs.size for work in works))
-        return super().run(works, threads, progress)
+    def run(self, problems, results, threads, progress):
+        self.cases.append(sum(work.size for work in problems))
+        super().run(problems, results, threads, progress)
 
 
 @pytest.mark.parametrize(("vary", "calls"), [
@@ -120,7 +119,7 @@ def test_a_nominal_run_that_stands_for_all_is_on_the_processor(vary, calls):
     """One thread of a GPU is slower than a core; of nominal robots that differ each is a case."""
     robot = tmodes.load("filipovic2010").with_({"integration.duration": 0.01, "integration.method": "rk4"})
     device = Counting()
-    found = reduced(robot, vary, [Reduction("deviation", "max")], threads=1, runner=device)
-    assert found.status == ("finished",) * 3
+    found = reduced(robot, vary, [Reduction("deviation", "max")], threads=1, executor=device)
+    assert tuple(found.status) == ("finished",) * 3
     assert device.cases == calls
     assert device.there == sum(calls)

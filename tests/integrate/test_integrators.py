@@ -9,8 +9,9 @@ from scipy.integrate import RK45, solve_ivp
 from tmodes.integrate.dormand_prince import B_ERROR, DENSE, A, C
 from tmodes.simulation.parts import sample_times
 from tmodes.simulation.plan import Follow
+from tmodes.simulation.problem import problem_of
+from tmodes.simulation.solve import solve
 from tmodes.simulation.start import RunSetup, run_setup
-from tmodes.simulation.trajectory import integrate
 
 LOSSLESS = {
     "motor.friction": 0.0, "gear.damping": 0.0, "link.modes.0.damping_time": 0.0, "link.modes.1.damping_time": 0.0,
@@ -37,7 +38,7 @@ def plucked(setup):
 def integrated(setup, state=None, **changes):
     settings = setting(setup.robot, **changes)
     state = setup.start if state is None else state
-    return integrate(setup.model, setup.model.numbers, setup.planned.schedule, state, settings)
+    return solve(problem_of(setup.model, setup.model.numbers, setup.planned.schedule, state, settings))
 
 
 def run(robot, *, contact=False, reading="consistent", **changes):
@@ -109,8 +110,8 @@ def test_energy_without_losses(robot, reading, method, order):
 def test_chunks_change_no_bit(robot, monkeypatch, method):
     """However the loop is cut into calls, the samples are the same bytes."""
     whole = run(robot, duration=0.7, method=method)
-    monkeypatch.setattr("tmodes.simulation.trajectory._FIRST_PIECE", 7)
-    monkeypatch.setattr("tmodes.simulation.trajectory._PIECE_SECONDS", 1e-5)
+    monkeypatch.setattr("tmodes.simulation.native_run._FIRST_PIECE", 7)
+    monkeypatch.setattr("tmodes.simulation.native_run._PIECE_SECONDS", 1e-5)
     assert run(robot, duration=0.7, method=method).states.tobytes() == whole.states.tobytes()
 
 
@@ -181,7 +182,7 @@ def test_interruption_keeps_what_was_done(robot):
             raise KeyboardInterrupt
 
     numbers, settings = setup.model.numbers, robot.integration
-    one = integrate(setup.model, numbers, setup.planned.schedule, setup.start, settings, press)
+    one = solve(problem_of(setup.model, numbers, setup.planned.schedule, setup.start, settings), progress=press)
     assert one.status == "interrupted"
     assert 400 < len(one.times) < 2001
     assert np.array_equal(one.states, run(robot).states[: len(one.times)])
@@ -202,9 +203,7 @@ def test_a_killed_run_continues_with_the_same_bytes(robot, tmp_path):
                 raise MemoryError
 
         try:
-            one = integrate(
-                setup.model, setup.model.numbers, setup.planned.schedule, setup.start, settings, die, journal
-            )
+            one = solve(setup.problem(settings), progress=die, journal=journal)
         except MemoryError:
             continue
         finally:

@@ -17,7 +17,7 @@ import tmodes.report.facts
 import tmodes.result.assemble
 import tmodes.result.settling
 import tmodes.result.summary
-import tmodes.simulation.trajectory
+import tmodes.simulation.solve
 from see.runs import HOLD, cantilever, sheet, swinging
 from tmodes.report.data import page_data
 from tmodes.report.folder import RunFolder
@@ -221,14 +221,14 @@ def test_robots_that_have_less(name: str, tmp_path: Path) -> None:
 def test_the_search_for_settling_is_bounded(monkeypatch: pytest.MonkeyPatch) -> None:
     """At most half of the steps of the run itself, and where that was not enough the number says so."""
     monkeypatch.setattr(tmodes.result.settling, "_NEGLIGIBLE", 0)
-    taken, own = [], tmodes.simulation.trajectory.integrate
+    taken, own = [], tmodes.simulation.solve.solve
 
     def counted(*arguments: Any, **named: Any) -> Any:
         done = own(*arguments, **named)
         taken.append(done.statistics["steps"] + done.statistics["rejected"])
         return done
 
-    monkeypatch.setattr(tmodes.simulation.trajectory, "integrate", counted)
+    monkeypatch.setattr(tmodes.simulation.solve, "solve", counted)
     robot = Robot.from_data(fixed(joint={"state": "free"}, tip={"link": "l", "position": [0, 0, -0.3]}, **LOOSE))
     run, shares = simulate_motion(robot.with_({"integration.duration": 2.0})), []
     found = after_move(run, 0.0, shares.append)

@@ -26,8 +26,8 @@ from tmodes.result.errors import summary_figures
 from tmodes.result.summary import summarise_result
 from tmodes.sheet import Robot
 from tmodes.simulation.parts import Trajectory
-from tmodes.simulation.second_run import second_run
 from tmodes.simulation.start import run_setup, run_trajectory
+from tmodes.simulation.step_refinement import refined_run
 
 EXACT = {"method": "dop853", "relative_tolerance": 1e-13, "absolute_tolerance": 1e-16}
 
@@ -114,13 +114,13 @@ def test_a_run_that_is_lost_or_cut_has_no_estimate(monkeypatch: pytest.MonkeyPat
     """No number is made up; Ctrl-C in the second run is passed on, so that the same command resumes."""
     setup = run_setup(turning(MOVE, method="rk4"))
     done = run_trajectory(setup)
-    assert second_run(setup, done) is not None
-    assert second_run(setup, replace(done, status="diverged")) is None
-    assert second_run(replace(setup, callback=True), done) is None
+    assert refined_run(setup, done) is not None
+    assert refined_run(setup, replace(done, status="diverged")) is None
+    assert refined_run(replace(setup, callback=True), done) is None
     cut = Trajectory(np.zeros(1), np.zeros((1, 2)), "interrupted", "interrupted")
-    monkeypatch.setattr("tmodes.simulation.second_run.run_trajectory", lambda *_: cut)
+    monkeypatch.setattr("tmodes.simulation.step_refinement.run_trajectory", lambda *_: cut)
     with pytest.raises(KeyboardInterrupt):
-        second_run(setup, done)
+        refined_run(setup, done)
 
 
 def test_errors_that_are_large_are_estimates() -> None:

@@ -140,8 +140,8 @@ def test_events_change_no_bit_and_survive_what_a_run_survives(sheet: Robot, monk
     whole = run_trajectory(setup)
     assert whole.changes
     with monkeypatch.context() as patch:
-        patch.setattr("tmodes.simulation.trajectory._FIRST_PIECE", 3)
-        patch.setattr("tmodes.simulation.trajectory._PIECE_SECONDS", 0.0)
+        patch.setattr("tmodes.simulation.native_run._FIRST_PIECE", 3)
+        patch.setattr("tmodes.simulation.native_run._PIECE_SECONDS", 0.0)
         journal = _Memory()
         pieces = run_trajectory(setup, journal=journal)
         resumed = run_trajectory(setup, journal=_Memory(journal.records[len(journal.records) // 2]))

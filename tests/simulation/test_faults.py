@@ -15,9 +15,10 @@ from tmodes.robots.load import load
 from tmodes.sheet import Robot
 from tmodes.simulation import callback
 from tmodes.simulation.parts import Trajectory
+from tmodes.simulation.problem import problem_of
 from tmodes.simulation.simulate import simulate_motion
+from tmodes.simulation.solve import solve
 from tmodes.simulation.start import RunSetup, run_setup
-from tmodes.simulation.trajectory import integrate
 
 METHODS = ("dormand_prince", "dop853", "rk4", "extrapolation", "midpoint", "rosenbrock")
 BREAK = 0.0537
@@ -33,7 +34,7 @@ def run_with(setup: RunSetup, value: float) -> Trajectory:
     """The run of an arm whose torque is a value from ``BREAK`` on."""
     first = setup.planned.schedule.coefficients[0]
     pieces = SignalPieces(np.array([0.0, BREAK, 0.1]), np.stack([first, np.full_like(first, value)]))
-    return integrate(setup.model, setup.model.numbers, pieces, setup.start, setup.robot.integration)
+    return solve(problem_of(setup.model, setup.model.numbers, pieces, setup.start, setup.robot.integration))
 
 
 @pytest.mark.parametrize("method", METHODS)
@@ -60,7 +61,9 @@ def test_the_2010_robot_keeps_what_was_before_a_reference_that_is_no_number(meth
     coefficients = schedule.coefficients.copy()
     coefficients[1:] = np.nan
     settings = setup.robot.integration.model_copy(update={"duration": 2 * knot})
-    run = integrate(setup.model, setup.model.numbers, SignalPieces(schedule.knots, coefficients), setup.start, settings)
+    run = solve(
+        problem_of(setup.model, setup.model.numbers, SignalPieces(schedule.knots, coefficients), setup.start, settings)
+    )
     assert run.status == "diverged"
     assert f"at t = {knot:.6g} s in coordinate " in run.message
     assert np.isfinite(run.states).all()

@@ -11,7 +11,7 @@ from simulation.sheets import arm, beam, pendulum, torque
 from tmodes.compile.loops.extrapolation_rows import difference_weights
 from tmodes.errors import CompileError
 from tmodes.sheet import Robot
-from tmodes.simulation import trajectory
+from tmodes.simulation import native_run
 from tmodes.simulation.parts import Trajectory
 from tmodes.simulation.simulate import simulate_motion
 from tmodes.simulation.start import run_setup, run_trajectory
@@ -182,8 +182,8 @@ def test_same_bits_whatever_the_pieces(monkeypatch: pytest.MonkeyPatch) -> None:
         sheet = stiff(method=method, step=1e-3, duration=0.02)
         whole = path(sheet)
         with monkeypatch.context() as patch:
-            patch.setattr(trajectory, "_FIRST_PIECE", 1)
-            patch.setattr(trajectory, "_PIECE_SECONDS", 0.0)
+            patch.setattr(native_run, "_FIRST_PIECE", 1)
+            patch.setattr(native_run, "_PIECE_SECONDS", 0.0)
             pieces = path(sheet)
         assert pieces.statistics == whole.statistics
         assert np.array_equal(pieces.states, whole.states)

@@ -11,6 +11,7 @@ from simulation.sheets import arm
 from tmodes.sheet import Robot
 from tmodes.simulation.native_run import NativeRun
 from tmodes.simulation.parts import Trajectory
+from tmodes.simulation.problem import problem_of
 from tmodes.simulation.start import run_setup, run_trajectory
 
 JUMPS = (0.1234, 0.3217)
@@ -91,7 +92,7 @@ def test_steps_end_exactly_on_jumps(method: str) -> None:
     """One attempt after the other: the segment of the input changes where the time is that of the jump, to the bit."""
     setup = run_setup(double_pendulum(method=method, step=7e-3))
     model, schedule, settings = setup.model, setup.planned.schedule, setup.robot.integration
-    run = NativeRun(model, model.numbers, schedule.until(settings.duration), setup.start, settings)
+    run = NativeRun(problem_of(model, model.numbers, schedule, setup.start, settings))
     changes = []
     while run.running:
         segment = run.cell("segment")

@@ -19,9 +19,10 @@ from tmodes.errors import SimulationError
 from tmodes.gradients.gradient import forward_sensitivities
 from tmodes.sheet import Robot
 from tmodes.simulation.batch.simulate import simulate_lanes
+from tmodes.simulation.problem import problem_of
 from tmodes.simulation.simulate import simulate_motion
+from tmodes.simulation.solve import solve
 from tmodes.simulation.start import run_setup
-from tmodes.simulation.trajectory import integrate
 
 METHODS = ["dormand_prince", "dop853", "rosenbrock", "extrapolation", "rk4", "midpoint"]
 
@@ -152,7 +153,7 @@ def test_lanes_of_a_batch_meet_the_ends_of_their_own_plays(method: str) -> None:
     starts[:, model.layout.v.start] = [0.5, -0.9, 1.3, 2.0, 3.0]
     batch = simulate_lanes(model, model.numbers, schedule, starts, chosen)
     for lane, begun in enumerate(starts):
-        single = integrate(model, model.numbers, schedule, begun, chosen)
+        single = solve(problem_of(model, model.numbers, schedule, begun, chosen))
         rows = schedule.rows_at(single.times)
         fastest = np.abs(model.rate(single.times, single.states, rows)).max()
         assert np.abs(batch.states[lane] - single.states).max() < 10 * SHORTEST * fastest

@@ -78,8 +78,8 @@ def test_a_change_that_does_not_pay_is_taken_back(monkeypatch: pytest.MonkeyPatc
 def test_trials_are_the_same_whatever_the_pieces(monkeypatch: pytest.MonkeyPatch) -> None:
     _only_extrapolation(monkeypatch)
     whole = simulate_motion(sliding(method="auto"))
-    monkeypatch.setattr("tmodes.simulation.trajectory._FIRST_PIECE", 7)
-    monkeypatch.setattr("tmodes.simulation.trajectory._PIECE_SECONDS", 1e-4)
+    monkeypatch.setattr("tmodes.simulation.native_run._FIRST_PIECE", 7)
+    monkeypatch.setattr("tmodes.simulation.native_run._PIECE_SECONDS", 1e-4)
     pieces = simulate_motion(sliding(method="auto"))
     assert "by dormand_prince again" in whole.message
     assert pieces.states.tobytes() == whole.states.tobytes()
@@ -120,8 +120,8 @@ class Journal:
 def test_same_bits_after_a_kill_on_either_side(share: float, monkeypatch: pytest.MonkeyPatch) -> None:
     """Killed before the method changes, about then, or after: the bytes and counts of a whole run."""
     whole = simulate_motion(landing(method="auto"))
-    monkeypatch.setattr("tmodes.simulation.trajectory._FIRST_PIECE", 20)
-    monkeypatch.setattr("tmodes.simulation.trajectory._PIECE_SECONDS", 1e-4)
+    monkeypatch.setattr("tmodes.simulation.native_run._FIRST_PIECE", 20)
+    monkeypatch.setattr("tmodes.simulation.native_run._PIECE_SECONDS", 1e-4)
     journal = Journal()
 
     def progress(stage: str, done: float) -> None:

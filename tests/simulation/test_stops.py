@@ -11,11 +11,11 @@ from scipy.special import ellipk, ellipkinc
 from simulation.sheets import arm
 from tmodes.errors import InputError, SimulationError
 from tmodes.sheet import Robot
-from tmodes.simulation import trajectory
+from tmodes.simulation import native_run
 from tmodes.simulation.outputs import run_stops
-from tmodes.simulation.second_run import second_run
 from tmodes.simulation.simulate import simulate_motion
 from tmodes.simulation.start import run_setup, run_trajectory
+from tmodes.simulation.step_refinement import refined_run
 
 METHODS = ("dormand_prince", "dop853", "rk4", "extrapolation", "midpoint", "rosenbrock")
 G = 9.81
@@ -76,7 +76,7 @@ def test_pendulum_passes_an_angle(method: str, angle: float) -> None:
     sheet = pendulum(method=method, step=1e-4, stop=[f"hinge.position < {angle} rad"], **tolerances)
     run = simulate_motion(sheet)
     assert run.status == "stopped_by_condition"
-    second = second_run(run.setup, run)
+    second = refined_run(run.setup, run)
     assert second is not None
     off, info = run.times[-1] - passes(angle), np.abs((second.states - run.states)[-1, 0] / run.v[-1, 0])
     assert abs(off) < 3 * info + 1e-9
@@ -225,8 +225,8 @@ def test_same_bytes_however_it_is_interrupted(monkeypatch: pytest.MonkeyPatch) -
     stops = run_stops(setup, ("abs(hinge.velocity) > 2.9 rad/s",))
     whole = run_trajectory(setup, stops=stops)
     assert whole.status == "stopped_by_condition"
-    monkeypatch.setattr(trajectory, "_FIRST_PIECE", 37)
-    monkeypatch.setattr(trajectory, "_PIECE_SECONDS", 1e-9)
+    monkeypatch.setattr(native_run, "_FIRST_PIECE", 37)
+    monkeypatch.setattr(native_run, "_PIECE_SECONDS", 1e-9)
     journal = _Memory()
     pieces = run_trajectory(setup, journal=journal, stops=stops)
     assert (pieces.states.tobytes(), pieces.message) == (whole.states.tobytes(), whole.message)

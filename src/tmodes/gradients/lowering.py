@@ -18,8 +18,9 @@ from tmodes.kinds.contacts.registry import Contact
 from tmodes.kinds.signals.schedule import SignalPieces
 from tmodes.sheet import Robot
 from tmodes.simulation.loop import LoopModel, refuse_switches
-from tmodes.simulation.recording import MOST_BYTES, record
+from tmodes.simulation.recording import MOST_BYTES
 from tmodes.simulation.replay import Replay
+from tmodes.simulation.solve import solve
 from tmodes.simulation.start import RunSetup, run_setup
 
 __all__ = ["Lowered", "lowered", "rows_of", "structure"]
@@ -56,7 +57,7 @@ class Lowered:
             hint = "take a controller in continuous time, or vary the numbers in a batch"
             raise InputError("drives", "a sampled controller", "controllers in continuous time for derivatives", hint)
         refuse_switches(self.model, "derivatives of a run", "vary the numbers in a batch")
-        done = record(self.model, self.parameters, self.schedule, self.start, self.settings, most_bytes)
+        done = solve(self.setup.problem(), adjoint=most_bytes)
         if done.contact_changes and self.contact and self.contact.jumps:
             raise SimulationError(
                 "derivatives of a run: contact started or ended on a unilateral surface with a damper or a preload, "

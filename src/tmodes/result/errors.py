@@ -16,8 +16,8 @@ from tmodes.result.lines import load_series
 from tmodes.result.paths import error_parts
 from tmodes.simulation.motion_run import RunData, gathered
 from tmodes.simulation.parts import Trajectory
-from tmodes.simulation.second_run import second_run
 from tmodes.simulation.start import RunSetup
+from tmodes.simulation.step_refinement import refined_run
 
 __all__ = ["SummaryNumber", "distances", "even_samples", "sampled", "summary_errors", "summary_figures"]
 
@@ -101,7 +101,7 @@ def summary_errors(
     if not run.robot.integration.error_estimate:
         return {}
     runs = [one for one in (run, run.reference) if one is not None]
-    again = [second_run(one.setup, one, progress) for one in runs]
+    again = [refined_run(one.setup, one, progress) for one in runs]
     seconds = [one for one in again if one is not None]
     if len(seconds) < len(runs):
         return {}

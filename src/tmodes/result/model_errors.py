@@ -21,9 +21,9 @@ from tmodes.result.errors import distances, even_samples, sampled, summary_figur
 from tmodes.sheet.robot import RECURSION
 from tmodes.simulation.motion_run import RunData
 from tmodes.simulation.parts import Trajectory
+from tmodes.simulation.solve import solve
 from tmodes.simulation.start import RunSetup, run_setup
 from tmodes.simulation.stops import STOPPED
-from tmodes.simulation.trajectory import integrate
 
 __all__ = ["SAFETY", "compared_chain", "model_errors"]
 
@@ -127,8 +127,7 @@ def _compared(
     except SimulationError:
         return None
     settings = robot.integration.model_copy(update={"duration": until})
-    motion = (other.model, other.model.numbers, other.planned.schedule, other.start)
-    trajectory = integrate(*motion, settings, progress, otherwise=setup.otherwise)
+    trajectory = solve(replace(other, otherwise=setup.otherwise).problem(settings), progress=progress)
     if trajectory.status == "interrupted":
         raise KeyboardInterrupt
     return (other, trajectory) if trajectory.status == "finished" else None

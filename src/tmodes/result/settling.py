@@ -286,7 +286,7 @@ class _Continued:
     def _from(self, sample: int, duration: float, step: float) -> tuple[Trajectory, Array, Array, Array, Array]:
         """The run from a sample on, all signals at rest: its times [s], its tip and the rates of that, coordinates."""
         from tmodes.simulation.motion_run import tip_motion
-        from tmodes.simulation.trajectory import integrate
+        from tmodes.simulation.solve import solve
 
         begin = float(self.run.times[sample])
         setup, state = at_rest_from(self.run.setup, begin, self.run.states[sample], duration)
@@ -295,8 +295,8 @@ class _Continued:
         if not integrator(settings.method).adaptive:
             settings = settings.chosen("dormand_prince")
         later = setup.otherwise and setup.otherwise.model_copy(update=some)
-        schedule = setup.planned.schedule
-        done = integrate(setup.model, setup.model.numbers, schedule, state, settings, self.progress, otherwise=later)
+        problem = replace(setup, start=state, otherwise=later).problem(settings)
+        done = solve(problem, progress=self.progress)
         if done.status == "interrupted":
             raise KeyboardInterrupt
         self.left -= done.statistics["steps"] + done.statistics["rejected"]

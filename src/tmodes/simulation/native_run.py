@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import time
+from collections.abc import Callable, Iterator
 from typing import Any
 
 import numpy as np
@@ -11,11 +13,10 @@ from tmodes.compile.loops.time_loop import ARGUMENTS, CELLS, OPTIONS, Status
 from tmodes.integrate.choice import COUNTED, MethodChange
 from tmodes.integrate.registry import integrator
 from tmodes.integrate.settings import Integration
-from tmodes.kinds.signals.schedule import SignalPieces
-from tmodes.simulation.loop import LoopModel
 from tmodes.simulation.parts import MOST_CHANGES, Change, Lost, Trajectory, chattered, completed, sample_times, used_up
+from tmodes.simulation.problem import Problem
 
-__all__ = ["BOUND", "EVENT_TIME", "MOST_EVENTS", "NativeRun"]
+__all__ = ["BOUND", "EVENT_TIME", "MOST_EVENTS", "NativeRun", "pieces"]
 
 Array = NDArray[np.float64]
 
@@ -25,25 +26,32 @@ BOUND = 1e8
 MOST_EVENTS, EVENT_TIME = 1000, 1e-3
 """A contact that starts and ends more often than this within this time [s] chatters: no motion gets through that."""
 
+_FIRST_PIECE, _PIECE_SECONDS = 500, 0.05
+
+
+def pieces(
+    limit: float = np.inf, clock: Callable[[], float] = time.monotonic, first: int | None = None
+) -> Iterator[int]:
+    """Numbers of steps that each take about 50 ms to do, so that a wish to stop is soon heard; within ``limit`` [s]."""
+    began, piece = clock(), first or _FIRST_PIECE
+    while clock() - began < limit:
+        started = clock()
+        yield piece
+        piece = max(1, int(piece * min(4.0, _PIECE_SECONDS / max(clock() - started, 1e-6))))
+
 
 class NativeRun:
     """One run, advanced piece by piece: its settings, the memory of its loop, and its samples."""
 
-    def __init__(
-        self,
-        model: LoopModel,
-        parameters: Array,
-        schedule: SignalPieces,
-        state: Array,
-        settings: Integration,
-        samples: Array | None = None,
-        otherwise: Integration | None = None,
-    ) -> None:
-        """``otherwise``: the settings to continue with where the motion turns out stiff.
+    def __init__(self, problem: Problem, lane: int = 0, *, alone: bool = True) -> None:
+        """A case of a ``problem`` before its first step; its samples are written where those of the problem are.
 
-        ``samples``: where the samples are written, (samples, size), C-ordered; by default an array of its own.
+        ``alone``: it continues by another method where the motion turns out stiff.
         """
-        self.first, self.parameters, self.model = settings, np.ascontiguousarray(parameters), model
+        settings, schedule, model = problem.settings, problem.schedule(lane), problem.model
+        self.first, self.parameters, self.model = settings, np.ascontiguousarray(problem.parameters[lane]), model
+        otherwise, state = problem.otherwise if alone else None, problem.starts[lane]
+        samples = None if problem.wanted else problem.states[problem.places[lane]]
         self.change = MethodChange(settings, otherwise)
         self.parts = self.change.kept
         self.times = sample_times(settings)

@@ -13,9 +13,8 @@ from tmodes.compile.replay.tables import SamplePlaces, replay_methods, table_of
 from tmodes.errors import InputError, SimulationError
 from tmodes.integrate.registry import integrator
 from tmodes.integrate.settings import Integration, refuse_stops
-from tmodes.kinds.signals.schedule import SignalPieces
-from tmodes.simulation.loop import LoopModel
 from tmodes.simulation.native_run import NativeRun
+from tmodes.simulation.problem import Problem
 
 __all__ = ["MOST_BYTES", "Recording", "record"]
 
@@ -53,19 +52,13 @@ class Recording:
     contact_changes: int
 
 
-def record(
-    model: LoopModel,
-    parameters: Array,
-    schedule: SignalPieces,
-    state: Array,
-    settings: Integration,
-    most_bytes: float = MOST_BYTES,
-) -> Recording:
-    """Run, and keep the steps.
+def record(problem: Problem, most_bytes: float = MOST_BYTES) -> Recording:
+    """Run the case of a problem, and keep the steps.
 
     Raises :class:`tmodes.errors.InputError` for a method whose steps are no tableau and for no memory, and
     :class:`tmodes.errors.SimulationError` for a run that does not reach its end.
     """
+    settings = problem.settings
     refuse_stops(settings, "a run is differentiated")
     if not most_bytes > 0:
         raise InputError("most_bytes", f"{most_bytes!r}", "a number above 0 [bytes]", f"the usual is {MOST_BYTES}")
@@ -73,7 +66,7 @@ def record(
     if method not in replay_methods():
         names = " or ".join(", ".join(replay_methods()).rsplit(", ", 1))
         raise InputError("integration.method", method, names, "name one of them: its steps can be differentiated")
-    run = NativeRun(model, parameters, schedule.until(settings.duration), state, settings)
+    run = NativeRun(problem, alone=False)
     steps, every = _steps(run, settings, most_bytes)
     if run.status is not Status.FINISHED:
         reason = run.exhausted(0.0) if run.status is Status.RUNNING else run.end().message

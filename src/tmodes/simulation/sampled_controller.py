@@ -20,12 +20,12 @@ from tmodes.errors import InputError, SimulationError, error_words
 from tmodes.io.words import meant
 from tmodes.kinds.signals.registry import Clock, merge
 from tmodes.kinds.signals.schedule import SignalPieces
+from tmodes.simulation.event_detection import WatchedRun
 from tmodes.simulation.guarded import controller_error
 from tmodes.simulation.native_run import NativeRun
 from tmodes.simulation.parts import Trajectory
 from tmodes.simulation.start import RunSetup
 from tmodes.simulation.stops import Stops
-from tmodes.simulation.watched_run import WatchedRun
 
 __all__ = ["Measurement", "SampledController", "refuse_period", "run_with_samples"]
 
@@ -201,7 +201,7 @@ def run_with_samples(
     clocked = SignalPieces(times, np.zeros((len(times) - 1, 1)))
     merged = merge([*(one.until(settings.duration) for one in signals), clocked])
     schedule = SignalPieces(merged.knots, merged.coefficients[:, :-1].reshape(len(merged.knots) - 1, -1))
-    run = NativeRun(setup.model, setup.model.numbers, schedule, setup.start, settings, otherwise=setup.otherwise)
+    run = NativeRun(setup.problem(settings, schedule))
     run.keep_changes()
     samples = _Samples(setup, controller, run)
     if callable(reset := getattr(controller, "reset", None)):

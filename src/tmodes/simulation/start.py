@@ -18,6 +18,7 @@ from tmodes.integrate.choice import chosen_method, implicit_method
 from tmodes.integrate.registry import AUTO
 from tmodes.integrate.settings import Integration
 from tmodes.kinds.noted.functions import array
+from tmodes.kinds.signals.schedule import SignalPieces
 from tmodes.model.model import Model
 from tmodes.sheet import Robot
 from tmodes.sheet.parts import InitialState
@@ -26,8 +27,9 @@ from tmodes.simulation.closed_start import Imbalance, balanced, closes
 from tmodes.simulation.loop import LoopModel
 from tmodes.simulation.parts import Journal, Trajectory
 from tmodes.simulation.plan import Follow, Planned, initial_value, planned, refuse_jumps, starts_at_rest
+from tmodes.simulation.problem import Problem, problem_of
+from tmodes.simulation.solve import solve
 from tmodes.simulation.stops import Stops
-from tmodes.simulation.trajectory import integrate
 
 __all__ = [
     "RunSetup", "closed_balance", "first_state", "held_at_start", "placed_state", "run_setup", "run_trajectory",
@@ -86,6 +88,11 @@ class RunSetup:
             sheet, point = touch.touch.sheet, loop.parts.points[touch.point]
             apart |= (sheet.is_rough and not sheet.sticks) or loop.parts.station(point) is not None
         return implicit_method(self.model.layout.works.start, apart=apart)
+
+    def problem(self, settings: Integration | None = None, schedule: SignalPieces | None = None) -> Problem:
+        """As the native loops read it; ``settings`` and ``schedule``: in place of its own."""
+        given = schedule or self.planned.schedule, self.start, settings or self.robot.integration
+        return problem_of(self.model, self.model.numbers, *given, otherwise=self.otherwise)
 
     def by(self, method: str, otherwise: Integration | None) -> RunSetup:
         """The same with an integrator chosen, and the settings with which to continue where the motion is stiff."""
@@ -246,10 +253,9 @@ def run_trajectory(
 
     ``until`` [s] ends the run before its duration (it is then kept in no journal); 0 gives the first sample alone.
     """
-    settings, otherwise = setup.robot.integration, setup.otherwise
-    motion = (setup.model, setup.model.numbers, setup.planned.schedule, setup.start)
-    if until is not None and until <= 0:
+    if until is None:
+        return solve(setup.problem(), events=stops, journal=journal, progress=progress)
+    if until <= 0:
         return Trajectory(np.zeros(1), setup.start[None, :], "stopped", "not begun")
-    if until is not None:
-        settings, journal = settings.model_copy(update={"duration": until}), None
-    return integrate(*motion, settings, progress, journal, otherwise, stops)
+    settings = setup.robot.integration.model_copy(update={"duration": until})
+    return solve(setup.problem(settings), events=stops, progress=progress)

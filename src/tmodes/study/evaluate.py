@@ -12,12 +12,12 @@ from numpy.typing import NDArray
 
 from tmodes.errors import InputError
 from tmodes.io.units import NotANumber, number
-from tmodes.simulation.batch.runner import Runner
+from tmodes.simulation.batch.executor import Executor, thread_count
+from tmodes.simulation.case_results import CaseResults
 from tmodes.study.mapping import Group, groups_of
 from tmodes.study.quantities import Asked, Needs, Quantity
 from tmodes.study.rows import GOOD, Rows
 from tmodes.study.space import ordered
-from tmodes.study.ways.part import Part, worst
 
 if TYPE_CHECKING:
     from tmodes.study.study import Study
@@ -31,26 +31,29 @@ _SAME = "gravity.2"
 """A number that every robot has: set to its own value it makes a batch of cases that are all alike."""
 
 
-def evaluated(study: Study, first: int, values: Array, progress: Progress, threads: int | None, runner: Runner) -> Rows:
+def evaluated(
+    study: Study, first: int, values: Array, progress: Progress, threads: int | None, executor: Executor
+) -> Rows:
     """The rows of cases (m, d), as :meth:`Study.evaluate`."""
     if values.ndim != 2 or values.shape[1] != len(study.names):
         expected = f"an array (cases, {len(study.names)})"
         raise InputError("values", f"an array of shape {values.shape}", expected, "take rows of Study.design().values")
-    part = Part.of_all(len(values), "finished")
+    part = CaseResults.of_all(len(values), "finished")
     if study.robot:
-        part = _computed(study, first, values, progress, threads, runner)
+        part = _computed(study, first, values, progress, threads, executor)
     parameters = {name: values[:, k].copy() for k, name in enumerate(study.names)}
     quantities, units = _quantities(study, parameters, part)
     return Rows(
-        first + np.arange(len(values)), parameters, quantities, units, part.status, part.reason, part.method,
-        part.seconds, {first + k: motion for k, motion in part.kept.items()}, part.errors,
+        first + np.arange(len(values)), parameters, quantities, units, part.status.tolist(), part.message.tolist(),
+        part.method.tolist(), part.seconds, {first + k: motion for k, motion in part.kept.items()}, part.errors,
     )  # fmt: skip
 
 
-def _computed(study: Study, first: int, values: Array, progress: Progress, threads: int | None, runner: Runner) -> Part:
+def _computed(
+    study: Study, first: int, values: Array, progress: Progress, threads: int | None, executor: Executor
+) -> CaseResults:
     """What the robots of all cases gave, group by group."""
-    needs, found, done = study.needs, Part.of_all(len(values), "finished"), 0
-    asked = dict.fromkeys([*needs.reductions, *needs.static, *_of_results(study)], "")
+    found, done = CaseResults.of_all(len(values), "finished"), 0
     assert study.robot is not None  # noqa: S101
     for group in groups_of(study.robot, study.names, study.targets, study.choices, values):
         size = len(group.places)
@@ -58,7 +61,7 @@ def _computed(study: Study, first: int, values: Array, progress: Progress, threa
         def tell(stage: str, share: float, before: int = done, size: int = size) -> None:
             progress(stage, (before + share * size) / len(values))
 
-        found.take(group.places, _of_group(study, group, first, tell, threads, runner), asked)
+        found.take(group.places, _of_group(study, group, first, tell, threads, executor))
         done += size
     return found
 
@@ -67,18 +70,24 @@ def _of_results(study: Study) -> dict[str, Quantity]:
     return {name: one for name, one in study.sheet.quantities.items() if one.needs().result}
 
 
-def _of_group(study: Study, group: Group, first: int, progress: Progress, threads: int | None, runner: Runner) -> Part:
+def _of_group(
+    study: Study, group: Group, first: int, progress: Progress, threads: int | None, executor: Executor
+) -> CaseResults:
     """What the cases of one group gave; those that are all alike are computed once."""
     robot, size = group.robot, len(group.places)
     if robot is None:
-        return Part.of_all(size, "refused", group.wrong)
+        return CaseResults.of_all(size, "refused", group.wrong)
     alike = not group.vary
     vary = {_SAME: np.array([robot.gravity[2]])} if alike else dict(group.vary)
     kept = [k for k, place in enumerate(group.places.tolist()) if _is_kept(study, first + place)]
     of_vary = [0] if alike and kept else kept
     with _named(study):
-        found = _found(study, group, vary, of_vary, threads, progress, runner)
-    return _repeated(found, size, kept) if alike else found
+        found = _found(study, group, vary, of_vary, threads, progress, executor)
+    if alike:
+        found.seconds /= size
+        found, every = found.part(np.zeros(size, dtype=np.int64)), found.kept
+        found.kept = {k: every[0] for k in kept if 0 in every}
+    return found
 
 
 @contextmanager
@@ -98,31 +107,29 @@ def _named(study: Study) -> Iterator[None]:
 
 def _found(
     study: Study, group: Group, vary: Mapping[str, Array], of_vary: list[int], threads: int | None,
-    progress: Progress, runner: Runner,
-) -> Part:  # fmt: skip
+    progress: Progress, executor: Executor,
+) -> CaseResults:  # fmt: skip
     """What the cases ``vary`` (m,) of one robot gave, by all ways that the quantities need."""
-    needs, robot, parts = study.needs, group.robot, []
+    needs, robot = study.needs, group.robot
     assert robot is not None  # noqa: S101
+    found = CaseResults.of_all(len(next(iter(vary.values()))), "finished")
     if needs.reductions:
         from tmodes.study.ways.reductions import by_reductions
 
         whole = None if not group.vary or len(group.places) >= study.cases else study.wholes.get(group.kind)
-        parts.append(by_reductions(robot, vary, needs, of_vary, threads, progress, whole, runner))
+        found.add(by_reductions(robot, vary, needs, of_vary, threads, progress, whole, executor))
     if needs.static:
-        from tmodes.study.ways.static import by_statics
+        from tmodes.study.ways.reductions import by_statics
 
-        parts.append(by_statics(robot, vary, needs, threads, progress))
+        found.add(by_statics(robot, vary, needs, threads, progress))
     if needs.result:
         from tmodes.study.ways.results import by_results
 
-        parts.append(by_results(robot, vary, _of_results(study), study.functions, needs, threads, progress))
-    found = parts[0] if parts else Part.of_all(len(next(iter(vary.values()))), "finished")
-    for other in parts[1:]:
-        found = worst(found, other)
+        found.add(by_results(robot, vary, _of_results(study), study.functions, needs, threads, progress))
     if of_vary and not needs.reductions:
-        from tmodes.study.ways.reductions import motions_of
+        from tmodes.simulation.vary.simulate import kept_cases
 
-        found.kept |= motions_of(robot, vary, of_vary, found, threads, progress)
+        found.kept |= kept_cases(robot, vary, of_vary, found.status.tolist(), thread_count(threads), progress)
     return found
 
 
@@ -131,17 +138,9 @@ def _is_kept(study: Study, case: int) -> bool:
     return case in keep.cases or bool(keep.every and case % keep.every == 0)
 
 
-def _repeated(part: Part, size: int, kept: list[int]) -> Part:
-    """Many cases of which each is as the one of a part; the seconds are shared."""
-    return Part(
-        part.status * size, part.reason * size, part.method * size, np.full(size, part.seconds[0] / size),
-        {key: np.repeat(values, size) for key, values in part.numbers.items()}, part.units,
-        {key: dict.fromkeys(range(size), reasons[0]) for key, reasons in part.reasons.items() if 0 in reasons},
-        {k: part.kept[0] for k in kept if 0 in part.kept}, np.repeat(part.errors, size),
-    )  # fmt: skip
-
-
-def _quantities(study: Study, parameters: Mapping[str, Array], part: Part) -> tuple[dict[str, Array], dict[str, str]]:
+def _quantities(
+    study: Study, parameters: Mapping[str, Array], part: CaseResults
+) -> tuple[dict[str, Array], dict[str, str]]:
     """Values of all quantities and their units; what has none gives its case the reason."""
     sheet, good = study.sheet, np.array([status in GOOD for status in part.status], dtype=bool)
     known, units = dict(parameters), {}
@@ -158,19 +157,19 @@ def _quantities(study: Study, parameters: Mapping[str, Array], part: Part) -> tu
         known[name] = values * _factor(own.own_unit(asked), units[name], name, study.places)
         for k, why in reasons.items():
             if good[k]:
-                part.status[k], part.reason[k] = "failed", part.reason[k] or f"{name}: {why}"
+                part.status[k], part.message[k] = "failed", part.message[k] or f"{name}: {why}"
     return {name: known[name] for name in sheet.quantities}, {name: units[name] for name in sheet.quantities}
 
 
-def _asked(name: str, needs: Needs, known: Mapping[str, Array], part: Part, size: int) -> Asked:
+def _asked(name: str, needs: Needs, known: Mapping[str, Array], part: CaseResults, size: int) -> Asked:
     """What one quantity asked for."""
     nothing = np.full(size, np.nan)
     return Asked(
         {each: known[each] for each in needs.names} or {"": nothing},
-        {pair: part.numbers[pair] for pair in needs.reductions if pair in part.numbers},
-        {each: part.numbers[each] for each in needs.static if each in part.numbers},
+        {pair: part.values[pair] for pair in needs.reductions if pair in part.values},
+        {each: part.values[each] for each in needs.static if each in part.values},
         part.units,
-        part.numbers.get(name, nothing) if needs.result else None,
+        part.values.get(name, nothing) if needs.result else None,
         part.units.get(name, "-"),
         part.reasons.get(name, {}),
     )

@@ -6,8 +6,7 @@ from collections.abc import Callable
 from threading import Event
 
 from tmodes.io.atomic import file_error
-from tmodes.simulation.batch.runner import PROCESSOR, Runner
-from tmodes.simulation.batch.simulate import thread_count
+from tmodes.simulation.batch.executor import PROCESSOR, Executor, thread_count
 from tmodes.study.blocks import pack, unpack
 from tmodes.study.completed_blocks import Cover, Gap, Part
 from tmodes.study.derived import derivable, derived, is_formula
@@ -100,10 +99,10 @@ class StudyJob:
         """The task as plain data."""
         return order(self.study, task, threads)
 
-    def compute(self, task: Task, runner: Runner = PROCESSOR) -> bytes:
-        """Compute a task in this process, its cases by a runner. Several tasks may be computed at once, in threads."""
+    def compute(self, task: Task, executor: Executor = PROCESSOR) -> bytes:
+        """Compute a task in this process, its cases by an executor. Threads may compute several tasks at once."""
         self._own_threads = thread_count(self.threads)
-        return pack(compute(self.study, task, self.threads, self._share(task), runner))
+        return pack(compute(self.study, task, self.threads, self._share(task), executor))
 
     def end(self) -> None:
         """Interrupt what is being computed, by a KeyboardInterrupt in its thread."""

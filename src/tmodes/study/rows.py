@@ -9,6 +9,8 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from tmodes.simulation.case_results import Kept
+
 __all__ = ["GOOD", "OWN_COLUMNS", "STATUS", "Kept", "Rows", "joined"]
 
 Array = NDArray[np.float64]
@@ -20,16 +22,6 @@ GOOD = ("finished", "stopped_by_condition")
 
 OWN_COLUMNS = ("case", "label", "status", "reason", "method", "seconds", "errors")
 """Columns of the table next to those of the parameters and quantities."""
-
-
-@dataclass(frozen=True, eq=False)
-class Kept:
-    """The whole motion of one case: ``times`` (n,) [s], ``states`` (n, nx), ``tip`` (n, 3) [m]; ``names`` of states."""
-
-    times: Array
-    states: Array
-    tip: Array
-    names: tuple[str, ...]
 
 
 @dataclass(frozen=True, eq=False)

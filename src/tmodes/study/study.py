@@ -19,7 +19,7 @@ from tmodes.io.sheet_check import sheet_data
 from tmodes.io.sheet_problems import Problem
 from tmodes.io.words import shown
 from tmodes.sheet import Robot
-from tmodes.simulation.batch.runner import PROCESSOR, Runner
+from tmodes.simulation.batch.executor import PROCESSOR, Executor
 from tmodes.simulation.vary.values import Whole
 from tmodes.study.identity import base_digest, quantity_digests, whole_digest
 from tmodes.study.mapping import Target, target_of
@@ -170,11 +170,11 @@ class Study:
     @checked_arguments
     def evaluate(
         self, first: int, values: Array, progress: Progress = lambda stage, share: None, *,
-        threads: int | None = None, runner: Runner = PROCESSOR,
+        threads: int | None = None, executor: Executor = PROCESSOR,
     ) -> Rows:  # fmt: skip
         """Compute the cases ``values`` (m, d), of which the first has the number ``first``.
 
-        ``threads``: at once, None for one on each core. ``runner``: what runs cases whose series are reduced. A case
+        ``threads``: at once, None for one on each core. ``executor``: what runs cases whose series are reduced. A case
         that fails is a row with its reason. Raises :class:`tmodes.errors.InputError` for what is wrong with the study
         itself: a series, a number or a key of the summary that its robot does not have, a unit to which a quantity
         cannot be converted.
@@ -186,7 +186,7 @@ class Study:
         given = numbers_of(values, "values", ((None, len(self.names)),), "rows of Study.design().values")
         from tmodes import evaluated_study
 
-        return evaluated_study(self, first, given, progress, threads, runner)
+        return evaluated_study(self, first, given, progress, threads, executor)
 
     @cached_property
     def base_identity(self) -> str:

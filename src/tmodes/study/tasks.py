@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.errors import InputError, SimulationError
-from tmodes.simulation.batch.runner import PROCESSOR, Runner
+from tmodes.simulation.batch.executor import PROCESSOR, Executor
 from tmodes.study.blocks import Block, base_of, engine_of_blocks, in_order, label_of, pack, restricted
 from tmodes.study.study import Study
 
@@ -88,12 +88,12 @@ Progress = Callable[[str, float], None]
 
 def compute(
     study: Study, task: Task, threads: int | None = None, progress: Progress = lambda stage, share: None,
-    runner: Runner = PROCESSOR,
+    executor: Executor = PROCESSOR,
 ) -> Block:  # fmt: skip
     """Compute the cases of a task; raises KeyboardInterrupt where it was interrupted, so that no half is stored."""
     part = restricted(study, task.quantities)
     began = clock.perf_counter()
-    rows = part.evaluate(task.first, task.values, progress, threads=threads, runner=runner)
+    rows = part.evaluate(task.first, task.values, progress, threads=threads, executor=executor)
     if "interrupted" in rows.status:
         raise KeyboardInterrupt
     keys = part.quantity_identities

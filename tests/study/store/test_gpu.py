@@ -121,7 +121,7 @@ def test_what_is_stored_is_not_computed_again(gpu, tmp_path, monkeypatch):
 
 def test_larger_parts_than_on_the_processor(gpu, tmp_path, monkeypatch):
     """A GPU gets all cases of a block, of which the processor takes some at once."""
-    monkeypatch.setattr("tmodes.simulation.batch.runner.Runner.longest", 64)
+    monkeypatch.setattr("tmodes.simulation.batch.executor.Executor.longest", 64)
     run_study(study_of("spong1987", **{"integration.method": "rk4"}), tmp_path / "study", "gpu")
     assert gpu.most == 120
 

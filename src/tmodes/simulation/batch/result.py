@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import os
 import sys
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from pathlib import Path
@@ -19,20 +19,17 @@ from tmodes.integrate.settings import MOST_BYTES
 from tmodes.io.arguments import checked_arguments
 from tmodes.io.atomic import FolderLock, atomic_write, check_writable, file_error
 from tmodes.io.plain_file import parsed_json, regular_file, whole_file
+from tmodes.simulation.case_results import COUNTS, CaseResults
 from tmodes.simulation.parts import Trajectory
 
 __all__ = [
-    "BATCH_FORMAT", "COUNTS", "BatchRun", "check_room", "gathered", "load_batch", "not_begun", "room_for",
-    "stored",
+    "BATCH_FORMAT", "BatchRun", "check_room", "load_batch", "room_for", "stored",
 ]  # fmt: skip
 
 Array = NDArray[np.float64]
 
 BATCH_FORMAT = 1
 """Version of the files of a batch."""
-
-COUNTS = ("steps", "rejected", "evaluations")
-"""Statistics of each lane."""
 
 _STATES, _TIMES, _TIPS, _SUMMARY = "states.npy", "times.npy", "tips.npy", "batch.json"
 
@@ -62,6 +59,12 @@ class BatchRun:
     folder: Path | None = None
     figures: dict[str, Array] = field(default_factory=dict)
 
+    @classmethod
+    def of(cls, coordinates: tuple[str, ...], times: Array, states: Array, results: CaseResults) -> BatchRun:
+        """The batch of runs whose samples are in ``states`` already."""
+        words = tuple(results.status.tolist()), tuple(results.message.tolist())
+        return cls(coordinates, times, states, results.samples, *words, results.statistics)
+
     @property
     def size(self) -> int:
         """Number of lanes."""
@@ -78,20 +81,6 @@ class BatchRun:
         info = {name: float(values[index]) for name, values in self.statistics.items()}
         states = self.states[index, :count]
         return Trajectory(self.times[:count], states, self.status[index], self.message[index], info)
-
-
-def not_begun(states: Array, message: str, status: str = "failed") -> Trajectory:
-    """A run that could not start; ``states`` (n, nx), its room, is left without a number."""
-    states[:] = np.nan
-    return Trajectory(np.zeros(0), states[:0], status, message, dict.fromkeys(COUNTS, 0.0))
-
-
-def gathered(coordinates: tuple[str, ...], times: Array, states: Array, runs: Sequence[Trajectory]) -> BatchRun:
-    """The batch of these runs, whose samples are in ``states`` already."""
-    samples = np.array([len(run.times) for run in runs], dtype=np.int64)
-    status, message = (tuple(getattr(run, name) for run in runs) for name in ("status", "message"))
-    counts = {name: np.array([int(run.statistics[name]) for run in runs], dtype=np.int64) for name in COUNTS}
-    return BatchRun(coordinates, times, states, samples, status, message, counts)
 
 
 @contextmanager

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -16,19 +15,15 @@ from tmodes.integrate.method import EXPLICIT
 from tmodes.integrate.registry import integrator
 from tmodes.integrate.settings import Integration
 from tmodes.simulation import native_run
-from tmodes.simulation.batch.result import COUNTS
-from tmodes.simulation.batch.side_by_side import error_sum, info, lane_run
-from tmodes.simulation.batch.work import Work
-from tmodes.simulation.parts import Trajectory
+from tmodes.simulation.batch.simd_batch import NO_SUMS, ended, padded
+from tmodes.simulation.case_results import CaseResults
+from tmodes.simulation.problem import Problem
 
 __all__ = ["Block", "bytes_per_case", "loop_of", "suits_gpu"]
 
 Array = NDArray[np.float64]
 
 _FRESH = {"fresh": 1.0, "old_error": 1e-4}
-_SUMS = np.array([-np.inf, np.inf, 0.0, 0.0, np.nan, np.nan])
-"""What series are reduced to before the first sample."""
-
 _READ = ("status", "t", "steps", "rejected")
 """What is looked at after each launch."""
 
@@ -45,7 +40,7 @@ def suits_gpu(method: str) -> bool:
     return integrator(method).asks == EXPLICIT
 
 
-def loop_of(work: Work) -> CaseLoop:
+def loop_of(work: Problem) -> CaseLoop:
     """The code of a work's cases; series are made on the device where the method is explicit and nothing sticks."""
     model, method, wanted = work.model, work.settings.method, work.wanted
     if wanted is None or model.loop.modes or not suits_gpu(method):
@@ -53,7 +48,7 @@ def loop_of(work: Work) -> CaseLoop:
     return model.lean_case_loop(method, wanted.shown, wanted.given, folds=wanted.folds)
 
 
-def bytes_per_case(work: Work, loop: CaseLoop) -> int:
+def bytes_per_case(work: Problem, loop: CaseLoop) -> int:
     """Bytes that a case takes of a device's memory, samples included; what all cases share is little."""
     count = len(work.times)
     numbers = len(CELLS) + 2 * loop.size + loop.parameters + count * loop.size + 2
@@ -61,23 +56,23 @@ def bytes_per_case(work: Work, loop: CaseLoop) -> int:
         numbers += loop.series.numbers(count)
     if loop.series is not None and work.wanted is not None and len(work.wanted.table) > 1:
         numbers += count * loop.series.given
-    if len(work.inputs.schedules) > 1:
-        pieces, width = _longest(work), work.inputs.schedules[0].coefficients.shape[1] + 1
+    if len(work.schedules) > 1:
+        pieces, width = _longest(work), work.schedules[0].coefficients.shape[1] + 1
         numbers += pieces * (width + 1) + 1
     return 8 * numbers
 
 
-def _longest(work: Work) -> int:
+def _longest(work: Problem) -> int:
     """Pieces of the schedule that has most."""
-    return max(len(schedule.coefficients) for schedule in work.inputs.schedules)
+    return max(len(schedule.coefficients) for schedule in work.schedules)
 
 
 class Block:
     """Some lanes of a work, as their loops left them; ``begin`` brings them to a device, ``end`` back."""
 
-    def __init__(self, work: Work, loop: CaseLoop, lanes: range) -> None:
+    def __init__(self, work: Problem, loop: CaseLoop, lanes: range) -> None:
         self.work, self.loop, self.lanes, size = work, loop, lanes, len(lanes)
-        self.starts = work.inputs.starts[lanes.start : lanes.stop, : loop.size]
+        self.starts = work.starts[lanes.start : lanes.stop, : loop.size]
         self.places = work.places[lanes.start : lanes.stop]
         self.memory, self.state = np.zeros((len(CELLS), size)), np.array(self.starts.T, order="C")
         for name, value in _FRESH.items():
@@ -105,8 +100,8 @@ class Block:
     def begin(self, device: Device) -> None:
         """Take the memory of the device, and bring all numbers there."""
         self.device, size = device, len(self.lanes)
-        inputs, settings = self.work.inputs, self.work.settings
-        parameters = inputs.parameters[self.lanes.start : self.lanes.stop].T
+        settings = self.work.settings
+        parameters = self.work.parameters[self.lanes.start : self.lanes.stop].T
         arrays = {"memory": self.memory, "y": self.state, "k1": np.zeros_like(self.state), "p": parameters}
         arrays |= {"times": self.work.times, "options": _options(settings, 0)}
         schedules, strides = self._schedules()
@@ -132,22 +127,15 @@ class Block:
         table = wanted.table[self.places] if apart else wanted.table
         found = np.full((size, len(self.work.times), series.count), np.nan)
         if series.folds:
-            found = np.repeat(np.tile(_SUMS, series.count)[:, None], size, axis=1)
+            found = np.repeat(np.tile(NO_SUMS, series.count)[:, None], size, axis=1)
         arrays = {"table": table, "weights": wanted.weights, "series": found}
         return arrays, apart * table[0].size
 
     def _schedules(self) -> tuple[dict[str, NDArray[Any]], dict[str, int]]:
         """Knots and rows of the cases, padded to the longest; of one for all, all cases read the same."""
-        inputs, own = self.work.inputs, len(self.work.inputs.schedules) > 1
-        chosen = [inputs.schedule(lane) for lane in (self.lanes if own else self.lanes[:1])]
-        pieces, width = _longest(self.work), chosen[0].coefficients.shape[1] + 1
-        knots, rows = np.zeros((len(chosen), pieces + 1)), np.zeros((len(chosen), pieces, width))
-        for case, schedule in enumerate(chosen):
-            count = len(schedule.coefficients)
-            knots[case, : count + 1] = schedule.knots
-            rows[case, :count, 0], rows[case, :count, 1:] = schedule.knots[:-1], schedule.coefficients
-        counts = np.array([len(schedule.coefficients) for schedule in chosen])
-        strides = {"knot_stride": own * (pieces + 1), "row_stride": own * pieces * width, "segment_stride": int(own)}
+        own, lanes = len(self.work.schedules) > 1, [*self.lanes]
+        knots, rows, counts = padded(self.work, lanes if own else lanes[:1])
+        strides = {"knot_stride": own * knots.shape[1], "row_stride": own * rows[0].size, "segment_stride": int(own)}
         return {"knots": knots, "rows": rows, "segments": counts}, strides
 
     def advance(self, steps: int) -> None:
@@ -182,7 +170,7 @@ class Block:
         wanted = self.work.wanted
         assert wanted is not None  # noqa: S101
         if series.folds:
-            sums = np.empty((series.count, len(_SUMS), len(self.lanes)))
+            sums = np.empty((series.count, len(NO_SUMS), len(self.lanes)))
             self.device.download(self._rooms["series"], 0, sums)
             wanted.out[self.places] = sums.transpose(2, 0, 1)
             return
@@ -206,36 +194,11 @@ class Block:
         if rooms:
             self.device.release(rooms)
 
-    def ended(self, seconds: float) -> list[Trajectory]:
-        """Each run as it stands, after so much time of computing [s]."""
-        finished = (self.cell("status") == float(Status.FINISHED)).tolist()
-        counts = {name: self.cell(name).tolist() for name in COUNTS}
-        counts["errors"] = error_sum(self.cell("errors"), self.work.settings).tolist()
-        like: Trajectory | None = None
-        runs = []
-        for case, lane in enumerate(self.lanes):
-            if like is not None and finished[case]:  # most are: all the same words
-                own = {name: n[case] for name, n in counts.items()}
-                samples = like.states if self.work.wanted else self.work.states[self.work.places[lane]]
-                runs.append(Trajectory(like.times, samples, like.status, like.message, own, like.seconds))
-                continue
-            runs.append(self._run(case, seconds))
-            like = runs[-1] if finished[case] and not len(self._samples) else like
-        return runs
-
-    def _run(self, case: int, seconds: float) -> Trajectory:
-        """A case as it stands, without samples where series are wanted."""
-        work, run = self.work, lane_run(self.work, self.lanes[case])
-        run.memory[:], run.state[: len(self.state)] = self.memory[:, case], self.state[:, case]
-        if len(self._samples):
-            run.samples[:] = self._samples[case]
-        done = replace(info(run, seconds), seconds=seconds / len(self.lanes))
-        if work.wanted is None:
-            return done
-        if self.loop.series is None:
-            schedule = work.inputs.schedule(self.lanes[case])
-            work.wanted.take(work.model, run.parameters, schedule, done, int(self.places[case]))
-        return replace(done, states=done.states[:0].copy())
+    def ended(self, results: CaseResults, seconds: float) -> None:
+        """Put down each run as it stands, after so much time of computing [s]."""
+        samples = self._samples if len(self._samples) else None
+        ended(self.work, self.lanes, self.memory, self.state, results, seconds, samples)
+        results.seconds[self.places] = seconds / len(self.lanes)
 
 
 def _options(s: Integration, steps: int) -> Array:

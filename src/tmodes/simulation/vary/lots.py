@@ -10,8 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.kinds.signals.schedule import SignalPieces
-from tmodes.simulation.batch.wanted import Wanted
-from tmodes.simulation.batch.work import Work, inputs
+from tmodes.simulation.output_request import OutputRequest
+from tmodes.simulation.problem import Problem, problem_of
 from tmodes.simulation.start import RunSetup
 from tmodes.simulation.vary.lanes import structure_of
 
@@ -51,11 +51,11 @@ class Lot:
         places, starts = self.places[start:end] - first, self.starts[start:end]
         return Lot(self.like, places, starts, lambda which: self.numbers(start + which))
 
-    def work(self, times: Array, room: Array, wanted: Wanted | None = None) -> Work:
-        """What is to run, its samples in a ``room`` (all, n, nx); or series that are ``wanted`` in their place."""
-        model, settings, found = self.like.model, self.like.robot.integration, self.numbers(np.arange(len(self.places)))
-        info = inputs(found.parameters, found.schedules, self.starts, settings.duration, model.batch_widths)
-        return Work(model, info, settings, times, room, self.places, wanted)
+    def work(self, room: Array, wanted: OutputRequest | None = None) -> Problem:
+        """What is to run, its samples in a ``room`` (all, n, nx); or outputs that are ``wanted`` in their place."""
+        found, settings = self.numbers(np.arange(len(self.places))), self.like.robot.integration
+        numbers = found.parameters, found.schedules, self.starts
+        return problem_of(self.like.model, *numbers, settings, room, self.places, wanted)
 
     def tips(self, which: Indices, times: Array, states: Sequence[Array]) -> Array:
         """Where the tips of m lanes are in the world, (m, n, 3) [m], in ``states`` (n, nx) of this structure each."""

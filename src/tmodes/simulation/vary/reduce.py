@@ -3,65 +3,40 @@
 from __future__ import annotations
 
 import time as clock
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass, field
+from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tmodes.equations.loop.outputs import COMMANDED, DEVIATION, DISTANCES, OWN, Outputs
+from tmodes.compile.lanes.series import SUMS
+from tmodes.equations.loop.outputs import COMMANDED, DEVIATION, DISTANCES, OWN, Output, Outputs
 from tmodes.errors import InputError, SimulationError
 from tmodes.io.arguments import checked_arguments
 from tmodes.sheet import Robot
 from tmodes.sheet.robot import refuse_other
-from tmodes.simulation.batch.result import COUNTS
-from tmodes.simulation.batch.runner import PROCESSOR, Runner
-from tmodes.simulation.batch.simulate import thread_count
-from tmodes.simulation.parts import Trajectory
-from tmodes.simulation.reductions import Reduction, refuse_unknown_rules
+from tmodes.simulation.batch.executor import PROCESSOR, Executor, thread_count
+from tmodes.simulation.case_results import CaseResults
+from tmodes.simulation.output_request import OutputRequest
+from tmodes.simulation.reductions import Reduction, of_samples, of_sums, refuse_unknown_rules
+from tmodes.simulation.solve import solve
 from tmodes.simulation.start import run_setup
-from tmodes.simulation.vary.alone import run_alone
-from tmodes.simulation.vary.kept import Kept, kept_cases
+from tmodes.simulation.vary.lots import Indices
 from tmodes.simulation.vary.programs import refused_cases
-from tmodes.simulation.vary.reducing import Reducing
-from tmodes.simulation.vary.simulate import changes_of, checked, prepared
-from tmodes.simulation.vary.tables import Nominal, nominal_side, own_tip, setpoints
+from tmodes.simulation.vary.simulate import Prepared, changes_of, checked, kept_cases, prepared
+from tmodes.simulation.vary.single_case import single_case
+from tmodes.simulation.vary.tables import Nominal, Table, nominal_side, own_tip, setpoints
 from tmodes.simulation.vary.values import Whole
 
-__all__ = ["Kept", "Reduced", "Reduction", "reduced"]
+__all__ = ["Reduction", "reduced"]
 
 Array = NDArray[np.float64]
 Progress = Callable[[str, float], None]
 
-
-@dataclass(frozen=True, eq=False)
-class Reduced:
-    """Numbers of k cases: ``values`` (k,) of each reduction, not-a-number where a case has none, and their ``units``.
-
-    ``status``: finished, stopped_by_condition, diverged, stopped (a limit of the settings), interrupted, failed (it
-    could not start), refused (the sheet takes no such number), and ``message`` what happened, for each case. Only cases
-    of the first two have values. ``statistics``: steps, rejected, evaluations (k,) of the actual robot, ``method`` (k,)
-    by which it was integrated, ``seconds`` (k,) of the processor, a share of those of the cases that ran at once.
-    ``errors`` (k,): sum of the estimated errors of all steps, as a share of the size of what is integrated (at least
-    absolute over relative tolerance), not-a-number by fixed steps and of cases that run by themselves.
-    ``kept``: motions of some cases, by index.
-    """
-
-    values: dict[Reduction, Array]
-    units: dict[Reduction, str]
-    status: tuple[str, ...]
-    message: tuple[str, ...]
-    statistics: dict[str, NDArray[np.int64]]
-    method: tuple[str, ...]
-    seconds: Array
-    errors: Array
-    kept: dict[int, Kept] = field(default_factory=dict)
-
-    @property
-    def size(self) -> int:
-        """Number of cases."""
-        return len(self.status)
+_WHOLE = 64
+"""Parts have a multiple of so many cases."""
 
 
 @checked_arguments
@@ -75,21 +50,22 @@ def reduced(
     kept: Collection[int] = (),
     wrong: str = "error",
     whole: Whole | None = None,
-    runner: Runner = PROCESSOR,
-) -> Reduced:
+    executor: Executor = PROCESSOR,
+) -> CaseResults:
     """Run k cases of one sheet and reduce their series to numbers; ``vary`` as of :func:`tmodes.simulate_batch`.
 
     Series are outputs by name (``joint.position``, ``tip.speed``, ``joint.effort``, ``contact.force``,
     ``energy.total``; :func:`tmodes.outputs` lists them), and three are distances of the tip [m]: ``deviation``
     from the nominal tip of the same case, ``tip_difference`` from the sheet's own run, ``tip_error`` from the commanded
-    path. Numbers are those of :func:`tmodes.run` within the tolerance of the integration.
+    path. Numbers are those of :func:`tmodes.run` within the tolerance of the integration; ``values`` (k,) of the
+    result has them by reduction, and only cases that finished or were stopped by a condition have some.
 
     Cases run side by side, or by themselves where they are stiff; each is run as :func:`tmodes.run` does where stop
     conditions or the energy may end it, and for what is at stations along links, which is slow. ``kept``:
     indices of cases whose motions are kept. ``wrong``: what becomes of cases that the sheet refuses: an ``error``
-    before anything runs, or a ``row`` with the status ``refused``. ``whole``: where these cases are part of more,
-    what of; what can be found once for all is then kept.
-    ``runner``: what runs the cases, but for those that run by themselves and the sheet's own.
+    before anything runs, or a ``row`` with the status ``refused``. ``whole``: where these cases are part of
+    more, what of; what can be found once for all is then kept.
+    ``executor``: what runs the cases, but for those that run by themselves and the sheet's own.
 
     Raises :class:`tmodes.errors.InputError` or :class:`tmodes.errors.InputErrors` for wrong numbers and unknown names,
     :class:`tmodes.errors.SimulationError` where no case can start.
@@ -98,126 +74,72 @@ def reduced(
     refuse_unknown_rules(reductions)
     if wrong not in ("error", "row"):
         raise InputError("wrong", repr(wrong), "`error` or `row`", "leave it out")
-    values, count = checked(vary), thread_count(threads)
-    size = len(next(iter(values.values())))
-    _refuse_absent(kept, size)
-    if kept and _watched(sheet):
-        expected = "no kept motions where stop conditions or the energy may end a run"
-        raise InputError("kept", f"{len(kept)} cases", expected, "run these cases by themselves")
-    rows = _Rows(sheet, values, size, tuple(dict.fromkeys(reductions)), count, whole, runner)
+    values, count, asked = checked(vary), thread_count(threads), tuple(dict.fromkeys(reductions))
+    results = CaseResults.of_all(len(next(iter(values.values()))))
+    _refuse_kept(sheet, kept, len(results))
     if wrong == "row":
-        rows.refuse(refused_cases(sheet, values))
-    rows.run(progress)
-    found = rows.found()
-    found.kept.update(kept_cases(sheet, values, kept, found.status, threads=count, progress=progress))
-    return found
+        results.put(refused_cases(sheet, values), "refused")
+    going = np.flatnonzero(results.status == "")
+    if not len(going):
+        expected, hint = "some that can run", str(results.message[0])
+        raise InputError("vary", f"{len(results)} cases that are all refused", expected, hint)
+    values_of = {path: numbers[going] for path, numbers in values.items()}
+    units = _units(sheet, values_of, dict.fromkeys(one.series for one in asked))
+    results.units |= {one: one.unit_of(units[one.series]) for one in asked}
+    results.values |= {one: np.full(len(results), np.nan) for one in asked}
+    own = own_tip(_unwatched(sheet), count) if OWN in {one.series.partition(".")[0] for one in asked} else None
+    left = np.arange(len(going))
+    if not _watched(sheet):
+        work = _Reducing.of(sheet, values_of, asked, own, count, executor, progress, whole)
+        for places, part in work.parts(progress):
+            results.take(going[places], part)
+        left = work.left
+    _one_by_one(sheet, values, asked, own, going[left], results, count, progress)
+    results.kept |= kept_cases(sheet, values, kept, results.status.tolist(), count, progress)
+    return results
 
 
-def _refuse_absent(kept: Collection[int], size: int) -> None:
+def _refuse_kept(sheet: Robot, kept: Collection[int], size: int) -> None:
     for index in kept:
         if not 0 <= index < size:
             raise InputError("kept", str(index), f"indices from 0 to {size - 1}", "count cases from 0")
+    if kept and _watched(sheet):
+        expected = "no kept motions where stop conditions or the energy may end a run"
+        raise InputError("kept", f"{len(kept)} cases", expected, "run these cases by themselves")
 
 
-class _Rows:
-    """The rows of all cases, filled as they come."""
-
-    def __init__(
-        self, sheet: Robot, values: dict[str, Array], size: int, reductions: tuple[Reduction, ...], threads: int,
-        whole: Whole | None, runner: Runner,
-    ) -> None:  # fmt: skip
-        self.sheet, self.values, self.reductions, self.threads = sheet, values, reductions, threads
-        self.whole, self.runner = whole, runner
-        self.columns = {one: np.full(size, np.nan) for one in reductions}
-        self.status, self.message, self.method = ([""] * size for _ in range(3))
-        self.counts = {name: np.zeros(size, dtype=np.int64) for name in COUNTS}
-        self.seconds, self.errors = np.zeros(size), np.full(size, np.nan)
-        self.units: dict[str, str] = {}
-
-    def refuse(self, messages: Mapping[int, str]) -> None:
-        """These cases are rows with their reason."""
-        for index, why in messages.items():
-            self.status[index], self.message[index] = "refused", why
-
-    def run(self, progress: Progress) -> None:
-        """Run all that are not refused."""
-        going = np.array([k for k, status in enumerate(self.status) if not status], dtype=np.int64)
-        if not len(going):
-            raise InputError(
-                "vary", f"{len(self.status)} cases that are all refused", "some that can run", self.message[0]
-            )
-        values = {path: numbers[going] for path, numbers in self.values.items()}
-        names = list(dict.fromkeys(one.series for one in self.reductions))
-        self._learn(values, names)
-        heads = {name.partition(".")[0] for name in names}
-        own = own_tip(_unwatched(self.sheet), self.threads) if OWN in heads else None
-        if _watched(self.sheet):
-            self._alone(going, own, progress)
-            return
-        lanes = prepared(self.sheet, values, keep=False, progress=progress, threads=self.threads, whole=self.whole)
-        distances = [name for name in DISTANCES if name in heads]
-        if COMMANDED in heads and any(setpoints(lot.like) is None for lot in lanes.lots):
-            distances.remove(COMMANDED)
-        nominal, planned = None, [name for name in (DEVIATION, COMMANDED) if name in distances]
-        if planned:
-            nominal = Nominal.of(
-                self.sheet, values, nominal_side(self.sheet, values, planned), planned, self.threads, progress,
-                self.whole,
-            )  # fmt: skip
-        work = Reducing(lanes, self.reductions, own, nominal, self.threads, self.runner)
-        for places, runs, numbers in work.parts(progress):
-            self._take(going[places], runs, numbers)
-        self._alone(going[work.left], own, progress)
-
-    def _learn(self, values: Mapping[str, Array], names: Sequence[str]) -> None:
-        """Units of the series, from the first case that can start."""
-        first = ""
-        for index in range(len(next(iter(values.values())))):
-            try:
-                setup = run_setup(self.sheet.with_(changes_of(values, index)).pair().real)
-                break
-            except SimulationError as error:
-                first = first or str(error)
-        else:
-            raise SimulationError(f"no case can start; the first one: {first}")
+def _units(sheet: Robot, values: Mapping[str, Array], names: Collection[str]) -> dict[str, str]:
+    """Units of the series, from the first case that can start."""
+    first = ""
+    for index in range(len(next(iter(values.values())))):
+        try:
+            setup = run_setup(sheet.with_(changes_of(values, index)).pair().real)
+        except SimulationError as error:
+            first = first or str(error)
+            continue
         outputs = Outputs(setup.model.loop, tuple(DISTANCES))
-        self.units = {name: outputs.find(name, "reductions").unit for name in names}
+        return {name: outputs.find(name, "reductions").unit for name in names}
+    raise SimulationError(f"no case can start; the first one: {first}")
 
-    def _take(self, places: NDArray[np.int64], runs: Sequence[Trajectory], numbers: Mapping[Reduction, Array]) -> None:
-        for one, found in numbers.items():
-            self.columns[one][places] = found
-        for index, run in zip(places.tolist(), runs, strict=True):
-            self.status[index], self.message[index], self.seconds[index] = run.status, run.message, run.seconds
-            for name in COUNTS:
-                self.counts[name][index] = run.statistics[name]
-            self.method[index] = run.statistics.get("method", "")
-            self.errors[index] = run.statistics.get("errors", np.nan)
 
-    def _alone(self, indices: NDArray[np.int64], own: Array | None, progress: Progress) -> None:
-        """Run cases by themselves, over threads."""
-        if not len(indices):
-            return
-        tip = None if own is None else own[0]
+def _one_by_one(
+    sheet: Robot, values: Mapping[str, Array], reductions: Sequence[Reduction], own: Array | None, indices: Indices,
+    results: CaseResults, threads: int, progress: Progress,
+) -> None:  # fmt: skip
+    """Run cases by themselves, over threads."""
+    tip = None if own is None else own[0]
 
-        def one(index: int) -> None:
-            began = clock.thread_time()
-            done = run_alone(self.sheet, changes_of(self.values, index), self.reductions, tip)
-            self.status[index], self.message[index], self.method[index] = done.status, done.message, done.method
-            for name, count in done.counts.items():
-                self.counts[name][index] = count
-            for reduction, value in done.values.items():
-                self.columns[reduction][index] = value
-            self.seconds[index] = clock.thread_time() - began
+    def one(index: int) -> None:
+        began = clock.thread_time()
+        done = single_case(sheet, changes_of(values, index), reductions, tip)
+        done.seconds[:] = clock.thread_time() - began
+        results.take([index], done)
 
-        with ThreadPoolExecutor(self.threads, "tmodes-cases") as pool:
-            for done, _ in enumerate(pool.map(one, indices.tolist()), 1):
-                progress("running", done / len(indices))
-
-    def found(self) -> Reduced:
-        """All rows."""
-        units = {one: one.unit_of(self.units[one.series]) for one in self.reductions}
-        info = tuple(self.status), tuple(self.message), self.counts, tuple(self.method), self.seconds, self.errors
-        return Reduced(self.columns, units, *info)
+    if not len(indices):
+        return
+    with ThreadPoolExecutor(threads, "tmodes-cases") as pool:
+        for done, _ in enumerate(pool.map(one, indices.tolist()), 1):
+            progress("running", done / len(indices))
 
 
 def _watched(sheet: Robot) -> bool:
@@ -230,3 +152,142 @@ def _unwatched(sheet: Robot) -> Robot:
     """The sheet without what may end a run early."""
     settings = {"stop": (), "stop_at_limits": False, "energy_stop": False}
     return sheet.model_copy(update={"integration": sheet.integration.model_copy(update=settings)})
+
+
+@dataclass(frozen=True, eq=False)
+class _Reducing:
+    """Prepared cases, reduced part by part: series are folded in the loops, or written for rules on samples.
+
+    ``own`` (1, n, 3): tip of the sheet's own run; ``nominal``: the nominal robots, where they are asked for.
+    """
+
+    lanes: Prepared
+    reductions: tuple[Reduction, ...]
+    own: Array | None
+    nominal: Nominal | None
+    threads: int
+    executor: Executor
+
+    @classmethod
+    def of(
+        cls, sheet: Robot, values: Mapping[str, Array], reductions: tuple[Reduction, ...], own: Array | None,
+        threads: int, executor: Executor, progress: Progress, whole: Whole | None,
+    ) -> _Reducing:  # fmt: skip
+        """Prepare the cases, and the nominal robots where distances from them are asked for."""
+        heads = {one.series.partition(".")[0] for one in reductions}
+        lanes = prepared(sheet, values, keep=False, progress=progress, threads=threads, whole=whole)
+        known = all(setpoints(lot.like) is not None for lot in lanes.lots)
+        names = [name for name in (DEVIATION, COMMANDED) if name in heads and (known or name != COMMANDED)]
+        nominal = None
+        if names:
+            side = nominal_side(sheet, values, names)
+            nominal = Nominal.of(sheet, values, side, names, threads, progress, whole)
+        return cls(lanes, reductions, own, nominal, threads, executor)
+
+    @cached_property
+    def _shown(self) -> dict[int, dict[str, Output] | None]:
+        """The outputs that are wanted, by the lot's structure; None where lanes do not give all that it has."""
+        found: dict[int, dict[str, Output] | None] = {}
+        given = (*(self.nominal.names if self.nominal else ()), *((OWN,) if self.own is not None else ()))
+        for lot in self.lanes.lots:
+            outputs = Outputs(lot.like.model.loop, given)
+            wanted = {one.series: outputs[one.series] for one in self.reductions if one.series in outputs}
+            found[id(lot.like)] = None if any(one.further for one in wanted.values()) else wanted
+        return found
+
+    @cached_property
+    def left(self) -> Indices:
+        """Cases that must run by themselves."""
+        places = [lot.places for lot in self.lanes.lots if self._shown[id(lot.like)] is None]
+        return np.concatenate([np.zeros(0, dtype=np.int64), *places])
+
+    @cached_property
+    def _folds(self) -> bool:
+        return all(one.sampled is None for one in self.reductions)
+
+    @cached_property
+    def _common(self) -> bool:
+        """Whether one table serves all cases."""
+        return self.nominal is None or self.nominal.same
+
+    @cached_property
+    def _at_once(self) -> int:
+        """Cases of a part."""
+        given = 3 * (len(self.nominal.names) if self.nominal else 0) + (0 if self.own is None else 3)
+        series = len({one.series for one in self.reductions})
+        numbers = (0 if self._common else given) + (0 if self._folds else series)
+        longest = self.executor.longest
+        most = self.executor.room // (8 * len(self.lanes.times) * numbers) if numbers else longest
+        return min(max(most // _WHOLE, 1) * _WHOLE, longest, self.lanes.size)
+
+    def parts(self, progress: Progress) -> Iterator[tuple[Indices, CaseResults]]:
+        """Places and results of part after part, in the same room; those after an interruption are not begun."""
+        width = 3 * len(self.nominal.names) if self.nominal else 0
+        room = np.empty((1 if self._common else self._at_once, len(self.lanes.times), width))
+        table, ended = None, False
+        for first in range(0, self.lanes.size, self._at_once):
+            lanes = self.lanes.part(first, min(first + self._at_once, self.lanes.size))
+
+            def tell(stage: str, share: float, first: int = first, size: int = lanes.size) -> None:
+                progress(stage, (first + share * size) / self.lanes.size)
+
+            if not ended and (table is None or not self._common):
+                table = self._table(room, first, lanes.size, lambda share, tell=tell: tell("nominal", share))
+                ended = table.interrupted
+            part = CaseResults.of_all(lanes.size, "interrupted", "interrupted")
+            if not ended and table is not None:
+                part = self._part(lanes, table, lambda share, tell=tell: tell("running", share))
+                ended = "interrupted" in part.status.tolist()
+            which = np.flatnonzero(part.status != "")
+            yield first + which, part.part(which)
+
+    def _table(self, room: Array, first: int, size: int, progress: Callable[[float], None]) -> Table:
+        table = Table(room[:1], {}, np.zeros(1))
+        if self.nominal is not None:
+            table = self.nominal.part(first, first + size).table(room, self.threads, progress, self.executor)
+        if self.own is not None:
+            shape = (len(table.numbers), *self.own.shape[1:])
+            table = table._replace(numbers=np.concatenate([table.numbers, np.broadcast_to(self.own, shape)], axis=2))
+        return table
+
+    def _part(self, lanes: Prepared, table: Table, progress: Callable[[float], None]) -> CaseResults:
+        """Results of some cases; those that must run by themselves have no status."""
+        going = [(lot, shown) for lot in lanes.lots if (shown := self._shown[id(lot.like)]) is not None]
+        wanted = [self._wanted(tuple(shown.values()), lanes, table) for _, shown in going]
+        empty = np.empty((lanes.size, 0, 0))
+        works = [lot.work(empty, one) for (lot, _), one in zip(going, wanted, strict=True)]
+        part = solve(works, lanes.size, executor=self.executor, threads=self.threads, progress=progress)
+        part.put(lanes.failed, "failed")
+        for (lot, shown), one in zip(going, wanted, strict=True):
+            part.method[lot.places] = lot.like.robot.integration.method
+            self._fill(part, list(shown), one, lot.places[part.status[lot.places] == "finished"])
+        if not self._common:
+            part.seconds += table.seconds
+        self._without_nominal(part, table)
+        return part
+
+    def _wanted(self, shown: tuple[Output, ...], lanes: Prepared, table: Table) -> OutputRequest:
+        each = (len(shown), len(SUMS)) if self._folds else (len(lanes.times), len(shown))
+        return OutputRequest(shown, table.numbers, lanes.times, np.empty((lanes.size, *each)), self._folds)
+
+    def _fill(self, part: CaseResults, names: list[str], wanted: OutputRequest, ended: Indices) -> None:
+        """The numbers of the cases that came to their end."""
+        for one in self.reductions:
+            values = part.value(one)
+            if one.series not in names or not len(ended):
+                continue
+            k = names.index(one.series)
+            if self._folds:
+                values[ended] = of_sums(one, wanted.out[ended, k])
+            else:
+                values[ended] = of_samples(one, wanted.out[ended, :, k], wanted.times)
+
+    def _without_nominal(self, part: CaseResults, table: Table) -> None:
+        """Cases whose nominal run came to no end have no deviation, and say why."""
+        lost = dict.fromkeys(range(len(part)), table.lost[0]) if self._common and table.lost else table.lost
+        for place, why in lost.items():
+            for one, values in part.values.items():
+                if one.series.partition(".")[0] == DEVIATION:
+                    values[place] = np.nan
+            if part.status[place]:
+                part.message[place] = f"{part.message[place]}; there is no nominal run: {why}"

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from functools import partial
@@ -19,16 +19,18 @@ from tmodes.io.arguments import checked_arguments
 from tmodes.io.words import shown
 from tmodes.sheet import Robot
 from tmodes.sheet.robot import refuse_other
-from tmodes.simulation.batch.result import BatchRun, check_room, gathered, not_begun, room_for, stored
-from tmodes.simulation.batch.simulate import run_all, thread_count
-from tmodes.simulation.parts import Trajectory, sample_times
+from tmodes.simulation.batch.executor import thread_count
+from tmodes.simulation.batch.result import BatchRun, check_room, room_for, stored
+from tmodes.simulation.case_results import CaseResults, Kept
+from tmodes.simulation.parts import sample_times
+from tmodes.simulation.solve import solve
 from tmodes.simulation.start import RunSetup, run_setup
 from tmodes.simulation.vary.arrays import array_lots, family_of
 from tmodes.simulation.vary.lanes import Columns, Side, changed_sheet
 from tmodes.simulation.vary.lots import Indices, Lot, lots_of
 from tmodes.simulation.vary.values import Whole, changes_of, checked
 
-__all__ = ["Prepared", "prepared", "run_prepared", "simulate_batch"]
+__all__ = ["Prepared", "kept_cases", "prepared", "run_prepared", "simulate_batch"]
 
 Array = NDArray[np.float64]
 Progress = Callable[[str, float], None]
@@ -170,18 +172,19 @@ def run_prepared(
     if figures:
         return _figures(batch, figures, count, progress, tips=tips)
     with room_for((batch.size, len(batch.times), batch.columns.width), batch.folder) as room:
-        runs = _run(batch, room, count, progress)
-        done = _gathered(batch, room, runs, _tips(batch, room, count, progress) if tips else None)
+        results = _run(batch, room, count, progress)
+        done = _gathered(batch, room, results, _tips(batch, room, count, progress) if tips else None)
     return stored(done, batch.folder)
 
 
-def _gathered(batch: Prepared, states: Array, runs: Sequence[Trajectory], tips: Array | None) -> BatchRun:
-    return replace(gathered(batch.columns.coordinates, batch.times, states, runs), values=batch.values, tips=tips)
+def _gathered(batch: Prepared, states: Array, results: CaseResults, tips: Array | None) -> BatchRun:
+    done = BatchRun.of(batch.columns.coordinates, batch.times, states, results)
+    return replace(done, values=batch.values, tips=tips)
 
 
 def _figures(batch: Prepared, figures: Figures, threads: int, progress: Progress, *, tips: bool) -> BatchRun:
     """Run part after part in the same room, and keep the figures of each."""
-    shape, runs, found = (len(batch.times), batch.columns.width), [], []
+    shape, results, found = (len(batch.times), batch.columns.width), CaseResults.of_all(batch.size), []
     room = np.empty((at_once := min(max(1, _ROOM // (8 * shape[0] * shape[1])), batch.size), *shape))
     for first in range(0, batch.size, at_once):
         part = batch.part(first, min(first + at_once, batch.size))
@@ -189,14 +192,14 @@ def _figures(batch: Prepared, figures: Figures, threads: int, progress: Progress
         def tell(stage: str, share: float, part: Prepared = part, first: int = first) -> None:
             progress(stage, (first + share * part.size) / batch.size)
 
-        if runs and any(run.status == "interrupted" for run in runs[-at_once:]):
-            some = [not_begun(room[index], "interrupted", "interrupted") for index in range(part.size)]
+        if len(results.ended("interrupted")):
+            room[: part.size], some = np.nan, CaseResults.of_all(part.size, "interrupted", "interrupted")
         else:
             some = _run(part, room, threads, tell)
         where = _tips(part, room[: part.size], threads, tell) if tips else None
         found.append(_kept(figures, _gathered(part, room[: part.size], some, where)))
-        runs += [replace(run, times=batch.times[: len(run.times)], states=room[0, :0]) for run in some]
-    done = _gathered(batch, np.empty((batch.size, 0, shape[1])), runs, None)
+        results.take(np.arange(first, first + part.size), some)
+    done = _gathered(batch, np.empty((batch.size, 0, shape[1])), results, None)
     return replace(done, figures={name: np.concatenate([one[name] for one in found]) for name in found[0]})
 
 
@@ -214,19 +217,20 @@ def _kept(figures: Figures, part: BatchRun) -> dict[str, Array]:
     return dict(answer)
 
 
-def _run(batch: Prepared, room: Array, threads: int, progress: Progress) -> list[Trajectory]:
+def _run(batch: Prepared, room: Array, threads: int, progress: Progress) -> CaseResults:
     """Run the lanes that could start, into a ``room`` (k, n, nx)."""
-    runs = {index: not_begun(room[index], why) for index, why in batch.failed.items()}
+    room[[*batch.failed]] = np.nan
     names, shape = batch.columns.coordinates, room.shape[:2]  # lanes with other coordinates have rooms of their own,
     works = [  # at first of rows that take no memory
-        lot.work(batch.times, room if lot.like.model.coordinates == names else np.empty((*shape, lot.starts.shape[1])))
+        lot.work(room if lot.like.model.coordinates == names else np.empty((*shape, lot.starts.shape[1])))
         for lot in batch.lots
     ]
-    runs |= run_all(works, threads, lambda share: progress("running", share))
+    results = solve(works, batch.size, threads=threads, progress=lambda share: progress("running", share))
+    results.put(batch.failed, "failed")
     for work in works:
         if work.states is not room:
             room[work.places] = batch.columns.filled(work.states[work.places], work.model.coordinates)
-    return [runs[index] for index in range(batch.size)]
+    return results
 
 
 def _tips(batch: Prepared, room: Array, threads: int, progress: Progress) -> Array:
@@ -257,3 +261,21 @@ def _lane(sheet: Robot, changes: Mapping[str, float | int], side: Side, index: i
         return run_setup(robot, side.follow).chosen()
     except SimulationError as error:
         return str(error)
+
+
+def kept_cases(
+    sheet: Robot, values: Mapping[str, Array], indices: Collection[int], status: Sequence[str],
+    threads: int, progress: Progress,
+) -> dict[int, Kept]:  # fmt: skip
+    """The motions of some of the cases that have any, run again with all their samples."""
+    chosen = [index for index in sorted({*indices}) if status[index] not in ("refused", "failed", "interrupted")]
+    if not chosen:
+        return {}
+    some = {path: numbers[chosen] for path, numbers in values.items()}
+    batch = run_prepared(prepared(sheet, some), tips=True, threads=threads, progress=lambda _, x: progress("kept", x))
+    assert batch.tips is not None  # noqa: S101
+    found: dict[int, Kept] = {}
+    for k, index in enumerate(chosen):
+        count = int(batch.counts[k])
+        found[index] = Kept(batch.times[:count], batch.states[k, :count], batch.tips[k, :count], batch.coordinates)
+    return found

@@ -20,7 +20,7 @@ from tmodes.model.model import Model
 from tmodes.model.parameters import Structural
 from tmodes.sheet import Robot
 from tmodes.sheet.robot import refuse_other
-from tmodes.simulation.batch.simulate import thread_count
+from tmodes.simulation.batch.executor import thread_count
 from tmodes.simulation.vary.lanes import changed_sheet
 from tmodes.simulation.vary.programs import refused_cases
 from tmodes.simulation.vary.simulate import changes_of, checked

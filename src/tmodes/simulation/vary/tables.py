@@ -14,10 +14,11 @@ from tmodes.equations.loop.outputs import COMMANDED, DEVIATION
 from tmodes.errors import InputError
 from tmodes.sheet import Robot
 from tmodes.sheet.parts import Command
-from tmodes.simulation.batch.runner import PROCESSOR, Runner
-from tmodes.simulation.batch.wanted import Wanted
-from tmodes.simulation.batch.work import Work
+from tmodes.simulation.batch.executor import PROCESSOR, Executor
+from tmodes.simulation.output_request import OutputRequest
 from tmodes.simulation.plan import Follow
+from tmodes.simulation.problem import Problem
+from tmodes.simulation.solve import solve
 from tmodes.simulation.start import RunSetup, run_setup
 from tmodes.simulation.vary.lanes import Side
 from tmodes.simulation.vary.lots import Lot
@@ -124,21 +125,23 @@ class Nominal:
         """Those of some cases."""
         return self if self.same else Nominal(self.lanes.part(first, stop), self.names)
 
-    def table(self, room: Array, threads: int, progress: Callable[[float], None], runner: Runner = PROCESSOR) -> Table:
+    def table(
+        self, room: Array, threads: int, progress: Callable[[float], None], executor: Executor = PROCESSOR
+    ) -> Table:
         """The tips (k, n, 3 for each name) in a room of their own; one that stands for all runs on the processor."""
-        runner = PROCESSOR if self.same else runner
-        lost, interrupted = dict(self.lanes.failed), False
-        found, seconds = room[: self.lanes.size], np.zeros(self.lanes.size)
+        executor = PROCESSOR if self.same else executor
+        lost, seconds, interrupted = dict(self.lanes.failed), np.zeros(self.lanes.size), False
+        found = room[: self.lanes.size]
         found[list(lost)] = np.nan
         for k, name in enumerate(self.names):
             part = np.empty((*found.shape[:2], 3)) if len(self.names) > 1 else found
             if name == DEVIATION:
-                for place, run in runner.run(self._works(part), threads, progress).items():
-                    seconds[place] = run.seconds
-                    interrupted |= run.status == "interrupted"
-                    if run.status != "finished":
-                        part[place, len(run.times) :] = np.nan
-                        lost[place] = run.message
+                works = self._works(part)
+                results = solve(works, self.lanes.size, executor=executor, threads=threads, progress=progress)
+                seconds, interrupted = results.seconds, len(results.ended("interrupted")) > 0
+                for place in np.flatnonzero(~np.isin(results.status, ("", "finished"))).tolist():
+                    part[place, results.samples[place] :] = np.nan
+                    lost[place] = results.message[place]
             else:
                 for lot in self.lanes.lots:
                     part[lot.places] = _commanded(lot, self.lanes.times)
@@ -146,12 +149,12 @@ class Nominal:
                 found[:, :, 3 * k : 3 * k + 3] = part
         return Table(found, lost, seconds, interrupted)
 
-    def _works(self, out: Array) -> list[Work]:
+    def _works(self, out: Array) -> list[Problem]:
         """Runs whose tips are written into ``out`` (k, n, 3)."""
         table, empty = np.zeros((1, out.shape[1], 0)), np.empty((self.lanes.size, 0, 0))
         tips = [lot.like.model.outputs.groups["tip"] for lot in self.lanes.lots]
-        wanted = [Wanted(tip, table, self.lanes.times, out, folds=False) for tip in tips]
-        return [lot.work(self.lanes.times, empty, one) for lot, one in zip(self.lanes.lots, wanted, strict=True)]
+        wanted = [OutputRequest(tip, table, self.lanes.times, out, folds=False) for tip in tips]
+        return [lot.work(empty, one) for lot, one in zip(self.lanes.lots, wanted, strict=True)]
 
 
 def _commanded(lot: Lot, times: Array) -> Array:

@@ -25,7 +25,7 @@ from typing import ClassVar, Protocol, Self
 
 from tmodes.errors import InputError
 from tmodes.kinds.registry import Registry
-from tmodes.simulation.batch.runner import PROCESSOR, Runner
+from tmodes.simulation.batch.executor import PROCESSOR, Executor
 from tmodes.study.study import Study
 from tmodes.study.tasks import Task
 
@@ -51,8 +51,8 @@ class PlaceJob(Protocol):
         """The task with the study as plain data, for another process or machine."""
         ...
 
-    def compute(self, task: Task, runner: Runner = PROCESSOR) -> bytes:
-        """Compute a task here, its cases by a runner; its block as bytes. Threads may compute several at once."""
+    def compute(self, task: Task, executor: Executor = PROCESSOR) -> bytes:
+        """Compute a task here, its cases by an executor; its block as bytes. Threads may compute several at once."""
         ...
 
     def end(self) -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 from contextlib import contextmanager
 from dataclasses import dataclass, field
@@ -10,14 +10,13 @@ from threading import Lock
 from typing import TYPE_CHECKING, Self
 
 from tmodes.errors import InputError
-from tmodes.simulation.batch.runner import Processor
-from tmodes.simulation.batch.simulate import thread_count
-from tmodes.simulation.batch.work import Work
-from tmodes.simulation.parts import Trajectory
+from tmodes.simulation.batch.executor import Processor, Progress, thread_count
+from tmodes.simulation.case_results import CaseResults
+from tmodes.simulation.problem import Problem
 from tmodes.study.places.contract import PLACES, How, Place, PlaceJob, Task
 
 if TYPE_CHECKING:
-    from tmodes.simulation.gpu.runner import OnDevice
+    from tmodes.simulation.gpu.run import OnDevice
 
 __all__ = ["Gpu", "Local"]
 
@@ -86,12 +85,12 @@ class _InTurn(Processor):
     def __init__(self) -> None:
         self._free = Lock()
 
-    def run(self, works: Sequence[Work], threads: int, progress: Callable[[float], None]) -> dict[int, Trajectory]:
+    def run(self, problems: Sequence[Problem], results: CaseResults, threads: int, progress: Progress) -> None:
         """As the processor does, once it is free."""
         while not self._free.acquire(timeout=_GLANCE):
             progress(0.0)
         try:
-            return super().run(works, threads, progress)
+            super().run(problems, results, threads, progress)
         finally:
             self._free.release()
 
@@ -101,7 +100,7 @@ class _InTurn(Processor):
 class Gpu(Place):
     """Block by block as on the machine at hand; series are made and reduced where the cases run."""
 
-    runner: OnDevice = field(repr=False)
+    executor: OnDevice = field(repr=False)
 
     name = "gpu"
 
@@ -109,7 +108,7 @@ class Gpu(Place):
     def at(cls, address: str, how: How) -> Self:
         """The first GPU; raises :class:`tmodes.errors.SimulationError`, with the reason, where none can be used."""
         from tmodes.compile.gpu import cuda
-        from tmodes.simulation.gpu.runner import OnDevice
+        from tmodes.simulation.gpu.run import OnDevice
 
         del how
         if address:
@@ -121,9 +120,9 @@ class Gpu(Place):
         """Block by block; what did not run on the GPU is reported."""
         computed = 0
         while task := job.next():
-            job.done(task, job.compute(task, self.runner))
+            job.done(task, job.compute(task, self.executor))
             computed += len(task.values)
-        there, elsewhere = self.runner.there, self.runner.elsewhere
+        there, elsewhere = self.executor.there, self.executor.elsewhere
         if elsewhere:
             whole = f"{elsewhere:,} of {there + elsewhere:,} runs"
             job.notice(f"{whole} were on the processor: their method does not suit a GPU")

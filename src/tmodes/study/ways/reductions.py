@@ -1,7 +1,8 @@
-"""Cases whose series are reduced to numbers in the native loop: the fast way."""
+"""Cases whose series are reduced to numbers in the native loop, and numbers of robots at rest: the fast ways."""
 
 from __future__ import annotations
 
+import time as clock
 from collections.abc import Callable, Collection, Mapping
 
 import numpy as np
@@ -9,64 +10,61 @@ from numpy.typing import NDArray
 
 from tmodes.errors import InputError, InputErrors, SimulationError
 from tmodes.sheet import Robot
-from tmodes.simulation.batch.runner import Runner
-from tmodes.simulation.batch.simulate import thread_count
-from tmodes.simulation.vary.kept import Kept as KeptCase
-from tmodes.simulation.vary.kept import kept_cases
+from tmodes.simulation.batch.executor import Executor
+from tmodes.simulation.case_results import CaseResults
 from tmodes.simulation.vary.programs import refused_cases
 from tmodes.simulation.vary.reduce import Reduction, reduced
+from tmodes.simulation.vary.static_numbers import static_numbers
 from tmodes.simulation.vary.values import Whole
 from tmodes.study.quantities import Needs
-from tmodes.study.rows import Kept
-from tmodes.study.ways.part import Part
 
-__all__ = ["by_reductions", "motions_of"]
+__all__ = ["by_reductions", "by_statics"]
 
 Array = NDArray[np.float64]
+Progress = Callable[[str, float], None]
 
 
 def by_reductions(
     robot: Robot, vary: Mapping[str, Array], needs: Needs, kept: Collection[int],
-    threads: int | None, progress: Callable[[str, float], None], whole: Whole | None, runner: Runner,
-) -> Part:  # fmt: skip
+    threads: int | None, progress: Progress, whole: Whole | None, executor: Executor,
+) -> CaseResults:  # fmt: skip
     """Reductions of the cases ``vary`` (m,) of one robot, and the motions of those ``kept``, by index.
 
     Raises :class:`tmodes.errors.InputError` for a series or a rule that is unknown.
     """
-    asked = {pair: Reduction(*pair) for pair in needs.reductions}
+    asked = {Reduction(*pair): pair for pair in needs.reductions}
     size = len(next(iter(vary.values())))
     try:
         found = reduced(
-            robot, vary, [*asked.values()], threads=threads, progress=progress, kept=kept, wrong="row", whole=whole,
-            runner=runner,
+            robot, vary, [*asked], threads=threads, progress=progress, kept=kept, wrong="row", whole=whole,
+            executor=executor,
         )  # fmt: skip
     except SimulationError as error:
-        return Part.of_all(size, "failed", str(error))
+        return CaseResults.of_all(size, "failed", str(error))
     except (InputError, InputErrors):
         refused = refused_cases(robot, vary)
         if len(refused) < size:
             raise
-        part = Part.of_all(size, "refused")
-        part.reason = [refused[k] for k in range(size)]
-        return part
-    ended = zip(found.status, found.message, strict=True)
-    words = ["" if status == "finished" else why for status, why in ended]
-    return Part(
-        [*found.status], words, [*found.method], np.asarray(found.seconds, dtype=float),
-        {pair: found.values[one] for pair, one in asked.items()},
-        {pair: found.units[one] for pair, one in asked.items()},
-        kept={case: _motion(one) for case, one in found.kept.items()}, errors=found.errors,
-    )  # fmt: skip
+        found = CaseResults.of_all(size)
+        found.put(refused, "refused")
+        return found
+    found.message[found.status == "finished"] = ""
+    found.values = {asked[one]: values for one, values in found.values.items()}
+    found.units = {asked[one]: unit for one, unit in found.units.items()}
+    return found
 
 
-def _motion(one: KeptCase) -> Kept:
-    return Kept(one.times, one.states, one.tips, tuple(one.coordinates))
+def by_statics(
+    robot: Robot, vary: Mapping[str, Array], needs: Needs, threads: int | None, progress: Progress
+) -> CaseResults:
+    """Static numbers of the cases ``vary`` (m,) of one robot; their seconds are a share of those of all.
 
-
-def motions_of(
-    robot: Robot, vary: Mapping[str, Array], kept: Collection[int], part: Part, threads: int | None,
-    progress: Callable[[str, float], None],
-) -> dict[int, Kept]:  # fmt: skip
-    """Motions of the cases ``kept``, by index, of those that can be run; ``part``: how each of them ended."""
-    found = kept_cases(robot, vary, kept, part.status, threads=thread_count(threads), progress=progress)
-    return {case: _motion(one) for case, one in found.items()}
+    Raises :class:`tmodes.errors.InputError` for a name that is unknown.
+    """
+    began = clock.process_time()
+    done = static_numbers(robot, vary, needs.static, threads=threads, progress=progress, wrong="row")
+    found = CaseResults.of_all(len(done.status))
+    found.status[:], found.message[:] = done.status, done.message
+    found.values, found.units = dict(done.values), dict(done.units)
+    found.seconds[:] = (clock.process_time() - began) / len(found)
+    return found

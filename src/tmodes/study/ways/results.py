@@ -12,7 +12,7 @@ from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,24 +23,14 @@ from tmodes.kinds.code_identity import UnidentifiedError, code_digest
 from tmodes.kinds.outside import USED, use
 from tmodes.result.run import run
 from tmodes.sheet import Robot
+from tmodes.simulation.case_results import CaseResults
 from tmodes.study.quantities import Needs, Quantity
 from tmodes.study.quantities.function import function_of
-from tmodes.study.ways.part import Part
 
 __all__ = ["by_results"]
 
 Array = NDArray[np.float64]
 Functions = Mapping[str, Callable[[Any], float]]
-
-
-class _Case(NamedTuple):
-    """What one case gave: how it ended, and of each quantity its number, unit and why it has none."""
-
-    status: str
-    reason: str
-    method: str
-    seconds: float
-    numbers: dict[str, tuple[float, str, str]]
 
 
 @dataclass(frozen=True)
@@ -60,7 +50,7 @@ class _Task:
 def by_results(
     robot: Robot, vary: Mapping[str, Array], quantities: Mapping[str, Quantity], functions: Functions, needs: Needs,
     threads: int | None, progress: Callable[[str, float], None],
-) -> Part:  # fmt: skip
+) -> CaseResults:  # fmt: skip
     """Numbers of the results of the cases ``vary`` (m,) of one robot, by names of ``quantities``.
 
     They run in processes where there are several cases and several cores, and the ``functions`` can be sent there.
@@ -72,23 +62,19 @@ def by_results(
     task = _Task(sheet_data(robot), kinds, needs.errors)
     size = len(next(iter(vary.values())))
     changes = [{path: float(values[k]) for path, values in vary.items()} for k in range(size)]
-    part = Part.of_all(size, "finished")
-    part.numbers = {name: np.full(size, np.nan) for name in quantities}
+    found = CaseResults.of_all(size, "finished")
+    found.values = {name: np.full(size, np.nan) for name in quantities}
     with _mapped(task, own, min(size, threads or os.cpu_count() or 1)) as mapped:
         for k, case in enumerate(mapped(changes)):
-            part.status[k], part.reason[k], part.method[k], part.seconds[k] = case[:4]
-            for name, (value, unit, why) in case.numbers.items():
-                part.numbers[name][k], part.units[name] = value, unit
-                if why:
-                    part.reasons.setdefault(name, {})[k] = why
+            found.take([k], case)
             progress("results", (k + 1) / size)
-    return part
+    return found
 
 
 @contextmanager
 def _mapped(
     task: _Task, functions: Functions, workers: int
-) -> Iterator[Callable[[Sequence[dict[str, float]]], Iterator[_Case]]]:
+) -> Iterator[Callable[[Sequence[dict[str, float]]], Iterator[CaseResults]]]:
     """How cases are run: over processes where the functions are the same there, else one after the other here."""
     sent = _to_send(functions) if workers > 1 else None
     if sent is None:
@@ -150,24 +136,29 @@ def _begin(task: _Task, functions: bytes, used: Sequence[str]) -> None:
     _HERE[:] = [(task, pickle.loads(functions))]  # noqa: S301  # of the process that has started this one
 
 
-def _ran_there(changes: dict[str, float]) -> _Case:
+def _ran_there(changes: dict[str, float]) -> CaseResults:
     return _ran(*_HERE[0], changes)
 
 
-def _ran(task: _Task, functions: Functions, changes: Mapping[str, float]) -> _Case:
+def _ran(task: _Task, functions: Functions, changes: Mapping[str, float]) -> CaseResults:
     """One case, run whole."""
-    began = clock.process_time()
+    found, began = CaseResults.of_all(1), clock.process_time()
     estimates = {f"integration.{name}": key in task.errors for key, name in _ESTIMATES.items()}
     try:
         result = run(task.sheet.with_({**changes, **estimates}))
-    except (InputError, InputErrors) as error:
-        return _Case("refused", str(error), "", clock.process_time() - began, {})
-    except SimulationError as error:
-        return _Case("failed", str(error), "", clock.process_time() - began, {})
-    kinds = task.quantities.items() if result.success else ()
-    numbers = {name: kind.of(data).of_result(result, functions.get(name)) for name, (kind, data) in kinds}
-    reason = "" if result.status == "finished" else result.message
-    return _Case(result.status, reason, result.actual.integration.method, clock.process_time() - began, numbers)
+    except (InputError, InputErrors, SimulationError) as error:
+        found.put({0: str(error)}, "failed" if isinstance(error, SimulationError) else "refused")
+        found.seconds[:] = clock.process_time() - began
+        return found
+    found.put({0: "" if result.status == "finished" else result.message}, result.status)
+    found.method[:] = result.actual.integration.method
+    for name, (kind, data) in task.quantities.items() if result.success else ():
+        value, found.units[name], why = kind.of(data).of_result(result, functions.get(name))
+        found.value(name)[:] = value
+        if why:
+            found.reasons[name] = {0: why}
+    found.seconds[:] = clock.process_time() - began
+    return found
 
 
 _ESTIMATES = {"error": "error_estimate", "model_error": "model_error"}

@@ -1,4 +1,4 @@
-"""What a batch is wanted for where its samples are not: series of each run, or what they are reduced to."""
+"""Outputs that are wanted of a batch in place of its samples: as series of each run, or reduced."""
 
 from __future__ import annotations
 
@@ -8,23 +8,21 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.compile.lanes.series import SUMS
-from tmodes.compile.native import WIDTH, Library
+from tmodes.compile.native import Library
 from tmodes.equations.loop.outputs import Output
 from tmodes.kinds.signals.schedule import SignalPieces
 from tmodes.model.passes import evaluate_wide
-from tmodes.simulation.batch.private import private
 from tmodes.simulation.loop import LoopModel
 from tmodes.simulation.parts import Trajectory
 from tmodes.simulation.reductions import folded, time_weights
 
-__all__ = ["Given", "Wanted"]
+__all__ = ["OutputRequest"]
 
 Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)
-class Wanted:
+class OutputRequest:
     """m series of all runs at n samples: written into ``out`` (all, n, m), or reduced into it (``folds``, all, m, 6).
 
     ``table`` (1 or all, n, given): what they are compared with; ``times`` (n,) [s] of the samples. A series of a run
@@ -79,36 +77,3 @@ class Wanted:
             rows = schedule.rows_at(self.times)
             self._last[:] = [(schedule, rows)]  # at once: other threads read it
         return rows
-
-
-class Given:
-    """The room of one thread for what runs side by side are compared with, and what their series are reduced to."""
-
-    def __init__(self, wanted: Wanted) -> None:
-        self.wanted, each = wanted, wanted.table.shape[1:]
-        self.apart = len(wanted.table) > 1
-        self.table = np.empty((WIDTH, *each)) if self.apart else wanted.table[0]
-        self.weights = wanted.weights
-        self.sums = private(len(wanted.shown), len(SUMS), WIDTH)
-
-    @property
-    def stride(self) -> int:
-        """How far the numbers of a lane are from those of the lane before."""
-        return self.apart * self.table[0].size
-
-    @property
-    def arrays(self) -> dict[str, Array]:
-        """Arguments of the native loop."""
-        found = {"table": self.table, "weights": self.weights, "sums": self.sums}
-        return found if self.wanted.folds else found | {"out": self.wanted.out}
-
-    def take(self, places: NDArray[np.int64]) -> None:
-        """What belongs to these runs."""
-        if self.apart:
-            np.take(self.wanted.table, places, axis=0, out=self.table)
-        self.sums[:] = np.array([-np.inf, np.inf, 0.0, 0.0, np.nan, np.nan])[:, None]
-
-    def keep(self, places: NDArray[np.int64]) -> None:
-        """What the runs came to."""
-        if self.wanted.folds:
-            self.wanted.out[places] = self.sums[:, :, : len(places)].transpose(2, 0, 1)

@@ -1,4 +1,4 @@
-"""The same motion integrated again with finer steps: its difference to the first run is that run's error."""
+"""Step refinement: the same motion integrated with finer steps, whose difference is the error of a run."""
 
 from __future__ import annotations
 
@@ -10,10 +10,10 @@ from tmodes.simulation.parts import Trajectory
 from tmodes.simulation.start import RunSetup, run_trajectory
 from tmodes.simulation.stops import STOPPED
 
-__all__ = ["second_run"]
+__all__ = ["refined_run"]
 
 
-def second_run(
+def refined_run(
     setup: RunSetup, first: Trajectory, progress: Callable[[float], None] = lambda share: None
 ) -> Trajectory | None:
     """A run from the same start to the same end, of the same samples, with finer steps.

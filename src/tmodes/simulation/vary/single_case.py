@@ -1,9 +1,10 @@
-"""A case by itself, as :func:`tmodes.run` runs it: where conditions end runs, and for outputs that no lane gives."""
+"""A single case, run as by :func:`tmodes.run`: where conditions end runs, and for outputs that no lane gives."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import Any, NamedTuple
+from dataclasses import replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,46 +14,38 @@ from tmodes.analysis.error_parts import straight
 from tmodes.equations.loop.outputs import COMMANDED, DEVIATION, OWN, Outputs
 from tmodes.errors import SimulationError
 from tmodes.sheet import Robot
-from tmodes.simulation.batch.result import COUNTS
+from tmodes.simulation.case_results import CaseResults
 from tmodes.simulation.motion_run import RunData
 from tmodes.simulation.reductions import Reduction, of_samples
 from tmodes.simulation.simulate import simulate_motion
 from tmodes.simulation.stops import STOPPED
 from tmodes.simulation.vary.tables import setpoints
 
-__all__ = ["Alone", "run_alone", "series_of_run"]
+__all__ = ["series_of_run", "single_case"]
 
 Array = NDArray[np.float64]
 
 
-class Alone(NamedTuple):
-    """What came of a case; ``values`` by reduction, not-a-number where there is none."""
-
-    values: dict[Reduction, float]
-    status: str
-    message: str
-    counts: dict[str, int]
-    method: str
-
-
-def run_alone(sheet: Robot, changes: Mapping[str, Any], reductions: Sequence[Reduction], own: Array | None) -> Alone:
+def single_case(
+    sheet: Robot, changes: Mapping[str, Any], reductions: Sequence[Reduction], own: Array | None
+) -> CaseResults:
     """Run one case; ``own`` (n, 3): the tip of the sheet's own run. One that cannot start has the status ``failed``."""
-    nothing = dict.fromkeys(reductions, np.nan)
+    found = CaseResults.of_all(1)
+    for one in reductions:
+        found.value(one)
     try:
         run = simulate_motion(sheet.with_(changes))
     except SimulationError as error:
-        return Alone(nothing, "failed", str(error), dict.fromkeys(COUNTS, 0), "")
+        found.put({0: str(error)}, "failed")
+        return found
     status, message, count = _ending(run)
-    info = {name: int(run.statistics[name]) for name in COUNTS}
-    if status not in ("finished", STOPPED):
-        return Alone(nothing, status, message, info, str(run.statistics["method"]))
-    series = series_of_run(run, count, {one.series for one in reductions}, own)
-    values = {
-        one: float(of_samples(one, series[one.series][None, :], run.times[:count])[0])
-        if one.series in series else np.nan
-        for one in reductions
-    }  # fmt: skip
-    return Alone(values, status, message, info, str(run.statistics["method"]))
+    found.end(0, replace(run, status=status, message=message))
+    if status in ("finished", STOPPED):
+        series, times = series_of_run(run, count, {one.series for one in reductions}, own), run.times[:count]
+        for one in reductions:
+            if one.series in series:
+                found.values[one][:] = of_samples(one, series[one.series][None, :], times)
+    return found
 
 
 def _ending(run: RunData) -> tuple[str, str, int]:
