@@ -33,7 +33,6 @@ from tmodes.kinds.links.contract import Body
 from tmodes.kinds.links.rigid import RigidLink
 from tmodes.kinds.signals.schedule import SignalPieces
 from tmodes.robots.load import load
-from tmodes.simulation.batch.simulate import simulate_lanes
 from tmodes.simulation.loop import LoopModel
 from tmodes.simulation.problem import problem_of
 from tmodes.simulation.solve import solve
@@ -61,7 +60,8 @@ class Case:
 
     def batch(self, numbers: np.ndarray, threads: int) -> Any:
         """Many at once."""
-        return simulate_lanes(self.model, numbers, self.schedule, self.start, self.settings, threads=threads)
+        problem = problem_of(self.model, numbers, self.schedule, self.start, self.settings)
+        return problem, solve([problem], problem.size, threads=threads)
 
 
 def seed() -> Case:
@@ -95,9 +95,11 @@ def measured(case: Case, lanes: int, threads: int, rounds: int) -> dict[str, Any
     """Figures of one case."""
     spread = np.random.default_rng(2).uniform(-1e-6, 1e-6, size=(lanes, len(case.numbers)))
     many = case.numbers * (1 + spread)
-    batch = case.batch(many[:9], 1)
+    problem, batch = case.batch(many[:9], 1)
     singles = [case.alone(numbers) for numbers in many[:9]]
-    error = max(np.abs(batch.states[k] - run.states).max() / np.abs(run.states).max() for k, run in enumerate(singles))
+    error = max(
+        np.abs(problem.states[k] - run.states).max() / np.abs(run.states).max() for k, run in enumerate(singles)
+    )
     times: dict[str, list[float]] = {"alone": [], "lane": [], "one": [], "threads": [], "busy": []}
     for _ in range(rounds):
         alone = _spent(lambda: [case.alone(k) for k in many[:_ALONE]])

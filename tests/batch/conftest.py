@@ -9,11 +9,11 @@ import numpy as np
 import pytest
 
 import tmodes
+from lane_runs import simulate_lanes
 from simulation.sheets import pendulum, torque
 from tmodes.integrate.settings import Integration
 from tmodes.kinds.signals.schedule import SignalPieces
 from tmodes.sheet import Robot
-from tmodes.simulation.batch.simulate import simulate_lanes
 from tmodes.simulation.loop import LoopModel
 from tmodes.simulation.start import run_setup
 

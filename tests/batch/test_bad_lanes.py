@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tmodes.simulation.batch.simulate import simulate_lanes
+from lane_runs import simulate_lanes
 from tmodes.simulation.problem import problem_of
 from tmodes.simulation.solve import solve
 

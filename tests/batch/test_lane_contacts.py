@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from lane_runs import simulate_lanes
 from simulation.sheets import ZERO, arm
 from tmodes.compile.loops.gate import SHORTEST
-from tmodes.simulation.batch.simulate import simulate_lanes
 from tmodes.simulation.problem import problem_of
 from tmodes.simulation.solve import solve
 from tmodes.simulation.start import run_setup

@@ -6,17 +6,21 @@ import os
 import subprocess
 import sys
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
 
+from lane_runs import simulate_lanes
 from tmodes.kinds.signals.schedule import SignalPieces
 from tmodes.simulation.batch.result import load_batch
-from tmodes.simulation.batch.simulate import simulate_lanes
 from tmodes.simulation.problem import problem_of
 from tmodes.simulation.solve import solve
 
 ROBOTS = pytest.mark.parametrize("lot", ["filipovic2010", "pendulum"], indirect=True)
+
+
+TESTS = Path(__file__).parents[1]
 
 
 def alone(lot, numbers, schedule=None, start=None, settings=None):
@@ -75,7 +79,7 @@ llvm.get_host_cpu_features = asked
 assert Wide.stride == 4
 import numpy as np
 import tmodes
-from tmodes.simulation.batch.simulate import simulate_lanes
+from lane_runs import simulate_lanes
 from tmodes.simulation.start import run_setup
 robot = tmodes.load("filipovic2010")
 setup = run_setup(robot)
@@ -90,7 +94,8 @@ def test_bytes_do_not_depend_on_the_width_of_the_vectors(lot, tmp_path):
     np.savez(tmp_path / "info.npz", many=lot.many, start=lot.start)
     line = [sys.executable, "-c", NARROW, str(tmp_path / "info.npz"), str(tmp_path / "batch")]
     surroundings = {"PYTHONHASHSEED": "7", "TZ": "Asia/Tokyo", "LC_ALL": "de_DE.UTF-8", "OPENBLAS_NUM_THREADS": "3"}
-    subprocess.run(line, check=True, env=os.environ | surroundings | {"TMODES_CACHE": str(tmp_path / "cache")})
+    env = os.environ | surroundings | {"TMODES_CACHE": str(tmp_path / "cache")}
+    subprocess.run(line, check=True, env=env, cwd=TESTS)
     assert load_batch(tmp_path / "batch").states.tobytes() == lot.run().states.tobytes()
 
 

@@ -5,12 +5,12 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from lane_runs import simulate_lanes
 from tmodes.compile.native import WIDTH
 from tmodes.errors import InputError
 from tmodes.kinds.signals.schedule import SignalPieces
 from tmodes.simulation.batch.executor import spans, thread_count
 from tmodes.simulation.batch.simd_batch import LINE, private
-from tmodes.simulation.batch.simulate import simulate_lanes
 from tmodes.simulation.problem import problem_of
 
 

@@ -9,14 +9,15 @@ import signal
 import subprocess
 import sys
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
 
+from lane_runs import simulate_lanes
 from tmodes.errors import InputError, ResultFileError
 from tmodes.kinds.signals.schedule import SignalPieces
 from tmodes.simulation.batch.result import load_batch, room_for
-from tmodes.simulation.batch.simulate import simulate_lanes
 
 
 def test_the_folder_holds_the_same_batch(lot, tmp_path):
@@ -67,7 +68,7 @@ def test_a_progress_that_fails_leaves_nothing(lot, tmp_path):
 KILLED = """
 import os, signal, sys
 import tmodes
-from tmodes.simulation.batch.simulate import simulate_lanes
+from lane_runs import simulate_lanes
 from tmodes.simulation.start import run_setup
 setup = run_setup(tmodes.load("filipovic2010"))
 settings = setup.robot.integration.model_copy(update={"duration": 2000.0, "output_step": 1.0})
@@ -82,7 +83,9 @@ simulate_lanes(model, numbers, setup.planned.schedule, setup.start, settings, ou
 def test_killed_leaves_no_batch(lot, tmp_path):
     """After kill -9 there is no file that looks whole, and the folder can be used again."""
     folder = tmp_path / "batch"
-    done = subprocess.run([sys.executable, "-c", KILLED, str(folder)], check=False, env=os.environ)
+    done = subprocess.run(
+        [sys.executable, "-c", KILLED, str(folder)], check=False, env=os.environ, cwd=Path(__file__).parents[1]
+    )
     assert done.returncode == -signal.SIGKILL
     assert [path.name for path in folder.iterdir() if not path.name.startswith(".")] == []
     with pytest.raises(ResultFileError, match="no whole batch"):

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from pydantic import Field
 
+from lane_runs import simulate_lanes
 from simulation.sheets import ZERO, arm
 from tmodes.equations.loop.contact_kernels import Touch, contact_law
 from tmodes.gradients.gradient import forward_sensitivities
@@ -16,7 +17,6 @@ from tmodes.kinds.contacts.registry import CONTACTS, SURFACES, Contact, Surface
 from tmodes.kinds.kernel import functions as f
 from tmodes.kinds.kernel import vectors
 from tmodes.kinds.schema.quantity import not_negative, positive
-from tmodes.simulation.batch.simulate import simulate_lanes
 from tmodes.simulation.simulate import simulate_motion
 from tmodes.simulation.start import run_setup, run_trajectory
 from wasm.node import page_states

@@ -9,13 +9,13 @@ import pytest
 from pydantic import Field
 from scipy.linalg import solve_continuous_are
 
+from lane_runs import simulate_lanes
 from simulation.sheets import ZERO, arm, beam, pendulum
 from tmodes import simulate_batch
 from tmodes.gradients.gradient import forward_sensitivities
 from tmodes.kinds.controllers.registry import CONTROLLERS, Controller, Measured
 from tmodes.kinds.kernel import vectors
 from tmodes.model.model import Model
-from tmodes.simulation.batch.simulate import simulate_lanes
 from tmodes.simulation.problem import problem_of
 from tmodes.simulation.simulate import simulate_motion
 from tmodes.simulation.solve import solve

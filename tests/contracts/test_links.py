@@ -10,6 +10,7 @@ import pytest
 from pydantic import Field
 
 import tmodes
+from lane_runs import simulate_lanes
 from simulation.sheets import arm
 from tmodes.errors import InputError
 from tmodes.gradients.gradient import forward_sensitivities
@@ -21,7 +22,6 @@ from tmodes.kinds.links.sheet import BendingSheet
 from tmodes.kinds.schema.quantity import positive
 from tmodes.model.model import Model
 from tmodes.report import write_report
-from tmodes.simulation.batch.simulate import simulate_lanes
 from tmodes.simulation.simulate import simulate_motion
 from tmodes.simulation.start import run_setup, run_trajectory
 from wasm.node import page_states

@@ -15,12 +15,12 @@ import pytest
 
 import tmodes
 from contracts import test_contacts, test_controllers, test_joints, test_links, test_signals
+from lane_runs import simulate_lanes
 from simulation.sheets import arm
 from tmodes.gradients.gradient import forward_sensitivities
 from tmodes.kinds.joints.registry import JOINTS
 from tmodes.live.bundle import live_bundle, why_not_live
 from tmodes.report.page import page
-from tmodes.simulation.batch.simulate import simulate_lanes
 from tmodes.simulation.simulate import simulate_motion
 from tmodes.simulation.start import run_setup, run_trajectory
 from wasm.node import page_states

@@ -11,13 +11,13 @@ from scipy.linalg import expm
 
 import tmodes
 from contracts.test_controllers import gains, robot
+from lane_runs import simulate_lanes
 from simulation.sheets import arm
 from tmodes.analysis.modes.of_sheet import vibrations
 from tmodes.errors import InputError
 from tmodes.gradients.gradient import forward_sensitivities
 from tmodes.live.bundle import live_bundle, why_not_live
 from tmodes.model.model import Model
-from tmodes.simulation.batch.simulate import simulate_lanes
 from tmodes.simulation.parts import sample_times
 from tmodes.simulation.simulate import simulate_motion
 from tmodes.simulation.start import run_setup, run_trajectory

@@ -11,6 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
 
+from lane_runs import simulate_lanes
 from random_chains import random_body
 from simulation.sheets import arm
 from tmodes.analysis.modes.of_sheet import vibrations
@@ -18,7 +19,6 @@ from tmodes.compile.loops.gate import SHORTEST
 from tmodes.errors import SimulationError
 from tmodes.gradients.gradient import forward_sensitivities
 from tmodes.sheet import Robot
-from tmodes.simulation.batch.simulate import simulate_lanes
 from tmodes.simulation.problem import problem_of
 from tmodes.simulation.simulate import simulate_motion
 from tmodes.simulation.solve import solve

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -14,8 +15,10 @@ from tmodes.integrate.registry import AUTO
 from tmodes.integrate.settings import Integration
 from tmodes.kinds.signals.schedule import SignalPieces
 from tmodes.simulation.loop import LoopModel
-from tmodes.simulation.output_request import OutputRequest
 from tmodes.simulation.parts import sample_times
+
+if TYPE_CHECKING:
+    from tmodes.simulation.output_request import OutputRequest
 
 __all__ = ["Problem", "problem_of"]
 

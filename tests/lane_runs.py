@@ -1,4 +1,4 @@
-"""Many runs of one structure by the same native code, from the numbers that it reads."""
+"""Many runs of one structure as a batch, from the numbers that native code reads."""
 
 from __future__ import annotations
 
@@ -32,17 +32,7 @@ def simulate_lanes(
     out: str | os.PathLike[str] | None = None,
     progress: Callable[[float], None] = lambda share: None,
 ) -> BatchRun:
-    """Run k robots of one structure, with ``parameters`` (k, size), from ``states`` (k, nx) on, by k schedules.
-
-    What is given once is the same for all. By methods with a tableau some robots run side by side, each with steps of
-    its own; where none is named it is dormand_prince. No bit of a robot's samples depends on the other robots, on their
-    number or on ``threads`` (None: one for each core). A run that cannot continue keeps what it had and disturbs no
-    other: look at ``status`` and ``message``. ``out``: an empty folder for the samples, where they are too many for
-    memory. ``progress`` is given the share that is done. Ctrl-C ends all with what they have (``interrupted``).
-
-    Raises :class:`tmodes.errors.InputError` for shapes that do not agree and for what is too large, and
-    :class:`tmodes.errors.ResultFileError` for a folder that cannot be written.
-    """
+    """Run k robots of one structure, with ``parameters`` (k, size), from ``states`` (k, nx) on, by k schedules."""
     refuse_stops(settings, "all lanes of a batch run")
     count, folder = thread_count(threads), None if out is None else Path(out)
     problem = problem_of(model, parameters, schedules, states, settings, np.empty((0, 0, 0)))
