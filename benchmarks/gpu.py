@@ -73,9 +73,9 @@ def works(count: int) -> list[Problem]:
     kept = robot.integration.model_copy(update={"output_step": robot.integration.duration})
     robot = robot.model_copy(update={"integration": kept})
     vary = {f"real.{path}": 1 + share * rng.uniform(-1, 1, count) for path, share in VARIED.items()}
-    lots, times = prepared(robot, vary).lots, sample_times(kept)
-    room = np.empty((count, len(times), lots[0].starts.shape[1]))
-    return [lot.work(room) for lot in lots]
+    groups, times = prepared(robot, vary).groups, sample_times(kept)
+    room = np.empty((count, len(times), groups[0].starts.shape[1]))
+    return [group.work(room) for group in groups]
 
 
 def timed(what: Callable[[], object]) -> float:

@@ -69,7 +69,8 @@ def test_the_method_of_each_case(prepared_alone, monkeypatch):
     monkeypatch.setattr(arrays, "_FEW", 10**9)
     true = simulate.prepared(swing(), stiffness)
     methods = [
-        {lot.like.robot.integration.method: lot.places.tolist() for lot in lots} for lots in (found.lots, true.lots)
+        {group.like.robot.integration.method: group.places.tolist() for group in groups}
+        for groups in (found.groups, true.groups)
     ]
     assert methods[0] == methods[1]
     assert len(methods[0]) == 2
@@ -95,10 +96,10 @@ def test_structure_goes_case_by_case(prepared_alone, monkeypatch):
 def test_rests_far_apart_are_found_from_their_neighbours(prepared_alone):
     """Masses over three decades; the lightest rests as its own sheet says."""
     robot, masses = tmodes.load("filipovic2010").with_(SHORT), np.geomspace(300.0, 0.1, 24)
-    lots = simulate.prepared(robot, {"payload.mass": masses}).lots
+    groups = simulate.prepared(robot, {"payload.mass": masses}).groups
     assert len({*prepared_alone}) == 2
-    true = simulate.prepared(robot, {"payload.mass": masses[11:12]}).lots[0].starts
-    assert np.abs(lots[0].starts[11] - true).max() < 1e-12
+    true = simulate.prepared(robot, {"payload.mass": masses[11:12]}).groups[0].starts
+    assert np.abs(groups[0].starts[11] - true).max() < 1e-12
 
 
 def test_zero_is_a_case_of_its_own(prepared_alone):

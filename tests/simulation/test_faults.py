@@ -13,7 +13,7 @@ from tmodes.errors import InputErrors
 from tmodes.kinds.signals.schedule import SignalPieces
 from tmodes.robots.load import load
 from tmodes.sheet import Robot
-from tmodes.simulation import callback
+from tmodes.simulation import python_controller
 from tmodes.simulation.parts import Trajectory
 from tmodes.simulation.problem import problem_of
 from tmodes.simulation.simulate import simulate_motion
@@ -109,14 +109,14 @@ def test_a_controller_that_goes_wrong_later(answer: Any, info: str) -> None:
 def test_a_slow_controller_ends_by_the_limit_on_time(monkeypatch: pytest.MonkeyPatch) -> None:
     """Each answer takes 1e6 s by the clock of the run, which ends with the step in which 5e6 s are used up."""
     answers: list[float] = []
-    now = callback.clock.monotonic
+    now = python_controller.clock.monotonic
     began = now()
 
     def slow(time: float, q: Any, v: Any) -> Any:
         answers.append(time)
         return [0.0]
 
-    monkeypatch.setattr(callback, "clock", SimpleNamespace(monotonic=lambda: began + 1e6 * len(answers)))
+    monkeypatch.setattr(python_controller, "clock", SimpleNamespace(monotonic=lambda: began + 1e6 * len(answers)))
     run = simulate_motion(swing(max_wall_time=5e6, output_step=0.1, method="rk4"), controller=slow)
     assert run.status == "stopped"
     assert "integration.max_wall_time = 5e+06 is used up" in run.message

@@ -19,8 +19,8 @@ if TYPE_CHECKING:
     from tmodes.equations.loop.outputs import Outputs
     from tmodes.report.notebook import Shown
     from tmodes.sheet.robot import RobotPair
-    from tmodes.simulation.callback import Controller
     from tmodes.simulation.parts import Journal
+    from tmodes.simulation.python_controller import Controller
     from tmodes.simulation.sampled_controller import SampledController
 
 __all__ = ["Result", "Robot", "load", "run"]

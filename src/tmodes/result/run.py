@@ -12,9 +12,9 @@ from tmodes.result.result import Result, assemble_result
 from tmodes.sheet import Robot, RobotPair
 from tmodes.sheet.parts import Command
 from tmodes.sheet.robot import refuse_other
-from tmodes.simulation.callback import Controller
 from tmodes.simulation.parts import Journal, sample_times
 from tmodes.simulation.plan import free_drive, refuse_massless
+from tmodes.simulation.python_controller import Controller
 from tmodes.simulation.sampled_controller import SampledController
 from tmodes.simulation.simulate import simulate_motion
 

@@ -21,9 +21,9 @@ from tmodes.io.words import meant
 from tmodes.kinds.signals.registry import Clock, merge
 from tmodes.kinds.signals.schedule import SignalPieces
 from tmodes.simulation.event_detection import WatchedRun
-from tmodes.simulation.guarded import controller_error
 from tmodes.simulation.native_run import NativeRun
 from tmodes.simulation.parts import Trajectory
+from tmodes.simulation.python_controller import controller_error
 from tmodes.simulation.start import RunSetup
 from tmodes.simulation.stops import Stops
 
@@ -192,8 +192,9 @@ def run_with_samples(
     """Integrate with a controller that is called at the multiples of ``period`` [s].
 
     Gives the trajectory, the setup with the commands in its input, and the rows (n, row) of that at the samples.
-    ``setup`` is one of :func:`tmodes.simulation.callback.driven_by`. Raises :class:`tmodes.errors.SimulationError` for
-    a controller that raises or whose answer is wrong at its first call; later the run stops and keeps what it has.
+    ``setup`` is one of :func:`tmodes.simulation.python_controller.driven_by`. Raises
+    :class:`tmodes.errors.SimulationError` for a controller that raises or whose answer is wrong at its first call;
+    later the run stops and keeps what it has.
     """
     settings, own = setup.robot.integration, setup.planned
     times = Clock(period, settings.output_step).schedule(settings.duration).knots

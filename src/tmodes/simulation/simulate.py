@@ -19,12 +19,12 @@ from tmodes.integrate.settings import refuse_too_large
 from tmodes.io.words import several
 from tmodes.sheet import Robot, RobotPair
 from tmodes.sheet.parts import Command
-from tmodes.simulation.callback import Controller, driven_by, fixed_steps, run_with_controller
 from tmodes.simulation.loop import refuse_switches
 from tmodes.simulation.motion_run import RunData, bytes_per_sample, gathered
 from tmodes.simulation.outputs import run_stops
 from tmodes.simulation.parts import Journal, Trajectory
 from tmodes.simulation.plan import Follow
+from tmodes.simulation.python_controller import Controller, driven_by, fixed_steps, run_with_controller
 from tmodes.simulation.sampled_controller import SampledController, refuse_period, run_with_samples
 from tmodes.simulation.start import RunSetup, run_setup, run_trajectory
 from tmodes.simulation.stops import STOPPED, Instants, Stops
@@ -77,8 +77,9 @@ def simulate_motion(
 ) -> RunData:
     """The trajectories of the nominal and the actual robot; arguments and errors as of :func:`tmodes.run`.
 
-    A ``controller`` (:data:`tmodes.simulation.callback.Controller`) without a ``period`` is slow, integrated by an
-    explicit method (at fixed steps where ``auto`` chooses: its answers need not be smooth). None is kept in a journal.
+    A ``controller`` (:data:`tmodes.simulation.python_controller.Controller`) without a ``period`` is slow, integrated
+    by an explicit method (at fixed steps where ``auto`` chooses: its answers need not be smooth). None is kept in a
+    journal.
     """
     pair = robot if isinstance(robot, RobotPair) else robot.pair()
     real = run_setup(pair.real)

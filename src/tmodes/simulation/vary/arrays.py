@@ -17,12 +17,12 @@ from tmodes.errors import InputError, InputErrors
 from tmodes.model.parameters import Structural
 from tmodes.sheet import Robot
 from tmodes.simulation.start import RunSetup
+from tmodes.simulation.vary.case_group import CaseGroup, Indices
 from tmodes.simulation.vary.cases import Cases
 from tmodes.simulation.vary.lanes import Side
-from tmodes.simulation.vary.lots import Indices, Lot
 from tmodes.simulation.vary.values import Whole
 
-__all__ = ["Family", "array_lots", "family_of"]
+__all__ = ["Family", "array_groups", "family_of"]
 
 Array = NDArray[np.float64]
 One = Callable[[int], RunSetup | str]
@@ -101,7 +101,7 @@ def agree(cases: Cases, starts: Array, some: Indices, one: One) -> bool:
     return True
 
 
-def array_lots(
+def array_groups(
     sheet: Robot,
     values: Mapping[str, Array],
     one: One,
@@ -109,15 +109,15 @@ def array_lots(
     side: Side = Side.ACTUAL,
     threads: int = 1,
     family: Family | None = None,
-) -> list[Lot]:
-    """Lots of the cases that can be prepared as arrays; ``one`` prepares a case by itself, as the others are to be.
+) -> list[CaseGroup]:
+    """Groups of the cases that can be prepared as arrays; ``one`` prepares a case by itself, as the others are to be.
 
     A program is noted at the first case that none before holds for, as long as enough are left. None are where
     lowering cannot be followed, or where starts that were searched differ from those of their sheets: then
     cases are prepared one by one. ``progress`` is given the share that is done. ``family``: what was noted and verified
     before. Raises what ``one`` raises for the first case that the sheet refuses.
     """
-    size, lots, small = len(next(iter(values.values()))), list[Lot](), 0
+    size, groups, small = len(next(iter(values.values()))), list[CaseGroup](), 0
     left = np.flatnonzero(np.isfinite([*values.values()]).all(axis=0))
 
     def tell(share: float) -> None:
@@ -127,7 +127,7 @@ def array_lots(
         cases, places = family.cases.others({path: own[left] for path, own in values.items()}).holding()
         places = left[places]
         if len(places):
-            lots += cases.lots(cases.starts(tell, threads), places, family.fastest)
+            groups += cases.groups(cases.starts(tell, threads), places, family.fastest)
         left = np.setdiff1d(left, places)
     for _ in range(_MOST):
         if len(left) < _FEW or small > _MOST_SMALL:
@@ -147,8 +147,8 @@ def array_lots(
         starts, ends = cases.starts(tell, threads), _extremes(cases)
         if not agree(cases, starts, ends, lambda k, places=places: one(int(places[k]))):
             break
-        lots += cases.lots(starts, places, cases.fastest(starts, ends))
-    return lots
+        groups += cases.groups(starts, places, cases.fastest(starts, ends))
+    return groups
 
 
 def _extremes(cases: Cases) -> Indices:

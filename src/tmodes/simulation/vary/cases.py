@@ -22,8 +22,8 @@ from tmodes.simulation.closed_start import closes, uncontrolled
 from tmodes.simulation.loop import Blocks, LoopModel, loop_numbers
 from tmodes.simulation.plan import Follow, planned, refuse_jumps, starts_at_rest
 from tmodes.simulation.start import RunSetup, closed_balance, held_at_start, placed_state, slipping, undeformed
+from tmodes.simulation.vary.case_group import CaseGroup, CaseNumbers, Indices
 from tmodes.simulation.vary.lanes import Side
-from tmodes.simulation.vary.lots import Indices, LaneNumbers, Lot
 from tmodes.simulation.vary.programs import CaseProgram, case_program
 from tmodes.simulation.vary.rests import rests
 from tmodes.simulation.vary.values import changes_of
@@ -148,10 +148,10 @@ class Cases:
             return (self.like.planned.schedule,)
         return tuple(merge_cases([*zip(signals[::2], signals[1::2], strict=True)]))
 
-    def numbers(self, which: Indices) -> LaneNumbers:
+    def numbers(self, which: Indices) -> CaseNumbers:
         """The numbers of some cases."""
         parameters, chain, base, *signals = self.blocks(which, "parameters", "chain", "base", *self._moving)
-        return LaneNumbers(parameters, chain, base, self._schedules(signals))
+        return CaseNumbers(parameters, chain, base, self._schedules(signals))
 
     def starts(self, progress: Callable[[float], None], threads: int = 1) -> Array:
         """The first states (k, nx); not-a-number where none is found."""
@@ -215,13 +215,13 @@ class Cases:
             near = found[known[[np.abs(far[:, known] - far[:, [k]]).sum(axis=0).argmin() for k in lost]]]
         return found
 
-    def lots(self, starts: Array, places: Indices, fastest: Array) -> Iterator[Lot]:
+    def groups(self, starts: Array, places: Indices, fastest: Array) -> Iterator[CaseGroup]:
         """The cases that have a start, by their method; ``fastest``: the largest eigenvalues of a few, as they go."""
         has_start = np.isfinite(starts).all(axis=1)
         methods = self._methods(starts, fastest)
         for method in sorted(set(methods[has_start].tolist())):
             chosen = np.flatnonzero(has_start & (methods == method))
-            yield Lot(
+            yield CaseGroup(
                 self.like.by(method, None), places[chosen], starts[chosen],
                 lambda which, chosen=chosen: self.numbers(chosen[which]),
             )  # fmt: skip

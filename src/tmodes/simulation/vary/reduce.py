@@ -23,7 +23,7 @@ from tmodes.simulation.output_request import OutputRequest
 from tmodes.simulation.reductions import Reduction, of_samples, of_sums, refuse_unknown_rules
 from tmodes.simulation.solve import solve
 from tmodes.simulation.start import run_setup
-from tmodes.simulation.vary.lots import Indices
+from tmodes.simulation.vary.case_group import Indices
 from tmodes.simulation.vary.programs import refused_cases
 from tmodes.simulation.vary.simulate import Prepared, changes_of, checked, kept_cases, prepared
 from tmodes.simulation.vary.single_case import single_case
@@ -176,7 +176,7 @@ class _Reducing:
         """Prepare the cases, and the nominal robots where distances from them are asked for."""
         heads = {one.series.partition(".")[0] for one in reductions}
         lanes = prepared(sheet, values, keep=False, progress=progress, threads=threads, whole=whole)
-        known = all(setpoints(lot.like) is not None for lot in lanes.lots)
+        known = all(setpoints(group.like) is not None for group in lanes.groups)
         names = [name for name in (DEVIATION, COMMANDED) if name in heads and (known or name != COMMANDED)]
         nominal = None
         if names:
@@ -186,19 +186,19 @@ class _Reducing:
 
     @cached_property
     def _shown(self) -> dict[int, dict[str, Output] | None]:
-        """The outputs that are wanted, by the lot's structure; None where lanes do not give all that it has."""
+        """The outputs that are wanted, by the group's structure; None where lanes do not give all that it has."""
         found: dict[int, dict[str, Output] | None] = {}
         given = (*(self.nominal.names if self.nominal else ()), *((OWN,) if self.own is not None else ()))
-        for lot in self.lanes.lots:
-            outputs = Outputs(lot.like.model.loop, given)
+        for group in self.lanes.groups:
+            outputs = Outputs(group.like.model.loop, given)
             wanted = {one.series: outputs[one.series] for one in self.reductions if one.series in outputs}
-            found[id(lot.like)] = None if any(one.further for one in wanted.values()) else wanted
+            found[id(group.like)] = None if any(one.further for one in wanted.values()) else wanted
         return found
 
     @cached_property
     def left(self) -> Indices:
         """Cases that must run by themselves."""
-        places = [lot.places for lot in self.lanes.lots if self._shown[id(lot.like)] is None]
+        places = [group.places for group in self.lanes.groups if self._shown[id(group.like)] is None]
         return np.concatenate([np.zeros(0, dtype=np.int64), *places])
 
     @cached_property
@@ -252,15 +252,15 @@ class _Reducing:
 
     def _part(self, lanes: Prepared, table: Table, progress: Callable[[float], None]) -> CaseResults:
         """Results of some cases; those that must run by themselves have no status."""
-        going = [(lot, shown) for lot in lanes.lots if (shown := self._shown[id(lot.like)]) is not None]
+        going = [(group, shown) for group in lanes.groups if (shown := self._shown[id(group.like)]) is not None]
         wanted = [self._wanted(tuple(shown.values()), lanes, table) for _, shown in going]
         empty = np.empty((lanes.size, 0, 0))
-        works = [lot.work(empty, one) for (lot, _), one in zip(going, wanted, strict=True)]
+        works = [group.work(empty, one) for (group, _), one in zip(going, wanted, strict=True)]
         part = solve(works, lanes.size, executor=self.executor, threads=self.threads, progress=progress)
         part.put(lanes.failed, "failed")
-        for (lot, shown), one in zip(going, wanted, strict=True):
-            part.method[lot.places] = lot.like.robot.integration.method
-            self._fill(part, list(shown), one, lot.places[part.status[lot.places] == "finished"])
+        for (group, shown), one in zip(going, wanted, strict=True):
+            part.method[group.places] = group.like.robot.integration.method
+            self._fill(part, list(shown), one, group.places[part.status[group.places] == "finished"])
         if not self._common:
             part.seconds += table.seconds
         self._without_nominal(part, table)

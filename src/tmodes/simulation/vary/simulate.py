@@ -25,9 +25,9 @@ from tmodes.simulation.case_results import CaseResults, Kept
 from tmodes.simulation.parts import sample_times
 from tmodes.simulation.solve import solve
 from tmodes.simulation.start import RunSetup, run_setup
-from tmodes.simulation.vary.arrays import array_lots, family_of
+from tmodes.simulation.vary.arrays import array_groups, family_of
+from tmodes.simulation.vary.case_group import CaseGroup, Indices, grouped
 from tmodes.simulation.vary.lanes import Columns, Side, changed_sheet
-from tmodes.simulation.vary.lots import Indices, Lot, lots_of
 from tmodes.simulation.vary.values import Whole, changes_of, checked
 
 __all__ = ["Prepared", "kept_cases", "prepared", "run_prepared", "simulate_batch"]
@@ -86,7 +86,7 @@ class Prepared:
     """
 
     size: int
-    lots: Sequence[Lot]
+    groups: Sequence[CaseGroup]
     failed: Mapping[int, str]
     columns: Columns
     values: dict[str, Array]
@@ -96,9 +96,9 @@ class Prepared:
     def part(self, first: int, stop: int) -> Prepared:
         """Some lanes, as a batch of their own in memory."""
         failed = {index - first: why for index, why in self.failed.items() if first <= index < stop}
-        lots = [part for lot in self.lots if len((part := lot.part(first, stop)).places)]
+        groups = [part for group in self.groups if len((part := group.part(first, stop)).places)]
         values = {path: numbers[first:stop] for path, numbers in self.values.items()}
-        return replace(self, size=stop - first, lots=lots, failed=failed, values=values, folder=None)
+        return replace(self, size=stop - first, groups=groups, failed=failed, values=values, folder=None)
 
 
 def prepared(
@@ -144,10 +144,10 @@ def prepared(
         own = whole._replace(ends={path: whole.ends[path] for path in values})
         family = family_of(sheet, side, own, lambda changes: _lane(sheet, _plain_all(changes), side, 0))
     tell = partial(progress, "preparing")
-    lots = array_lots(sheet, values, one, tell, side, count, family) if values else []
+    groups = array_groups(sheet, values, one, tell, side, count, family) if values else []
     done = np.zeros(size, dtype=bool)
-    for lot in lots:
-        done[lot.places] = True
+    for group in groups:
+        done[group.places] = True
     for index in np.flatnonzero(~done).tolist():
         one(index)
         progress("preparing", (index + 1) / size)
@@ -155,8 +155,8 @@ def prepared(
         raise SimulationError(f"no case can start; case 0: {lanes[0]}")
     left = {index: lane for index, lane in sorted(lanes.items()) if not done[index]}
     failed = {index: lane for index, lane in left.items() if isinstance(lane, str)}
-    lots += lots_of({index: lane for index, lane in left.items() if isinstance(lane, RunSetup)})
-    return Prepared(size, lots, failed, columns, values, times, folder)
+    groups += grouped({index: lane for index, lane in left.items() if isinstance(lane, RunSetup)})
+    return Prepared(size, groups, failed, columns, values, times, folder)
 
 
 def run_prepared(
@@ -222,8 +222,8 @@ def _run(batch: Prepared, room: Array, threads: int, progress: Progress) -> Case
     room[[*batch.failed]] = np.nan
     names, shape = batch.columns.coordinates, room.shape[:2]  # lanes with other coordinates have rooms of their own,
     works = [  # at first of rows that take no memory
-        lot.work(room if lot.like.model.coordinates == names else np.empty((*shape, lot.starts.shape[1])))
-        for lot in batch.lots
+        group.work(room if group.like.model.coordinates == names else np.empty((*shape, group.starts.shape[1])))
+        for group in batch.groups
     ]
     results = solve(works, batch.size, threads=threads, progress=lambda share: progress("running", share))
     results.put(batch.failed, "failed")
@@ -236,13 +236,13 @@ def _run(batch: Prepared, room: Array, threads: int, progress: Progress) -> Case
 def _tips(batch: Prepared, room: Array, threads: int, progress: Progress) -> Array:
     tips = np.full((*room.shape[:2], 3), np.nan)
 
-    def fill(lot: Lot, which: Indices) -> int:
-        columns, places = batch.columns.of(lot.like.model.coordinates), lot.places[which].tolist()
+    def fill(group: CaseGroup, which: Indices) -> int:
+        columns, places = batch.columns.of(group.like.model.coordinates), group.places[which].tolist()
         whole = columns == [*range(room.shape[2])]
-        tips[places] = lot.tips(which, batch.times, [room[k] if whole else room[k][:, columns] for k in places])
+        tips[places] = group.tips(which, batch.times, [room[k] if whole else room[k][:, columns] for k in places])
         return len(places)
 
-    pieces = [(lot, every[k : k + _WHOLE]) for lot in batch.lots if len(every := np.arange(len(lot.places)))
+    pieces = [(group, every[k : k + _WHOLE]) for group in batch.groups if len(every := np.arange(len(group.places)))
               for k in range(0, len(every), _WHOLE)]  # fmt: skip
     with ThreadPoolExecutor(threads, "tmodes-tips") as pool:
         for done in accumulate(pool.map(lambda piece: fill(*piece), pieces)):

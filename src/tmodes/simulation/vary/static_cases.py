@@ -21,7 +21,7 @@ from tmodes.model.model import Model
 from tmodes.model.passes import PointMotion, derivatives, evaluate
 from tmodes.sheet import Robot
 from tmodes.simulation.loop import Blocks
-from tmodes.simulation.vary.lots import Indices
+from tmodes.simulation.vary.case_group import Indices
 from tmodes.simulation.vary.programs import CaseProgram, case_program
 from tmodes.simulation.vary.rests import inverses
 

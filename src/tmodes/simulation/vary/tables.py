@@ -20,8 +20,8 @@ from tmodes.simulation.plan import Follow
 from tmodes.simulation.problem import Problem
 from tmodes.simulation.solve import solve
 from tmodes.simulation.start import RunSetup, run_setup
+from tmodes.simulation.vary.case_group import CaseGroup
 from tmodes.simulation.vary.lanes import Side
-from tmodes.simulation.vary.lots import Lot
 from tmodes.simulation.vary.simulate import Prepared, prepared, run_prepared
 from tmodes.simulation.vary.values import Whole
 from tmodes.simulation.warnings import jumps
@@ -143,8 +143,8 @@ class Nominal:
                     part[place, results.samples[place] :] = np.nan
                     lost[place] = results.message[place]
             else:
-                for lot in self.lanes.lots:
-                    part[lot.places] = _commanded(lot, self.lanes.times)
+                for group in self.lanes.groups:
+                    part[group.places] = _commanded(group, self.lanes.times)
             if part is not found:
                 found[:, :, 3 * k : 3 * k + 3] = part
         return Table(found, lost, seconds, interrupted)
@@ -152,15 +152,15 @@ class Nominal:
     def _works(self, out: Array) -> list[Problem]:
         """Runs whose tips are written into ``out`` (k, n, 3)."""
         table, empty = np.zeros((1, out.shape[1], 0)), np.empty((self.lanes.size, 0, 0))
-        tips = [lot.like.model.outputs.groups["tip"] for lot in self.lanes.lots]
+        tips = [group.like.model.outputs.groups["tip"] for group in self.lanes.groups]
         wanted = [OutputRequest(tip, table, self.lanes.times, out, folds=False) for tip in tips]
-        return [lot.work(empty, one) for lot, one in zip(self.lanes.lots, wanted, strict=True)]
+        return [group.work(empty, one) for group, one in zip(self.lanes.groups, wanted, strict=True)]
 
 
-def _commanded(lot: Lot, times: Array) -> Array:
+def _commanded(group: CaseGroup, times: Array) -> Array:
     """The tips (k, n, 3) [m] of undeformed robots whose drives are where they should be."""
-    setup, every = lot.like, np.arange(len(lot.places))
-    known, schedules = setpoints(setup), lot.numbers(every).schedules
+    setup, every = group.like, np.arange(len(group.places))
+    known, schedules = setpoints(setup), group.numbers(every).schedules
     assert known is not None  # noqa: S101
     width, shapes = setup.planned.plan.degree + 1, []
     for schedule in schedules:
@@ -172,4 +172,4 @@ def _commanded(lot: Lot, times: Array) -> Array:
         states = np.zeros((len(times), setup.model.layout.size))
         states[:, setup.model.layout.q] = straight(setup.mechanics, shape)
         shapes.append(states)
-    return lot.tips(every, times, [shapes[k % len(shapes)] for k in every])
+    return group.tips(every, times, [shapes[k % len(shapes)] for k in every])

@@ -149,7 +149,7 @@ class Adjoint:
             raise InputError(f"{which}.series", got, "a distance from a tip that the design does not move", hint)
         side = nominal_side(point.sheet, point.vary, [series])
         nominal = Nominal.of(point.sheet, point.vary, side, [series], 1, lambda stage, share: None)
-        if series == COMMANDED and any(setpoints(lot.like) is None for lot in nominal.lanes.lots):
+        if series == COMMANDED and any(setpoints(group.like) is None for group in nominal.lanes.groups):
             got, hint = "a path that depends on how other joints move", "take --method tpe"
             raise InputError(f"{which}.series", got, "a commanded path that the drives alone give", hint)
         room = np.empty((len(next(iter(point.vary.values()))), len(nominal.lanes.times), 3))

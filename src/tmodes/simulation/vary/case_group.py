@@ -1,4 +1,4 @@
-"""Lots: lanes of a batch that run on the same code, with the numbers of each; prepared one by one, or as arrays."""
+"""Case groups: cases of a batch that run on the same code, with their numbers; prepared one by one, or as arrays."""
 
 from __future__ import annotations
 
@@ -15,13 +15,13 @@ from tmodes.simulation.problem import Problem, problem_of
 from tmodes.simulation.start import RunSetup
 from tmodes.simulation.vary.lanes import structure_of
 
-__all__ = ["Indices", "LaneNumbers", "Lot", "lots_of"]
+__all__ = ["CaseGroup", "CaseNumbers", "Indices", "grouped"]
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 
 
-class LaneNumbers(NamedTuple):
+class CaseNumbers(NamedTuple):
     """Of m lanes: ``parameters`` (m, size) of their loops, those of their ``chain`` alone, ``base`` (m, 24) at rest.
 
     ``schedules``: one for all, or m.
@@ -34,7 +34,7 @@ class LaneNumbers(NamedTuple):
 
 
 @dataclass(frozen=True, eq=False)
-class Lot:
+class CaseGroup:
     """Lanes of one structure: ``places`` (k,) in the batch, ``starts`` (k, nx), their first states.
 
     ``like``: a lane of the same structure and method; ``numbers`` of some of the lanes, by their indices.
@@ -43,13 +43,13 @@ class Lot:
     like: RunSetup
     places: Indices
     starts: Array
-    numbers: Callable[[Indices], LaneNumbers]
+    numbers: Callable[[Indices], CaseNumbers]
 
-    def part(self, first: int, stop: int) -> Lot:
+    def part(self, first: int, stop: int) -> CaseGroup:
         """The lanes of these places of the batch, as those of a batch of their own."""
         start, end = np.searchsorted(self.places, (first, stop)).tolist()
         places, starts = self.places[start:end] - first, self.starts[start:end]
-        return Lot(self.like, places, starts, lambda which: self.numbers(start + which))
+        return CaseGroup(self.like, places, starts, lambda which: self.numbers(start + which))
 
     def work(self, room: Array, wanted: OutputRequest | None = None) -> Problem:
         """What is to run, its samples in a ``room`` (all, n, nx); or outputs that are ``wanted`` in their place."""
@@ -70,7 +70,7 @@ class Lot:
         return self.like.mechanics.passes.tips([one[:, model.layout.q] for one in states], base, found.chain)
 
 
-def lots_of(lanes: Mapping[int, RunSetup]) -> list[Lot]:
+def grouped(lanes: Mapping[int, RunSetup]) -> list[CaseGroup]:
     """Lanes that were prepared one by one, by their places: those of one structure together."""
     groups: dict[object, list[int]] = {}
     for index, lane in lanes.items():
@@ -78,16 +78,16 @@ def lots_of(lanes: Mapping[int, RunSetup]) -> list[Lot]:
     return [_stacked({index: lanes[index] for index in members}) for members in groups.values()]
 
 
-def _stacked(lanes: Mapping[int, RunSetup]) -> Lot:
+def _stacked(lanes: Mapping[int, RunSetup]) -> CaseGroup:
     setups = list(lanes.values())
 
-    def numbers(which: Indices) -> LaneNumbers:
+    def numbers(which: Indices) -> CaseNumbers:
         chosen = [setups[k] for k in which]
-        return LaneNumbers(
+        return CaseNumbers(
             np.stack([one.model.numbers for one in chosen]),
             np.stack([one.mechanics.parameters for one in chosen]),
             np.stack([one.mechanics.at_rest(gravity=0.0) for one in chosen]),
             tuple(one.planned.schedule for one in chosen),
         )
 
-    return Lot(setups[0], np.array([*lanes]), np.stack([one.start for one in setups]), numbers)
+    return CaseGroup(setups[0], np.array([*lanes]), np.stack([one.start for one in setups]), numbers)

@@ -1,4 +1,4 @@
-"""A controller that is a Python function: the slow way, about a thousand times slower than the native loops.
+"""Runs with a Python function as controller, integrated in Python: about a thousand times slower than native loops.
 
 Its efforts replace those of all drives that do not follow their signals exactly. It is asked at every stage of every
 step, so it must answer the same to the same question; steps end on every sample and on every jump of a signal.
@@ -12,21 +12,72 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from tmodes.equations.loop.control_kernels import WINDING, Servo
-from tmodes.errors import SimulationError
+from tmodes.errors import SimulationError, error_words
 from tmodes.integrate.settings import Integration
-from tmodes.simulation.guarded import Controller, Guarded, controller_name
 from tmodes.simulation.loop import LoopModel
 from tmodes.simulation.native_run import BOUND
 from tmodes.simulation.parts import Trajectory, completed, sample_times, used_up
 from tmodes.simulation.start import RunSetup
 from tmodes.simulation.stops import STOPPED, Instants, SetIn, Stops
 
-__all__ = ["Controller", "driven_by", "fixed_steps", "run_with_controller"]
+__all__ = [
+    "Controller",
+    "Guarded",
+    "controller_error",
+    "controller_name",
+    "driven_by",
+    "fixed_steps",
+    "run_with_controller",
+]
 
 Array = NDArray[np.float64]
+
+
+Controller = Callable[[float, Array, Array], ArrayLike]
+"""(time [s], q (nq,), v (nq,)) -> effort (m,) [N*m, N] of each drive that follows no signal, in their order."""
+
+
+@dataclass
+class Guarded:
+    """Validates the return values and exceptions of a Python controller, and reports them with name and time."""
+
+    controller: Controller
+    joints: tuple[str, ...]
+    size: int
+
+    def __call__(self, time: float, q: Array, v: Array) -> Array:
+        """The efforts (m,); raises :class:`tmodes.errors.SimulationError` for an answer that is none."""
+        q, v = q.copy(), v.copy()
+        q.flags.writeable = v.flags.writeable = False
+        try:
+            effort = np.asarray(self.controller(time, q, v), dtype=float)
+        except Exception as error:
+            raise controller_error(self.controller, time, error_words(error), "an answer") from error
+        wanted = f"an array of shape ({len(self.joints)},), the efforts of {', '.join(self.joints)}"
+        if effort.shape != (len(self.joints),):
+            raise controller_error(self.controller, time, f"an array of shape {effort.shape}", wanted)
+        if not np.isfinite(effort).all():
+            bad = int(np.flatnonzero(~np.isfinite(effort))[0])
+            raise controller_error(
+                self.controller, time, f"{effort[bad]} for joint {self.joints[bad]}", "finite numbers"
+            )
+        return effort
+
+
+def controller_name(controller: object) -> str:
+    """What a controller is called."""
+    return getattr(controller, "__qualname__", type(controller).__qualname__)
+
+
+def controller_error(controller: object, time: float, got: str, expected: str) -> SimulationError:
+    """The error of an answer that is none, with name and time [s]."""
+    name = controller_name(controller)
+    return SimulationError(
+        f"controller {name} at t = {time:.6g} s must return {expected}, got {got}; correct the function"
+    )
 
 
 def driven_by(setup: RunSetup, *, volts: bool = False) -> RunSetup:
