@@ -213,8 +213,12 @@ def same(a: Any, b: Any) -> bool:
 
 
 def largest(values: Any) -> int:
-    """Index of the largest magnitude; what is nearly as large will do as well, so that no guard holds it."""
-    return int(np.argmax([abs(plain_value(x)) for x in values]))
+    """Index of the largest magnitude, of several the first; that it stays the largest is a guard."""
+    sizes = [abs(x) for x in values]
+    found = int(np.argmax([plain_value(size) for size in sizes]))
+    if not all(size < sizes[found] if k < found else size <= sizes[found] for k, size in enumerate(sizes)):
+        raise Lost("the largest of numbers of which some are none", sizes[found])
+    return found
 
 
 def distinct(values: Iterable[Any]) -> list[Any]:

@@ -117,10 +117,8 @@ def _corrected(inverse: Array, moved: Array, change: Array) -> Array:
     along = (moved[:, None] @ inverse)[:, 0]
     share, size = (along * change).sum(axis=1), (moved * moved).sum(axis=1)
     good = share > _CURVED * size
-    wrong = moved - (inverse @ change[..., None])[..., 0]
-    return (
-        inverse + np.where(good, 1 / np.where(good, share, 1.0), 0.0)[:, None, None] * wrong[..., None] * along[:, None]
-    )
+    wrong = (moved - (inverse @ change[..., None])[..., 0]) * (good / np.where(good, share, 1.0))[:, None]
+    return inverse + wrong[..., None] * along[:, None]
 
 
 def inverses(slopes: Array) -> Array:
