@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import ast
 import json
 import os
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
 
+import tmodes
 from command import called
 from noted.sheets import KINDS
 from random_sheets import random_sheet
@@ -209,6 +212,45 @@ def test_the_command_lists_all_parameters():
     assert listed[0].keys() == {*found[0]._asdict()}
     shown = called("parameters", "spong1987").stdout
     assert all(one.path in shown for one in found)
+
+
+LOWERING = ("chain", "sheet", *(f"kinds/{name}" for name in (
+    "contacts", "controllers", "drives", "joints", "links", "schema", "signals")))  # fmt: skip
+OF_PLAIN_NUMBERS = {
+    "chain/mass.py": {"_general"},
+    "kinds/controllers/contract.py": {"command"},
+    "kinds/joints/joint.py": {"notice"},
+    "kinds/links/beam_functions.py": {"_first", "bare_beam"},
+    "kinds/links/body.py": {"entries"},
+    "kinds/links/contract.py": {"described", "embedding"},
+    "kinds/links/modes.py": {"stiffness_at"},
+    "kinds/links/modes_beam.py": {"_means", "in_place_of"},
+    "kinds/schema/quantity.py": {"_in_range_of_arithmetic"},
+    "kinds/signals/fit.py": {"_finite", "fitted"},
+    "kinds/signals/formula.py": {"_value"},
+    "kinds/signals/switches.py": {"_changes", "_with_dips"},
+}
+"""Functions that are asked of numbers that are never noted: what is drawn and said, and formulas given as text."""
+
+
+def casts(node, function=""):
+    """Names of the functions in which ``float(x)`` and functions of :mod:`math` are called."""
+    for inner in ast.iter_child_nodes(node):
+        if isinstance(inner, ast.Call):
+            called = inner.func
+            of_math = isinstance(called, ast.Attribute) and getattr(called.value, "id", "") == "math"
+            if of_math or (getattr(called, "id", "") == "float" and not isinstance(inner.args[0], ast.Constant)):
+                yield function
+        yield from casts(inner, inner.name if isinstance(inner, ast.FunctionDef) else function)
+
+
+def test_lowering_has_functions_that_take_noted_numbers():
+    """In place of ``float`` and :mod:`math`: those of :mod:`tmodes.kinds.noted.functions`."""
+    root, found = Path(tmodes.__file__).parent, {}
+    for file in sorted(file for part in LOWERING for file in (root / part).rglob("*.py")):
+        if names := {*casts(ast.parse(file.read_text()))}:
+            found[file.relative_to(root).as_posix()] = names
+    assert found == OF_PLAIN_NUMBERS
 
 
 def test_nothing_is_lost_silently():
