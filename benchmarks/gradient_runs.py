@@ -12,12 +12,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.gradients.changes import Changes
+from tmodes.gradients.changes import changes_of, number_at
 from tmodes.gradients.lowering import lowered
 from tmodes.gradients.quantities import Functional, Quantities, tracking_error
 from tmodes.io.sheet_check import sheet_data
-from tmodes.io.sheet_paths import entered, steps_of
-from tmodes.io.sheet_words import at
 from tmodes.robots.load import load
 from tmodes.simulation.problem import problem_of
 from tmodes.simulation.solve import solve
@@ -54,7 +52,7 @@ class Case:
         done = self.replay.recording
         tip = Quantities(self.here, done, ("tip",)).info()["tip"]
         self.functional: Functional = tracking_error("tip", tip[-1])
-        self.values = {path: self._value(path) for path in paths}
+        self.values = {path: number_at(path, sheet_data(sheet)) for path in paths}
 
     def run(self) -> Any:
         """The run alone, from its plan on."""
@@ -63,7 +61,8 @@ class Case:
 
     def differences(self, path: str, step: float) -> tuple[float, float]:
         """Derivative of the functional by the logarithm of a number, and by how much twice the step changes it."""
-        change, value = Changes(self.sheet, self.here).along(path), self.values[path]
+        change = changes_of(self.sheet, self.here, self.replay, [path])[path]
+        value = self.values[path]
         apart = {k: self._moved(change, k * step * value) - self._moved(change, -k * step * value) for k in _MULTIPLES}
         near, far = ([apart[k * times] / (2 * k * times * step) for k in (1, 2, 3)] for times in (1, 2))
         found, other = ((15 * ways[0] - 6 * ways[1] + ways[2]) / 10 for ways in (near, far))
@@ -79,12 +78,6 @@ class Case:
         self.replay.recording = done
         seen = Quantities(replace(here, parameters=parameters), replace(other, samples=samples), ("tip",))
         return self.functional.measure(done.times, seen.info())[0]
-
-    def _value(self, path: str) -> float:
-        data = sheet_data(self.sheet)
-        steps = steps_of(path, data)
-        info = at(entered(data, steps[:-1], path), steps[-1])
-        return info[0] if isinstance(info, list) else info
 
 
 def cases() -> dict[str, Callable[[], Case]]:

@@ -282,11 +282,6 @@ def test_gradient_of_a_reduced_output_is_that_of_differences() -> None:
         reduced_output("energy.total", "max")
 
 
-def test_a_station_of_a_link_has_no_gradient() -> None:
-    with pytest.raises(InputError, match=r"l0\.axial@0\.5"):
-        forward_sensitivities(arm(), quantities=["l0.axial@0.5"])
-
-
 def test_figures_show_the_same_numbers() -> None:
     result, outputs = tmodes.Result.like(assemble_result(run_of(0))), run_of(0).setup.model.outputs
     panels = result.figures()["joint_tracking"]()

@@ -10,15 +10,12 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from derivatives.test_runs import SQUARES, bending_arm, loaded_arm
+from derivatives.test_runs import SQUARES, bending_arm
 from io_cases import value_of
 from tmodes.errors import InputError
-from tmodes.gradients.changes import replaced
 from tmodes.gradients.gradient import adjoint_gradient, forward_sensitivities
 from tmodes.gradients.lowering import lowered
 from tmodes.gradients.quantities import Functional, tracking_error
-from tmodes.io.sheet_check import sheet_data
-from tmodes.io.sheet_paths import steps_of
 from tmodes.robots.load import load
 from tmodes.sheet import Robot
 
@@ -125,14 +122,6 @@ def test_what_the_real_arm_differs_by_is_seen() -> None:
     found = adjoint_gradient(sheet, functional, [path])
     assert found.value == pytest.approx(real.value, rel=1e-12)
     assert found.by[path] == pytest.approx(factor * real.by[path], rel=1e-7)
-
-
-@pytest.mark.parametrize("path", ["joints.joint.gear.stiffness", "links.link.bodies.load.mass", "drives.0.signal.end"])
-def test_a_number_replaced_is_one_that_was_written(path: str) -> None:
-    sheet = loaded_arm()
-    made = replaced(sheet, steps_of(path, sheet_data(sheet)), 0.7)
-    assert sheet_data(made) == sheet_data(sheet.with_({path: 0.7}))
-    assert replaced(sheet, ("title",), 0.7) is None
 
 
 def test_the_cost_is_reported() -> None:

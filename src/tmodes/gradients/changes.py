@@ -1,182 +1,316 @@
-"""How the numbers of a run change with the quantities of its data sheet."""
+"""Exact derivatives of the numbers of a run by quantities of its data sheet, by the noted program of its lowering.
+
+The program (A. Griewank, A. Walther, Evaluating Derivatives, 2008, chapter 2) gives the derivatives of the parameters,
+of the signals and of a given start; a start in equilibrium follows from its equations, J y' = -f'.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from pydantic import BaseModel
 
-from tmodes.analysis.statics.equilibrium import free_coordinates
-from tmodes.errors import InputError
-from tmodes.gradients.lowering import Lowered, rows_of, structure
+from tmodes.equations.loop.outputs import Output
+from tmodes.errors import InputError, InputErrors
+from tmodes.gradients.lowering import Lowered, rows_of
 from tmodes.io.sheet_check import sheet_data
 from tmodes.io.sheet_paths import entered, steps_of
 from tmodes.io.sheet_words import at
-from tmodes.model.model import Model
+from tmodes.kinds.signals.schedule import SAME, on_knots, shifted
+from tmodes.model.derivatives import differentiated
+from tmodes.model.parameters import Structural
 from tmodes.sheet import Robot
 from tmodes.simulation.balance import Balance, frozen
-from tmodes.simulation.loop import LoopModel
-from tmodes.simulation.plan import planned, starts_at_rest
-from tmodes.simulation.start import closed_balance, first_state, run_setup
+from tmodes.simulation.loop import Blocks, LoopModel
+from tmodes.simulation.plan import Follow, planned
+from tmodes.simulation.replay import Replay
+from tmodes.simulation.start import closed_balance, held_at_start
+from tmodes.simulation.vary.cases import run_blocks
+from tmodes.simulation.vary.programs import CaseProgram, case_program
 
-__all__ = ["Change", "Changes", "far_difference", "near_difference", "number_at", "replaced"]
+__all__ = ["Change", "changes_of", "number_at"]
 
 Array = NDArray[np.float64]
-
-
-class Changes:
-    """Differences of the plan, exact to about 1e-9 of a number that depends smoothly on the quantity.
-
-    Those of a start in equilibrium follow from its equations: of the closed loop where it is that of one, else of the
-    robot with held motors, K q' = -f', where nothing but the robot's own numbers changes; elsewhere they are
-    differences of equilibria.
-    """
-
-    def __init__(self, sheet: Robot, here: Lowered) -> None:
-        self.sheet, self.here, self.data = sheet, here, sheet_data(sheet)
-        self.rows = rows_of(here.schedule, here.settings.duration)
-        self._rest: tuple[Model, NDArray[np.intp], Array] | None = None
-
-    def along(self, path: str) -> Change:
-        """By one quantity.
-
-        Raises :class:`tmodes.errors.InputError` for a path at which no number other than 0 stands (in signals 0 will
-        do), and for one that changes more than numbers: the structure, or the times of the signals.
-        """
-        *groups, last = steps_of(path, self.data)
-        known = at(entered(sheet_data(self.sheet), groups, path), last)
-        value = number_at(path, known, zero="signal" in groups)
-
-        rests = starts_at_rest(self.sheet)
-
-        def numbers(change: float) -> Array:
-            robot = self._changed(path, value + change)
-            plan = planned(robot)
-            model = LoopModel(plan.plan)
-            rows = rows_of(plan.schedule, self.here.settings.duration)
-            self._check(path, model.loop, rows)
-            start = plan.signals.at(0.0) if rests else first_state(robot, plan, model)
-            return np.concatenate([model.loop.parts.numbers.vector, rows.ravel(), start])
-
-        parts = [len(self.here.parameters), self.rows.size]
-        parameters, rows, start = np.split(near_difference(numbers, value), np.cumsum(parts))
-        change = Change(parameters, start, rows.reshape(self.rows.shape))
-        return change._replace(start=self._rest_of(path, value, change)) if rests else change
-
-    def _rest_of(self, path: str, value: float, change: Change) -> Array:
-        """Derivative of the state at rest; ``change`` holds that of the signals at the start."""
-        placed = self.sheet.initial.coordinates or self.sheet.initial.rates
-        if (balance := closed_balance(self.here.setup)) and not (self.here.setup.off or placed):
-            return self._closed_along(balance, change, value)
-        if change.start.any() or not self._robot_alone(change):
-            return far_difference(lambda by: run_setup(self._changed(path, value + by)).start, value)
-        start = np.zeros_like(self.here.start)
-        start[: len(self.here.model.coordinates)] = self._rest_along(change.parameters)
-        return start
-
-    def _closed_along(self, balance: Balance, change: Change, value: float) -> Array:
-        """Of the equilibrium of the closed loop, J y' = -f' of its unknowns y, and of motions that are given."""
-        here, layout = self.here, self.here.model.layout
-        first, row = here.start[None].copy(), self.rows[0]
-        signals, start = change.rows[0, 1:].reshape(here.model.plan.signals, -1), np.zeros_like(here.start)
-        for driver in here.model.loop.drivers:
-            if driver.plan.servo is None:
-                for block, power in ((layout.q, 0), (layout.v, 1)):
-                    start[block][driver.coordinate] = signals[driver.plan.signal, power : power + 1].sum()
-        still, states = frozen(here.model, np.stack([row, change.rows[0]])), balance.at_rest(first)
-
-        def rates(by: float) -> Array:
-            rows = (still[0] + by * still[1])[None]
-            return balance.rates(states, rows, here.parameters + by * change.parameters)[0]
-
-        tangent = balance.tangent(states, still[:1], here.parameters)
-        start[balance.unknown] = -(tangent.inverse @ near_difference(rates, value))
-        return start
-
-    def _changed(self, path: str, value: float) -> Robot:
-        """The robot as it really is with another number, which is only checked where it does not simply replace one."""
-        # In an imported robot a number may stand for several, which only the importer knows.
-        robot = None if self.sheet.imported else replaced(self.sheet, steps_of(path, self.data), value)
-        return (robot or self.sheet.with_({path: value})).pair().real
-
-    def _check(self, path: str, loop: Any, rows: Array) -> None:
-        setup = self.here.setup
-        if structure(loop) != structure(setup.model.loop) or rows.shape != self.rows.shape:
-            what, hint = "a change of the structure", "name a quantity whose small changes only change numbers"
-        elif not np.array_equal(rows[:, 0], self.rows[:, 0]):
-            what, hint = "a change of the times at which signals jump", "name a quantity that leaves them as they are"
-        else:
-            return
-        raise InputError(path, what, "a change of numbers alone, along which a run can be differentiated", hint)
-
-    def _robot_alone(self, change: Change) -> bool:
-        """Whether nothing acts on the robot at rest but its weight, which stays, as its base stays where it is."""
-        setup = self.here.setup
-        sheet, base = self.sheet, setup.model.loop.base
-        moved = change.parameters[base.start : base.start + base.size].any()
-        return not (sheet.loads or sheet.contact or sheet.initial.coordinates or sheet.initial.rates or moved)
-
-    def _at_rest(self) -> tuple[Model, NDArray[np.intp], Array]:
-        """The robot, its coordinates that are free at rest, and its stiffness there."""
-        if self._rest is None:
-            setup = self.here.setup
-            model = setup.mechanics
-            held = {model.coordinates[driver.coordinate]: 0.0 for driver in setup.model.loop.drivers}
-            free = free_coordinates(model, held, ())
-            self._rest = model, free, model.stiffness(setup.start[: model.nq])
-        return self._rest
-
-    def _rest_along(self, parameters: Array) -> Array:
-        """K q' = -f' along the free coordinates."""
-        model, free, stiffness = self._at_rest()
-        q, found = self.here.start[: model.nq], np.zeros(model.nq)
-        if len(free):
-            forces = model.static_forces_along(q, parameters[: len(model.parameters)])
-            found[free] = -np.linalg.solve(stiffness[np.ix_(free, free)], forces[free])
-        return found
-
-
-_NEAR, _FAR = 3e-5, 1e-3
-"""Relative steps of the differences: of smooth arithmetic, whose error is of second order in the step and below 1e-8;
-and of equilibria, found to a tolerance, by differences of fourth order."""
+Derivatives = Callable[[str], Array]
 
 
 class Change(NamedTuple):
-    """Derivatives by one quantity: of the parameters, of the state at the start, and of the rows of the signals."""
+    """Derivatives by one quantity: of the parameters, of the state at the start, and of the rows of the signals.
+
+    ``parameters``: of those of the loop, then of those of the outputs that have some of their own. ``jumps``: by which
+    the derivative of the state jumps at the start of some steps, where an instant moves at which the rates jump.
+    """
 
     parameters: Array
     start: Array
     rows: Array
+    jumps: dict[int, Array]
 
 
-def near_difference(value_at: Callable[[float], Array], value: float) -> Array:
-    """Derivative of smooth arithmetic at a value, from changes of it; at 0 the change counts in its own unit."""
-    step = _NEAR * (abs(value) or 1.0)
-    return (value_at(step) - value_at(-step)) / (2 * step)
+def changes_of(
+    sheet: Robot, here: Lowered, replay: Replay, paths: Collection[str], shown: Sequence[Output] = ()
+) -> dict[str, Change]:
+    """The derivatives by each path; ``shown``: outputs, of which those with numbers of their own count.
 
-
-def far_difference(value_at: Callable[[float], Array], value: float) -> Array:
-    """The same of an equilibrium."""
-    step = _FAR * (abs(value) or 1.0)
-    near = np.stack([value_at(k * step) for k in (-2, -1, 1, 2)])
-    return np.array([1.0, -8.0, 8.0, -1.0]) @ near / (12 * step)
-
-
-def number_at(path: str, known: Any, *, zero: bool = False) -> float:
-    """The number at a path; a list of equal numbers and an inertia that is alike about every axis count as one.
-
-    Raises :class:`tmodes.errors.InputError` for anything else, and for a zero where none may be.
+    Raises :class:`tmodes.errors.InputError` for a path at which no number stands, and for one that is structure, with
+    the reason.
     """
+    data, found = sheet_data(sheet), dict[str, Change]()
+    steps = {path: tuple(steps_of(path, data)) for path in paths}
+    values = {path: number_at(path, data) for path in steps}
+    noted = _Noted(sheet, here, tuple(shown))
+    for group in _apart(steps):
+        own = {path: values[path] for path in group}
+        program, edges = noted.at(own)
+        made = _Changes(here, replay, program, own)
+        for path in group:
+            near = path in edges and _Changes(here, replay, noted.near(path, own[path]), {path: own[path]})
+            found[path] = (near or made).along(path)
+    return {path: found[path] for path in paths}
+
+
+def _apart(steps: Mapping[str, tuple[Any, ...]]) -> Iterator[list[str]]:
+    """Groups of paths of which none leads to another's number."""
+    left = [*steps]
+    while left:
+        group: list[str] = []
+        for path in left:
+            own = steps[path]
+            if not any(own[: len(steps[k])] == steps[k][: len(own)] for k in group):
+                group.append(path)
+        yield group
+        left = [path for path in left if path not in group]
+
+
+@dataclass(frozen=True, eq=False)
+class _Noted:
+    """Programs of the numbers of a run and of its outputs."""
+
+    sheet: Robot
+    here: Lowered
+    shown: tuple[Output, ...]
+
+    def at(self, values: Mapping[str, float]) -> tuple[CaseProgram, set[str]]:
+        """That of some paths, which have these values, and those at an edge: it holds nowhere next to their value."""
+        found = self._program(values)
+        point, count = np.array([*values.values()]), len(values)
+        ways = np.diag(_NEAR * np.where(point == 0, 1.0, np.abs(point)))
+        cases = point + np.concatenate([ways, -ways])
+        holds = found.holds(dict(zip(values, cases.T, strict=True))).reshape(2, count)
+        return found, {path for path, kept in zip(values, holds.T, strict=True) if not kept.any()}
+
+    def near(self, path: str, value: float) -> CaseProgram:
+        """That of one path next to its value where it is at an edge: a limit at which nothing but numbers changes."""
+        here, row = self._program({path: value}), {path: np.array([value])}
+        names = [*here.places]
+        for step in (_NEAR, -_NEAR):
+            moved = {path: value + step * (abs(value) or 1.0)}
+            try:
+                found, robot = self._program(moved), self.here.side.of(self.sheet.with_(moved).pair())
+                key = LoopModel(planned(robot, self.here.side.follow).plan).loop.rate.key
+            except (InputError, InputErrors):
+                continue
+            if key == self.here.model.loop.rate.key and found.places == here.places and all(
+                np.allclose(one, known, 1e-12, 1e-14, equal_nan=True)
+                for one, known in zip(found.blocks(names, row), here.blocks(names, row), strict=True)
+            ):  # fmt: skip
+                return found
+        raise _structural(path, f"at {value:g} it is at an edge: other values have another structure")
+
+    def _program(self, values: Mapping[str, float]) -> CaseProgram:
+        try:
+            found = case_program(self.sheet, values, self.here.side.of, self._blocks)
+        except Structural as why:
+            for path, value in values.items() if len(values) > 1 else ():
+                self._program({path: value})
+            raise _structural(next(iter(values)), str(why)) from why
+        for path in found.fixed:
+            raise _structural(path, "what is compiled depends on it")
+        return found
+
+    def _blocks(self, robot: Robot) -> Blocks:
+        found, further = run_blocks(robot, self.here.side.follow), self.here.further(self.shown, robot)
+        return found if further is None else {**found, "further": further}
+
+
+@dataclass(frozen=True, eq=False)
+class _Changes:
+    """Derivatives by paths, which have these ``values``, of the numbers of a program that is ``noted``."""
+
+    here: Lowered
+    replay: Replay
+    noted: CaseProgram
+    values: Mapping[str, float]
+
+    @cached_property
+    def _derivatives(self) -> Array:
+        """Of all numbers by all paths."""
+        return self.noted.program.derivative(np.array([*self.values.values()]))
+
+    def _of(self, path: str) -> Derivatives:
+        """Those of a block of numbers by a path."""
+        column = self.noted.paths.index(path)
+
+        def block(name: str) -> Array:
+            place = self.noted.places[name]
+            size = int(np.prod(place["shape"]))
+            return self._derivatives[place["start"] : place["start"] + size, column].reshape(place["shape"])
+
+        return block
+
+    def _value(self, name: str) -> Array:
+        """A block of numbers."""
+        return self.noted.blocks([name], {path: np.array([value]) for path, value in self.values.items()})[0][0]
+
+    def along(self, path: str) -> Change:
+        """By one quantity."""
+        of = self._of(path)
+        further = of("further") if "further" in self.noted.places else np.zeros(0)
+        rows, moving = self._signals(of)
+        parameters = of("parameters")
+        start = self._start(of, parameters, rows)
+        return Change(np.concatenate([parameters, further]), start, rows, self._jumps(moving))
+
+    def _signals(self, of: Derivatives) -> tuple[Array, dict[int, dict[int, float]]]:
+        """Of the rows at fixed times; and by segment which signals have a knot there that moves, and how fast."""
+        plan, duration = self.here.setup.planned, self.here.settings.duration
+        rows = rows_of(plan.schedule, duration)
+        knots, width, moving = np.append(rows[:, 0], duration), plan.plan.degree + 1, dict[int, dict[int, float]]()
+        found = np.zeros_like(rows)
+        for signal, piece in enumerate(plan.pieces):
+            moved, powers = of(f"knots {signal}"), of(f"powers {signal}")
+            if not (moved.any() or powers.any()):
+                continue
+            slope = on_knots(piece.slope(moved, powers, duration), knots, plan.plan.degree)
+            found[:, 1 + signal * width : 1 + (signal + 1) * width] = slope
+            for k in np.flatnonzero((moved != 0) & (piece.knots < duration * (1 - SAME))).tolist():
+                segment = int(np.abs(knots[:-1] - piece.knots[k]).argmin())
+                moving.setdefault(segment, {})[signal] = float(moved[k])
+        return found, {segment: signals for segment, signals in moving.items() if segment}
+
+    def _jumps(self, moving: Mapping[int, Mapping[int, float]]) -> dict[int, Array]:
+        """By which slopes of the state jump: the rates before an instant less those after it, times how it moves.
+
+        Signals that jump at one instant do so one after the other, those that move least first.
+        """
+        here, done = self.here, self.replay.recording
+        steps = {segment: int(np.searchsorted(done.segments, segment)) for segment in moving}
+        states = self.replay.starts({step for step in steps.values() if step < len(done.t)})
+        found: dict[int, Array] = {}
+        for segment, signals in moving.items():
+            if (step := steps[segment]) not in states:
+                continue
+            speeds = sorted({*signals.values()})
+            rows = [_before(done.rows, segment, here.model.plan.degree)]
+            for speed in speeds:
+                row, width = rows[-1].copy(), here.model.plan.degree + 1
+                for signal in (k for k, own in signals.items() if own == speed):
+                    part = slice(1 + signal * width, 1 + (signal + 1) * width)
+                    row[part] = done.rows[segment, part]
+                rows.append(row)
+            state, count = np.tile(states[step], (len(rows), 1)), len(rows)
+            rates = here.model.rate(np.full(count, done.rows[segment, 0]), state, np.array(rows), here.parameters)
+            jump = np.array(speeds) @ (rates[:-1] - rates[1:])
+            if np.abs(jump).max(initial=0.0) > _ROUNDING * np.abs(speeds).max() * np.abs(rates).max(initial=0.0):
+                found[step] = found.get(step, 0.0) + jump
+        return found
+
+    def _start(self, of: Derivatives, parameters: Array, rows: Array) -> Array:
+        """Of the first state: as it is given, and else of the equilibrium in which the run starts."""
+        here, setup, start = self.here, self.here.setup, of("start").copy()
+        if setup.rest is None:
+            return start
+        q = here.model.layout.q
+        free, closed = np.isnan(self._value("start")[q]), None if setup.off else closed_balance(setup)
+        along = start.copy()
+        along[q][self._driven] = np.where(free[self._driven], of("held"), start[q][self._driven])
+        if closed:
+            still = frozen(here.model, np.stack([setup.first_row, rows[0]]))
+            states = closed.at_rest(np.stack([here.start, along]))
+            found = _moved_rest(closed, (here.parameters, parameters), still, states)
+            start[closed.unknown] = found[closed.unknown]
+        else:
+            balance, rest = Balance(self._standing), setup.rest
+            places = [setup.mechanics.coordinates.index(name) for name in self._standing.coordinates]
+            own = [here.model.coordinates.index(name) for name in self._standing.coordinates]
+            states = np.zeros((2, self._standing.layout.size))
+            states[:, self._standing.layout.q] = rest.q[places], along[q][own]
+            both = (self._value("rest_row"), of("rest_row"))
+            numbers, found = (self._standing.numbers, of("rest")), np.zeros(len(free))
+            found[own] = _moved_rest(balance, numbers, np.stack(both), states)[self._standing.layout.q]
+        start[q] = np.where(free, found[: len(free)], start[q])
+        return start
+
+    @cached_property
+    def _standing(self) -> LoopModel:
+        """The loop in which every drive stands."""
+        return LoopModel(planned(self.here.setup.robot, Follow.HELD).plan)
+
+    @property
+    def _driven(self) -> list[int]:
+        """The coordinates that drives hold at the start."""
+        names = self.here.model.coordinates
+        return [names.index(name) for name in held_at_start(self.here.setup.robot, self.here.model)]
+
+
+def _moved_rest(balance: Balance, numbers: tuple[Array, Array], rows: Array, states: Array) -> Array:
+    """Derivative (size,) of a state at rest, J y' = -f': each argument is what it is of and its derivative.
+
+    That of the state gives the coordinates that are held.
+    """
+    along = states[1].copy()
+    if not len(balance.unknown):
+        return along
+    along[balance.unknown] = 0.0
+    blocks = {"time": np.zeros((1, 1)), "state": states[:1], "row": rows[:1], "step": np.zeros((1, 1))}
+    slopes = differentiated(balance.loop.loop.rate, ["rate"]).along(
+        numbers[0], blocks, {"state": along[None], "row": rows[1:]}, change=numbers[1]
+    )["rate"][0]
+    tangent = balance.tangent(states[:1], rows[:1], numbers[0])
+    along[balance.unknown] = -(tangent.inverse @ slopes[balance.equations])
+    return along
+
+
+def _before(rows: Array, segment: int, degree: int) -> Array:
+    """The row before a segment, about its start."""
+    powers = rows[segment - 1, 1:].reshape(-1, degree + 1)
+    length = rows[segment, 0] - rows[segment - 1, 0]
+    return np.append(rows[segment, 0], shifted(powers, np.full(len(powers), length)))
+
+
+_ROUNDING = 1e-12
+"""Share of the rates by which they jump where they are continuous."""
+
+_NEAR = 1e-6
+"""Relative step to a neighbour of a value, by which edges of the structure are seen."""
+
+
+def _structural(path: str, why: str) -> InputError:
+    expected = "a number that changes nothing but numbers, along which a run can be differentiated"
+    return InputError(path, f"structure ({why})", expected, "name another quantity, or vary this one in a batch")
+
+
+def number_at(path: str, data: Any) -> float:
+    """The number at a path of a sheet's data.
+
+    A list of equal numbers, gravity downwards and an inertia that is alike about every axis count as one number.
+
+    Raises :class:`tmodes.errors.InputError` for anything else.
+    """
+    *groups, last = steps_of(path, data)
+    known = at(entered(data, groups, path), last)
     several = _moments(known) if isinstance(known, dict) else known
     same = isinstance(several, list) and len(set(map(str, several))) == 1
     value: Any = several[0] if same and several else known
-    wrong = isinstance(value, bool) or not isinstance(value, (int, float)) or not np.isfinite(value)
-    if wrong or (value == 0 and not zero):
-        expected = "the path of a finite number other than 0: its change is given relative to it"
-        raise InputError(path, repr(known), expected, "name another quantity, or give this one a value")
+    if not groups and last == "gravity" and isinstance(known, list) and not any(known[:2]):
+        value = -known[2]  # downwards
+    if isinstance(value, bool) or not isinstance(value, (int, float)) or not np.isfinite(value):
+        expected, hint = "the path of a finite number", "name another quantity, or give this one a value"
+        raise InputError(path, repr(known), expected, hint)
     return float(value)
 
 
@@ -184,23 +318,3 @@ def _moments(known: dict[str, Any]) -> list[Any] | None:
     """The moments of an inertia without products."""
     products = [known.get(name, 0.0) for name in ("xy", "xz", "yz")]
     return [known[name] for name in ("xx", "yy", "zz")] if "xx" in known and not any(products) else None
-
-
-def replaced(sheet: Any, steps: Sequence[str | int], value: float) -> Any:
-    """A sheet with another number where one stands, made again without checks; None where none stands by itself.
-
-    A check of the whole takes longer than what differences need otherwise.
-    """
-    if not steps:
-        alone = isinstance(sheet, tuple) and len(sheet) == 1 and isinstance(sheet[0], float)
-        return (value,) if alone else value if isinstance(sheet, float) else None
-    step, *rest = steps
-    if isinstance(sheet, BaseModel):
-        fields = {name: getattr(sheet, name) for name in type(sheet).model_fields}
-        inner = replaced(fields.get(str(step)), rest, value)
-        made = type(sheet).model_construct(sheet.model_fields_set, **(fields | {str(step): inner}))
-        return None if inner is None else made
-    if isinstance(sheet, tuple) and isinstance(step, int):
-        inner = replaced(sheet[step], rest, value)
-        return None if inner is None else (*sheet[:step], inner, *sheet[step + 1 :])
-    return None

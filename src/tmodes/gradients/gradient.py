@@ -9,13 +9,13 @@ continuous there. On a unilateral surface with a damper it jumps with the speed 
 from __future__ import annotations
 
 import time as clock
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tmodes.gradients.changes import Change, Changes
+from tmodes.gradients.changes import Change, changes_of
 from tmodes.gradients.lowering import Lowered, lowered
 from tmodes.gradients.quantities import Functional, Quantities, measured_by
 from tmodes.io.arguments import checked_arguments, numbers_of
@@ -110,19 +110,15 @@ def forward_sensitivities(
     """
     watch, here, replay = _begun(sheet, most_bytes)
     done = replay.recording
-    lowering = Changes(sheet, here)
-    changes = {path: lowering.along(path) for path in paths}
-    none = Change(np.zeros_like(here.parameters), np.zeros_like(here.start), np.zeros_like(done.rows))
+    seen = Quantities(here, done, quantities)
+    changes = changes_of(sheet, here, replay, paths, seen.outputs)
+    none = Change(np.zeros_like(seen.parameters), np.zeros_like(here.start), np.zeros_like(done.rows), {})
     changes |= {
         name: none._replace(start=_direction(name, way, here.start.size)) for name, way in (start or {}).items()
     }
     watch.lap("sheet")
-    ways = [
-        np.stack(arrays) for arrays in zip(*((c.start, c.parameters, c.rows) for c in changes.values()), strict=True)
-    ]
-    found = dict(zip(changes, replay.along(*ways) if ways else (), strict=True))
+    found = dict(zip(changes, _swept(replay, [*changes.values()]), strict=True))
     watch.lap("sweep")
-    seen = Quantities(here, done, quantities)
     slopes = {path: seen.along(found[path], change.parameters, change.rows) for path, change in changes.items()}
     of = {name: {path: slope[name] for path, slope in slopes.items()} for name in quantities}
     info = seen.info()
@@ -146,21 +142,37 @@ def adjoint_gradient(
     {'joints.joint.gear.stiffness': ...}
     """
     watch, here, replay = _begun(sheet, most_bytes)
-    done = replay.recording
+    done, size = replay.recording, len(here.parameters)
     seen = Quantities(here, done, functional.quantities)
+    changes = changes_of(sheet, here, replay, dict.fromkeys(paths), seen.outputs)
+    watch.lap("sheet")
     value, weights = measured_by(functional, done.times, seen.info())
     measured = seen.back(weights)
     watch.lap("measure")
-    carried = replay.back(measured.states)
+    carried = replay.back(measured.states, {step for change in changes.values() for step in change.jumps})
     watch.lap("sweep")
-    parameters, rows = carried.parameters + measured.parameters, carried.rows + measured.rows
-    by, changes = {}, Changes(sheet, here)
-    for path in paths:
-        change = changes.along(path)
-        info = parameters @ change.parameters + carried.start @ change.start
-        by[path] = float(info + (rows * change.rows).sum())
-    watch.lap("sheet")
-    return Gradient(value, by, carried.start, parameters, rows, watch.cost(done))
+    parameters, rows = measured.parameters.copy(), carried.rows + measured.rows
+    parameters[:size] += carried.parameters
+    by = {}
+    for path, change in changes.items():
+        info = parameters @ change.parameters + carried.start @ change.start + (rows * change.rows).sum()
+        by[path] = float(info + sum(carried.inner[step] @ jump for step, jump in change.jumps.items()))
+    return Gradient(value, by, carried.start, parameters[:size], rows, watch.cost(done))
+
+
+def _swept(replay: Replay, changes: Sequence[Change]) -> Iterable[Array]:
+    """Slopes of the samples along each change."""
+    if not changes:
+        return ()
+    jumps: dict[int, Array] = {}
+    for k, change in enumerate(changes):
+        for step, jump in change.jumps.items():
+            jumps.setdefault(step, np.zeros((len(changes), len(jump))))[k] = jump
+    size = len(replay.parameters)
+    start, parameters = (
+        np.stack(parts) for parts in zip(*((c.start, c.parameters[:size]) for c in changes), strict=True)
+    )
+    return replay.along(start, parameters, np.stack([change.rows for change in changes]), jumps)
 
 
 def _direction(name: str, way: ArrayLike, size: int) -> Array:

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.equations.loop.closed_loop import ClosedLoop
+from tmodes.equations.loop.outputs import Output, output_schedule
 from tmodes.equations.recursion.parts import AxisPart
 from tmodes.errors import InputError, SimulationError
 from tmodes.integrate.method import EULER
@@ -18,12 +19,14 @@ from tmodes.kinds.contacts.registry import Contact
 from tmodes.kinds.signals.schedule import SignalPieces
 from tmodes.sheet import Robot
 from tmodes.simulation.loop import LoopModel, refuse_switches
+from tmodes.simulation.plan import planned
 from tmodes.simulation.recording import MOST_BYTES
 from tmodes.simulation.replay import Replay
 from tmodes.simulation.solve import solve
 from tmodes.simulation.start import RunSetup, run_setup
+from tmodes.simulation.vary.lanes import Side
 
-__all__ = ["Lowered", "lowered", "rows_of", "structure"]
+__all__ = ["Lowered", "lowered", "rows_of"]
 
 Array = NDArray[np.float64]
 
@@ -44,6 +47,14 @@ class Lowered:
     settings: Integration
     setup: RunSetup
     contact: Contact | None = None
+    side: Side = Side.ACTUAL
+
+    def further(self, shown: Sequence[Output], robot: Robot) -> Array | None:
+        """The numbers of outputs of a robot of this structure that those of its loop lack; None where none does."""
+        if not any(output.further for output in shown):
+            return None
+        loop = LoopModel(planned(robot, self.side.follow).plan).loop
+        return output_schedule(loop, {"shown": shown}, after=False, often=False).further
 
     def recorded(self, most_bytes: float = MOST_BYTES) -> Replay:
         """The run, with its steps.
@@ -80,27 +91,21 @@ def _jumps(axis: AxisPart) -> bool:
     return bool(axis.drive and axis.drive.dead_zone and gear and gear.damping > 0)
 
 
-def lowered(sheet: Robot) -> Lowered:
-    """The run of the actual robot.
+def lowered(sheet: Robot, side: Side = Side.ACTUAL) -> Lowered:
+    """The run of the actual robot, or of the one that plans the motion.
 
     Raises :class:`tmodes.errors.InputError` and :class:`tmodes.errors.SimulationError` for what cannot run.
     """
-    real = sheet.pair().real
-    setup = run_setup(real).chosen()
+    robot = side.of(sheet.pair())
+    setup = run_setup(robot, side.follow).chosen()
     model, settings = setup.model, setup.robot.integration
     rates = model.loop.euler_rate if integrator(settings.method).asks == EULER else model.loop.rate
-    return Lowered(model, rates, model.numbers, setup.planned.schedule, setup.start, settings, setup, real.contact)
+    return Lowered(
+        model, rates, model.numbers, setup.planned.schedule, setup.start, settings, setup, robot.contact, side
+    )
 
 
 def rows_of(schedule: SignalPieces, duration: float) -> Array:
     """Start and coefficients of each piece of the signals, (segments, row)."""
     pieces = schedule.until(duration)
     return pieces.rows_at(pieces.knots[:-1])
-
-
-def structure(of: ClosedLoop) -> object:
-    """All but the numbers: runs of one structure have the same code."""
-    drives = tuple(axis.drive for axis in of.parts.axes)
-    nodes = tuple((part.hinge, part.link and part.link.kernels) for part in of.parts.nodes), drives
-    servos = tuple((drive.servo and drive.servo.key, drive.winding) for drive in of.plan.drives)
-    return nodes, servos, of.parts.numbers.size

@@ -43,7 +43,7 @@ class Quantities:
     """
 
     def __init__(self, here: Lowered, done: Recording, names: Sequence[str]) -> None:
-        self.done, self.parameters, self.names = done, here.parameters, tuple(dict.fromkeys(names))
+        self.done, self.names = done, tuple(dict.fromkeys(names))
         self._pieces = np.clip(np.searchsorted(done.rows[:, 0], done.times, side="right") - 1, 0, len(done.rows) - 1)
         time = done.times[:, None]
         self._instants = {
@@ -51,11 +51,10 @@ class Quantities:
         }  # fmt: skip
         outputs = here.model.outputs
         groups = {name: outputs.group(name, "quantities") for name in self.names}
-        for output in (one for group in groups.values() for one in group if one.further):
-            got, expected = f"`{output.name}`, at a station of a link", "an output of the run's own equations"
-            raise InputError("quantities", got, expected, "take a deformation, or vary the numbers in a batch")
-        wanted = output_schedule(here.model.loop, groups, after=False, often=False).schedule
-        self._of = differentiated(wanted, self.names) if self.names else None
+        self.outputs = [output for group in groups.values() for output in group]
+        wanted = output_schedule(here.model.loop, groups, after=False, often=False)
+        self.parameters = np.concatenate([here.parameters, wanted.further])
+        self._of = differentiated(wanted.schedule, self.names) if self.names else None
 
     def info(self) -> Blocks:
         """Their values at the samples."""

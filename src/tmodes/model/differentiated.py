@@ -150,21 +150,6 @@ class DifferentiatedModel:
             passes.parameters, forward, inertia, elastic, passes.rotor_inertias, passes.parts.driven
         )
 
-    def static_forces_along(self, q: ArrayLike, change: Array) -> Array:
-        """Derivative of the forces on the left side at rest in q (nq,), along a change of the parameters, (nq,).
-
-        >>> model.static_forces_along([0.1, 0.1], np.ones(len(model.parameters))).shape
-        (2,)
-        """
-        state = self._state(q, 0.0, None, None)
-        state["a"] = state["v"]
-        blocks = {name: value[None] for name, value in state.items()}
-        found = np.zeros(len(state["q"]))
-        for name in ("inertia", "elastic"):
-            of = self._kept((name, "along"), lambda name=name: self._differentiated(name, ["forces"]))
-            found += of.along(self.passes.parameters, blocks, {}, change=change)["forces"][0]
-        return found
-
     def _state(self, q: ArrayLike, v: ArrayLike, base: ArrayLike | None, wrenches: ArrayLike | None) -> Blocks:
         """One state by the names of the inputs."""
         size = self.passes.parts.size

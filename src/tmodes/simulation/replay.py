@@ -5,7 +5,8 @@ The steps stay as they were: their lengths are constants, so derivatives are tho
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+import itertools
+from collections.abc import Callable, Collection, Iterator, Mapping
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -28,12 +29,14 @@ Array = NDArray[np.float64]
 class Gradients(NamedTuple):
     """Derivatives of a sum of weighted samples: by the state at the start, the parameters, the rows (segments, row).
 
-    The first number of a row is the time at which its piece starts.
+    The first number of a row is the time at which its piece starts. ``inner``: by the states at the start of some
+    steps, of what comes after.
     """
 
     start: Array
     parameters: Array
     rows: Array
+    inner: dict[int, Array]
 
 
 class _Piece(NamedTuple):
@@ -41,6 +44,12 @@ class _Piece(NamedTuple):
 
     steps: slice
     states: Array
+
+    def cut(self, starts: Collection[int]) -> list[_Piece]:
+        """The pieces that some steps begin."""
+        first, stop = self.steps.start, self.steps.stop
+        ends = [first, *sorted(step for step in starts if first < step < stop), stop]
+        return [_Piece(slice(a, b), self.states[a - first :]) for a, b in itertools.pairwise(ends)]
 
 
 class Replay:
@@ -72,32 +81,44 @@ class Replay:
         self._call("again", _Piece(slice(0, len(done.t)), states), values, samples=samples)
         return samples
 
-    def along(self, start: Array, parameters: Array, rows: Array) -> Array:
+    def starts(self, steps: Collection[int]) -> dict[int, Array]:
+        """The states (size,) at the start of some steps."""
+        found: dict[int, Array] = {}
+        for piece in self._pieces() if steps else ():
+            first, stop, _ = piece.steps.indices(len(self.recording.t))
+            found |= {step: piece.states[step - first].copy() for step in steps if first <= step < stop}
+        return found
+
+    def along(self, start: Array, parameters: Array, rows: Array, jumps: Mapping[int, Array] | None = None) -> Array:
         """Slopes of the samples, (directions, n, size), along directions.
 
-        ``start`` (directions, size), ``parameters`` (directions, parameters), ``rows`` (directions, segments, row).
+        ``start`` (directions, size), ``parameters`` (directions, parameters), ``rows`` (directions, segments, row);
+        ``jumps`` (directions, size): by which slopes jump at the start of some steps.
         """
-        found = [
-            self._along_lanes(*(_lanes(array[k : k + LANES]) for array in (start, parameters, rows)))
-            for k in range(0, len(start), LANES)
-        ]
+        given, found = jumps or {}, []
+        for k in range(0, len(start), LANES):
+            part = slice(k, k + LANES)
+            own = {step: _lanes(jump[part]) for step, jump in given.items()}
+            found.append(self._along_lanes(_lanes(start[part]), _lanes(parameters[part]), _lanes(rows[part]), own))
         return np.concatenate(found)[: len(start)]
 
-    def back(self, weights: Array) -> Gradients:
-        """Derivatives of the sum of ``weights`` (n, size) times the samples."""
+    def back(self, weights: Array, inner: Collection[int] = ()) -> Gradients:
+        """Derivatives of the sum of ``weights`` (n, size) times the samples; ``inner``: of which steps, too."""
         done, tape = self.recording, self.tape
         table, last = self._tables("back", lambda marks, own, settled: tape.back(marks | own, own, settled=settled))
         values, slopes = self._values(self.parameters), aligned(tape.size)
         moved, rows = np.zeros(done.samples.shape[1]), np.zeros_like(done.rows)
         samples = np.ascontiguousarray(weights, dtype=float)
-        stages = np.zeros((self._tableau.stages, len(moved)))
-        for piece in self._pieces(backwards=True):
+        stages, at = np.zeros((self._tableau.stages, len(moved))), dict[int, Array]()
+        for piece in (part for whole in self._pieces(backwards=True) for part in whole.cut(inner)[::-1]):
             more = {"moved": moved, "row_slopes": rows, "stage_slopes": stages, "slopes": slopes}
             self._call("back", piece, values, other=table, samples=samples, **more)
+            at[piece.steps.start] = moved.copy()
         _run(last, values[0], slopes)
-        return Gradients(moved + samples[0], slopes[: len(self.parameters)].copy(), rows)
+        own = slopes[: len(self.parameters)].copy()
+        return Gradients(moved + samples[0], own, rows, {step: at[step] for step in inner})
 
-    def _along_lanes(self, start: Array, parameters: Array, rows: Array) -> Array:
+    def _along_lanes(self, start: Array, parameters: Array, rows: Array, jumps: Mapping[int, Array]) -> Array:
         """Eight directions, the last axis."""
         done, tape = self.recording, self.tape
         size, count = len(start), len(self.parameters)
@@ -112,7 +133,8 @@ class Replay:
         samples[0] = start
         more = {"moved": np.ascontiguousarray(start), "row_slopes": np.ascontiguousarray(rows), "slopes": slopes}
         stages = np.zeros((self._tableau.stages, size, LANES))
-        for piece in self._pieces():
+        for piece in (part for whole in self._pieces() for part in whole.cut(jumps)):
+            more["moved"] += jumps.get(piece.steps.start, 0.0)
             self._call("along", piece, values, LANES, other=table, samples=samples, stage_slopes=stages, **more)
         return samples.transpose(2, 0, 1)
 

@@ -17,7 +17,9 @@ from tmodes.errors import InputError
 from tmodes.kinds.noted.functions import array, highest, maximum, number, place, polynomial_derivative, zeros
 from tmodes.kinds.noted.number import Lost, is_noted, plain_value
 
-__all__ = ["Clock", "Jolts", "MergedSchedule", "SignalPieces", "merge", "merge_cases"]
+__all__ = [
+    "SAME", "Clock", "Jolts", "MergedSchedule", "SignalPieces", "merge", "merge_cases", "on_knots", "shifted",
+]  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -81,11 +83,23 @@ class SignalPieces:
             knots, pieces = np.append(knots, self.knots[-1]), np.vstack([pieces, rest])
         return SignalPieces(np.append(knots, end), pieces)
 
+    def slope(self, knots: NDArray[np.float64], coefficients: NDArray[np.float64], end: float) -> SignalPieces:
+        """The derivative of the motion up to ``end`` [s] by a number, at fixed times, from those of its own numbers.
+
+        It is a signal too; where a knot moves at which this one jumps, it lacks the impulse.
+        """
+        moved, rates = coefficients.copy(), polynomial_derivative(self.coefficients, 1, axis=1)
+        moved[:, : self.degree] -= knots[:-1, None] * rates[:, : self.degree]
+        found = SignalPieces(self.knots, moved).until(end)
+        if end > self.knots[-1]:  # where the motion stays
+            found.coefficients[-1, 0] += self.at(self.knots[-1], 1) * knots[-1]
+        return found
+
     def since(self, begin: float) -> SignalPieces:
         """The same motion from ``begin`` [s] on, which becomes its time 0."""
         later = self.knots[self.knots > begin + SAME * self.duration]
         knots = np.concatenate([[begin], later if len(later) else [begin + self.duration]])
-        return SignalPieces(knots - begin, _on_knots(self, knots, self.degree))
+        return SignalPieces(knots - begin, on_knots(self, knots, self.degree))
 
 
 SAME = 1e-12
@@ -135,7 +149,7 @@ class MergedSchedule:
     def halved(self) -> MergedSchedule:
         """The same signals with a knot in the middle of each piece too."""
         lengths = np.diff(self.knots)
-        later = _shifted(self.coefficients, np.broadcast_to(lengths[:, None] / 2, self.coefficients.shape[:2]))
+        later = shifted(self.coefficients, np.broadcast_to(lengths[:, None] / 2, self.coefficients.shape[:2]))
         knots = np.append(np.column_stack([self.knots[:-1], self.knots[:-1] + lengths / 2]).ravel(), self.knots[-1])
         pieces = np.stack([self.coefficients, later], axis=1)
         return MergedSchedule(knots, pieces.reshape(2 * len(lengths), *self.coefficients.shape[1:]))
@@ -179,7 +193,7 @@ def merge(schedules: Sequence[SignalPieces]) -> MergedSchedule:
     whole = [schedule.until(end) if schedule.knots[-1] < end else schedule for schedule in schedules]
     knots = _common_knots(np.concatenate([schedule.knots for schedule in whole]))
     degree = max(schedule.degree for schedule in whole)
-    parts = [_on_knots(schedule, knots, degree) for schedule in whole]
+    parts = [on_knots(schedule, knots, degree) for schedule in whole]
     return MergedSchedule(knots, np.stack(parts, axis=1))
 
 
@@ -221,7 +235,7 @@ def _merged_alike(
         piece = np.clip((starts[:, None, :] <= middle[:, :, None]).sum(axis=2) - 1, 0, pieces.shape[1] - 1)
         shift = knots[:, :-1] - np.take_along_axis(starts, piece, axis=1)
         powers = np.take_along_axis(pieces[which], piece[:, :, None], axis=1)
-        moved = _shifted(powers, np.where(np.abs(shift) <= SAME * size, 0.0, shift))
+        moved = shifted(powers, np.where(np.abs(shift) <= SAME * size, 0.0, shift))
         rows.append(np.pad(moved, [(0, 0), (0, 0), (0, degree + 1 - moved.shape[2])]))
     return np.stack(rows, axis=2).reshape(len(which), knots.shape[1] - 1, -1)
 
@@ -234,16 +248,16 @@ def _common_knots(knots: NDArray[np.float64]) -> NDArray[np.float64]:
     return kept
 
 
-def _on_knots(schedule: SignalPieces, knots: NDArray[np.float64], degree: int) -> NDArray[np.float64]:
-    """Coefficients (pieces, degree + 1) of the schedule about the starts of new pieces."""
+def on_knots(schedule: SignalPieces, knots: NDArray[np.float64], degree: int) -> NDArray[np.float64]:
+    """Coefficients (pieces, degree + 1) of the schedule about the starts of new pieces, whose ends are ``knots``."""
     rows = schedule.rows_at((knots[:-1] + knots[1:]) / 2)
     shift = knots[:-1] - rows[:, 0]
     new = zeros((len(rows), degree + 1), rows, knots)
-    new[:, : rows.shape[1] - 1] = _shifted(rows[:, 1:], np.where(np.abs(shift) <= SAME * np.ptp(knots), 0.0, shift))
+    new[:, : rows.shape[1] - 1] = shifted(rows[:, 1:], np.where(np.abs(shift) <= SAME * np.ptp(knots), 0.0, shift))
     return new
 
 
-def _shifted(powers: NDArray[np.float64], shift: NDArray[np.float64]) -> NDArray[np.float64]:
+def shifted(powers: NDArray[np.float64], shift: NDArray[np.float64]) -> NDArray[np.float64]:
     """Coefficients (..., degree + 1) about times later by ``shift`` (...) [s]."""
     new = zeros(powers.shape, powers, shift)
     for power in range(powers.shape[-1]):
