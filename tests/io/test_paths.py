@@ -133,6 +133,13 @@ def test_an_unknown_path_is_reported_with_the_nearest(path: str, meant: str) -> 
     assert meant in str(caught.value)
 
 
+@pytest.mark.parametrize(("path", "meant"), [("gear.stifness", "gear.stiffness"), ("stifness", "stiffness")])
+def test_a_misspelt_ending_is_reported_with_the_nearest_ending(path: str, meant: str) -> None:
+    with pytest.raises(InputError) as caught:
+        load("spong1987").with_({path: 1.0})
+    assert caught.value.hint == f"did you mean `{meant}`?"
+
+
 def test_of_many_keys_the_nearest_are_named_and_where_the_others_are() -> None:
     known = field_keys(ROBOT.root)
     with pytest.raises(InputError) as caught:

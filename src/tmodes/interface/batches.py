@@ -75,16 +75,19 @@ def batch(
     asked = drawn_study(sheet, drawn, runs, seed) if drawn else grid_study(sheet, spread)
     rows = sampled(asked, out, threads, progress) if out else computed(asked, threads, progress)
     paths = {name: one.path or name for name, one in asked.sheet.parameters.items()}
-    return BatchResult(sheet.name, rows, paths, asked.cases, None if out is None else os.fspath(out))
+    return BatchResult(
+        sheet.name, rows, paths, asked.parameter_units, asked.cases, None if out is None else os.fspath(out)
+    )
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class BatchResult(CommandResult):
-    """Cases of a robot: ``rows`` has their numbers and how each ended; ``paths``: what each parameter varies."""
+    """Cases of a robot: ``rows`` has their numbers and how each ended; ``paths`` and ``units``: of each parameter."""
 
     name: str
     rows: Rows = field(repr=False)
     paths: Mapping[str, str]
+    units: Mapping[str, str]
     cases: int
     out: str | None = None
 
@@ -122,7 +125,9 @@ class BatchResult(CommandResult):
 
         (name, across), *_ = self.rows.parameters.items()
         shown = {"": (across, self.rows.quantities[LARGEST] * 1e3)}
-        return points(shown, self.paths[name], "largest tip difference [mm]", title=self.name, ax=ax)
+        path, unit = self.paths[name], self.units[name]
+        label = path if unit == "-" else f"{path} [{unit}]"
+        return points(shown, label, "largest tip difference [mm]", title=self.name, ax=ax)
 
     @property
     def notices(self) -> list[str]:

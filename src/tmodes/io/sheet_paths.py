@@ -211,7 +211,7 @@ def _unknown(
     if not before:  # a path may differ in capital letters and hyphens alone
         found = _first(data, lambda steps: plain(own_path(named(steps, data), data)) == plain(path)) or found
     if not (isinstance(value, (list, tuple)) and where.isdecimal()):  # the names that there are say more
-        found = found or _alike(path, data)
+        found = found or _alike(path, data) or (_ending_meant(path, data) if known else "")
     some = known if len(known) <= MOST_LISTED else get_close_matches(where, known, MOST_LISTED, 0.0)
     rest = f", {len(known) - len(some)} more: see `tmodes schema --arm`" if some is not known else ""
     expected = f"one of {', '.join(some)}{rest}" if known else f"no key inside `{start}`"
@@ -225,6 +225,19 @@ def _leads(path: str, data: Any) -> bool:
     except InputError:
         return False
     return True
+
+
+def _ending_meant(path: str, data: Any) -> str:
+    """The ending of a number's path, of as many words, that was probably meant; the path where several end so."""
+    count, known = path.count(".") + 1, dict[str, list[str]]()
+    for _, _, place, _ in quantities(data):
+        steps = place[: max(k for k, step in enumerate(place, 1) if isinstance(step, str))]
+        own = own_path(named(steps, data), data)
+        words = own.split(".")[-count:]
+        ways = [] if words[0].isdecimal() else known.setdefault(".".join(words), [])
+        ways += [] if own in ways else [own]
+    meant = nearest(path, known)
+    return "" if meant is None else meant if len(known[meant]) == 1 else known[meant][0]
 
 
 def _alike(path: str, data: Any) -> str:

@@ -14,6 +14,9 @@ __all__ = ["bars", "points", "shape"]
 
 _MARKERS = ("o", "s", "^")
 
+_RING = 2.5
+"""By how much a ring is wider than the next one [points]."""
+
 
 def bars(
     shown: Mapping[str, ArrayLike], names: Sequence[str], what: str, *, title: str = "", ax: AxesLike = None,
@@ -48,6 +51,8 @@ def points(
         for k, (label, (x, y)) in enumerate(shown.items()):
             turn, own = divmod(k, len(COMPONENTS))  # the same colour again has another marker
             look = {"marker": _MARKERS[turn % len(_MARKERS)], "markersize": 3, "color": COMPONENTS[own]["color"]}
+            if not line and k < len(shown) - 1:  # a ring around the points of those to come, which may be at its place
+                look |= {"markersize": 3 + _RING * (len(shown) - 1 - k), "fillstyle": "none"}
             panel.plot(x, y, linestyle=line or "none", label=label or None, **look)
         panel.set(xlabel=across, ylabel=up, title=title)
         panel.margins(x=0.05)

@@ -166,7 +166,8 @@ def save_figures(
     for unknown in sorted(set(names or ()) - set(figures)):
         reason = left_out(result).get(unknown)
         got = f"{unknown}, which is left out: {reason}" if reason else f"the unknown figure {unknown!r}"
-        raise InputError("figures", got, f"some of {', '.join(figures)}", "choose among these")
+        hint = "choose among these; `tmodes outputs` lists the numbers that `Result.plot(name=...)` draws"
+        raise InputError("figures", got, f"some of {', '.join(figures)}", hint)
     chosen, report, written = list(figures if names is None else names), progress or _say_nothing, []
     faults: list[Exception] = []
     from tmodes.plot.drawing import drawn
