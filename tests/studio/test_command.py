@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import signal
 import socket
 import subprocess
 import sys
@@ -13,7 +12,8 @@ import httpx
 import pytest
 
 from command import started as program
-from patience import LONG, until
+from command import tmodes
+from patience import LONG
 
 COMMAND = [sys.executable, "-m", "tmodes.cli.entry", "studio", "--no-open"]
 
@@ -28,32 +28,7 @@ def started(*arguments: object, **more) -> Iterator[subprocess.Popen[str]]:
             running.terminate()
 
 
-@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM], ids=["Ctrl-C", "SIGTERM"])
-def test_it_stops_cleanly_while_a_run_goes_on(tmp_path, number):
-    with started("--folder", tmp_path) as running:
-        assert running.stdout is not None
-        assert running.stderr is not None
-        address = running.stdout.readline().split()[1]
-        with httpx.Client(trust_env=False, timeout=LONG) as client:
-            client.get(address)
-            base = address.partition("/?")[0]
-            sheet = client.get(f"{base}/api/robots/filipovic2010").json()["sheet"]
-            sheet["integration"] |= {"duration": 30000.0, "output_step": 1.0, "relative_tolerance": 1e-12}
-            sheet["drives"][0]["signal"]["duration"] = 30000.0
-            order = {"product": "data", "sheet": sheet, "client": "x"}
-            job = client.post(f"{base}/api/jobs", json=order).json()
-            assert job["state"] == "waiting"
-            until(lambda: client.get(f"{base}/api/jobs/{job['job']}").json()["state"] == "running")
-        running.send_signal(number)
-        running.wait(LONG)
-        assert running.returncode == 0
-        said = running.stderr.read()
-    assert "stopped" in said
-    assert "Traceback" not in said
-    assert "Unknown child" not in said
-
-
-def test_only_this_machine_can_reach_it(tmp_path):
+def test_only_this_machine_can_reach_it(tmp_path, monkeypatch):
     with started("--folder", tmp_path) as running:
         assert running.stdout is not None
         address = running.stdout.readline().split()[1]
@@ -63,60 +38,46 @@ def test_only_this_machine_can_reach_it(tmp_path):
         for other in own:
             with pytest.raises(OSError, match="refused"):
                 socket.create_connection((str(other), port), timeout=LONG)
-        busy = subprocess.run([*COMMAND, "--port", str(port)], capture_output=True, text=True, check=False)
-        assert busy.returncode == 2
-        assert "free port" in busy.stderr
+        assert "free port" in refused(monkeypatch, "--port", port)
         running.terminate()
 
 
-def test_the_reader_of_its_output_goes_away(tmp_path):
+def test_localhost_is_this_machine_and_the_reader_of_its_output_goes_away(tmp_path):
     """As with `| head -1`: it serves on, and says nothing of it."""
-    with started("--folder", tmp_path) as running:
+    with started("--folder", tmp_path, "--host", "localhost") as running:
         assert running.stdout is not None
         assert running.stderr is not None
         address = running.stdout.readline().split()[1]
+        assert address.startswith("http://127.0.0.1:")
         running.stdout.close()
         assert httpx.get(address, trust_env=False).status_code == 200
         running.terminate()
         assert "Traceback" not in running.stderr.read()
 
 
-def refused(*arguments: object, **more) -> str:
-    done = subprocess.run([*COMMAND, *map(str, arguments)], capture_output=True, text=True, check=False, **more)
-    assert done.returncode == 2, done.stderr
-    assert "Traceback" not in done.stderr
-    return done.stderr
+def refused(monkeypatch, *arguments: object) -> str:
+    """What is said instead of serving."""
+    monkeypatch.setattr("uvicorn.Server.run", lambda *_, **__: pytest.fail("it serves"))
+    return tmodes("studio", "--no-open", *arguments, code=2).stderr
 
 
-def test_what_cannot_be_started(tmp_path):
-    assert "a folder that exists" in refused("--folder", tmp_path / "none")
-    assert "no_such_robot" in refused("no_such_robot")
-    assert "address of this machine" in refused("--host", "nowhere.example")
+def test_what_cannot_be_started(tmp_path, monkeypatch):
+    def said(*arguments: object) -> str:
+        return refused(monkeypatch, *arguments)
+
+    assert "a folder that exists" in said("--folder", tmp_path / "none")
+    assert "no_such_robot" in said("no_such_robot")
+    assert "address of this machine" in said("--host", "nowhere.example")
     (tmp_path / "wrong.yaml").write_text("format: 1\n", encoding="utf-8")
-    assert "wrong.yaml" in refused(tmp_path / "wrong.yaml", "--folder", tmp_path)
+    assert "wrong.yaml" in said(tmp_path / "wrong.yaml", "--folder", tmp_path)
     (tmp_path / "result.nc").write_bytes(b"")
-    assert f"tmodes view {tmp_path / 'result.nc'}" in refused(tmp_path / "result.nc")
-    assert f"tmodes view {tmp_path}" in refused(tmp_path)
+    assert f"tmodes view {tmp_path / 'result.nc'}" in said(tmp_path / "result.nc")
+    assert f"tmodes view {tmp_path}" in said(tmp_path)
     (tmp_path / "result.nc").unlink()
-    assert f"--folder {tmp_path}" in refused(tmp_path)
-
-
-def test_localhost_is_this_machine(tmp_path):
-    with started("--folder", tmp_path, "--host", "localhost") as running:
-        assert running.stdout is not None
-        address = running.stdout.readline().split()[1]
-        assert address.startswith("http://127.0.0.1:")
-        assert httpx.get(address, trust_env=False).status_code == 200
-        running.terminate()
-
-
-def test_a_file_elsewhere_asks_for_its_folder(tmp_path):
+    assert f"--folder {tmp_path}" in said(tmp_path)
+    (tmp_path / "my.yaml").write_text(tmodes("robots", "filipovic2010").stdout, encoding="utf-8")
     (tmp_path / "in").mkdir()
-    sheet = subprocess.run(
-        [sys.executable, "-m", "tmodes.cli.entry", "robots", "filipovic2010"], capture_output=True, check=True
-    ).stdout
-    (tmp_path / "my.yaml").write_bytes(sheet)
-    assert "--folder" in refused(tmp_path / "my.yaml", "--folder", tmp_path / "in")
+    assert "--folder" in said(tmp_path / "my.yaml", "--folder", tmp_path / "in")
 
 
 def test_a_program_in_the_working_folder_is_not_run(tmp_path):

@@ -69,6 +69,7 @@ class Running:
             until(self._hears_no_more)
         said = self.process.communicate(timeout=LONG)[1]
         assert "Traceback" not in said
+        assert "Unknown child" not in said
         return said
 
 
@@ -97,8 +98,10 @@ def begin(studio: Running, sheet, product: str = "curves") -> str:
     return studio.post("/api/jobs", json={"product": product, "sheet": sheet, "client": "ends"})["job"]
 
 
-@pytest.mark.parametrize("numbers", [(signal.SIGHUP,), (signal.SIGTERM,), (signal.SIGINT, signal.SIGINT)],
-                         ids=["terminal closed", "SIGTERM", "Ctrl-C twice"])  # fmt: skip
+@pytest.mark.parametrize(
+    "numbers", [(signal.SIGHUP,), (signal.SIGTERM,), (signal.SIGINT,), (signal.SIGINT, signal.SIGINT)],
+    ids=["terminal closed", "SIGTERM", "Ctrl-C", "Ctrl-C twice"],
+)  # fmt: skip
 def test_nothing_is_left(tmp_path, long_sheet, numbers):
     """While a run is in progress, and a page waits for it."""
     with running(tmp_path) as studio, ThreadPoolExecutor(1) as tab:

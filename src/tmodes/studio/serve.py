@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 import ipaddress
 import logging
+import os
 import secrets
 import signal
 import socket
@@ -110,12 +111,9 @@ def _listening(host: str, port: int) -> socket.socket:
         if info.is_unspecified:
             raise ValueError("it names every address at once: name the one that others use")
         family = socket.AF_INET6 if info.version == 6 else socket.AF_INET
-        found = socket.socket(family, socket.SOCK_STREAM)
-        found.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
-        found.bind((host, port))
+        return socket.create_server((host, port), family=family, backlog=128)
     except (OSError, ValueError, OverflowError) as error:
-        got = f"{host}, port {port} ({getattr(error, 'strerror', None) or error})"
+        why = os.strerror(error.errno) if isinstance(error, OSError) and error.errno else str(error)
+        got = f"{host}, port {port} ({why})"
         hint = "leave --host out for this machine alone; --port 0 takes any port that is free"
         raise InputError("--host and --port", got, "an address of this machine and a free port", hint) from None
-    found.listen(128)
-    return found
