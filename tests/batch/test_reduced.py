@@ -31,11 +31,6 @@ ROBOTS = {
         {"joints.joint.gear.stiffness": [60.0, 80.0, 140.0, 120.0, 90.0]},
         "dormand_prince",
     ),
-    "flexarm1990": (
-        {"integration.duration": 1.0},
-        {"real.links.forearm.beam.section.bending_stiffness": [0.9, 1.1, 1.0, 0.95, 1.05]},
-        "dormand_prince",
-    ),
     "deluca_siciliano1991": (
         {"integration.duration": 1.0},
         {"links.forearm.bodies.payload.mass": [0.05, 0.07, 0.1, 0.2, 0.12]},

@@ -8,7 +8,6 @@ import signal
 import subprocess
 import urllib.request
 from collections.abc import Iterator
-from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
@@ -43,16 +42,17 @@ def run(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory
     return request.param, folder
 
 
-@contextmanager
-def studio(name: str, folder: Path) -> Iterator[str]:
-    """The address of a studio that is started with a robot, and ended as by Ctrl-C."""
-    line = [*COMMAND, "studio", name, "--folder", str(folder), "--no-open"]
+@pytest.fixture(scope="module")
+def studio(tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[str, str]]:
+    """The address and the token of a studio, which is ended as by Ctrl-C."""
+    pytest.importorskip("fastapi")
+    line = [*COMMAND, "studio", ROBOTS[0], "--folder", str(tmp_path_factory.mktemp("studio")), "--no-open"]
     with started(line, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
         try:
             assert process.stdout is not None
-            address = re.search(r"http\S+", process.stdout.readline())
+            address = re.search(r"(http\S+)/\?token=(\S+)", process.stdout.readline())
             assert address
-            yield address[0]
+            yield address[1], address[2]
         finally:
             process.send_signal(signal.SIGINT)
         assert process.wait(LONG) in (0, 130)
@@ -91,10 +91,11 @@ class TestEveryRobot:
         done_by("export", run[0], "--wasm", *SHORT, "--out", tmp_path)
         assert {path.suffix for path in tmp_path.iterdir()} == {".wasm", ".js", ".ts", ".html"}
 
-    def test_is_served_by_the_studio(self, run: tuple[str, Path], tmp_path: Path) -> None:
-        pytest.importorskip("fastapi")
-        with studio(run[0], tmp_path) as address, urllib.request.urlopen(address, timeout=LONG) as page:  # noqa: S310
-            assert "tmodes studio" in page.read().decode()
+    def test_is_served_by_the_studio(self, run: tuple[str, Path], studio: tuple[str, str]) -> None:
+        headers = {"X-Tmodes-Token": studio[1]}
+        asked = urllib.request.Request(f"{studio[0]}/api/robots/{run[0]}", headers=headers)  # noqa: S310
+        with urllib.request.urlopen(asked, timeout=LONG) as answer:  # noqa: S310
+            assert json.load(answer)["sheet"]["name"] == run[0]
 
     def test_from_python_the_same(self, run: tuple[str, Path]) -> None:
         """Load, run, and what the command stored is the same."""

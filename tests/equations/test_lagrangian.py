@@ -5,6 +5,7 @@ With springs the accelerations are huge and hide wrong inertia forces; so each a
 
 from __future__ import annotations
 
+import os
 from functools import cache
 
 import numpy as np
@@ -16,6 +17,8 @@ from oracle.arms.variants import without_springs
 from random_chains import random_chain
 
 STATES = 5
+CHAINS = int(os.environ.get("TMODES_CHAINS", "4"))
+"""How many random trees are drawn."""
 
 
 @cache
@@ -39,7 +42,7 @@ def test_forward_and_inverse_dynamics(name: str, springs: bool) -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("springs", [True, False], ids=["springs", "free"])
-@pytest.mark.parametrize("seed", range(6))
+@pytest.mark.parametrize("seed", range(CHAINS))
 def test_random_chains(seed: int, springs: bool) -> None:
     """Trees of joints and links drawn at random; some have mass matrices of poor condition."""
     for state in range(3):

@@ -19,7 +19,7 @@ from tmodes.simulation.start import run_setup
 from tmodes.simulation.vary import arrays
 from tmodes.simulation.warnings import departures
 
-ROBOTS = int(os.environ.get("TMODES_STANDING", "6"))
+ROBOTS = int(os.environ.get("TMODES_STANDING", "4"))
 """How many random robots are asked to stand still."""
 
 STILL = 1e-9

@@ -158,7 +158,7 @@ def test_rest_is_where_nothing_accelerates(module: LiveModule, tmp_path: Path) -
 
 
 def test_random_chains(tmp_path: Path) -> None:
-    chains = [random_chain(seed, 2) for seed in (3, 5, 9)]
+    chains = [random_chain(seed, 2) for seed in (3, 9)]
     made, jobs, expected = Functions(), [], []
     for k, chain in enumerate(chains):
         model = Model(chain)
