@@ -123,10 +123,13 @@ def test_lengths_durations_sections_and_places_have_sliders() -> None:
 
 def test_sliders_of_the_2010_robot_are_what_one_wants_to_change() -> None:
     """Payload, gear and link, nominal and actual, speed of the move, gains, environment come first."""
-    paths = [slider.path for slider in live_map(load("filipovic2010").pair()).sliders]
+    live = live_map(load("filipovic2010").pair())
+    paths = [slider.path for slider in live.sliders]
     assert {"links.link.bodies.payload.mass", "links.link.beam.modes.1.bending_stiffness", "drives.0.signal.duration",
             "drives.0.controller.position_gain", "contact.stiffness"} <= {*paths[:MOST]}  # fmt: skip
     assert any(path.startswith("real:joints.joint.gear.stiffness") for path in paths[:MOST])
+    (duration,) = (slider for slider in live.sliders if slider.path == "drives.0.signal.duration")
+    assert (duration.low, duration.high) == (duration.value / 2, 2 * duration.value)  # beyond the end of the run
 
 
 @pytest.mark.parametrize("count", [2, 3])

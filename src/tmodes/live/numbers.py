@@ -51,7 +51,7 @@ def run_numbers(robot: Robot, follow: Follow, until: float, stations: tuple[floa
     blocks of :func:`tmodes.live.places.vibration_numbers`.
     """
     chain = robot.model_copy(update={"drives": ()}).chain()
-    plan, rest = (planned(robot, each, like=chain) for each in (follow, Follow.HELD))
+    plan, rest = (planned(robot, each, like=chain, whole=until) for each in (follow, Follow.HELD))
     loop, model = ClosedLoop(plan.plan), Model(chain)
     held = held_at_start(robot, LoopModel(plan.plan))
     found = loop_numbers(loop, rest) | {
@@ -68,9 +68,8 @@ def run_numbers(robot: Robot, follow: Follow, until: float, stations: tuple[floa
         found |= vibration_numbers(robot, plan.plan, model)
         if robot.contact:
             found["surface"] = array(robot.contact.shape.moving_numbers())
-    for k, signal in enumerate(plan.each):
-        schedule = signal.schedule(robot.integration.duration if signal.move_ends() is None else until)
-        found |= {f"knots.{k}": schedule.knots, f"coefficients.{k}": schedule.coefficients}
+    for k, piece in enumerate(plan.pieces):
+        found |= {f"knots.{k}": piece.knots, f"coefficients.{k}": piece.coefficients}
     return found
 
 

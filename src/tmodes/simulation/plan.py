@@ -73,29 +73,39 @@ class Planned:
 
 @dataclass(eq=False)
 class _Signals:
-    """Schedules of signals, each with its number."""
+    """Schedules of signals up to ``until`` [s], of moves that end up to ``whole``, each with its number."""
 
     until: float
-    schedules: list[SignalPieces]
+    whole: float
+    schedules: list[SignalPieces] = field(default_factory=list)
     info: list[Any] = field(default_factory=list)
 
-    def add(self, signal: Any, path: str) -> int:
+    def end(self, signal: Any) -> float:
+        """Up to when a signal is planned [s]."""
+        return self.until if signal.move_ends() is None else self.whole
+
+    def add(self, signal: Any, path: str, until: float | None = None) -> int:
         self.info.append(signal)
         try:
-            self.schedules.append(signal.schedule(self.until))
+            self.schedules.append(signal.schedule(self.end(signal) if until is None else until))
         except InputError as error:
             raise InputError(f"{path}.{error.which}", error.got, error.expected, error.hint, error.where) from error
         return len(self.schedules) - 1
 
 
-def planned(robot: Robot, follow: Follow = Follow.SHEET, like: Chain | None = None) -> Planned:
+def planned(
+    robot: Robot, follow: Follow = Follow.SHEET, like: Chain | None = None, whole: float | None = None
+) -> Planned:
     """The plan of a robot's run over ``integration.duration``; ``like``: the chain of another plan of the same arm.
+
+    ``whole``: up to when the pieces of moves that end are planned [s], in place of the end of the run.
 
     Raises :class:`tmodes.errors.InputError` for a signal without a value, a contact that cannot be, and functions of a
     beam that no mass resists.
     """
     refuse_massless(robot)
-    signals = _Signals(robot.integration.duration, [])
+    duration = robot.integration.duration
+    signals = _Signals(duration, duration if whole is None else whole)
     sheets = {drive.joint: (index, drive) for index, drive in enumerate(robot.drives)}
     chain = like or robot.undriven.chain()
     drives, joints, undriven, loose = [], {}, [], []
@@ -118,7 +128,9 @@ def planned(robot: Robot, follow: Follow = Follow.SHEET, like: Chain | None = No
     touch = _touch(robot, chain, names, follow)
     jolts = () if follow is Follow.HELD else tuple(_jolts(robot, chain, drives, base, signals))
     if jolts:  # a jump at the very end is after the run
-        signals.schedules = [schedule.until(signals.until) for schedule in signals.schedules]
+        signals.schedules = [
+            schedule.until(signals.until) if whole is None else schedule for schedule in signals.schedules
+        ]
     merged = merge([each.plain() for each in signals.schedules]) if signals.schedules else _nothing(signals.until)
     if any(each.is_noted for each in signals.schedules):
         merged = MergedSchedule(merged.knots, np.full_like(merged.coefficients, np.nan))
@@ -159,7 +171,8 @@ def initial_value(robot: Robot, joint: str) -> float:
             return info[name]
     sheet = next((drive for drive in robot.drives if drive.joint == joint), None)
     if sheet and sheet.command.is_motion:
-        return number(sheet.signal.schedule(robot.integration.duration).at(0.0))
+        end = sheet.signal.move_ends(2.0)  # which does not depend on where the run ends
+        return number(sheet.signal.schedule(robot.integration.duration if end is None else end).at(0.0))
     return 0.0
 
 
@@ -227,8 +240,9 @@ def _jolts(
             given[places[axis.name]] = axis.drive.is_given and from_rest
     for signal, rests in given.items():
         jumps = Jolts(signals.info[signal], rests and not signals.info[signal].is_steady)
-        if jumps.jump(signals.until):
-            yield signal, signals.add(jumps, "jolts")
+        end = signals.end(signals.info[signal])
+        if jumps.jump(end):
+            yield signal, signals.add(jumps, "jolts", end)
 
 
 def refuse_jumps(robot: Robot, plan: Planned) -> None:
