@@ -155,7 +155,7 @@ def test_a_map_is_found_once(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) ->
     monkeypatch.setattr(map_module, "case_program", lambda *given: asked.append(given) or noted(*given))
     again = live_map(sheet.pair())
     assert not asked
-    assert (again.sliders, again.knobs, again.left_out) == (first.sliders, first.knobs, first.left_out)
+    assert (again.sliders, again.targets, again.left_out) == (first.sliders, first.targets, first.left_out)
     (values,) = drawn(first, 1, seed=5)
     for run in ("reference", "real"):
         assert np.array_equal(whole(first.numbers(values, run))[0], whole(again.numbers(values, run))[0])

@@ -16,7 +16,7 @@ from tmodes.live.sheet_numbers import SheetNumber, sheet_numbers
 from tmodes.model.parameters import STRUCTURE
 from tmodes.sheet import Robot
 
-__all__ = ["REAL", "Ahead", "Knob", "Rule", "knobs_of", "other_knobs", "rule_of", "stretched_length"]
+__all__ = ["REAL", "Ahead", "Knob", "Rule", "knobs_of", "rule_of", "stretched_length"]
 
 
 Ahead = Mapping[str, tuple[float, float]]
@@ -100,10 +100,10 @@ _ALONE = 2
 """Numbers of a kind that have a slider each; more of them move together."""
 
 
-def knobs_of(sheet: Robot, ahead: Ahead | None = None) -> list[Knob]:
-    """All that a page could change, the most useful first; a zero, where structure may hang on it, stays as it is.
+def knobs_of(sheet: Robot, ahead: Ahead | None = None, *, others: bool = False) -> list[Knob]:
+    """What is most useful to change, the most useful first; no zero, on which structure may depend.
 
-    Numbers ``ahead`` come before all others, each by itself.
+    Numbers ``ahead`` come before all others, each by itself. With ``others`` every other number of the robot follows.
     """
     numbers, ahead = list(sheet_numbers(sheet)), ahead or {}
     named = {path.removeprefix(REAL) for path in ahead}
@@ -117,26 +117,22 @@ def knobs_of(sheet: Robot, ahead: Ahead | None = None) -> list[Knob]:
             left = [number for number in group if number.path not in named]
             if left == group or len(group) <= _ALONE:
                 found += _knobs(sheet, left, rule)
+    if others:
+        own = {*STRUCTURE, *(knob.first.path for knob in found if not knob.together)}
+        found += _others(sheet, [one for one in numbers if not {one.path, one.path.split(".")[0]} & own])
     return found
 
 
-def other_knobs(sheet: Robot, knobs: Sequence[Knob]) -> list[Knob]:
-    """Every other number of the robot by itself; from half of it to twice, or of a zero as far as its unit suggests."""
-    own = {knob.first.path for knob in knobs if not knob.together}
-    numbers = [one for one in sheet_numbers(sheet) if one.path not in own and one.path.split(".")[0] not in STRUCTURE]
+def _others(sheet: Robot, numbers: Sequence[SheetNumber]) -> Iterator[Knob]:
+    """Numbers by themselves: from half to twice, or of a zero as far as its unit suggests."""
     away = {"m": 0.05 * stretched_length(sheet), "rad": 0.5}
-    found: list[Knob] = []
     for number in numbers:
-        span = (
-            sorted((number.value / 2, 2 * number.value))
-            if number.value
-            else [-(far := away.get(number.unit, 1.0)), far]
-        )
-        low, high = max(span[0], number.least), min(span[1], number.most)
+        zero = away.get(number.unit, 1.0) if number.value == 0.0 else 0.0
+        low, high = sorted((number.value / 2 - zero, 2 * number.value + zero))
+        low, high = max(low, number.least), min(high, number.most)
         if low <= number.value <= high:
             targets = ((number.path, number.value),)
-            found.append(Knob(number.pattern, targets, number.value, low, high, number.value > 0, (), None, number))
-    return found
+            yield Knob(number.pattern, targets, number.value, low, high, number.value > 0, (), None, number)
 
 
 def _named(sheet: Robot, number: SheetNumber, span: tuple[float, float] | None) -> Knob:

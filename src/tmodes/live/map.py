@@ -8,7 +8,7 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import asdict, dataclass, replace
 from functools import cached_property
 from typing import Any
 
@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from tmodes.compile.cache import load, save, source_digest
 from tmodes.kinds.noted.program import Program
 from tmodes.kinds.registry import outside_digest
-from tmodes.live.knobs import Ahead, Knob, knobs_of, other_knobs
+from tmodes.live.knobs import Ahead, knobs_of
 from tmodes.live.numbers import follow_of, has_reference, run_numbers, whole_moves
 from tmodes.live.sliders import Slider, sliders_of
 from tmodes.model.parameters import Structural
@@ -44,14 +44,14 @@ _STRUCTURE = "structure: another value takes other equations; change it by --set
 
 @dataclass(frozen=True, eq=False)
 class LiveMap:
-    """Sliders, their knobs, and the program ``noted`` of the numbers of both runs, ``reference`` and ``real``.
+    """Sliders, what each moves, and the program ``noted`` of the numbers of both runs, ``reference`` and ``real``.
 
-    Its blocks are called ``RUN BLOCK``. ``sheet``: the numbers of its paths as they were. ``left_out``: paths that have
-    no slider, with reasons.
+    Its blocks are called ``RUN BLOCK``. ``moved``: by the path of a slider, whether it is a proportion, and the numbers
+    of the sheet that follow it, as they were; ``sheet``: those of all. ``left_out``: paths without a slider, and why.
     """
 
     sliders: tuple[Slider, ...]
-    knobs: tuple[Knob, ...]
+    moved: Mapping[str, tuple[bool, Mapping[str, float]]]
     noted: CaseProgram
     sheet: Mapping[str, float]
     left_out: dict[str, str]
@@ -66,10 +66,9 @@ class LiveMap:
         """Paths of the sheet that change: a number times the values of some sliders, by their index."""
         found: dict[str, tuple[float, tuple[int, ...]]] = {}
         for k, slider in enumerate(self.sliders):
-            knob = self.knobs[slider.knob]
-            for path, start in slider.changes(knob, slider.value).items():
+            shared, numbers = self.moved[slider.path]
+            for path, start in numbers.items():
                 base, others = found.get(path, (start, ()))
-                shared = knob.together and not slider.real
                 found[path] = base if shared else 1.0, (*others, k)
         return found
 
@@ -177,22 +176,16 @@ def live_map(
     """The map of a pair: a slider of every number of the sheet that is no structure, all by one program.
 
     ``stations``: places along each link of a robot of which its picture is made; ``ahead``: numbers whose sliders come
-    first; ``progress``: is given ``report`` and its share. The program is kept in the folder of compiled code, and
-    found again where sheet, kinds, program and sliders are the same.
+    first; ``progress``: is given ``report`` and its share. It is kept in the folder of compiled code, and found again
+    where sheet, kinds and program are the same.
     """
+    key = _key(pair, stations, ahead)
+    kept = load(key)
+    if kept is not None:
+        return _read(json.loads(kept))
     progress("report", 0.0)
-    knobs = knobs_of(pair.nominal, ahead)
-    knobs += other_knobs(pair.nominal, knobs)
-    sliders, left_out = _offered(pair, knobs, ahead)
-    every = LiveMap(tuple(sliders), tuple(knobs), _fixed({}), {}, left_out)
-    sheet = {path: base * math.prod(sliders[k].value for k in own) for path, (base, own) in every.targets.items()}
-    key = _key(pair, every, stations)
-    kept = json.loads(load(key) or b"null")
-    if kept is None:
-        found = _bounded(_noted(replace(every, sheet=sheet), pair, stations))
-        save(key, json.dumps(_written(found)).encode())
-    else:
-        found = _read(replace(every, sheet=sheet), kept)
+    found = _bounded(_noted(_offered(pair, ahead), pair, stations))
+    save(key, json.dumps(_written(found)).encode())
     progress("report", 1.0)
     return found
 
@@ -214,8 +207,7 @@ def _noted(every: LiveMap, pair: RobotPair, stations: tuple[float, ...]) -> Live
         noted = case_program(nominal, every.sheet, lambda both: both, blocks)
     except Structural as error:
         noted, structure = _fixed(blocks(pair)), f"its numbers cannot be followed: {error}"
-    changes = {one.path: one.changes(every.knobs[one.knob], one.value) for one in every.sliders}
-    why = {path: structure for path, own in changes.items() if not own.keys() <= {*noted.paths}}
+    why = {path: structure for path, (_, own) in every.moved.items() if not own.keys() <= {*noted.paths}}
     return replace(every, noted=noted).without(why)
 
 
@@ -256,35 +248,40 @@ def _written(found: LiveMap) -> dict[str, Any]:
     noted, program = found.noted, found.noted.program
     lists = program.constants.tolist(), program.operations, program.outputs.tolist(), program.guards
     return {
-        "bounds": {one.path: (one.low, one.high) for one in found.sliders}, "left_out": found.left_out,
-        "noted": [noted.paths, noted.fixed, noted.places], "program": [program.inputs, *lists],
+        "sliders": [asdict(slider) for slider in found.sliders], "moved": found.moved, "sheet": found.sheet,
+        "left_out": found.left_out, "noted": [noted.paths, noted.fixed, noted.places],
+        "program": [program.inputs, *lists],
     }  # fmt: skip
 
 
-def _read(every: LiveMap, kept: dict[str, Any]) -> LiveMap:
+def _read(kept: dict[str, Any]) -> LiveMap:
     """The same as it was written."""
     inputs, constants, operations, outputs, guards = kept["program"]
     paths, fixed, places = kept["noted"]
     tuples = [tuple(map(tuple, rows)) for rows in (operations, guards)]
     program = Program(inputs, np.array(constants), tuples[0], np.array(outputs, dtype=np.intp), tuples[1])
-    bounds = kept["bounds"]
-    sliders = [
-        replace(one, low=bounds[one.path][0], high=bounds[one.path][1]) for one in every.sliders if one.path in bounds
-    ]
+    sliders = tuple(Slider(**one) for one in kept["sliders"])
     noted = CaseProgram(tuple(paths), fixed, program, places)
-    return replace(every, sliders=tuple(sliders), noted=noted, left_out=kept["left_out"])
+    return LiveMap(sliders, kept["moved"], noted, kept["sheet"], kept["left_out"])
 
 
-def _key(pair: RobotPair, every: LiveMap, stations: tuple[float, ...]) -> str:
-    """All that a map follows from: program, kinds, both sheets, stations and sliders."""
+def _key(pair: RobotPair, stations: tuple[float, ...], ahead: Ahead | None) -> str:
+    """All that a map follows from: program, kinds, both sheets, stations and what comes first."""
     sheets = [robot.model_dump_json() for robot in (pair.nominal, pair.real)]
     program = source_digest((".",)), outside_digest(), np.__version__
-    return "\n".join(["map", *program, *sheets, repr(stations), repr(every.sliders)])
+    return "\n".join(["map", *program, *sheets, repr(stations), repr(ahead)])
 
 
-def _offered(pair: RobotPair, knobs: Sequence[Knob], ahead: Ahead | None) -> tuple[list[Slider], dict[str, str]]:
-    """Sliders to begin with, and what has none: with a first factor a run would get a reference that is not here."""
-    sliders = sliders_of(pair.nominal, knobs, 2 * len(knobs), ahead=ahead)
-    if has_reference(pair.nominal) or not any(one.real for one in sliders):
-        return sliders, {}
-    return sliders_of(pair.nominal, knobs, len(knobs), factors=False), {"real": _NOT_COMPARED}
+def _offered(pair: RobotPair, ahead: Ahead | None) -> LiveMap:
+    """Sliders to begin with, of no program; with a first factor a run would get a reference that is not here."""
+    knobs = knobs_of(pair.nominal, ahead, others=True)
+    sliders, left_out = sliders_of(pair.nominal, knobs, 2 * len(knobs), ahead=ahead), dict[str, str]()
+    if not has_reference(pair.nominal) and any(one.real for one in sliders):
+        sliders, left_out = [one for one in sliders if not one.real], {"real": _NOT_COMPARED}
+    moved = {
+        one.path: (knobs[one.knob].together and not one.real, one.changes(knobs[one.knob], one.value))
+        for one in sliders
+    }
+    every = LiveMap(tuple(sliders), moved, _fixed({}), {}, left_out)
+    sheet = {path: base * math.prod(sliders[k].value for k in own) for path, (base, own) in every.targets.items()}
+    return replace(every, sheet=sheet)

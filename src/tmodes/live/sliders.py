@@ -15,7 +15,7 @@ from tmodes.live.sheet_numbers import SheetNumber
 __all__ = ["MOST", "Slider", "sliders_of"]
 
 MOST = 16
-"""Sliders of a page."""
+"""Sliders that lead in a page, and all of a studio."""
 
 
 @dataclass(frozen=True)
@@ -69,12 +69,10 @@ def _whose(number: SheetNumber) -> str:
     return f"{kind.removesuffix('s')} {number.owner}" if number.owner else kind
 
 
-def sliders_of(
-    sheet: Any, knobs: Sequence[Knob], most: int = MOST, *, factors: bool = True, ahead: Ahead | None = None
-) -> list[Slider]:
+def sliders_of(sheet: Any, knobs: Sequence[Knob], most: int = MOST, *, ahead: Ahead | None = None) -> list[Slider]:
     """The sliders of these knobs, each as known and, where it makes sense, as the factor of the actual robot.
 
-    Without ``factors`` all are as known; ``ahead`` as of :func:`knobs_of`.
+    ``ahead`` as of :func:`knobs_of`.
     """
     found, data, ahead = list[Slider](), sheet_data(sheet), ahead or {}
     for index, knob in enumerate(knobs):
@@ -91,7 +89,7 @@ def sliders_of(
         own = (path, shown, number.symbol, unit, group, knob.start, knob.low, knob.high, knob.log)
         found.append(Slider(index, False, *own))
         span = ahead.get(REAL + path)
-        if factors and (rule.real or span) and knob.factor and knob.reals:
+        if (rule.real or span) and knob.factor and knob.reals:
             low, high = min(knob.factor, 0.2) / 2, 2 * max(knob.factor, 1.0)
             low, high = (min(low, span[0]), max(high, span[1])) if span else (low, high)
             real = (f"real:{path}", f"{label}: actual / nominal", number.symbol, "-", group)
