@@ -52,9 +52,11 @@ class Change(NamedTuple):
 
 
 def changes_of(
-    sheet: Robot, here: Lowered, replay: Replay, paths: Collection[str], shown: Sequence[Output] = ()
+    sheet: Robot, here: Lowered, replay: Replay | None, paths: Collection[str], shown: Sequence[Output] = ()
 ) -> dict[str, Change]:
     """The derivatives by each path; ``shown``: outputs, of which those with numbers of their own count.
+
+    ``replay``: the run, without which no jumps are found.
 
     Raises :class:`tmodes.errors.InputError` for a path at which no number stands, and for one that is structure, with
     the reason.
@@ -142,7 +144,7 @@ class _Changes:
     """Derivatives by paths, which have these ``values``, of the numbers of a program that is ``noted``."""
 
     here: Lowered
-    replay: Replay
+    replay: Replay | None
     noted: CaseProgram
     values: Mapping[str, float]
 
@@ -197,6 +199,8 @@ class _Changes:
 
         Signals that jump at one instant do so one after the other, those that move least first.
         """
+        if self.replay is None:
+            return {}
         here, done = self.here, self.replay.recording
         steps = {segment: int(np.searchsorted(done.segments, segment)) for segment in moving}
         states = self.replay.starts({step for step in steps.values() if step < len(done.t)})

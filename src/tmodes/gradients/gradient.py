@@ -9,15 +9,17 @@ continuous there. On a unilateral surface with a damper it jumps with the speed 
 from __future__ import annotations
 
 import time as clock
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from tmodes.equations.loop.outputs import DISTANCES
 from tmodes.gradients.changes import Change, changes_of
 from tmodes.gradients.lowering import Lowered, lowered
 from tmodes.gradients.quantities import Functional, Quantities, measured_by
+from tmodes.gradients.references import Reference, pulled, swept
 from tmodes.io.arguments import checked_arguments, numbers_of
 from tmodes.sheet import Robot
 from tmodes.sheet.robot import refuse_other
@@ -71,7 +73,7 @@ class Gradient:
     ``by``: by path, with what a quantity does through the state at the start and the signals; ``start`` (size,): by
     the state at the start; ``parameters``: by all numbers that the compiled code reads; ``signals`` (pieces, 1 +
     coefficients): by the coefficients of the pieces of all signals, the first column (their start) as if each stood by
-    itself.
+    itself. Where a distance of the tip is measured, what it is from counts in ``by`` alone.
     """
 
     value: float
@@ -110,16 +112,21 @@ def forward_sensitivities(
     """
     watch, here, replay = _begun(sheet, most_bytes)
     done = replay.recording
-    seen = Quantities(here, done, quantities)
+    references = _references(sheet, here, done, quantities, paths, most_bytes)
+    seen = Quantities(here, done, quantities, {name: one.values for name, one in references.items()})
     changes = changes_of(sheet, here, replay, paths, seen.outputs)
     none = Change(np.zeros_like(seen.parameters), np.zeros_like(here.start), np.zeros_like(done.rows), {})
     changes |= {
         name: none._replace(start=_direction(name, way, here.start.size)) for name, way in (start or {}).items()
     }
     watch.lap("sheet")
-    found = dict(zip(changes, _swept(replay, [*changes.values()]), strict=True))
+    found = dict(zip(changes, swept(replay, [*changes.values()]), strict=True))
     watch.lap("sweep")
-    slopes = {path: seen.along(found[path], change.parameters, change.rows) for path, change in changes.items()}
+    given, still = [one.along() for one in references.values()], np.zeros((len(done.times), 3))
+    slopes = {
+        path: seen.along(found[path], change.parameters, change.rows, [one.get(path, still) for one in given])
+        for path, change in changes.items()
+    }
     of = {name: {path: slope[name] for path, slope in slopes.items()} for name in quantities}
     info = seen.info()
     watch.lap("measure")
@@ -142,37 +149,28 @@ def adjoint_gradient(
     {'joints.joint.gear.stiffness': ...}
     """
     watch, here, replay = _begun(sheet, most_bytes)
-    done, size = replay.recording, len(here.parameters)
-    seen = Quantities(here, done, functional.quantities)
-    changes = changes_of(sheet, here, replay, dict.fromkeys(paths), seen.outputs)
+    done, names = replay.recording, [*dict.fromkeys(paths)]
+    references = _references(sheet, here, done, functional.quantities, names, most_bytes)
+    seen = Quantities(here, done, functional.quantities, {name: one.values for name, one in references.items()})
+    changes = changes_of(sheet, here, replay, names, seen.outputs)
     watch.lap("sheet")
     value, weights = measured_by(functional, done.times, seen.info())
-    measured = seen.back(weights)
     watch.lap("measure")
-    carried = replay.back(measured.states, {step for change in changes.values() for step in change.jumps})
+    by, given, first, parameters, rows = pulled(replay, seen, weights, changes)
+    for name, one in references.items() if given else ():
+        by = {
+            path: slope + more for (path, slope), more in zip(by.items(), one.back(given[name]).values(), strict=True)
+        }
     watch.lap("sweep")
-    parameters, rows = measured.parameters.copy(), carried.rows + measured.rows
-    parameters[:size] += carried.parameters
-    by = {}
-    for path, change in changes.items():
-        info = parameters @ change.parameters + carried.start @ change.start + (rows * change.rows).sum()
-        by[path] = float(info + sum(carried.inner[step] @ jump for step, jump in change.jumps.items()))
-    return Gradient(value, by, carried.start, parameters[:size], rows, watch.cost(done))
+    return Gradient(value, by, first, parameters, rows, watch.cost(done))
 
 
-def _swept(replay: Replay, changes: Sequence[Change]) -> Iterable[Array]:
-    """Slopes of the samples along each change."""
-    if not changes:
-        return ()
-    jumps: dict[int, Array] = {}
-    for k, change in enumerate(changes):
-        for step, jump in change.jumps.items():
-            jumps.setdefault(step, np.zeros((len(changes), len(jump))))[k] = jump
-    size = len(replay.parameters)
-    start, parameters = (
-        np.stack(parts) for parts in zip(*((c.start, c.parameters[:size]) for c in changes), strict=True)
-    )
-    return replay.along(start, parameters, np.stack([change.rows for change in changes]), jumps)
+def _references(
+    sheet: Robot, here: Lowered, done: Recording, names: Sequence[str], paths: Sequence[str], most_bytes: float
+) -> dict[str, Reference]:
+    """What distances of the tip are from, by their names."""
+    heads = [name.partition(".")[0] for name in names if name not in here.model.outputs]
+    return {name: Reference(sheet, done, name, paths, most_bytes) for name in DISTANCES if name in heads}
 
 
 def _direction(name: str, way: ArrayLike, size: int) -> Array:

@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tmodes.equations.loop.outputs import output_schedule
+from tmodes.equations.loop.outputs import Outputs, output_schedule
 from tmodes.errors import InputError, TmodesError, error_words
 from tmodes.gradients.lowering import Lowered
 from tmodes.io.arguments import checked_arguments, numbers_of, refuse_fields
@@ -26,11 +26,15 @@ _FROM = ("state", "row", "parameters")
 
 
 class Weights(NamedTuple):
-    """Derivatives of a number: by the states at the samples, (n, size), the parameters, the rows (segments, row)."""
+    """Derivatives of a number: by the states at the samples, (n, size), the parameters, the rows (segments, row).
+
+    ``given``: by what distances are from, (n, 3) by their names.
+    """
 
     states: Array
     parameters: Array
     rows: Array
+    given: dict[str, Array]
 
 
 class Quantities:
@@ -38,21 +42,24 @@ class Quantities:
 
     Names as of :class:`tmodes.equations.loop.outputs.Outputs`; groups are ``state``, ``q``, ``v``, ``a``, ``drives``
     (effort, voltage, current and setpoint of each), ``gear``, ``contact``, ``base``, ``powers``, and ``tip``,
-    ``tip_velocity``, ``points.NAME``, ``points.NAME_velocity`` (n, 3) of the named points, in the world. Raises
-    :class:`tmodes.errors.InputError` for other names, and for what is at a station of a link.
+    ``tip_velocity``, ``points.NAME``, ``points.NAME_velocity`` (n, 3) of the named points, in the world. ``given``: by
+    the names of distances what the tip's is from, (n, 3). Raises :class:`tmodes.errors.InputError` for other names.
     """
 
-    def __init__(self, here: Lowered, done: Recording, names: Sequence[str]) -> None:
-        self.done, self.names = done, tuple(dict.fromkeys(names))
+    def __init__(
+        self, here: Lowered, done: Recording, names: Sequence[str], given: Mapping[str, Array] | None = None
+    ) -> None:
+        self.done, self.names, self.given = done, tuple(dict.fromkeys(names)), tuple(given or {})
         self._pieces = np.clip(np.searchsorted(done.rows[:, 0], done.times, side="right") - 1, 0, len(done.rows) - 1)
         time = done.times[:, None]
         self._instants = {
-            "time": time, "state": done.samples, "row": done.rows[self._pieces], "step": np.zeros_like(time)
+            "time": time, "state": np.hstack([done.samples, *(given or {}).values()]), "row": done.rows[self._pieces],
+            "step": np.zeros_like(time),
         }  # fmt: skip
-        outputs = here.model.outputs
+        outputs = Outputs(here.model.loop, self.given)
         groups = {name: outputs.group(name, "quantities") for name in self.names}
         self.outputs = [output for group in groups.values() for output in group]
-        wanted = output_schedule(here.model.loop, groups, after=False, often=False)
+        wanted = output_schedule(here.model.loop, groups, 3 * len(self.given), after=False, often=False)
         self.parameters = np.concatenate([here.parameters, wanted.further])
         self._of = differentiated(wanted.schedule, self.names) if self.names else None
 
@@ -64,14 +71,19 @@ class Quantities:
         """Derivatives of the sum of ``weights`` times the quantities, each in its shape."""
         rows = np.zeros_like(self.done.rows)
         if self._of is None or not weights:
-            return Weights(np.zeros_like(self.done.samples), np.zeros(len(self.parameters)), rows)
+            return Weights(np.zeros_like(self.done.samples), np.zeros(len(self.parameters)), rows, {})
         found = self._of.back(self.parameters, self._instants, dict(weights), _FROM)
         np.add.at(rows, self._pieces, found["row"])
-        return Weights(found["state"], found["parameters"], rows)
+        size = self.done.samples.shape[1]
+        given = {name: found["state"][:, size + 3 * k :][:, :3] for k, name in enumerate(self.given)}
+        return Weights(found["state"][:, :size], found["parameters"], rows, given)
 
-    def along(self, states: Array, parameters: Array, rows: Array) -> Blocks:
-        """Their slopes, by names, where the states have slopes (n, size), and parameters and rows change."""
-        slopes = {"state": states, "row": rows[self._pieces]}
+    def along(self, states: Array, parameters: Array, rows: Array, given: Sequence[Array] = ()) -> Blocks:
+        """Their slopes, by names, where the states have slopes (n, size), and parameters and rows change.
+
+        ``given``: slopes (n, 3) of what distances are from, in their order.
+        """
+        slopes = {"state": np.hstack([states, *given]), "row": rows[self._pieces]}
         return self._of.along(self.parameters, self._instants, slopes, change=parameters) if self._of else {}
 
 

@@ -214,8 +214,10 @@ class Outputs(Mapping[str, Output]):
             for column, (kind, unit) in enumerate(_DRIVEN.items()):
                 text = f"{_DRIVEN_WORDS[kind]} of {joint}"
                 yield Output(f"{joint}.{kind}", unit or effort, text, Seen.drive, (k, column), (kind, joint))
-            text = f"setpoint of the drive of {joint}, in the unit of its command"
-            yield Output(f"{joint}.setpoint", "-", text, Seen.drive, (k, len(_DRIVEN)), ("wanted", joint))
+            moves, volts = not drive.servo or drive.servo.controller, drive.servo and drive.servo.driven
+            unit = ("m" if joint in self._sliding else "rad") if moves else "V" if volts else effort
+            text = f"setpoint of the drive of {joint}, what its command is"
+            yield Output(f"{joint}.setpoint", unit, text, Seen.drive, (k, len(_DRIVEN)), ("wanted", joint))
             text = f"torque of the gear on {joint}"
             yield Output(f"{joint}.gear_torque", effort, text, Seen.gear, (k,), ("gear_torque", joint))
         for k, (name, unit) in enumerate(zip(plan.control_names, plan.control_units, strict=True)):

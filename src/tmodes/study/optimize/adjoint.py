@@ -8,16 +8,14 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.equations.loop.outputs import COMMANDED, DEVIATION
 from tmodes.errors import InputError, SimulationError
 from tmodes.gradients.gradient import adjoint_gradient
-from tmodes.gradients.quantities import Functional
+from tmodes.gradients.quantities import Functional, reduced_output
 from tmodes.sheet import Robot
 from tmodes.simulation.outputs import robot_outputs
-from tmodes.simulation.vary.tables import Nominal, nominal_side, setpoints
+from tmodes.simulation.reductions import SMOOTH
 from tmodes.study.optimize.gradient import Terms, neighbours, slopes
 from tmodes.study.optimize.leaves import factor, formulas, leaves, numbers_of, restricted
-from tmodes.study.optimize.smooth import REFERENCED, reduced_series
 from tmodes.study.optimize.trials import Trials
 
 __all__ = ["Adjoint"]
@@ -129,32 +127,12 @@ class Adjoint:
             hint = "take --method tpe, or a series reduced by rms, mean or end"
             raise InputError(which, "a number of the whole result", "a series of the run, for gradients", hint)
         ((series, reduce),) = needs.reductions
-        references = self._references(point, series, which) if series in REFERENCED else None
-        weights: list[Array] = []
-        reference = None if references is None else references[0]
-        functional = reduced_series(point.robot, series, reduce, reference, weights, which)
-        value, slope = self._measured(point, functional)
-        if references is not None:
-            moved = slopes(references, point.shares)
-            slope = slope - np.tensordot(moved, weights[0], axes=([0, 1], [0, 1]))
-        unit = robot_outputs(point.robot)[series].unit
-        return value * factor(unit, quantity.unit), slope * factor(unit, quantity.unit)
-
-    def _references(self, point: _Point, series: str, which: str) -> Array:
-        """What the tip's distance is from, (2 k + 1, n, 3) at the design and its neighbours."""
-        own = [path for path in point.slopes() if not path.startswith("real.")]
-        if series == DEVIATION and own:
-            got = f"a distance from the nominal tip, which {own[0]} moves too"
-            hint = f"take the series {COMMANDED}, or vary real.{own[0]}"
-            raise InputError(f"{which}.series", got, "a distance from a tip that the design does not move", hint)
-        side = nominal_side(point.sheet, point.vary, [series])
-        nominal = Nominal.of(point.sheet, point.vary, side, [series], 1, lambda stage, share: None)
-        if series == COMMANDED and any(setpoints(group.like) is None for group in nominal.lanes.groups):
-            got, hint = "a path that depends on how other joints move", "take --method tpe"
-            raise InputError(f"{which}.series", got, "a commanded path that the drives alone give", hint)
-        room = np.empty((len(next(iter(point.vary.values()))), len(nominal.lanes.times), 3))
-        numbers = nominal.table(room, 1, lambda share: None).numbers
-        return np.broadcast_to(numbers, room.shape)
+        if reduce not in SMOOTH:
+            hint = "a largest or least value has no slope everywhere; take rms, or --method tpe"
+            raise InputError(f"{which}.reduce", reduce, f"one of {', '.join(SMOOTH)} for gradients", hint)
+        own = robot_outputs(point.robot).find(series, f"{which}.series").unit
+        value, slope = self._measured(point, reduced_output(series, reduce))
+        return value * factor(own, quantity.unit), slope * factor(own, quantity.unit)
 
     def _terms(self, values: Mapping[str, float], slopes_of: Mapping[str, Array]) -> Terms:
         """Objective and limits with their slopes: formulas by differences along each direction."""

@@ -3,21 +3,22 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
 
+from tmodes.equations.loop.outputs import OWN
 from tmodes.errors import InputError
 from tmodes.gradients.quantities import Functional
 from tmodes.io.arguments import checked_arguments, whole_number
 from tmodes.io.words import meant
+from tmodes.simulation.reductions import SMOOTH
 from tmodes.study.optimize.goals import Goals, goals_of, refuse_contradictions
 from tmodes.study.optimize.leaves import cheap, leaves
 from tmodes.study.optimize.local import by_gradient
 from tmodes.study.optimize.result import Optimum
 from tmodes.study.optimize.sampled import search
-from tmodes.study.optimize.smooth import has_slope
 from tmodes.study.optimize.space import DesignSpace, design_space, scenarios_of
 from tmodes.study.optimize.summary import found
 from tmodes.study.optimize.trials import Trials
@@ -139,7 +140,12 @@ def _differentiable(study: Study, goals: Goals, functionals: Mapping[str, Functi
     if cheap(study) and not functionals:
         return True
     needs = [study.sheet.quantities[name].needs() for name in leaves(study, goals.names)]
-    return not worst and all(one.static or has_slope(one.reductions) for one in needs)
+    return not worst and all(one.static or _has_slope(one.reductions) for one in needs)
+
+
+def _has_slope(reductions: Sequence[tuple[str, str]]) -> bool:
+    """Whether the adjoint may give a slope of what needs these reductions."""
+    return len(reductions) == 1 and reductions[0][1] in SMOOTH and reductions[0][0].partition(".")[0] != OWN
 
 
 def _too_many(space: DesignSpace) -> str:
