@@ -33,7 +33,7 @@ from tmodes.simulation.outputs import robot_outputs, run_stops
 from tmodes.simulation.simulate import simulate_motion
 from tmodes.simulation.stops import Instants
 from tmodes.simulation.vary.reduce import Reduction, reduced
-from tmodes.simulation.vary.single_case import single_case
+from tmodes.simulation.vary.single_case import series_of_run, single_case
 
 COUNT = int(os.environ.get("TMODES_OUTPUT_ROBOTS", "1"))
 """How many random robots."""
@@ -168,7 +168,7 @@ def test_attitude_power_and_load_on_the_base() -> None:
     close(values[:, -1], twist, 1e-12, "j0.gear_twist")
 
 
-@pytest.mark.parametrize("which", range(COUNT + 1))
+@pytest.mark.parametrize("which", range(COUNT))
 def test_stop_conditions_look_at_the_same_numbers(which: int) -> None:
     run, known = run_of(which), known_of(which)
     names = [name for name in known if "@" not in name or "moment.y" in name]
@@ -189,13 +189,28 @@ def test_a_run_stops_where_an_output_passes_a_value(name: str) -> None:
     close(assemble_result(run).output(name).values[-1], limit, 1e-9, name)
 
 
+@pytest.mark.parametrize("name", ["deviation", "tip_error"])
+def test_a_run_stops_where_its_tip_is_off(name: str) -> None:
+    """The nominal tip is known at samples, and between them a polynomial."""
+    whole = assemble_result(run_of(0)).output(name) if name == "deviation" else None
+    limit = 0.036 if whole is None else float(whole.values[[0, -1]].mean())
+    run = simulate_motion(arm(), stop=f"{name} > {limit!r} m")
+    assert run.status == "stopped_by_condition"
+    assert run.reference is not None
+    if whole is not None:
+        apart = run.points.position[-1, 0] - run.reference.points.position[-1, 0]
+        assert np.linalg.norm(apart) == pytest.approx(limit, rel=1e-5)
+    else:
+        assert series_of_run(run, len(run.times), {name}, None)[name][-1] == pytest.approx(limit, rel=1e-9)
+
+
 def stored(which: int, tmp_path: Any) -> Result:
     result = assemble_result(run_of(which))
     result.save(tmp_path / "result.nc")
     return Result.load(tmp_path / "result.nc")
 
 
-@pytest.mark.parametrize("which", range(COUNT + 1))
+@pytest.mark.parametrize("which", range(COUNT))
 def test_results_and_files_have_the_same_numbers_and_units(which: int, tmp_path: Any) -> None:
     live, read, known = assemble_result(run_of(which)), stored(which, tmp_path), known_of(which)
     outputs = run_of(which).setup.model.outputs
@@ -308,4 +323,5 @@ def test_the_command_lists_all_names() -> None:
     outputs = tmodes.outputs(tmodes.load("spong1987"))
     assert {row["name"]: row["unit"] for row in rows} == {name: unit for name, unit, _ in outputs.rows}
     assert all(row["meaning"] for row in rows)
+    assert (outputs["joint.setpoint"].unit, outputs["joint.effort"].unit) == ("rad", "N*m")
     assert len(repr(outputs).splitlines()) <= 10

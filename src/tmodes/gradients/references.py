@@ -19,7 +19,7 @@ from tmodes.io.sheet_paths import steps_of
 from tmodes.sheet import Robot
 from tmodes.simulation.recording import Recording
 from tmodes.simulation.replay import Replay
-from tmodes.simulation.vary.tables import nominal_side, setpoints
+from tmodes.simulation.vary.tables import commanded_states, nominal_side, setpoints
 
 __all__ = ["Reference", "pulled", "swept"]
 
@@ -47,20 +47,8 @@ class Reference:
     def _commanded(self, done: Recording) -> Recording:
         """The undeformed robot with its drives at their setpoints, in the place of a run."""
         rows = rows_of(self.here.setup.planned.schedule, self.here.settings.duration)
-        states = self._shapes(done.times, rows, rows)
-        q = self.here.model.layout.q
-        states[:, q] = straight(self.here.setup.mechanics, states[:, q])
+        states = commanded_states(self.here.setup, self.known, rows[_pieces(rows, done.times)], done.times)
         return replace(done, rows=rows, samples=states)
-
-    def _shapes(self, times: Array, rows: Array, powers: Array) -> Array:
-        """States (n, size) with the setpoints of some ``powers`` on the pieces of ``rows``."""
-        piece = np.clip(np.searchsorted(rows[:, 0], times, side="right") - 1, 0, len(rows) - 1)
-        own = powers[piece, 1:].reshape(len(times), -1, self.here.model.plan.degree + 1)
-        values = (own * (times - rows[piece, 0])[:, None, None] ** np.arange(own.shape[2])).sum(axis=2)
-        states = np.zeros((len(times), self.here.model.layout.size))
-        for coordinate, signal in self.known.items():
-            states[:, self.here.model.layout.q.start + coordinate] = values[:, signal]
-        return states
 
     def along(self) -> dict[str, Array]:
         """Slopes (n, 3) by path."""
@@ -73,9 +61,11 @@ class Reference:
 
     def _slopes(self, change: Change) -> Array:
         """Of the states on the commanded path; undeformed shapes are an affine function of the setpoints."""
-        states, mechanics = self._shapes(self.done.times, self.done.rows, change.rows), self.here.setup.mechanics
-        q = self.here.model.layout.q
-        states[:, q] = straight(mechanics, states[:, q]) - straight(mechanics, np.zeros((1, mechanics.nq)))
+        times, rows, piece = self.done.times, self.done.rows, _pieces(self.done.rows, self.done.times)
+        rows = np.column_stack([rows[piece, 0], change.rows[piece, 1:]])
+        still = straight(self.here.setup.mechanics, np.zeros((1, self.here.setup.mechanics.nq)))
+        states = commanded_states(self.here.setup, self.known, rows, times)
+        states[:, self.here.model.layout.q] -= still
         return states
 
     def back(self, weights: Array) -> dict[str, float]:
@@ -83,6 +73,10 @@ class Reference:
         if self.replay:
             return pulled(self.replay, self.tip, {"tip": weights}, self.changes)[0]
         return {path: float((weights * slope).sum()) for path, slope in self.along().items()}
+
+
+def _pieces(rows: Array, times: Array) -> NDArray[np.intp]:
+    return np.clip(np.searchsorted(rows[:, 0], times, side="right") - 1, 0, len(rows) - 1)
 
 
 def _known(sheet: Robot, here: Lowered, paths: Sequence[str]) -> dict[int, int]:

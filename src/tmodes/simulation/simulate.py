@@ -12,6 +12,7 @@ from typing import Any, NamedTuple, cast
 import numpy as np
 
 from tmodes.analysis.spectrum import StepVerdict, growth_warnings, step_size_verdict, step_times_eigenvalue
+from tmodes.equations.loop.outputs import COMMANDED, DEVIATION, DISTANCES
 from tmodes.errors import InputError
 from tmodes.integrate.choice import chosen_method, explained, otherwise
 from tmodes.integrate.registry import AUTO
@@ -27,7 +28,7 @@ from tmodes.simulation.plan import Follow
 from tmodes.simulation.python_controller import Controller, driven_by, fixed_steps, run_with_controller
 from tmodes.simulation.sampled_controller import SampledController, refuse_period, run_with_samples
 from tmodes.simulation.start import RunSetup, run_setup, run_trajectory
-from tmodes.simulation.stops import STOPPED, Instants, Stops
+from tmodes.simulation.stops import STOPPED, Instants, Places, Stops
 from tmodes.simulation.warnings import departures, jumps, no_motion, run_warnings, start_warnings
 
 __all__ = ["simulate_motion"]
@@ -106,6 +107,7 @@ def simulate_motion(
     reference, until = _reference(setups.nominal, progress, journals, warnings)
     if reference and reference.status == "diverged":
         reference = replace(reference, message=f"{reference.message}; likely cause: {_cause(verdict, warnings)}")
+    stops = replace(stops, places=_places(stops, setups, reference))
     if controller and period is not None:
         trajectory, used, rows = run_with_samples(
             setups.real, cast("SampledController", controller), period, _of_actual(progress), stops
@@ -171,7 +173,7 @@ def _run(
         done = run_trajectory(real, _of_actual(progress), journals("real"), until, stops)
         return done, real, None
     real = driven_by(real)
-    own = run_stops(real, stop)  # states of a run without the sheet's control are shorter
+    own = replace(run_stops(real, stop), places=stops.places)  # states without the sheet's control are shorter
     done, rows = run_with_controller(real, controller, _of_actual(progress), own)
     return done, real, rows
 
@@ -192,6 +194,44 @@ def _reference(
         return run, None
     warnings.append(f"the nominal run ended early: {done.message}")
     return run, 0.0 if done.status == "interrupted" else float(done.times[-1])
+
+
+def _places(stops: Stops, setups: _Setups, reference: RunData | None) -> Places | None:
+    """Where the tip should be at any times, for conditions on its distance from there: (n, 3) each of ``FROM``.
+
+    The nominal tip between samples is the polynomial of fifth degree by its positions, velocities and accelerations.
+    Raises :class:`tmodes.errors.InputError` where there is no such place.
+    """
+    if not stops.distances:
+        return None
+    from scipy.interpolate import BPoly
+
+    from tmodes.simulation.vary.tables import commanded_states, setpoints
+
+    planned = setups.nominal or setups.real
+    known, tip, model = setpoints(planned), None, planned.model
+    if reference and len(reference.times) > 1:
+        points = reference.points
+        tip = BPoly.from_derivatives(
+            reference.times,
+            np.stack([part[:, 0] for part in (points.position, points.velocity, points.acceleration)], 1),
+        )
+    for name, there in ((DEVIATION, tip), (COMMANDED, known)):
+        if name in stops.distances and there is None:
+            got = f"`{name}`, but there is no {DISTANCES[name]}"
+            raise InputError("stop", got, "a condition on what the run has", "stop on another output")
+
+    def places(times: np.ndarray) -> np.ndarray:
+        found = np.full((len(times), 6), np.nan)
+        if tip is not None:
+            found[:, :3] = tip(times)
+        if known is not None:
+            rows = planned.planned.schedule.rows_at(times)
+            states = commanded_states(planned, known, rows, times)
+            found[:, 3:] = model.seen(model.outputs.groups["tip"], times, states, rows)
+        return found
+
+    return places
 
 
 def _warned(run: RunData, *before: str) -> RunData:

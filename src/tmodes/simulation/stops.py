@@ -10,15 +10,20 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.equations.loop.outputs import Output
+from tmodes.equations.loop.outputs import COMMANDED, DEVIATION, Output, Outputs
 from tmodes.errors import InputError, SimulationError
 from tmodes.integrate.conditions import Condition
 from tmodes.io.units import NotANumber, number
 from tmodes.simulation.loop import LoopModel
 
-__all__ = ["STOPPED", "Instants", "SetIn", "Stop", "Stops", "resolved"]
+__all__ = ["FROM", "STOPPED", "Instants", "Places", "SetIn", "Stop", "Stops", "resolved"]
 
 Array = NDArray[np.float64]
+
+Places = Callable[[Array], Array]
+
+FROM = (DEVIATION, COMMANDED)
+"""Distances of the tip on which a run may stop, in the order of the places that they are from."""
 
 STOPPED = "stopped_by_condition"
 """Status of a run that a condition ended."""
@@ -60,13 +65,22 @@ class Stop:
 
 @dataclass(frozen=True)
 class Stops:
-    """The stop conditions of a run of a ``model``; none of them is the usual case."""
+    """The stop conditions of a run of a ``model``; none of them is the usual case.
+
+    ``places``: what distances of the tip are from, (n, 3) of each of :data:`FROM` at times (n,) [s].
+    """
 
     stops: tuple[Stop, ...] = ()
     model: LoopModel | None = None
+    places: Places | None = None
 
     def __bool__(self) -> bool:
         return bool(self.stops)
+
+    @property
+    def distances(self) -> set[str]:
+        """The distances of the tip among them, for which places are needed."""
+        return {stop.output.name.partition(".")[0] for stop in self.stops} & {*FROM}
 
     @cached_property
     def _outputs(self) -> tuple[Output, ...]:
@@ -75,7 +89,8 @@ class Stops:
     def values(self, instants: Instants) -> Array:
         """The values that are compared, (n, conditions)."""
         assert self.model is not None  # noqa: S101
-        found = self.model.seen(self._outputs, instants.times, instants.states, instants.rows)
+        given = self.places(instants.times) if self.places else None
+        found = self.model.seen(self._outputs, instants.times, instants.states, instants.rows, given)
         return np.where([stop.size for stop in self.stops], np.abs(found), found)
 
     def beyond(self, instants: Instants) -> Array:
@@ -87,8 +102,11 @@ class Stops:
         return signs * (values - [stop.limit for stop in self.stops])
 
     def refuse_at_start(self, start: Instants) -> None:
-        """Raise :class:`tmodes.errors.SimulationError` where a condition holds before anything has moved."""
-        if not self.stops:
+        """Raise :class:`tmodes.errors.SimulationError` where a condition holds before anything has moved.
+
+        Those on distances are only asked once it is known from where.
+        """
+        if not self.stops or (self.distances and not self.places):
             return
         values = self.values(start)[0]
         for stop, value, beyond in zip(self.stops, values, self._beyond(values), strict=True):
@@ -110,7 +128,8 @@ def resolved(texts: Iterable[str], model: LoopModel, which: str = "integration.s
 
 def _resolved(text: str, model: LoopModel, which: str) -> Stop:
     info = Condition.parsed(text, which)
-    output = model.outputs.find(info.name, which)
+    apart = info.name.partition(".")[0] in FROM
+    output = (Outputs(model.loop, FROM) if apart else model.outputs).find(info.name, which)
     try:
         limit = number(info.value, output.unit)
     except NotANumber as error:

@@ -26,7 +26,7 @@ from tmodes.simulation.vary.simulate import Prepared, prepared, run_prepared
 from tmodes.simulation.vary.values import Whole
 from tmodes.simulation.warnings import jumps
 
-__all__ = ["Nominal", "Table", "nominal_side", "own_tip", "setpoints"]
+__all__ = ["Nominal", "Table", "at_setpoints", "commanded_states", "nominal_side", "own_tip", "setpoints"]
 
 Array = NDArray[np.float64]
 Progress = Callable[[str, float], None]
@@ -89,6 +89,22 @@ def setpoints(setup: RunSetup) -> dict[int, int] | None:
     moved = {axis.angle: axis.motor for axis in setup.mechanics.parts.axes}
     apart = [place for place, motor in moved.items() if (motor if motor >= 0 else place) not in known]
     return None if apart or not motion else known
+
+
+def at_setpoints(setup: RunSetup, known: Mapping[int, int], rows: Array, times: Array) -> Array:
+    """States (n, size) whose coordinates are where their signals are, ``known``, by rows (n, row) of the signals."""
+    powers = rows[:, 1:].reshape(len(times), -1, setup.planned.plan.degree + 1)
+    values = (powers * (times - rows[:, 0])[:, None, None] ** np.arange(powers.shape[2])).sum(axis=2)
+    states = np.zeros((len(times), setup.model.layout.size))
+    states[:, setup.model.layout.q.start + np.array([*known])] = values[:, [*known.values()]]
+    return states
+
+
+def commanded_states(setup: RunSetup, known: Mapping[int, int], rows: Array, times: Array) -> Array:
+    """The same of the undeformed robot, with joints where the inputs of their gears are."""
+    states, q = at_setpoints(setup, known, rows, times), setup.model.layout.q
+    states[:, q] = straight(setup.mechanics, states[:, q])
+    return states
 
 
 @dataclass(frozen=True, eq=False)
@@ -162,14 +178,5 @@ def _commanded(group: CaseGroup, times: Array) -> Array:
     setup, every = group.like, np.arange(len(group.places))
     known, schedules = setpoints(setup), group.numbers(every).schedules
     assert known is not None  # noqa: S101
-    width, shapes = setup.planned.plan.degree + 1, []
-    for schedule in schedules:
-        rows = schedule.rows_at(times)
-        tau, shape = times - rows[:, 0], np.zeros((len(times), len(setup.model.coordinates)))
-        for coordinate, signal in known.items():
-            powers = rows[:, 1 + signal * width : 1 + (signal + 1) * width]
-            shape[:, coordinate] = np.sum(powers * tau[:, None] ** np.arange(width), axis=1)
-        states = np.zeros((len(times), setup.model.layout.size))
-        states[:, setup.model.layout.q] = straight(setup.mechanics, shape)
-        shapes.append(states)
+    shapes = [commanded_states(setup, known, schedule.rows_at(times), times) for schedule in schedules]
     return group.tips(every, times, [shapes[k % len(shapes)] for k in every])
