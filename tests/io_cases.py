@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
+from copy import deepcopy
 from functools import cache
 from typing import Any, NamedTuple
 
@@ -15,7 +16,7 @@ from tmodes.io.yaml_file import parse_yaml
 from tmodes.robots import text
 from tmodes.sheet import Robot
 
-__all__ = ["KINDS", "SHEET", "Case", "bad_numbers", "line_of", "number_paths", "numbers_of", "value_of"]
+__all__ = ["KINDS", "SHEET", "Case", "bad_numbers", "data_with", "line_of", "number_paths", "numbers_of", "value_of"]
 
 SHEET = text("filipovic2010")
 
@@ -70,6 +71,21 @@ def bad_numbers() -> Iterator[Case]:
     for path in number_paths():
         for kind, word in KINDS.items():
             yield Case(f"{path}-{kind}".replace(" ", "_"), path, kind, _replaced(path, word))
+
+
+def data_with(path: str, word: str | None) -> dict[str, Any]:
+    """The sheet's data with the number of a path replaced, without reading all of its text again."""
+    data: Any = deepcopy(_parsed()[0])
+    plain = not path.startswith("real.")  # whose keys are paths themselves
+    *above, key = (int(step) if step.isdigit() else step for step in path.split(".", -1 if plain else 1))
+    inner = data
+    for step in above:
+        inner = inner[step]
+    if word is None:
+        del inner[key]
+    else:
+        inner[key] = parse_yaml("value: " + word.format(value=repr(inner[key])), "sheet")[0]["value"]
+    return data
 
 
 def number_paths() -> list[str]:
