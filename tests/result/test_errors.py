@@ -29,7 +29,7 @@ from tmodes.simulation.parts import Trajectory
 from tmodes.simulation.start import run_setup, run_trajectory
 from tmodes.simulation.step_refinement import refined_run
 
-EXACT = {"method": "dop853", "relative_tolerance": 1e-13, "absolute_tolerance": 1e-16}
+EXACT = {"method": "dop853", "relative_tolerance": 1e-12, "absolute_tolerance": 1e-15}
 
 
 def turning(signal: dict[str, Any], **more: Any) -> Robot:
