@@ -7,7 +7,8 @@ no bit of a run depends on its neighbours.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any, Protocol
+from dataclasses import dataclass
+from typing import Any
 
 from llvmlite import ir
 
@@ -38,22 +39,16 @@ lane, ``weights`` those of the samples in a mean over time, and ``sums`` what se
 _INTEGERS = ("knot_stride", "row_stride", "table_stride", "samples")
 
 
-class LaneSeries(Protocol):
-    """What is wanted of each sample: ``rate`` gives it from the state and so many ``given`` numbers behind it."""
+@dataclass(frozen=True)
+class LaneSeries:
+    """What is wanted of each sample in place of the state: written into the samples, or reduced (``folds``).
 
-    @property
-    def rate(self) -> ScheduleRate:
-        """What gives the series."""
-        ...
+    ``rate`` gives the series from the state and so many ``given`` numbers behind it.
+    """
 
-    @property
-    def given(self) -> int:
-        """Numbers behind the state."""
-        ...
-
-    def write(self, loop: LanesLoop, due: Any, time: Any) -> None:
-        """Take the sample in the array ``shown`` of the lanes ``due``, at their ``time``."""
-        ...
+    rate: ScheduleRate
+    given: int
+    folds: bool
 
 
 class LanesLoop(Frame):

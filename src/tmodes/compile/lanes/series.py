@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass
 from typing import Any
 
 from llvmlite import ir
@@ -14,7 +13,7 @@ from tmodes.compile.ir.emit import I64, at, counted, load, store, whole
 from tmodes.compile.lanes.lanes_loop import LanesLoop
 from tmodes.compile.native import WIDTH
 
-__all__ = ["SUMS", "Folded", "WrittenSeries", "due_samples", "fold", "write_rows", "write_sample"]
+__all__ = ["SUMS", "due_samples", "fold", "write_rows", "write_sample"]
 
 
 @contextmanager
@@ -56,8 +55,15 @@ def write_sample(loop: LanesLoop, due: Any, time: Any, value_of: Any) -> None:
         loop.store(value_of(i), "shown", i)
     if loop.series is None:
         write_rows(loop, due, "shown", loop.size)
-    else:
-        loop.series.write(loop, due, time)
+        return
+    _show(loop, loop.series.rate, loop.series.given, time)
+    if not loop.series.folds:
+        write_rows(loop, due, "series", loop.series.rate.size)
+        return
+    weight = _of_sample(loop, lambda lane, sample: at(loop.builder, loop.argument["weights"], sample))
+    loop.array["sums"] = loop.argument["sums"]
+    with counted(loop.builder, loop.series.rate.size, "series") as i:
+        fold(loop, i, due, time, weight)
 
 
 def write_rows(loop: LanesLoop, due: Any, label: str, size: int) -> None:
@@ -76,35 +82,6 @@ def write_rows(loop: LanesLoop, due: Any, label: str, size: int) -> None:
 SUMS = ("largest", "least", "sum", "squares", "end", "time")
 """What a series is reduced to: its largest and least value, the sums of its values and of their squares by the weights
 of the samples, its last value, and the time of the largest. For each series a vector of each of them."""
-
-
-@dataclass(frozen=True)
-class WrittenSeries:
-    """Series are written into the samples."""
-
-    rate: ScheduleRate
-    given: int
-
-    def write(self, loop: LanesLoop, due: Any, time: Any) -> None:
-        """Write those of the state in the array ``shown``."""
-        _show(loop, self.rate, self.given, time)
-        write_rows(loop, due, "series", self.rate.size)
-
-
-@dataclass(frozen=True)
-class Folded:
-    """Series are reduced; no room is needed for samples."""
-
-    rate: ScheduleRate
-    given: int
-
-    def write(self, loop: LanesLoop, due: Any, time: Any) -> None:
-        """Take those of the state in the array ``shown``."""
-        _show(loop, self.rate, self.given, time)
-        weight = _of_sample(loop, lambda lane, sample: at(loop.builder, loop.argument["weights"], sample))
-        loop.array["sums"] = loop.argument["sums"]
-        with counted(loop.builder, self.rate.size, "series") as i:
-            fold(loop, i, due, time, weight)
 
 
 def fold(loop: Any, i: Any, due: Any, time: Any, weight: Any) -> None:

@@ -87,20 +87,19 @@ def lane_loop(
     numbers, and row, whose outputs are wanted of each sample: they are written, or with ``folds`` reduced at once.
     """
     from tmodes.compile.ir.arithmetic import Wide
-    from tmodes.compile.lanes.lanes_loop import LANE_ARGUMENTS
+    from tmodes.compile.lanes.lanes_loop import LANE_ARGUMENTS, LaneSeries
 
     def write() -> Any:
         from llvmlite import ir
 
         from tmodes.compile.ir.block import write_rate
         from tmodes.compile.lanes.lanes_explicit import write_lanes_loop
-        from tmodes.compile.lanes.series import Folded, WrittenSeries
 
         module, tableau, series = ir.Module(method), integrator(method).tableau, None
         assert tableau is not None  # noqa: S101
         rate = write_rate(module, schedule, Wide(module), "rate")
         if shown is not None:
-            series = (Folded if folds else WrittenSeries)(write_rate(module, shown, Wide(module), "shown"), given)
+            series = LaneSeries(write_rate(module, shown, Wide(module), "shown"), given, folds)
         write_lanes_loop(module, method, rate, guarded, tableau, series)
         return module
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -21,12 +20,13 @@ from tmodes.model.parameters import Structural
 from tmodes.sheet import Robot
 from tmodes.sheet.robot import refuse_other
 from tmodes.simulation.batch.executor import thread_count
+from tmodes.simulation.case_results import CaseResults
 from tmodes.simulation.vary.lanes import changed_sheet
 from tmodes.simulation.vary.programs import refused_cases
 from tmodes.simulation.vary.simulate import changes_of, checked
 from tmodes.simulation.vary.static_cases import StaticCases, masses_of
 
-__all__ = ["StaticNumbers", "refuse_unknown_numbers", "static_numbers"]
+__all__ = ["refuse_unknown_numbers", "static_numbers"]
 
 Array = NDArray[np.float64]
 
@@ -40,19 +40,6 @@ _MOST = 16
 """Programs of all cases."""
 
 
-@dataclass(frozen=True, eq=False)
-class StaticNumbers:
-    """Numbers of k cases: ``values`` (k,) by name, not-a-number where a case has none, and their ``units``.
-
-    ``status``: finished, failed (there is no rest), refused (the sheet takes no such number), and ``message`` why.
-    """
-
-    values: dict[str, Array]
-    units: dict[str, str]
-    status: tuple[str, ...]
-    message: tuple[str, ...]
-
-
 @checked_arguments
 def static_numbers(
     sheet: Robot,
@@ -62,8 +49,11 @@ def static_numbers(
     threads: int | None = None,
     progress: Callable[[str, float], None] = lambda stage, share: None,
     wrong: str = "error",
-) -> StaticNumbers:
+) -> CaseResults:
     """Numbers of the actual robots of k cases; ``vary`` and ``wrong`` as of ``tmodes.simulation.vary.reduce.reduced``.
+
+    The result has ``values`` (k,) by name, not-a-number where a case has none: it has no rest (``failed``), or the
+    sheet takes no such number (``refused``).
 
     ``sag``: how far the weight moves the tip, motors held at their first command, and along the world's axes ``sag.x``,
     ``sag.y``, ``sag.z`` [m]; ``frequency.locked.1`` and on: natural frequencies about the rest, motors locked, of mass
@@ -85,8 +75,10 @@ def static_numbers(
         changed_sheet(sheet, changes_of(values, first), first)
     rows = _Rows(sheet, values, tuple(dict.fromkeys(several("names", names))), refused, thread_count(threads))
     rows.run(lambda share: progress("statics", share))
-    units = {name: "m" if name in _SAG else "Hz" if _FREQUENCY.fullmatch(name) else "kg" for name in rows.names}
-    return StaticNumbers(rows.values, units, tuple(rows.status), tuple(rows.message))
+    rows.results.units |= {
+        name: "m" if name in _SAG else "Hz" if _FREQUENCY.fullmatch(name) else "kg" for name in rows.names
+    }
+    return rows.results
 
 
 class _Rows:
@@ -102,10 +94,9 @@ class _Rows:
     ) -> None:
         self.sheet, self.given, self.names, self.threads = sheet, given, names, threads
         size = len(next(iter(given.values())))
-        self.values = {name: np.full(size, np.nan) for name in names}
-        self.status, self.message = ["finished"] * size, [""] * size
-        for index, why in refused.items():
-            self.status[index], self.message[index] = "refused", why
+        self.results = CaseResults.of_all(size, "finished")
+        self.results.values = {name: np.full(size, np.nan) for name in names}
+        self.results.put(refused, "refused")
         self.done = np.zeros(0, dtype=np.int64)
         self.going = np.array([k for k in range(size) if k not in refused], dtype=np.int64)
 
@@ -171,7 +162,7 @@ class _Rows:
             good &= np.isfinite(modes).all(axis=1)
         places = usual[which[good]]
         for name in self.names:
-            self.values[name][places] = columns[name][good] if name in columns else np.nan
+            self.results.values[name][places] = columns[name][good] if name in columns else np.nan
         return places
 
     def _one(self, index: int) -> None:
@@ -187,9 +178,9 @@ class _Rows:
                 undamped = sorted(float(one) for mode in modes if (one := mode["undamped_frequency_Hz"]) is not None)
                 found |= {f"frequency.locked.{k + 1}": frequency for k, frequency in enumerate(undamped)}
         except SimulationError as error:
-            self.status[index], self.message[index] = "failed", str(error)
+            self.results.put({index: str(error)}, "failed")
         for name in self.names:
-            self.values[name][index] = found.get(name, np.nan)
+            self.results.values[name][index] = found.get(name, np.nan)
 
 
 def _is_moved(robot: Robot) -> bool:

@@ -62,9 +62,6 @@ def by_statics(
     Raises :class:`tmodes.errors.InputError` for a name that is unknown.
     """
     began = clock.process_time()
-    done = static_numbers(robot, vary, needs.static, threads=threads, progress=progress, wrong="row")
-    found = CaseResults.of_all(len(done.status))
-    found.status[:], found.message[:] = done.status, done.message
-    found.values, found.units = dict(done.values), dict(done.units)
+    found = static_numbers(robot, vary, needs.static, threads=threads, progress=progress, wrong="row")
     found.seconds[:] = (clock.process_time() - began) / len(found)
     return found
