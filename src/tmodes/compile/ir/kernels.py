@@ -85,9 +85,10 @@ def called(schedule: Any, arithmetic: str) -> dict[str, Library]:
 def _level(arithmetic: str, *, often: bool) -> int:
     """Work for the code of a kernel: of one that is seldom called, quick to compile is worth more than quick to run.
 
-    Differentiated code is twice as long and seldom called too.
+    Differentiated code is twice as long and seldom called too, and so are programs of lowering (``exact``).
     """
-    return 0 if arithmetic == "derivative" or (arithmetic == "double" and not often) else 1
+    seldom = arithmetic == "derivative" or arithmetic.startswith("exact")
+    return 0 if seldom or (arithmetic == "double" and not often) else 1
 
 
 def _kernel(symbol: str, kernel: Any, arithmetic: str, level: int) -> Library:

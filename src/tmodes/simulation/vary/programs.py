@@ -89,8 +89,8 @@ class CaseProgram:
         return np.stack([values[path] for path in self.paths], axis=1) if self.paths else np.zeros((count, 0))
 
 
-_INTERPRETED, _COMPILED, _BEGUN = 7e-9, 1.5e-4, 0.2
-"""Seconds of an operation in NumPy for a case, and to compile; and to begin with that."""
+_INTERPRETED, _COMPILED, _BEGUN = 6e-9, 6e-5, 0.1
+"""Seconds: of an operation in NumPy for a case, three times (check, start, run); to compile it; to begin with that."""
 
 
 def _evaluated(program: Program, rows: Array, cases: int) -> tuple[Array, NDArray[np.bool_]]:
