@@ -141,6 +141,15 @@ def test_the_place_of_a_body_inside_a_beam():
     assert held > 0
 
 
+@pytest.mark.parametrize("name", ["beam tube", "beam curved", "beam rigid"])
+def test_guards_hold_what_decides_alone(name):
+    """No rounding noise, no order of numbers of which the largest is taken: one program for changes by a tenth."""
+    robot = Robot.from_data(KINDS[name])
+    values, generator = numbers_of(robot), np.random.default_rng(0)
+    rows = {path: value * (1 + 0.1 * generator.uniform(-1, 1, 50)) for path, value in values.items()}
+    assert noted(robot, values).holds(rows).all()
+
+
 def test_every_registered_kind_has_a_sheet():
     words = {value for one in KINDS.values() for value in str(one).replace("'", " ").replace('"', " ").split() if value}
     families = (SIGNALS, CONTROLLERS, CONTACTS, SURFACES, LINKS, JOINTS)

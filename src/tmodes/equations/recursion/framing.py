@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from tmodes.chain.chain import Chain, Node
 from tmodes.frame import Placement
 from tmodes.kinds.links.contract import Body
-from tmodes.kinds.noted.functions import array, hypot, largest, norm, number
+from tmodes.kinds.noted.functions import array, highest, hypot, largest, norm, number
 
 __all__ = ["STRAIGHT", "Framing", "ScrewWay", "moved_body"]
 
@@ -49,7 +49,7 @@ class ScrewWay:
     def of(cls, placement: Placement, *, heir: bool) -> ScrewWay:
         """Of the z axis at a placement; ``heir``: the parent's x axis stands across both axes, so beta is zero."""
         turn, place = placement.rotation, placement.position
-        oblique, small = number(hypot(turn[0, 2], turn[1, 2])), _ROUNDING * (1 + number(np.abs(place).max()))
+        oblique, small = number(hypot(turn[0, 2], turn[1, 2])), _ROUNDING * (1 + number(highest(np.abs(place))))
         beta = STRAIGHT if heir or oblique <= _ROUNDING else _unit(-turn[1, 2], turn[0, 2])
         back = _about_z(beta).T
         turn, place = back @ turn, back @ place

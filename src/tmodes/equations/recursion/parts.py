@@ -18,7 +18,7 @@ from tmodes.equations.recursion.screw import Screw, screw_numbers
 from tmodes.kinds.kernel.schedule import Numbers, Slot
 from tmodes.kinds.kernel.spatial import FORCE, INERTIA
 from tmodes.kinds.links.contract import Body, Link
-from tmodes.kinds.noted.functions import array
+from tmodes.kinds.noted.functions import array, by_size
 
 __all__ = ["LinkPart", "NodePart", "Parts", "packed_bodies"]
 
@@ -163,7 +163,7 @@ class Parts:
         on_section = node.parent >= 0 and self.chain.nodes[node.parent].link.bends
         placed, screw = self.framing.placements[index], self.framing.screws[index]
         driven = tuple(axis.drive.is_given for axis in joint.axes)
-        aside = bool(np.any(placed.position))
+        aside = any(by_size(placed.position))
         placement = self.numbers.block([*placed.rotation.ravel(), *placed.position])
         hinge: Hinge | GeneralJoint
         if joint.kind.is_simple:

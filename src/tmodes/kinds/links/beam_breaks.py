@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from tmodes.kinds.links.beam_pieces import BeamNumbers, BeamPiece
 from tmodes.kinds.links.facts import DIRECTIONS
-from tmodes.kinds.noted.functions import array
+from tmodes.kinds.noted.functions import array, by_size
 
 __all__ = ["TURNING", "BreakFunction", "break_places", "breaks_of", "broken_pieces"]
 
@@ -62,7 +62,7 @@ def break_places(beam: BeamNumbers) -> tuple[Break, ...]:
         if not APART < s < 1 - APART:
             continue
         last = found.pop() if found and s - found[-1].place <= APART else Break(s, False, 0.0)
-        turns = bool(np.any(body.center) or np.any(body.inertia)) or last.place != s
+        turns = any(by_size(body.center)) or any(by_size(body.inertia)) or last.place != s
         found.append(Break(last.place, last.turns or turns, last.mass + body.mass))
     each = sum(2 if "bend" in name else 1 for name in DIRECTIONS if getattr(beam, name))
     most = MOST_BROKEN // max(each, 1)

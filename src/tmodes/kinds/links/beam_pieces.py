@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from tmodes.kinds.links.contract import Body
 from tmodes.kinds.links.material import Material
 from tmodes.kinds.links.section import Section, SectionNumbers, between
-from tmodes.kinds.noted.functions import highest, isfinite, kept, number
+from tmodes.kinds.noted.functions import by_size, highest, isfinite, kept, number
 
 __all__ = [
     "Basis", "BeamModel", "BeamNumbers", "BeamPiece", "Piece", "RotaryInertia", "tapered_pieces", "uniform_piece",
@@ -143,7 +143,7 @@ def tapered_pieces(root: Section, tip: Section, material: Material | None) -> tu
     """
     count = 1
     fitted = [_fitted(root, tip, material, 0.0, 1.0)]
-    while max(error for _, error in fitted) > GOOD_ENOUGH and count < MOST_TAPER_PIECES:
+    while any(x > GOOD_ENOUGH for x in by_size([error for _, error in fitted])) and count < MOST_TAPER_PIECES:
         count += 1
         fitted = [_fitted(root, tip, material, k / count, (k + 1) / count) for k in range(count)]
     return tuple(piece for piece, _ in fitted)

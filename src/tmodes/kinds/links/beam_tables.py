@@ -30,6 +30,7 @@ from tmodes.kinds.links.beam_pieces import BeamNumbers
 from tmodes.kinds.links.strain_shape import StrainShape
 from tmodes.kinds.noted.functions import (
     array,
+    by_size,
     ceil,
     clip,
     distinct,
@@ -194,7 +195,7 @@ def _shape(beam: BeamNumbers, rule: Quadrature, stations: tuple[float, ...]) -> 
         **{direction: len(function_names(beam, direction)) for direction in MODULI},
         points=len(rule.points), stations=before,
         rotary=3 if inertia[1] or inertia[2] else 1 if inertia[0] else 0,
-        curved=bool(np.any(beam.rest_curvature)),
+        curved=any(by_size(beam.rest_curvature)),
         spans=rule.counts if break_places(beam) else (),
         full=beam.basis != "legendre" or not all(is_uniform(beam, name) for name in MODULI if getattr(beam, name)),
     )  # fmt: skip

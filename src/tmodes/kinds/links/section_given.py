@@ -9,7 +9,7 @@ from typing import Annotated, Any, Literal, NamedTuple
 from pydantic import Field, field_validator
 
 from tmodes.kinds.links.material import Material
-from tmodes.kinds.noted.functions import isinf
+from tmodes.kinds.noted.functions import isinf, maximum, minimum, number
 from tmodes.kinds.schema.frames import list_of_numbers
 from tmodes.kinds.schema.quantity import LARGEST, SMALLEST, DataSheet, Issue, not_negative, positive
 
@@ -134,7 +134,8 @@ class Geometry(NamedTuple):
     def made_of(self, material: Material) -> SectionNumbers:
         """The numbers of this section in one material; rho Ip = rho (Iy + Iz) about x."""
         young, shear, density = material.young, material.shear, material.density
-        along_y, along_z = self.shear_coefficients(min(max(young / (2 * shear) - 1, -1.0), 0.5))
+        poisson = number(minimum(maximum(young / (2 * shear) - 1, -1.0), 0.5))
+        along_y, along_z = self.shear_coefficients(poisson)
         return SectionNumbers(
             bend_y=young * self.about_y,
             bend_z=young * self.about_z,

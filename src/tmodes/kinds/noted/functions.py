@@ -17,7 +17,7 @@ from pydantic import BaseModel
 from tmodes.kinds.noted.number import Lost, Noted, is_noted, plain_value
 
 __all__ = [
-    "allclose", "array", "ceil", "clip", "cos", "cubic_slopes", "distinct", "exp", "floor", "full_like",
+    "allclose", "array", "by_size", "ceil", "clip", "cos", "cubic_slopes", "distinct", "exp", "floor", "full_like",
     "golub_welsch", "highest", "hypot", "inverse_cholesky", "isclose", "isfinite", "isinf", "kept", "largest",
     "least_eigenvalue_exceeds", "legendre_series", "legendre_values", "log", "maximum", "minimum", "norm", "number",
     "place", "polynomial_derivative", "positive_definite", "regular", "rounded", "same", "sin", "solve", "sqrt",
@@ -205,6 +205,11 @@ def norm(vector: Any) -> Any:
     """Euclidean norm of a vector."""
     values = array(vector)
     return np.linalg.norm(values) if values.dtype != object else sqrt(number(sum(x * x for x in values.flat)))
+
+
+def by_size(values: Any) -> list[Any]:
+    """Numbers of an array or a list, the largest first: of ``any`` over these only the one that decides is a guard."""
+    return sorted(np.ravel(values), key=lambda x: abs(plain_value(x)), reverse=True)
 
 
 def same(a: Any, b: Any) -> bool:

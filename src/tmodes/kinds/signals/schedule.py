@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from tmodes.errors import InputError
-from tmodes.kinds.noted.functions import array, highest, maximum, number, place, polynomial_derivative, zeros
+from tmodes.kinds.noted.functions import array, by_size, highest, maximum, number, place, polynomial_derivative, zeros
 from tmodes.kinds.noted.number import Lost, is_noted, plain_value
 
 __all__ = [
@@ -337,7 +337,7 @@ class Jolts:
 
     def jump(self, until: float) -> bool:
         """Whether any is there."""
-        return bool(self.schedule(until).coefficients.any())
+        return any(by_size(self.schedule(until).coefficients))
 
     def move_ends(self, reach: float = 1.0) -> float | None:
         """Never."""
