@@ -48,6 +48,9 @@ class Slider:
         }  # fmt: skip
 
 
+_VECTORS = ("position", "center", "axis", "gravity", "normal", "velocity", "force", "moment")
+
+
 def _label(number: SheetNumber, knob: Knob) -> str:
     """What a knob moves, and whose: ``bending stiffness about z, forearm``."""
     words, owner = re.split("[,;]", number.meaning)[0], number.owner
@@ -58,8 +61,10 @@ def _label(number: SheetNumber, knob: Knob) -> str:
         words = words.replace("about y and about z", f"about {'yz'[int(steps[-1])]}") if steps[-1] in "01" else words
     if "modes" in steps[:-1]:
         owner = f"mode {int(steps[steps.index('modes') + 1]) + 1} of {owner}"
-    if "bodies" in steps and steps[-2] != owner and not steps[-2].isdecimal():
-        owner = f"{steps[-2]} on {owner}"
+    if "bodies" in steps and (body := steps[steps.index("bodies") + 1]) != owner and not body.isdecimal():
+        owner = f"{body} on {owner}"
+    if steps[-1] in ("0", "1", "2") and steps[-2] in _VECTORS:
+        words = f"{words} along {'xyz'[int(steps[-1])]}"
     return f"{words}, {owner}" if owner else words
 
 

@@ -157,7 +157,7 @@ export function mountSliders(
   }
 
   const ranking = spare(() => live && rank(live).catch(() => undefined)); // it fails where somebody wants a run
-  place(byKind(rows, LEADING));
+  place(byKind(rows.slice(0, RANKED), LEADING));
   element.append(make("div", { class: "bar" }, make("h3", { text: "What if" }), reset, keep), status, bar, first, more);
   void options.open(bundle).then(
     (opened) => {
