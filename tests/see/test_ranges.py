@@ -30,7 +30,7 @@ def flat() -> Result:
     return tmodes.run(tmodes.Robot.from_data(arm))
 
 
-@pytest.fixture(params=["2010", "swinging", "flat"])
+@pytest.fixture(scope="module", params=["2010", "swinging", "flat"])
 def shown(request: pytest.FixtureRequest, good: Result) -> dict[str, list[Any]]:
     """Every figure of three runs."""
     result = {"2010": lambda: good, "swinging": lambda: result_of("swinging"), "flat": flat}[request.param]()
