@@ -15,8 +15,6 @@ from tmodes.report.data import page_data
 from tmodes.report.parts import viewer_document
 from tmodes.result import Result
 
-pytestmark = pytest.mark.nightly
-
 AXE = Path(__file__).resolve().parents[2] / "web" / "node_modules" / "axe-core" / "axe.min.js"
 INK = """id => { const c = document.querySelector(`[data-chart=${id}] canvas`); const d = c.getContext('2d')
   .getImageData(0, 0, c.width, c.height).data; const seen = new Set(); let count = 0;
@@ -169,6 +167,7 @@ def test_without_a_program_the_page_reports_what_it_can(browser: Any, reports: d
     window.page.context.close()
 
 
+@pytest.mark.nightly
 @pytest.mark.parametrize("scheme", ["light", "dark"])
 def test_nobody_is_shut_out(browser: Any, reports: dict[str, Path], scheme: str) -> None:
     if not AXE.exists():

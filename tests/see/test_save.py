@@ -16,8 +16,6 @@ from tmodes import plot
 from tmodes.errors import InputError, ResultFileError
 from tmodes.result import Result
 
-pytestmark = pytest.mark.nightly
-
 Drawn = tuple[Path, list[tuple[int, int, str]]]
 
 HASHES = """
@@ -33,6 +31,7 @@ print("report", hashlib.sha256(page(result).encode()).hexdigest())
 """
 
 
+@pytest.mark.nightly
 def test_every_figure_and_every_format(good: Result, drawn_figures: Drawn) -> None:
     place, info = drawn_figures
     names = list(plot.all_figures(good))
@@ -44,6 +43,7 @@ def test_every_figure_and_every_format(good: Result, drawn_figures: Drawn) -> No
     assert all(1000 < file.stat().st_size < 600_000 for file in place.iterdir())
 
 
+@pytest.mark.nightly
 def test_the_same_bytes_in_any_process_on_any_day(
     good: Result, drawn_figures: Drawn, reports: dict[str, Path], tmp_path: Path
 ) -> None:
