@@ -33,10 +33,10 @@ from tmodes.kinds.links.contract import Body
 from tmodes.kinds.links.rigid import RigidLink
 from tmodes.kinds.signals.schedule import SignalPieces
 from tmodes.robots.load import load
+from tmodes.simulation.initial_state import run_setup
 from tmodes.simulation.loop import LoopModel
 from tmodes.simulation.problem import problem_of
 from tmodes.simulation.solve import solve
-from tmodes.simulation.start import run_setup
 
 _DURATIONS = {6: 1.0, 12: 0.5, 36: 0.3}
 _ALONE = 4

@@ -25,10 +25,10 @@ from tmodes.robots.load import load
 from tmodes.simulation.batch.executor import PROCESSOR, thread_count
 from tmodes.simulation.case_results import CaseResults
 from tmodes.simulation.gpu.run import run_on_gpu
+from tmodes.simulation.initial_state import run_setup
 from tmodes.simulation.loop import LoopModel
 from tmodes.simulation.parts import sample_times
 from tmodes.simulation.problem import Problem
-from tmodes.simulation.start import run_setup
 from tmodes.simulation.vary.simulate import prepared
 
 ROBOTS = ("filipovic2010", "spong1987", "flexarm1990", "deluca_siciliano1991")

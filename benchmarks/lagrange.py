@@ -10,9 +10,9 @@ import time
 from tmodes.integrate.settings import Integration
 from tmodes.robots.load import load
 from tmodes.sheet import Robot
+from tmodes.simulation.initial_state import run_setup
 from tmodes.simulation.problem import problem_of
 from tmodes.simulation.solve import solve
-from tmodes.simulation.start import run_setup
 
 STEPS = 40_000
 DURATION = 2.0

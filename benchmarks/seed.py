@@ -29,9 +29,9 @@ from benchmarks.engines.contender import PeerMissing
 from tmodes.compile.ir.unroll import c_text, unrolled
 from tmodes.integrate.settings import Integration
 from tmodes.robots.load import load
+from tmodes.simulation.initial_state import run_setup
 from tmodes.simulation.problem import problem_of
 from tmodes.simulation.solve import solve
-from tmodes.simulation.start import run_setup
 
 from .equal_error import at_equal_error, tell
 from .peers import example

@@ -23,8 +23,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from tmodes.simulation.initial_state import RunSetup, run_setup, run_trajectory
 from tmodes.simulation.parts import Trajectory
-from tmodes.simulation.start import RunSetup, run_setup, run_trajectory
 
 from .stiff_arm import stiff_arm
 

@@ -20,8 +20,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from tmodes.simulation.initial_state import RunSetup, run_setup, run_trajectory
 from tmodes.simulation.motion_run import gathered
-from tmodes.simulation.start import RunSetup, run_setup, run_trajectory
 
 from .peers.exudyn_beams import fall
 from .stiff_arm import falling_arm

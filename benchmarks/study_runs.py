@@ -33,9 +33,9 @@ from tmodes.compile.native import processor
 from tmodes.robots.load import load
 from tmodes.sheet import Robot
 from tmodes.simulation.case_results import CaseResults
+from tmodes.simulation.initial_state import RunSetup, run_setup, run_trajectory
 from tmodes.simulation.motion_run import tip_motion
 from tmodes.simulation.native_run import NativeRun
-from tmodes.simulation.start import RunSetup, run_setup, run_trajectory
 from tmodes.simulation.vary.reduce import Reduction, reduced
 
 from .stiff_arm import two_beams

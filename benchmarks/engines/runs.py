@@ -17,10 +17,10 @@ from tmodes.equations.loop.plan import LoopPlan
 from tmodes.integrate.settings import Integration
 from tmodes.kinds.signals.schedule import SignalPieces
 from tmodes.robots.load import load
+from tmodes.simulation.initial_state import run_setup
 from tmodes.simulation.loop import LoopModel
 from tmodes.simulation.problem import problem_of
 from tmodes.simulation.solve import solve
-from tmodes.simulation.start import run_setup
 
 __all__ = ["ChainRun", "Run", "SeedRun"]
 

@@ -17,7 +17,7 @@ from tmodes.analysis.modes.shapes import assigned
 from tmodes.analysis.statics.at_rest import robot_rest
 from tmodes.model.model import Model
 from tmodes.sheet import Robot
-from tmodes.simulation.start import run_setup
+from tmodes.simulation.initial_state import run_setup
 
 
 def gain(least: float, most: float) -> st.SearchStrategy[float]:

@@ -14,8 +14,8 @@ from simulation.sheets import pendulum, torque
 from tmodes.integrate.settings import Integration
 from tmodes.kinds.signals.schedule import SignalPieces
 from tmodes.sheet import Robot
+from tmodes.simulation.initial_state import run_setup
 from tmodes.simulation.loop import LoopModel
-from tmodes.simulation.start import run_setup
 
 VARIED = (
     "payload.mass",

@@ -8,9 +8,9 @@ import pytest
 from lane_runs import simulate_lanes
 from simulation.sheets import ZERO, arm
 from tmodes.compile.loops.gate import SHORTEST
+from tmodes.simulation.initial_state import run_setup
 from tmodes.simulation.problem import problem_of
 from tmodes.simulation.solve import solve
-from tmodes.simulation.start import run_setup
 
 SHORT = {"duration": 0.3, "output_step": 0.013, "relative_tolerance": 1e-9, "absolute_tolerance": 1e-11}
 

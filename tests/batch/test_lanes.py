@@ -80,7 +80,7 @@ assert Wide.stride == 4
 import numpy as np
 import tmodes
 from lane_runs import simulate_lanes
-from tmodes.simulation.start import run_setup
+from tmodes.simulation.initial_state import run_setup
 robot = tmodes.load("filipovic2010")
 setup = run_setup(robot)
 settings = robot.integration.model_copy(update={"duration": 0.02, "output_step": 5e-4})

@@ -69,7 +69,7 @@ KILLED = """
 import os, signal, sys
 import tmodes
 from lane_runs import simulate_lanes
-from tmodes.simulation.start import run_setup
+from tmodes.simulation.initial_state import run_setup
 setup = run_setup(tmodes.load("filipovic2010"))
 settings = setup.robot.integration.model_copy(update={"duration": 2000.0, "output_step": 1.0})
 def kill(share):

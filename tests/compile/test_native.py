@@ -13,7 +13,7 @@ from tmodes.compile.ir.program import block_program, kernel_function
 from tmodes.errors import CompileError, ResultFileError
 from tmodes.kinds.kernel import functions
 from tmodes.kinds.kernel.schedule import Kernel, Schedule
-from tmodes.simulation.start import run_setup
+from tmodes.simulation.initial_state import run_setup
 
 SINE_COSINE = Kernel("sine and cosine", (1,), (2,), lambda x: [[functions.sin(x[0]), functions.cos(x[0])]])
 

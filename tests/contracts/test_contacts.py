@@ -17,8 +17,8 @@ from tmodes.kinds.contacts.registry import CONTACTS, SURFACES, Contact, Surface
 from tmodes.kinds.kernel import functions as f
 from tmodes.kinds.kernel import vectors
 from tmodes.kinds.schema.quantity import not_negative, positive
+from tmodes.simulation.initial_state import run_setup, run_trajectory
 from tmodes.simulation.simulate import simulate_motion
-from tmodes.simulation.start import run_setup, run_trajectory
 from wasm.node import page_states
 
 

@@ -16,10 +16,10 @@ from tmodes.gradients.gradient import forward_sensitivities
 from tmodes.kinds.controllers.registry import CONTROLLERS, Controller, Measured
 from tmodes.kinds.kernel import vectors
 from tmodes.model.model import Model
+from tmodes.simulation.initial_state import run_setup, run_trajectory
 from tmodes.simulation.problem import problem_of
 from tmodes.simulation.simulate import simulate_motion
 from tmodes.simulation.solve import solve
-from tmodes.simulation.start import run_setup, run_trajectory
 
 
 @CONTROLLERS.register

@@ -20,7 +20,7 @@ from simulation.sheets import ZERO, arm
 from tmodes.kinds.contacts.registry import CONTACTS, SURFACES
 from tmodes.kinds.controllers.registry import CONTROLLERS
 from tmodes.model.passes import evaluate
-from tmodes.simulation.start import RunSetup, run_setup
+from tmodes.simulation.initial_state import RunSetup, run_setup
 
 Array = NDArray[np.float64]
 FRICTION = {"viscous": 0.3, "coulomb": 0.8, "smoothing": 0.02, "static_extra": 0.5, "stribeck_rate": 0.1}

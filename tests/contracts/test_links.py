@@ -22,8 +22,8 @@ from tmodes.kinds.links.sheet import BendingSheet
 from tmodes.kinds.schema.quantity import positive
 from tmodes.model.model import Model
 from tmodes.report import write_report
+from tmodes.simulation.initial_state import run_setup, run_trajectory
 from tmodes.simulation.simulate import simulate_motion
-from tmodes.simulation.start import run_setup, run_trajectory
 from wasm.node import page_states
 
 

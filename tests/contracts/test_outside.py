@@ -21,8 +21,8 @@ from tmodes.gradients.gradient import forward_sensitivities
 from tmodes.kinds.joints.registry import JOINTS
 from tmodes.live.bundle import live_bundle, why_not_live
 from tmodes.report.page import page
+from tmodes.simulation.initial_state import run_setup, run_trajectory
 from tmodes.simulation.simulate import simulate_motion
-from tmodes.simulation.start import run_setup, run_trajectory
 from wasm.node import page_states
 
 KINDS = {

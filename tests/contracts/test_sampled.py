@@ -18,9 +18,9 @@ from tmodes.errors import InputError
 from tmodes.gradients.gradient import forward_sensitivities
 from tmodes.live.bundle import live_bundle, why_not_live
 from tmodes.model.model import Model
+from tmodes.simulation.initial_state import run_setup, run_trajectory
 from tmodes.simulation.parts import sample_times
 from tmodes.simulation.simulate import simulate_motion
-from tmodes.simulation.start import run_setup, run_trajectory
 from wasm.node import page_states
 
 PERIOD, INERTIA, KP, KI, KV = 0.03, 0.5, 20.0, 10.0, 3.0

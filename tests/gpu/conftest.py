@@ -15,10 +15,10 @@ from tmodes.integrate.settings import Integration
 from tmodes.kinds.signals.schedule import SignalPieces
 from tmodes.simulation.case_results import CaseResults
 from tmodes.simulation.gpu.run import run_on_gpu
+from tmodes.simulation.initial_state import run_setup
 from tmodes.simulation.loop import LoopModel
 from tmodes.simulation.problem import Problem, problem_of
 from tmodes.simulation.solve import solve
-from tmodes.simulation.start import run_setup
 
 EVERY = "TMODES_EVERY_KERNEL"
 

@@ -9,7 +9,7 @@ import tmodes
 from simulation.sheets import pendulum, torque
 from tmodes.compile.gpu.cuda import HostDevice, first_gpu, unavailable
 from tmodes.simulation.gpu.run import OnDevice
-from tmodes.simulation.start import run_setup
+from tmodes.simulation.initial_state import run_setup
 from tmodes.simulation.vary import arrays
 from tmodes.simulation.vary.reduce import Reduction, reduced
 

@@ -13,7 +13,7 @@ from benchmarks.assembler import NONE, assembled
 import tmodes
 from tmodes.compile.gpu.case_loop import BLOCK, CASE_ARGUMENTS, LEAST_TARGET
 from tmodes.equations.loop.outputs import OWN, Outputs
-from tmodes.simulation.start import run_setup
+from tmodes.simulation.initial_state import run_setup
 
 from .conftest import NIGHTLY
 

@@ -10,7 +10,7 @@ import pytest
 import tmodes
 from tmodes.compile.gpu.cuda import HostDevice
 from tmodes.kinds.signals.schedule import SignalPieces
-from tmodes.simulation.start import run_setup
+from tmodes.simulation.initial_state import run_setup
 
 from .conftest import NIGHTLY, on_device, varied
 

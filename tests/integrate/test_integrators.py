@@ -7,11 +7,11 @@ import pytest
 from scipy.integrate import RK45, solve_ivp
 
 from tmodes.integrate.dormand_prince import B_ERROR, DENSE, A, C
+from tmodes.simulation.initial_state import RunSetup, run_setup
 from tmodes.simulation.parts import sample_times
 from tmodes.simulation.plan import Follow
 from tmodes.simulation.problem import problem_of
 from tmodes.simulation.solve import solve
-from tmodes.simulation.start import RunSetup, run_setup
 
 LOSSLESS = {
     "motor.friction": 0.0, "gear.damping": 0.0, "link.modes.0.damping_time": 0.0, "link.modes.1.damping_time": 0.0,

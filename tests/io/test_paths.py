@@ -21,7 +21,7 @@ from tmodes.io.sheet_paths import changed_places
 from tmodes.io.yaml_file import parse_yaml
 from tmodes.robots.load import load
 from tmodes.sheet import Robot
-from tmodes.simulation.vary.lanes import changed_sheet
+from tmodes.simulation.vary.values import changed_sheet
 
 
 def sheet() -> dict[str, Any]:

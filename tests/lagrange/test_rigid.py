@@ -19,8 +19,8 @@ from tmodes.kinds.links.contract import Body
 from tmodes.kinds.links.modes import ModesLink
 from tmodes.kinds.links.modes_sheet import Mode
 from tmodes.model.model import Model
+from tmodes.simulation.initial_state import run_setup
 from tmodes.simulation.plan import Follow
-from tmodes.simulation.start import run_setup
 
 GEAR, FIRST, SECOND = "gear.stiffness", "link.modes.0.bending_stiffness", "link.modes.1.bending_stiffness"
 RIGID = [(GEAR,), (FIRST,), (SECOND,), (FIRST, SECOND), (GEAR, FIRST, SECOND)]

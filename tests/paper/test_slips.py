@@ -10,7 +10,7 @@ from lagrange import robot2010
 from tmodes.analysis.inverse import coordinate_rates
 from tmodes.integrate.settings import Integration
 from tmodes.kinds.links.modes_sheet import Mode, shape_deflection
-from tmodes.simulation.start import run_setup
+from tmodes.simulation.initial_state import run_setup
 
 PHI = np.array([0.3, -0.2, 0.25, 0.15, -0.1, 0.2])
 PHID = np.array([0.5, -1.0, 0.7, 0.3, -0.4, 0.6])

@@ -12,7 +12,7 @@ from tmodes.equations.lagrange.filipovic2010 import COORDINATES, basis
 from tmodes.io.filipovic2010.importer import to_robot
 from tmodes.kinds.links.modes_sheet import Mode, shape_angle, shape_deflection, shape_slope
 from tmodes.model.model import Model
-from tmodes.simulation.start import run_setup
+from tmodes.simulation.initial_state import run_setup
 
 PHI = np.array([0.3, -0.2, 0.25, 0.15, -0.1, 0.2])
 PHID = np.array([0.5, -1.0, 0.7, 0.3, -0.4, 0.6])

@@ -25,8 +25,8 @@ from tmodes.result.assemble import ResultAssembly
 from tmodes.result.errors import summary_figures
 from tmodes.result.summary import summarise_result
 from tmodes.sheet import Robot
+from tmodes.simulation.initial_state import run_setup, run_trajectory
 from tmodes.simulation.parts import Trajectory
-from tmodes.simulation.start import run_setup, run_trajectory
 from tmodes.simulation.step_refinement import refined_run
 
 EXACT = {"method": "dop853", "relative_tolerance": 1e-12, "absolute_tolerance": 1e-15}

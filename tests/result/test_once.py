@@ -14,7 +14,7 @@ import tmodes.chain.lowering
 import tmodes.io.yaml_file
 import tmodes.result.assemble
 import tmodes.result.result
-import tmodes.simulation.start
+import tmodes.simulation.initial_state
 from see.runs import swinging
 from tmodes.analysis.modes.of_sheet import sheet_frequencies
 from tmodes.analysis.statics.at_rest import robot_rest

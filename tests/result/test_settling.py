@@ -20,8 +20,8 @@ from tmodes.result import Result
 from tmodes.result.assemble import ResultAssembly
 from tmodes.result.settling import after_move, at_rest_from, move_end
 from tmodes.sheet import Robot
+from tmodes.simulation.initial_state import run_setup
 from tmodes.simulation.simulate import simulate_motion
-from tmodes.simulation.start import run_setup
 
 COUNT = int(os.environ.get("TMODES_RANDOM_RUNS", "0"))
 """Random robots of each kind; of 0 two."""

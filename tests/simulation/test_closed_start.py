@@ -14,8 +14,8 @@ from tmodes.gradients.changes import changes_of
 from tmodes.gradients.lowering import lowered
 from tmodes.robots import names
 from tmodes.simulation.departure import departure
+from tmodes.simulation.initial_state import run_setup
 from tmodes.simulation.simulate import simulate_motion
-from tmodes.simulation.start import run_setup
 from tmodes.simulation.vary import arrays
 from tmodes.simulation.warnings import departures
 

@@ -13,8 +13,8 @@ from simulation.test_closed_start import LEVER, lever
 from tmodes import run
 from tmodes.cli.sheets import check
 from tmodes.simulation.departure import departure
+from tmodes.simulation.initial_state import RunSetup, run_setup
 from tmodes.simulation.simulate import simulate_motion
-from tmodes.simulation.start import RunSetup, run_setup
 
 RATE, FAST = 3.0, 2.0
 SPIN = {"type": "expression", "formula": f"{RATE}*t"}

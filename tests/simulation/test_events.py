@@ -17,8 +17,8 @@ from simulation.test_sticking import block
 from tmodes.result import Result
 from tmodes.result.run import run
 from tmodes.sheet import Robot
+from tmodes.simulation.initial_state import run_setup, run_trajectory
 from tmodes.simulation.parts import Journal
-from tmodes.simulation.start import run_setup, run_trajectory
 
 METHODS = ["dormand_prince", "dop853", "rosenbrock", "rk4"]
 

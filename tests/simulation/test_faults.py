@@ -14,11 +14,11 @@ from tmodes.kinds.signals.schedule import SignalPieces
 from tmodes.robots.load import load
 from tmodes.sheet import Robot
 from tmodes.simulation import python_controller
+from tmodes.simulation.initial_state import RunSetup, run_setup
 from tmodes.simulation.parts import Trajectory
 from tmodes.simulation.problem import problem_of
 from tmodes.simulation.simulate import simulate_motion
 from tmodes.simulation.solve import solve
-from tmodes.simulation.start import RunSetup, run_setup
 
 METHODS = ("dormand_prince", "dop853", "rk4", "extrapolation", "midpoint", "rosenbrock")
 BREAK = 0.0537

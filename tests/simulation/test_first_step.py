@@ -12,8 +12,8 @@ from tmodes.integrate.registry import integrators
 from tmodes.robots import installed_models
 from tmodes.robots.load import sheet_names
 from tmodes.sheet import Robot
+from tmodes.simulation.initial_state import run_setup, run_trajectory
 from tmodes.simulation.plan import Follow
-from tmodes.simulation.start import run_setup, run_trajectory
 from wasm.node import page_states
 
 SIGNALS = {

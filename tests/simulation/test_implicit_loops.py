@@ -12,9 +12,9 @@ from tmodes.compile.loops.extrapolation_rows import difference_weights
 from tmodes.errors import CompileError
 from tmodes.sheet import Robot
 from tmodes.simulation import native_run
+from tmodes.simulation.initial_state import run_setup, run_trajectory
 from tmodes.simulation.parts import Trajectory
 from tmodes.simulation.simulate import simulate_motion
-from tmodes.simulation.start import run_setup, run_trajectory
 
 FINE = {"method": "dormand_prince", "relative_tolerance": 1e-12, "absolute_tolerance": 1e-14}
 

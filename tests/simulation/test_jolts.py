@@ -13,9 +13,9 @@ from tmodes.errors import InputError
 from tmodes.gradients.gradient import forward_sensitivities
 from tmodes.kinds.signals.registry import Signal
 from tmodes.sheet import Robot
+from tmodes.simulation.initial_state import run_setup
 from tmodes.simulation.motion_run import RunData
 from tmodes.simulation.simulate import simulate_motion
-from tmodes.simulation.start import run_setup
 from tmodes.simulation.vary.simulate import simulate_batch
 from tmodes.simulation.warnings import start_warnings
 

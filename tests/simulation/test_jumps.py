@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 
 from simulation.sheets import pendulum
+from tmodes.simulation.initial_state import RunSetup, run_setup
 from tmodes.simulation.plan import planned
 from tmodes.simulation.simulate import simulate_motion
-from tmodes.simulation.start import RunSetup, run_setup
 from tmodes.simulation.warnings import jumps
 
 RIGID = {"stiffness": float("inf")}

@@ -16,9 +16,9 @@ from tmodes.errors import InputError, InputErrors, SimulationError, TmodesError
 from tmodes.integrate.settings import Integration
 from tmodes.io.sheet_check import sheet_from_data
 from tmodes.sheet import Robot, RobotPair
+from tmodes.simulation.initial_state import run_setup, run_trajectory
 from tmodes.simulation.motion_run import gathered
 from tmodes.simulation.plan import Follow
-from tmodes.simulation.start import run_setup, run_trajectory
 from tmodes.simulation.warnings import jam_warnings, run_warnings
 
 RIGID = {

@@ -9,10 +9,10 @@ import pytest
 
 from simulation.sheets import arm
 from tmodes.sheet import Robot
+from tmodes.simulation.initial_state import run_setup, run_trajectory
 from tmodes.simulation.native_run import NativeRun
 from tmodes.simulation.parts import Trajectory
 from tmodes.simulation.problem import problem_of
-from tmodes.simulation.start import run_setup, run_trajectory
 
 JUMPS = (0.1234, 0.3217)
 METHODS = ("dormand_prince", "dop853", "rk4", "extrapolation", "midpoint", "rosenbrock")

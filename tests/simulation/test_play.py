@@ -19,10 +19,10 @@ from tmodes.compile.loops.gate import SHORTEST
 from tmodes.errors import SimulationError
 from tmodes.gradients.gradient import forward_sensitivities
 from tmodes.sheet import Robot
+from tmodes.simulation.initial_state import run_setup
 from tmodes.simulation.problem import problem_of
 from tmodes.simulation.simulate import simulate_motion
 from tmodes.simulation.solve import solve
-from tmodes.simulation.start import run_setup
 
 METHODS = ["dormand_prince", "dop853", "rosenbrock", "extrapolation", "rk4", "midpoint"]
 

@@ -58,7 +58,7 @@ def test_smooth_friction_of_a_contact_is_taken_by_the_method_that_has_it_in_its_
 
 def _only_extrapolation(monkeypatch: pytest.MonkeyPatch) -> None:
     """Friction of a contact is explicit in it, as in explicit methods."""
-    monkeypatch.setattr("tmodes.simulation.start.implicit_method", lambda *_, **__: "extrapolation")
+    monkeypatch.setattr("tmodes.simulation.initial_state.implicit_method", lambda *_, **__: "extrapolation")
 
 
 def test_a_change_that_does_not_pay_is_taken_back(monkeypatch: pytest.MonkeyPatch) -> None:

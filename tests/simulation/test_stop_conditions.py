@@ -14,9 +14,9 @@ import tmodes
 from tmodes.errors import InputError, InputErrors, SimulationError
 from tmodes.io.assignment import parse_assignment
 from tmodes.io.sheet_write import robot_to_yaml
+from tmodes.simulation.initial_state import run_setup, run_trajectory
 from tmodes.simulation.outputs import run_stops
 from tmodes.simulation.plan import Follow
-from tmodes.simulation.start import run_setup, run_trajectory
 
 SHORT = {"integration.duration": 0.6, "integration.output_step": 0.01}
 COMMAND = [sys.executable, "-m", "tmodes.cli.entry"]

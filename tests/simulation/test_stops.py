@@ -12,9 +12,9 @@ from simulation.sheets import arm
 from tmodes.errors import InputError, SimulationError
 from tmodes.sheet import Robot
 from tmodes.simulation import native_run
+from tmodes.simulation.initial_state import run_setup, run_trajectory
 from tmodes.simulation.outputs import run_stops
 from tmodes.simulation.simulate import simulate_motion
-from tmodes.simulation.start import run_setup, run_trajectory
 from tmodes.simulation.step_refinement import refined_run
 
 METHODS = ("dormand_prince", "dop853", "rk4", "extrapolation", "midpoint", "rosenbrock")

@@ -14,8 +14,8 @@ import pytest
 
 from patience import LONG
 from tmodes.live.functions import LiveModule, ModelFunctions, live_module
+from tmodes.simulation.initial_state import RunSetup
 from tmodes.simulation.parts import sample_times
-from tmodes.simulation.start import RunSetup
 
 __all__ = ["built_model", "in_node", "page_states", "plain"]
 

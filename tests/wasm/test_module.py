@@ -18,10 +18,10 @@ from tmodes.live.functions import Functions, LiveModule, ModelFunctions, live_mo
 from tmodes.model.model import Model
 from tmodes.model.passes import derivatives
 from tmodes.sheet import Robot
+from tmodes.simulation.initial_state import RunSetup, run_setup, run_trajectory
 from tmodes.simulation.loop import LoopModel
 from tmodes.simulation.parts import sample_times
 from tmodes.simulation.plan import Follow
-from tmodes.simulation.start import RunSetup, run_setup, run_trajectory
 from wasm.node import in_node
 from wasm.sheets import two_links
 

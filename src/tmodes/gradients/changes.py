@@ -25,10 +25,10 @@ from tmodes.model.derivatives import differentiated
 from tmodes.model.parameters import Structural
 from tmodes.sheet import Robot
 from tmodes.simulation.balance import Balance, frozen
+from tmodes.simulation.initial_state import closed_balance, held_at_start
 from tmodes.simulation.loop import Blocks, LoopModel
 from tmodes.simulation.plan import Follow, planned
 from tmodes.simulation.replay import Replay
-from tmodes.simulation.start import closed_balance, held_at_start
 from tmodes.simulation.vary.cases import run_blocks
 from tmodes.simulation.vary.programs import CaseProgram, case_program
 
@@ -112,8 +112,8 @@ class _Noted:
         for step in (_NEAR, -_NEAR):
             moved = {path: value + step * (abs(value) or 1.0)}
             try:
-                found, robot = self._program(moved), self.here.side.of(self.sheet.with_(moved).pair())
-                key = LoopModel(planned(robot, self.here.side.follow).plan).loop.rate.key
+                found, robot = self._program(moved), self.here.variant.of(self.sheet.with_(moved).pair())
+                key = LoopModel(planned(robot, self.here.variant.follow).plan).loop.rate.key
             except (InputError, InputErrors):
                 continue
             if key == self.here.model.loop.rate.key and found.places == here.places and all(
@@ -125,7 +125,7 @@ class _Noted:
 
     def _program(self, values: Mapping[str, float]) -> CaseProgram:
         try:
-            found = case_program(self.sheet, values, self.here.side.of, self._blocks)
+            found = case_program(self.sheet, values, self.here.variant.of, self._blocks)
         except Structural as why:
             for path, value in values.items() if len(values) > 1 else ():
                 self._program({path: value})
@@ -135,7 +135,7 @@ class _Noted:
         return found
 
     def _blocks(self, robot: Robot) -> Blocks:
-        found, further = run_blocks(robot, self.here.side.follow), self.here.further(self.shown, robot)
+        found, further = run_blocks(robot, self.here.variant.follow), self.here.further(self.shown, robot)
         return found if further is None else {**found, "further": further}
 
 

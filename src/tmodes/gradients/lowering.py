@@ -18,13 +18,13 @@ from tmodes.integrate.settings import Integration
 from tmodes.kinds.contacts.registry import Contact
 from tmodes.kinds.signals.schedule import SignalPieces
 from tmodes.sheet import Robot
+from tmodes.simulation.initial_state import RunSetup, run_setup
 from tmodes.simulation.loop import LoopModel, refuse_switches
 from tmodes.simulation.plan import planned
 from tmodes.simulation.recording import MOST_BYTES
 from tmodes.simulation.replay import Replay
 from tmodes.simulation.solve import solve
-from tmodes.simulation.start import RunSetup, run_setup
-from tmodes.simulation.vary.lanes import Side
+from tmodes.simulation.vary.values import RobotVariant
 
 __all__ = ["Lowered", "lowered", "rows_of"]
 
@@ -47,13 +47,13 @@ class Lowered:
     settings: Integration
     setup: RunSetup
     contact: Contact | None = None
-    side: Side = Side.ACTUAL
+    variant: RobotVariant = RobotVariant.ACTUAL
 
     def further(self, shown: Sequence[Output], robot: Robot) -> Array | None:
         """The numbers of outputs of a robot of this structure that those of its loop lack; None where none does."""
         if not any(output.further for output in shown):
             return None
-        loop = LoopModel(planned(robot, self.side.follow).plan).loop
+        loop = LoopModel(planned(robot, self.variant.follow).plan).loop
         return output_schedule(loop, {"shown": shown}, after=False, often=False).further
 
     def recorded(self, most_bytes: float = MOST_BYTES) -> Replay:
@@ -91,17 +91,17 @@ def _jumps(axis: AxisPart) -> bool:
     return bool(axis.drive and axis.drive.dead_zone and gear and gear.damping > 0)
 
 
-def lowered(sheet: Robot, side: Side = Side.ACTUAL) -> Lowered:
+def lowered(sheet: Robot, variant: RobotVariant = RobotVariant.ACTUAL) -> Lowered:
     """The run of the actual robot, or of the one that plans the motion.
 
     Raises :class:`tmodes.errors.InputError` and :class:`tmodes.errors.SimulationError` for what cannot run.
     """
-    robot = side.of(sheet.pair())
-    setup = run_setup(robot, side.follow).chosen()
+    robot = variant.of(sheet.pair())
+    setup = run_setup(robot, variant.follow).chosen()
     model, settings = setup.model, setup.robot.integration
     rates = model.loop.euler_rate if integrator(settings.method).asks == EULER else model.loop.rate
     return Lowered(
-        model, rates, model.numbers, setup.planned.schedule, setup.start, settings, setup, robot.contact, side
+        model, rates, model.numbers, setup.planned.schedule, setup.start, settings, setup, robot.contact, variant
     )
 
 

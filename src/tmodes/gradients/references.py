@@ -19,7 +19,7 @@ from tmodes.io.sheet_paths import steps_of
 from tmodes.sheet import Robot
 from tmodes.simulation.recording import Recording
 from tmodes.simulation.replay import Replay
-from tmodes.simulation.vary.tables import commanded_states, nominal_side, setpoints
+from tmodes.simulation.vary.tables import commanded_states, nominal_variant, setpoints
 
 __all__ = ["Reference", "pulled", "swept"]
 
@@ -36,7 +36,7 @@ class Reference:
         if name == OWN:
             got, hint = f"`{OWN}`", f"take `{DEVIATION}`, `{COMMANDED}`, or a Functional of `tip`"
             raise InputError("quantities", got, "a distance from another run than the sheet's own", hint)
-        self.here = lowered(sheet, nominal_side(sheet, paths, [name]))
+        self.here = lowered(sheet, nominal_variant(sheet, paths, [name]))
         self.known = {} if name == DEVIATION else _known(sheet, self.here, paths)
         self.replay = self.here.recorded(most_bytes) if name == DEVIATION else None
         self.done = self.replay.recording if self.replay else self._commanded(done)

@@ -44,7 +44,7 @@ def check(robot: Robot) -> Check:
 def _starting(robot: Robot) -> list[str]:
     """Why the robot cannot run as it stands, or that its start is no equilibrium."""
     from tmodes.result.run import ready_to_run
-    from tmodes.simulation.start import run_setup
+    from tmodes.simulation.initial_state import run_setup
     from tmodes.simulation.warnings import departures
 
     try:

@@ -22,9 +22,9 @@ from tmodes.result import Result
 from tmodes.result.end_modes import held_at
 from tmodes.sheet import Robot, RobotPair
 from tmodes.simulation.balance import frozen
+from tmodes.simulation.initial_state import RunSetup, closed_balance, first_state, run_setup
 from tmodes.simulation.loop import LoopModel
 from tmodes.simulation.plan import Follow, planned, starts_at_rest
-from tmodes.simulation.start import RunSetup, closed_balance, first_state, run_setup
 
 __all__ = ["live_bundle", "why_not_live"]
 

@@ -15,9 +15,9 @@ from tmodes.live.places import line_lengths, load_places, vibration_numbers
 from tmodes.model.model import Model
 from tmodes.model.passes import ChainPasses
 from tmodes.sheet import Robot
+from tmodes.simulation.initial_state import held_at_start, placed_state, undeformed
 from tmodes.simulation.loop import Blocks, LoopModel, loop_numbers
 from tmodes.simulation.plan import Follow, planned
-from tmodes.simulation.start import held_at_start, placed_state, undeformed
 
 __all__ = ["follow_of", "has_reference", "run_numbers", "whole_moves"]
 

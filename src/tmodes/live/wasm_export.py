@@ -20,8 +20,8 @@ from tmodes.kinds.signals.schedule import SignalPieces
 from tmodes.live.functions import LiveModule, ModelFunctions, engine_settings, live_module
 from tmodes.live.map import live_map
 from tmodes.sheet import Robot, RobotPair
+from tmodes.simulation.initial_state import RunSetup, run_setup
 from tmodes.simulation.plan import Follow
-from tmodes.simulation.start import RunSetup, run_setup
 
 __all__ = ["Exported", "exported"]
 

@@ -19,10 +19,10 @@ from tmodes.io.filipovic2010.importer import COORDINATES, to_robot
 from tmodes.io.sheet_check import sheet_from_data
 from tmodes.result.assemble import ResultAssembly
 from tmodes.result.content import AGAIN
+from tmodes.simulation.initial_state import RunSetup, run_setup
 from tmodes.simulation.motion_run import RunData, gathered
 from tmodes.simulation.parts import Trajectory
 from tmodes.simulation.plan import Follow
-from tmodes.simulation.start import RunSetup, run_setup
 
 if TYPE_CHECKING:
     from tmodes.io.labelled import Record

@@ -14,9 +14,9 @@ from tmodes.analysis.quasistatic import deflections
 from tmodes.integrate.registry import integrator
 from tmodes.result.lines import load_series
 from tmodes.result.paths import error_parts
+from tmodes.simulation.initial_state import RunSetup
 from tmodes.simulation.motion_run import RunData, gathered
 from tmodes.simulation.parts import Trajectory
-from tmodes.simulation.start import RunSetup
 from tmodes.simulation.step_refinement import refined_run
 
 __all__ = ["SummaryNumber", "distances", "even_samples", "sampled", "summary_errors", "summary_figures"]

@@ -19,10 +19,10 @@ from tmodes.errors import SimulationError
 from tmodes.kinds.links.facts import DIRECTIONS
 from tmodes.result.errors import distances, even_samples, sampled, summary_figures
 from tmodes.sheet.robot import RECURSION
+from tmodes.simulation.initial_state import RunSetup, run_setup
 from tmodes.simulation.motion_run import RunData
 from tmodes.simulation.parts import Trajectory
 from tmodes.simulation.solve import solve
-from tmodes.simulation.start import RunSetup, run_setup
 from tmodes.simulation.stops import STOPPED
 
 __all__ = ["SAFETY", "compared_chain", "model_errors"]

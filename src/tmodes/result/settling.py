@@ -25,10 +25,10 @@ from tmodes.integrate.registry import integrator
 from tmodes.kinds.signals.schedule import MergedSchedule, SignalPieces, merge
 
 if TYPE_CHECKING:
+    from tmodes.simulation.initial_state import RunSetup
     from tmodes.simulation.motion_run import RunData
     from tmodes.simulation.parts import Trajectory
     from tmodes.simulation.plan import Planned
-    from tmodes.simulation.start import RunSetup
 
 __all__ = [
     "AfterMove", "after_move", "move_end", "not_settled", "plain_vibration", "settling", "unknown_vibration",

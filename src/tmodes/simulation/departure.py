@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.simulation.balance import Balance, Search, frozen, rounding
-from tmodes.simulation.start import RunSetup
+from tmodes.simulation.initial_state import RunSetup
 
 __all__ = ["Departure", "departure"]
 

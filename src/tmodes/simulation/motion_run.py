@@ -14,10 +14,10 @@ from tmodes.equations.loop.layout import BROUGHT_IN, WORKS
 from tmodes.model.model import Model, PointMotion
 from tmodes.model.rows import StateRows
 from tmodes.sheet import Robot
+from tmodes.simulation.initial_state import RunSetup
 from tmodes.simulation.loop import LoopModel
 from tmodes.simulation.parts import Trajectory
 from tmodes.simulation.plan import Planned
-from tmodes.simulation.start import RunSetup
 
 __all__ = ["RunData", "bytes_per_sample", "energies_of", "gathered", "tip_motion"]
 

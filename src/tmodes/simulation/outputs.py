@@ -8,9 +8,9 @@ from tmodes.equations.loop.outputs import DISTANCES, Output, Outputs
 from tmodes.io.arguments import checked_arguments
 from tmodes.sheet import Robot
 from tmodes.sheet.robot import refuse_other
+from tmodes.simulation.initial_state import RunSetup
 from tmodes.simulation.loop import LoopModel
 from tmodes.simulation.plan import planned
-from tmodes.simulation.start import RunSetup
 from tmodes.simulation.stops import Stop, Stops, resolved
 
 __all__ = ["refuse_wrong_stops", "robot_outputs", "run_stops"]

@@ -17,10 +17,10 @@ from numpy.typing import ArrayLike, NDArray
 from tmodes.equations.loop.control_kernels import WINDING, Servo
 from tmodes.errors import SimulationError, error_words
 from tmodes.integrate.settings import Integration
+from tmodes.simulation.initial_state import RunSetup
 from tmodes.simulation.loop import LoopModel
 from tmodes.simulation.native_run import BOUND
 from tmodes.simulation.parts import Trajectory, completed, sample_times, used_up
-from tmodes.simulation.start import RunSetup
 from tmodes.simulation.stops import STOPPED, Instants, SetIn, Stops
 
 __all__ = [

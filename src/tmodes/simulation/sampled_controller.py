@@ -21,10 +21,10 @@ from tmodes.io.words import meant
 from tmodes.kinds.signals.registry import Clock, merge
 from tmodes.kinds.signals.schedule import SignalPieces
 from tmodes.simulation.event_detection import WatchedRun
+from tmodes.simulation.initial_state import RunSetup
 from tmodes.simulation.native_run import NativeRun
 from tmodes.simulation.parts import Trajectory
 from tmodes.simulation.python_controller import controller_error
-from tmodes.simulation.start import RunSetup
 from tmodes.simulation.stops import Stops
 
 __all__ = ["Measurement", "SampledController", "refuse_period", "run_with_samples"]

@@ -20,6 +20,7 @@ from tmodes.integrate.settings import refuse_too_large
 from tmodes.io.words import several
 from tmodes.sheet import Robot, RobotPair
 from tmodes.sheet.parts import Command
+from tmodes.simulation.initial_state import RunSetup, run_setup, run_trajectory
 from tmodes.simulation.loop import refuse_switches
 from tmodes.simulation.motion_run import RunData, bytes_per_sample, gathered
 from tmodes.simulation.outputs import run_stops
@@ -27,7 +28,6 @@ from tmodes.simulation.parts import Journal, Trajectory
 from tmodes.simulation.plan import Follow
 from tmodes.simulation.python_controller import Controller, driven_by, fixed_steps, run_with_controller
 from tmodes.simulation.sampled_controller import SampledController, refuse_period, run_with_samples
-from tmodes.simulation.start import RunSetup, run_setup, run_trajectory
 from tmodes.simulation.stops import STOPPED, Instants, Places, Stops
 from tmodes.simulation.warnings import departures, jumps, no_motion, run_warnings, start_warnings
 

@@ -6,8 +6,8 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from tmodes.integrate.settings import Integration
+from tmodes.simulation.initial_state import RunSetup, run_trajectory
 from tmodes.simulation.parts import Trajectory
-from tmodes.simulation.start import RunSetup, run_trajectory
 from tmodes.simulation.stops import STOPPED
 
 __all__ = ["refined_run"]

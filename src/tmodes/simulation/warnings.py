@@ -12,9 +12,9 @@ from tmodes.kinds.contacts.registry import Contact
 from tmodes.kinds.signals.registry import MergedSchedule
 from tmodes.sheet.robot import RECURSION
 from tmodes.simulation.departure import departure
+from tmodes.simulation.initial_state import RunSetup
 from tmodes.simulation.motion_run import RunData
 from tmodes.simulation.plan import WAYS
-from tmodes.simulation.start import RunSetup
 
 __all__ = ["departures", "jam_warnings", "jumps", "no_motion", "run_warnings", "start_warnings"]
 

@@ -14,10 +14,9 @@ from tmodes.io.sheet_check import sheet_data
 from tmodes.sheet import Robot
 from tmodes.simulation.batch.result import BatchRun
 from tmodes.simulation.reductions import Reduction, of_samples
-from tmodes.simulation.vary.lanes import changed_sheet
 from tmodes.simulation.vary.programs import refused_cases
 from tmodes.simulation.vary.simulate import prepared, run_prepared
-from tmodes.simulation.vary.values import changes_of, checked
+from tmodes.simulation.vary.values import changed_sheet, changes_of, checked
 from tmodes.study.mapping import Group, groups_of, target_of
 from tmodes.study.read import study_of_robot
 from tmodes.study.rows import Rows, joined

@@ -13,7 +13,7 @@ from tmodes.analysis.statics import at_rest
 from tmodes.analysis.statics.at_rest import robot_rest
 from tmodes.errors import SimulationError
 from tmodes.sheet import Robot
-from tmodes.simulation.start import run_setup
+from tmodes.simulation.initial_state import run_setup
 
 GRAVITY = 9.81
 BODY = {"mass": 1.0, "center": [0.4, 0, 0], "inertia": {"xx": 0.1, "yy": 0.1, "zz": 0.1}}

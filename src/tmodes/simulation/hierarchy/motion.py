@@ -15,10 +15,10 @@ from tmodes.kinds.signals.registry import quintic_move
 from tmodes.sheet import Robot
 from tmodes.sheet.parts import Command, DriveSheet
 from tmodes.simulation.hierarchy.variants import driven, whole_chain
+from tmodes.simulation.initial_state import RunSetup, run_setup, run_trajectory
 from tmodes.simulation.motion_run import tip_motion
 from tmodes.simulation.parts import Trajectory, sample_times
 from tmodes.simulation.plan import Follow, starts_at_rest
-from tmodes.simulation.start import RunSetup, run_setup, run_trajectory
 from tmodes.simulation.warnings import jumps
 
 __all__ = ["Motion", "moved", "with_motion"]

@@ -16,11 +16,10 @@ from numpy.typing import NDArray
 from tmodes.errors import InputError, InputErrors
 from tmodes.model.parameters import Structural
 from tmodes.sheet import Robot
-from tmodes.simulation.start import RunSetup
+from tmodes.simulation.initial_state import RunSetup
 from tmodes.simulation.vary.case_group import CaseGroup, Indices
 from tmodes.simulation.vary.cases import Cases
-from tmodes.simulation.vary.lanes import Side
-from tmodes.simulation.vary.values import Whole
+from tmodes.simulation.vary.values import RobotVariant, Whole
 
 __all__ = ["Family", "array_groups", "family_of"]
 
@@ -53,17 +52,17 @@ _LOCK = Lock()
 
 
 def family_of(
-    sheet: Robot, side: Side, whole: Whole, prepare: Callable[[Mapping[str, float]], RunSetup | str]
+    sheet: Robot, variant: RobotVariant, whole: Whole, prepare: Callable[[Mapping[str, float]], RunSetup | str]
 ) -> Family | None:
     """The family of all cases of a sheet, found once; None where there is none.
 
-    ``prepare`` gives a case by itself. It depends on sheet, side and ``whole`` alone, not on the batches before.
+    ``prepare`` gives a case by itself. It depends on sheet, variant and ``whole`` alone, not on the batches before.
     """
-    key = sheet.model_dump_json(), side, whole.cases, tuple(whole.ends.items())
+    key = sheet.model_dump_json(), variant, whole.cases, tuple(whole.ends.items())
     with _LOCK:
         if key not in _KEPT:
             try:
-                _KEPT[key] = _found(sheet, side, whole, prepare)
+                _KEPT[key] = _found(sheet, variant, whole, prepare)
             except (InputError, InputErrors, Structural):
                 _KEPT[key] = None
             if len(_KEPT) > _MOST_KEPT:
@@ -72,7 +71,7 @@ def family_of(
 
 
 def _found(
-    sheet: Robot, side: Side, whole: Whole, prepare: Callable[[Mapping[str, float]], RunSetup | str]
+    sheet: Robot, variant: RobotVariant, whole: Whole, prepare: Callable[[Mapping[str, float]], RunSetup | str]
 ) -> Family | None:
     inside = {path: low + _INSIDE * (high - low) for path, (low, high) in whole.ends.items()}
     corners = [inside, *({**inside, path: end} for path, ends in whole.ends.items() for end in dict.fromkeys(ends))]
@@ -80,7 +79,7 @@ def _found(
     if isinstance(like, str):
         return None
     values = {path: np.array([corner[path] for corner in corners]) for path in inside}
-    cases, which = Cases(sheet, values, 0, like, side, whole.cases).holding()
+    cases, which = Cases(sheet, values, 0, like, variant, whole.cases).holding()
     starts = cases.starts(lambda share: None)
     ends = np.arange(len(which))
     agrees = len(which) and agree(cases, starts, ends, lambda k: prepare(corners[which[k]]) if k else like)
@@ -106,7 +105,7 @@ def array_groups(
     values: Mapping[str, Array],
     one: One,
     progress: Callable[[float], None],
-    side: Side = Side.ACTUAL,
+    variant: RobotVariant = RobotVariant.ACTUAL,
     threads: int = 1,
     family: Family | None = None,
 ) -> list[CaseGroup]:
@@ -137,7 +136,7 @@ def array_groups(
             left, small = left[1:], small + 1
             continue
         try:
-            cases, which = Cases(sheet, {path: own[left] for path, own in values.items()}, 0, like, side).holding()
+            cases, which = Cases(sheet, {path: own[left] for path, own in values.items()}, 0, like, variant).holding()
         except Structural:
             break
         places = left[which]

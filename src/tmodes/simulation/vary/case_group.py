@@ -2,23 +2,86 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Hashable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from tmodes.errors import InputError
 from tmodes.kinds.signals.schedule import SignalPieces
+from tmodes.simulation.initial_state import RunSetup
 from tmodes.simulation.output_request import OutputRequest
 from tmodes.simulation.problem import Problem, problem_of
-from tmodes.simulation.start import RunSetup
-from tmodes.simulation.vary.lanes import structure_of
 
-__all__ = ["CaseGroup", "CaseNumbers", "Indices", "grouped"]
+__all__ = ["CaseGroup", "CaseNumbers", "Indices", "StateColumns", "grouped"]
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
+
+
+def structure_of(lane: RunSetup) -> Hashable:
+    """The structure of a lane's rates, its coordinates and its method: those of one structure run on the same code."""
+    return lane.model.loop.rate.key, lane.model.coordinates, lane.robot.integration.method
+
+
+def _further(lane: RunSetup) -> int:
+    """Numbers of a state that are neither coordinates nor rates."""
+    return len(lane.start) - 2 * len(lane.model.coordinates)
+
+
+@dataclass(frozen=True)
+class StateColumns:
+    """Columns of the states of a batch: all coordinates that any lane has, their rates, and ``further`` numbers."""
+
+    coordinates: tuple[str, ...]
+    further: int
+
+    @classmethod
+    def of_all(cls, lanes: Sequence[RunSetup], index: int) -> StateColumns:
+        """Those of these lanes, of which the last one is lane ``index`` of the batch.
+
+        Raises :class:`tmodes.errors.InputError` where something else than coordinates differs.
+        """
+        names: list[str] = []
+        for lane in lanes:
+            place = 0
+            for name in lane.model.coordinates:
+                if name not in names:
+                    names.insert(place, name)
+                place = names.index(name) + 1
+        first, last = _further(lanes[0]), _further(lanes[-1])
+        if first != last:
+            got = f"{last} numbers in the state of case {index} next to its coordinates, {first} in others"
+            hint = "vary what keeps them: no inductance of zero next to others"
+            raise InputError("vary", got, "the same currents and controllers in all cases", hint)
+        return cls(tuple(names), first)
+
+    @property
+    def width(self) -> int:
+        """Numbers of a state."""
+        return 2 * len(self.coordinates) + self.further
+
+    def have(self, lane: RunSetup) -> bool:
+        """Whether a lane has no other coordinate."""
+        return set(lane.model.coordinates) <= set(self.coordinates) and _further(lane) == self.further
+
+    def of(self, names: Sequence[str]) -> list[int]:
+        """Where the state of a lane with these coordinates is."""
+        count, own = len(self.coordinates), [self.coordinates.index(name) for name in names]
+        return [*own, *(count + k for k in own), *range(2 * count, self.width)]
+
+    def filled(self, states: Array, names: Sequence[str]) -> Array:
+        """States (..., own) of lanes with these coordinates, in the columns of the batch (..., width)."""
+        found = np.where(np.isnan(states[..., :1]), np.nan, np.zeros(self.width))
+        found[..., self.of(names)] = states
+        for k, name in enumerate(self.coordinates):
+            joint = name.removesuffix(".motor")
+            if name not in names and joint in names:
+                for start in (0, len(self.coordinates)):
+                    found[..., start + k] = found[..., start + self.coordinates.index(joint)]
+        return found
 
 
 class CaseNumbers(NamedTuple):

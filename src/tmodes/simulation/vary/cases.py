@@ -19,14 +19,13 @@ from tmodes.model.parameters import Structural
 from tmodes.sheet import Robot
 from tmodes.simulation.balance import STANDS, Balance, Tangent, frozen
 from tmodes.simulation.closed_start import closes, uncontrolled
+from tmodes.simulation.initial_state import RunSetup, closed_balance, held_at_start, placed_state, slipping, undeformed
 from tmodes.simulation.loop import Blocks, LoopModel, loop_numbers
 from tmodes.simulation.plan import Follow, planned, refuse_jumps, starts_at_rest
-from tmodes.simulation.start import RunSetup, closed_balance, held_at_start, placed_state, slipping, undeformed
 from tmodes.simulation.vary.case_group import CaseGroup, CaseNumbers, Indices
-from tmodes.simulation.vary.lanes import Side
 from tmodes.simulation.vary.programs import CaseProgram, case_program
 from tmodes.simulation.vary.rests import rests
-from tmodes.simulation.vary.values import changes_of
+from tmodes.simulation.vary.values import RobotVariant, changes_of
 
 __all__ = ["Cases", "run_blocks"]
 
@@ -69,7 +68,7 @@ def run_blocks(robot: Robot, follow: Follow) -> Blocks:
 
 @dataclass(frozen=True, eq=False)
 class Cases:
-    """k cases of a sheet: ``values`` (k,) of each path; ``like``: that of index ``at``; ``side``: which robot runs.
+    """k cases of a sheet: ``values`` (k,) of each path; ``like``: that of index ``at``; ``variant``: which robot runs.
 
     Those for which :meth:`holds` is false have other structures than ``like``: they are no cases of these.
     ``cases``: how many there are in all, where these are some; 0: these.
@@ -79,7 +78,7 @@ class Cases:
     values: Mapping[str, Array]
     at: int
     like: RunSetup
-    side: Side = Side.ACTUAL
+    variant: RobotVariant = RobotVariant.ACTUAL
     cases: int = 0
 
     def others(self, values: Mapping[str, Array]) -> Cases:
@@ -101,9 +100,9 @@ class Cases:
             raise Structural("its rest is found by other equations")
         if self._closed and (self.like.off or uncontrolled(self.like.model)):
             raise Structural("its start may be no equilibrium")
-        case, follow = changes_of(self.values, self.at), self.side.follow
+        case, follow = changes_of(self.values, self.at), self.variant.follow
         count = self.cases or len(next(iter(self.values.values())))
-        return case_program(self.sheet, case, self.side.of, lambda robot: run_blocks(robot, follow), count)
+        return case_program(self.sheet, case, self.variant.of, lambda robot: run_blocks(robot, follow), count)
 
     @cached_property
     def held(self) -> LoopModel:

@@ -19,15 +19,15 @@ from tmodes.sheet import Robot
 from tmodes.sheet.robot import refuse_other
 from tmodes.simulation.batch.executor import PROCESSOR, Executor, thread_count
 from tmodes.simulation.case_results import CaseResults
+from tmodes.simulation.initial_state import run_setup
 from tmodes.simulation.output_request import OutputRequest
 from tmodes.simulation.reductions import Reduction, of_samples, of_sums, refuse_unknown_rules
 from tmodes.simulation.solve import solve
-from tmodes.simulation.start import run_setup
 from tmodes.simulation.vary.case_group import Indices
 from tmodes.simulation.vary.programs import refused_cases
 from tmodes.simulation.vary.simulate import Prepared, changes_of, checked, kept_cases, prepared
 from tmodes.simulation.vary.single_case import single_case
-from tmodes.simulation.vary.tables import Nominal, Table, nominal_side, own_tip, setpoints
+from tmodes.simulation.vary.tables import Nominal, Table, nominal_variant, own_tip, setpoints
 from tmodes.simulation.vary.values import Whole
 
 __all__ = ["Reduction", "reduced"]
@@ -180,8 +180,8 @@ class _Reducing:
         names = [name for name in (DEVIATION, COMMANDED) if name in heads and (known or name != COMMANDED)]
         nominal = None
         if names:
-            side = nominal_side(sheet, values, names)
-            nominal = Nominal.of(sheet, values, side, names, threads, progress, whole)
+            variant = nominal_variant(sheet, values, names)
+            nominal = Nominal.of(sheet, values, variant, names, threads, progress, whole)
         return cls(lanes, reductions, own, nominal, threads, executor)
 
     @cached_property

@@ -22,13 +22,12 @@ from tmodes.sheet.robot import refuse_other
 from tmodes.simulation.batch.executor import thread_count
 from tmodes.simulation.batch.result import BatchRun, check_room, room_for, stored
 from tmodes.simulation.case_results import CaseResults, Kept
+from tmodes.simulation.initial_state import RunSetup, run_setup
 from tmodes.simulation.parts import sample_times
 from tmodes.simulation.solve import solve
-from tmodes.simulation.start import RunSetup, run_setup
 from tmodes.simulation.vary.arrays import array_groups, family_of
-from tmodes.simulation.vary.case_group import CaseGroup, Indices, grouped
-from tmodes.simulation.vary.lanes import Columns, Side, changed_sheet
-from tmodes.simulation.vary.values import Whole, changes_of, checked
+from tmodes.simulation.vary.case_group import CaseGroup, Indices, StateColumns, grouped
+from tmodes.simulation.vary.values import RobotVariant, Whole, changed_sheet, changes_of, checked
 
 __all__ = ["Prepared", "kept_cases", "prepared", "run_prepared", "simulate_batch"]
 
@@ -88,7 +87,7 @@ class Prepared:
     size: int
     groups: Sequence[CaseGroup]
     failed: Mapping[int, str]
-    columns: Columns
+    columns: StateColumns
     values: dict[str, Array]
     times: Array
     folder: Path | None
@@ -108,14 +107,14 @@ def prepared(
     out: str | os.PathLike[str] | None = None,
     keep: bool = True,
     progress: Progress = lambda stage, share: None,
-    side: Side = Side.ACTUAL,
+    variant: RobotVariant = RobotVariant.ACTUAL,
     threads: int | None = None,
     whole: Whole | None = None,
 ) -> Prepared:
     """All that can be wrong with a batch is reported here, before anything runs; see :func:`simulate_batch`.
 
     ``vary`` None: the sheet as it stands, as a batch of one lane. The room of samples to ``keep`` is asked for as soon
-    as the size of a state is known. ``side``: which robot runs. ``whole``: what this batch is a part of, for
+    as the size of a state is known. ``variant``: which robot runs. ``whole``: what this batch is a part of, for
     which programs are found once.
     """
     refuse_other(sheet)
@@ -132,9 +131,9 @@ def prepared(
     def one(index: int) -> RunSetup | str:
         nonlocal columns
         if index not in lanes:
-            lanes[index] = lane = _lane(sheet, changes_of(values, index), side, index)
+            lanes[index] = lane = _lane(sheet, changes_of(values, index), variant, index)
             if isinstance(lane, RunSetup) and (columns is None or not columns.have(lane)):
-                columns = Columns.of_all([lane for lane in lanes.values() if isinstance(lane, RunSetup)], index)
+                columns = StateColumns.of_all([lane for lane in lanes.values() if isinstance(lane, RunSetup)], index)
                 check_room((size if keep else 1, len(times), columns.width), folder)
         return lanes[index]
 
@@ -142,9 +141,9 @@ def prepared(
     family = None
     if whole and values.keys() <= whole.ends.keys():
         own = whole._replace(ends={path: whole.ends[path] for path in values})
-        family = family_of(sheet, side, own, lambda changes: _lane(sheet, _plain_all(changes), side, 0))
+        family = family_of(sheet, variant, own, lambda changes: _lane(sheet, _plain_all(changes), variant, 0))
     tell = partial(progress, "preparing")
-    groups = array_groups(sheet, values, one, tell, side, count, family) if values else []
+    groups = array_groups(sheet, values, one, tell, variant, count, family) if values else []
     done = np.zeros(size, dtype=bool)
     for group in groups:
         done[group.places] = True
@@ -254,11 +253,11 @@ def _plain_all(changes: Mapping[str, float]) -> dict[str, float | int]:
     return changes_of({path: np.array([value]) for path, value in changes.items()}, 0)
 
 
-def _lane(sheet: Robot, changes: Mapping[str, float | int], side: Side, index: int) -> RunSetup | str:
+def _lane(sheet: Robot, changes: Mapping[str, float | int], variant: RobotVariant, index: int) -> RunSetup | str:
     """A lane, or why it cannot start."""
-    robot = changed_sheet(sheet, changes, index, side)
+    robot = changed_sheet(sheet, changes, index, variant)
     try:
-        return run_setup(robot, side.follow).chosen()
+        return run_setup(robot, variant.follow).chosen()
     except SimulationError as error:
         return str(error)
 

@@ -21,10 +21,10 @@ from tmodes.sheet import Robot
 from tmodes.sheet.robot import refuse_other
 from tmodes.simulation.batch.executor import thread_count
 from tmodes.simulation.case_results import CaseResults
-from tmodes.simulation.vary.lanes import changed_sheet
 from tmodes.simulation.vary.programs import refused_cases
 from tmodes.simulation.vary.simulate import changes_of, checked
 from tmodes.simulation.vary.static_cases import StaticCases, masses_of
+from tmodes.simulation.vary.values import changed_sheet
 
 __all__ = ["refuse_unknown_numbers", "static_numbers"]
 

@@ -15,18 +15,17 @@ from tmodes.errors import InputError
 from tmodes.sheet import Robot
 from tmodes.sheet.parts import Command
 from tmodes.simulation.batch.executor import PROCESSOR, Executor
+from tmodes.simulation.initial_state import RunSetup, run_setup
 from tmodes.simulation.output_request import OutputRequest
 from tmodes.simulation.plan import Follow
 from tmodes.simulation.problem import Problem
 from tmodes.simulation.solve import solve
-from tmodes.simulation.start import RunSetup, run_setup
 from tmodes.simulation.vary.case_group import CaseGroup
-from tmodes.simulation.vary.lanes import Side
 from tmodes.simulation.vary.simulate import Prepared, prepared, run_prepared
-from tmodes.simulation.vary.values import Whole
+from tmodes.simulation.vary.values import RobotVariant, Whole
 from tmodes.simulation.warnings import jumps
 
-__all__ = ["Nominal", "Table", "at_setpoints", "commanded_states", "nominal_side", "own_tip", "setpoints"]
+__all__ = ["Nominal", "Table", "at_setpoints", "commanded_states", "nominal_variant", "own_tip", "setpoints"]
 
 Array = NDArray[np.float64]
 Progress = Callable[[str, float], None]
@@ -47,7 +46,7 @@ class Table(NamedTuple):
     interrupted: bool = False
 
 
-def nominal_side(sheet: Robot, paths: Collection[str], names: Collection[str]) -> Side:
+def nominal_variant(sheet: Robot, paths: Collection[str], names: Collection[str]) -> RobotVariant:
     """Which robot plans the motion in runs of this sheet with numbers of some ``paths`` varied, and how it runs.
 
     Raises :class:`tmodes.errors.InputError` where it does not run, and one of the ``names`` needs that.
@@ -58,14 +57,14 @@ def nominal_side(sheet: Robot, paths: Collection[str], names: Collection[str]) -
     elif not sheet.real and not any(path.startswith(f"{_REAL}.") for path in paths):
         why = "nominal and actual robot are the same"
     else:
-        return Side.NOMINAL
+        return RobotVariant.NOMINAL
     if why and DEVIATION in names:
         expected, hint = (
             "another series: there is no nominal run",
             f"`{COMMANDED}` is the distance to the commanded path",
         )
         raise InputError("reductions", f"`{DEVIATION}`, but {why}", expected, hint)
-    return Side.ACTUAL if why else Side.PLANNED
+    return RobotVariant.ACTUAL if why else RobotVariant.PLANNED
 
 
 def own_tip(sheet: Robot, threads: int) -> Array:
@@ -119,7 +118,7 @@ class Nominal:
         cls,
         sheet: Robot,
         values: Mapping[str, Array],
-        side: Side,
+        variant: RobotVariant,
         names: Sequence[str],
         threads: int,
         progress: Progress,
@@ -127,9 +126,13 @@ class Nominal:
     ) -> Nominal:
         """Prepare them; numbers under ``real`` are none of the nominal robot."""
         own = {
-            path: numbers for path, numbers in values.items() if side is Side.ACTUAL or path.partition(".")[0] != _REAL
+            path: numbers
+            for path, numbers in values.items()
+            if variant is RobotVariant.ACTUAL or path.partition(".")[0] != _REAL
         }
-        lanes = prepared(sheet, own or None, keep=False, progress=progress, side=side, threads=threads, whole=whole)
+        lanes = prepared(
+            sheet, own or None, keep=False, progress=progress, variant=variant, threads=threads, whole=whole
+        )
         return cls(lanes, tuple(names))
 
     @property

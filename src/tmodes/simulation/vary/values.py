@@ -1,16 +1,19 @@
-"""The numbers of the cases of a sheet, by path."""
+"""The numbers of the cases of a sheet, by path, and which of the two robots of a case runs."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import NamedTuple
+from enum import Enum
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tmodes.errors import InputError
+from tmodes.errors import InputError, InputErrors
+from tmodes.sheet import Robot, RobotPair
+from tmodes.simulation.plan import Follow
 
-__all__ = ["Whole", "changes_of", "checked"]
+__all__ = ["RobotVariant", "Whole", "changed_sheet", "changes_of", "checked"]
 
 Array = NDArray[np.float64]
 
@@ -51,3 +54,36 @@ def _plain(value: np.float64) -> float | int:
 def changes_of(values: Mapping[str, Array], index: int) -> dict[str, float | int]:
     """What differs in the sheet of one case."""
     return {path: _plain(numbers[index]) for path, numbers in values.items()}
+
+
+class RobotVariant(Enum):
+    """Which of the two robots of a case runs, and what its motors do."""
+
+    ACTUAL = "actual"
+    NOMINAL = "nominal"
+    PLANNED = "planned"  # the nominal robot, its motors where they should be
+
+    def of(self, pair: RobotPair) -> Robot:
+        """The robot."""
+        return pair.real if self is RobotVariant.ACTUAL else pair.nominal
+
+    @property
+    def follow(self) -> Follow:
+        """What its motors do."""
+        return Follow.WANTED if self is RobotVariant.PLANNED else Follow.SHEET
+
+
+def changed_sheet(
+    sheet: Robot, changes: Mapping[str, Any], lane: int, variant: RobotVariant = RobotVariant.ACTUAL
+) -> Robot:
+    """The checked sheet of a lane as it really is, or as it is known; errors say which lane they are of."""
+    try:
+        return variant.of(sheet.with_(changes).pair())
+    except InputErrors as wrong:
+        raise InputErrors([_placed(error, lane) for error in wrong.errors]) from None
+    except InputError as error:
+        raise _placed(error, lane) from None
+
+
+def _placed(error: InputError, lane: int) -> InputError:
+    return InputError(error.which, error.got, error.expected, error.hint, f"case {lane} {error.where}".rstrip())
