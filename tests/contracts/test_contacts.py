@@ -128,7 +128,7 @@ def test_surface(name):
     assert met.rate == pytest.approx((depth(step) - depth(-step)) / (2 * step), rel=1e-6)
     assert met.curving == pytest.approx((depth(step) - 2 * depth(0) + depth(-step)) / step**2, rel=1e-4, abs=1e-6)
     assert shape.drawing()["kind"] in {"plane", "ball"}
-    assert len(shape.moving_numbers()) == 4
+    assert len(shape.moving_numbers()) == 7
 
 
 @pytest.mark.parametrize("name", sorted(CONTACTS))

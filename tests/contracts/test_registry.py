@@ -28,7 +28,7 @@ FAMILIES = (CONTACTS, CONTROLLERS, DRIVES, tmodes.plot.FIGURES, INTEGRATORS, JOI
 MODULE = '''
 from typing import Literal
 from tmodes.kinds.signals.registry import SIGNALS, Signal
-from tmodes.kinds.signals.schedule import Schedule
+from tmodes.kinds.signals.schedule import SignalPieces
 import numpy as np
 
 @SIGNALS.register
@@ -36,7 +36,7 @@ class Ramp(Signal):
     """Rises by 1/s."""
     type: Literal["offered_ramp"]
     def schedule(self, until):
-        return Schedule(np.array([0.0, until]), np.array([[0.0, 1.0]]))
+        return SignalPieces(np.array([0.0, until]), np.array([[0.0, 1.0]]))
 '''
 
 

@@ -110,7 +110,7 @@ def _dependent(chain: Chain, carried: list[Array]) -> dict[int, str]:
     if all(own):
         return {}
     starts = np.cumsum([0, *map(len, columns)])
-    mass = zeros((starts[-1], starts[-1]), *carried)
+    mass = zeros((starts[-1], starts[-1]), *carried, *columns)
     for index, of in enumerate(columns):
         force, at = carried[index] @ of.T, index
         while len(of) and at >= 0:

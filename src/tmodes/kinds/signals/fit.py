@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.errors import InputError
-from tmodes.kinds.noted.functions import ceil, sin
+from tmodes.kinds.noted.functions import ceil, highest, isfinite, maximum, number, sin
 from tmodes.kinds.signals.schedule import SignalPieces
 from tmodes.kinds.signals.switches import Switch
 
@@ -41,7 +41,7 @@ def fitted(
     value, where it jumps elsewhere, and where it needs more than :data:`MOST_PIECES` pieces.
     """
     looked = np.append(np.linspace(0.0, until, 1001), [time for each in switches for time in (each.before, each.after)])
-    scale = max(float(np.abs(_finite(function, looked, which)).max()), 1e-300)
+    scale = maximum(number(highest(np.abs(_finite(function, looked, which)))), 1e-300)
     inner = [each for each in switches if SMALLEST_SHARE < each.time / until < 1 - SMALLEST_SHARE]
     edges = [0.0, *(each.time for each in inner), until]
     first = max([each.after for each in switches if each.time <= SMALLEST_SHARE * until], default=0.0)
@@ -135,8 +135,8 @@ def _tried(
     unit = _powers(values)
     between = np.array([0.0, *(_points()[:-1] + _points()[1:]) / 2, 1.0])
     exact = _finite(function, starts[:, None] + widths[:, None] * between, which)
-    error = np.abs(unit @ between[None, :] ** np.arange(DEGREE + 1)[:, None] - exact).max(axis=1)
-    slope = np.abs(np.diff(values, axis=1) / np.diff(_points())).max(axis=1) / widths
+    error = highest(np.abs(unit @ between[None, :] ** np.arange(DEGREE + 1)[:, None] - exact), axis=1)
+    slope = highest(np.abs(np.diff(values, axis=1) / np.diff(_points())), axis=1) / widths
     allowed = TOLERANCE * scale + ROUND_OFF * slope * (starts + widths)
     return unit / widths[:, None] ** np.arange(DEGREE + 1), error, allowed
 
@@ -154,7 +154,7 @@ def _refuse_jumps(function: Callable[[Array], Array], starts: Array, widths: Arr
 
 def _finite(function: Callable[[Array], Array], times: Array, which: str) -> Array:
     values = function(times)
-    wrong = ~np.isfinite(values)
+    wrong = ~isfinite(values)
     if wrong.any():
         got = f"no finite value at t = {float(times[wrong][0]):.9g} s"
         raise InputError(which, got, "a finite number at every time of the run", "change the formula, or the duration")
