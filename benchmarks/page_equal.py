@@ -13,6 +13,7 @@ import numpy as np
 
 from tmodes.live.bundle import live_bundle
 from tmodes.live.map import LiveMap, live_map
+from tmodes.live.sliders import MOST
 from tmodes.result.run import run
 from tmodes.sheet import Robot
 
@@ -36,12 +37,19 @@ class Equality(NamedTuple):
 
 
 def drawn(live: LiveMap, count: int, seed: int = 5) -> list[list[float]]:
-    """Random values of all sliders within their ranges."""
+    """Random values of the sliders that lead, and of all others a little, for which the program holds."""
     generator = np.random.default_rng(seed)
-    settings = []
+    settings: list[list[float]] = []
     for _ in range(count):
-        shares = zip(live.sliders, generator.uniform(size=len(live.sliders)).tolist(), strict=True)
-        settings.append([s.low * (s.high / s.low) ** x if s.log else s.low + (s.high - s.low) * x for s, x in shares])
+        drawn = generator.uniform(size=len(live.sliders)).tolist()
+        ends = [
+            s.low * (s.high / s.low) ** x if s.log else s.low + (s.high - s.low) * x
+            for s, x in zip(live.sliders, drawn, strict=True)
+        ]
+        away = np.where(np.arange(len(ends)) < MOST, 1.0, 0.05) * (np.array(ends) - live.start)
+        while not live.holds(given := (np.array(live.start) + away).tolist()):
+            away *= 0.8
+        settings.append(given)
     return settings
 
 

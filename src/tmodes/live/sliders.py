@@ -65,6 +65,8 @@ def _label(number: SheetNumber, knob: Knob) -> str:
         owner = f"{body} on {owner}"
     if steps[-1] in ("0", "1", "2") and steps[-2] in _VECTORS:
         words = f"{words} along {'xyz'[int(steps[-1])]}"
+    if steps[-2:-1] == ["rpy"]:
+        words = ("roll", "pitch", "yaw")[int(steps[-1])]
     return f"{words}, {owner}" if owner else words
 
 
