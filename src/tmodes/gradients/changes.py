@@ -135,8 +135,7 @@ class _Noted:
         return found
 
     def _blocks(self, robot: Robot) -> Blocks:
-        found, further = run_blocks(robot, self.here.variant.follow), self.here.further(self.shown, robot)
-        return found if further is None else {**found, "further": further}
+        return run_blocks(robot, self.here.variant.follow, [output.name for output in self.shown])
 
 
 @dataclass(frozen=True, eq=False)
@@ -171,11 +170,10 @@ class _Changes:
     def along(self, path: str) -> Change:
         """By one quantity."""
         of = self._of(path)
-        further = of("further") if "further" in self.noted.places else np.zeros(0)
         rows, moving = self._signals(of)
         parameters = of("parameters")
         start = self._start(of, parameters, rows)
-        return Change(np.concatenate([parameters, further]), start, rows, self._jumps(moving))
+        return Change(np.concatenate([parameters, of("further")]), start, rows, self._jumps(moving))
 
     def _signals(self, of: Derivatives) -> tuple[Array, dict[int, dict[int, float]]]:
         """Of the rows at fixed times; and by segment which signals have a knot there that moves, and how fast."""

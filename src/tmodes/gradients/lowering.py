@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.equations.loop.outputs import Output, output_schedule
 from tmodes.equations.recursion.parts import AxisPart
 from tmodes.errors import InputError, SimulationError
 from tmodes.integrate.method import EULER
@@ -20,7 +18,6 @@ from tmodes.kinds.signals.schedule import SignalPieces
 from tmodes.sheet import Robot
 from tmodes.simulation.initial_state import RunSetup, run_setup
 from tmodes.simulation.loop import LoopModel, refuse_switches
-from tmodes.simulation.plan import planned
 from tmodes.simulation.recording import MOST_BYTES
 from tmodes.simulation.replay import Replay
 from tmodes.simulation.solve import solve
@@ -48,13 +45,6 @@ class Lowered:
     setup: RunSetup
     contact: Contact | None = None
     variant: RobotVariant = RobotVariant.ACTUAL
-
-    def further(self, shown: Sequence[Output], robot: Robot) -> Array | None:
-        """The numbers of outputs of a robot of this structure that those of its loop lack; None where none does."""
-        if not any(output.further for output in shown):
-            return None
-        loop = LoopModel(planned(robot, self.variant.follow).plan).loop
-        return output_schedule(loop, {"shown": shown}, after=False, often=False).further
 
     def recorded(self, most_bytes: float = MOST_BYTES) -> Replay:
         """The run, with its steps.

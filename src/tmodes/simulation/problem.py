@@ -79,7 +79,10 @@ def problem_of(
     given = {"parameters": _rows(parameters, "parameters"), "states": _rows(states, "states")}
     found = {name: {rows.shape[1]} for name, rows in given.items()}
     found["schedules"] = {schedule.coefficients.shape[1] + 1 for schedule in info}
-    for name, width in model.batch_widths.items():
+    widths = model.batch_widths
+    if wanted:
+        widths["parameters"] += len(model.series(wanted.shown, wanted.given).further)
+    for name, width in widths.items():
         if found[name] != {width}:
             got, hint = f"rows of {sorted(found[name])} numbers", f"give the {name} of this model's structure"
             raise InputError(f"simulate_batch: {name}", got, f"rows of {width} numbers", hint)

@@ -26,6 +26,7 @@ from tmodes.kinds.links.line import layout
 
 __all__ = [
     "COMMANDED", "DEVIATION", "DISTANCES", "ENERGIES", "OWN", "Output", "Outputs", "Series", "output_schedule",
+    "station_numbers",
 ]  # fmt: skip
 
 DEVIATION, OWN, COMMANDED = "deviation", "tip_difference", "tip_error"
@@ -93,6 +94,13 @@ def output_schedule(
     chosen.often, chosen.gate, chosen.narrow, chosen.switches, chosen.switched = often, None, None, None, None
     chosen.sampled, chosen.parameters = None, seen.numbers.size
     return Series(chosen, seen.numbers.vector)
+
+
+def station_numbers(loop: LoopParts, names: Sequence[str]) -> NDArray[np.float64]:
+    """The numbers of outputs at stations along links, behind those of the loop; of other names there are none."""
+    outputs = Outputs(loop) if any("@" in name for name in names) else {}
+    shown = [outputs[name] for name in names if name in outputs and outputs[name].further]
+    return output_schedule(loop, {"shown": shown}, after=False, often=False).further if shown else np.zeros(0)
 
 
 def refuse_unknown(name: str, known: Sequence[str], which: str) -> NoReturn:

@@ -52,17 +52,18 @@ _LOCK = Lock()
 
 
 def family_of(
-    sheet: Robot, variant: RobotVariant, whole: Whole, prepare: Callable[[Mapping[str, float]], RunSetup | str]
-) -> Family | None:
+    sheet: Robot, variant: RobotVariant, whole: Whole, prepare: Callable[[Mapping[str, float]], RunSetup | str],
+    shown: tuple[str, ...] = (),
+) -> Family | None:  # fmt: skip
     """The family of all cases of a sheet, found once; None where there is none.
 
     ``prepare`` gives a case by itself. It depends on sheet, variant and ``whole`` alone, not on the batches before.
     """
-    key = sheet.model_dump_json(), variant, whole.cases, tuple(whole.ends.items())
+    key = sheet.model_dump_json(), variant, whole.cases, tuple(whole.ends.items()), shown
     with _LOCK:
         if key not in _KEPT:
             try:
-                _KEPT[key] = _found(sheet, variant, whole, prepare)
+                _KEPT[key] = _found(sheet, variant, whole, prepare, shown)
             except (InputError, InputErrors, Structural):
                 _KEPT[key] = None
             if len(_KEPT) > _MOST_KEPT:
@@ -71,15 +72,16 @@ def family_of(
 
 
 def _found(
-    sheet: Robot, variant: RobotVariant, whole: Whole, prepare: Callable[[Mapping[str, float]], RunSetup | str]
-) -> Family | None:
+    sheet: Robot, variant: RobotVariant, whole: Whole, prepare: Callable[[Mapping[str, float]], RunSetup | str],
+    shown: tuple[str, ...],
+) -> Family | None:  # fmt: skip
     inside = {path: low + _INSIDE * (high - low) for path, (low, high) in whole.ends.items()}
     corners = [inside, *({**inside, path: end} for path, ends in whole.ends.items() for end in dict.fromkeys(ends))]
     like = prepare(inside)
     if isinstance(like, str):
         return None
     values = {path: np.array([corner[path] for corner in corners]) for path in inside}
-    cases, which = Cases(sheet, values, 0, like, variant, whole.cases).holding()
+    cases, which = Cases(sheet, values, 0, like, variant, whole.cases, shown).holding()
     starts = cases.starts(lambda share: None)
     ends = np.arange(len(which))
     agrees = len(which) and agree(cases, starts, ends, lambda k: prepare(corners[which[k]]) if k else like)
@@ -108,6 +110,7 @@ def array_groups(
     variant: RobotVariant = RobotVariant.ACTUAL,
     threads: int = 1,
     family: Family | None = None,
+    shown: tuple[str, ...] = (),
 ) -> list[CaseGroup]:
     """Groups of the cases that can be prepared as arrays; ``one`` prepares a case by itself, as the others are to be.
 
@@ -136,7 +139,8 @@ def array_groups(
             left, small = left[1:], small + 1
             continue
         try:
-            cases, which = Cases(sheet, {path: own[left] for path, own in values.items()}, 0, like, variant).holding()
+            some = {path: own[left] for path, own in values.items()}
+            cases, which = Cases(sheet, some, 0, like, variant, shown=shown).holding()
         except Structural:
             break
         places = left[which]

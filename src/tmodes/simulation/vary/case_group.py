@@ -9,6 +9,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from tmodes.equations.loop.outputs import station_numbers
 from tmodes.errors import InputError
 from tmodes.kinds.signals.schedule import SignalPieces
 from tmodes.simulation.initial_state import RunSetup
@@ -85,7 +86,9 @@ class StateColumns:
 
 
 class CaseNumbers(NamedTuple):
-    """Of m lanes: ``parameters`` (m, size) of their loops, those of their ``chain`` alone, ``base`` (m, 24) at rest.
+    """Of m lanes: ``parameters`` (m, size) of their loops and of outputs at stations, those of their ``chain`` alone.
+
+    ``base`` (m, 24): at rest.
 
     ``schedules``: one for all, or m.
     """
@@ -133,21 +136,21 @@ class CaseGroup:
         return self.like.mechanics.passes.tips([one[:, model.layout.q] for one in states], base, found.chain)
 
 
-def grouped(lanes: Mapping[int, RunSetup]) -> list[CaseGroup]:
+def grouped(lanes: Mapping[int, RunSetup], shown: Sequence[str] = ()) -> list[CaseGroup]:
     """Lanes that were prepared one by one, by their places: those of one structure together."""
     groups: dict[object, list[int]] = {}
     for index, lane in lanes.items():
         groups.setdefault(structure_of(lane), []).append(index)
-    return [_stacked({index: lanes[index] for index in members}) for members in groups.values()]
+    return [_stacked({index: lanes[index] for index in members}, shown) for members in groups.values()]
 
 
-def _stacked(lanes: Mapping[int, RunSetup]) -> CaseGroup:
+def _stacked(lanes: Mapping[int, RunSetup], shown: Sequence[str]) -> CaseGroup:
     setups = list(lanes.values())
 
     def numbers(which: Indices) -> CaseNumbers:
         chosen = [setups[k] for k in which]
         return CaseNumbers(
-            np.stack([one.model.numbers for one in chosen]),
+            np.stack([np.append(one.model.numbers, station_numbers(one.model.loop, shown)) for one in chosen]),
             np.stack([one.mechanics.parameters for one in chosen]),
             np.stack([one.mechanics.at_rest(gravity=0.0) for one in chosen]),
             tuple(one.planned.schedule for one in chosen),

@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cached_property, partial
 
 import numpy as np
 from numpy.typing import NDArray
 
+from tmodes.equations.loop.outputs import station_numbers
 from tmodes.integrate.choice import STIFF, chosen_method
 from tmodes.integrate.registry import AUTO, integrator
 from tmodes.kinds.noted.functions import array
@@ -46,8 +47,11 @@ _COMMON = ("program", "held", "_standing", "_closed", "_moving")
 """What does not depend on the values themselves."""
 
 
-def run_blocks(robot: Robot, follow: Follow) -> Blocks:
-    """All numbers of a robot in a run, by what they are of; each signal on its own knots."""
+def run_blocks(robot: Robot, follow: Follow, shown: Sequence[str] = ()) -> Blocks:
+    """All numbers of a robot in a run, by what they are of; each signal on its own knots.
+
+    ``shown``: outputs, of which those at stations along links have numbers of their own, ``further``.
+    """
     plan, rest = planned(robot, follow), planned(robot, Follow.HELD)
     refuse_jumps(robot, plan)
     model, chain = LoopModel(plan.plan), Model(plan.chain, trials=True)
@@ -55,7 +59,7 @@ def run_blocks(robot: Robot, follow: Follow) -> Blocks:
     pose = np.full(chain.nq, np.nan) if at_rest else undeformed(model.coordinates, at_start)
     blocks = loop_numbers(model.loop, rest) | {
         "chain": chain.parameters, "base": chain.at_rest(gravity=0.0), "held": array([*at_start.values()]),
-        "start": placed_state(robot, plan, model, pose),
+        "start": placed_state(robot, plan, model, pose), "further": station_numbers(model.loop, shown),
     }  # fmt: skip
     if at_rest:
         closes(robot, model)  # which is structure
@@ -71,7 +75,8 @@ class Cases:
     """k cases of a sheet: ``values`` (k,) of each path; ``like``: that of index ``at``; ``variant``: which robot runs.
 
     Those for which :meth:`holds` is false have other structures than ``like``: they are no cases of these.
-    ``cases``: how many there are in all, where these are some; 0: these.
+    ``cases``: how many there are in all, where these are some; 0: these. ``shown``: outputs that
+    are wanted of them.
     """
 
     sheet: Robot
@@ -80,6 +85,7 @@ class Cases:
     like: RunSetup
     variant: RobotVariant = RobotVariant.ACTUAL
     cases: int = 0
+    shown: tuple[str, ...] = ()
 
     def others(self, values: Mapping[str, Array]) -> Cases:
         """Other cases, by the same program."""
@@ -102,7 +108,8 @@ class Cases:
             raise Structural("its start may be no equilibrium")
         case, follow = changes_of(self.values, self.at), self.variant.follow
         count = self.cases or len(next(iter(self.values.values())))
-        return case_program(self.sheet, case, self.variant.of, lambda robot: run_blocks(robot, follow), count)
+        blocks = partial(run_blocks, follow=follow, shown=self.shown)
+        return case_program(self.sheet, case, self.variant.of, blocks, count)
 
     @cached_property
     def held(self) -> LoopModel:
@@ -149,8 +156,10 @@ class Cases:
 
     def numbers(self, which: Indices) -> CaseNumbers:
         """The numbers of some cases."""
-        parameters, chain, base, *signals = self.blocks(which, "parameters", "chain", "base", *self._moving)
-        return CaseNumbers(parameters, chain, base, self._schedules(signals))
+        names = "parameters", "further", "chain", "base"
+        parameters, further, chain, base, *signals = self.blocks(which, *names, *self._moving)
+        numbers = np.hstack([parameters, further]) if further.size else parameters
+        return CaseNumbers(numbers, chain, base, self._schedules(signals))
 
     def starts(self, progress: Callable[[float], None], threads: int = 1) -> Array:
         """The first states (k, nx); not-a-number where none is found."""

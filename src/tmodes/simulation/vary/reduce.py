@@ -61,7 +61,7 @@ def reduced(
     result has them by reduction, and only cases that finished or were stopped by a condition have some.
 
     Cases run side by side, or by themselves where they are stiff; each is run as :func:`tmodes.run` does where stop
-    conditions or the energy may end it, and for what is at stations along links, which is slow. ``kept``:
+    conditions or the energy may end it, which is slow. ``kept``:
     indices of cases whose motions are kept. ``wrong``: what becomes of cases that the sheet refuses: an ``error``
     before anything runs, or a ``row`` with the status ``refused``. ``whole``: where these cases are part of
     more, what of; what can be found once for all is then kept.
@@ -88,13 +88,12 @@ def reduced(
     results.units |= {one: one.unit_of(units[one.series]) for one in asked}
     results.values |= {one: np.full(len(results), np.nan) for one in asked}
     own = own_tip(_unwatched(sheet), count) if OWN in {one.series.partition(".")[0] for one in asked} else None
-    left = np.arange(len(going))
-    if not _watched(sheet):
+    if _watched(sheet):
+        _one_by_one(sheet, values, asked, own, going, results, count, progress)
+    else:
         work = _Reducing.of(sheet, values_of, asked, own, count, executor, progress, whole)
         for places, part in work.parts(progress):
             results.take(going[places], part)
-        left = work.left
-    _one_by_one(sheet, values, asked, own, going[left], results, count, progress)
     results.kept |= kept_cases(sheet, values, kept, results.status.tolist(), count, progress)
     return results
 
@@ -135,8 +134,6 @@ def _one_by_one(
         done.seconds[:] = clock.thread_time() - began
         results.take([index], done)
 
-    if not len(indices):
-        return
     with ThreadPoolExecutor(threads, "tmodes-cases") as pool:
         for done, _ in enumerate(pool.map(one, indices.tolist()), 1):
             progress("running", done / len(indices))
@@ -175,7 +172,8 @@ class _Reducing:
     ) -> _Reducing:  # fmt: skip
         """Prepare the cases, and the nominal robots where distances from them are asked for."""
         heads = {one.series.partition(".")[0] for one in reductions}
-        lanes = prepared(sheet, values, keep=False, progress=progress, threads=threads, whole=whole)
+        shown = tuple(dict.fromkeys(one.series for one in reductions if "@" in one.series))
+        lanes = prepared(sheet, values, keep=False, progress=progress, threads=threads, whole=whole, shown=shown)
         known = all(setpoints(group.like) is not None for group in lanes.groups)
         names = [name for name in (DEVIATION, COMMANDED) if name in heads and (known or name != COMMANDED)]
         nominal = None
@@ -185,21 +183,15 @@ class _Reducing:
         return cls(lanes, reductions, own, nominal, threads, executor)
 
     @cached_property
-    def _shown(self) -> dict[int, dict[str, Output] | None]:
-        """The outputs that are wanted, by the group's structure; None where lanes do not give all that it has."""
-        found: dict[int, dict[str, Output] | None] = {}
+    def _shown(self) -> dict[int, dict[str, Output]]:
+        """The outputs that are wanted, by the group's structure."""
+        found: dict[int, dict[str, Output]] = {}
         given = (*(self.nominal.names if self.nominal else ()), *((OWN,) if self.own is not None else ()))
         for group in self.lanes.groups:
             outputs = Outputs(group.like.model.loop, given)
             wanted = {one.series: outputs[one.series] for one in self.reductions if one.series in outputs}
-            found[id(group.like)] = None if any(one.further for one in wanted.values()) else wanted
+            found[id(group.like)] = wanted
         return found
-
-    @cached_property
-    def left(self) -> Indices:
-        """Cases that must run by themselves."""
-        places = [group.places for group in self.lanes.groups if self._shown[id(group.like)] is None]
-        return np.concatenate([np.zeros(0, dtype=np.int64), *places])
 
     @cached_property
     def _folds(self) -> bool:
@@ -251,8 +243,8 @@ class _Reducing:
         return table
 
     def _part(self, lanes: Prepared, table: Table, progress: Callable[[float], None]) -> CaseResults:
-        """Results of some cases; those that must run by themselves have no status."""
-        going = [(group, shown) for group in lanes.groups if (shown := self._shown[id(group.like)]) is not None]
+        """Results of some cases."""
+        going = [(group, self._shown[id(group.like)]) for group in lanes.groups]
         wanted = [self._wanted(tuple(shown.values()), lanes, table) for _, shown in going]
         empty = np.empty((lanes.size, 0, 0))
         works = [group.work(empty, one) for (group, _), one in zip(going, wanted, strict=True)]

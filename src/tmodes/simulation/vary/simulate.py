@@ -110,12 +110,13 @@ def prepared(
     variant: RobotVariant = RobotVariant.ACTUAL,
     threads: int | None = None,
     whole: Whole | None = None,
+    shown: tuple[str, ...] = (),
 ) -> Prepared:
     """All that can be wrong with a batch is reported here, before anything runs; see :func:`simulate_batch`.
 
     ``vary`` None: the sheet as it stands, as a batch of one lane. The room of samples to ``keep`` is asked for as soon
-    as the size of a state is known. ``variant``: which robot runs. ``whole``: what this batch is a part of, for
-    which programs are found once.
+    as the size of a state is known. ``side``: which robot runs. ``whole``: what this batch is a part of, for
+    which programs are found once. ``shown``: outputs that the lanes are to give.
     """
     refuse_other(sheet)
     values, folder = {} if vary is None else checked(vary), None if out is None else Path(out)
@@ -141,9 +142,9 @@ def prepared(
     family = None
     if whole and values.keys() <= whole.ends.keys():
         own = whole._replace(ends={path: whole.ends[path] for path in values})
-        family = family_of(sheet, variant, own, lambda changes: _lane(sheet, _plain_all(changes), variant, 0))
+        family = family_of(sheet, variant, own, lambda changes: _lane(sheet, _plain_all(changes), variant, 0), shown)
     tell = partial(progress, "preparing")
-    groups = array_groups(sheet, values, one, tell, variant, count, family) if values else []
+    groups = array_groups(sheet, values, one, tell, variant, count, family, shown) if values else []
     done = np.zeros(size, dtype=bool)
     for group in groups:
         done[group.places] = True
@@ -154,7 +155,7 @@ def prepared(
         raise SimulationError(f"no case can start; case 0: {lanes[0]}")
     left = {index: lane for index, lane in sorted(lanes.items()) if not done[index]}
     failed = {index: lane for index, lane in left.items() if isinstance(lane, str)}
-    groups += grouped({index: lane for index, lane in left.items() if isinstance(lane, RunSetup)})
+    groups += grouped({index: lane for index, lane in left.items() if isinstance(lane, RunSetup)}, shown)
     return Prepared(size, groups, failed, columns, values, times, folder)
 
 
