@@ -211,7 +211,7 @@ def _unknown(
     if not before:  # a path may differ in capital letters and hyphens alone
         found = _first(data, lambda steps: plain(own_path(named(steps, data), data)) == plain(path)) or found
     if not (isinstance(value, (list, tuple)) and where.isdecimal()):  # the names that there are say more
-        found = found or _alike(path, data) or (_ending_meant(path, data) if known else "")
+        found = found or _alike(path, data) or (_ending_meant(path, data) if known and not before else "")
     some = known if len(known) <= MOST_LISTED else get_close_matches(where, known, MOST_LISTED, 0.0)
     rest = f", {len(known) - len(some)} more: see `tmodes schema --arm`" if some is not known else ""
     expected = f"one of {', '.join(some)}{rest}" if known else f"no key inside `{start}`"
