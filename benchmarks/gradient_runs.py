@@ -17,7 +17,6 @@ from tmodes.gradients.lowering import lowered
 from tmodes.gradients.quantities import Functional, Quantities, tracking_error
 from tmodes.io.sheet_check import sheet_data
 from tmodes.robots.load import load
-from tmodes.simulation.problem import problem_of
 from tmodes.simulation.solve import solve
 
 from .stiff_arm import stiff_arm
@@ -57,7 +56,7 @@ class Case:
     def run(self) -> Any:
         """The run alone, from its plan on."""
         here = self.here
-        return solve(problem_of(here.model, here.parameters, here.schedule, here.start, here.settings))
+        return solve(here.setup.problem())
 
     def differences(self, path: str, step: float) -> tuple[float, float]:
         """Derivative of the functional by the logarithm of a number, and by how much twice the step changes it."""

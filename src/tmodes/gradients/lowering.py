@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,7 +12,6 @@ from tmodes.errors import InputError, SimulationError
 from tmodes.integrate.method import EULER
 from tmodes.integrate.registry import integrator
 from tmodes.integrate.settings import Integration
-from tmodes.kinds.contacts.registry import Contact
 from tmodes.kinds.signals.schedule import SignalPieces
 from tmodes.sheet import Robot
 from tmodes.simulation.initial_state import RunSetup, run_setup
@@ -30,20 +28,17 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False)
 class Lowered:
-    """A run in numbers: its model, the parameters, the signals, the state at the start, and how it is integrated.
+    """A run in numbers: its model, the parameters, the state at the start, and how it is integrated.
 
-    ``rates``: the schedule of the rates; ``setup``: the run's setup. The method ``auto`` is chosen as for
-    any run; one that turns out stiff underway continues with it here.
+    ``setup``: the run's setup. The method ``auto`` is chosen as for any run; one that turns out stiff underway
+    continues with it here.
     """
 
     model: LoopModel
-    rates: Any
     parameters: Array
-    schedule: SignalPieces
     start: Array
     settings: Integration
     setup: RunSetup
-    contact: Contact | None = None
     variant: RobotVariant = RobotVariant.ACTUAL
 
     def recorded(self, most_bytes: float = MOST_BYTES) -> Replay:
@@ -59,20 +54,22 @@ class Lowered:
             raise InputError("drives", "a sampled controller", "controllers in continuous time for derivatives", hint)
         refuse_switches(self.model, "derivatives of a run", "vary the numbers in a batch")
         done = solve(self.setup.problem(), adjoint=most_bytes)
-        if done.contact_changes and self.contact and self.contact.jumps:
+        contact, loop = self.setup.robot.contact, self.model.loop
+        if done.contact_changes and contact and contact.jumps:
             raise SimulationError(
                 "derivatives of a run: contact started or ended on a unilateral surface with a damper or a preload, "
                 "whose force jumps there; expected a force without jumps. End the run before, or set "
                 "contact.damping and contact.preload to 0"
             )
-        damped = [axis.axis for axis in self.model.loop.parts.axes if _jumps(axis)]
+        damped = [axis.axis for axis in loop.parts.axes if _jumps(axis)]
         if done.contact_changes and damped:
             raise SimulationError(
                 f"derivatives of a run: in the play of the gear of {damped[0].name} teeth met or parted, where the "
                 "torque of its damper jumps; expected a torque without jumps. End the run before, or set "
                 f"joints.{damped[0].joint.name}.gear.damping to 0"
             )
-        return Replay(self.rates, self.parameters, done, len(self.model.coordinates))
+        rates = loop.euler_rate if integrator(done.method).asks == EULER else loop.rate
+        return Replay(rates, self.parameters, done, len(self.model.coordinates))
 
 
 def _jumps(axis: AxisPart) -> bool:
@@ -86,13 +83,8 @@ def lowered(sheet: Robot, variant: RobotVariant = RobotVariant.ACTUAL) -> Lowere
 
     Raises :class:`tmodes.errors.InputError` and :class:`tmodes.errors.SimulationError` for what cannot run.
     """
-    robot = variant.of(sheet.pair())
-    setup = run_setup(robot, variant.follow).chosen()
-    model, settings = setup.model, setup.robot.integration
-    rates = model.loop.euler_rate if integrator(settings.method).asks == EULER else model.loop.rate
-    return Lowered(
-        model, rates, model.numbers, setup.planned.schedule, setup.start, settings, setup, robot.contact, variant
-    )
+    setup = run_setup(variant.of(sheet.pair()), variant.follow).chosen()
+    return Lowered(setup.model, setup.model.numbers, setup.start, setup.robot.integration, setup, variant)
 
 
 def rows_of(schedule: SignalPieces, duration: float) -> Array:
