@@ -21,7 +21,10 @@ COUNTS = ("steps", "rejected", "evaluations")
 
 _COLUMNS = ("status", "message", "method", "seconds", "errors", "samples")
 
-_ORDER = ("finished", "stopped_by_condition", "stopped", "chattering", "diverged", "interrupted", "failed", "refused")
+_ORDER = (
+    "finished", "stopped_by_condition", "stopped", "chattering", "not_converged", "step_too_small", "diverged",
+    "interrupted", "failed", "refused",
+)  # fmt: skip
 """From good to bad."""
 
 

@@ -15,7 +15,10 @@ __all__ = ["GOOD", "OWN_COLUMNS", "STATUS", "Kept", "Rows", "joined"]
 
 Array = NDArray[np.float64]
 
-STATUS = ("finished", "stopped_by_condition", "stopped", "diverged", "chattering", "failed", "refused", "interrupted")
+STATUS = (
+    "finished", "stopped_by_condition", "stopped", "diverged", "chattering", "failed", "refused", "interrupted",
+    "step_too_small", "not_converged",
+)  # fmt: skip
 """How a case may end; ``failed``: it could not start, or a quantity of it; ``refused``: the sheet has no such robot."""
 
 GOOD = ("finished", "stopped_by_condition")

@@ -15,6 +15,8 @@ import pytest
 from study.store.fake import data, fake
 from tmodes.errors import InputError, ResultFileError
 from tmodes.io.atomic import LOCK_NAME
+from tmodes.result.record import STATUSES
+from tmodes.simulation.case_results import CaseResults
 from tmodes.study.blocks import PREFIX, canonical, pack, unpack
 from tmodes.study.places import dask
 from tmodes.study.runner import run_study
@@ -51,6 +53,18 @@ def test_every_flipped_bit_is_found(block):
         broken[place] ^= 1 << place % 8
         with pytest.raises(ResultFileError):
             unpack(bytes(broken), "block")
+
+
+def test_every_ending_of_a_run_is_stored(block):
+    found = unpack(block.read_bytes(), block)
+    words = [*STATUSES, "refused"]
+    for word in words:
+        rows = replace(found.rows, status=(word,) * len(found.rows))
+        assert list(unpack(pack(replace(found, rows=rows)), "block").rows.status) == [word] * len(rows)
+    results = CaseResults.of_all(len(words))
+    results.status[:] = words
+    results.add(CaseResults.of_all(len(words), "finished"))
+    assert results.status.tolist() == words
 
 
 def test_every_cut_is_found(block):
