@@ -7,10 +7,8 @@ from threading import Event
 
 from tmodes.io.atomic import file_error
 from tmodes.simulation.batch.executor import PROCESSOR, Executor, thread_count
-from tmodes.study.blocks import pack, unpack
-from tmodes.study.completed_blocks import Cover, Gap, Part
-from tmodes.study.derived import derivable, derived, is_formula
-from tmodes.study.kept_series import from_motions, in_motions
+from tmodes.study.blocks import Cover, Gap, Part, pack, unpack
+from tmodes.study.derived import derivable, derived, from_motions, in_motions, is_formula
 from tmodes.study.store import Folder, kept_cases, motion_bytes
 from tmodes.study.table import rows_of
 from tmodes.study.tasks import Pace, Task, compute, order

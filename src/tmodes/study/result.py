@@ -15,8 +15,7 @@ from tmodes.errors import InputError
 from tmodes.io.arguments import checked_arguments
 from tmodes.io.atomic import file_error
 from tmodes.io.printed import CommandResult, Table
-from tmodes.study.blocks import Block, Label
-from tmodes.study.completed_blocks import Cover
+from tmodes.study.blocks import Block, Cover, Label
 from tmodes.study.plans import Design
 from tmodes.study.rows import GOOD, STATUS, Kept, Rows, joined
 from tmodes.study.statistics import CONFIDENCE, statistics

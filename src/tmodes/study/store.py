@@ -21,10 +21,12 @@ from tmodes.io.atomic import FolderLock, atomic_write, check_writable, file_erro
 from tmodes.io.plain_file import parsed_json, regular_file, whole_file
 from tmodes.study.blocks import (
     Block,
+    Cover,
     Label,
     base_of,
     canonical,
     cases_address,
+    covered,
     engine_of_blocks,
     in_order,
     label_of,
@@ -32,7 +34,6 @@ from tmodes.study.blocks import (
     refused,
     unpack_from,
 )
-from tmodes.study.completed_blocks import Cover, covered
 from tmodes.study.rows import Rows
 from tmodes.study.study import Study
 

@@ -21,7 +21,7 @@ from tmodes.study.rows import GOOD, OWN_COLUMNS, STATUS, Rows, joined
 from tmodes.study.store import TABLE, Folder
 
 if TYPE_CHECKING:
-    from tmodes.study.completed_blocks import Cover, Part
+    from tmodes.study.blocks import Cover, Part
     from tmodes.study.store import Folder
     from tmodes.study.study import Study
 

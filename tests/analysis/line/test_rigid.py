@@ -11,7 +11,7 @@ import tmodes
 from tmodes.analysis.line.line import elastic_line, line_places
 from tmodes.model.model import Model
 from tmodes.sheet import Robot
-from tmodes.study.quantities.summary_paths import names_in_summary
+from tmodes.study.quantities.summary import names_in_summary
 
 
 def sheet(model: str, rng: np.random.Generator | None = None, **more: Any) -> Robot:

@@ -10,7 +10,7 @@ import pytest
 
 import tmodes
 from tmodes.errors import InputErrors
-from tmodes.study.quantities.summary_paths import KEYS, PATHS, names_in_summary, path_issues
+from tmodes.study.quantities.summary import KEYS, PATHS, names_in_summary, path_issues
 from tmodes.study.read import study_of_robot
 
 STUDY: dict[str, Any] = {
