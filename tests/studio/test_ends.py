@@ -210,14 +210,14 @@ KINDS = '''
 from typing import Literal
 import numpy as np
 from tmodes.kinds.signals.registry import SIGNALS, Signal
-from tmodes.kinds.signals.schedule import Schedule
+from tmodes.kinds.signals.schedule import SignalPieces
 
 @SIGNALS.register
 class Ramp(Signal):
     """Rises by 1/s."""
     type: Literal["studio_ramp"]
     def schedule(self, until):
-        return Schedule(np.array([0.0, until]), np.array([[0.0, 1.0]]))
+        return SignalPieces(np.array([0.0, until]), np.array([[0.0, 1.0]]))
 '''
 
 
