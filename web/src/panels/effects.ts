@@ -21,8 +21,8 @@ export function byKind(rows: SliderRow[], count: number): SliderRow[] {
 }
 
 /**
- * Changes of the leading number, as shares of it, for one per cent of each of the first `count` settings; why not, where
- * that would take too long or cannot be; null where somebody wants another run meanwhile.
+ * Changes of the leading number, as shares of it, for one per cent of each of the first `count` settings; why not,
+ * where that would take too long or cannot be; null where somebody wants another run meanwhile.
  */
 export async function effects(
   live: Live, rows: SliderRow[], count: number, wanted: () => boolean,

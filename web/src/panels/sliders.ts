@@ -126,8 +126,8 @@ export function mountSliders(
   const order = make("p", { class: "note", hidden: true });
   const find = make("input", { type: "search", placeholder: "find a setting", "aria-label": "Find a setting" });
   find.hidden = rows.length <= RANKED;
-  find.addEventListener("input", () => rows.filter((row) => rest.contains(row.element)).forEach(({ element: row, slider }) => {
-    row.hidden = !`${slider.label} ${slider.path}`.toLowerCase().includes(find.value.toLowerCase());
+  find.addEventListener("input", () => rows.filter((row) => rest.contains(row.element)).forEach((row) => {
+    row.element.hidden = !`${row.slider.label} ${row.slider.path}`.toLowerCase().includes(find.value.toLowerCase());
   }));
   const more = make("details", {}, make("summary", { text: `All settings (${rows.length})` }), order, find, rest);
   more.hidden = rows.length <= LEADING;
