@@ -39,6 +39,7 @@ _NOT_COMPARED = (
     "an actual robot with factors of its own is compared with the nominal one, and this run has no nominal run to "
     "compare with; set them in the data sheet and simulate it by `tmodes run`"
 )
+_DRAGS = "a nominal robot that a moving surface drags at rest starts otherwise; change it by --set"
 _STRUCTURE = "structure: another value takes other equations; change it by --set"
 
 
@@ -207,7 +208,9 @@ def _noted(every: LiveMap, pair: RobotPair, stations: tuple[float, ...]) -> Live
         noted = case_program(nominal, every.sheet, lambda both: both, blocks)
     except Structural as error:
         noted, structure = _fixed(blocks(pair)), f"its numbers cannot be followed: {error}"
-    why = {path: structure for path, (_, own) in every.moved.items() if not own.keys() <= {*noted.paths}}
+    why = {
+        slider.path: structure for slider in every.sliders if not every.moved[slider.path][1].keys() <= {*noted.paths}
+    }
     return replace(every, noted=noted).without(why)
 
 
@@ -283,5 +286,6 @@ def _offered(pair: RobotPair, ahead: Ahead | None) -> LiveMap:
         for one in sliders
     }
     every = LiveMap(tuple(sliders), moved, _fixed({}), {}, left_out)
-    sheet = {path: base * math.prod(sliders[k].value for k in own) for path, (base, own) in every.targets.items()}
+    every = every.without({path: _DRAGS for path in moved if path.startswith("contact.velocity.")})
+    sheet = {path: base * math.prod(every.sliders[k].value for k in own) for path, (base, own) in every.targets.items()}
     return replace(every, sheet=sheet)
