@@ -22,7 +22,7 @@ from tmodes.kinds.controllers.registry import CONTROLLERS
 from tmodes.kinds.joints.registry import JOINTS
 from tmodes.kinds.links.sheet import LINKS
 from tmodes.kinds.noted import functions
-from tmodes.kinds.noted.number import Lost, Tape
+from tmodes.kinds.noted.number import Lost, NotedTape
 from tmodes.kinds.noted.program import program_of
 from tmodes.kinds.signals.registry import SIGNALS
 from tmodes.kinds.signals.schedule import SignalPieces, merge, merge_cases
@@ -263,7 +263,7 @@ def test_lowering_has_functions_that_take_noted_numbers():
 
 
 def test_nothing_is_lost_silently():
-    x = Tape().input(2.0)
+    x = NotedTape().input(2.0)
     for lossy in (float, int, hash, complex, round, lambda x: f"{x:g}", lambda x: [1, 2, 3][x], lambda x: {x: 1}):
         with pytest.raises(Lost):
             lossy(x)
@@ -274,7 +274,7 @@ def test_nothing_is_lost_silently():
 
 
 def test_a_branch_is_a_guard_and_a_derivative_is_exact():
-    tape = Tape()
+    tape = NotedTape()
     x, y = tape.input(2.0), tape.input(3.0)
     z = functions.sqrt(x * y) / (x + 1) if x < y else x
     program = program_of(tape, [x, y], [z, 5.0, functions.sin(x) ** 2, abs(x - y)])
@@ -290,7 +290,7 @@ def test_a_branch_is_a_guard_and_a_derivative_is_exact():
 
 def test_a_program_is_compiled_code_too():
     """Every operation and relation, natively as in NumPy, with derivatives; sums and products to the bit."""
-    tape = Tape()
+    tape = NotedTape()
     x, y = tape.input(0.3), tape.input(0.7)
     exact = [x + y, x - y, x * y, x / y, -x, abs(x - y), functions.sqrt(x), functions.maximum(x, y), x**2, x * y + x]
     near = [x**-3, x**5, y.tan(), x.exp(), x.tanh(), x.arcsin(), y.arccos(), x.arctan(), (x - y).arctan2(y),
@@ -334,7 +334,7 @@ def test_linear_algebra_of_noted_numbers():
     """As NumPy and SciPy have it."""
     from scipy.interpolate import CubicSpline
 
-    generator, tape = np.random.default_rng(0), Tape()
+    generator, tape = np.random.default_rng(0), NotedTape()
 
     def of(values):
         return np.vectorize(tape.input, otypes=[object])(values)

@@ -11,7 +11,7 @@ from simulation.sheets import arm
 from tmodes.compile.loops.time_loop import Status
 from tmodes.result.record import STATUSES
 from tmodes.sheet import Robot
-from tmodes.simulation.parts import Lost
+from tmodes.simulation.parts import LostRun
 from tmodes.simulation.simulate import simulate_motion
 
 G = 9.81
@@ -76,7 +76,7 @@ def test_a_bounce_that_comes_to_rest_does_not_chatter() -> None:
 )  # fmt: skip
 def test_what_was_lost_is_named(status: Status, acceleration: float, named: str, words: str) -> None:
     """The status is one that results know; time, coordinate and value are reported, then what to do."""
-    lost = Lost(0.25, 1e-3, np.array([1.0, acceleration, 2.0]), ("a", "b", "c"), 1e8)
+    lost = LostRun(0.25, 1e-3, np.array([1.0, acceleration, 2.0]), ("a", "b", "c"), 1e8)
     info, message = lost.info(status)
     assert info == named
     assert info in STATUSES

@@ -14,7 +14,7 @@ from tmodes.analysis.line.line import elastic_line
 from tmodes.compile.ir.calls import DIRECT
 from tmodes.compile.ir.program import kernel_program
 from tmodes.compile.wasm.wasm_parts import schedule_samples
-from tmodes.live.functions import Functions, LiveModule, ModelFunctions, live_module, stationed
+from tmodes.live.functions import LiveFunctions, LiveModule, ModelFunctions, live_module, stationed
 from tmodes.model.model import Model
 from tmodes.model.passes import derivatives
 from tmodes.sheet import Robot
@@ -159,7 +159,7 @@ def test_rest_is_where_nothing_accelerates(module: LiveModule, tmp_path: Path) -
 
 def test_random_chains(tmp_path: Path) -> None:
     chains = [random_chain(seed, 2) for seed in (3, 9)]
-    made, jobs, expected = Functions(), [], []
+    made, jobs, expected = LiveFunctions(), [], []
     for k, chain in enumerate(chains):
         model = Model(chain)
         q, v, a = random_state(k, model.coordinates)
@@ -190,7 +190,7 @@ def test_long_kernels_in_pieces(tmp_path: Path) -> None:
     inputs = {"q": q, "v": v, "a": a, "base": model.at_rest()}
     info = []
     for piece in (10**6, 50):
-        made = Functions()
+        made = LiveFunctions()
         made.schedule("inertia", schedule_samples("inertia", schedule, piece=piece), schedule)
         job = {"sample": "inertia", "parameters": model.parameters, "inputs": inputs, "count": 1}
         info += in_node(made.module("pieces"), [job], tmp_path)
@@ -202,7 +202,7 @@ def test_long_kernels_in_pieces(tmp_path: Path) -> None:
 def test_calls_as_data(tmp_path: Path) -> None:
     """So many calls that they stand in a table, whose address moves with the data."""
     model = Model(random_chain(7, 140, rigid=True))
-    schedule, made = model.passes.schedule("inertia"), Functions()
+    schedule, made = model.passes.schedule("inertia"), LiveFunctions()
     assert len(schedule.calls) > DIRECT
     made.schedule("inertia", schedule_samples("inertia", schedule), schedule)
     q, v, a = random_state(2, model.coordinates)

@@ -19,7 +19,7 @@ from tmodes.equations.loop.outputs import DISTANCES
 from tmodes.gradients.changes import Change, changes_of
 from tmodes.gradients.lowering import Lowered, lowered
 from tmodes.gradients.quantities import Functional, Quantities, measured_by
-from tmodes.gradients.references import Reference, pulled, swept
+from tmodes.gradients.references import TipReference, pulled, swept
 from tmodes.io.arguments import checked_arguments, numbers_of
 from tmodes.sheet import Robot
 from tmodes.sheet.robot import refuse_other
@@ -167,10 +167,10 @@ def adjoint_gradient(
 
 def _references(
     sheet: Robot, here: Lowered, done: Recording, names: Sequence[str], paths: Sequence[str], most_bytes: float
-) -> dict[str, Reference]:
+) -> dict[str, TipReference]:
     """What distances of the tip are from, by their names."""
     heads = [name.partition(".")[0] for name in names if name not in here.model.outputs]
-    return {name: Reference(sheet, done, name, paths, most_bytes) for name in DISTANCES if name in heads}
+    return {name: TipReference(sheet, done, name, paths, most_bytes) for name in DISTANCES if name in heads}
 
 
 def _direction(name: str, way: ArrayLike, size: int) -> Array:

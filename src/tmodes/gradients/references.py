@@ -21,12 +21,12 @@ from tmodes.simulation.recording import Recording
 from tmodes.simulation.replay import Replay
 from tmodes.simulation.vary.tables import commanded_states, nominal_variant, setpoints
 
-__all__ = ["Reference", "pulled", "swept"]
+__all__ = ["TipReference", "pulled", "swept"]
 
 Array = NDArray[np.float64]
 
 
-class Reference:
+class TipReference:
     """Of a distance of the tip (:data:`tmodes.equations.loop.outputs.DISTANCES`): ``values`` (n, 3) [m].
 
     ``done``: the run that is compared. Raises :class:`tmodes.errors.InputError` where there is no such reference.

@@ -26,7 +26,7 @@ from tmodes.simulation.loop import Loops
 from tmodes.simulation.native_run import BOUND, EVENT_TIME, MOST_EVENTS
 from tmodes.simulation.plan import Follow, Planned, planned
 
-__all__ = ["Functions", "LiveModule", "ModelFunctions", "engine_settings", "live_module", "stationed"]
+__all__ = ["LiveFunctions", "LiveModule", "ModelFunctions", "engine_settings", "live_module", "stationed"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -98,7 +98,7 @@ def live_module(functions: ModelFunctions, methods: Sequence[str], *, slopes: bo
     position, velocity, rate, accelerations), link by link; ``loaded``: the forces of ``inertia`` with wrenches on the
     points, where any act; ``elastic.slopes``: the forces of ``elastic`` with their derivatives.
     """
-    made = Functions()
+    made = LiveFunctions()
     for name, loop in functions.loops.items():
         if name == "rest":
             kind = "derivative" if slopes else "double"
@@ -196,7 +196,7 @@ class LiveModule:
 
 
 @dataclass
-class Functions:
+class LiveFunctions:
     """What goes into a module: code, and by the names that the engine knows, loops and functions over samples."""
 
     parts: list[WasmPart] = field(default_factory=list)

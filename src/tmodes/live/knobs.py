@@ -16,7 +16,7 @@ from tmodes.live.sheet_numbers import SheetNumber, sheet_numbers
 from tmodes.model.parameters import STRUCTURE
 from tmodes.sheet import Robot
 
-__all__ = ["REAL", "Ahead", "Knob", "Rule", "knobs_of", "rule_of", "stretched_length"]
+__all__ = ["REAL", "Ahead", "Knob", "SliderRule", "knobs_of", "rule_of", "stretched_length"]
 
 
 Ahead = Mapping[str, tuple[float, float]]
@@ -57,7 +57,7 @@ class Knob:
         return {path: base * value if self.together else value for path, base in self.targets}
 
 
-class Rule(NamedTuple):
+class SliderRule(NamedTuple):
     """A kind of number that is worth a slider: its path, its group, how far it goes, and whether the real one differs.
 
     ``reach``: the largest value over the present one (the least is its inverse); ``room``: how far a number that
@@ -76,25 +76,27 @@ class Rule(NamedTuple):
 
 
 _RULES = (
-    Rule(r"links\.\*\.bodies\.\*\.mass", "payload", 3.0, log=False),
-    Rule(r"joints\.\*\.gear\.stiffness(\.0)?(\.\*)?", "gear", real=True),
-    Rule(r"links\.\*\.beam\.modes\.\*\.bending_stiffness", "links", real=True),
-    Rule(r"links\.\*\.beam\.(section\.bending_stiffness(\.\*)?|material\.young)", "links", real=True),
-    Rule(r"drives\.\*\.signal\.duration", "move", 2.0),
-    Rule(r"drives\.\*\.controller\.position_gain", "controller"),
-    Rule(r"drives\.\*\.controller\.velocity_gain", "controller"),
-    Rule(r"contact\.stiffness", "environment"),
-    Rule(r"contact\.shape\.distance", "environment", span=0.03, log=False, words="distance of the wall"),
-    Rule(r"contact\.shape\.radius", "environment", span=0.03, log=False, words="radius of the surface touched"),
-    Rule(r"contact\.shape\.position\.\*", "environment", span=0.03, log=False, words="place of the surface along {}"),
-    Rule(r"contact\.damping", "environment"),
-    Rule(r"contact\.friction", "environment", 3.0, log=False),
-    Rule(r"contact\.preload", "environment", 3.0, room=20.0, log=False),
-    Rule(r"joints\.\*\.gear\.damping", "gear", real=True),
-    Rule(r"joints\.\*\.spring\.(stiffness|damping)", "gear", real=True),
-    Rule(r"links\.\*\.beam\.(modes\.\*\.)?damping_time", "links"),
-    Rule(r"joints\.\*\.motor\.(inertia|friction\.viscous)", "motor"),
-    Rule(r"joints\.\*\.friction\.viscous", "motor"),
+    SliderRule(r"links\.\*\.bodies\.\*\.mass", "payload", 3.0, log=False),
+    SliderRule(r"joints\.\*\.gear\.stiffness(\.0)?(\.\*)?", "gear", real=True),
+    SliderRule(r"links\.\*\.beam\.modes\.\*\.bending_stiffness", "links", real=True),
+    SliderRule(r"links\.\*\.beam\.(section\.bending_stiffness(\.\*)?|material\.young)", "links", real=True),
+    SliderRule(r"drives\.\*\.signal\.duration", "move", 2.0),
+    SliderRule(r"drives\.\*\.controller\.position_gain", "controller"),
+    SliderRule(r"drives\.\*\.controller\.velocity_gain", "controller"),
+    SliderRule(r"contact\.stiffness", "environment"),
+    SliderRule(r"contact\.shape\.distance", "environment", span=0.03, log=False, words="distance of the wall"),
+    SliderRule(r"contact\.shape\.radius", "environment", span=0.03, log=False, words="radius of the surface touched"),
+    SliderRule(
+        r"contact\.shape\.position\.\*", "environment", span=0.03, log=False, words="place of the surface along {}"
+    ),
+    SliderRule(r"contact\.damping", "environment"),
+    SliderRule(r"contact\.friction", "environment", 3.0, log=False),
+    SliderRule(r"contact\.preload", "environment", 3.0, room=20.0, log=False),
+    SliderRule(r"joints\.\*\.gear\.damping", "gear", real=True),
+    SliderRule(r"joints\.\*\.spring\.(stiffness|damping)", "gear", real=True),
+    SliderRule(r"links\.\*\.beam\.(modes\.\*\.)?damping_time", "links"),
+    SliderRule(r"joints\.\*\.motor\.(inertia|friction\.viscous)", "motor"),
+    SliderRule(r"joints\.\*\.friction\.viscous", "motor"),
 )
 _ALONE = 2
 """Numbers of a kind that have a slider each; more of them move together."""
@@ -148,7 +150,7 @@ _BEYOND = 0.1
 """How far beyond its span a number that was named goes, as a share of it."""
 
 
-def _useful(sheet: Robot, number: SheetNumber, rule: Rule) -> bool:
+def _useful(sheet: Robot, number: SheetNumber, rule: SliderRule) -> bool:
     """A payload is on the link with its tip; a plane moves along its normal; a slider is finite."""
     if not math.isfinite(number.value):
         return False
@@ -160,7 +162,7 @@ def _useful(sheet: Robot, number: SheetNumber, rule: Rule) -> bool:
     return number.value > 0 or (rule.room > 0 and number.least < 0)
 
 
-def _knobs(sheet: Robot, group: Sequence[SheetNumber], rule: Rule) -> Iterator[Knob]:
+def _knobs(sheet: Robot, group: Sequence[SheetNumber], rule: SliderRule) -> Iterator[Knob]:
     if not group:
         return
     if len(group) <= _ALONE:
@@ -182,7 +184,7 @@ def _knob(sheet: Robot, group: Sequence[SheetNumber], span: tuple[float, float, 
     return Knob(group[0].pattern, targets, *span, log, tuple(own), common, group[0])
 
 
-def _reach(sheet: Robot, number: SheetNumber, rule: Rule) -> tuple[float, float]:
+def _reach(sheet: Robot, number: SheetNumber, rule: SliderRule) -> tuple[float, float]:
     if rule.span:
         away = rule.span * stretched_length(sheet)
         least = number.value - away if number.least < 0 else max(number.value - away, number.value / rule.reach)
@@ -193,15 +195,15 @@ def _reach(sheet: Robot, number: SheetNumber, rule: Rule) -> tuple[float, float]
     return max(number.value / rule.reach, number.least), min(number.value * rule.reach, number.most)
 
 
-def _log(low: float, rule: Rule) -> bool:
+def _log(low: float, rule: SliderRule) -> bool:
     return rule.log and low > 0
 
 
-OTHER = Rule("", "")
+OTHER = SliderRule("", "")
 """Of numbers without a rule of their own."""
 
 
-def rule_of(knob: Knob) -> Rule:
+def rule_of(knob: Knob) -> SliderRule:
     """The rule of a knob."""
     return next((rule for rule in _RULES if re.fullmatch(rule.pattern, knob.pattern)), OTHER)
 

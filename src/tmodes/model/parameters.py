@@ -20,7 +20,7 @@ from tmodes.io.forms import follows
 from tmodes.io.sheet_check import sheet_data
 from tmodes.io.sheet_paths import steps_of
 from tmodes.kinds.noted.functions import isfinite
-from tmodes.kinds.noted.number import Noted, Tape, is_noted
+from tmodes.kinds.noted.number import Noted, NotedTape, is_noted
 from tmodes.sheet import Robot, RobotPair
 
 __all__ = ["Structural", "bounds_of", "limits_of", "noted_pair"]
@@ -157,7 +157,7 @@ def _leaves(value: Any, number: float, here: Any, steps: Steps) -> Iterator[tupl
             yield place, -here
 
 
-def noted_pair(robot: Robot, values: Mapping[str, float], tape: Tape) -> tuple[RobotPair, dict[str, Noted]]:
+def noted_pair(robot: Robot, values: Mapping[str, float], tape: NotedTape) -> tuple[RobotPair, dict[str, Noted]]:
     """The robot, which has these values at their paths, as known and as it really is, with noted numbers there.
 
     Paths that are structure are not among the numbers, by path, that are returned. Raises :class:`Structural` where a

@@ -20,7 +20,7 @@ from tmodes.analysis.statics.system import ROUNDING, SETTLED
 from tmodes.model.passes import evaluate
 from tmodes.simulation.loop import LoopModel
 
-__all__ = ["LITTLE", "STANDS", "Balance", "Search", "Tangent", "frozen", "rounding"]
+__all__ = ["LITTLE", "STANDS", "Balance", "BalanceSlope", "Search", "frozen", "rounding"]
 
 Array = NDArray[np.float64]
 Places = NDArray[np.intp]
@@ -109,9 +109,9 @@ class Balance:
         """Its derivatives by the unknown, (k, unknown, unknown)."""
         return self.loop.slopes(0.0, states, rows, numbers, self.unknown)[:, self.equations]
 
-    def tangent(self, states: Array, rows: Array, numbers: Array) -> Tangent:
+    def tangent(self, states: Array, rows: Array, numbers: Array) -> BalanceSlope:
         """Of one state (1, size)."""
-        return Tangent.of(self.slopes(states, rows, numbers)[0], len(self.coordinates))
+        return BalanceSlope.of(self.slopes(states, rows, numbers)[0], len(self.coordinates))
 
     def at_rest(self, states: Array) -> Array:
         """States (k, size) of the run, at rest, as states of the equations."""
@@ -154,7 +154,7 @@ class Balance:
 
 
 @dataclass(frozen=True, eq=False)
-class Tangent:
+class BalanceSlope:
     """The slope of the equations of rest at one state: its ``inverse`` (unknown, unknown), what an unknown ``weighs``.
 
     ``counts``: unknowns that influence anything; a state of a controller that does not may drift. ``weighs``: 1 of a
@@ -168,7 +168,7 @@ class Tangent:
     counts: NDArray[np.bool_]
 
     @classmethod
-    def of(cls, slopes: Array, coordinates: int) -> Tangent:
+    def of(cls, slopes: Array, coordinates: int) -> BalanceSlope:
         """Of a matrix (unknown, unknown) whose first unknowns are ``coordinates``."""
         counts = np.ones(len(slopes), dtype=bool)
         while True:
@@ -252,11 +252,11 @@ class Search:
     def _rates(self, state: Array) -> Array:
         return self.balance.rates(state[None], self.row[None], self.numbers)[0]
 
-    def _tangent(self, state: Array) -> Tangent:
+    def _tangent(self, state: Array) -> BalanceSlope:
         return self.balance.tangent(state[None], self.row[None], self.numbers)
 
     @staticmethod
-    def _size(step: Array, tangent: Tangent) -> float:
+    def _size(step: Array, tangent: BalanceSlope) -> float:
         return float(np.abs(step * tangent.weighs).max(initial=0.0))
 
     def _reach(self, state: Array) -> float:
@@ -286,7 +286,7 @@ class Search:
             before = size
         return None
 
-    def _left(self, rates: Array, tangent: Tangent) -> bool:
+    def _left(self, rates: Array, tangent: BalanceSlope) -> bool:
         """Whether more than rounding is left over along what nothing holds."""
         seen = tangent.counts.copy()
         seen[: len(self.balance.coordinates)] = True

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from tmodes.compile.loops.time_loop import CELLS, SEEN, Status
 from tmodes.integrate.registry import integrator
 from tmodes.simulation.native_run import NativeRun
-from tmodes.simulation.parts import Change, Trajectory
+from tmodes.simulation.parts import RunChange, Trajectory
 from tmodes.simulation.stops import STOPPED, Instants, Stops
 
 __all__ = ["WatchedRun"]
@@ -198,7 +198,7 @@ class _Kept(NamedTuple):
     """What a step changes, its samples not counted: they are written again as they were."""
 
     arrays: tuple[Array, ...]
-    changes: tuple[Change, ...]
+    changes: tuple[RunChange, ...]
 
 
 def _kept(run: NativeRun) -> _Kept:

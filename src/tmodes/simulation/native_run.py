@@ -13,7 +13,16 @@ from tmodes.compile.loops.time_loop import ARGUMENTS, CELLS, OPTIONS, Status
 from tmodes.integrate.choice import COUNTED, MethodChange
 from tmodes.integrate.registry import integrator
 from tmodes.integrate.settings import Integration
-from tmodes.simulation.parts import MOST_CHANGES, Change, Lost, Trajectory, chattered, completed, sample_times, used_up
+from tmodes.simulation.parts import (
+    MOST_CHANGES,
+    LostRun,
+    RunChange,
+    Trajectory,
+    chattered,
+    completed,
+    sample_times,
+    used_up,
+)
 from tmodes.simulation.problem import Problem
 
 __all__ = ["BOUND", "EVENT_TIME", "MOST_EVENTS", "NativeRun", "pieces"]
@@ -62,7 +71,7 @@ class NativeRun:
         self.samples = np.zeros((len(self.times), len(self.state))) if samples is None else samples
         self.samples[0] = self.state
         self.looks, self.seen, self.segments = 0.0, np.zeros(1), len(self.rows)
-        self.changes: tuple[Change, ...] = ()
+        self.changes: tuple[RunChange, ...] = ()
         self._put(sample=1.0, fresh=1.0, old_error=1e-4)
 
     def cell(self, name: str) -> float:
@@ -122,7 +131,7 @@ class NativeRun:
         return int(self.cell("steps") + self.cell("rejected"))
 
     def keep_changes(self) -> None:
-        """Keep what changes from now on: see :class:`Change`."""
+        """Keep what changes from now on: see :class:`RunChange`."""
         self._put(pause=1.0)
 
     def _paused(self) -> bool:
@@ -131,7 +140,7 @@ class NativeRun:
         if not self.cell("pause") or not (paused or (ended and self.cell("met"))):
             return False
         before = self.slope if self.model.loop.modes and paused else self.state
-        self.changes = (*self.changes, Change(self.cell("t"), before.copy(), self.state.copy()))
+        self.changes = (*self.changes, RunChange(self.cell("t"), before.copy(), self.state.copy()))
         self._put(met=0.0, pause=float(len(self.changes) < MOST_CHANGES))
         return paused
 
@@ -174,7 +183,7 @@ class NativeRun:
         self.memory[:], self.state[:], self.slope[:] = record["memory"], record["state"], record["slope"]
         self.parts[:], self.samples[: self.done] = record["parts"], record["samples"]
         halves = (np.split(row[1:], 2) for row in record["changes"])
-        self.changes = tuple(Change(row[0], *half) for row, half in zip(record["changes"], halves, strict=True))
+        self.changes = tuple(RunChange(row[0], *half) for row, half in zip(record["changes"], halves, strict=True))
         if self.status is Status.STOPPED_BY_CONDITION:
             self.times[self.done - 1] = self.cell("t")
 
@@ -204,7 +213,7 @@ class NativeRun:
             return chattered(self.cell("t"), MOST_EVENTS, EVENT_TIME)
         names = self.model.coordinates
         accelerations = self._rates_now()[len(names) : 2 * len(names)]
-        return Lost(self.cell("t"), self.cell("h"), accelerations, names, BOUND).info(self.status)
+        return LostRun(self.cell("t"), self.cell("h"), accelerations, names, BOUND).info(self.status)
 
     def statistics(self) -> dict[str, Any]:
         """What the run took, and how; the smallest step is that of all which no knot cut short [s]."""

@@ -15,9 +15,9 @@ from tmodes.integrate.settings import Integration
 
 __all__ = [
     "MOST_CHANGES",
-    "Change",
     "Journal",
-    "Lost",
+    "LostRun",
+    "RunChange",
     "Trajectory",
     "chattered",
     "completed",
@@ -42,7 +42,7 @@ MOST_CHANGES = 2000
 """Changes of a run that are kept."""
 
 
-class Change(NamedTuple):
+class RunChange(NamedTuple):
     """An instant [s] at which a force starts or ends, or something switches: the states (size,) before and after."""
 
     time: float
@@ -67,7 +67,7 @@ class Trajectory:
     message: str
     statistics: dict[str, Any] = field(default_factory=dict)
     seconds: float = 0.0
-    changes: tuple[Change, ...] = ()
+    changes: tuple[RunChange, ...] = ()
     ended_by: str = ""
 
 
@@ -81,7 +81,7 @@ def sample_times(settings: Integration) -> NDArray[np.float64]:
     return times
 
 
-class Lost(NamedTuple):
+class LostRun(NamedTuple):
     """Where a run could not continue: time and next step [s], accelerations (nq,), and their ``names``."""
 
     time: float

@@ -100,7 +100,7 @@ class PaperNoise(DataSheet):
     seed: int = not_negative("-", "seed", "same seed, same noise", default=0, at_most=2**53)
 
 
-class Reference(DataSheet):
+class PaperReference(DataSheet):
     """The motor's reference angle: rest to rest with constant acceleration, speed and deceleration."""
 
     start: float = _angle(symbol="theta_o(0)", meaning="motor angle at the start")
@@ -130,7 +130,7 @@ class Format2010(DataSheet):
     payload: Payload
     environment: Environment
     controller: PaperController
-    reference: Reference
+    reference: PaperReference
     real: dict[str, Annotated[float, _FACTOR]] = by_name(
         "-", "-", "the actual robot where it differs from the known one: path of a number -> factor on it [-]"
     )

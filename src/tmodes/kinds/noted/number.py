@@ -14,7 +14,7 @@ from typing import Any, NoReturn
 
 import numpy as np
 
-__all__ = ["OPERATIONS", "RELATIONS", "Lost", "Noted", "Tape", "is_noted", "plain_value"]
+__all__ = ["OPERATIONS", "RELATIONS", "Lost", "Noted", "NotedTape", "is_noted", "plain_value"]
 
 OPERATIONS: dict[str, Callable[..., Any]] = {
     "add": np.add, "sub": np.subtract, "mul": np.multiply, "div": np.divide, "pow": np.power, "neg": np.negative,
@@ -46,7 +46,7 @@ class Lost(TypeError):
         self.number = number
 
 
-class Tape:
+class NotedTape:
     """Operations in order, each once: ``nodes`` of (operation, operands); constants and inputs are nodes too."""
 
     def __init__(self) -> None:
@@ -175,7 +175,7 @@ class Noted:
 
     __slots__ = ("node", "tape", "value")
 
-    def __init__(self, tape: Tape, node: int, value: float) -> None:
+    def __init__(self, tape: NotedTape, node: int, value: float) -> None:
         self.tape, self.node, self.value = tape, node, value
 
     def __repr__(self) -> str:

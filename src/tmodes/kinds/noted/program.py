@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from tmodes.kinds.kernel import functions as symbolic
 from tmodes.kinds.kernel.schedule import Kernel, Schedule, Slot
-from tmodes.kinds.noted.number import OPERATIONS, RELATIONS, Tape
+from tmodes.kinds.noted.number import OPERATIONS, RELATIONS, NotedTape
 
 __all__ = ["Program", "program_of"]
 
@@ -250,7 +250,7 @@ _SLOPES: dict[str, Any] = {
 """Partial derivatives of each operation: of its result y by its operands."""
 
 
-def program_of(tape: Tape, inputs: Sequence[Any], outputs: Sequence[Any]) -> Program:
+def program_of(tape: NotedTape, inputs: Sequence[Any], outputs: Sequence[Any]) -> Program:
     """The program of a tape from ``inputs`` (noted numbers) to ``outputs`` (noted or plain numbers).
 
     What no output and no guard needs is left out.

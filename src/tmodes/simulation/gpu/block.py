@@ -19,7 +19,7 @@ from tmodes.simulation.batch.simd_batch import NO_SUMS, ended, padded
 from tmodes.simulation.case_results import CaseResults
 from tmodes.simulation.problem import Problem
 
-__all__ = ["Block", "bytes_per_case", "loop_of", "suits_gpu"]
+__all__ = ["DeviceBlock", "bytes_per_case", "loop_of", "suits_gpu"]
 
 Array = NDArray[np.float64]
 
@@ -67,7 +67,7 @@ def _longest(work: Problem) -> int:
     return max(len(schedule.coefficients) for schedule in work.schedules)
 
 
-class Block:
+class DeviceBlock:
     """Some lanes of a work, as their loops left them; ``begin`` brings them to a device, ``end`` back."""
 
     def __init__(self, work: Problem, loop: CaseLoop, lanes: range) -> None:

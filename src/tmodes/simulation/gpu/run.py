@@ -15,7 +15,7 @@ from tmodes.compile.gpu.cuda import Device
 from tmodes.errors import SimulationError
 from tmodes.simulation.batch.executor import PROCESSOR, Executor, Progress
 from tmodes.simulation.case_results import CaseResults
-from tmodes.simulation.gpu.block import Block, bytes_per_case, loop_of, suits_gpu
+from tmodes.simulation.gpu.block import DeviceBlock, bytes_per_case, loop_of, suits_gpu
 from tmodes.simulation.native_run import pieces
 from tmodes.simulation.problem import Problem
 
@@ -59,7 +59,7 @@ def run_on_gpu(
         loop = loop_of(work)
         size = block_size(work, loop, device)
         for first in range(0, work.size, size):
-            block, began = Block(work, loop, range(first, min(first + size, work.size))), clock()
+            block, began = DeviceBlock(work, loop, range(first, min(first + size, work.size))), clock()
             stopped = stopped or _run(block, device, clock, tell)
             reached += float(block.cell("t").sum())
             block.ended(results, clock() - began)
@@ -94,7 +94,7 @@ def block_size(work: Problem, loop: CaseLoop, device: Device) -> int:
     return min(count, work.size)
 
 
-def _run(block: Block, device: Device, clock: Callable[[], float], reached: Callable[[float], None]) -> bool:
+def _run(block: DeviceBlock, device: Device, clock: Callable[[], float], reached: Callable[[float], None]) -> bool:
     """Run a block to its end, to its limit on time, or until Ctrl-C: whether that came."""
     stopped = False
     try:

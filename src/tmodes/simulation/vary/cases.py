@@ -18,7 +18,7 @@ from tmodes.kinds.signals.schedule import SignalPieces, merge_cases
 from tmodes.model.model import Model
 from tmodes.model.parameters import Structural
 from tmodes.sheet import Robot
-from tmodes.simulation.balance import STANDS, Balance, Tangent, frozen
+from tmodes.simulation.balance import STANDS, Balance, BalanceSlope, frozen
 from tmodes.simulation.closed_start import closes, uncontrolled
 from tmodes.simulation.initial_state import RunSetup, closed_balance, held_at_start, placed_state, slipping, undeformed
 from tmodes.simulation.loop import Blocks, LoopModel, loop_numbers
@@ -117,7 +117,7 @@ class Cases:
         return LoopModel(planned(self.like.robot, Follow.HELD).plan)
 
     @cached_property
-    def _standing(self) -> tuple[Balance, Tangent]:
+    def _standing(self) -> tuple[Balance, BalanceSlope]:
         """The equations of rest with held motors, and their slope at the rest of ``like``, near those of all others."""
         rest, row = self.like.rest, planned(self.like.robot, Follow.HELD).schedule.rows_at(np.zeros(1))
         assert rest is not None  # noqa: S101
@@ -125,7 +125,7 @@ class Cases:
         return balance, balance.tangent(self._at_rest(rest.q[None]), row, self.held.numbers)
 
     @cached_property
-    def _closed(self) -> tuple[Balance, Tangent] | None:
+    def _closed(self) -> tuple[Balance, BalanceSlope] | None:
         """The same of the closed loop, where a run starts from its equilibrium."""
         like, balance = self.like, closed_balance(self.like)
         if balance is None:
@@ -195,7 +195,9 @@ class Cases:
         states[~np.isfinite(rates[:, model.layout.v]).all(axis=1)] = np.nan
         return states
 
-    def _balanced(self, balance: Balance, tangent: Tangent, states: Array, rows: Array, parameters: Array) -> Array:
+    def _balanced(
+        self, balance: Balance, tangent: BalanceSlope, states: Array, rows: Array, parameters: Array
+    ) -> Array:
         """The equilibria of the closed loops, from the states with held motors; those that are in balance stay."""
         still, near = frozen(self.like.model, rows), balance.at_rest(states)
         found = rests(balance, parameters, still, near, tangent, STANDS)

@@ -15,10 +15,10 @@ from tmodes.simulation.plan import Follow
 from tmodes.simulation.vary.cases import run_blocks
 from tmodes.simulation.vary.programs import case_program
 
-__all__ = ["Parameter", "parameters_of"]
+__all__ = ["RobotParameter", "parameters_of"]
 
 
-class Parameter(NamedTuple):
+class RobotParameter(NamedTuple):
     """A number of a sheet: its ``path``, ``value``, ``unit``, and bounds (infinite where there are none).
 
     ``enters``: the blocks of numbers of a run that depend on it: ``parameters`` (of the closed loop), ``rest`` (of its
@@ -35,7 +35,7 @@ class Parameter(NamedTuple):
     is_structure: bool
 
 
-def parameters_of(robot: Robot) -> tuple[Parameter, ...]:
+def parameters_of(robot: Robot) -> tuple[RobotParameter, ...]:
     """Every number of a robot's sheet, in its order.
 
     Raises :class:`tmodes.errors.InputError` for what is no robot, and :class:`tmodes.model.parameters.Structural` where
@@ -57,7 +57,9 @@ def parameters_of(robot: Robot) -> tuple[Parameter, ...]:
             if block not in enters.setdefault(path, []):
                 enters[path].append(block)
     return tuple(
-        Parameter(path, value, unit, *bounds_of(robot, steps), tuple(enters.get(path, ())), path not in program.paths)
+        RobotParameter(
+            path, value, unit, *bounds_of(robot, steps), tuple(enters.get(path, ())), path not in program.paths
+        )
         for path, (value, steps, unit) in known.items()
     )
 

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.errors import InputError, InputErrors, SimulationError
-from tmodes.kinds.noted.number import Lost, Tape, is_noted
+from tmodes.kinds.noted.number import Lost, NotedTape, is_noted
 from tmodes.kinds.noted.program import Program, program_of
 from tmodes.model.parameters import Structural, noted_pair
 from tmodes.model.passes import evaluate_program
@@ -112,7 +112,7 @@ def case_program(
     """
     robot, free = sheet.with_(case), dict(case)
     while free:
-        tape = Tape()
+        tape = NotedTape()
         try:
             noted, inputs = noted_pair(robot, free, tape)
             vector, places = whole(blocks(robot_of(noted)))

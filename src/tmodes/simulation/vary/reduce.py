@@ -27,7 +27,7 @@ from tmodes.simulation.vary.case_group import Indices
 from tmodes.simulation.vary.programs import refused_cases
 from tmodes.simulation.vary.simulate import Prepared, changes_of, checked, kept_cases, prepared
 from tmodes.simulation.vary.single_case import single_case
-from tmodes.simulation.vary.tables import Nominal, Table, nominal_variant, own_tip, setpoints
+from tmodes.simulation.vary.tables import GivenTable, Nominal, nominal_variant, own_tip, setpoints
 from tmodes.simulation.vary.values import Whole
 
 __all__ = ["Reduction", "reduced"]
@@ -233,8 +233,8 @@ class _Reducing:
             which = np.flatnonzero(part.status != "")
             yield first + which, part.part(which)
 
-    def _table(self, room: Array, first: int, size: int, progress: Callable[[float], None]) -> Table:
-        table = Table(room[:1], {}, np.zeros(1))
+    def _table(self, room: Array, first: int, size: int, progress: Callable[[float], None]) -> GivenTable:
+        table = GivenTable(room[:1], {}, np.zeros(1))
         if self.nominal is not None:
             table = self.nominal.part(first, first + size).table(room, self.threads, progress, self.executor)
         if self.own is not None:
@@ -242,7 +242,7 @@ class _Reducing:
             table = table._replace(numbers=np.concatenate([table.numbers, np.broadcast_to(self.own, shape)], axis=2))
         return table
 
-    def _part(self, lanes: Prepared, table: Table, progress: Callable[[float], None]) -> CaseResults:
+    def _part(self, lanes: Prepared, table: GivenTable, progress: Callable[[float], None]) -> CaseResults:
         """Results of some cases."""
         going = [(group, self._shown[id(group.like)]) for group in lanes.groups]
         wanted = [self._wanted(tuple(shown.values()), lanes, table) for _, shown in going]
@@ -258,7 +258,7 @@ class _Reducing:
         self._without_nominal(part, table)
         return part
 
-    def _wanted(self, shown: tuple[Output, ...], lanes: Prepared, table: Table) -> OutputRequest:
+    def _wanted(self, shown: tuple[Output, ...], lanes: Prepared, table: GivenTable) -> OutputRequest:
         each = (len(shown), len(SUMS)) if self._folds else (len(lanes.times), len(shown))
         return OutputRequest(shown, table.numbers, lanes.times, np.empty((lanes.size, *each)), self._folds)
 
@@ -274,7 +274,7 @@ class _Reducing:
             else:
                 values[ended] = of_samples(one, wanted.out[ended, :, k], wanted.times)
 
-    def _without_nominal(self, part: CaseResults, table: Table) -> None:
+    def _without_nominal(self, part: CaseResults, table: GivenTable) -> None:
         """Cases whose nominal run came to no end have no deviation, and say why."""
         lost = dict.fromkeys(range(len(part)), table.lost[0]) if self._common and table.lost else table.lost
         for place, why in lost.items():

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from tmodes.analysis.statics.path import STRAY
 from tmodes.analysis.statics.system import ROUNDING, SETTLED
-from tmodes.simulation.balance import LITTLE, Balance, Tangent
+from tmodes.simulation.balance import LITTLE, Balance, BalanceSlope
 
 __all__ = ["inverses", "rests"]
 
@@ -29,7 +29,9 @@ _CONTRACTS = 0.5
 """Step over the one before it up to which the slope is good enough."""
 
 
-def rests(balance: Balance, numbers: Array, rows: Array, near: Array, tangent: Tangent, stands: float = 0.0) -> Array:
+def rests(
+    balance: Balance, numbers: Array, rows: Array, near: Array, tangent: BalanceSlope, stands: float = 0.0
+) -> Array:
     """States (k, size) in which nothing accelerates, not-a-number where none is found near by, on the same branch.
 
     ``numbers`` (k, size) and ``rows`` (k, row) are the parameters and signals at rest, ``near`` (k, size) states of the
@@ -55,7 +57,7 @@ class _Search:
     """Where the search for each equilibrium stands."""
 
     def __init__(
-        self, balance: Balance, numbers: Array, rows: Array, states: Array, tangent: Tangent, stands: float
+        self, balance: Balance, numbers: Array, rows: Array, states: Array, tangent: BalanceSlope, stands: float
     ) -> None:
         self.balance, self.numbers, self.rows, self.states, self.tangent = balance, numbers, rows, states, tangent
         self.stands = stands

@@ -25,7 +25,7 @@ from tmodes.simulation.vary.case_group import Indices
 from tmodes.simulation.vary.programs import CaseProgram, case_program
 from tmodes.simulation.vary.rests import inverses
 
-__all__ = ["StaticCases", "Statics", "masses_of"]
+__all__ = ["CaseStatics", "StaticCases", "masses_of"]
 
 Array = NDArray[np.float64]
 
@@ -41,7 +41,7 @@ _LITTLE = 1e-3
 """First step [rad, m] too short to leave a branch."""
 
 
-class Statics(NamedTuple):
+class CaseStatics(NamedTuple):
     """Of m cases: ``sag`` (m, 3) [m], world axes, squared circular ``frequencies`` (m, modes), rising, and masses [kg].
 
     Not-a-number where no rest was found near that of the first case.
@@ -102,16 +102,16 @@ class StaticCases:
         """Names of the masses."""
         return tuple(masses_of(self.first))
 
-    def found(self, which: Indices, *, rests: bool) -> Statics:
+    def found(self, which: Indices, *, rests: bool) -> CaseStatics:
         """The numbers of some cases; ``rests``: not the masses alone."""
         if not rests:
             none = np.full((len(which), 3), np.nan)
-            return Statics(none, none[:, :0], *self._numbers(which, "masses"))
+            return CaseStatics(none, none[:, :0], *self._numbers(which, "masses"))
         names = "masses", "chain", "weight", "start", "light", "rotors"
         masses, chain, weight, start, light, rotors = self._numbers(which, *names)
         q = self._rests(chain, weight, start)
         sag = self._tips(chain, weight, q) - self._tips(chain, weight, start)
-        return Statics(sag, self._squares(chain, weight, q, light, rotors), masses)
+        return CaseStatics(sag, self._squares(chain, weight, q, light, rotors), masses)
 
     def _tips(self, chain: Array, weight: Array, q: Array) -> Array:
         """The first point (m, 3) [m] in poses (m, nq)."""

@@ -25,7 +25,7 @@ from tmodes.simulation.vary.simulate import Prepared, prepared, run_prepared
 from tmodes.simulation.vary.values import RobotVariant, Whole
 from tmodes.simulation.warnings import jumps
 
-__all__ = ["Nominal", "Table", "at_setpoints", "commanded_states", "nominal_variant", "own_tip", "setpoints"]
+__all__ = ["GivenTable", "Nominal", "at_setpoints", "commanded_states", "nominal_variant", "own_tip", "setpoints"]
 
 Array = NDArray[np.float64]
 Progress = Callable[[str, float], None]
@@ -34,7 +34,7 @@ _REAL = "real"
 """Numbers below this path are those of the actual robot alone."""
 
 
-class Table(NamedTuple):
+class GivenTable(NamedTuple):
     """What is given for each sample: ``numbers`` (1 or k, n, 3 for each of the names).
 
     ``lost``: why the nominal run of a case did not come to its end; ``seconds`` (1 or k,) that the runs took.
@@ -146,7 +146,7 @@ class Nominal:
 
     def table(
         self, room: Array, threads: int, progress: Callable[[float], None], executor: Executor = PROCESSOR
-    ) -> Table:
+    ) -> GivenTable:
         """The tips (k, n, 3 for each name) in a room of their own; one that stands for all runs on the processor."""
         executor = PROCESSOR if self.same else executor
         lost, seconds, interrupted = dict(self.lanes.failed), np.zeros(self.lanes.size), False
@@ -166,7 +166,7 @@ class Nominal:
                     part[group.places] = _commanded(group, self.lanes.times)
             if part is not found:
                 found[:, :, 3 * k : 3 * k + 3] = part
-        return Table(found, lost, seconds, interrupted)
+        return GivenTable(found, lost, seconds, interrupted)
 
     def _works(self, out: Array) -> list[Problem]:
         """Runs whose tips are written into ``out`` (k, n, 3)."""
