@@ -23,7 +23,8 @@ from tmodes.kinds.noted.program import Program
 from tmodes.model.rows import StateRows
 
 __all__ = [
-    "ChainPasses", "PointMotion", "derivatives", "evaluate", "evaluate_program", "evaluate_wide", "packed", "split",
+    "ChainPasses", "PointMotion", "derivatives", "evaluate", "evaluate_program", "evaluate_wide", "packed",
+    "second_derivatives", "split",
 ]  # fmt: skip
 
 Array = NDArray[np.float64]
@@ -86,6 +87,24 @@ def derivatives(parameters: Array, schedule: Any, blocks: Blocks, directions: Bl
     out, workspace = np.empty((count, 2, schedule.output_size)), np.zeros(2 * schedule.workspace)
     _call(library, count, parameters, workspace, inputs, out)
     return split(np.ascontiguousarray(out[:, 1]), schedule.outputs)
+
+
+def second_derivatives(schedule: Any, shape: tuple[int, ...], blocks: Mapping[str, Sequence[ArrayLike]]) -> Blocks:
+    """Outputs by name (*shape, 4, size): values, exact derivatives along two directions, and along both.
+
+    ``blocks``: values and both directions of the inputs, and of the ``parameters``, by name; other inputs are 0.
+    """
+    sizes = {"parameters": schedule.parameters} | {name: slot.size for name, slot in schedule.inputs.items()}
+    rows = {
+        name: np.stack([np.broadcast_to(one, (*shape, size)) for one in (*blocks.get(name, (0.0,) * 3), 0.0)], axis=-2)
+        for name, size in sizes.items()
+    }
+    library = kernels.schedule_function("arm", schedule, "second")
+    inputs = np.ascontiguousarray(np.concatenate([rows[name] for name in schedule.inputs], axis=-1))
+    out, workspace = np.empty((*inputs.shape[:-1], schedule.output_size)), np.zeros(4 * schedule.workspace)
+    _call(library, int(np.prod(shape)), rows["parameters"].reshape(-1, 4 * schedule.parameters), workspace, inputs, out)
+    found = split(out.reshape(-1, schedule.output_size), schedule.outputs)
+    return {name: one.reshape(*shape, 4, one.shape[1]) for name, one in found.items()}
 
 
 def split(out: Array, outputs: Mapping[str, Sequence[Slot]]) -> Blocks:

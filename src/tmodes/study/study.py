@@ -165,7 +165,7 @@ class Study:
     @cached_property
     def needs(self) -> Needs:
         """What all quantities need of each case."""
-        return reduce(or_, (one.needs() for one in self.sheet.quantities.values()))
+        return reduce(or_, (one.needs() for one in self.sheet.quantities.values()), Needs())
 
     @checked_arguments
     def evaluate(

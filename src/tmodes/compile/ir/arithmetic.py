@@ -6,7 +6,7 @@ One straight-line program becomes the code of each, so that lanes and derivative
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from functools import lru_cache
+from functools import lru_cache, partial
 from typing import Any, NamedTuple
 
 from llvmlite import ir
@@ -15,7 +15,7 @@ from tmodes.compile.ir.emit import F64, at, number, spread, whole
 from tmodes.compile.ir.trigonometry import sine_and_cosine, sines_and_cosines
 from tmodes.compile.native import WIDTH
 
-__all__ = ["Derivative", "Double", "Exact", "Lanes", "Wide"]
+__all__ = ["Derivative", "Double", "Exact", "Lanes", "Second", "Wide"]
 
 _FUSE = ("contract",)  # a product and a sum may become one operation with one rounding; nothing else is rearranged
 _SIDE_BY_SIDE = 8  # sines that go at once: where a vector holds fewer, as two halves
@@ -90,6 +90,14 @@ class Double:
         sines, cosines = (b.extract_value(pair, k) for k in range(2))
         places = [whole(lane) for lane in range(len(angles))]
         return [(b.extract_element(sines, place), b.extract_element(cosines, place)) for place in places]
+
+    def packed(self, b: Any, doubles: Sequence[Any]) -> Any:  # noqa: ARG002
+        """A number from its doubles."""
+        return doubles[0]
+
+    def parts(self, b: Any, value: Any) -> list[Any]:  # noqa: ARG002
+        """The doubles of a number."""
+        return [value]
 
     def operation(self, b: Any, kind: str, x: Any, y: Any = None) -> Any:
         """The result of an operation of a program."""
@@ -180,16 +188,17 @@ class _Pair(NamedTuple):
     slope: Any
 
 
-_SLOPES: dict[str, Callable[[Any, Any, Any], Any]] = {
-    "neg": lambda b, _, x: b.fneg(x.slope),
-    "copy": lambda b, _, x: x.slope,
-    "twice": lambda b, _, x: b.fmul(number(2.0), x.slope),
-    "sq": lambda b, _, x: b.fmul(b.fmul(number(2.0), x.value), x.slope),
-    "inv": lambda b, value, x: b.fneg(b.fmul(b.fmul(value, value), x.slope)),
-    "sqrt": lambda b, value, x: b.fdiv(b.fmul(number(0.5), x.slope), value),
-    "fabs": lambda b, _, x: b.select(b.fcmp_ordered("<", x.value, number(0.0)), b.fneg(x.slope), x.slope),
+def _linear(kind: str, do: Callable[..., Any], _: Any, x: Any) -> Any:
+    return do(kind, x.slope)
+
+
+_SLOPES: dict[str, Callable[[Callable[..., Any], Any, Any], Any]] = {
+    "sq": lambda do, _, x: do("mul", do("twice", x.value), x.slope),
+    "inv": lambda do, value, x: do("neg", do("mul", do("mul", value, value), x.slope)),
+    "sqrt": lambda do, value, x: do("div", x.slope, do("twice", value)),
+    "fabs": lambda do, _, x: do("mul", do("sign", x.value), x.slope),
 }
-"""Slope of a function of one number: of (its value, the number)."""
+"""Slope of a function of one number that is not linear: of (operations, its value, the number)."""
 
 
 class Derivative(Double):
@@ -198,10 +207,13 @@ class Derivative(Double):
     stride = 2
     name = "derivative"
     unrolls = False  # seldom called, and twice as long
+    inner: type[Double] = Double
+    """Of the value and of the derivative."""
 
     def __init__(self, module: Any) -> None:
         super().__init__(module)
-        self._plain = Double(module)
+        self._plain, self._rounded = self.inner(module), self.inner(module)
+        self._rounded.fuse = ()
 
     def load(self, b: Any, base: Any, index: int) -> Any:
         """Number ``index`` of a block."""
@@ -209,20 +221,24 @@ class Derivative(Double):
 
     def store(self, b: Any, value: Any, base: Any, index: int) -> None:
         """Keep a number in a block."""
+        slope = self._plain.constant(0.0) if value.slope is None else value.slope
         self._plain.store(b, value.value, base, 2 * index)
-        self._plain.store(b, number(0.0) if value.slope is None else value.slope, base, 2 * index + 1)
+        self._plain.store(b, slope, base, 2 * index + 1)
 
-    def packed(self, b: Any, doubles: Sequence[Any]) -> Any:  # noqa: ARG002
+    def packed(self, b: Any, doubles: Sequence[Any]) -> Any:
         """A value and its derivative; a value alone does not change."""
-        return _Pair(doubles[0], doubles[1] if len(doubles) > 1 else None)
+        half = len(doubles) // 2
+        if not half:
+            return _Pair(self._plain.packed(b, doubles), None)
+        return _Pair(*(self._plain.packed(b, part) for part in (doubles[:half], doubles[half:])))
 
-    def parts(self, b: Any, value: Any) -> list[Any]:  # noqa: ARG002
+    def parts(self, b: Any, value: Any) -> list[Any]:
         """The doubles of a number."""
-        return [*value]
+        return [part for one in value for part in self._plain.parts(b, one)]
 
     def constant(self, value: float) -> Any:
         """A number known beforehand."""
-        return _Pair(number(value), None)
+        return _Pair(self._plain.constant(value), None)
 
     def turn(self, b: Any, angle: Any) -> tuple[Any, Any]:
         """Sine and cosine."""
@@ -230,7 +246,7 @@ class Derivative(Double):
         slope = angle.slope
         if slope is None:
             return _Pair(sine, None), _Pair(cosine, None)
-        return _Pair(sine, self._times(b, cosine, slope)), _Pair(cosine, b.fneg(self._times(b, sine, slope)))
+        return _Pair(sine, self._times(b, cosine, slope)), _Pair(cosine, self._less(b, self._times(b, sine, slope)))
 
     def operation(self, b: Any, kind: str, x: Any, y: Any = None) -> Any:
         """The result of an operation of a program."""
@@ -238,26 +254,35 @@ class Derivative(Double):
         return _Pair(value, self._slope(b, kind, value, x, y))
 
     def _slope(self, b: Any, kind: str, value: Any, x: Any, y: Any) -> Any:
-        if kind in ("lt", "le", "not"):
+        if kind in ("lt", "le", "not", "sign"):
             return None
         if kind == "if_else_zero":
             return None if y.slope is None else self._plain.operation(b, kind, x.value, y.slope)
         if kind == "div":
             top = self._plus(b, x.slope, self._less(b, self._times(b, y.slope, value)))
-            return None if top is None else b.fdiv(top, y.value)
+            return None if top is None else self._plain.operation(b, kind, top, y.value)
         if kind == "mul":
             return self._plus(b, self._times(b, x.slope, y.value), self._times(b, y.slope, x.value))
         if kind in ("add", "sub"):
             return self._plus(b, x.slope, y.slope if kind == "add" else self._less(b, y.slope))
-        return None if x.slope is None else _SLOPES[kind](b, value, x)
+        do = partial(self._rounded.operation, b)
+        return None if x.slope is None else _SLOPES.get(kind, partial(_linear, kind))(do, value, x)
 
     def _times(self, b: Any, slope: Any, factor: Any) -> Any:
-        return None if slope is None else b.fmul(slope, factor, flags=_FUSE)
+        return None if slope is None else self._plain.operation(b, "mul", slope, factor)
 
     def _less(self, b: Any, slope: Any) -> Any:
-        return None if slope is None else b.fneg(slope)
+        return None if slope is None else self._plain.operation(b, "neg", slope)
 
     def _plus(self, b: Any, one: Any, other: Any) -> Any:
         if one is None or other is None:
             return other if one is None else one
-        return b.fadd(one, other, flags=_FUSE)
+        return self._plain.operation(b, "add", one, other)
+
+
+class Second(Derivative):
+    """A value with its derivatives along two directions and along both; those of parameters count too."""
+
+    stride = 4
+    name = "second"
+    inner = Derivative

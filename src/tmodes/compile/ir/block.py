@@ -94,7 +94,8 @@ def write_samples(module: Any, schedule: Any, numbers: Double, name: str) -> Non
 
     A row holds the inputs, or the outputs, one after the other; ``each`` not zero: every sample has parameters of its
     own. Of ``derivative`` each input row is followed by the row of its direction and each output row by that of its
-    derivatives. Of lanes n counts groups of them, and a row is followed by those of the other lanes.
+    derivatives; of ``second`` each is followed by three, that of parameters too. Of lanes n counts groups of them, and
+    a row is followed by those of the other lanes.
     """
     main = write_main(module, schedule, numbers, f"{name}.main")
     labels = [("n", I64), ("each", I64), ("p", POINTER), ("workspace", POINTER), ("in", POINTER), ("out", POINTER)]
@@ -103,7 +104,11 @@ def write_samples(module: Any, schedule: Any, numbers: Double, name: str) -> Non
     b = Builder(function.append_basic_block("entry"))
     taken = main.blocks(schedule.inputs.values())
     given = main.blocks(slot for slots in schedule.outputs.values() for slot in slots)
-    width, own, rows = numbers.stride, [(0, schedule.parameters)], numbers.stride if numbers.packs else 1
+    width, own, rows = (
+        numbers.stride,
+        [(0, schedule.parameters)],
+        numbers.stride if numbers.packs or numbers.stride > 2 else 1,
+    )
 
     def take_own(row: Any, count: int) -> None:
         if numbers.stride == 1:

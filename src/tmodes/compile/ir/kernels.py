@@ -87,7 +87,7 @@ def _level(arithmetic: str, *, often: bool) -> int:
 
     Differentiated code is twice as long and seldom called too, and so are programs of lowering (``exact``).
     """
-    seldom = arithmetic == "derivative" or arithmetic.startswith("exact")
+    seldom = arithmetic in ("derivative", "second") or arithmetic.startswith("exact")
     return 0 if seldom or (arithmetic == "double" and not often) else 1
 
 
@@ -114,16 +114,16 @@ def kernel_code(kernel: Any, arithmetic: str) -> str:
 
 def arithmetic_of(name: str) -> Any:
     """The kind of numbers of a name: ``double``, ``lanes`` or ``derivative``, ``exact``: without fused products."""
-    from tmodes.compile.ir.arithmetic import Derivative, Double, Exact, Lanes, Wide
+    from tmodes.compile.ir.arithmetic import Derivative, Double, Exact, Lanes, Second, Wide
 
-    return {kind.name: kind for kind in (Double, Lanes, Wide, Exact, Derivative)}[name]
+    return {kind.name: kind for kind in (Double, Lanes, Wide, Exact, Derivative, Second)}[name]
 
 
 def schedule_function(name: str, schedule: Any, arithmetic: str) -> Library:
     """The function ``run(n, each, parameters, workspace, in, out)`` of a schedule of kernels over many samples.
 
     ``arithmetic``: ``double``, ``lanes`` (four samples at once; ``wide8``: eight) or ``derivative`` (each with a
-    direction).
+    direction; ``second``: with two).
     """
     write, imports = partial(schedule_module, schedule, arithmetic, "run"), partial(called, schedule, arithmetic)
     level = _level(arithmetic, often=schedule.often)

@@ -159,4 +159,4 @@ def _means(pieces: Sequence[Piece], start: float, end: float) -> tuple[float, fl
 
 def _section(mode: Mode) -> GivenSection:
     stiffness = mode.bending_stiffness
-    return GivenSection(bending_stiffness=(stiffness, stiffness), mass_per_length=mode.mass_per_length)
+    return GivenSection.model_construct(bending_stiffness=(stiffness, stiffness), mass_per_length=mode.mass_per_length)

@@ -84,6 +84,11 @@ class CaseProgram:
             part.reshape(len(found), *shape) for part, shape in zip(np.split(found, ends, axis=1), shapes, strict=True)
         ]
 
+    def slopes(self, names: Sequence[str], values: Mapping[str, Array]) -> list[Array]:
+        """Exact derivatives of blocks of one case by all paths of the program, (size, paths) each."""
+        found = self._part(tuple(names)).derivative(self._rows(values)[0])
+        return np.split(found, np.cumsum([len(self._span(name)) for name in names])[:-1])
+
     def _rows(self, values: Mapping[str, Array]) -> Array:
         count = len(next(iter(values.values())))
         return np.stack([values[path] for path in self.paths], axis=1) if self.paths else np.zeros((count, 0))

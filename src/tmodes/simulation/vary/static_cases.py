@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,7 +18,7 @@ from tmodes.analysis.statics.path import STRAY
 from tmodes.analysis.statics.system import ROUNDING, SETTLED
 from tmodes.kinds.noted.functions import array, number
 from tmodes.model.model import Model
-from tmodes.model.passes import PointMotion, derivatives, evaluate
+from tmodes.model.passes import PointMotion, derivatives, evaluate, second_derivatives
 from tmodes.sheet import Robot
 from tmodes.simulation.loop import Blocks
 from tmodes.simulation.vary.case_group import Indices
@@ -37,18 +37,26 @@ _CONTRACTS = 0.1
 
 _SIDES = "inertia", "elastic"
 
+_BLOCKS = "masses", "chain", "weight", "start", "light", "rotors"
+
+_TIP = slice(9, 12)
+"""The position of the first point among the points' numbers."""
+
+_SAME = 1e-8
+"""Share by which squared frequencies differ that coincide."""
+
 _LITTLE = 1e-3
 """First step [rad, m] too short to leave a branch."""
 
 
 class CaseStatics(NamedTuple):
-    """Of m cases: ``sag`` (m, 3) [m], world axes, squared circular ``frequencies`` (m, modes), rising, and masses [kg].
+    """Of m cases: ``sag`` (m, 4) [m], how far and along world axes, ``frequencies`` (m, modes) [Hz], ``masses`` [kg].
 
-    Not-a-number where no rest was found near that of the first case.
+    Not-a-number where no rest was found near that of the first case. Of derivatives the last axis says by what.
     """
 
     sag: Array
-    squares: Array
+    frequencies: Array
     masses: Array
 
 
@@ -86,11 +94,11 @@ class StaticCases:
         count = len(next(iter(self.values.values())))
         return case_program(self.sheet, self.case, lambda pair: pair.real, _blocks_of, count)
 
-    def holding(self) -> tuple[StaticCases, Indices]:
-        """The cases that the program holds for, and their indices."""
-        which = np.flatnonzero(self.program.holds(self.values))
-        made = replace(self, values={path: values[which] for path, values in self.values.items()})
-        vars(made)["program"] = self.program
+    def holding(self, values: Mapping[str, Array]) -> tuple[StaticCases, Indices]:
+        """The cases of some ``values`` (k,) that the program holds for, and their indices."""
+        which = np.flatnonzero(self.program.holds(values))
+        made = replace(self, values={path: own[which] for path, own in values.items()})
+        vars(made).update({name: one for name, one in vars(self).items() if name not in vars(made)})
         return made, which
 
     def _numbers(self, which: Indices, *names: str) -> list[Array]:
@@ -105,13 +113,59 @@ class StaticCases:
     def found(self, which: Indices, *, rests: bool) -> CaseStatics:
         """The numbers of some cases; ``rests``: not the masses alone."""
         if not rests:
-            none = np.full((len(which), 3), np.nan)
+            none = np.full((len(which), 4), np.nan)
             return CaseStatics(none, none[:, :0], *self._numbers(which, "masses"))
-        names = "masses", "chain", "weight", "start", "light", "rotors"
-        masses, chain, weight, start, light, rotors = self._numbers(which, *names)
+        masses, chain, weight, start, light, rotors = self._numbers(which, *_BLOCKS)
         q = self._rests(chain, weight, start)
         sag = self._tips(chain, weight, q) - self._tips(chain, weight, start)
-        return CaseStatics(sag, self._squares(chain, weight, q, light, rotors), masses)
+        squares = self._modes(chain, weight, q, light, rotors)[0]
+        return CaseStatics(np.column_stack([np.linalg.norm(sag, axis=1), sag]), np.sqrt(squares) / (2 * np.pi), masses)
+
+    def slopes(self, along: Mapping[str, Array], modes: int) -> tuple[CaseStatics, CaseStatics] | None:
+        """The numbers of the only case, and their exact derivatives along k directions; None: it has none.
+
+        ``along`` (k,): how the value of each path moves. The rest moves by K q' = -f', and the lowest ``modes`` by
+        (w^2)' = x^T (K' - w^2 M') x with their shapes x, where K' has the motion of the rest (R. L. Fox, M. P. Kapoor,
+        AIAA Journal 6, 1968, 2426). Squares that coincide move by the eigenvalues of the small problem of their shapes;
+        as rising values they may have a kink there, and the mean of the derivatives on both sides is given.
+        """
+        values, ways = self.found(np.zeros(1, np.intp), rests=True), np.stack([along[k] for k in self.program.paths])
+        of: dict[str, Array] = dict(zip(_BLOCKS, self._numbers(np.zeros(1, np.intp), *_BLOCKS), strict=True))
+        rates = self.program.slopes(_BLOCKS, self.values)
+        by = {name: (one @ ways).T[:, None] for name, one in zip(_BLOCKS, rates, strict=True)}
+        q = self._rests(of["chain"], of["weight"], of["start"])
+        squares, shapes = self._modes(of["chain"], of["weight"], q, of["light"], of["rotors"])
+        modes = min(modes, squares.shape[1])
+        while 0 < modes < squares.shape[1] and _coincide(squares[0])[modes - 1]:
+            modes += 1
+        squares, shapes = squares[0, :modes], shapes[0, :, :modes]
+        if not (np.isfinite(values.sag).all() and np.isfinite(squares).all()):
+            return None
+        nothing = np.zeros((1, q.shape[1]))
+
+        def second(
+            name: str, base: str, pose: Array, moved: Array, turn: Array = nothing, push: Array = nothing
+        ) -> Any:
+            """Outputs (k, modes, 4, size) of a pass along directions of its coordinates, and as its numbers move."""
+            blocks = {"parameters": (of["chain"], 0.0, by["chain"]), "base": (of[base], 0.0, by[base]),
+                      "q": (pose, turn, moved), "a": (0.0, push, 0.0)}  # fmt: skip
+            shape = len(by["chain"]), max(len(turn), len(push))
+            return second_derivatives(self._model.passes.schedule(name), shape, blocks)
+
+        start, moved, free = by["start"], by["start"].copy(), self._free
+        forces = np.sum([second(name, "weight", q, start)["forces"][:, 0, 2, free] for name in _SIDES], axis=0)
+        moved[:, 0, free] -= np.linalg.solve(self._slopes(of["chain"], of["weight"], q)[0], forces.T).T
+        tip, unloaded = (second("inertia", "weight", *pose)["points"][:, 0, 2, _TIP].T
+                         for pose in ((q, moved), (of["start"], start)))  # fmt: skip
+        length, sag = values.sag[0, 0], tip - unloaded
+        whole = values.sag[0, 1:] @ sag / length if length else np.zeros(len(start))
+        x = np.zeros((max(modes, 1), q.shape[1]))
+        x[:modes, self._moving] = shapes.T
+        turned = np.sum([second(name, "weight", q, moved, x)["forces"][:, :, 3] for name in _SIDES], axis=0)
+        pushed = second("inertia", "light", q, moved, nothing, x)["forces"][:, :, 3] + by["rotors"] * x
+        found = _moved_squares(squares, (turned - squares[:, None] * pushed) @ x.T)
+        frequencies = found / (4 * np.pi * np.sqrt(squares))[:, None]
+        return values, CaseStatics(np.vstack([whole, sag])[None], frequencies[None], np.moveaxis(by["masses"], 0, 2))
 
     def _tips(self, chain: Array, weight: Array, q: Array) -> Array:
         """The first point (m, 3) [m] in poses (m, nq)."""
@@ -183,12 +237,16 @@ class StaticCases:
             total += along.reshape(count, len(free), len(free)).swapaxes(1, 2)
         return total
 
-    def _squares(self, chain: Array, weight: Array, q: Array, light: Array, rotors: Array) -> Array:
-        """Squared circular frequencies (m, modes) of what moves with locked motors."""
-        moving = moving_coordinates(self._rest, MotorState.LOCKED, {})
+    @cached_property
+    def _moving(self) -> Indices:
+        """What moves with locked motors."""
+        return moving_coordinates(self._rest, MotorState.LOCKED, {})
+
+    def _modes(self, chain: Array, weight: Array, q: Array, light: Array, rotors: Array) -> tuple[Array, Array]:
+        """Squared circular frequencies (m, modes) of what moves with locked motors, and shapes (m, moving, modes)."""
+        moving, count, n = self._moving, len(q), q.shape[1]
         if not len(moving):
-            return np.zeros((len(q), 0))
-        count, n = len(q), q.shape[1]
+            return np.zeros((count, 0)), np.zeros((count, 0, 0))
         many, units = np.repeat(q, len(moving), axis=0), np.tile(np.eye(n)[moving], (count, 1))
         blocks = self._blocks(many, np.repeat(light, len(moving), axis=0)) | {"a": units}
         inertia = self._model.passes.schedule("inertia")
@@ -198,7 +256,7 @@ class StaticCases:
         slopes = self._slopes(chain, weight, q)
         places = np.searchsorted(self._free, moving)
         stiffness = slopes[:, places][:, :, places]
-        return _squares(mass, (stiffness + stiffness.swapaxes(1, 2)) / 2)
+        return _modes(mass, (stiffness + stiffness.swapaxes(1, 2)) / 2)
 
 
 def _blocks_of(robot: Robot) -> Blocks:
@@ -212,17 +270,34 @@ def _blocks_of(robot: Robot) -> Blocks:
     }  # fmt: skip
 
 
-def _squares(mass: Array, stiffness: Array) -> Array:
-    """Eigenvalues (m, n) of K x = w^2 M x, rising, from 1/w^2: the low ones keep their digits.
+def _modes(mass: Array, stiffness: Array) -> tuple[Array, Array]:
+    """Eigenvalues (m, n) of K x = w^2 M x, rising, from 1/w^2: the low ones keep their digits; and x, x^T M x = 1.
 
     Not-a-number where K is not positive definite.
     """
-    found = np.full(mass.shape[:2], np.nan)
+    found, shapes = np.full(mass.shape[:2], np.nan), np.full(mass.shape, np.nan)
     good = np.isfinite(stiffness).all(axis=(1, 2)) & np.isfinite(mass).all(axis=(1, 2))
     good = np.flatnonzero(good)
     good = good[(np.linalg.eigvalsh(stiffness[good]) > 0).all(axis=1)]
     if len(good):
         root = np.linalg.cholesky(stiffness[good])
         inner = np.linalg.solve(root, np.linalg.solve(root, mass[good]).swapaxes(1, 2))
-        found[good] = 1 / np.linalg.eigvalsh((inner + inner.swapaxes(1, 2)) / 2)[:, ::-1]
+        inverse, ways = np.linalg.eigh((inner + inner.swapaxes(1, 2)) / 2)
+        found[good] = 1 / np.where(inverse > 0, inverse, np.nan)[:, ::-1]
+        shapes[good] = np.linalg.solve(root.swapaxes(1, 2), ways[:, :, ::-1]) * np.sqrt(found[good])[:, None]
+    return found, shapes
+
+
+def _coincide(squares: Array) -> Any:
+    """Which squares (modes,) coincide with the next one."""
+    return np.diff(squares) <= _SAME * squares[1:]
+
+
+def _moved_squares(squares: Array, small: Array) -> Array:
+    """Derivatives (modes, k) of squares from X^T (K' - w^2 M') X of their shapes X, (k, modes, modes)."""
+    found = np.diagonal(small, axis1=1, axis2=2).T.copy()
+    for group in np.split(np.arange(len(squares)), np.flatnonzero(~_coincide(squares)) + 1):
+        own = small[:, group][:, :, group]
+        sides = np.linalg.eigvalsh((own + own.swapaxes(1, 2)) / 2).T
+        found[group] = (sides + sides[::-1]) / 2
     return found

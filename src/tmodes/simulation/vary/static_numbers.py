@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
@@ -23,10 +23,10 @@ from tmodes.simulation.batch.executor import thread_count
 from tmodes.simulation.case_results import CaseResults
 from tmodes.simulation.vary.programs import refused_cases
 from tmodes.simulation.vary.simulate import changes_of, checked
-from tmodes.simulation.vary.static_cases import StaticCases, masses_of
+from tmodes.simulation.vary.static_cases import CaseStatics, StaticCases, masses_of
 from tmodes.simulation.vary.values import changed_sheet
 
-__all__ = ["refuse_unknown_numbers", "static_numbers"]
+__all__ = ["StaticSlopes", "refuse_unknown_numbers", "static_numbers", "static_unit"]
 
 Array = NDArray[np.float64]
 
@@ -75,10 +75,56 @@ def static_numbers(
         changed_sheet(sheet, changes_of(values, first), first)
     rows = _Rows(sheet, values, tuple(dict.fromkeys(several("names", names))), refused, thread_count(threads))
     rows.run(lambda share: progress("statics", share))
-    rows.results.units |= {
-        name: "m" if name in _SAG else "Hz" if _FREQUENCY.fullmatch(name) else "kg" for name in rows.names
-    }
+    rows.results.units |= {name: static_unit(name) for name in rows.names}
     return rows.results
+
+
+def static_unit(name: str) -> str:
+    """Unit of a number by its name."""
+    return "m" if name in _SAG else "Hz" if _FREQUENCY.fullmatch(name) else "kg"
+
+
+class StaticSlopes:
+    """Exact derivatives of static numbers; what was noted for a case serves for others of its structure."""
+
+    def __init__(self, names: Sequence[str]) -> None:
+        self.modes = max((int(of[1]) for name in names if (of := _FREQUENCY.fullmatch(name))), default=0)
+        self._known = list[StaticCases]()
+
+    def at(self, sheet: Robot, case: Mapping[str, float], along: Mapping[str, Array]) -> dict[str, tuple[float, Array]]:
+        """By name the value of a case and its slopes (k,), the paths moving ``along`` (k,).
+
+        Empty where there are none: what moves is structure, no rest was found, or loads, contact or steady motion act
+        on a robot whose frequencies are asked for.
+        """
+        for base in self._bases(sheet, case):
+            try:
+                one, which = base.holding(_single(case))
+            except Structural:
+                break
+            fixed = any(along[path].any() for path in one.program.fixed)
+            if len(which) and not fixed and (found := one.slopes(along, self.modes)):
+                self._known = [*dict.fromkeys([base, *self._known])]
+                values, slopes = (_columns(one, each) for each in found)
+                return {name: (float(values[name][0]), slope[0]) for name, slope in slopes.items()}
+        return {}
+
+    def _bases(self, sheet: Robot, case: Mapping[str, float]) -> Iterator[StaticCases]:
+        """Those that may hold for a case, at last its own."""
+        yield from (one for one in self._known if one.sheet is sheet)
+        robot = sheet.with_(case).pair().real
+        if case and not (self.modes and _is_moved(robot)):
+            yield StaticCases(sheet, _single(case), case, robot)
+
+
+def _single(case: Mapping[str, float]) -> dict[str, Array]:
+    return {path: np.array([value]) for path, value in case.items()}
+
+
+def _columns(cases: StaticCases, found: CaseStatics) -> dict[str, Array]:
+    """All numbers by name, (m,), or their slopes, (m, k)."""
+    modes = [f"frequency.locked.{k + 1}" for k in range(found.frequencies.shape[1])]
+    return dict(zip([*_SAG, *modes, *cases.mass_names], np.moveaxis(np.concatenate(found, axis=1), 1, 0), strict=True))
 
 
 class _Rows:
@@ -132,7 +178,7 @@ class _Rows:
             return none, none
         values, case = {path: own[left] for path, own in self.given.items()}, changes_of(self.given, int(left[0]))
         try:
-            cases, which = StaticCases(self.sheet, values, case, first).holding()
+            cases, which = StaticCases(self.sheet, values, case, first).holding(values)
         except Structural:
             return none, none
         held = left[which]
@@ -153,13 +199,10 @@ class _Rows:
     ) -> NDArray[np.int64]:
         """Fill the rows of some cases; those that have numbers."""
         found = cases.found(which, rests=rests)
-        modes = np.sqrt(np.maximum(found.squares, 0.0)) / (2 * np.pi)
-        columns = dict(zip(cases.mass_names, found.masses.T, strict=True))
-        columns |= dict(zip(_SAG, (np.linalg.norm(found.sag, axis=1), *found.sag.T), strict=True))
-        columns |= {f"frequency.locked.{k + 1}": modes[:, k] for k in range(modes.shape[1])}
+        columns = _columns(cases, found)
         good = np.ones(len(which), dtype=bool) if not rests else np.isfinite(found.sag).all(axis=1)
         if any(_FREQUENCY.fullmatch(name) for name in self.names):
-            good &= np.isfinite(modes).all(axis=1)
+            good &= np.isfinite(found.frequencies).all(axis=1)
         places = usual[which[good]]
         for name in self.names:
             self.results.values[name][places] = columns[name][good] if name in columns else np.nan

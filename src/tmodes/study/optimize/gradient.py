@@ -1,4 +1,4 @@
-"""Local optima by gradients: sequential quadratic programming from a few starts, slopes by differences."""
+"""Local optima by gradients: sequential quadratic programming."""
 
 from __future__ import annotations
 
@@ -8,9 +8,7 @@ from typing import NamedTuple, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.study.optimize.trials import Trials
-
-__all__ = ["STEP", "Descent", "Differences", "Slopes", "Terms", "descend", "neighbours", "slopes"]
+__all__ = ["STEP", "Descent", "Slopes", "Terms", "descend", "neighbours", "slopes"]
 
 Array = NDArray[np.float64]
 
@@ -18,26 +16,26 @@ STEP = 1e-4
 """Of a parameter's range."""
 
 
-def neighbours(shares: Array) -> Array:
+def neighbours(shares: Array, step: float = STEP) -> Array:
     """A point (k,) and two neighbours along each parameter, (2 k + 1, k): on both sides, at an end both inwards."""
-    one, two = (np.diag(side) for side in _sides(shares).T)
+    one, two = (np.diag(side) for side in _sides(shares, step).T)
     return shares + np.concatenate([np.zeros((1, len(shares))), one, two])
 
 
-def slopes(values: Array, shares: Array) -> Array:
+def slopes(values: Array, shares: Array, step: float = STEP) -> Array:
     """Derivatives (..., k) of the parabola through the values (2 k + 1, ...) at the neighbours of a point (k,)."""
     k = len(shares)
-    sides = _sides(shares).reshape(k, 2, *[1] * (values.ndim - 1))
+    sides = _sides(shares, step).reshape(k, 2, *[1] * (values.ndim - 1))
     one, two = sides[:, 0], sides[:, 1]
     here = (values[1 : k + 1] - values[0]) / one * two - (values[k + 1 :] - values[0]) / two * one
     return np.moveaxis(here / (two - one), 0, -1)
 
 
-def _sides(shares: Array) -> Array:
+def _sides(shares: Array, step: float) -> Array:
     """Steps to both neighbours of each parameter, (k, 2)."""
-    inner = (shares >= STEP) & (shares <= 1 - STEP)
-    inwards = np.where(shares < STEP, 1.0, -1.0)
-    return STEP * np.where(inner[:, None], [1.0, -1.0], inwards[:, None] * [1.0, 2.0])
+    inner = (shares >= step) & (shares <= 1 - step)
+    inwards = np.where(shares < step, 1.0, -1.0)
+    return step * np.where(inner[:, None], [1.0, -1.0], inwards[:, None] * [1.0, 2.0])
 
 
 MOST_STEPS = 200
@@ -132,33 +130,3 @@ def _multipliers(shares: Array, terms: Terms) -> Array:
     if active.any():
         found[active] = nnls(columns.T, -terms.slope)[0][: active.sum()]
     return found
-
-
-class Differences:
-    """Terms at points of the unit cube, each from the cases about it, which are computed together.
-
-    The points themselves are among the ``trials``, their neighbours among the ``probes``.
-    """
-
-    def __init__(self, trials: Trials, probes: Trials) -> None:
-        self.trials, self.probes = trials, probes
-        self._known: dict[bytes, Terms] = {}
-
-    def at(self, shares: Array) -> Terms:
-        """The terms at shares (k,)."""
-        key = shares.tobytes()
-        if key not in self._known:
-            self._known[key] = self._computed(shares)
-        return self._known[key]
-
-    def _computed(self, shares: Array) -> Terms:
-        here = self._values(self.trials, shares[None])
-        values = np.concatenate([here, self._values(self.probes, neighbours(shares)[1:])])
-        along = slopes(values, shares)
-        return Terms(float(values[0, 0]), along[0], values[0, 1:], along[1:])
-
-    def _values(self, trials: Trials, shares: Array) -> Array:
-        """Signed objective and excess (m, 1 + l) at points (m, k); not-a-number where a case failed."""
-        judged = trials.judged(trials.at(trials.space.at(shares)))
-        excess = np.where(np.isfinite(judged.excess), judged.excess, np.nan)
-        return np.column_stack([judged.objectives[:, 0] * trials.goals.signs[0], excess])

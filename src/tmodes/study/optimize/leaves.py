@@ -8,15 +8,12 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.errors import InputError
 from tmodes.io.units import number
-from tmodes.sheet import Robot
-from tmodes.study.mapping import groups_of
 from tmodes.study.quantities import Asked, Needs
 from tmodes.study.space import ordered
 from tmodes.study.study import Study
 
-__all__ = ["cheap", "factor", "formulas", "leaves", "numbers_of", "restricted"]
+__all__ = ["cheap", "factor", "formulas", "leaves", "restricted"]
 
 Array = NDArray[np.float64]
 
@@ -56,16 +53,6 @@ def formulas(study: Study, known: Mapping[str, Array]) -> dict[str, Array]:
             plain = needs[name] == Needs(names=needs[name].names)
             found[name] = study.sheet.quantities[name].values(Asked(found))[0] if plain else nothing
     return found
-
-
-def numbers_of(study: Study, cases: Array) -> tuple[Robot, dict[str, Array]]:
-    """The robot, and by path what varies of it in some cases (m, d) of one structure."""
-    assert study.robot is not None  # noqa: S101
-    groups = list(groups_of(study.robot, study.names, study.targets, study.choices, cases))
-    if len(groups) != 1 or groups[0].robot is None:
-        got = "parameters that change more than numbers of the robot" if len(groups) > 1 else groups[0].wrong
-        raise InputError("--method gradient", got, "parameters that are numbers of the robot", "take --method tpe")
-    return groups[0].robot, dict(groups[0].vary)
 
 
 def factor(own: str, wanted: str | None) -> float:

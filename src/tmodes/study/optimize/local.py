@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.gradients.quantities import Functional
+from tmodes.study.optimize.adjoint import Adjoint
 from tmodes.study.optimize.goals import Goals
-from tmodes.study.optimize.gradient import Descent, Differences, descend
+from tmodes.study.optimize.gradient import Descent, descend
 from tmodes.study.optimize.leaves import cheap
 from tmodes.study.optimize.result import Optimum
 from tmodes.study.optimize.summary import found
@@ -28,21 +28,12 @@ def by_gradient(
     progress: Callable[[str, float], None],
 ) -> Optimum:  # fmt: skip
     """The best of the local optima."""
-    if functionals or not cheap(trials.study):
-        return _adjoint(trials, functionals, units, progress)
-    probes = Trials(trials.study, trials.space, trials.goals, trials.scenarios, None, progress, {})
-    slopes = Differences(trials, probes)
-    ends = [descend(slopes, start, lambda steps: progress("steps", 0.0)) for start in _starts(trials, count, seed)]
+    slopes, simulated = Adjoint(trials, functionals), bool(functionals) or not cheap(trials.study)
+    starts = [slopes.start] if simulated else _starts(trials, count, seed)
+    stage = "runs with gradients" if simulated else "steps"
+    ends = [descend(slopes, start, lambda steps: progress(stage, 0.0)) for start in starts]
     best = min(ends, key=lambda end: (end.terms.excess.max(initial=0.0) > 0, end.terms.objective))
-    return found(trials, "gradient", units, prices=_prices(trials.goals, best))
-
-
-def _adjoint(trials: Trials, functionals: Mapping[str, Functional], units: dict[str, str], progress: Any) -> Optimum:
-    from tmodes.study.optimize.adjoint import Adjoint
-
-    slopes = Adjoint(trials, functionals)
-    end = descend(slopes, slopes.start, lambda steps: progress("runs with gradients", 0.0))
-    return found(trials, "gradient", units, gradients=slopes.runs, prices=_prices(trials.goals, end))
+    return found(trials, "gradient", units, gradients=slopes.runs, prices=_prices(trials.goals, best))
 
 
 def _starts(trials: Trials, count: int, seed: int) -> list[Array]:

@@ -57,11 +57,11 @@ def optimize(
     """The best design of a study, or of the file of one, by the objectives and limits of its sheet's ``optimize``.
 
     ``method``: ``grid`` tries every design of a finite space, whose optimum is exact; ``gradient`` descends, from the
-    sheet's own design where the adjoint gives the slopes of a simulated objective, from the best of ``trials`` evenly
-    spread designs where differences do (static numbers and formulas); ``tpe`` and ``nsga2`` try ``trials`` designs;
-    ``auto``: the first of these that fits. ``out``: a folder for finished cases, so that the same call resumes.
-    ``functionals``: further quantities by name, measured on the run, for ``gradient``. ``where``: as of
-    :func:`tmodes.study.run_study`.
+    sheet's own design where something is simulated (slopes by the adjoint), else from the best of ``trials`` evenly
+    spread designs, with exact slopes of numbers at rest (by differences those of frequencies under loads, in contact
+    and in steady motion); ``tpe`` and ``nsga2`` try ``trials`` designs; ``auto``: the first of these that fits.
+    ``out``: a folder for finished cases, so that the same call resumes. ``functionals``: further quantities by name,
+    measured on the run, for ``gradient``. ``where``: as of :func:`tmodes.study.run_study`.
 
     Raises :class:`tmodes.errors.InputError` for what is wrong in the sheet, before anything runs.
 
@@ -135,7 +135,7 @@ def _chosen(study: Study, space: DesignSpace, goals: Goals, method: str, functio
 
 
 def _differentiable(study: Study, goals: Goals, functionals: Mapping[str, Functional]) -> bool:
-    """Whether differences that cost no simulation, or the adjoint, give the slopes of all terms."""
+    """Whether all terms have slopes, without a simulation or by the adjoint."""
     worst = study.sheet.optimize is not None and study.sheet.optimize.worst_case
     if cheap(study) and not functionals:
         return True
