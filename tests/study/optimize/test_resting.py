@@ -97,7 +97,7 @@ def test_a_double_frequency_moves_by_the_mean_of_both_sides() -> None:
         assert slope[0] == pytest.approx((sides[1][name] - sides[0][name])[0] / (2 * step), rel=2e-3)
 
 
-def test_terms_of_a_study_at_rest_are_exact_in_all_scenarios(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_terms_at_rest_are_exact_in_the_worst_scenario(monkeypatch: pytest.MonkeyPatch) -> None:
     asked = study_from_data({
         "format": 1, "kind": "study", "name": "rods", "robot": "deluca_siciliano1991",
         "set": {"gravity": [0.0, 0.0, -9.81]}, "plan": {"type": "monte_carlo", "runs": 1},
@@ -106,19 +106,20 @@ def test_terms_of_a_study_at_rest_are_exact_in_all_scenarios(monkeypatch: pytest
                        "share": uniform("links.1.beam.length", 0.9, 1.1, relative=True)},
         "quantities": {"f": {"static": "frequency.locked.1"}, "m": {"static": "mass", "unit": "g"},
                        "both": {"expression": "f**2 + m/100"}},
-        "optimize": {"objectives": [{"minimize": "both"}], "limits": ["m <= 900 g"]},
+        "optimize": {"objectives": [{"minimize": "both"}], "limits": ["m <= 900 g"],
+                     "design": ["mass", "length"]},
     })  # fmt: skip
     trials = trials_of(asked)
-    trials.scenarios = np.repeat(trials.scenarios, 2, axis=0) * [[1.0, 1.0, 1.0], [1.0, 1.0, 1.05]]
-    slopes, shares, step = Adjoint(trials, {}), np.array([0.4, 0.5, 0.6]), 1e-2
+    trials.scenarios = np.repeat(trials.scenarios, 2, axis=0) * [[1.0, 1.0, 0.95], [1.0, 1.0, 1.05]]
+    slopes, shares, step = Adjoint(trials, {}), np.array([0.4, 0.5]), 1e-2
 
     def refused(*_: Any) -> None:
         raise AssertionError("differences")
 
     found = slopes.at(shares)
     monkeypatch.setattr("tmodes.study.optimize.adjoint.restricted", refused)
-    points = [slopes.at(shares + by * step * way) for way in np.eye(3) for by in (-2, -1, 1, 2)]
-    terms = np.array([[one.objective, *one.excess] for one in points]).reshape(3, 4, -1)
+    points = [slopes.at(shares + by * step * way) for way in np.eye(2) for by in (-2, -1, 1, 2)]
+    terms = np.array([[one.objective, *one.excess] for one in points]).reshape(2, 4, -1)
     expected = np.einsum("kst,s->tk", terms, RULE) / step
     np.testing.assert_allclose([found.slope, *found.slopes], expected, rtol=0, atol=1e-8 * np.abs(expected).max())
 

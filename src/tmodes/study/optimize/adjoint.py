@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from typing import NamedTuple
 
 import numpy as np
@@ -23,19 +23,18 @@ from tmodes.study.optimize.trials import Trials
 __all__ = ["Adjoint"]
 
 Array = NDArray[np.float64]
-Found = dict[str, tuple[Array, Array]]
-"""By name values (s,) in the scenarios, and their slopes (s, k) along the unit cube."""
+Found = dict[str, tuple[float, Array]]
+"""By name a value, and its slopes (k,) along the unit cube."""
 
 _STEP = 1e-5
 """Of a parameter's range, along which formulas are differentiated."""
 
 
 class _Point(NamedTuple):
-    """Scenarios (s,) of a point of the unit cube with one sheet: by path their numbers (s,), and slopes (s, k)."""
+    """A point of the unit cube in one scenario: the sheet, and by path its numbers there and their slopes (k,)."""
 
-    scenarios: NDArray[np.intp]
     sheet: Robot
-    vary: Mapping[str, Array]
+    case: Mapping[str, float]
     along: Mapping[str, Array]
 
 
@@ -77,71 +76,65 @@ class Adjoint:
         return self._known[key]
 
     def _computed(self, shares: Array) -> Terms:
-        trials, space = self.trials, self.trials.space
-        design = space.at(shares[None])
+        trials = self.trials
+        design = trials.space.at(shares[None])
         cases = trials.cases_of(design)
-        values: dict[str, Array] = dict(zip(self.study.names, cases.T, strict=True))
-        try:
-            if not self._simulated:
-                number = trials.at(design)[0]
-                found = self._resting(shares, {name: trials.values[name][number] for name in self._at_rest})
-            else:
+        if self._simulated:
+            try:
                 rows = restricted(self.study, self._at_rest).evaluate(0, cases)
-                found = self._resting(shares, rows.quantities) | self._run(shares)
-                whole = formulas(self.study, values | {name: value for name, (value, _) in found.items()})
+                found = self._resting(shares, 0, rows.quantities) | self._run(self._point(shares, 0))
+                own = dict(zip(self.study.names, cases[0], strict=True))
+                values = own | {name: value for name, (value, _) in found.items()}
+                whole = formulas(self.study, {name: np.array([value]) for name, value in values.items()})
                 trials.add(design[0], {name: float(one[0]) for name, one in whole.items()})
-        except SimulationError as error:
-            trials.add(design[0], {}, str(error))
-            found = dict.fromkeys(self._leaves, (np.array([np.nan]), np.zeros((1, len(shares)))))
-        values |= {name: value for name, (value, _) in found.items()}
-        along = dict(zip(space.names, np.diag(space.high - space.low), strict=True))
-        return self._terms(values, along | {name: slope for name, (_, slope) in found.items()}, shares)
+            except SimulationError as error:
+                trials.add(design[0], {}, str(error))
+                found = dict.fromkeys(self._leaves, (np.nan, np.zeros(len(shares))))
+            return self._terms(shares, cases[0], found)
+        number = trials.at(design)[0]
+        known = {name: one[number] for name, one in trials.values.items()}
+        which = trials.goals.deciding({name: one[None] for name, one in known.items()})
+        each = {k: self._terms(shares, cases[k], self._resting(shares, k, known)) for k in {*which}}
+        own, limits = each[which[0]], [(each[k].excess[row], each[k].slopes[row]) for row, k in enumerate(which[1:])]
+        excess, along = ([one[part] for one in limits] for part in range(2))
+        return Terms(own.objective, own.slope, np.array(excess), np.reshape(along, (-1, len(shares))))
 
-    def _points(self, shares: Array) -> Iterator[_Point]:
-        """A point in its scenarios. What parameters set follows them linearly: its slopes are of the whole range."""
-        robot, k = self.study.robot, len(shares)
+    def _point(self, shares: Array, scenario: int) -> _Point:
+        """What parameters set follows them linearly: its slopes are those of the whole range."""
+        robot, k, study = self.study.robot, len(shares), self.study
         assert robot is not None  # noqa: S101
         ends = [np.where(np.eye(k, dtype=bool), end, shares) for end in (0.0, 1.0)]
         cases = self.trials.cases_of(self.trials.space.at(np.concatenate([shares[None], *ends])))
-        places = np.arange(len(cases)).reshape(2 * k + 1, -1)
-        for group in groups_of(robot, self.study.names, self.study.targets, self.study.choices, cases):
-            scenarios = group.places[group.places < places.shape[1]]
-            if group.robot is None or not np.array_equal(group.places, places[:, scenarios].ravel()):
-                got = group.wrong or "parameters that change more than numbers of the robot"
-                raise InputError(
-                    "--method gradient", got, "parameters that are numbers of the robot", "take --method tpe"
-                )
-            vary = {path: numbers.reshape(2 * k + 1, -1) for path, numbers in group.vary.items()}
-            along = {path: (numbers[k + 1 :] - numbers[1 : k + 1]).T for path, numbers in vary.items()}
-            yield _Point(scenarios, group.robot, {path: numbers[0] for path, numbers in vary.items()}, along)
+        cases = cases[scenario :: len(self.trials.scenarios)]
+        groups = list(groups_of(robot, study.names, study.targets, study.choices, cases))
+        if len(groups) != 1 or groups[0].robot is None:
+            got = "parameters that change more than numbers of the robot" if len(groups) > 1 else groups[0].wrong
+            raise InputError("--method gradient", got, "parameters that are numbers of the robot", "take --method tpe")
+        vary = groups[0].vary.items()
+        along = {path: numbers[k + 1 :] - numbers[1 : k + 1] for path, numbers in vary}
+        return _Point(groups[0].robot, {path: float(numbers[0]) for path, numbers in vary}, along)
 
-    def _resting(self, shares: Array, values: Mapping[str, Array]) -> Found:
-        """Numbers at rest, which have these ``values`` (s,), with slopes."""
-        found = {name: np.full((len(self.trials.scenarios), len(shares)), np.nan) for name in self._at_rest}
-        for point in self._points(shares) if found else ():
-            for k, scenario in enumerate(point.scenarios):
-                exact = self._statics.at(
-                    point.sheet, *({path: own[k] for path, own in each.items()} for each in point[2:])
-                )
-                for name, (static, *others) in self._at_rest.items():
-                    value, slope = exact.get(static, (np.nan, np.nan))
-                    share = factor(static_unit(static), self.study.sheet.quantities[name].unit)
-                    if not others and np.isclose(value * share, values[name][scenario]):  # of the same rest
-                        found[name][scenario] = slope * share
-        if lost := [name for name, slope in found.items() if np.isnan(slope).any()]:
+    def _resting(self, shares: Array, scenario: int, values: Mapping[str, Array]) -> Found:
+        """Numbers at rest in a scenario, of those that have these ``values`` (s,) in all, with slopes."""
+        if not self._at_rest:
+            return {}
+        exact, found = self._statics.at(*self._point(shares, scenario)), Found()
+        for name, (static, *others) in self._at_rest.items():
+            value, slope = exact.get(static, (np.nan, np.zeros(len(shares))))
+            share = factor(static_unit(static), self.study.sheet.quantities[name].unit)
+            if not others and np.isclose(value * share, values[name][scenario]):  # the same rest
+                found[name] = values[name][scenario], slope * share
+        if lost := [name for name in self._at_rest if name not in found]:
             cases = self.trials.cases_of(self.trials.space.at(neighbours(shares)))
-            rows = restricted(self.study, lost).evaluate(0, cases).quantities
-            found |= {name: slopes(one.reshape(-1, len(values[name])), shares) for name, one in rows.items()}
-        return {name: (values[name], slope) for name, slope in found.items()}
+            rows = restricted(self.study, lost).evaluate(0, cases[scenario :: len(self.trials.scenarios)]).quantities
+            found |= {name: (one[0], slopes(one, shares)) for name, one in rows.items()}
+        return found
 
-    def _run(self, shares: Array) -> Found:
+    def _run(self, point: _Point) -> Found:
         """Simulated quantities with slopes."""
-        (point,) = self._points(shares)
-        robot = point.sheet.with_({path: float(numbers[0]) for path, numbers in point.vary.items()})
-        along = {path: slopes[0] for path, slopes in point.along.items() if slopes.any()}
+        robot, along = point.sheet.with_(point.case), {path: one for path, one in point.along.items() if one.any()}
         found = {name: self._measured(robot, along, self._given[name]) for name in self._functionals}
-        found |= {name: self._of_series(robot, along, name) for name in self._series}
-        return {name: (np.array([value]), slope[None]) for name, (value, slope) in found.items()}
+        return found | {name: self._of_series(robot, along, name) for name in self._series}
 
     def _measured(self, robot: Robot, along: Mapping[str, Array], functional: Functional) -> tuple[float, Array]:
         """A functional of the run, with slopes."""
@@ -165,16 +158,17 @@ class Adjoint:
         value, slope = self._measured(robot, along, reduced_output(series, reduce))
         return value * factor(own, quantity.unit), slope * factor(own, quantity.unit)
 
-    def _terms(self, values: Mapping[str, Array], slopes_of: Mapping[str, Array], shares: Array) -> Terms:
-        """Objective and limits with their slopes: formulas by differences along each direction."""
-        goals, none = self.trials.goals, np.zeros(len(shares))
-        steps = neighbours(shares, _STEP) - shares
-        moved = {name: value + steps @ slopes_of.get(name, none).T.reshape(len(shares), -1)
-                 for name, value in values.items()}  # fmt: skip
-        shape = next(iter(moved.values())).shape
-        whole = formulas(self.study, {name: one.ravel() for name, one in moved.items()})
-        judged = goals.judged({name: one.reshape(shape) for name, one in whole.items()})
+    def _terms(self, shares: Array, case: Array, found: Found) -> Terms:
+        """Objective and limits of a case (d,) with their slopes: formulas by differences along each direction."""
+        goals, space = self.trials.goals, self.trials.space
+        own = dict(zip(self.study.names, case, strict=True))
+        along = dict(zip(space.names, np.diag(space.high - space.low), strict=True))
+        along |= {name: slope for name, (_, slope) in found.items()}
+        values = own | {name: value for name, (value, _) in found.items()}
+        steps, none = neighbours(shares, _STEP) - shares, np.zeros(len(shares))
+        whole = formulas(self.study, {name: one + steps @ along.get(name, none) for name, one in values.items()})
+        judged = goals.judged({name: one[:, None] for name, one in whole.items()})
         excess = np.where(np.isfinite(judged.excess), judged.excess, np.nan)
         terms = np.column_stack([judged.objectives[:, 0] * goals.signs[0], excess])
-        along = slopes(terms, shares, _STEP)
-        return Terms(float(terms[0, 0]), along[0], terms[0, 1:], along[1:])
+        slope = slopes(terms, shares, _STEP)
+        return Terms(float(terms[0, 0]), slope[0], terms[0, 1:], slope[1:])

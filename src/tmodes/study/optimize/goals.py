@@ -245,6 +245,12 @@ class Goals:
         feasible: NDArray[np.bool_] = np.logical_and.reduce(held, axis=0)
         return Judged(objectives, _columns(terms, count), _columns(excess, count), feasible)
 
+    def deciding(self, values: Mapping[str, Array]) -> list[int]:
+        """The case of one design, values (1, cases), by which each term is judged: objectives, then limits."""
+        judged, terms = self.judged(values), [one.term.at(values)[0] for one in (*self.aims, *self.limits)]
+        found = np.concatenate([judged.objectives[0], judged.limits[0]])
+        return [int(np.argmin(np.abs(term - one))) for term, one in zip(terms, found, strict=True)]
+
     def _worst(self, values: Array, sign: int) -> Array:
         """The worst (m,) of all cases (m, cases), or the percentile that counts; a case without value is the worst."""
         bad = np.where(np.isnan(values), np.inf, sign * values)
