@@ -133,6 +133,13 @@ def test_parts_do_not_matter(monkeypatch):
     assert parts.statistics["steps"].tolist() == whole.statistics["steps"].tolist()
 
 
+def test_stations_alone():
+    found = reduced(
+        tmodes.load("filipovic2010"), {"gear.stiffness": [1e3, 2e3]}, [Reduction("link.1.moment.z@0.5", "max_abs")]
+    )
+    assert np.isfinite(next(iter(found.values.values()))).all()
+
+
 def test_stop_conditions_end_cases_and_are_said():
     robot = swing(**{"integration.duration": 1.0, "integration.stop": ["abs(joint.position) > 0.3"]})
     asked = [Reduction("joint.position", "max_abs"), Reduction("energy.total", "range")]

@@ -69,3 +69,10 @@ def test_a_file_in_another_folder_is_let_in_by_its_flags(tmp_path):
 def test_a_list_on_the_command_line():
     info = tmodes("check", "spong1987", "--set", "gravity=[0, 0, -40]")
     assert "gravity = 40 m/s^2" in info.stdout
+
+
+def test_parameters_without_end_are_listed() -> None:
+    """A stiffness of infinity has no number in JSON."""
+    listed = {one["path"]: one for one in json.loads(tmodes("parameters", "flexarm1990", "--json").stdout)}
+    assert None in {one["value"] for one in listed.values()}
+    assert listed["gravity.0"]["unit"] == "m/s^2"

@@ -32,6 +32,10 @@ class Oscillator:
 
     coordinates = ("x",)
 
+    @property
+    def batch_widths(self) -> dict[str, int]:
+        return {"parameters": 1, "states": 2, "schedules": 2}
+
     @cached_property
     def loops(self) -> dict[str, Any]:
         rates = Kernel("oscillator", (2, 1), (2,), lambda x, p: [[x[1], -p[0] * x[0]]], plain=True)

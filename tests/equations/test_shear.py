@@ -98,7 +98,7 @@ def test_sections_without_inertia_leave_the_low_frequencies_exact(inertia: float
     if hub is None:
         assert exact[0] == pytest.approx(3.3623029273358, rel=1e-12)
     found = [2 * np.pi * mode.frequency_Hz for mode in modes[len(free) :][:4]]
-    np.testing.assert_allclose(found, exact, rtol=1e-5)
+    np.testing.assert_allclose(found[:3], exact[:3], rtol=1e-6)
     np.testing.assert_allclose(found[:2], exact[:2], rtol=1e-9)
     assert max(abs(mode.damping_ratio) for mode in modes[: len(free) + 4]) < 1e-8
 

@@ -128,6 +128,13 @@ def test_sliders_of_the_2010_robot_are_what_one_wants_to_change() -> None:
     assert {"links.link.bodies.payload.mass", "links.link.beam.modes.1.bending_stiffness", "drives.0.signal.duration",
             "drives.0.controller.position_gain", "contact.stiffness"} <= {*paths[:MOST]}  # fmt: skip
     assert any(path.startswith("real:joints.joint.gear.stiffness") for path in paths[:MOST])
+    length = paths.index("links.link.beam.modes.0.length")
+    values = [value * (0.7 if k == length else 1.0) for k, value in enumerate(live.start)]
+    changed = load("filipovic2010").with_(live.changes(values))  # in which the surface follows
+    assert changed.contact.shape.radius == pytest.approx(0.72)
+    real = changed.pair().real
+    numbers = run_numbers(real, follow_of(changed, "real"), whole_moves(changed, REACH))["parameters"]
+    assert live.numbers(values, "real")["parameters"] == pytest.approx(numbers, rel=1e-12)
     (duration,) = (slider for slider in live.sliders if slider.path == "drives.0.signal.duration")
     assert (duration.low, duration.high) == (duration.value / 2, 2 * duration.value)  # beyond the end of the run
 

@@ -50,11 +50,9 @@ def parameters(
     sheet = chosen_sheet(robot, settings, roots=root, trust_paths=trust_paths, fix_inertia=fix_inertia)
     found = parameters_of(sheet)
     if as_json:
-        bounds = [
-            {key: getattr(one, key) if math.isfinite(getattr(one, key)) else None for key in ("low", "high")}
-            for one in found
-        ]
-        print_json([one._asdict() | own for one, own in zip(found, bounds, strict=True)])
+        print_json(
+            [one._asdict() | {key: _plain(getattr(one, key)) for key in ("value", "low", "high")} for one in found]
+        )
         return
     rows = [
         [one.path, f"{one.value:g}", one.unit, _bound(one.low), _bound(one.high),
@@ -62,6 +60,11 @@ def parameters(
         for one in found
     ]  # fmt: skip
     print_table(f"Parameters of {sheet.name}", ["path", "value", "unit", "low", "high", "enters"], rows)
+
+
+def _plain(value: float) -> float | None:
+    """As JSON has it: a number, or none for a bound that is not there and a value without end."""
+    return value if math.isfinite(value) else None
 
 
 def _bound(value: float) -> str:

@@ -16,13 +16,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.compile.cache import load, save, source_digest
+from tmodes.io.forms import follows
+from tmodes.io.sheet_check import sheet_data
+from tmodes.io.sheet_paths import steps_of
 from tmodes.kinds.noted.program import Program
 from tmodes.kinds.registry import outside_digest
 from tmodes.live.knobs import Ahead, knobs_of
 from tmodes.live.numbers import follow_of, has_reference, run_numbers, whole_moves
 from tmodes.live.sliders import Slider, sliders_of
 from tmodes.model.parameters import Structural
-from tmodes.sheet import RobotPair
+from tmodes.sheet import Robot, RobotPair
 from tmodes.simulation.loop import Blocks, whole
 from tmodes.simulation.vary.programs import CaseProgram, case_program
 
@@ -40,6 +43,7 @@ _NOT_COMPARED = (
     "compare with; set them in the data sheet and simulate it by `tmodes run`"
 )
 _DRAGS = "a nominal robot that a moving surface drags at rest starts otherwise; change it by --set"
+_FOLLOWS = "it follows from other numbers, as in the format that the robot is imported from"
 _STRUCTURE = "structure: another value takes other equations; change it by --set"
 
 
@@ -181,12 +185,12 @@ def live_map(
     where sheet, kinds and program are the same.
     """
     key = _key(pair, stations, ahead)
-    kept = load(key)
-    if kept is not None:
-        return _read(json.loads(kept))
     progress("report", 0.0)
-    found = _bounded(_noted(_offered(pair, ahead), pair, stations))
-    save(key, json.dumps(_written(found)).encode())
+    if (kept := load(key)) is not None:
+        found = _read(json.loads(kept))
+    else:
+        found = _bounded(_noted(_offered(pair, ahead), pair, stations))
+        save(key, json.dumps(_written(found)).encode())
     progress("report", 1.0)
     return found
 
@@ -287,5 +291,14 @@ def _offered(pair: RobotPair, ahead: Ahead | None) -> LiveMap:
     }
     every = LiveMap(tuple(sliders), moved, _fixed({}), {}, left_out)
     every = every.without({path: _DRAGS for path in moved if path.startswith("contact.velocity.")})
+    every = every.without(
+        dict.fromkeys(_following(pair.nominal, [path for _, own in moved.values() for path in own]), _FOLLOWS)
+    )
     sheet = {path: base * math.prod(every.sliders[k].value for k in own) for path, (base, own) in every.targets.items()}
     return replace(every, sheet=sheet)
+
+
+def _following(robot: Robot, paths: Sequence[str]) -> list[str]:
+    """Those of some paths whose numbers follow from those of the others."""
+    steps = {tuple(steps_of(path, sheet_data(robot))): path for path in paths}
+    return [path for own, path in steps.items() if own in follows(robot, dict.fromkeys(steps.keys() - {own}, 1.0))]

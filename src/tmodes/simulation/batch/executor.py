@@ -78,7 +78,7 @@ class Processor(Executor):
                 for work in problems for span in spans(work, threads)
             ]  # fmt: skip
             try:
-                _watch(futures, lambda: progress(float(reached.sum()) / whole))
+                _watch(futures, lambda: progress(float(reached.sum()) / (whole or 1.0)))
             except KeyboardInterrupt:
                 stop.set()
             except BaseException:
