@@ -100,10 +100,11 @@ class StaticSlopes:
         for base in self._bases(sheet, case):
             try:
                 one, which = base.holding(_single(case))
-            except Structural:
+                fixed = any(along[path].any() for path in one.program.fixed)
+                found = one.slopes(along, self.modes) if len(which) and not fixed else None
+            except (Structural, SimulationError):
                 break
-            fixed = any(along[path].any() for path in one.program.fixed)
-            if len(which) and not fixed and (found := one.slopes(along, self.modes)):
+            if found:
                 self._known = [*dict.fromkeys([base, *self._known])]
                 values, slopes = (_columns(one, each) for each in found)
                 return {name: (float(values[name][0]), slope[0]) for name, slope in slopes.items()}
