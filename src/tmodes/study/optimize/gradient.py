@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import NamedTuple, Protocol
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["STEP", "Descent", "Slopes", "Terms", "descend", "neighbours", "slopes"]
+__all__ = ["STEP", "Descent", "Terms", "descend", "neighbours", "slopes"]
 
 Array = NDArray[np.float64]
 
@@ -54,14 +54,6 @@ class Terms(NamedTuple):
     slopes: Array
 
 
-class Slopes(Protocol):
-    """What gives the terms at a point of the unit cube, and keeps those that it has computed."""
-
-    def at(self, shares: Array) -> Terms:
-        """The terms at shares (k,)."""
-        ...
-
-
 class Descent(NamedTuple):
     """Where a search ended; ``multipliers`` (l,): decrease of the objective by the excess that a limit would allow."""
 
@@ -70,18 +62,20 @@ class Descent(NamedTuple):
     multipliers: Array
 
 
-def descend(slopes: Slopes, start: Array, tell: Callable[[int], None] = lambda steps: None) -> Descent:
+def descend(
+    terms_at: Callable[[Array], Terms], start: Array, tell: Callable[[int], None] = lambda steps: None
+) -> Descent:
     """A local optimum from a start (k,) in the unit cube: SLSQP (D. Kraft, 1988), L-BFGS-B where there is no limit."""
     from scipy.optimize import Bounds, minimize
 
-    first = slopes.at(start)
+    first = terms_at(start)
     if not np.isfinite(first.objective):
         return Descent(start, first, np.zeros(len(first.excess)))
     scale = abs(first.objective) or 1.0
     steps = [0]
 
     def at(x: Array) -> Terms:
-        return _passable(slopes.at(np.clip(x, 0.0, 1.0)), first)
+        return _passable(terms_at(np.clip(x, 0.0, 1.0)), first)
 
     def count(_: Array) -> None:
         steps[0] += 1
@@ -107,7 +101,7 @@ def descend(slopes: Slopes, start: Array, tell: Callable[[int], None] = lambda s
             options=options,
         )  # fmt: skip
     shares = np.clip(end.x, 0.0, 1.0)
-    terms = slopes.at(shares)
+    terms = terms_at(shares)
     return Descent(shares, terms, _multipliers(shares, terms))
 
 

@@ -31,7 +31,7 @@ def by_gradient(
     slopes, simulated = Adjoint(trials, functionals), bool(functionals) or not cheap(trials.study)
     starts = [slopes.start] if simulated else _starts(trials, count, seed)
     stage = "runs with gradients" if simulated else "steps"
-    ends = [descend(slopes, start, lambda steps: progress(stage, 0.0)) for start in starts]
+    ends = [descend(slopes.at, start, lambda steps: progress(stage, 0.0)) for start in starts]
     best = min(ends, key=lambda end: (end.terms.excess.max(initial=0.0) > 0, end.terms.objective))
     return found(trials, "gradient", units, gradients=slopes.runs, prices=_prices(trials.goals, best))
 
