@@ -30,6 +30,7 @@ if TYPE_CHECKING:
     from tmodes.model.model import Model
     from tmodes.simulation.outputs import robot_outputs as outputs
     from tmodes.simulation.sampled_controller import Measurement
+    from tmodes.simulation.vary.parameters import parameters_of as parameters
     from tmodes.simulation.vary.simulate import simulate_batch
     from tmodes.study.evaluate import evaluated as evaluated_study
     from tmodes.study.optimize import optimize
@@ -65,6 +66,7 @@ __all__ = [
     "modes",
     "optimize",
     "outputs",
+    "parameters",
     "read_study",
     "reduced_output",
     "run",
@@ -101,6 +103,7 @@ _HOMES = {
     "modes": "tmodes.interface.modes.modes",
     "optimize": "tmodes.study.optimize.optimize",
     "outputs": "tmodes.simulation.outputs.robot_outputs",
+    "parameters": "tmodes.simulation.vary.parameters.parameters_of",
     "read_study": "tmodes.study.read.read_study",
     "run": "tmodes.interface.objects.run",
     "run_study": "tmodes.study.runner.run_study",

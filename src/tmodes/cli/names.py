@@ -54,18 +54,10 @@ def parameters(
             [one._asdict() | {key: _plain(getattr(one, key)) for key in ("value", "low", "high")} for one in found]
         )
         return
-    rows = [
-        [one.path, f"{one.value:g}", one.unit, _bound(one.low), _bound(one.high),
-         "structure" if one.is_structure else ", ".join(one.enters) or "nothing of a run"]
-        for one in found
-    ]  # fmt: skip
-    print_table(f"Parameters of {sheet.name}", ["path", "value", "unit", "low", "high", "enters"], rows)
+    table = found.table()
+    print_table(f"Parameters of {sheet.name}", table.columns, table.rows)
 
 
 def _plain(value: float) -> float | None:
     """As JSON has it: a number, or none for a bound that is not there and a value without end."""
     return value if math.isfinite(value) else None
-
-
-def _bound(value: float) -> str:
-    return f"{value:g}" if math.isfinite(value) else "-"

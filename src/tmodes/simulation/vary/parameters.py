@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
+from tmodes.io.printed import Table, shortened, table_html
 from tmodes.io.sheet_check import sheet_data
 from tmodes.io.sheet_fields import quantities
 from tmodes.io.sheet_groups import path_of
@@ -15,7 +16,7 @@ from tmodes.simulation.plan import Follow
 from tmodes.simulation.vary.cases import run_blocks
 from tmodes.simulation.vary.programs import case_program
 
-__all__ = ["RobotParameter", "parameters_of"]
+__all__ = ["Parameters", "RobotParameter", "parameters_of"]
 
 
 class RobotParameter(NamedTuple):
@@ -35,11 +36,40 @@ class RobotParameter(NamedTuple):
     is_structure: bool
 
 
-def parameters_of(robot: Robot) -> tuple[RobotParameter, ...]:
-    """Every number of a robot's sheet, in its order.
+class Parameters(tuple[RobotParameter, ...]):
+    """Numbers of a sheet, in its order; ``table()`` has them as texts, as ``tmodes parameters`` prints them."""
+
+    __slots__ = ()
+
+    def table(self) -> Table:
+        """Path, value, unit, bounds, and what each enters."""
+        rows = [
+            [one.path, f"{one.value:g}", one.unit, _bound(one.low), _bound(one.high),
+             "structure" if one.is_structure else ", ".join(one.enters) or "nothing of a run"]
+            for one in self
+        ]  # fmt: skip
+        return Table(f"{len(self)} parameters", ["path", "value", "unit", "low", "high", "enters"], rows)
+
+    def __repr__(self) -> str:
+        return shortened([self.table()], "print them with .table()")
+
+    def _repr_html_(self) -> str:
+        return table_html(self.table())
+
+
+def _bound(value: float) -> str:
+    return f"{value:g}" if math.isfinite(value) else "-"
+
+
+def parameters_of(robot: Robot) -> Parameters:
+    """Every number of a robot's sheet, in its order, as ``tmodes parameters``.
 
     Raises :class:`tmodes.errors.InputError` for what is no robot, and :class:`tmodes.model.parameters.Structural` where
     a user's kind lowers its numbers so that it cannot be followed.
+
+    >>> found = tmodes.parameters(tmodes.load("spong1987"))
+    >>> next((one.unit, one.low) for one in found if one.path == "joints.joint.gear.stiffness.0")
+    ('N*m/rad', 0.0)
     """
     refuse_other(robot)
     data = sheet_data(robot)
@@ -56,7 +86,7 @@ def parameters_of(robot: Robot) -> tuple[RobotParameter, ...]:
         for path in program.acting(name):
             if block not in enters.setdefault(path, []):
                 enters[path].append(block)
-    return tuple(
+    return Parameters(
         RobotParameter(
             path, value, unit, *bounds_of(robot, steps), tuple(enters.get(path, ())), path not in program.paths
         )
