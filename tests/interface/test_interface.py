@@ -212,6 +212,9 @@ def test_a_unique_ending_of_a_path_is_a_path() -> None:
     left_out = LINK.with_({"gear.damping": 3.0})  # that is 0 in the sheet
     assert left_out.joints[0].gear is not None
     assert left_out.joints[0].gear.damping == 3.0
+    unwritten = tmodes.load("spong1987", {"gear.backlash": 1e-3}).joints[0].gear  # no key of the file
+    assert unwritten is not None
+    assert unwritten.backlash == 1e-3
 
 
 @pytest.mark.parametrize("name", ["signal.end", "duration"])

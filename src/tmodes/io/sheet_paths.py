@@ -141,7 +141,7 @@ def _nodes(node: _Node, data: Any) -> Iterator[_Node]:
 
 
 def _ending(node: _Node, words: list[str], data: Any) -> tuple[Step, ...]:
-    """The steps of what stands where words lead from a node; empty where nothing does."""
+    """The steps of what stands, or may stand in a group that is there, where words lead from a node; else empty."""
     value = node.value
     if isinstance(value, Mapping):
         begins = words[0] in value
@@ -152,7 +152,8 @@ def _ending(node: _Node, words: list[str], data: Any) -> tuple[Step, ...]:
     if not begins:
         return ()
     found, rest = _led(node, words, data)
-    return found.steps if not rest and found.value is not None else ()
+    group = at(value, *found.steps[len(node.steps) : -1]) if len(words) > 1 else None
+    return found.steps if not rest and (found.value is not None or isinstance(group, Mapping)) else ()
 
 
 def expanded(value: Any, steps: Sequence[Step]) -> Any:
