@@ -33,7 +33,7 @@ def batch(
     duration: options.Duration = None,
     threads: Annotated[int | None, typer.Option(min=1, help="Threads; else one for each core.")] = None,
     out: Annotated[
-        Path | None, typer.Option(help="An empty folder for all samples; without it only the table is shown.")
+        Path | None, typer.Option(help="A folder for all samples; without it only the table is shown.")
     ] = None,
     root: options.Roots = None,
     trust_paths: options.TrustPaths = False,

@@ -45,7 +45,7 @@ class Parameters(tuple[RobotParameter, ...]):
         """Path, value, unit, bounds, and what each enters."""
         rows = [
             [one.path, f"{one.value:g}", one.unit, _bound(one.low), _bound(one.high),
-             "structure" if one.is_structure else ", ".join(one.enters) or "nothing of a run"]
+             "structure" if one.is_structure else ", ".join(one.enters) or "nothing at this value"]
             for one in self
         ]  # fmt: skip
         return Table(f"{len(self)} parameters", ["path", "value", "unit", "low", "high", "enters"], rows)
