@@ -319,6 +319,13 @@ def test_figures_show_the_same_numbers() -> None:
     assert any(len(one) == len(values) and np.allclose(one, unit.of(values), rtol=1e-9) for one in shown)
 
 
+@pytest.mark.parametrize("station", ["1.5", "x", "S"])
+def test_a_station_beyond_its_link_is_named(station: str) -> None:
+    with pytest.raises(InputError) as wrong:
+        tmodes.load("filipovic2010").outputs.group(f"link.1.moment.z@{station}", "series")
+    assert wrong.value.got.startswith(f"`{station}`")
+
+
 def test_the_command_lists_all_names() -> None:
     rows = json.loads(called("outputs", "spong1987", "--json").stdout)
     outputs = tmodes.outputs(tmodes.load("spong1987"))

@@ -153,14 +153,21 @@ class Outputs(Mapping[str, Output]):
     def find(self, name: str, which: str) -> Output:
         """The output of a name; raises :class:`tmodes.errors.InputError` of ``which`` with the nearest name."""
         if name not in self:
-            refuse_unknown(name, [*self._own, *self.stations], which)
+            self._refuse(name, which)
         return self[name]
+
+    def _refuse(self, name: str, which: str, *groups: str) -> NoReturn:
+        head, _, station = name.rpartition("@")
+        if f"{head}@S" in self.stations:
+            expected = "a place from 0, the root of the link, to 1, its tip"
+            raise InputError(which, f"`{station}` in `{name}`", expected, f"write for instance {head}@0.5")
+        refuse_unknown(name, [*groups, *self._own, *self.stations], which)
 
     def group(self, name: str, which: str) -> tuple[Output, ...]:
         """The outputs of a group, or the one of a name; raises as :meth:`find`."""
-        if name in self.groups or name in self:
-            return self.groups.get(name) or (self[name],)
-        refuse_unknown(name, [*self.groups, *self._own], which)
+        if not (name in self.groups or name in self):
+            self._refuse(name, which, *self.groups)
+        return self.groups.get(name) or (self[name],)
 
     @cached_property
     def groups(self) -> dict[str, tuple[Output, ...]]:
