@@ -21,7 +21,7 @@ from tmodes.simulation.replay import Replay
 from tmodes.simulation.solve import solve
 from tmodes.simulation.vary.values import RobotVariant
 
-__all__ = ["Lowered", "lowered", "rows_of"]
+__all__ = ["Lowered", "lowered", "pieces_at", "rows_of"]
 
 Array = NDArray[np.float64]
 
@@ -91,3 +91,8 @@ def rows_of(schedule: SignalPieces, duration: float) -> Array:
     """Start and coefficients of each piece of the signals, (segments, row)."""
     pieces = schedule.until(duration)
     return pieces.rows_at(pieces.knots[:-1])
+
+
+def pieces_at(rows: Array, times: Array) -> NDArray[np.intp]:
+    """The piece of the signals that holds at each of ``times`` (n,)."""
+    return np.clip(np.searchsorted(rows[:, 0], times, side="right") - 1, 0, len(rows) - 1)

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from tmodes.equations.loop.outputs import Outputs, output_schedule
 from tmodes.errors import InputError, TmodesError, error_words
-from tmodes.gradients.lowering import Lowered
+from tmodes.gradients.lowering import Lowered, pieces_at
 from tmodes.io.arguments import checked_arguments, numbers_of, refuse_fields
 from tmodes.io.words import shown
 from tmodes.model.derivatives import Blocks, differentiated
@@ -50,7 +50,7 @@ class Quantities:
         self, here: Lowered, done: Recording, names: Sequence[str], given: Mapping[str, Array] | None = None
     ) -> None:
         self.done, self.names, self.given = done, tuple(dict.fromkeys(names)), tuple(given or {})
-        self._pieces = np.clip(np.searchsorted(done.rows[:, 0], done.times, side="right") - 1, 0, len(done.rows) - 1)
+        self._pieces = pieces_at(done.rows, done.times)
         time = done.times[:, None]
         self._instants = {
             "time": time, "state": np.hstack([done.samples, *(given or {}).values()]), "row": done.rows[self._pieces],

@@ -12,7 +12,7 @@ from tmodes.analysis.error_parts import straight
 from tmodes.equations.loop.outputs import COMMANDED, DEVIATION, OWN
 from tmodes.errors import InputError
 from tmodes.gradients.changes import Change, changes_of
-from tmodes.gradients.lowering import Lowered, lowered, rows_of
+from tmodes.gradients.lowering import Lowered, lowered, pieces_at, rows_of
 from tmodes.gradients.quantities import Quantities
 from tmodes.io.sheet_check import sheet_data
 from tmodes.io.sheet_paths import steps_of
@@ -47,7 +47,7 @@ class TipReference:
     def _commanded(self, done: Recording) -> Recording:
         """The undeformed robot with its drives at their setpoints, in the place of a run."""
         rows = rows_of(self.here.setup.planned.schedule, self.here.settings.duration)
-        states = commanded_states(self.here.setup, self.known, rows[_pieces(rows, done.times)], done.times)
+        states = commanded_states(self.here.setup, self.known, rows[pieces_at(rows, done.times)], done.times)
         return replace(done, rows=rows, samples=states)
 
     def along(self) -> dict[str, Array]:
@@ -61,7 +61,7 @@ class TipReference:
 
     def _slopes(self, change: Change) -> Array:
         """Of the states on the commanded path; undeformed shapes are an affine function of the setpoints."""
-        times, rows, piece = self.done.times, self.done.rows, _pieces(self.done.rows, self.done.times)
+        times, rows, piece = self.done.times, self.done.rows, pieces_at(self.done.rows, self.done.times)
         rows = np.column_stack([rows[piece, 0], change.rows[piece, 1:]])
         still = straight(self.here.setup.mechanics, np.zeros((1, self.here.setup.mechanics.nq)))
         states = commanded_states(self.here.setup, self.known, rows, times)
@@ -73,10 +73,6 @@ class TipReference:
         if self.replay:
             return pulled(self.replay, self.tip, {"tip": weights}, self.changes)[0]
         return {path: float((weights * slope).sum()) for path, slope in self.along().items()}
-
-
-def _pieces(rows: Array, times: Array) -> NDArray[np.intp]:
-    return np.clip(np.searchsorted(rows[:, 0], times, side="right") - 1, 0, len(rows) - 1)
 
 
 def _known(sheet: Robot, here: Lowered, paths: Sequence[str]) -> dict[int, int]:

@@ -300,5 +300,6 @@ def _offered(pair: RobotPair, ahead: Ahead | None) -> LiveMap:
 
 def _following(robot: Robot, paths: Sequence[str]) -> list[str]:
     """Those of some paths whose numbers follow from those of the others."""
-    steps = {tuple(steps_of(path, sheet_data(robot))): path for path in paths}
+    data = sheet_data(robot)
+    steps = {tuple(steps_of(path, data)): path for path in paths}
     return [path for own, path in steps.items() if own in follows(robot, dict.fromkeys(steps.keys() - {own}, 1.0))]

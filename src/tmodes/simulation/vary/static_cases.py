@@ -115,11 +115,17 @@ class StaticCases:
         if not rests:
             none = np.full((len(which), 4), np.nan)
             return CaseStatics(none, none[:, :0], *self._numbers(which, "masses"))
-        masses, chain, weight, start, light, rotors = self._numbers(which, *_BLOCKS)
+        return self._at_rest(which)[0]
+
+    def _at_rest(self, which: Indices) -> tuple[CaseStatics, dict[str, Array], Array, Array, Array]:
+        """The numbers of some cases; their blocks, poses (m, nq) at rest, squared frequencies and shapes there."""
+        of: dict[str, Array] = dict(zip(_BLOCKS, self._numbers(which, *_BLOCKS), strict=True))
+        chain, weight, start = of["chain"], of["weight"], of["start"]
         q = self._rests(chain, weight, start)
         sag = self._tips(chain, weight, q) - self._tips(chain, weight, start)
-        squares = self._modes(chain, weight, q, light, rotors)[0]
-        return CaseStatics(np.column_stack([np.linalg.norm(sag, axis=1), sag]), np.sqrt(squares) / (2 * np.pi), masses)
+        squares, shapes = self._modes(chain, weight, q, of["light"], of["rotors"])
+        sags, frequencies = np.column_stack([np.linalg.norm(sag, axis=1), sag]), np.sqrt(squares) / (2 * np.pi)
+        return CaseStatics(sags, frequencies, of["masses"]), of, q, squares, shapes
 
     def slopes(self, along: Mapping[str, Array], modes: int) -> tuple[CaseStatics, CaseStatics] | None:
         """The numbers of the only case, and their exact derivatives along k directions; None: it has none.
@@ -129,12 +135,10 @@ class StaticCases:
         AIAA Journal 6, 1968, 2426). Squares that coincide move by the eigenvalues of the small problem of their shapes;
         as rising values they may have a kink there, and the mean of the derivatives on both sides is given.
         """
-        values, ways = self.found(np.zeros(1, np.intp), rests=True), np.stack([along[k] for k in self.program.paths])
-        of: dict[str, Array] = dict(zip(_BLOCKS, self._numbers(np.zeros(1, np.intp), *_BLOCKS), strict=True))
+        values, of, q, squares, shapes = self._at_rest(np.zeros(1, np.intp))
+        ways = np.stack([along[k] for k in self.program.paths])
         rates = self.program.slopes(_BLOCKS, self.values)
         by = {name: (one @ ways).T[:, None] for name, one in zip(_BLOCKS, rates, strict=True)}
-        q = self._rests(of["chain"], of["weight"], of["start"])
-        squares, shapes = self._modes(of["chain"], of["weight"], q, of["light"], of["rotors"])
         modes = min(modes, squares.shape[1])
         while 0 < modes < squares.shape[1] and _coincide(squares[0])[modes - 1]:
             modes += 1
