@@ -175,6 +175,7 @@ def calls(folder: Path) -> dict[str, tuple[Callable[..., Any], dict[str, Any]]]:
         "Result.output": (result.output, {"name": "tip.x"}),
         "Result.reduce": (result.reduce, {"name": "tip.x", "how": "max"}),
         "outputs": (tmodes.outputs, {"robot": robot}),
+        "parameters": (tmodes.parameters, {"robot": robot}),
         "equilibrium": (partial(equilibrium, model), {"loads": (), "held": None, "free": (), "start": None, "spin": None}),
         "Result.summary": (result.summary, {"band": 0.001}),
         "Result.save": (result.save, {"path": "again.nc", "overwrite": True}),
