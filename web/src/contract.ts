@@ -37,6 +37,24 @@ export interface Run {
   sheet: string;
 }
 
+/** What a run comes to: tmodes/result/verdict.py. `time_s` is the instant of the sentence. */
+export interface Verdict {
+  point: string;
+  against: "commanded" | "nominal" | null;
+  largest_m: number | null;
+  time_s: number | null;
+  final_m: number | null;
+  settling: { time_s: number | null; within_m: number | null; reason: string };
+  residual: { amplitude_m: number; frequency_Hz: number; damping: number } | null;
+  /** The most critical first. */
+  limits: { quantity: string; element: string; value: number; limit: number; unit: string; share: number }[];
+  /** Components along the largest error, which add up to it; the largest first. */
+  culprits: { cause: string; element: string | null; value_m: number }[];
+  tolerance_m: number | null;
+  level: "neutral" | "good" | "bad";
+  sentence: string;
+}
+
 export interface RunEvent {
   time: number;
   label: string;
