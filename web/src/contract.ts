@@ -14,6 +14,8 @@ export interface Page {
   live: LiveBundle | null;
   /** Why there is no live model, as a sentence; empty where there is one, or none is wanted. */
   notLive: string;
+  /** Texts by name, as `PHRASES` of tmodes/result/verdict.py: parts in their order, each with alternatives. */
+  phrases: Record<string, string[][]>;
 }
 
 export interface Run {
@@ -21,8 +23,7 @@ export interface Run {
   status: string;
   success: boolean;
   message: string;
-  /** The result in a sentence; empty where the run did not reach its end. */
-  sentence: string;
+  verdict: Verdict;
   warnings: string[];
   duration: number;
   /** The numbers that matter, most important first. */
@@ -37,13 +38,15 @@ export interface Run {
   sheet: string;
 }
 
-/** What a run comes to: tmodes/result/verdict.py. `time_s` is the instant of the sentence. */
+/** What a run comes to: tmodes/result/verdict.py. `time_s` is the instant of the sentence; null: not known. */
 export interface Verdict {
   point: string;
   against: "commanded" | "nominal" | null;
   largest_m: number | null;
   time_s: number | null;
   final_m: number | null;
+  /** Of a run whose error is not known: the end of the link, else the gear, that is deflected most. */
+  bends: { cause: "link" | "gear"; element: string; value: number; unit: string; time_s: number } | null;
   settling: { time_s: number | null; within_m: number | null; reason: string };
   residual: { amplitude_m: number; frequency_Hz: number; damping: number } | null;
   /** The most critical first. */

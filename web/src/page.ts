@@ -92,7 +92,7 @@ export function mountPage(root: HTMLElement, page: Page): PageView {
     factsView.show(live);
     modesView?.show(live);
     mark(live);
-    document.querySelector("main > .status.good")?.classList.toggle("before", live !== null);
+    document.querySelector("main > p.status")?.classList.toggle("before", live !== null);
   }
 
   const own = fileName(page.runs[0].name);

@@ -1,15 +1,22 @@
-"""What commands answer: sentences and tables, as terminals, ``repr`` and notebooks show them, and plain data."""
+"""What commands answer: sentences and tables, as terminals, ``repr`` and notebooks show them, and plain data.
+
+And numbers with units as a person reads them, in all of these and in pages.
+"""
 
 from __future__ import annotations
 
 import html
+import math
 from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 if TYPE_CHECKING:
     from xarray import Dataset
 
-__all__ = ["CommandResult", "Table", "known_columns", "plain", "public_names", "shortened", "table_html"]
+__all__ = [
+    "NEVER_LARGE", "CommandResult", "Table", "known_columns", "plain", "power_of_ten", "pretty", "public_names",
+    "shortened", "table_html", "written",
+]  # fmt: skip
 
 MOST_LINES, WIDEST = 10, 120
 """Lines of a ``repr``, and characters of each."""
@@ -109,3 +116,55 @@ def table_html(part: str | Table) -> str:
 def plain(text: str) -> str:
     """Text of a file that may be anybody's, without what steers a terminal."""
     return "".join(letter if letter.isprintable() else "?" for letter in text)
+
+
+NEVER_LARGE = ("m", "rad", "s", "-")
+"""Units that take no prefix for a thousand."""
+
+_PREFIXES = (
+    (1e10, 1e-9, "G"), (1e7, 1e-6, "M"), (1e4, 1e-3, "k"), (0.1, 1.0, ""), (1e-4, 1e3, "m"), (1e-7, 1e6, "µ"),
+    (1e-11, 1e9, "n"),
+)  # fmt: skip
+_FIXED = {"m": (10.0, 1e3, "mm"), "rad": (1.0, 1e3, "mrad"), "s": (1.0, 1.0, "s")}
+"""One unit for what is compared: below this size the factor on the SI value and its name."""
+
+_PLAIN = ("Hz", "%", "rad/s")
+"""Units that take no prefix."""
+
+_SUPERSCRIPT = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+
+
+def pretty(unit: str) -> str:
+    """``N*m`` and ``N m`` as ``N·m``, ``m/s^2`` as ``m/s²``, ``ohm`` as ``Ω``; no unit is ``–``."""
+    written = unit.strip().replace("*", "·").replace(" ", "·").replace("^2", "²").replace("^3", "³")
+    return "–" if written in ("", "-", "1") else written.replace("ohm", "Ω")
+
+
+def written(value: float, unit: str, digits: int = 4) -> str:
+    """A value [``unit``, SI] with a readable unit, not to be parted at the end of a line: ``4.041 mm``."""
+    name = "" if unit in ("", "-", "1") else pretty(unit)
+    size = abs(value)
+    if not math.isfinite(value):
+        return f"{value:g}\u00a0{name}".rstrip()
+    if (fixed := _FIXED.get(unit)) and 0.0 < size < fixed[0]:
+        value, name = value * fixed[1], fixed[2]
+    if not name or unit in _PLAIN or unit in _FIXED or size == 0.0:
+        text = power_of_ten(value) if 0.0 < abs(value) < 1e-3 else _rounded(value, digits)
+        return f"{text}\u00a0{name}".rstrip("\u00a0")
+    for least, factor, prefix in _PREFIXES:
+        if size >= least and (factor >= 1.0 or unit.split("/", maxsplit=1)[0] not in NEVER_LARGE):
+            return f"{_rounded(value * factor, digits)}\u00a0{prefix}{name}"
+    return f"{power_of_ten(value)}\u00a0{name}"
+
+
+def _rounded(value: float, digits: int) -> str:
+    """To so many digits that tell, never with an exponent: ``12340``."""
+    return f"{float(f'{value:.{digits}g}'):.12g}"
+
+
+def power_of_ten(value: float) -> str:
+    """A number of any size with two digits: ``1.7 × 10⁻¹¹``."""
+    if value == 0.0:
+        return "0"
+    digits, _, power = f"{value:.1e}".partition("e")
+    return f"{digits}\u00a0×\u00a010{str(int(power)).translate(_SUPERSCRIPT)}"

@@ -7,13 +7,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from tmodes.io.printed import NEVER_LARGE, pretty
+
 __all__ = ["NEVER_LARGE", "PREFIXES", "Unit", "largest_value", "pretty", "readable", "with_prefix"]
 
 PREFIXES = ((1e4, 1e-3, "k"), (0.1, 1.0, ""), (1e-4, 1e3, "m"), (1e-7, 1e6, "µ"), (1e-11, 1e9, "n"))
 """From this largest value on: the factor on the SI value, and the prefix of the unit."""
-
-NEVER_LARGE = ("m", "rad", "s", "-")
-"""Units that take no prefix for a thousand."""
 
 
 @dataclass(frozen=True)
@@ -26,12 +25,6 @@ class Unit:
     def of(self, values: ArrayLike) -> NDArray[np.float64]:
         """SI values, in this unit."""
         return np.asarray(values, dtype=float) * self.factor
-
-
-def pretty(unit: str) -> str:
-    """``N*m`` and ``N m`` as ``N·m``, ``m/s^2`` as ``m/s²``, ``ohm`` as ``Ω``; no unit is ``–``."""
-    written = unit.strip().replace("*", "·").replace(" ", "·").replace("^2", "²").replace("^3", "³")
-    return "–" if written in ("", "-", "1") else written.replace("ohm", "Ω")
 
 
 def readable(unit: str, *values: ArrayLike) -> Unit:

@@ -22,12 +22,12 @@ from tmodes.report.events import events_of
 from tmodes.report.facts import Fact, run_facts
 from tmodes.report.scene import frames_of, line_of, lines_at, scene_of
 from tmodes.report.scene_parts import actual
-from tmodes.report.sentence import result_sentence
 from tmodes.result import Result
 from tmodes.result.derived import Derives, sentences
 from tmodes.result.early import LATER
+from tmodes.result.verdict import PHRASES, unjudged
 
-__all__ = ["early_facts", "facts_of", "live_page", "modes_of", "page_data", "robot_name", "sheet_of"]
+__all__ = ["early_facts", "facts_of", "live_page", "modes_of", "page_data", "robot_name", "sheet_of", "verdict_of"]
 
 
 def page_data(
@@ -53,7 +53,7 @@ def page_data(
     own = {robot_name(result) for result in results}
     same = len(results) > 1 and len(own) == 1 and not any(name.startswith(min(own)) for name in names)
     title = f"{min(own)}: {len(results)} runs compared" if same else ", ".join(names)
-    info = {"title": title, "subtitle": subtitle, "live": live, "notLive": not_live}
+    info = {"title": title, "subtitle": subtitle, "live": live, "notLive": not_live, "phrases": PHRASES}
     return {"format": 1, "runs": runs, "differences": difference_tables(results, runs), **info}
 
 
@@ -96,9 +96,9 @@ def _run(result: Result, name: str, charts: list[dict[str, Any]], made: Derives,
     unknown = [f"shown by what the result holds alone, because its robot cannot be rebuilt: {missing}"]
     unknown = unknown if missing and not any(missing in one for one in result.warnings) else []
     facts = early_facts(result, made) if light else facts_of(result, made)
-    frames, said = frames_of(result), result.status == "finished" and not light
+    frames = frames_of(result)
     parts = {
-        "sentence": made.attempt("sentence", lambda: result_sentence(result.summary()) if said else "", lambda _: ""),
+        "verdict": verdict_of(result, made),
         "events": made.attempt("events", lambda: events_of(result, facts), lambda _: []),
         "line": made.attempt("elastic line", lambda: line_of(result, frames), lambda _: None),
         "modes": made.attempt("modes", lambda: [] if light else modes_of(result), lambda _: []),
@@ -115,6 +115,11 @@ def _run(result: Result, name: str, charts: list[dict[str, Any]], made: Derives,
         "charts": charts,
         "scene": scene_of(result, frames),
     }
+
+
+def verdict_of(result: Result, made: Derives | None = None) -> dict[str, Any]:
+    """What the run comes to; of an early result without what it does not know. ``made`` notes where that fails."""
+    return (made or Derives()).attempt("verdict", lambda: result.verdict, lambda _: unjudged(result.message))
 
 
 def facts_of(result: Result, made: Derives | None = None) -> list[Fact]:

@@ -13,7 +13,6 @@ from typing import Any
 from tmodes.report.facts import Fact, fact_list
 from tmodes.report.markup import Markup, tag
 from tmodes.report.pack import embedded, pack
-from tmodes.report.sentence import result_sentence
 from tmodes.result.result import Result
 
 __all__ = [
@@ -65,8 +64,8 @@ def status(result: Result) -> Markup:
     """The result in a sentence; a run that did not finish says so where no one can miss it."""
     message = result.message
     if result.success:
-        stopped = "" if result.status == "finished" else f" Ended by a stop condition: {message}"
-        return tag("p", result_sentence(result.summary()), stopped, class_="status good")
+        found = result.verdict
+        return tag("p", found["sentence"], class_=f"status {found['level']}")
     data = result.record
     wanted = json.loads(data.attrs["robot"]).get("integration", {}).get("duration")
     of_wanted = f" of {wanted:g} s" if isinstance(wanted, (int, float)) else ""
@@ -140,11 +139,9 @@ def viewer_document(page: Mapping[str, Any]) -> str:
 def _run_status(run: Mapping[str, Any], *, several: bool) -> Markup:
     """How a run ended, and what it warns of."""
     name = tag("strong", f"{run['name']}: " if several else "")
-    ended = tag(
-        "p", name, run["sentence"] or tag("strong", f"{run['status']}. "), "" if run["sentence"] else run["message"]
-    )
+    ended = tag("p", name, run["verdict"]["sentence"])
     warnings = tag("ul", *(tag("li", str(sentence)) for sentence in run["warnings"])) if run["warnings"] else None
-    kind = "bad" if not run["success"] else "warning" if run["warnings"] else "good"
+    kind = "warning" if run["success"] and run["warnings"] else run["verdict"]["level"]
     return tag("div", ended, warnings, class_=f"status {kind}", role=None if run["success"] else "alert")
 
 

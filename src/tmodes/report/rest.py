@@ -7,6 +7,7 @@ from typing import Any
 from tmodes.report.data import page_data
 from tmodes.result import Result
 from tmodes.result.run import movable_joints, run
+from tmodes.result.verdict import unjudged
 from tmodes.sheet import Robot
 from tmodes.sheet.parts import Command
 
@@ -27,8 +28,8 @@ def rest_page(robot: Robot, result: Result | None = None, *, light: bool = False
     page = page_data([result or standing(robot)], [robot.name], light=light)
     page["subtitle"] = f"{robot.title or robot.name}: at rest, with its modes of vibration"
     page["runs"][0] |= {"charts": [], "facts": [], "events": [], "line": None, "warnings": []}
-    words = "The robot stands still: nothing was simulated."
-    page["runs"][0] |= {"status": "at rest", "message": "nothing was simulated", "sentence": words}
+    still = unjudged("The robot stands still: nothing was simulated.")
+    page["runs"][0] |= {"status": "at rest", "message": "nothing was simulated", "verdict": still}
     return page
 
 

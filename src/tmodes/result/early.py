@@ -17,7 +17,7 @@ LATER = ("settling", "vibration", "frequency")
 _NOT_YET: dict[str, Any] = {
     "frequencies": {},
     "vibration": {},
-    "settling": not_settled("not yet known"),
+    "settling": not_settled(""),
 }
 
 

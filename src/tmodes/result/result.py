@@ -16,6 +16,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Self, cast
 
+from tmodes.errors import TmodesError
 from tmodes.integrate.conditions import Band
 from tmodes.io.arguments import checked_arguments
 from tmodes.io.labelled import Record
@@ -271,8 +272,37 @@ class Result:
         known = {} if "data" in self.__dict__ else self._summaries  # the dataset may be changed by who asked for it
         asked = None if band is None else Band.parsed(band)
         if asked not in known:
-            known[asked] = summarise_result(self.record, asked, self._assembly and self._assembly.settled)
+            summary = summarise_result(self.record, asked, self._assembly and self._assembly.settled)
+            known[asked] = summary | {"verdict": self._verdict(summary)}
         return copy.deepcopy(known[asked])
+
+    @property
+    def verdict(self) -> dict[str, Any]:
+        """What the run comes to, as plain data; ``sentence`` has all of it in words.
+
+        How far the ``point`` was off, ``against`` its commanded path, or the nominal one where nothing is commanded:
+        ``largest_m`` [m] at ``time_s`` [s], ``final_m`` [m]; ``culprits``: components ``value_m`` [m] of each cause and
+        element along the largest error, which add up to it. ``settling``: ``time_s`` [s] after the move, ``within_m``
+        [m] of its own rest, or a ``reason``; ``residual``: ``amplitude_m`` [m], ``frequency_Hz``, ``damping`` [-] of
+        the strongest mode of its vibration then. ``limits`` of the sheet, the most critical first; ``tolerance_m`` [m]
+        of its task, and by that the ``level``: ``neutral``, ``good`` or ``bad``. What is not known is None.
+
+        Source: :func:`tmodes.result.verdict.verdict`.
+
+        >>> result.verdict["against"], len(result.verdict["culprits"])
+        ('commanded', 2)
+        """
+        return self.summary()["verdict"]
+
+    def _verdict(self, summary: dict[str, Any]) -> dict[str, Any]:
+        from tmodes.result.verdict import limits_of, verdict
+
+        try:
+            robot = self.robot
+        except TmodesError:  # it names a kind that is not known here
+            return verdict(summary, warnings=self.warnings, message=self.message)
+        limits, task = limits_of(robot, self.record, summary["links"]), robot.task
+        return verdict(summary, limits, task and task.tolerance, self.warnings, self.message)
 
     @checked_arguments
     def save(self, path: str | os.PathLike[str], *, overwrite: bool = False) -> Path:

@@ -20,7 +20,7 @@ from tmodes.kinds.controllers.registry import Controller
 from tmodes.kinds.links.body import BodySheet
 from tmodes.kinds.links.registry import LINKS, BendingSheet
 from tmodes.kinds.schema.frames import Origin, Vector, list_of_numbers
-from tmodes.kinds.schema.quantity import LARGEST, DataSheet, Issue, quantity, refuse
+from tmodes.kinds.schema.quantity import LARGEST, DataSheet, Issue, positive, quantity, refuse
 from tmodes.kinds.signals.registry import Signal
 
 __all__ = [
@@ -34,6 +34,7 @@ __all__ = [
     "LoadSheet",
     "Number",
     "PointSheet",
+    "Task",
     "TipSheet",
     "by_name",
     "several",
@@ -108,6 +109,14 @@ class PointSheet(TipSheet):
     """A named point for loads, contact and output."""
 
     name: str = Field(min_length=1, max_length=100, description="name of the point")
+
+
+class Task(DataSheet):
+    """What the motion must keep to: by it the verdict on a run is good or bad."""
+
+    tolerance: float = positive(
+        "m", "tol", "largest error from the commanded path that is accepted", plausible=(1e-7, 1.0)
+    )
 
 
 class LoadFrame(StrEnum):

@@ -26,6 +26,7 @@ from tmodes.sheet.parts import (
     LoadSheet,
     Number,
     PointSheet,
+    Task,
     TipSheet,
     by_name,
     several,
@@ -95,6 +96,7 @@ class Robot(DataSheet):
     real: dict[str, Annotated[float, _FACTOR]] = by_name(
         "-", "-", "the real arm where it differs: path of a number -> factor on it [-]"
     )
+    task: Task | None = Field(default=None, description="what the motion must keep to; none: errors are not judged")
     integration: RobotIntegration = Field(default_factory=RobotIntegration)
 
     @field_validator("gravity", mode="before")

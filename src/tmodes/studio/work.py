@@ -174,14 +174,15 @@ def _curves(result: Result, order: _Order, laps: _Laps) -> bytes:
 
 def _change(result: Result, order: _Order, laps: _Laps) -> bytes:
     """What of a page changes with a number: no charts, whose curves are the series, and of the scene what moves."""
-    from tmodes.report.data import early_facts
+    from tmodes.report.data import early_facts, verdict_of
     from tmodes.report.scene import frames_of, line_of, scene_of
 
     frames = frames_of(result)
     scene = {name: one for name, one in scene_of(result, frames).items() if name not in ("links", "joints", "meshes")}
     run = {name: getattr(result, name) for name in ("status", "success", "message", "warnings")}
     facts = [asdict(fact) for fact in early_facts(result)]
-    run |= {"name": order.name, "facts": facts, "scene": scene, "line": line_of(result, frames), "charts": []}
+    run |= {"name": order.name, "verdict": verdict_of(result), "facts": facts, "charts": []}
+    run |= {"scene": scene, "line": line_of(result, frames)}
     return _packed({"runs": [run]}, result, laps, order.series)
 
 

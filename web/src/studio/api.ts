@@ -82,7 +82,7 @@ export interface StudioChange {
 }
 
 type ChangedRun =
-  Pick<Page["runs"][0], "name" | "status" | "success" | "message" | "warnings" | "facts" | "line"> & {
+  Pick<Page["runs"][0], "name" | "status" | "success" | "message" | "verdict" | "warnings" | "facts" | "line"> & {
     scene: Omit<Page["runs"][0]["scene"], "links" | "joints" | "meshes">;
   };
 

@@ -76,7 +76,7 @@ def robot_data(data: Mapping[str, Any]) -> dict[str, Any]:
         "format": 1,
         "kind": "arm",
         "imported": NAME,
-        **{key: data[key] for key in ("name", "title", "citation") if key in data},
+        **{key: data[key] for key in ("name", "title", "citation", "task") if data.get(key) is not None},
         "equations": data.get("reading", "consistent"),
         "gravity": data.get("gravity", 9.81),
         "joints": [_joint(data)],
