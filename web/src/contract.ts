@@ -10,6 +10,8 @@ export interface Page {
   title: string;
   subtitle: string;
   runs: Run[];
+  /** One colour for one cause, on a light and on a dark page; as custom properties `--of-gear`, `--of-free-joint`. */
+  colours: Record<string, { light: string; dark: string }>;
   /** The robot's own equations; null where a run cannot be made again in the page. Belongs to runs[0]. */
   live: LiveBundle | null;
   /** Why there is no live model, as a sentence; empty where there is one, or none is wanted. */

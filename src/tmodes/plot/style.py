@@ -13,7 +13,10 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-__all__ = ["COMPONENTS", "GRID", "INK", "INSTANTS", "PAPER", "QUIET", "REAL", "REFERENCE", "house_style", "new_figure"]
+__all__ = [
+    "CAUSES", "COMPONENTS", "GRID", "INK", "INSTANTS", "PAPER", "QUIET", "REAL", "REFERENCE", "colours", "house_style",
+    "new_figure", "stylesheet",
+]  # fmt: skip
 
 WIDTH = 6.3
 """Width of every figure [in], 16 cm."""
@@ -21,8 +24,36 @@ WIDTH = 6.3
 INK, QUIET, GRID, PAPER = "#1d2329", "#5d6873", "#d9dee3", "#ffffff"
 """Text and axes; what stands back; the grid; the background."""
 
-BLUE, RED, GREEN, VIOLET, OCHRE = "#0072b2", "#d55e00", "#00875f", "#a2488f", "#8c6a00"
-"""Okabe and Ito's colours, three of them darkened to keep a contrast of 3 on white."""
+PALETTE = {
+    "blue": ("#0072b2", "#4fb0ea"), "red": ("#d55e00", "#ff8f45"), "green": ("#00875f", "#3ecf9b"),
+    "violet": ("#a2488f", "#e08acb"), "ochre": ("#8c6a00", "#d9b13a"), "sky": ("#2a7fb8", "#9fd3f5"),
+}  # fmt: skip
+"""Okabe and Ito's colours on white, three of them darkened to keep a contrast of 3, and on a dark page."""
+
+BLUE, RED, GREEN, VIOLET, OCHRE, SKY = (light for light, _ in PALETTE.values())
+
+CAUSES = {
+    "controller": ("#6d2e8c", "#d6b0ee"), "gear": ("#9c6a00", "#f0bf4a"), "link": ("#00875f", "#3ecf9b"),
+    "free joint": ("#2590cf", "#3b8fdd"), "contact": ("#a01830", "#d9485f"), "geometry": ("#7d8994", "#8f9aa5"),
+    "total": (INK, "#e6eaee"),
+}  # fmt: skip
+"""What an error or an energy is of: its colour in every report, on white and on a dark page.
+
+Any two differ by 19 or more (CIE 1976) for those who see no red or no green, too.
+"""
+
+
+def colours() -> dict[str, dict[str, str]]:
+    """The colours of causes as a page holds them."""
+    return {name: {"light": light, "dark": dark} for name, (light, dark) in CAUSES.items()}
+
+
+def stylesheet() -> str:
+    """The colours as custom properties of a page: ``--blue``, ``--of-gear``, ``--of-free-joint``."""
+    table = PALETTE | {f"of-{name.replace(' ', '-')}": both for name, both in CAUSES.items()}
+    light, dark = ("".join(f"--{name}:{both[k]};" for name, both in table.items()) for k in (0, 1))
+    return f":root{{{light}}}\n@media screen and (prefers-color-scheme:dark){{:root:not(.printing){{{dark}}}}}\n"
+
 
 REAL: dict[str, Any] = {"color": BLUE, "linestyle": "-", "linewidth": 1.3}
 REFERENCE: dict[str, Any] = {"color": RED, "linestyle": (0, (4, 2)), "linewidth": 1.1}

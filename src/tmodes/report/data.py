@@ -16,6 +16,7 @@ from tmodes.errors import InputError, InputErrors, SimulationError, TmodesError
 from tmodes.live.bundle import live_bundle, why_not_live
 from tmodes.live.knobs import Ahead
 from tmodes.live.map import Progress
+from tmodes.plot.style import colours
 from tmodes.report.charts import charts_of
 from tmodes.report.differences import difference_tables, names_by_difference
 from tmodes.report.events import events_of
@@ -53,7 +54,8 @@ def page_data(
     own = {robot_name(result) for result in results}
     same = len(results) > 1 and len(own) == 1 and not any(name.startswith(min(own)) for name in names)
     title = f"{min(own)}: {len(results)} runs compared" if same else ", ".join(names)
-    info = {"title": title, "subtitle": subtitle, "live": live, "notLive": not_live, "phrases": PHRASES}
+    own_words = {"phrases": PHRASES, "colours": colours()}
+    info = {"title": title, "subtitle": subtitle, "live": live, "notLive": not_live} | own_words
     return {"format": 1, "runs": runs, "differences": difference_tables(results, runs), **info}
 
 

@@ -10,6 +10,7 @@ from functools import cache
 from importlib.resources import files
 from typing import Any
 
+from tmodes.plot.style import stylesheet
 from tmodes.report.facts import Fact, fact_list
 from tmodes.report.markup import Markup, tag
 from tmodes.report.pack import embedded, pack
@@ -17,7 +18,7 @@ from tmodes.result.result import Result
 
 __all__ = [
     "SECTIONS", "application", "document", "policy", "program", "rows_of", "section", "status",
-    "title_of", "viewer_document", "warnings",
+    "styles", "title_of", "viewer_document", "warnings",
 ]  # fmt: skip
 
 
@@ -26,9 +27,14 @@ SECTIONS = {"viewer": "View", "numbers": "Numbers", "robot": "Robot", "provenanc
 _STYLES = ("page.css", "app.css")
 
 
+def styles() -> str:
+    """The style sheets of every page, with the colours of its charts."""
+    own = (files("tmodes.report").joinpath(name).read_text(encoding="utf-8") for name in _STYLES)
+    return "".join([stylesheet(), *own])
+
+
 def document(title: str, policy: str, sections: Mapping[str, str], *content: str | None) -> str:
     """The whole page as one HTML document; ``sections``: ids and names of what the navigation leads to."""
-    styles = "".join(files("tmodes.report").joinpath(name).read_text(encoding="utf-8") for name in _STYLES)
     head = tag(
         "head",
         tag("meta", charset="utf-8"),
@@ -36,7 +42,7 @@ def document(title: str, policy: str, sections: Mapping[str, str], *content: str
         tag("meta", name="viewport", content="width=device-width, initial-scale=1"),
         tag("meta", name="color-scheme", content="light dark"),
         tag("title", f"{title} – tmodes"),
-        tag("style", Markup(styles)),
+        tag("style", Markup(styles())),
     )
     main = tag("main", *content, id="main")
     skip = tag("a", "Skip to the content", href="#main", class_="skip")

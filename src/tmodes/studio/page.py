@@ -11,6 +11,7 @@ from fastapi import FastAPI, Request, Response
 from tmodes.errors import InputError
 from tmodes.io.plain_file import parsed_json
 from tmodes.io.words import shown
+from tmodes.report.parts import styles
 
 __all__ = ["add_page", "body_of", "document", "sheet_of", "word_of", "words_of"]
 
@@ -51,7 +52,7 @@ def add_page(app: FastAPI, first: str) -> None:
     @app.get("/studio.css")
     async def style() -> Response:
         own = resources.files("tmodes.studio").joinpath("studio.css").read_bytes()
-        sheets = (_shipped("page.css"), _shipped("app.css"), own)
+        sheets = (styles().encode(), own)
         return Response(b"\n".join(sheets), media_type="text/css; charset=utf-8")
 
 
