@@ -19,7 +19,7 @@ EXAMPLES = re.findall(r"^```python\n(.*?)^```$", README, re.MULTILINE | re.DOTAL
 
 def test_quick_start_has_exactly_two_lines() -> None:
     run, test = quick_start(README)
-    assert run.endswith(".venv/bin/tmodes run filipovic2010 --out results/filipovic2010")
+    assert run.endswith(".venv/bin/tmodes run two_link_arm --out results/two_link_arm")
     assert test.endswith(".venv/bin/pytest --quiet --numprocesses auto")
     assert all("--constraint constraints.txt" in line for line in (run, test))
 
@@ -45,6 +45,6 @@ def test_example_runs(example: str, tmp_path: Path) -> None:
     command = [sys.executable, "-W", "error", "-c", example]
     done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, timeout=LONG, check=False)
     assert done.returncode == 0, done.stderr
-    assert done.stdout.startswith("filipovic2010: finished\n")
-    for word in ("5 of 5 runs finished", "Dimensions:  (case: 8)", "{'gear.stiffness': "):
+    assert done.stdout.startswith("two_link_arm: finished\n")
+    for word in ("5 of 5 runs finished", "Dimensions:  (case: 8)", "{'elbow.gear.stiffness': "):
         assert word in done.stdout

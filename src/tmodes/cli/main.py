@@ -65,7 +65,7 @@ app = typer.Typer(
     cls=Commands,
     no_args_is_help=True,
     help="Model, simulate and control robots that bend: elastic gears, flexible links, a tip that touches the world.",
-    epilog="Start with:  tmodes run filipovic2010      Your own robot:  tmodes robots filipovic2010 > my.yaml   "
+    epilog="Start with:  tmodes run two_link_arm      Your own robot:  tmodes robots two_link_arm > my.yaml   "
     "then  tmodes check my.yaml  and  tmodes run my.yaml      Exit codes: 0 done, 2 wrong input, 3 the run failed, "
     "4 a file cannot be read or written, 5 compiler trouble, 70 a fault of tmodes, 130 interrupted.",
     **_PLAIN,

@@ -25,7 +25,7 @@ def robots(
 ) -> None:
     """List the published robots, or print one's data sheet, to edit.
 
-    For example:  tmodes robots filipovic2010 > my.yaml
+    For example:  tmodes robots two_link_arm > my.yaml
     """
     if name is not None:
         _print_sheet(name, root, as_json=as_json)

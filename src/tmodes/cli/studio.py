@@ -13,6 +13,7 @@ import typer
 
 from tmodes.errors import InputError
 from tmodes.io.words import shown_path
+from tmodes.robots import FIRST
 from tmodes.robots.load import load, sheet_names
 
 if TYPE_CHECKING:
@@ -25,7 +26,7 @@ def studio(
     robot: Annotated[
         str,
         typer.Argument(metavar="[ROBOT|FILE]", help="What is shown first: a published robot, or a file of the folder."),
-    ] = "filipovic2010",
+    ] = FIRST[0],
     folder: Annotated[Path, typer.Option(help="Where studies are kept; nothing outside is read or written.")] = Path(),
     port: Annotated[int, typer.Option(min=0, max=65535, help="0: any that is free.")] = 0,
     host: Annotated[

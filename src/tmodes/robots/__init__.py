@@ -9,7 +9,10 @@ from pathlib import Path
 
 from tmodes.errors import InputError
 
-__all__ = ["MODELS", "installed_models", "names", "published", "text", "unknown"]
+__all__ = ["FIRST", "MODELS", "installed_models", "names", "published", "text", "unknown"]
+
+FIRST = ("two_link_arm", "filipovic2010")
+"""The robots to begin with, which lists begin with."""
 
 MODELS = "example-robot-data"
 """The package of models that published elasticity files stand on (the extra ``robots``)."""
@@ -22,8 +25,8 @@ def published() -> dict[str, Traversable]:
 
 
 def names() -> list[str]:
-    """Names of the published robots, sorted."""
-    return sorted(published())
+    """Names of the published robots: those to begin with, then the others, sorted."""
+    return [*FIRST, *sorted(published().keys() - set(FIRST))]
 
 
 def text(name: str) -> str:
