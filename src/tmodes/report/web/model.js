@@ -1,4 +1,4 @@
-/* tmodes, built from 0b8456c25577e8f6; BSD-3-Clause */
+/* tmodes, built from 8f3bae45e88fe786; BSD-3-Clause */
 
 // src/live/engine_error.ts
 var EngineError = class extends Error {
