@@ -135,7 +135,7 @@ def test_a_finished_run_says_so(texts: dict[str, str], good: Result) -> None:
 
 def test_the_numbers_are_those_of_the_summary(texts: dict[str, str], good: Result) -> None:
     info, text = good.summary(), Page(texts["good"]).text
-    assert f"Tip error to nominal {info['deviation']['max_m'] * 1e3:.4g} mm" in text
+    assert f"Tip error from nominal path {info['deviation']['max_m'] * 1e3:.4g} mm" in text
     assert f"at {info['deviation']['time_of_max_s']:.3g} s" in text
     settling = info["settling"]
     assert f"Settling after the move {settling['time_s']:.4g} s within" in text

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from tmodes.analysis.modes.modes import VibrationMode
 from tmodes.analysis.spectrum import MotorState
-from tmodes.errors import InputError, InputErrors, SimulationError, TmodesError
+from tmodes.errors import SimulationError, TmodesError
 from tmodes.live.bundle import live_bundle, why_not_live
 from tmodes.live.knobs import Ahead
 from tmodes.live.map import Progress
@@ -125,14 +125,8 @@ def verdict_of(result: Result, made: Derives | None = None) -> dict[str, Any]:
 
 
 def facts_of(result: Result, made: Derives | None = None) -> list[Fact]:
-    """The numbers that matter, most important first; none of a robot with kinds that are not known here.
-
-    ``made`` notes which could not be computed.
-    """
-    try:
-        return run_facts(result, result.summary(), made)
-    except (InputError, InputErrors):
-        return []
+    """The numbers that matter, most important first; ``made`` notes which could not be computed."""
+    return run_facts(result, result.summary(), made)
 
 
 def early_facts(result: Result, made: Derives | None = None) -> list[Fact]:

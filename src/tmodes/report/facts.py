@@ -8,13 +8,11 @@ from typing import Any
 
 import numpy as np
 
-from tmodes.analysis.validity import yield_strength
-from tmodes.plot.facts import drive_unit, effort_unit, names_of
+from tmodes.plot.facts import effort_unit, names_of
 from tmodes.report.markup import Markup, tag, written
 from tmodes.result import Result
 from tmodes.result.derived import Derives
 from tmodes.result.summary import TIP, largest_elements, mean_over_time, settling_words, vibration_words
-from tmodes.sheet import Robot
 
 __all__ = ["Fact", "energy_facts", "fact_list", "frequency_facts", "run_facts", "tracking_facts", "vibration_fact"]
 
@@ -60,10 +58,10 @@ def tracking_facts(summary: dict[str, Any]) -> Iterator[Fact]:
     other, whose = ("point.", point["name"]) if point["reason"] else ("", TIP)  # the page finds the tip's anew
     facts = []
     if one := errors.get("commanded"):
-        facts.append(_error(one, f"{other}tip_error.commanded", f"{whose.capitalize()} error to commanded", one))
+        facts.append(_error(one, f"{other}tip_error.commanded", f"{whose.capitalize()} error from commanded path", one))
     if deviation := summary["deviation"]:
         nominal = errors.get("nominal", {})
-        facts.append(_error(deviation, f"{other}deviation.max", f"{whose.capitalize()} error to nominal", nominal))
+        facts.append(_error(deviation, f"{other}deviation.max", f"{whose.capitalize()} error from nominal path", nominal))
     yield from facts
     yield _settling(summary["settling"])
     for which, one in summary["vibration"].items():
@@ -111,21 +109,18 @@ def energy_facts(known: dict[str, Any]) -> Iterator[Fact]:
     yield Fact("energy.residual", name, share, "-", note)
 
 
-_ROUNDING = 1e-15
-
-
 def run_facts(result: Result, summary: dict[str, Any], made: Derives | None = None) -> list[Fact]:
     """From a result and its summary; what there is not is left out, and what cannot be computed, noted by ``made``."""
     made = made or Derives()
-    data, robot, links = result.record, result.robot, summary["links"]
+    data, links, limits = result.record, summary["links"], summary["verdict"]["limits"]
     groups: dict[str, Callable[[], Iterator[Fact]]] = {
         "tip": lambda: tracking_facts(summary),
         "deflections": lambda: _worst(links, "deflection", "max_m", "m", "Largest deflection of a link"),
         "moments": lambda: _worst(links, "bending_moment", "max_Nm", "N m", "Largest bending moment", "moment.max"),
-        "stresses": lambda: _stress(robot, links),
+        "stresses": lambda: _stress(links, limits),
         "gears": lambda: _gear(summary["deformations"]),
         "drives": lambda: _drives(data),
-        "limits": lambda: _limits(robot, data),
+        "limits": lambda: _limits(limits),
         "contact": lambda: _contact(summary["contact_force"]),
         "frequencies": lambda: frequency_facts(summary["first_frequency_Hz"]),
         "energy": lambda: energy_facts(summary["energy"]) if summary["energy"] else iter(()),
@@ -140,7 +135,7 @@ def run_facts(result: Result, summary: dict[str, Any], made: Derives | None = No
 def _square(data: Any) -> Iterator[Fact]:
     if "deviation" in data:
         square = mean_over_time(data["time"].values, data["deviation"].values ** 2)
-        yield Fact("deviation.rms", "Tip error to nominal, rms", float(np.sqrt(square)), "m", "over the run")
+        yield Fact("deviation.rms", "Tip error from nominal path, rms", float(np.sqrt(square)), "m", "over the run")
 
 
 def _worst(links: dict[str, Any], quantity: str, key: str, unit: str, title: str, own: str = "") -> Iterator[Fact]:
@@ -153,19 +148,12 @@ def _worst(links: dict[str, Any], quantity: str, key: str, unit: str, title: str
         yield Fact(own or f"{quantity}.max", title, one[key], unit, note, one["time_s"])
 
 
-def _stress(robot: Robot, links: dict[str, Any]) -> Iterator[Fact]:
+def _stress(links: dict[str, Any], limits: list[dict[str, Any]]) -> Iterator[Fact]:
     """The largest stress, and the largest share of a material's yield strength."""
     yield from _worst(links, "stress", "max_Pa", "Pa", "Largest stress (von Mises)")
-    stressed = {name: link["stress"]["max_Pa"] for name, link in links.items() if link["stress"]}
-    shares = [
-        (stress / strength, name, strength)
-        for name, stress in stressed.items()
-        if (strength := yield_strength(robot, name)) is not None
-    ]
-    if shares:
-        share, name, strength = max(shares)
-        note = f"of {written(strength, 'Pa')}, {name}; margin {100 * (1 - share):.3g} %"
-        yield Fact("stress.share", "Share of the yield strength", 100 * share, "%", note)
+    for one in [one for one in limits if one["quantity"] == "stress"][:1]:
+        note = f"of {written(one['limit'], 'Pa')}, {one['element']}; margin {100 * (1 - one['share']):.3g} %"
+        yield Fact("stress.share", "Share of the yield strength", 100 * one["share"], "%", note)
 
 
 def _gear(deformations: dict[str, dict[str, Any]]) -> Iterator[Fact]:
@@ -201,35 +189,13 @@ def _largest(data: Any, series: str, drives: list[str], fact: Fact) -> Iterator[
         yield replace(fact, value=float(sizes[sample, drive]), note=f"{drives[drive]}, at {time:.3g} s", time=time)
 
 
-def _limits(robot: Robot, data: Any) -> Iterator[Fact]:
+def _limits(limits: list[dict[str, Any]]) -> Iterator[Fact]:
     """The largest share of a limit of a joint: of its speed, its effort, its range (from its middle)."""
-    shares = [
-        one for joint in robot.joints if joint.limits for name in joint.coordinates
-        for one in _shares(name, joint.limits, data)
-    ]  # fmt: skip
-    if shares:
-        share, note = max(shares)
-        yield Fact("limits.share", "Largest share of a joint's limit", 100 * share, "%", note)
-
-
-def _shares(name: str, limits: Any, data: Any) -> Iterator[tuple[float, str]]:
-    if name not in data["coordinate"].values:
-        return
-    unit = drive_unit(data, name)
-    q, v = (data[key].sel(coordinate=name).values for key in ("q", "v"))
-    if limits.speed:
-        yield _share(np.abs(v), limits.speed, f"speed of {name}", f"{unit}/s")
-    if limits.effort and "drive" in data.dims and name in data["drive"].values:
-        effort = np.abs(data["effort"].sel(drive=name).values)
-        yield _share(effort, limits.effort, f"effort of {name}", effort_unit(data, name))
-    if limits.lower is not None and limits.upper is not None and limits.upper > limits.lower + _ROUNDING:
-        middle, half = (limits.upper + limits.lower) / 2, (limits.upper - limits.lower) / 2
-        yield float(np.abs(q - middle).max() / half), f"range of {name}, from its middle"
-
-
-def _share(sizes: Any, limit: float, what: str, unit: str) -> tuple[float, str]:
-    worst = float(sizes.max())
-    return worst / limit, f"{what}: {written(worst, unit)} of {written(limit, unit)}"
+    for one in [one for one in limits if one["quantity"] != "stress"][:1]:
+        value, limit = (written(one[name], one["unit"]) for name in ("value", "limit"))
+        of = ", from its middle" if one["quantity"] == "range" else f": {value} of {limit}"
+        note = f"{one['quantity']} of {one['element']}{of}"
+        yield Fact("limits.share", "Largest share of a joint's limit", 100 * one["share"], "%", note)
 
 
 def _contact(known: dict[str, float] | None) -> Iterator[Fact]:
