@@ -35,6 +35,10 @@ class Bare(StudyFigure):
         return figure
 
 
+LIMIT = {"text": "peak ≤ 3 mm", "column": "peak", "bound": 3e-3, "sign": 1}
+DESIGNS = {"x": "x", "y": "peak", "front": [0, 1], "best": 0, "start": {}, "limits": [LIMIT]}
+
+
 def made(*, grid: bool = False, drawn: bool = True) -> dict[str, Any]:
     """The data of a study of two parameters and a choice."""
     if grid:
@@ -57,7 +61,7 @@ def made(*, grid: bool = False, drawn: bool = True) -> dict[str, Any]:
     index = {"quantity": "peak", "how": "", "names": ["x", "y"], "first": [[0.5, 0.4, 0.6], [0.4, 0.3, 0.5]],
              "total": [[0.6, 0.5, 0.7], [0.5, 0.4, 0.6]]}  # fmt: skip
     data = page_data("made", rows, info, drawn=drawn, bands=[band] if drawn else [], indices=[index],
-                     objectives=("x", "peak"), front=[0, 1])  # fmt: skip
+                     designs=DESIGNS)  # fmt: skip
     effect = {"quantity": "peak", "unit": "m", "names": ["x", "y"], "size": [[0.5, 0.4, 0.6], [0.1, 0.0, 0.2]],
               "spread": [0.2, 0.1], "trajectories": 8}  # fmt: skip
     return data | {"effects": [effect]}
@@ -122,8 +126,19 @@ def test_designs_beyond_a_limit_are_marked_as_such() -> None:
     with house_style():
         axes = STUDY_FIGURES["pareto"].draw(data, data["quantities"][0]).axes[0]
     assert {line.get_label(): len(line.get_xdata()) for line in axes.lines} == {
-        "beyond a limit": 1, "designs": 79, "front": 2,
+        "beyond a limit": 1, "designs": 79, "front": 2, "best": 1, "peak ≤ 3 mm": 2,
     }  # fmt: skip
+
+
+def test_no_line_leads_through_names() -> None:
+    """Between entries of a catalogue lies nothing."""
+    data = made()
+    data["parameters"][0]["labels"] = [f"A{k}" for k in range(100)]
+    data["parameters"][0]["values"] = np.arange(len(data["status"])) % 100.0
+    with house_style():
+        for name in ("pareto", "responses"):
+            panel = STUDY_FIGURES[name].draw(data, data["quantities"][0]).axes[0]
+            assert {line.get_linestyle() for line in panel.lines if len(line.get_xdata()) > 2} <= {"None", ""}, name
 
 
 def test_lines_of_all_cases_stay_between_the_axes() -> None:

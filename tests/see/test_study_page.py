@@ -19,6 +19,7 @@ from tmodes.study.page.document import study_document
 from tmodes.study.read import study_from_data
 from tmodes.study.rows import Rows
 from tmodes.study.runner import run_study
+from tmodes.study.table import TableColumns
 
 OVERFLOW = "document.documentElement.scrollWidth - document.documentElement.clientWidth"
 LOST = (3, 17)
@@ -38,6 +39,11 @@ def made_rows(count: int = 400) -> Rows:
     )  # fmt: skip
 
 
+DESIGNS = {
+    "x": "peak", "y": "end", "front": [0, 1], "best": 0, "start": {"peak": 12.0, "end": 0.1},
+    "limits": [{"text": "peak ≤ 15 mm", "column": "peak", "bound": 15.0, "sign": 1},
+               {"text": "end ≥ 0.05", "column": "end", "bound": 0.05, "sign": -1}],
+}  # fmt: skip
 INFO = {
     "gear": ColumnInfo(NASTY),
     "payload": ColumnInfo("payload", "kg"),
@@ -47,7 +53,7 @@ INFO = {
 
 def written(path: Path, rows: Rows, **more: Any) -> Path:
     data = page_data("made", rows, INFO, **more)
-    path.write_text(study_document(NASTY, NASTY, rows, INFO, data, [["robot", NASTY]]), encoding="utf-8")
+    path.write_text(study_document(NASTY, NASTY, rows, INFO, data, [["robot", NASTY]], NASTY), encoding="utf-8")
     return path
 
 
@@ -71,8 +77,18 @@ def made(tmp_path_factory: pytest.TempPathFactory) -> Path:
             "times": times, "shares": [5, 50, 95], "nominal": None, "cases": 99,
             "values": np.array([times - 1, times, times + 1], dtype=np.float32)}  # fmt: skip
     folder = tmp_path_factory.mktemp("a study & more")
-    more = {"indices": [indices], "bands": [band], "objectives": ("peak", "end"), "front": best}
+    more = {"indices": [indices], "bands": [band], "answers": {"end": f"the end {NASTY}"}}
+    written(folder / "designs.html", rows, designs=DESIGNS | {"front": best, "best": best[0]}, drawn=False)
     return written(folder / "study.html", rows, **more)
+
+
+@pytest.fixture
+def designs(browser: Any, made: Path) -> Any:
+    """The same cases, as designs."""
+    shown = opened(browser, made.with_name("designs.html"))
+    yield shown
+    assert shown.said == []
+    shown.page.context.close()
 
 
 @pytest.fixture
@@ -92,7 +108,7 @@ def test_it_is_silent_alone_and_within_its_window(browser: Any, made: Path, size
     assert window.page.evaluate(OVERFLOW) == 0
     titles = window.page.locator(".chart h3").all_inner_texts()
     assert titles[:3] == ["Distribution", "What matters", "All cases"]
-    assert {"Best designs", "Tip", "Response to payload"} <= set(titles)
+    assert {"Tip", "Response to payload"} <= set(titles)
     window.page.context.close()
 
 
@@ -109,7 +125,7 @@ def test_no_words_of_axes_touch(browser: Any, tmp_path: Path, size: float) -> No
     """However long the numbers are."""
     rows = made_rows()
     rows.quantities["peak"][:] = size * (2 + 1e-2 * rows.quantities["peak"])
-    page = opened(browser, written(tmp_path / "study.html", rows, objectives=("peak", "end"), front=[0, 1])).page
+    page = opened(browser, written(tmp_path / "study.html", rows, designs=DESIGNS)).page
     assert page.locator(".axes").count() >= 4
     assert page.evaluate(TOUCHING) == []
     page.context.close()
@@ -125,22 +141,15 @@ def test_axe_finds_nothing(window: Window, scheme: str) -> None:
     assert [(one["id"], one["nodes"][0]["html"][:120]) for one in found["violations"]] == []
 
 
-def test_the_result_is_its_first_sentence(window: Window) -> None:
-    rows = made_rows()
-    peak = rows.quantities["peak"][rows.good]
-    said = window.page.locator("p.status").first.inner_text()
-    assert said.startswith("398 of 400 cases finished.")
-    assert f"median {np.median(peak):.4g} mm" in said
-    assert f"below {np.percentile(peak, 95):.4g} mm" in said
-
-
 def test_what_is_chosen_is_shown_everywhere(window: Window) -> None:
     page = window.page
+    assert page.locator(".answer").inner_text() == ""
     bars = "[...document.querySelectorAll('.swing, .index')].map((one) => one.getAttribute('class'))"
     page.wait_for_selector(".swing")
     assert page.evaluate(bars) == ["swing low", "swing high"] * 2
     page.get_by_label("Quantity").select_option("end")
     page.wait_for_selector(".index")
+    assert page.locator(".answer").inner_text() == f"the end {NASTY}"
     assert page.evaluate(bars) == ["index first", "index total"] * 2
     assert page.locator(".axes .name", has_text="end").count() >= 3
 
@@ -174,11 +183,26 @@ def test_a_dragged_range_keeps_the_cases_in_it(window: Window) -> None:
     assert figure.locator(".readout").inner_text() == ""
 
 
-def test_a_click_on_a_point_picks_its_case(window: Window) -> None:
-    page = window.page
-    figure = page.locator(".chart", has=page.get_by_role("heading", name="Best designs"))
-    figure.locator("circle").first.click()
-    assert "finished" in page.locator(".case-panel h3").inner_text()
+SPOTS = """(kind) => (document.querySelector(kind).getAttribute('d').match(/M/g) ?? []).length"""
+
+
+def test_all_designs_are_points_with_the_limits_and_the_best_one(designs: Window) -> None:
+    """What is beyond a limit is another mark; a pointer shows which limit; a click picks the design."""
+    page, rows = designs.page, made_rows()
+    chart = page.locator(".chart", has=page.get_by_role("heading", name="Designs", exact=True))
+    assert page.evaluate(SPOTS, ".points.kept") == int(rows.good.sum())
+    assert [one.text_content() for one in chart.locator(".limit + text").all()] == ["peak ≤ 15 mm", "end ≥ 0.05"]
+    best = int(np.nanargmin(rows.quantities["peak"]))
+    assert chart.locator("text.name.best").text_content() == f"Design {best}: best peak"
+    assert chart.locator("text.name.start").text_content() == "start"
+    place = chart.locator("circle").first.bounding_box()
+    page.mouse.move(place["x"] + 4, place["y"] + 4)
+    front = sorted((int(np.nanargmin(one)) for one in rows.quantities.values()), key=rows.quantities["peak"].item)
+    assert chart.locator(".hover").inner_text().startswith(f"Design {front[0]}\nlargest deviation")
+    page.mouse.click(place["x"] + 4, place["y"] + 4)
+    assert page.get_by_role("heading", name=f"Design {front[0]}: finished").count() == 1
+    page.get_by_label("Across").select_option("payload")
+    assert chart.locator(".limit").count() == 1
 
 
 def test_a_chart_is_saved_as_it_stands(window: Window) -> None:
@@ -232,8 +256,13 @@ STUDY = {
 
 def test_a_case_is_simulated_again_in_its_live_report(browser: Any, tmp_path: Path) -> None:
     done = run_study(study_from_data(STUDY), tmp_path / "live", threads=1)
+    peak = TableColumns(done.parquet).numbers("peak")
+    assert f"95 % of cases stay below {np.percentile(peak, 95):.4g} mm, 95 % above" in done.sentence
+    assert f"half below {np.median(peak):.4g} mm. 24 of 24 cases finished." in done.sentence
+    assert done.sentence == done.info()["sentence"] == next(iter(done.tables())) == repr(done).partition("\n")[0]
     window = opened(browser, write_page(done, tmp_path / "study.html"))
     page, rows = window.page, done.rows
+    assert page.locator("p.status").inner_text() == done.sentence
     case = int(np.argmax(rows.quantities["peak"]))
     assert page.get_by_role("heading", name="Tip x less that of the sheet's own run").count() == 1
     page.get_by_role("button", name="largest", exact=True).click()

@@ -2,20 +2,22 @@
 import { make } from "./dom";
 import { inflated, unpack } from "./pack";
 import { forPaper } from "./paper";
-import { mountBand, mountPareto } from "./study/bands";
+import { mountBand } from "./study/bands";
 import { mountBars } from "./study/bars";
 import { mountCase, mountTable } from "./study/cases";
 import type { StudyPage } from "./study/contract";
+import { mountDesigns } from "./study/designs";
 import { mountHistogram } from "./study/histogram";
 import { mountParallel } from "./study/parallel";
 import { mountResponses } from "./study/responses";
 import { Store } from "./study/store";
+import { readably } from "./study/units";
 
 async function main(): Promise<void> {
   const [place, root] = [document.getElementById("tmodes-data"), document.getElementById("tmodes-study")];
   if (place === null || root === null) return;
   try {
-    mount(root, unpack(await inflated(place.textContent ?? "")) as StudyPage);
+    mount(root, readably(unpack(await inflated(place.textContent ?? "")) as StudyPage));
     document.documentElement.classList.add("running");
   } catch (error) {
     const text = `The charts of this page could not start: ${error instanceof Error ? error.message : String(error)}.`;
@@ -27,7 +29,11 @@ function mount(root: HTMLElement, page: StudyPage): void {
   const store = new Store(page);
   const choice = make("select", {}, ...page.quantities.map(({ name, title }) => make("option", { value: name,
     text: title || name })));
-  choice.addEventListener("change", () => store.look(choice.value));
+  const answer = make("p", { class: "answer", "aria-live": "polite" });
+  choice.addEventListener("change", () => {
+    store.look(choice.value);
+    answer.textContent = page.answers[choice.value] ?? "";
+  });
   const label = make("label", { text: "Quantity " });
   label.append(choice);
   const [shown, all] = [page.case.data.length, page.cases].map((count) => count.toLocaleString("en"));
@@ -37,17 +43,17 @@ function mount(root: HTMLElement, page: StudyPage): void {
   const [first, second] = [make("div", { class: "study-grid" }), make("div", {})];
   top.append(first, second);
   root.classList.add("app-study");
-  root.append(bar, top);
-  if (page.drawn) mountHistogram(first, store);
+  root.append(bar, answer, top);
+  if (page.designs) mountDesigns(first, store, page.designs);
+  else if (page.drawn) mountHistogram(first, store);
   else mountResponses(first, store);
-  mountBars(first, store);
+  if (!page.designs) mountBars(first, store);
   mountCase(second, store);
   mountParallel(root, store);
   const wide = make("div", { class: "study-grid" });
-  if (page.pareto) mountPareto(wide, store, page.pareto);
   for (const band of page.bands) mountBand(wide, band);
   if (wide.childElementCount) root.append(wide);
-  if (page.drawn) mountResponses(root, store);
+  if (page.drawn || page.designs) mountResponses(root, store);
   mountTable(root, store);
 }
 

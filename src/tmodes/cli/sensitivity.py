@@ -89,4 +89,5 @@ def _page(found: Sensitivity, folder: Path, tell: Callable[[str, float], None]) 
     from tmodes.study.page.figures import indices_of
     from tmodes.study.result import load_study
 
-    return write_page(load_study(folder), folder / "study.html", progress=tell, indices=indices_of(found))
+    more = {"indices": indices_of(found), "sentence": found.sentence, "answers": found.answers}
+    return write_page(load_study(folder), folder / "study.html", progress=tell, **more)

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from xarray import Dataset
 
 __all__ = [
-    "NEVER_LARGE", "CommandResult", "Table", "known_columns", "plain", "power_of_ten", "pretty", "public_names",
+    "NEVER_LARGE", "CommandResult", "Table", "changed_by", "known_columns", "plain", "power_of_ten", "pretty", "public_names",
     "shortened", "table_html", "written",
 ]  # fmt: skip
 
@@ -155,6 +155,27 @@ def written(value: float, unit: str, digits: int = 4) -> str:
         if size >= least and (factor >= 1.0 or unit.split("/", maxsplit=1)[0] not in NEVER_LARGE):
             return f"{_rounded(value * factor, digits)}\u00a0{prefix}{name}"
     return f"{power_of_ten(value)}\u00a0{name}"
+
+
+def changed_by(value: float, first: float) -> str:
+    """A change as a person reads it: ``−34 %``, from twice the value on ``×143``; ``from 0``; nothing for no change.
+
+    Nor is there a ratio of values of opposite signs.
+    """
+    if not value or not first:
+        return "" if value == first else "to 0" if first else "from 0"
+    ratio = value / first
+    if ratio <= 0 or ratio == 1:
+        return ""
+    if max(ratio, 1 / ratio) > _NEARLY:
+        return "from nearly 0" if ratio > 1 else "to nearly 0"
+    if ratio >= 2 or ratio < _HUNDREDTH:
+        return f"×{_rounded(ratio, 3)}" if ratio >= 2 else f"÷{_rounded(1 / ratio, 3)}"
+    return f"{'+' if ratio > 1 else '−'}{_rounded(100 * abs(ratio - 1), 3)} %"
+
+
+_HUNDREDTH, _NEARLY = 0.01, 1e5
+"""Of the first value, below which it is said by which factor it is smaller; a ratio beyond which one is rounding."""
 
 
 def _rounded(value: float, digits: int) -> str:

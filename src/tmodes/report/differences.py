@@ -6,6 +6,7 @@ import json
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, NamedTuple
 
+from tmodes.io.printed import changed_by
 from tmodes.io.sheet_fields import Step, place_of
 from tmodes.io.sheet_groups import path_of
 from tmodes.io.words import shown
@@ -116,6 +117,5 @@ def _changed(value: float, first: float, unit: str, index: int) -> str:
     change = value - first
     if not index or not change:
         return written(value, unit)
-    sign = "+" if change > 0 else "−"
-    share = f", {sign}{100 * abs(change / first):.3g}\u00a0%" if first else ""
-    return f"{written(value, unit)} ({sign}{written(abs(change), unit, 3)}{share})"
+    words = [f"{'+' if change > 0 else '−'}{written(abs(change), unit, 3)}" if first else "", changed_by(value, first)]
+    return f"{written(value, unit)} ({', '.join(filter(None, words))})".replace(" %", "\u00a0%")

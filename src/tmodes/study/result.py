@@ -15,6 +15,7 @@ from tmodes.errors import InputError
 from tmodes.io.arguments import checked_arguments
 from tmodes.io.atomic import file_error
 from tmodes.io.printed import CommandResult, Table
+from tmodes.study.answers import quantity_answers, study_sentence
 from tmodes.study.blocks import Block, Cover, Label
 from tmodes.study.plans import Design
 from tmodes.study.rows import GOOD, STATUS, Kept, Rows, joined
@@ -127,6 +128,16 @@ class StudyResult(CommandResult):
         done, cases = self.cover.done, len(self.design.values)
         return [f"these are {done:,} of {cases:,} cases; the same `tmodes study` computes the others"]
 
+    @cached_property
+    def answers(self) -> dict[str, str]:
+        """What is found of each quantity in words, by its name; none of one that no case has."""
+        return quantity_answers(self.study, self.shown_rows)
+
+    @property
+    def sentence(self) -> str:
+        """The same of the first quantities, and how many cases finished."""
+        return study_sentence([*self.answers.values()], self.shown_rows)
+
     @property
     def files(self) -> dict[str, str]:
         """The table and the page that are there."""
@@ -140,7 +151,7 @@ class StudyResult(CommandResult):
 
     def info(self) -> dict[str, Any]:
         """Counts, percentiles of each quantity over the cases that have it, and the reasons of the others."""
-        return self._spread | {"files": self.files}
+        return self._spread | {"sentence": self.sentence, "files": self.files}
 
     @property
     def data(self) -> Dataset:
@@ -165,11 +176,12 @@ class StudyResult(CommandResult):
         return points({"": (data[across], data[name])}, *words, title=self.study.sheet.name, ax=ax)
 
     def tables(self) -> Iterator[str | Table]:
-        """The counts, the quantities, and where the files are.
+        """What is found in a sentence, the counts, the quantities, and where the files are.
 
         Percentiles only where cases come as often as their distributions say.
         """
         info = self._spread
+        yield self.sentence
         counts = ", ".join(f"{count:,} {status.replace('_', ' ')}" for status, count in info["status"].items())
         percents = SHOWN if info["drawn"] else ()
         head = ["quantity", "unit", "least", *(f"{p} %" for p in percents), "largest", "mean"]

@@ -83,7 +83,7 @@ def test_an_optimization_has_its_front(tmp_path):
     found = optimize(read_study(file), trials=64, out=folder)
     data = figure_data(load_study(folder))
     assert len(data["status"]) == found.designs
-    mass, sag = (column["values"][data["pareto"]["front"]] for column in data["quantities"][:2])
+    mass, sag = (column["values"][data["designs"]["front"]] for column in data["quantities"][:2])
     assert sorted(zip(mass, sag, strict=True)) == sorted(one.objectives for one in found.front)
     good = np.array(data["good"])[data["status"]]
     assert int(good.sum()) == found.feasible < found.designs

@@ -1,8 +1,8 @@
 // One case: its numbers, how it ended, and its report, which simulates it again.
 import { button, make, put } from "../dom";
-import { plain, pretty } from "../format";
+import { pretty } from "../format";
 import type { Column, StudyPage } from "./contract";
-import { ranked, type Store } from "./store";
+import { ranked, valueOf, type Store } from "./store";
 
 const MOST_ROWS = 10;
 
@@ -21,8 +21,9 @@ export function mountCase(host: HTMLElement, store: Store): void {
   host.append(make("section", { class: "panel case-panel" }, title, ways, said, body));
   const show = () => {
     const { row, page } = store;
-    put(title, row === null ? "Choose a case" : `Case ${page.case.data[row]}: ${page.words[page.status.data[row]]}`);
-    open.hidden = row === null;
+    put(title, row === null ? `Choose a ${page.designs ? "design" : "case"}` :
+      `${store.nameOf(row)}: ${page.words[page.status.data[row]]}`);
+    open.hidden = row === null || page.designs !== null;
     open.disabled = !page.report;
     said.textContent = row === null ? "Click a point or a line, or:" : page.reasons[String(row)] ?? (page.report
       ? "" : page.noReport);
@@ -30,13 +31,6 @@ export function mountCase(host: HTMLElement, store: Store): void {
   };
   store.listen((change) => change === "case" && show());
   show();
-}
-
-/** A value of a case in words. */
-function valueOf(column: Column, row: number, unit = pretty(column.unit)): string {
-  const value = column.values.data[row];
-  if (!Number.isFinite(value)) return "–";
-  return column.labels ? column.labels[value] ?? "–" : `${plain(value)}\u00a0${unit}`.trimEnd();
 }
 
 function fact(column: Column, row: number): HTMLElement {
@@ -74,13 +68,14 @@ export function mountTable(host: HTMLElement, store: Store): void {
     const all = ranked(store, store.shown).filter((row) => store.inside(row));
     const rows = (least ? all : all.reverse()).slice(0, MOST_ROWS);
     const lost = [...Array(store.size).keys()].filter((row) => !store.isGood(row)).slice(0, MOST_ROWS);
-    const head = ["case", ...store.columns.map(({ title, name, unit }) =>
+    const [one, end] = store.page.designs ? ["design", "beyond a limit"] : ["case", "that did not finish"];
+    const head = [one, ...store.columns.map(({ title, name, unit }) =>
       `${title || name}${pretty(unit) ? ` [${pretty(unit)}]` : ""}`), "ended"];
     const shown = store.shown.title || store.quantity;
     place.replaceChildren(make("table", {},
       make("caption",
-        { text: `Cases with the ${least ? "least" : "largest"} value: ${shown}` +
-          (lost.length ? ", and some that did not finish" : "") }),
+        { text: `${one === "case" ? "Cases" : "Designs"} with the ${least ? "least" : "largest"} value: ${shown}` +
+          (lost.length ? `, and some ${end}` : "") }),
       make("thead", {}, make("tr", {}, ...head.map((text) => make("th", { scope: "col", text })))),
       make("tbody", {}, ...[...rows, ...lost].map((row) => line(store, row)))));
   };
@@ -90,7 +85,8 @@ export function mountTable(host: HTMLElement, store: Store): void {
 
 function line(store: Store, row: number): HTMLElement {
   const { page } = store;
-  const name = button(String(page.case.data[row]), () => store.pick(row), { class: "jump" });
+  const text = page.designs ? store.nameOf(row) : String(page.case.data[row]);
+  const name = button(text, () => store.pick(row), { class: "jump" });
   const ended = [page.words[page.status.data[row]], page.reasons[String(row)] ?? ""].filter(Boolean).join(": ");
   return make("tr", {}, make("th", { scope: "row" }, name),
     ...store.columns.map((column) => make("td", { text: valueOf(column, row, "") })), make("td", { text: ended }));

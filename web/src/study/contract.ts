@@ -52,11 +52,19 @@ export interface Band {
   cases: number;
 }
 
-export interface Pareto {
+/** Of an optimization, whose cases are designs. */
+export interface Designs {
+  /** Columns of the axes to begin with. */
   x: string;
   y: string;
-  /** Rows of the page that no other row beats. */
+  /** Rows that no other row beats, of several objectives. */
   front: number[];
+  /** Row of the best design, or of that which exceeds its limits least; null where none has numbers. */
+  best: number | null;
+  /** The sheet's own design: values by column. */
+  start: Record<string, number>;
+  /** A column must be below (`sign` 1) or above (-1) its bound. */
+  limits: { text: string; column: string; bound: number; sign: number }[];
 }
 
 export interface StudyPage {
@@ -73,7 +81,9 @@ export interface StudyPage {
   tornados: Tornado[];
   indices: Indices[];
   bands: Band[];
-  pareto: Pareto | null;
+  /** What is found of each quantity, in words. */
+  answers: Record<string, string>;
+  designs: Designs | null;
   /** Whether the least values of the first quantity are the best: tables begin with them. */
   leastFirst: boolean;
   /**

@@ -103,6 +103,12 @@ export function dots(points: [number, number][]): string {
   return points.map(([x, y]) => `M${x.toFixed(1)} ${y.toFixed(1)}h0`).join("");
 }
 
+/** All points as one path of small crosses. */
+export function crosses(points: [number, number][], half = 3): string {
+  return points.map(([x, y]) => [1, -1].map((way) =>
+    `M${(x - half).toFixed(1)} ${(y - way * half).toFixed(1)}l${2 * half} ${2 * way * half}`).join("")).join("");
+}
+
 export function line(points: [number, number][]): string {
   return points.length ? `M${points.map(([x, y]) => `${x.toFixed(1)} ${y.toFixed(1)}`).join("L")}` : "";
 }

@@ -3,8 +3,8 @@ import { button, make, put } from "../dom";
 import { plain } from "../format";
 import type { Column } from "./contract";
 import { chart, line, named, svg, type Box } from "./draw";
-import { rangeOf, scale, type Scale } from "./scale";
-import type { Store } from "./store";
+import { clamped, rangeOf, scale, type Scale } from "./scale";
+import { spanOf, type Store } from "./store";
 
 const [MOST_LINES, SHADES, NEAR] = [1500, 6, 12];
 
@@ -14,11 +14,11 @@ export function mountParallel(host: HTMLElement, store: Store): void {
   const count = make("span", { class: "readout", "aria-live": "polite" });
   const clear = button("all cases", () => store.clear(), { class: "tool" });
   let dragged: { name: string; from: number } | null = null;
-  const view = chart(host, "All cases", 320, (root, width, height) => {
+  const view = chart(host, store.page.designs ? "All designs" : "All cases", 320, (root, width, height) => {
     const box: Box = { left: 60, top: 40, right: width - 60, bottom: height - 16 };
     const places = columns.map((_, k) => box.left + ((box.right - box.left) * k) / (columns.length - 1));
-    const ways = columns.map((column) => scale(rangeOf(column.values.data, column.labels), [box.bottom, box.top], 5,
-      column.labels));
+    const ways = columns.map((column) => clamped(scale(spanOf(store, column), [box.bottom, box.top], 5,
+      column.labels)));
     draw(root, store, columns, places, ways);
     const room = Math.floor((2 * (box.right - box.left)) / (columns.length - 1) / 6.6); // letters
     columns.forEach((column, k) => axis(root, store, column, places[k], ways[k], box, k, room));
@@ -50,7 +50,7 @@ function draw(root: SVGSVGElement, store: Store, columns: Column[], places: numb
   for (let row = 0; row < store.size; row += step) {
     const path = pathOf(row, columns, places, ways);
     if (!path) continue;
-    if (!store.inside(row)) faint.push(path);
+    if (!store.inside(row) || !store.isGood(row)) faint.push(path);
     else {
       const share = (shown.values.data[row] - low) / (high - low || 1);
       shades[Math.min(SHADES - 1, Math.max(0, Math.floor(share * SHADES) || 0))].push(path);

@@ -2,11 +2,11 @@
 import { make } from "../dom";
 import { plain } from "../format";
 import type { Column } from "./contract";
-import { axes, chart, dots, gutter, line, named, svg, type Box } from "./draw";
-import { rangeOf, scale } from "./scale";
-import type { Store } from "./store";
+import { axes, chart, crosses, dots, gutter, line, named, svg, type Box } from "./draw";
+import { clamped, rangeOf, scale } from "./scale";
+import { nearestRow, spanOf, type Store } from "./store";
 
-const [MOST_POINTS, BINS, MOST_LEVELS, NEAR, MOST_SHOWN] = [2500, 24, 60, 14, 12];
+const [MOST_POINTS, BINS, MOST_LEVELS, MOST_SHOWN] = [2500, 24, 60, 12];
 
 export function mountResponses(host: HTMLElement, store: Store): void {
   const place = host.classList.contains("study-grid") ? host : make("div", { class: "study-grid" });
@@ -21,20 +21,24 @@ function response(host: HTMLElement, store: Store, parameter: Column): void {
     const column = store.shown;
     const [given, found] = [parameter.values.data, column.values.data];
     const [top, bottom] = [10, height - 40];
-    const y = scale(rangeOf(found), [bottom, top], 5);
+    const y = clamped(scale(spanOf(store, column), [bottom, top], 5));
     const box: Box = { left: gutter(y), top, right: width - 12, bottom };
     const x = scale(rangeOf(given, parameter.labels), [box.left, box.right], Math.max(3, width / 90), parameter.labels);
     axes(root, box, x, y, [named(parameter), named(column)]);
-    const [near, far, lost]: [number, number][][] = [[], [], []];
+    const [near, far, lost, beyond]: [number, number][][] = [[], [], [], []];
     const step = Math.max(1, Math.floor(store.size / MOST_POINTS));
     for (let row = 0; row < store.size; row += 1) {
-      if (!store.isGood(row)) lost.push([x.at(given[row]), box.bottom - 4]);
+      if (!store.isGood(row) && Number.isFinite(found[row])) beyond.push([x.at(given[row]), y.at(found[row])]);
+      else if (!store.isGood(row)) lost.push([x.at(given[row]), box.bottom - 4]);
       else if (row % step === 0 && Number.isFinite(found[row]))
         (store.inside(row) ? near : far).push([x.at(given[row]), y.at(found[row])]);
     }
-    root.append(svg("path", { d: dots(far), class: "points faint" }), svg("path", { d: dots(near), class: "points" }));
-    root.append(svg("path", { d: line(middles(store, parameter, column).map(([a, b]) => [x.at(a), y.at(b)])),
-      class: "middle" }));
+    root.append(svg("path", { d: dots(far), class: "points faint" }), svg("path", { d: dots(near), class: "points" }),
+      svg("path", { d: crosses(beyond), class: "points beyond" }));
+    const middle = middles(store, parameter, column).map(([a, b]): [number, number] => [x.at(a), y.at(b)]);
+    if (parameter.labels) // names have no order: nothing lies between them
+      root.append(svg("path", { d: middle.map(([a, b]) => `M${a - 8} ${b}h16`).join(""), class: "middle" }));
+    else if (!store.page.designs) root.append(svg("path", { d: line(middle), class: "middle" }));
     if (lost.length) root.append(svg("path", { d: dots(lost), class: "points lost" }, svg("title", {},
       "cases that did not finish")));
     if (store.row !== null && Number.isFinite(found[store.row]))
@@ -42,22 +46,12 @@ function response(host: HTMLElement, store: Store, parameter: Column): void {
         class: "points chosen-point" }));
     root.onclick = (event) => {
       const frame = root.getBoundingClientRect();
-      pickNear(store, parameter, column, x.at, y.at, event.clientX - frame.left, event.clientY - frame.top);
+      const at = (row: number): [number, number] => [x.at(given[row]), y.at(found[row])];
+      const row = nearestRow(store, at, event.clientX - frame.left, event.clientY - frame.top);
+      if (row !== null) store.pick(row);
     };
   });
   store.listen(() => view.redraw());
-}
-
-function pickNear(
-  store: Store, parameter: Column, column: Column, x: (value: number) => number, y: (value: number) => number,
-  left: number, top: number,
-): void {
-  let [best, nearest] = [-1, NEAR];
-  for (let row = 0; row < store.size; row += 1) {
-    const apart = Math.hypot(x(parameter.values.data[row]) - left, y(column.values.data[row]) - top);
-    if (apart < nearest) [best, nearest] = [row, apart];
-  }
-  if (best >= 0) store.pick(best);
 }
 
 /** Medians of the quantity in bins of equally many cases; of few levels at each. */

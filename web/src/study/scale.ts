@@ -23,6 +23,11 @@ export function scale(
   };
 }
 
+/** The same, with values beyond its ends at them. */
+export function clamped(scale: Scale): Scale {
+  return { ...scale, at: (value) => scale.at(Math.min(Math.max(value, scale.min), scale.max)) };
+}
+
 /** The range of finite values, a little wider; of one value about it. */
 export function rangeOf(values: ArrayLike<number>, labels: string[] | null = null, more: number[] = []): [number,
   number] {

@@ -1,5 +1,7 @@
 // What is chosen in a study's page: the quantity that is looked at, the ranges that are brushed, and one case.
+import { plain, pretty } from "../format";
 import type { Column, StudyPage } from "./contract";
+import { rangeOf } from "./scale";
 
 export type Change = "quantity" | "brush" | "case";
 
@@ -33,6 +35,13 @@ export class Store {
 
   isGood(row: number): boolean {
     return this.page.good[this.page.status.data[row]];
+  }
+
+  /** What was chosen from lists, or the number of the case. */
+  nameOf(row: number): string {
+    const { page } = this;
+    const chosen = page.parameters.flatMap(({ labels, values }) => labels?.[values.data[row]] ?? []);
+    return page.designs ? chosen.join(" + ") || `Design ${page.case.data[row]}` : `Case ${page.case.data[row]}`;
   }
 
   /** Whether a case lies in all brushed ranges. */
@@ -72,6 +81,42 @@ export class Store {
   private say(change: Change): void {
     for (const act of this.listeners) act(change);
   }
+}
+
+/** A value of a case in words. */
+export function valueOf(column: Column, row: number, unit = pretty(column.unit)): string {
+  const value = column.values.data[row];
+  if (!Number.isFinite(value)) return "–";
+  return column.labels ? column.labels[value] ?? "–" : `${plain(value)}\u00a0${unit}`.trimEnd();
+}
+
+const NEAR = 14;
+
+/** The case whose place `at` is the nearest to a point [px], null where none is near. */
+export function nearestRow(
+  store: Store, at: (row: number) => [number, number] | null, left: number, top: number,
+): number | null {
+  let [best, nearest]: [number | null, number] = [null, NEAR];
+  for (let row = 0; row < store.size; row += 1) {
+    const [x, y] = at(row) ?? [Infinity, Infinity];
+    const apart = Math.hypot(x - left, y - top);
+    if (apart < nearest) [best, nearest] = [row, apart];
+  }
+  return best;
+}
+
+/**
+ * What an axis of a column shows: all good cases and `more`; others, whose numbers may be of any size, as far as they
+ * lie within twice that range.
+ */
+export function spanOf(store: Store, column: Column, more: number[] = []): [number, number] {
+  const all = [...column.values.data].filter((value) => Number.isFinite(value));
+  const good = [...column.values.data].filter((value, row) => store.isGood(row) && Number.isFinite(value));
+  if (column.labels || !good.length) return rangeOf(all, column.labels, more);
+  const [low, high] = rangeOf(good, null, more);
+  const [inside, edge] = [all.filter((value) => value > 2 * low - high && value < 2 * high - low), 0.02 * (high - low)];
+  const [least, most] = [inside.reduce((a, b) => Math.min(a, b)), inside.reduce((a, b) => Math.max(a, b))];
+  return [Math.min(low, least - edge), Math.max(high, most + edge)];
 }
 
 /** Rows in the order of a column's values, without those that have none. */

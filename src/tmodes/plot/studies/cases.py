@@ -132,7 +132,8 @@ class Responses(StudyFigure):
             x, y = column["values"][rows], quantity["values"][rows]
             some = np.linspace(0, len(x) - 1, min(len(x), _MOST_POINTS)).astype(int)
             panel.plot(x[some], y[some], ".", color=BLUE, markersize=2.5, alpha=0.5, rasterized=True)
-            panel.plot(*_middle(x, y, alone=len(varied(data)) == 1), color=INK, linewidth=1.2)
+            mark = {"linestyle": "", "marker": "_", "markersize": 9} if column["labels"] else {}  # names have no order
+            panel.plot(*_middle(x, y, alone=len(varied(data)) == 1), color=INK, linewidth=1.2, **mark)
             panel.set_xlabel(axis_name(column))
             panel.margins(x=0.03)
             if not column["labels"]:

@@ -1,4 +1,4 @@
-"""Which parameter matters: Sobol' indices, Morris' elementary effects, a tornado; and Pareto fronts."""
+"""Which parameter matters: Sobol' indices, Morris' elementary effects, a tornado; and designs with their limits."""
 
 from __future__ import annotations
 
@@ -14,12 +14,13 @@ from tmodes.plot.studies.contract import (
     good_rows,
     of_quantity,
     padded_figure,
+    ticks_of,
     titles_of,
 )
 from tmodes.plot.style import BLUE, INK, OCHRE, QUIET, RED
 from tmodes.plot.units import pretty
 
-__all__ = ["ElementaryEffects", "Pareto", "SobolIndices", "Swings"]
+__all__ = ["Designs", "ElementaryEffects", "SobolIndices", "Swings"]
 
 
 @STUDY_FIGURES.register
@@ -127,34 +128,54 @@ class Swings(StudyFigure):
 
 
 @STUDY_FIGURES.register
-class Pareto(StudyFigure):
-    """All designs, and the front."""
+class Designs(StudyFigure):
+    """All designs of an optimization, its limits, the best one, and of several objectives the front."""
 
     name = "pareto"
-    title = "Best designs"
+    title = "Designs"
     each = False
 
     def missing(self, data: Data, quantity: Data) -> str:  # noqa: ARG002
-        """Only an optimization with several objectives has a front."""
-        return "" if data["pareto"] else "one objective"
+        """Only an optimization has them."""
+        return "" if data["designs"] else "it is no optimization: tmodes optimize"
 
     def draw(self, data: Data, quantity: Data) -> Any:  # noqa: ARG002
-        """The first objective across, the second up."""
+        """An objective over another one, or over what the tightest limit limits; no line through names."""
         named = {column["name"]: column for column in (*data["parameters"], *data["quantities"])}
-        one, two = named[data["pareto"]["x"]], named[data["pareto"]["y"]]
-        front = np.array(data["pareto"]["front"], dtype=int)
-        front = front[np.argsort(one["values"][front])]
+        designs = data["designs"]
+        one, two = named[designs["x"]], named[designs["y"]]
+        x, y, good = one["values"], two["values"], good_rows(data)
+        front, best = np.array(designs["front"], dtype=int), designs["best"]
+        front = front[np.argsort(x[front])]
         figure = padded_figure(3.0)
         axes = figure.subplots()
-        good = good_rows(data)
         if not good.all():
-            axes.plot(one["values"][~good], two["values"][~good], "x", color=QUIET, alpha=0.35, markersize=3,
-                      markeredgewidth=0.6, label="beyond a limit")  # fmt: skip
-        axes.plot(one["values"][good], two["values"][good], ".", color=INK, alpha=0.5, markersize=4, label="designs")
-        axes.plot(
-            one["values"][front], two["values"][front], "o-", color=RED, markersize=4, linewidth=1.0, label="front"
-        )
+            axes.plot(x[~good], y[~good], "x", color=QUIET, alpha=0.35, markersize=3, markeredgewidth=0.6,
+                      label="beyond a limit")  # fmt: skip
+        axes.plot(x[good], y[good], ".", color=INK, alpha=0.5, markersize=4, label="designs")
+        if len(front):
+            mark = "o" if any(column["labels"] for column in data["parameters"]) else "o-"
+            axes.plot(x[front], y[front], mark, color=RED, markersize=4, linewidth=1.0, label="front")
+        if best is not None:
+            axes.plot(x[best], y[best], "*", color=RED, markersize=10, label="best")
+        for limit in designs["limits"]:
+            for column, line in ((one, axes.axvline), (two, axes.axhline)):
+                if limit["column"] == column["name"]:
+                    line(limit["bound"], color=QUIET, linestyle="--", linewidth=0.9, label=limit["text"])
+        for axis, column, set_range in ((axes.xaxis, one, axes.set_xlim), (axes.yaxis, two, axes.set_ylim)):
+            bounds = [limit["bound"] for limit in designs["limits"] if limit["column"] == column["name"]]
+            set_range(*_span(column["values"], good, bounds))
+            ticks_of(axis, column)
         axes.set(xlabel=axis_name(one), ylabel=axis_name(two), title=self.title)
-        axes.margins(x=0.05)
         axes.legend()
         return figure
+
+
+def _span(values: Any, good: Any, bounds: list[float]) -> tuple[float, float]:
+    """A range that shows all good values and bounds, and of the others those within twice of it."""
+    known = np.concatenate([values[good & np.isfinite(values)], bounds])
+    known = known if len(known) else values[np.isfinite(values)]
+    low, high = float(known.min()), float(known.max())
+    wide = high - low or abs(high) or 1.0
+    near = values[(values > low - wide) & (values < high + wide)]
+    return min(low, float(near.min())) - 0.03 * wide, max(high, float(near.max())) + 0.03 * wide

@@ -4,25 +4,33 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from math import isfinite, nan
 from typing import TYPE_CHECKING, Any
 
-from tmodes.io.printed import CommandResult, Table
+from tmodes.io.printed import CommandResult, Table, changed_by
+from tmodes.study.answers import amount
+from tmodes.study.optimize.goals import ROUNDING
 from tmodes.study.plain import plain
 
 if TYPE_CHECKING:
     from xarray import Dataset
 
-__all__ = ["Candidate", "Held", "Optimum"]
+    from tmodes.study.optimize.trials import Trials
+
+__all__ = ["Candidate", "Held", "Optimum", "chosen_values", "design_name"]
 
 
 @dataclass(frozen=True)
 class Held:
-    """A limit at a design: the ``value`` of its term, the ``bound`` [``unit``], and the share that is left.
+    """A limit at a design: the ``value`` of its ``term``, the ``bound`` [``unit``], and the share that is left.
 
-    ``margin`` < 0: exceeded by so much. ``active``: the design is on the limit.
+    ``sign`` 1: the value must be below the bound, -1: above. ``margin`` < 0: exceeded by so much. ``active``: the
+    design is on the limit.
     """
 
     text: str
+    term: str
+    sign: int
     value: float
     bound: float
     unit: str
@@ -81,6 +89,8 @@ class Optimum(CommandResult):
     and ``failed``: how many; ``cases`` that were computed for them, ``gradients``: runs with their adjoint sweep.
     ``lost_to``: how many designs exceed each limit; ``history``: number of a trial and its objective, where it was the
     best so far; ``prices``: change of the objective by each active limit's bound, where a gradient method knows it.
+    ``start``: the design of the sheet itself, the middle of a range of which the sheet has no number; ``trials``: every
+    design that was tried.
     """
 
     name: str
@@ -100,6 +110,13 @@ class Optimum(CommandResult):
     lost_to: Mapping[str, int]
     history: tuple[tuple[int, float], ...]
     prices: Mapping[str, float]
+    start: Candidate | None = None
+    trials: Trials | None = None
+
+    @property
+    def sentence(self) -> str:
+        """The best design in words, with its objective against the start, and its limits."""
+        return _best_design(self)
 
     def info(self) -> dict[str, Any]:
         """All as plain data."""
@@ -109,6 +126,7 @@ class Optimum(CommandResult):
             "lost_to": dict(self.lost_to), "prices": dict(self.prices), "history": [list(row) for row in self.history],
             "best": self.best and self.best.info(), "nearest": self.nearest and self.nearest.info(),
             "ranked": [one.info() for one in self.ranked], "front": [one.info() for one in self.front],
+            "start": self.start and self.start.info(), "sentence": self.sentence,
         }  # fmt: skip
         return plain(one | more)
 
@@ -141,7 +159,8 @@ class Optimum(CommandResult):
         return points({"": (trials, best)}, "trial", self.objectives[0], title=self.name, ax=ax, line="-")
 
     def tables(self) -> Iterator[str | Table]:
-        """How many designs were tried, the best ones, and how far the best is from its limits."""
+        """The answer in a sentence, how many were tried, the best ones, and how far the best is from its limits."""
+        yield self.sentence
         how = "every design tried, so the optimum is exact" if self.exact else _METHODS[self.method]
         counts = f"{self.designs:,} designs, {self.feasible:,} feasible"
         failed = f", {self.failed:,} failed" if self.failed else ""
@@ -210,3 +229,45 @@ _METHODS = {
     "tpe": "tree-structured Parzen estimators: a better design may exist",
     "nsga2": "NSGA-II: better designs may exist",
 }
+
+
+def design_name(one: Candidate) -> str:
+    """What was chosen from lists, else the number of the design."""
+    return " + ".join(one.choices.values()) or f"Design {one.number}"
+
+
+def _best_design(found: Optimum) -> str:
+    """The best design with its objective against the start, and its limits; or why there is none."""
+    one = found.best or found.nearest
+    if one is None:
+        return "No design could be computed."
+    values = chosen_values(found, one).items()
+    chosen = ", ".join(value if value.startswith(name) else f"{name} {value}" for name, value in values)
+    counts = f"{found.feasible:,} of {found.designs:,} designs keep all limits" if one.limits else ""
+    if found.best is None:
+        return f"No design keeps all limits; nearest is {chosen}: {', '.join(map(_held, one.limits))}."
+    if found.front:
+        aims = [text.partition(" ")[2] for text in found.objectives]
+        ends = (", ".join([design_name(each), *(f"{name} {amount(value, found.units.get(name, '-'))}"
+                for name, value in zip(aims, each.objectives, strict=True))])
+                for each in (found.front[0], found.front[-1]))  # fmt: skip
+        lead = f"{len(found.front):,} designs are the best compromises of {' and '.join(aims)}"
+        return f"{lead}: from {' to '.join(ends)}{counts and '; '}{counts}."
+    name, value = found.objectives[0].partition(" ")[2], one.objectives[0]
+    start = found.start.objectives[0] if found.start else nan
+    unit = found.units.get(name, "-")
+    against = f" ({changed_by(value, start)} against the start's {amount(start, unit)})" if isfinite(start) else ""
+    limits = ", ".join(map(_held, one.limits))
+    parts = [f"Best design: {chosen}: {name} {amount(value, unit)}{against}", limits, counts]
+    return f"{'; '.join(filter(None, parts))}."
+
+
+def chosen_values(found: Optimum, one: Candidate) -> Mapping[str, str]:
+    """What a design chooses, in words, by parameter."""
+    units = found.units
+    return {name: one.choices.get(name) or amount(value, units.get(name, "-")) for name, value in one.values.items()}
+
+
+def _held(limit: Held) -> str:
+    bound = f"at {'most' if limit.sign > 0 else 'least'} {amount(limit.bound, limit.unit)}"
+    return f"{limit.term} {amount(limit.value, limit.unit)} ({bound}{'' if limit.margin >= -ROUNDING else ', broken'})"

@@ -20,7 +20,7 @@ from tmodes.study.optimize.local import by_gradient
 from tmodes.study.optimize.result import Optimum
 from tmodes.study.optimize.sampled import search
 from tmodes.study.optimize.space import DesignSpace, design_space, scenarios_of
-from tmodes.study.optimize.summary import found
+from tmodes.study.optimize.summary import found, own_design, with_start
 from tmodes.study.optimize.trials import Trials
 from tmodes.study.read import as_study
 from tmodes.study.sheet import Optimize
@@ -81,19 +81,22 @@ def optimize(
     chosen = _chosen(study, space, named, method, functionals or {})
     scenarios = scenarios_of(study, space, asked.worst_case, seed)
     units = dict(study.parameter_units) | dict.fromkeys(functionals or {}, "-")
-    units |= study.evaluate(0, scenarios[:1], progress).units
-    goals = goals_of(asked, units)
-    tried = Trials(study, space, goals, scenarios, out, progress, where)
+    own, start = own_design(study, space)
+    cases = scenarios.copy()
+    cases[:, space.columns] = start
+    rows = own.evaluate(0, cases, progress)
+    units |= rows.units
+    tried = Trials(study, space, goals_of(asked, units), scenarios, out, progress, where)
     count = trials or TRIALS.get(chosen, 0)
+    if chosen == "gradient":
+        return with_start(by_gradient(tried, functionals or {}, count, seed, units, progress), own, start, rows)
     if chosen == "grid":
         designs = space.all()
         for part in np.array_split(designs, -(-len(designs) * len(scenarios) // _TOGETHER)):
             tried.at(part)
-        return found(tried, "grid", units, exact=True)
-    if chosen == "gradient":
-        return by_gradient(tried, functionals or {}, count, seed, units, progress)
-    search(tried, chosen, count, seed, progress)
-    return found(tried, chosen, units)
+    else:
+        search(tried, chosen, count, seed, progress)
+    return with_start(found(tried, chosen, units, exact=chosen == "grid"), own, start, rows)
 
 
 def _asked(study: Study) -> Optimize:

@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.study.optimize.goals import Judged, goals_of
 from tmodes.study.optimize.result import Candidate, Held, Optimum
-from tmodes.study.optimize.space import design_space
+from tmodes.study.optimize.space import DesignSpace, design_space
 from tmodes.study.optimize.trials import Trials
 from tmodes.study.rows import Rows
+from tmodes.study.sheet import Choice
 from tmodes.study.study import Study
 
-__all__ = ["candidate", "found", "pareto_front", "stored_designs"]
+__all__ = ["candidate", "found", "own_design", "pareto_front", "stored_designs", "with_start"]
 
 
 def pareto_front(values: NDArray[np.float64]) -> NDArray[np.intp]:
@@ -56,7 +59,7 @@ def found(
         designs=len(trials), feasible=len(feasible), failed=int(_failed(judged).sum()), cases=trials.cases,
         gradients=gradients, prices=prices or {},
         lost_to={limit.text: int((judged.excess[:, k] > 0).sum()) for k, limit in enumerate(limits)},
-        history=_history(signed[:, 0], judged.feasible, trials.goals.signs[0]),
+        history=_history(signed[:, 0], judged.feasible, trials.goals.signs[0]), trials=trials,
     )  # fmt: skip
 
 
@@ -96,7 +99,15 @@ def candidate(trials: Trials, judged: Judged, number: int) -> Candidate:
     """One of the trials in all its numbers."""
     number = int(number)
     limits = tuple(
-        Held(limit.text, float(judged.limits[number, k]), limit.bound, limit.unit, float(-judged.excess[number, k]))
+        Held(
+            limit.text,
+            limit.term.text,
+            limit.sign,
+            float(judged.limits[number, k]),
+            limit.bound,
+            limit.unit,
+            float(-judged.excess[number, k]),
+        )
         for k, limit in enumerate(trials.goals.limits)
     )
     parameters = trials.study.sheet.parameters
@@ -119,8 +130,8 @@ def _ends(values: NDArray[np.float64]) -> tuple[float, float]:
     return (float(known.min()), float(known.max())) if len(known) else (float("nan"), float("nan"))
 
 
-def stored_designs(study: Study, rows: Rows) -> tuple[Optimum, list[Candidate]]:
-    """The optimum among the designs of ``rows``, all cases in the order in which they were tried, and every design.
+def stored_designs(study: Study, rows: Rows) -> Optimum:
+    """The optimum among the designs of ``rows``, all cases in the order in which they were tried.
 
     Raises :class:`tmodes.errors.InputError` where objectives name what the study does not have.
     """
@@ -130,5 +141,29 @@ def stored_designs(study: Study, rows: Rows) -> tuple[Optimum, list[Candidate]]:
     values, each = study.design().values, max(1, asked.worst_case)
     trials = Trials(study, space, goals_of(asked, units), values[:each], None, lambda *_: None, {})
     trials.take(values[::each][:, list(space.columns)], rows)
-    judged = trials.judged()
-    return found(trials, "", units), [candidate(trials, judged, k) for k in range(len(trials))]
+    return found(trials, "", units)
+
+
+_AS_IT_IS = "as in the sheet"
+
+
+def own_design(study: Study, space: DesignSpace) -> tuple[Study, NDArray[np.float64]]:
+    """The design (k,) of the sheet itself, and a study that has it: with an entry in each list that changes nothing."""
+    parameters, levels = dict(study.sheet.parameters), np.array(space.levels)
+    for name, count in zip(space.names, space.levels, strict=True):
+        if count:
+            entries = (*parameters[name].choices, Choice(name=_AS_IT_IS, set={}))
+            parameters[name] = parameters[name].model_copy(update={"choices": entries})
+    own = replace(study, sheet=study.sheet.model_copy(update={"parameters": parameters}))
+    return own, np.where(levels > 0, levels, study.space.nominal[list(space.columns)])
+
+
+def with_start(optimum: Optimum, own: Study, design: NDArray[np.float64], rows: Rows) -> Optimum:
+    """With that design as its start, judged by the ``rows`` of its cases; the first trial, where they lack a term."""
+    tried = optimum.trials
+    assert tried is not None  # noqa: S101
+    alone = Trials(own, tried.space, tried.goals, tried.scenarios, None, lambda *_: None, {})
+    alone.take(design[None], rows)
+    if not set(tried.goals.names) <= alone.values.keys():
+        alone = tried
+    return replace(optimum, start=candidate(alone, alone.judged(), 0))

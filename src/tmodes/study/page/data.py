@@ -117,14 +117,17 @@ class ColumnInfo:
     factor: float = 1.0
 
 
-def shown_rows(rows: Rows, most: int = MOST_ROWS) -> NDArray[np.int64]:
-    """Indices of the rows that a page holds: of too many the extremes of each quantity, lost ones, and an even part."""
+def shown_rows(rows: Rows, most: int = MOST_ROWS, always: Sequence[int] = ()) -> NDArray[np.int64]:
+    """Indices of the rows that a page holds: of too many the extremes of each quantity, lost ones, and an even part.
+
+    ``always``: indices that are among them.
+    """
     if len(rows) <= most:
         return np.arange(len(rows))
     ends = [f(values) for values in rows.quantities.values() if np.isfinite(values).any()
             for f in (np.nanargmin, np.nanargmax)]  # fmt: skip
     lost = np.flatnonzero(~rows.good)[:_MOST_LOST]
-    kept = np.unique(np.concatenate([np.array(ends, dtype=np.int64), lost]))
+    kept = np.unique(np.concatenate([np.array([*ends, *always], dtype=np.int64), lost]))
     even = np.linspace(0, len(rows) - 1, most - len(kept)).astype(np.int64)
     return np.unique(np.concatenate([kept, even]))
 
@@ -137,8 +140,8 @@ def page_data(
     labels: Labels | None = None,
     indices: Sequence[Mapping[str, Any]] = (),
     bands: Sequence[Mapping[str, Any]] = (),
-    objectives: tuple[str, str] | None = None,
-    front: Sequence[int] = (),
+    answers: Mapping[str, str] | None = None,
+    designs: Mapping[str, Any] | None = None,
     least_first: bool = False,
     drawn: bool = True,
     report: str = "",
@@ -146,12 +149,13 @@ def page_data(
 ) -> dict[str, Any]:
     """All that the page shows.
 
-    ``labels``: how cases came about, by their index; ``front``: cases that no other beats; ``drawn``: whether cases
+    ``labels``: how cases came about, by their index; ``answers``: sentences by quantity; ``drawn``: whether cases
     come as often as their distributions say; ``least_first``: whether the least values of the first quantity are the
-    best. ``indices``: Sobol' indices of quantities; ``report``: a packed report whose sliders are set to a case's
-    numbers.
+    best. ``designs``: of an optimization, whose cases are designs: what ``web/src/study/contract.ts`` calls Designs,
+    with indices of rows. ``indices``: Sobol' indices of quantities; ``report``: a packed report whose sliders are set
+    to a case's numbers.
     """
-    kept = shown_rows(rows)
+    kept = shown_rows(rows, always=[*designs["front"], designs["best"]] if designs else ())
     words = sorted({str(status) for status in rows.status})
     place = {int(row): k for k, row in enumerate(kept)}
     return {
@@ -170,8 +174,9 @@ def page_data(
         "tornados": swings(rows, labels or {}, {key: len(one.labels) > 0 for key, one in info.items()}),
         "indices": [*indices],
         "bands": [*bands],
-        "pareto": None if objectives is None else {
-            "x": objectives[0], "y": objectives[1], "front": [place[k] for k in front if k in place],
+        "answers": dict(answers or {}),
+        "designs": designs and {
+            **designs, "front": [place[k] for k in designs["front"] if k in place], "best": place.get(designs["best"]),
         },
         "leastFirst": least_first,
         "drawn": drawn,

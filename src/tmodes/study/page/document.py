@@ -15,7 +15,6 @@ import numpy as np
 
 from tmodes.errors import TmodesError
 from tmodes.io.atomic import atomic_write
-from tmodes.plot.panels import pretty
 from tmodes.report.markup import Markup, table, tag
 from tmodes.report.pack import embedded, pack
 from tmodes.report.page import page
@@ -57,11 +56,11 @@ def packed_report(html: str) -> str:
 
 def study_document(
     title: str, lead: str, rows: Rows, info: Mapping[str, ColumnInfo], data: Mapping[str, Any],
-    provenance: Sequence[Sequence[str]], sentence: str = "",
+    provenance: Sequence[Sequence[str]], sentence: str, chosen: Markup | None = None,
 ) -> str:  # fmt: skip
     """The whole page. ``data``: of :func:`tmodes.study.page.data.page_data`; ``provenance``: rows of words.
 
-    ``sentence``: the result in words, where it is not the median and the range of the first quantity.
+    ``sentence``: the result in words; ``chosen``: of an optimization, the best design as a table.
     """
     styles = Markup(files("tmodes.report").joinpath("study.css").read_text(encoding="utf-8"))
     heading = tag("header", tag("h1", title), tag("p", lead, class_="lead"), class_="top")
@@ -72,33 +71,24 @@ def study_document(
         tag("script", Markup(embedded(pack(data))), type="text/plain", id="tmodes-data")
         + tag("script", Markup(study_program()))
     )
-    numbers = tag("section", tag("h2", "Numbers"), _statistics(rows, info), _lost(rows), id="numbers")
+    lost = "Designs beyond a limit" if data["designs"] else "Cases that did not finish"
+    numbers = tag("section", tag("h2", "Numbers"), _statistics(rows, info), _lost(rows, info, lost), id="numbers")
     about = tag("section", tag("h2", "Provenance"), table("How it was made", ("What", "Value"), provenance),
                 id="provenance")  # fmt: skip
     sections = {"charts": "Charts", "numbers": "Numbers", "provenance": "Provenance"}
     return document(
-        title, _policy(), sections, Markup(tag("style", styles)), heading, *_status(rows, info, sentence), place,
-        script, numbers, about,
+        title, _policy(), sections, Markup(tag("style", styles)), heading,
+        _status(rows, sentence, "good" if chosen else "warning"), chosen or Markup(),
+        place, script, numbers, about,
     )  # fmt: skip
 
 
-def _status(rows: Rows, info: Mapping[str, ColumnInfo], sentence: str) -> list[Markup]:
-    """The study in a sentence: how many cases ended well, and the first quantity's median and 95 % range."""
+def _status(rows: Rows, sentence: str, lost: str) -> Markup:
+    """What was found, in a sentence; where cases were lost of the class ``lost``."""
     good = int(rows.good.sum())
-    if sentence:
-        return [tag("p", sentence, class_="status good" if good else "status bad")]
-    name, values = next(iter(rows.quantities.items()))
-    finite = values[rows.good & np.isfinite(values)]
-    words = f"{good:,} of {len(rows):,} cases finished."
-    if len(finite):
-        shown = info.get(name)
-        unit = "" if rows.units.get(name, "-") == "-" else f" {rows.units[name]}"
-        middle, most = np.percentile(finite, [50, 95])
-        title = (shown.title if shown else "") or name
-        middle, most = f"{middle:.4g}{unit}", f"{most:.4g}{unit}"
-        words += f" {title[:1].upper()}{title[1:]}: median {middle}, 95 % of all cases stay below {most}."
-    found = [tag("p", words, class_="status good" if good == len(rows) else "status warning")]
-    return found if good else [tag("p", words, class_="status bad", role="alert")]
+    if good:
+        return tag("p", sentence, class_="status" if good == len(rows) else f"status {lost}")
+    return tag("p", sentence, class_="status bad", role="alert")
 
 
 def _statistics(rows: Rows, info: Mapping[str, ColumnInfo]) -> Markup:
@@ -117,21 +107,22 @@ def _statistics(rows: Rows, info: Mapping[str, ColumnInfo]) -> Markup:
     return table("Quantities over all cases", head, lines, numeric=range(2, len(head)))
 
 
-def _lost(rows: Rows) -> Markup | None:
+def _lost(rows: Rows, info: Mapping[str, ColumnInfo], what: str) -> Markup | None:
     lost = np.flatnonzero(~rows.good)
     if not len(lost):
         return None
+    labels = {name: info[name].labels if name in info else () for name in rows.parameters}
     lines = [
         [
             str(rows.case[k]),
-            *(f"{values[k]:.6g}" for values in rows.parameters.values()),
+            *(labels[name][int(own[k])] if labels[name] else f"{own[k]:.6g}" for name, own in rows.parameters.items()),
             rows.status[k],
             rows.reason[k],
         ]
         for k in lost[:_MOST_LOST].tolist()
     ]
     more = f", the first {_MOST_LOST} of {len(lost)}" if len(lost) > _MOST_LOST else ""
-    return table(f"Cases that did not finish{more}", ("Case", *rows.parameters, "Ended", "Reason"), lines)
+    return table(f"{what}{more}", ("Case", *rows.parameters, "Ended", "Reason"), lines)
 
 
 Progress = Callable[[str, float], None]
@@ -144,20 +135,21 @@ def write_page(
     path: Path | str,
     *,
     progress: Progress = lambda stage, share: None,
+    sentence: str = "",
     **found: Any,
 ) -> Path:
     """Write a study as one self-contained HTML file.
 
-    ``found``: what an analysis adds, as :func:`tmodes.study.page.data.page_data` takes it: ``indices``, ``objectives``
-    and ``front``. Raises :class:`tmodes.errors.ResultFileError` when the file cannot be written.
+    ``sentence``, and ``found``: what an analysis says and adds, as :func:`tmodes.study.page.data.page_data` takes it:
+    ``answers``, ``indices``. Raises :class:`tmodes.errors.ResultFileError` when the file cannot be written.
     """
     study, rows = result.study, result.shown_rows
     settings = _settings(study)
     info = _columns(study, rows, settings)
     report, reason = _report(study, settings, progress)
     data = _shown(result, rows, info, progress, report=report, no_report=reason, **found)
-    sentence = "" if study.sheet.plan.draws else _ends(rows, info)
-    text = study_document(study.sheet.name, study.sheet.title, rows, info, data, _provenance(result, rows), sentence)
+    said, about = sentence or result.sentence, _provenance(result, rows)
+    text = study_document(study.sheet.name, study.sheet.title, rows, info, data, about, said)
     with atomic_write(path) as temporary:
         temporary.write_text(text, encoding="utf-8", newline="\n")
     return Path(path)
@@ -182,35 +174,8 @@ def _shown(
     study = result.study
     drawn = study.sheet.plan.draws
     bands = tip_bands(study, rows, progress) if drawn and motion else []
+    more = {"answers": result.answers} | more
     return page_data(study.sheet.name, rows, info, labels=result.design.labels, bands=bands, drawn=drawn, **more)
-
-
-def _ends(rows: Rows, info: Mapping[str, ColumnInfo]) -> str:
-    """Of cases that were chosen: the least and the largest value of the first quantity, and where they are."""
-    name, values = next(iter(rows.quantities.items()))
-    if not np.isfinite(values).any():
-        return ""
-    unit = _unit(rows.units[name])
-    title = info[name].title or name
-    ends = [_at(rows, info, int(find(values))) for find in (np.nanargmin, np.nanargmax)]
-    low, high = (f"{value:.4g}{unit}" for value in (np.nanmin(values), np.nanmax(values)))
-    done = f"{int(rows.good.sum()):,} of {len(rows):,} cases finished."
-    return f"{done} {title[:1].upper()}{title[1:]}: from {low} ({ends[0]}) to {high} ({ends[1]})."
-
-
-def _at(rows: Rows, info: Mapping[str, ColumnInfo], row: int) -> str:
-    """The parameters of a case in words, at most three."""
-    words = []
-    for name, values in list(rows.parameters.items())[:3]:
-        own = info[name]
-        shown = own.labels[int(values[row])] if own.labels else f"{values[row]:.6g}{_unit(own.unit)}"
-        words.append(f"{own.title or name} {shown}")
-    return ", ".join(words)
-
-
-def _unit(unit: str) -> str:
-    """A unit as it stands after a number."""
-    return f" {pretty(unit)}".rstrip() if unit != "-" else ""
 
 
 def _settings(study: Study) -> dict[str, Setting]:

@@ -10,11 +10,14 @@ import numpy as np
 
 from tmodes.errors import SimulationError
 from tmodes.io.atomic import atomic_write
-from tmodes.study.optimize.result import Candidate, Optimum
+from tmodes.io.printed import changed_by
+from tmodes.report.markup import Markup, table
+from tmodes.study.answers import amount
+from tmodes.study.optimize.result import Candidate, Optimum, chosen_values, design_name
 from tmodes.study.page.data import ColumnInfo, page_data
 from tmodes.study.page.document import shown_data, study_document
 from tmodes.study.result import StudyResult
-from tmodes.study.rows import Rows
+from tmodes.study.rows import GOOD, Rows
 from tmodes.study.sensitivity.result import Sensitivity
 from tmodes.study.study import Study
 
@@ -54,57 +57,75 @@ def effects_of(found: Sensitivity) -> list[dict[str, Any]]:
 
 
 def write_designs(found: Optimum, study: Study, path: Path | str) -> Path:
-    """Write the designs of an optimization as one self-contained HTML file: the feasible ones, and the front.
+    """Write all designs of an optimization as one self-contained HTML file.
 
     Raises :class:`tmodes.errors.ResultFileError` when the file cannot be written.
     """
-    designs = [*found.ranked, *(one for one in found.front if one not in found.ranked)]
-    designs = designs or ([found.nearest] if found.nearest else [])
-    rows, info, data = designs_data(found, study, designs)
+    rows, info, data = designs_data(found, study)
     lead = f"{found.designs:,} designs tried, {found.feasible:,} within all limits; by {found.method}"
     provenance = [["robot", "none" if study.robot is None else study.robot.name], ["method", found.method],
                   ["objectives", "; ".join(found.objectives)], ["cases", f"{found.cases:,}"]]  # fmt: skip
     with atomic_write(path) as temporary:
         temporary.write_text(
-            study_document(found.name, lead, rows, info, data, provenance, _sentence(found)),
+            study_document(found.name, lead, rows, info, data, provenance, found.sentence, _against_start(found)),
             encoding="utf-8",
             newline="\n",
         )
     return Path(path)
 
 
-def designs_data(
-    found: Optimum, study: Study, designs: list[Candidate]
-) -> tuple[Rows, dict[str, ColumnInfo], dict[str, Any]]:
-    """Designs as rows, the words of their columns, and what a page or a figure shows of them."""
-    rows, labels = _rows(found, designs), {name: study.choice_names(name) for name in study.names}
+def designs_data(found: Optimum, study: Study) -> tuple[Rows, dict[str, ColumnInfo], dict[str, Any]]:
+    """All designs as rows, the words of their columns, and what a page or a figure shows of them."""
+    rows, labels = _rows(found), {name: study.choice_names(name) for name in study.names}
     units, titles = study.parameter_units, {name: one.title for name, one in study.sheet.parameters.items()}
     info = {name: ColumnInfo(titles[name], units[name], labels[name]) for name in rows.parameters if name in titles} | {
         name: ColumnInfo("", rows.units[name]) for name in rows.quantities
     }
-    aims, best = [*map(_aim, found.objectives)], {one.number for one in found.front}
-    front = [k for k, one in enumerate(designs) if one.number in best]
-    pareto = {"objectives": (aims[0], aims[1]), "front": front} if len(aims) > 1 else {}
+    best = found.best or found.nearest
+    x, y = _axes(found, best, [*rows.parameters])
+    designs = {
+        "x": x, "y": y, "front": [one.number for one in found.front], "best": best.number if best else -1,
+        "start": _columns_of(found, found.start) if found.start else {},
+        "limits": [{"text": _shown(one.text), "column": one.term, "bound": one.bound, "sign": one.sign}
+                   for one in (best.limits if best else ())],
+    }  # fmt: skip
     least = found.objectives[0].startswith("minimize")
-    return rows, info, page_data(
-        found.name, rows, info, no_report=_NO_REPORT, least_first=least, drawn=False, **pareto
-    )  # fmt: skip
+    data = page_data(found.name, rows, info, no_report=_NO_REPORT, least_first=least, drawn=False, designs=designs)
+    return rows, info, data | {"words": ["within all limits" if word == GOOD[0] else word for word in data["words"]]}
 
 
-def _sentence(found: Optimum) -> str:
-    """The best design in words; where there is none the one that exceeds its limits least."""
-    one = found.best or found.nearest
+def _against_start(found: Optimum) -> Markup | None:
+    """The best design, or the nearest one, against the start."""
+    one, start = found.best or found.nearest, found.start
     if one is None:
-        return "No design could be computed."
-    chosen = ", ".join(f"{name} = {one.choices.get(name, f'{value:.5g}')}" for name, value in one.values.items())
-    if found.best is None:
-        return f"No design keeps all limits; the one that exceeds them least: {chosen}."
-    if found.front:
-        return f"{len(found.front)} designs of which none is better in all: {' and '.join(found.objectives)}."
-    unit = found.units.get(_aim(found.objectives[0]), "-")
-    reached = f"{one.objectives[0]:.5g}{'' if unit == '-' else f' {unit}'}"
-    limits = "; ".join(f"{limit.text}: {limit.value:.4g}" for limit in one.limits)
-    return f"Best design: {chosen}, {_aim(found.objectives[0])} {reached}{f' ({limits})' if limits else ''}."
+        return None
+    head, before = chosen_values(found, one), chosen_values(found, start) if start else {}
+    rows = [[name, before.get(name, "–"), text, ""] for name, text in head.items()]
+    own, other = _numbers(found, one), _numbers(found, start) if start else {}
+    for name, value in own.items():
+        first, unit = other.get(name, np.nan), found.units.get(name, "-")
+        known = np.isfinite(first) and np.isfinite(value)
+        limits = ", ".join(_shown(limit.text) for limit in one.limits if limit.term == name)
+        rows.append([f"{name}{f' ({limits})' if limits else ''}", amount(first, unit) if np.isfinite(first) else "–",
+                     amount(value, unit), changed_by(value, first) if known else ""])  # fmt: skip
+    what = f"design by {_aim(found.objectives[0])}" if found.front else "design"
+    title = f"{'Best' if found.best else 'Nearest'} {what} against the start"
+    return table(title, ("", "Start", design_name(one), "Change"), rows, numeric=(1, 2, 3))
+
+
+def _shown(limit: str) -> str:
+    return limit.replace("<=", "≤").replace(">=", "≥")
+
+
+def _numbers(found: Optimum, one: Candidate) -> dict[str, float]:
+    """Objectives, then the terms of limits, then other quantities."""
+    aims = dict(zip(map(_aim, found.objectives), one.objectives, strict=True))
+    terms = {limit.term: limit.value for limit in one.limits}
+    others = {name: high for name, (_, high) in one.quantities.items()}
+    return {name: value for name, value in (aims | terms | others | terms | aims).items() if name not in one.values}
+
+
+_BEYOND = "beyond a limit"
 
 
 def _aim(text: str) -> str:
@@ -112,22 +133,42 @@ def _aim(text: str) -> str:
     return text.partition(" ")[2]
 
 
-def _rows(found: Optimum, designs: list[Candidate]) -> Rows:
-    """A row for each design: what is chosen; objectives, the worst value of quantities, and terms of limits."""
-    count = len(designs)
-    parameters = {name: np.array([one.values[name] for one in designs]) for name in designs[0].values}
-    quantities = {
-        _aim(text): np.array([one.objectives[k] for one in designs]) for k, text in enumerate(found.objectives)
-    }
+def _axes(found: Optimum, best: Candidate | None, parameters: list[str]) -> tuple[str, str]:
+    """Both objectives; of one, that over the term of the limit that holds it most, or over what is chosen."""
+    aims = [*map(_aim, found.objectives)]
+    if len(aims) > 1:
+        return aims[0], aims[1]
+    limits = [one for one in (best.limits if best else ()) if one.term != aims[0]]
+    return (min(limits, key=lambda one: one.margin).term if limits else parameters[0]), aims[0]
+
+
+def _columns_of(found: Optimum, one: Candidate) -> dict[str, float]:
+    """What a design has in each column; a choice that is no entry of the list in none."""
+    own = {name: value for name, value in one.values.items() if name not in one.choices}
+    return {name: value for name, value in (own | _numbers(found, one)).items() if np.isfinite(value)}
+
+
+def _rows(found: Optimum) -> Rows:
+    """A row for each design: what is chosen; objectives and terms of limits at the worst, of quantities the largest."""
+    tried = found.trials
+    assert tried is not None  # noqa: S101
+    judged, limits, count = tried.judged(), tried.goals.limits, len(tried)
+    parameters = dict(zip(tried.space.names, tried.designs.T, strict=True))
+    terms = {one.term.text: judged.limits[:, k] for k, one in enumerate(limits)}
+    aims = {one.term.text: judged.objectives[:, k] for k, one in enumerate(tried.goals.aims)}
+    others = {name: tried.values[name].max(axis=1) for name in tried.study.sheet.quantities}
+    more = {name: values for name, values in (others | terms).items() if name not in parameters}
+    quantities = aims | more | aims
+    known = np.logical_and.reduce([np.isfinite(one) for one in (*aims.values(), *terms.values())])
+    status = np.where(judged.feasible, GOOD[0], np.where(known, _BEYOND, "failed")).tolist()
+    kept = [one.kept(judged.limits[:, k]) for k, one in enumerate(limits)]
+    texts = [[f"{one.text}: {amount(value, one.unit)}" for value in judged.limits[:, k].tolist()]
+             for k, one in enumerate(limits)]  # fmt: skip
+    broken = ["; ".join(text[row] for text, good in zip(texts, kept, strict=True) if not good[row])
+              for row in range(count)]  # fmt: skip
+    reason = [why or limit for why, limit in zip(tried.reasons, broken, strict=True)]
     units = {name: found.units.get(name, "-") for name in quantities}
-    for name in designs[0].quantities:
-        if name not in quantities:
-            quantities[name] = np.array([one.quantities[name][1] for one in designs])
-            units[name] = found.units.get(name, "-")
-    status = ["finished" if one.feasible else "stopped" for one in designs]
-    reason = [one.reason or ("" if one.feasible else "it exceeds a limit") for one in designs]
-    return Rows(np.array([one.number for one in designs]), parameters, quantities, units, status, reason, [""] * count,
-                np.zeros(count))  # fmt: skip
+    return Rows(np.arange(count), parameters, quantities, units, status, reason, [""] * count, np.zeros(count))
 
 
 def figure_data(
@@ -141,8 +182,7 @@ def figure_data(
     if study.sheet.optimize and plan.name_of_kind() == "list" and result.complete:
         from tmodes.study.optimize.summary import stored_designs
 
-        found, designs = stored_designs(study, result.rows)
-        return designs_data(found, study, designs)[2]
+        return designs_data(stored_designs(study, result.rows), study)[2]
     indices, effects = _of_sensitivity(result)
     return shown_data(result, progress, bands=bands, indices=indices) | {"effects": effects}
 

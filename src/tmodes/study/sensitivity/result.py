@@ -10,7 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.io.printed import CommandResult, Table
+from tmodes.study.answers import SURE, amount, between, joined_answers
 from tmodes.study.plain import plain
+from tmodes.study.statistics import Interval
 
 if TYPE_CHECKING:
     from xarray import Dataset
@@ -75,11 +77,22 @@ class Sensitivity(CommandResult):
         values = np.nan_to_num(self.indices[self.leading][self.quantities.index(quantity)])
         return tuple(self.names[i] for i in np.argsort(-values, kind="stable"))
 
+    @property
+    def answers(self) -> dict[str, str]:
+        """Which parameters decide each quantity, in words, by its name."""
+        return {name: _what_matters(self, name) for name in self.quantities}
+
+    @property
+    def sentence(self) -> str:
+        """The same of the first quantities."""
+        return joined_answers([*self.answers.values()])
+
     def info(self) -> dict[str, Any]:
         """All as plain data; None for what is not a number."""
         info = {
             "method": self.method, "names": list(self.names), "samples": self.samples, "cases": self.cases,
-            "confidence": 0.95, "quantities": {name: self._info(k, name) for k, name in enumerate(self.quantities)},
+            "confidence": 0.95, "sentence": self.sentence,
+            "quantities": {name: self._info(k, name) for k, name in enumerate(self.quantities)},
         }  # fmt: skip
         return plain(info)
 
@@ -87,7 +100,7 @@ class Sensitivity(CommandResult):
         one = {
             "unit": self.units.get(name, "-"), "mean": self.mean[k], "deviation": self.deviation[k],
             "failed": int(self.failed[k]), "shift": self.shift[k], "note": self.notes.get(name, ""),
-            "ranked": list(self.ranked(name)),
+            "ranked": list(self.ranked(name)), "sentence": self.answers[name],
         }  # fmt: skip
         bare = {index: values[k] for index, values in self.indices.items()}
         return one | bare | {f"{index}_interval": ends[k] for index, ends in self.intervals.items()}
@@ -122,7 +135,8 @@ class Sensitivity(CommandResult):
         return [f"{name} has no indices: {note}" for name, note in self.notes.items() if note]
 
     def tables(self) -> Iterator[str | Table]:
-        """A table for each quantity, the most important parameter first."""
+        """What decides the quantities, and a table for each, the most important parameter first."""
+        yield self.sentence
         for k, name in enumerate(self.quantities):
             if not self.notes.get(name):
                 yield from self._table(k, name)
@@ -177,3 +191,43 @@ def _cell(found: Sensitivity, index: str, place: tuple[int, ...]) -> str:
         return f"{value:.3g} ± {half:.2g}"
     places = int(np.clip(1 - np.floor(np.log10(half)), 2, 6)) if half > 0 else 6
     return f"{value:.{places}f} ± {half:.{places}f}"
+
+
+_LITTLE, _TOGETHER, _MOST_NAMED = 0.005, 0.1, 3
+"""Share that is left out, and that of interactions of which something is said; parameters after the first."""
+
+
+def _what_matters(found: Sensitivity, quantity: str) -> str:
+    """Which parameters decide a quantity, by their total indices or by the size of their effects; with confidence."""
+    k = found.quantities.index(quantity)
+    if note := found.notes.get(quantity):
+        return f"{quantity} has no indices: {note}."
+    shares, unit = found.method == "sobol", found.units.get(quantity, "-")
+    size, ends = np.maximum(found.indices[found.leading][k], 0.0), found.intervals[found.leading][k]
+    order = [found.names.index(name) for name in found.ranked(quantity)]
+    first, others = order[0], order[1:]
+    texts = [_percent(one) if shares else amount(one, unit) for one in size.tolist()]
+    sure = not others or ends[first][0] > ends[others[0]][1]
+    interval = Interval(float(size[first]), max(0.0, float(ends[first][0])), float(ends[first][1]))
+    wide = f"{100 * interval.low:.0f} to {100 * min(1.0, interval.high):.0f} %" if shares else between(interval, unit)
+    lead = _lead(found.names[first], quantity, decides=shares and found.first[k][first] > 0.5, sure=sure)
+    what = "of the variance" if shares else "over its range"
+    named = [j for j in others if size[j] > _LITTLE * (1.0 if shares else size[first])]
+    rest = [f"{found.names[j]} {texts[j]}" for j in named[:_MOST_NAMED]]
+    rest += [f"each other at most {texts[named[_MOST_NAMED]]}"] if len(named) > _MOST_NAMED else []
+    joint = 1.0 - float(found.first[k].sum()) if shares else 0.0
+    more = f"; {_percent(joint)} come from interactions, which these shares count more than once"
+    return (
+        f"{lead}: {texts[first]} {what} ({wide} at {SURE}){', ' if rest else ''}{', '.join(rest)}"
+        f"{more if joint > _TOGETHER else ''}."
+    )
+
+
+def _percent(share: float) -> str:
+    return f"{100 * share:.0f} %"
+
+
+def _lead(name: str, quantity: str, *, decides: bool, sure: bool) -> str:
+    if not sure:
+        return f"{name} seems to matter most for {quantity}, though its interval overlaps the next one's"
+    return f"{name} decides {quantity}" if decides else f"{name} matters most for {quantity}"
