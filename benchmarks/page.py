@@ -22,7 +22,7 @@ from typing import Any
 import numpy as np
 
 from tmodes.live.bundle import live_bundle
-from tmodes.report.charts import drafts_of
+from tmodes.report.charts import page_charts
 
 from .page_browser import changes, played
 from .page_equal import FINE, equality
@@ -139,11 +139,11 @@ def long(bench: Bench) -> Rows:
 
 def _extremes(result: Any, charts: list[dict[str, Any]]) -> Rows:
     """Of all charts over time: what is drawn, and how far its extremes are from those of all samples."""
-    drafts = {draft.id: draft for draft in drafts_of(result)}
+    whole = {chart.id: chart for chart in page_charts(result)}
     worst, curves = 0.0, 0
     timed = [chart for chart in charts if chart["abscissa"] == "time"]
     for chart in timed:
-        for line, info in zip(drafts[chart["id"]].lines, chart["extremes"], strict=True):
+        for line, info in zip(whole[chart["id"]].lines, chart["extremes"], strict=True):
             true = np.array([line.values.min(), line.values.max()])
             unit = 10.0 ** np.round(np.log10(np.abs(info).max() / np.abs(true).max())) if true.any() else 1.0
             worst = max(worst, float(np.abs(np.array(info) / unit - true).max() / (np.abs(true).max() or 1.0)))

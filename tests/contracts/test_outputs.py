@@ -306,7 +306,7 @@ def test_figures_show_the_same_numbers() -> None:
     unit = next(
         unit for unit in (readable(output.unit, value) for value in (1.0, 1e-3)) if unit.name in panels[0].get_ylabel()
     )
-    close(lines["joint"], unit.of(values), 1e-9, "joint")
+    close(lines["actual"], unit.of(values), 1e-9, "joint")
     drawn = result.plot(name="l0.moment.y@0.37")[0]
     moment, unit = known_of(0)["l0.moment.y@0.37"], readable("N*m", known_of(0)["l0.moment.y@0.37"])
     assert unit.name in drawn.get_ylabel()

@@ -10,8 +10,8 @@ import pytest
 
 from tmodes.live.bundle import live_bundle
 from tmodes.live.map import live_map
+from tmodes.plot.spectra import own_frequencies
 from tmodes.report.data import modes_of
-from tmodes.report.drafts import own_frequencies
 from tmodes.report.facts import frequency_facts
 from tmodes.result import Result, assemble_result
 from tmodes.sheet import Robot

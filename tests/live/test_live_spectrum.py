@@ -12,7 +12,7 @@ import pytest
 import xarray as xr
 
 from tmodes.plot.facts import spectral_part
-from tmodes.plot.figures.spectrum import amplitude_spectrum
+from tmodes.plot.spectra import amplitude_spectrum
 
 from .node import ESBUILD, WEB
 

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 import tmodes
-import tmodes.report.charts
+import tmodes.plot.contents
 import tmodes.report.data
 import tmodes.report.facts
 import tmodes.result.assemble
@@ -137,7 +137,7 @@ def test_groups_of_the_summary_fail_alone(monkeypatch: pytest.MonkeyPatch) -> No
 
 def test_parts_of_the_page_fail_alone(monkeypatch: pytest.MonkeyPatch) -> None:
     """Charts, numbers, modes: the others are there, and what is missing is said."""
-    monkeypatch.setitem(tmodes.report.charts._DRAFTS, "tip", breaks)
+    monkeypatch.setitem(tmodes.plot.contents._CHARTS, "tip", breaks)
     monkeypatch.setattr(tmodes.report.facts, "tracking_facts", breaks)
     monkeypatch.setattr(tmodes.report.data, "modes_of", breaks)
     page = page_data([assemble_result(*moved())])["runs"][0]

@@ -9,8 +9,8 @@ import pytest
 
 from see.scenes import arm_result
 from tmodes.frame import along
-from tmodes.plot.figures.spectrum import amplitude_spectrum
-from tmodes.report.charts import charts_of, drafts_of
+from tmodes.plot.spectra import amplitude_spectrum
+from tmodes.report.charts import charts_of, page_charts
 from tmodes.report.data import facts_of, page_data
 from tmodes.report.facts import run_facts
 from tmodes.report.pack import Coarse, pack
@@ -80,7 +80,7 @@ def test_what_stands_side_by_side_has_one_unit(good: Result) -> None:
 
 def test_deformations_have_their_parts_and_reference(charts: dict[str, dict[str, Any]]) -> None:
     of_link = [f"{plane}{k}" for plane in ("azimuth", "elevation") for k in (1, 2)]
-    for chart, name in (("joint.gear", "joint.gear"), *(("link", one) for one in of_link)):
+    for chart, name in (("joint.gear", "gear of joint"), *(("link", one) for one in of_link)):
         curves = charts[f"deformation_{chart}_rad_0"]["curves"]
         roles = {curve["role"]: curve["values"] for curve in curves if curve["label"] == name}
         assert list(roles) == ["real", "reference", "stationary", "oscillatory"]
@@ -110,7 +110,7 @@ def test_long_runs_are_thinned_and_tell_it(good: Result) -> None:
 
 
 def test_free_space_has_no_contact_chart(failed: Result) -> None:
-    assert {draft.group for draft in drafts_of(failed)} == {"error", "tip", "deformations", "motors", "energy"}
+    assert {chart.group for chart in page_charts(failed)} == {"error", "tip", "deformations", "motors", "energy"}
 
 
 def test_facts_have_stable_names_units_and_values(good: Result) -> None:

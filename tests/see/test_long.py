@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from tmodes.report.drafts import Draft, Line, in_readable_units
+from tmodes.plot.charts import Chart, Line, in_units
+from tmodes.report.charts import chart_data
 from tmodes.report.pack import (
     MOST_POINTS,
     Coarse,
@@ -59,8 +60,8 @@ def charts(times: Array, values: Array) -> list[dict[str, Any]]:
             for k in range(first, first + 6)
             for role, share in (("real", 1.0), ("reference", 0.98))
         ]
-        drafts.append(Draft(f"chart{first}", "Coordinates", "deformations", "rad", times, tuple(lines)))
-    return in_readable_units([drafts])[0]
+        drafts.append(Chart(f"chart{first}", "Coordinates", "deformations", "rad", times, tuple(lines)))
+    return [chart_data(chart) for chart in in_units([drafts])[0]]
 
 
 def test_every_peak_of_every_curve_is_kept(values: Array, charts: list[dict[str, Any]]) -> None:

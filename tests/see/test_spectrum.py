@@ -15,7 +15,8 @@ from matplotlib.text import Text
 from see.runs import result_of
 from tmodes.plot import spectrum
 from tmodes.plot.facts import spectral_part
-from tmodes.plot.figures.spectrum import amplitude_spectrum, keep_apart
+from tmodes.plot.figures.spectrum import keep_apart
+from tmodes.plot.spectra import amplitude_spectrum
 from tmodes.result import Result
 
 TIME = np.arange(1201) * 1e-3

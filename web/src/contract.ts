@@ -91,11 +91,17 @@ export interface Source {
   along: boolean;
 }
 
-export type Role = "real" | "reference" | "rigid" | "stationary" | "oscillatory" | "limit" | "other";
+/** What of a quantity a curve is: as it really is, nominal, commanded, of the motor, or a part of it. */
+export type Role = "real" | "reference" | "commanded" | "motor" | "stationary" | "oscillatory";
 
 export interface Curve {
   label: string;
   role: Role;
+  /** The role in words: "nominal", "static part". */
+  part: string;
+  /** A custom property without its dashes: `of-gear`, `blue`; and lengths of dashes and gaps [px]. */
+  colour: string;
+  dash: number[];
   /** Values at the chart's abscissa [count], in the chart's unit. */
   values: Numbers;
   /** From which series of the result it is, so that the live model can draw it again; null where it cannot. */
@@ -121,6 +127,10 @@ export interface Chart {
   curves: Curve[];
   /** All curves but the last one are drawn as areas on each other: they add up to it. */
   stacked?: boolean;
+  /** What must be known to read it; empty where that is nothing. */
+  note: string;
+  /** One of those to look at first, as is the first of each group. */
+  overview: boolean;
   /** Whether a logarithmic ordinate serves, and whether it is the first choice. */
   log: "no" | "offered" | "first";
 }

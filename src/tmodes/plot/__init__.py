@@ -19,12 +19,12 @@ __all__ = [
 FIGURES.bring(
     "tmodes.plot.figures",
     {
-        "tip_tracking": "tip", "tip_errors": "tip", "tip_path": "tip",
-        "elastic_line": "tip", "joint_tracking": "joints", "deformations": "elastic",
-        "gear_deflections": "elastic", "link_coordinates": "elastic", "link_tips": "elastic",
-        "link_deflection": "elastic", "spectrum": "spectrum", "link_loads": "forces",
-        "joint_efforts": "joints", "controller_states": "joints", "contact_force": "forces",
-        "energies": "energies",
+        "tip_tracking": "series", "tip_errors": "series", "tip_path": "tip",
+        "elastic_line": "tip", "joint_tracking": "series", "deformations": "series",
+        "gear_deflections": "series", "link_coordinates": "series", "link_tips": "elastic",
+        "link_deflection": "elastic", "spectrum": "spectrum", "link_loads": "elastic",
+        "joint_efforts": "series", "controller_states": "series", "contact_force": "series",
+        "energies": "series",
     },
 )  # fmt: skip
 """In the order of the report."""

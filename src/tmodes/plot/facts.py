@@ -9,23 +9,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.chain.chain import joint_of_element
-from tmodes.plot.ranges import seen
 from tmodes.plot.style import INSTANTS
 
 __all__ = [
-    "MOST_ROWS", "command_of", "coordinate_names", "deformation_unit", "drive_unit", "drives_by", "effort_unit",
-    "instant_looks", "instants", "largest", "largest_coordinates", "motor_of", "move_end", "names_of",
-    "part_title", "plain", "rows_height", "spectral_part",
+    "command_of", "deformation_unit", "drive_unit", "effort_unit", "instant_looks", "instants", "largest", "motor_of",
+    "move_end", "names_of", "spectral_part",
 ]  # fmt: skip
-
-MOST_ROWS = 8
-"""Rows of a figure; of more joints or coordinates those are shown that do most."""
-
-
-def rows_height(rows: int) -> float:
-    """Height of a figure of so many rows [in]: few rows are higher."""
-    return 0.8 + max(1.1, 1.7 - 0.2 * rows) * rows
-
 
 _SETTLED = 0.05
 """Share of the largest distance from the final position within which the robot counts as having arrived."""
@@ -33,24 +22,7 @@ _SETTLED = 0.05
 _KEEPS_RATE = 1e-6
 """Second difference of a setpoint, over its largest, that counts as a constant rate."""
 
-_LONGEST = 30
-"""Letters of a name in a figure."""
-
 Array = NDArray[Any]
-
-
-def plain(name: object) -> str:
-    """A name as text of a figure: no formula, not too long, and shown also where it begins with an underscore."""
-    text = str(name)
-    text = text if len(text) <= _LONGEST else f"{text[: _LONGEST - 3]}..."
-    text = text.replace("$", r"\$")
-    return f" {text}" if text.startswith("_") else text
-
-
-def part_title(name: str, part: str, among: list[str], most: int = 34) -> str:
-    """A title for a part of what has a name; without the name where that of any ``among`` would need more letters."""
-    fits = all(len(f"{plain(one)}, {part}") <= most for one in among)
-    return f"{plain(name)}, {part}" if fits else part
 
 
 def names_of(data: Any, dimension: str) -> list[str]:
@@ -58,15 +30,10 @@ def names_of(data: Any, dimension: str) -> list[str]:
     return [str(name) for name in data[dimension].values] if dimension in data.dims else []
 
 
-def largest(names: list[str], sizes: Array, most: int = MOST_ROWS) -> list[str]:
+def largest(names: list[str], sizes: Any, most: int = 8) -> list[str]:
     """At most so many names, those of the largest sizes, in the order in which they stand."""
     chosen = np.argsort(-np.asarray(sizes, dtype=float), kind="stable")[:most]
     return [names[k] for k in sorted(chosen)]
-
-
-def drives_by(data: Any, variable: str, most: int = MOST_ROWS) -> list[str]:
-    """The drives with the largest values of a variable of theirs."""
-    return largest(names_of(data, "drive"), np.abs(data[variable].transpose("drive", "time").values).max(axis=1), most)
 
 
 def command_of(data: Any, joint: str) -> str:
@@ -96,22 +63,6 @@ def deformation_unit(data: Any, name: str) -> str:
     own = name if name in data["coordinate"].values else joint_of_element(name)
     unit = str(data["coordinate_unit"].sel(coordinate=own).values) if own in data["coordinate"].values else "rad"
     return "-" if unit == "1" else unit
-
-
-def coordinate_names(data: Any, *, gears: bool) -> list[str]:
-    """Elastic coordinates of the gears, or those of the links."""
-    return [name for name in names_of(data, "deformation_kind") if (name not in data["coordinate"].values) == gears]
-
-
-def largest_coordinates(data: Any, names: list[str], most: int) -> list[str]:
-    """At most so many of the named elastic coordinates, those that become largest, in their order.
-
-    Those that stay zero next to the others are left out, except where all do.
-    """
-    values = data["deformation"].sel(deformation_kind=names).transpose("deformation_kind", "time").values
-    sizes = np.abs(values).max(axis=1)
-    moving = [name for name, size in zip(names, sizes, strict=True) if seen(size, sizes.max())]
-    return [name for name in largest(names, sizes, most) if name in moving or not moving]
 
 
 def move_end(data: Any) -> float | None:

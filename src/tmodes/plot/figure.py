@@ -13,8 +13,9 @@ from tmodes.errors import InputError
 from tmodes.io.arguments import checked_arguments
 from tmodes.io.atomic import atomic_write, check_writable
 from tmodes.kinds.registry import Registry
-from tmodes.plot.panels import Axes, AxesLike, curves, last_times, panels
-from tmodes.plot.style import REAL, house_style
+from tmodes.plot.charts import Chart, Line, in_units
+from tmodes.plot.panels import Axes, AxesLike, across, draw_chart, panels
+from tmodes.plot.style import house_style
 from tmodes.result.result import Result
 
 __all__ = [
@@ -105,11 +106,12 @@ def rendered(figure: Any, kind: str, dpi: int = DPI) -> bytes:
 def output_figure(result: Result, name: str, ax: AxesLike = None) -> list[Axes]:
     """The course of one output of a result by its name, in one panel; raises as :meth:`Result.output`."""
     series = result.output(name)
-    times = series["time"].values
+    line = Line("", "real", series.values)
+    ((chart,),) = in_units([[Chart(name, name, "output", series.attrs["units"], series["time"].values, (line,), name)]])
     with house_style():
         axes = panels(ax, [[name]], 2.4)
-        curves(axes[0], times, {"": (series.values, REAL)}, series.attrs["units"], name)
-        last_times(axes, times, 1)
+        draw_chart(axes[0], chart)
+        across(axes[0], chart)
     return axes
 
 

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+import math
+from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from tmodes.errors import InputError
-from tmodes.plot.ranges import state_offset
-from tmodes.plot.style import INK, QUIET, new_figure
+from tmodes.plot.charts import Chart, Line, looks, word_of
+from tmodes.plot.ranges import fill_from_zero, limit_peaks, state_offset
+from tmodes.plot.style import BAND, BLUE, INK, QUIET, colour, new_figure
 from tmodes.plot.units import NEVER_LARGE, Unit, pretty, readable
 
 if TYPE_CHECKING:
@@ -18,8 +20,8 @@ else:
     Axes = Any  # matplotlib is loaded where a figure is drawn
 
 __all__ = [
-    "NEVER_LARGE", "Axes", "AxesLike", "Unit", "curves", "last_times", "letter", "pairs", "panels", "pretty",
-    "readable", "shared_legend", "side_legend", "time_axis", "widest_legend", "zero_line",
+    "MOST_ROWS", "NEVER_LARGE", "Axes", "AxesLike", "Unit", "across", "draw_chart", "draw_charts", "letter",
+    "panels", "plain", "pretty", "readable", "rows_height", "shared_legend", "side_legend", "time_axis",
 ]  # fmt: skip
 
 
@@ -48,11 +50,6 @@ def panels(ax: AxesLike, layout: Sequence[Sequence[str]], height: float, **more:
     return given
 
 
-def pairs(rows: int) -> list[list[str]]:
-    """A layout of so many rows of two panels."""
-    return [[f"{k} left", f"{k} right"] for k in range(rows)]
-
-
 _QUANTITIES = {
     "rad": "angle", "rad/s": "rate", "m": "displacement", "m/s": "speed", "N": "force", "N m": "torque", "V": "voltage",
     "A": "current",
@@ -60,28 +57,123 @@ _QUANTITIES = {
 """What an axis shows where its figure gives no word, by unit."""
 
 
-def curves(
-    panel: Axes,
-    x: Any,
-    shown: Mapping[str, tuple[Any, dict[str, Any]]],
-    si: str,
-    what: str = "",
-    unit: Unit | None = None,
-) -> Unit:
-    """Draw labelled values [``si``] with their looks over ``x``, in one readable unit that the axis names.
-
-    ``what``: the quantity in a word; else that of the unit. ``unit``: that of panels to be compared; else its own.
-    """
-    unit = unit or readable(si, *(values for values, _ in shown.values()))
-    for label, (values, look) in shown.items():
-        panel.plot(x, unit.of(values), label=label or None, **look)
-    panel.set_ylabel(f"{what or _QUANTITIES.get(si, '')} [{unit.name}]".lstrip())
-    return unit
+def draw_charts(ax: AxesLike, rows: Sequence[Sequence[Chart]], height: float = 0.0) -> list[Axes]:
+    """Rows of charts with letters and legends, on given axes or in a new figure; ``height`` [in], 0: by the rows."""
+    charts, width = [chart for row in rows for chart in row], math.lcm(*map(len, rows))
+    layout = [[f"{k} {j}" for j in range(len(row)) for _ in range(width // len(row))] for k, row in enumerate(rows)]
+    linked = {chart.abscissa for chart in charts} in ({"time"}, {"along"})
+    axes = panels(ax, layout, height or rows_height(len(rows)), sharex=ax is None and linked)
+    for k, (panel, chart) in enumerate(zip(axes, charts, strict=True)):
+        draw_chart(panel, chart)
+        across(panel, chart, label=not linked or k >= len(charts) - len(rows[-1]))
+    _legends(axes, charts, [len(row) == 1 for row in rows for _ in row])
+    room = [_ROOM // len(row) for row in rows for _ in row]
+    letter(axes, [plain(chart.title, most) for chart, most in zip(charts, room, strict=True)])
+    return axes
 
 
-def zero_line(panel: Axes, width: float = 0.5) -> None:
-    """A thin line at zero."""
-    panel.axhline(0.0, color=QUIET, linewidth=width)
+_ROOM = 84
+"""Letters of the titles that stand in a row."""
+
+
+def plain(text: str, most: int = 60) -> str:
+    """A text of a figure: no formula, not too long, and shown also where it begins with an underscore."""
+    text = (text if len(text) <= most else f"{text[: most - 3]}...").replace("$", r"\$")
+    return f" {text}" if text.startswith("_") else text
+
+
+def draw_chart(panel: Axes, chart: Chart) -> None:
+    """The curves of a chart, in its unit and the colours that it has on the page."""
+    unit, values = chart.unit, chart.unit.of(chart.values)
+    shown = [
+        *zip(
+            chart.lines,
+            looks(chart.lines),
+            np.where(values, np.abs(values), np.nan) if chart.log == "first" else values,
+            strict=True,
+        )
+    ]
+    if chart.band:
+        low, high = map(unit.of, chart.band)
+        panel.fill_between(
+            chart.at, low, high, facecolor=BAND, edgecolor=BLUE, linewidth=0.6, label="range over the run"
+        )
+    if chart.stacked:
+        _stack(panel, chart, [(line, colour(look.colour), own) for line, look, own in shown[:-1]])
+        shown = shown[-1:]
+    for line, look, own in shown:
+        dashes = (0, tuple(0.75 * part for part in look.dash)) if look.dash else "-"
+        style = {"color": colour(look.colour), "linestyle": dashes, "linewidth": 1.2}
+        panel.plot(chart.at, own, label=plain(word_of(chart, line)) or None, **(line.look or style))
+    panel.set_ylabel(f"{chart.what or _QUANTITIES.get(chart.si, '')} [{unit.name}]".lstrip())
+    if not values.any():
+        panel.text(0.5, 0.6, "zero throughout", ha="center", transform=panel.transAxes)
+    elif chart.log == "first":
+        _decades(panel, np.abs(values[values != 0]), _DECADES.get(chart.group, 6))
+    elif values.min() <= 0 <= values.max():
+        panel.axhline(0.0, color=QUIET, linewidth=0.5)
+    if chart.zero:
+        fill_from_zero(panel)
+    if chart.group == "deformations" and chart.abscissa == "time":
+        limit_peaks(panel, chart.at, chart.values, unit)
+    if chart.note:
+        _note(panel, chart.note)
+
+
+_DECADES = {"spectrum": 4}
+"""Decades below the largest value that a logarithmic axis shows, by the group of its chart; else 6."""
+
+
+def _decades(panel: Axes, sizes: Any, most: int) -> None:
+    panel.set_yscale("log")
+    panel.set_ylim(max(sizes.max() * 10.0**-most, sizes.min() / 2), sizes.max() * 3)
+
+
+def _stack(panel: Axes, chart: Chart, parts: Sequence[tuple[Line, str, Any]]) -> None:
+    """Areas on each other, what is above zero upwards, what is below it downwards."""
+    ends = np.zeros((2, len(chart.at)))
+    for line, own, values in parts:
+        for k, part in enumerate((np.maximum(values, 0), np.minimum(values, 0))):
+            label = None if k else plain(word_of(chart, line))
+            panel.fill_between(chart.at, ends[k], ends[k] + part, color=own, linewidth=0, label=label)
+            ends[k] += part
+
+
+def _note(panel: Axes, words: str) -> None:
+    """Words where there are fewest curves."""
+    from matplotlib.legend import Legend
+
+    panel.add_artist(Legend(panel, [], [], loc="best", title=words, title_fontsize=7, frameon=False))
+
+
+def across(panel: Axes, chart: Chart, *, label: bool = True) -> None:
+    """The abscissa: time, the place along a link, or frequency."""
+    if chart.abscissa == "time":
+        time_axis(panel, chart.at, label)
+        return
+    panel.set_xlim(0, float(chart.at[-1]))
+    if label:
+        panel.set_xlabel({"along": "along the link $s$ [–]", "frequency": "frequency [Hz]"}[chart.abscissa])
+
+
+def _legends(axes: Sequence[Axes], charts: Sequence[Chart], alone: Sequence[bool]) -> None:
+    """One legend above for curves that several panels have; beside each panel where rows differ in theirs."""
+    words = {panel: tuple(panel.get_legend_handles_labels()[1]) for panel in axes}
+    words = {
+        panel: () if len(own) == 1 and own[0] in chart.title.lower() else own
+        for (panel, own), chart in zip(words.items(), charts, strict=True)
+    }
+    families: dict[tuple[str, ...], list[Axes]] = {}
+    for panel in sorted(filter(words.get, axes), key=lambda panel: -len(words[panel])):
+        home = next((known for known in families if {*words[panel]} <= {*known}), words[panel])
+        families.setdefault(home, []).append(panel)
+    rows = dict(zip(axes, alone, strict=True))
+    single = [own for own in families.values() if all(rows[panel] for panel in own)]
+    beside = single if len(single) > 1 or any(len(own) == 1 for own in single) else []
+    for panel in (panel for own in beside for panel in own if words[panel]):
+        side_legend(panel)
+    if above := [own[0] for own in families.values() if own not in beside]:
+        shared_legend(*above)
 
 
 def letter(axes: Iterable[Axes], titles: Iterable[str], pad: float | None = None) -> None:
@@ -116,25 +208,29 @@ def time_axis(panel: Axes, times: Any, label: bool = True) -> None:
         panel.set_xlabel(f"time $t$ [{unit.name}]")
 
 
-def last_times(axes: Sequence[Axes], times: Any, columns: int) -> None:
-    """Time along x of all panels, labelled below those of the last row of ``columns``."""
-    for k, panel in enumerate(axes):
-        time_axis(panel, times, label=k >= len(axes) - columns)
-
-
-def widest_legend(axes: Sequence[Axes]) -> None:
-    """The legend of the panel with most curves, for all."""
-    shared_legend(max(axes, key=lambda panel: len(panel.get_legend_handles_labels()[1])))
-
-
 def side_legend(panel: Axes) -> None:
     """A legend of the panel's curves to the right of it, outside the data."""
     panel.legend(loc="upper left", bbox_to_anchor=(1.01, 1.0))
 
 
-def shared_legend(*panels_: Axes, place: str = "upper left") -> None:
-    """One legend for the curves of all ``panels_``, at the edge of the figure, outside the data."""
-    entries = [entry for panel in panels_ for entry in zip(*panel.get_legend_handles_labels(), strict=True)]
-    handles, labels = zip(*entries, strict=True)
-    where: Any = f"outside {place}"
-    panels_[0].figure.legend(handles, labels, loc=where, ncols=len(labels))
+def shared_legend(*panels_: Axes) -> None:
+    """One legend for the curves of all ``panels_``, at the top of the figure, outside the data."""
+    entries = {
+        label: handle for panel in panels_ for handle, label in zip(*panel.get_legend_handles_labels(), strict=True)
+    }
+    rows = 1 + sum(len(label) + _KEY for label in entries) // _LETTERS
+    where: Any = "outside upper left"
+    panels_[0].figure.legend(entries.values(), entries, loc=where, ncols=-(-len(entries) // rows))
+
+
+_LETTERS, _KEY = 108, 8
+"""Letters that a line of a legend across the figure has room for, and those that a sample of a curve takes."""
+
+
+MOST_ROWS = 8
+"""Rows of a figure; of more joints or coordinates those are shown that do most."""
+
+
+def rows_height(rows: int) -> float:
+    """Height of a figure of so many rows [in]: few rows are higher."""
+    return 0.8 + max(1.1, 1.7 - 0.2 * rows) * rows

@@ -14,8 +14,8 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 __all__ = [
-    "CAUSES", "COMPONENTS", "GRID", "INK", "INSTANTS", "PAPER", "QUIET", "REAL", "REFERENCE", "colours", "house_style",
-    "new_figure", "stylesheet",
+    "CAUSES", "COMPONENTS", "CYCLE", "DASHES", "GRID", "INK", "INSTANTS", "PALETTE", "PAPER", "PARTS", "QUIET", "REAL",
+    "REFERENCE", "SERIES", "colour", "colours", "house_style", "new_figure", "stylesheet",
 ]  # fmt: skip
 
 WIDTH = 6.3
@@ -41,6 +41,33 @@ CAUSES = {
 
 Any two differ by 19 or more (CIE 1976) for those who see no red or no green, too.
 """
+
+
+PARTS = {
+    "real": ("actual", "blue"), "reference": ("nominal", "red"), "commanded": ("commanded", "quiet"),
+    "motor": ("motor", "sky"), "stationary": ("static part", "violet"), "oscillatory": ("dynamic part", "sky"),
+}  # fmt: skip
+"""What a curve may be of a quantity, by its role: in a word, and its colour where nothing else has one."""
+
+DASHES: dict[str, tuple[float, ...]] = {
+    "real": (), "reference": (6, 3), "commanded": (2, 3), "motor": (10, 3), "stationary": (9, 2, 2, 2),
+    "oscillatory": (2, 2),
+}  # fmt: skip
+"""Lengths of dashes and gaps of a role [pixels of a page]; nothing: a line without gaps."""
+
+SERIES: tuple[tuple[float, ...], ...] = (
+    (), (7, 2), (6, 2, 2, 2), (2, 2), (9, 2, 2, 2, 2, 2), (12, 4)
+)  # fmt: skip
+"""The same of curves that are compared, in their order."""
+
+
+CYCLE = ("blue", "red", "violet", "sky", "ochre", "green")
+"""Names in :data:`PALETTE` that curves without a cause take, in their order."""
+
+
+def colour(name: str) -> str:
+    """A colour on white, by its name as a custom property."""
+    return QUIET if name == "quiet" else (CAUSES | PALETTE)[name.removeprefix("of-").replace("-", " ")][0]
 
 
 def colours() -> dict[str, dict[str, str]]:

@@ -65,13 +65,7 @@ export function mountChart(set: ChartSet, clock: Clock, zoom: Zoom): ChartView {
     hidden: chart.log === "no",
   });
   const resetButton = button("reset zoom", () => zoom.set(null), { class: "tool", hidden: true });
-  const tools = make(
-    "div",
-    { class: "tools" },
-    resetButton,
-    logButton,
-    ...saveButtons(state),
-  );
+  const tools = make("div", { class: "tools" }, resetButton, logButton, ...saveButtons(state));
   const titled = `${chart.title}${unit ? ` [${unit}]` : ""}`;
   const units = make("span", { class: "unit", text: titled.slice(chart.title.length) });
   const heading = make("h4", { id: title, text: chart.title }, units);
@@ -85,10 +79,11 @@ export function mountChart(set: ChartSet, clock: Clock, zoom: Zoom): ChartView {
     hidden: true,
     text: "The marked frequencies are of the run as it was.",
   });
+  const ownNote = make("p", { class: "note", hidden: !chart.note, text: `Note: ${chart.note}.` });
   const axisNote = make("p", { class: "note", hidden: true });
   const legend: Legend = makeLegend(entries, set.compared, redraw);
   const element = make("figure", { class: "chart", "aria-labelledby": title, "data-chart": chart.id },
-    make("figcaption", {}, heading, readout, tools), place, legend.element, axisNote, thinning, marksNote);
+    make("figcaption", {}, heading, readout, tools), place, legend.element, ownNote, axisNote, thinning, marksNote);
 
   function setLog(on: boolean): void {
     log = on;

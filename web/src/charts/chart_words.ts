@@ -2,14 +2,13 @@
 
 import type { Chart } from "../contract";
 import { plain } from "../format";
-import { WORDS } from "./look";
 import { extremes, type ChartSet, type Entry } from "./series";
 
 /** What is shown, for those who do not see it. */
 export function summary(chart: Chart, unit: string, shown: Entry[]): string {
   const parts = shown.filter((entry) => !entry.ghost).map((entry) => {
     const [low, high] = extremes(entry.y);
-    return `${entry.label} ${WORDS[entry.role]}, from ${plain(low)} to ${plain(high)} ${unit}`.trim();
+    return `${entry.label} ${entry.part}, from ${plain(low)} to ${plain(high)} ${unit}`.trim();
   });
   return `${chart.title}: ${parts.join("; ") || "no curve is shown"}.`;
 }

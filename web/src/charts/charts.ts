@@ -105,9 +105,10 @@ export function mountCharts(element: HTMLElement, page: Page, clock: Clock): Cha
   };
 }
 
-/** The charts of a group; the overview has the first of each. */
+/** The charts of a group; the overview has the first of each, and others that say so. */
 function chosen(sets: ChartSet[], group: Group): ChartSet[] {
   if (group === "all") return sets;
   if (group !== "overview") return sets.filter(({ chart }) => chart.group === group);
-  return sets.filter(({ chart }, k) => sets.findIndex((other) => other.chart.group === chart.group) === k);
+  const isFirst = (chart: Chart, k: number) => sets.findIndex((other) => other.chart.group === chart.group) === k;
+  return sets.filter(({ chart }, k) => chart.overview || isFirst(chart, k));
 }

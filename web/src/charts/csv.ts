@@ -1,13 +1,12 @@
 // The data of a chart as comma-separated values, as spreadsheets read them.
 
-import { WORDS } from "./look";
 import { aligned, type Entry } from "./series";
 
 export function csvOf(entries: Entry[], abscissa: string, unit: string): string {
   const [axis, ...columns] = aligned(entries, false);
   const severalRuns = new Set(entries.map((entry) => entry.run)).size > 1;
   const heads = entries.map((entry) => {
-    const words = [severalRuns ? entry.runName : "", entry.label, WORDS[entry.role], entry.ghost ? "original" : ""];
+    const words = [severalRuns ? entry.runName : "", entry.label, entry.part, entry.ghost ? "original" : ""];
     return `${words.filter(Boolean).join(" ")} [${unit || "-"}]`;
   });
   const rows = Array.from(axis, (at, k) => [at, ...columns.map((column) => column[k] ?? "")].map(shortest).join(","));

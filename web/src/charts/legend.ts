@@ -2,7 +2,7 @@
 
 import { make, put, swatch } from "../dom";
 import { plain } from "../format";
-import { lookOf, WORDS, type Look } from "./look";
+import { lookOf, type Look } from "./look";
 import type { Entry } from "./series";
 
 export interface Legend {
@@ -31,12 +31,9 @@ export function makeLegend(entries: Entry[], compared: boolean, changed: () => v
   const byColour = compared ? 0 : kinds[1].length > 1 ? 1 : 2;
   const dashed = kinds[2].length;
   const look = (entry: Entry) => {
-    const roles = byColour === 0 && kinds[1].length > 1 && dashed === 1 ? kinds[1].length : dashed;
-    const place = byColour === 0 ? entry.run : kinds[byColour].indexOf(keys[byColour](entry));
-    const found = lookOf(entry.role, place, byColour < 2, roles);
-    return byColour === 0 && dashed === 1
-      ? { ...found, dash: lookOf("real", kinds[1].indexOf(entry.label), true, 1).dash }
-      : found;
+    if (byColour > 0) return { property: `--${entry.colour}`, dash: entry.dash };
+    const dash = dashed > 1 ? entry.dash : lookOf(kinds[1].length > 1 ? kinds[1].indexOf(entry.label) : entry.run).dash;
+    return { ...lookOf(entry.run), dash };
   };
   const element = make("div", { class: "legend" });
   const values = new Map<string, HTMLElement>();
@@ -50,7 +47,7 @@ export function makeLegend(entries: Entry[], compared: boolean, changed: () => v
     element.append(row);
   });
   function toggle(first: Entry, kind: string, k: number): HTMLElement {
-    const words = k === 0 ? first.runName : k === 2 && dashed > 1 ? WORDS[first.role] : first.label;
+    const words = k === 0 ? first.runName : k === 2 && dashed > 1 ? first.part : first.label;
     const drawn = k === byColour ? look(first) : { property: "--quiet", dash: k === 2 ? look(first).dash : [] };
     const sample = swatch(`var(${drawn.property})`, k === byColour && byColour < 2 && dashed > 1 ? [] : drawn.dash);
     const value = make("span", { class: "value" });

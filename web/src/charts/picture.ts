@@ -1,6 +1,6 @@
 // A chart as a picture that can be taken along: its title, its curves, and what they are.
 
-import { colour, WORDS, type Look } from "./look";
+import { colour, type Look } from "./look";
 import type { Entry } from "./series";
 
 const [LINE, EDGE] = [18, 12]; // px
@@ -42,7 +42,7 @@ export function chartPicture(
 export function keysOf(looks: [Entry, Look][]): { words: string; look: Look }[] {
   const known = new Set<string>();
   return looks.filter(([{ ghost }]) => !ghost).flatMap(([entry, look]) => {
-    const words = entry.role === "real" ? entry.label : `${entry.label}, ${WORDS[entry.role]}`;
+    const words = entry.role === "real" ? entry.label : `${entry.label}, ${entry.part}`;
     return known.size < known.add(words).size ? [{ words, look }] : [];
   });
 }

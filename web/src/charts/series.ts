@@ -1,17 +1,17 @@
 // What a chart draws: the curves of all runs under one name, and their values on one common axis.
 
 import { alongSum } from "../along";
-import type { Chart, Curve, Page, Role } from "../contract";
+import type { Chart, Curve, Page } from "../contract";
 import type { LiveRun } from "../contract_parts";
 import { spectrumOf } from "./spectrum";
 
 export type Values = ArrayLike<number>;
 
-export interface Entry {
+type Drawn = Pick<Curve, "label" | "role" | "part" | "colour" | "dash">;
+
+export interface Entry extends Drawn {
   run: number;
   runName: string;
-  label: string;
-  role: Role;
   x: Values;
   y: Values;
   shown: boolean;
@@ -43,7 +43,7 @@ export function chartSets(page: Page): ChartSet[] {
 export function entriesOf(set: ChartSet, live: LiveRun | null): Entry[] {
   const own = set.runs.flatMap(({ run, name, chart }) =>
     (live && run === 0 && chart.stacked ? chart.curves.slice(-1) : chart.curves).map((curve) => ({
-      run, runName: name, label: curve.label, role: curve.role, x: chart.at.data, y: curve.values.data,
+      ...drawnAs(curve), run, runName: name, x: chart.at.data, y: curve.values.data,
       shown: curve.shown && (set.runs.length < 2 || leading(curve, chart)),
       ghost: live !== null && run === 0,
     })),
@@ -54,6 +54,10 @@ export function entriesOf(set: ChartSet, live: LiveRun | null): Entry[] {
   return [...own, ...fresh];
 }
 
+function drawnAs({ label, role, part, colour, dash }: Curve): Drawn {
+  return { label, role, part, colour, dash };
+}
+
 /** Of several runs side by side only the first curve is shown at first, as it really was: the rest is a click away. */
 function leading(curve: Curve, chart: Chart): boolean {
   return curve.role === "real" && curve.label === chart.curves[0].label;
@@ -62,7 +66,7 @@ function leading(curve: Curve, chart: Chart): boolean {
 function liveEntry(curve: Curve, chart: Chart, runName: string, live: LiveRun): Entry[] {
   const values = liveValues(curve, live);
   if (values === null) return [];
-  const entry = { run: 0, runName, label: curve.label, role: curve.role, shown: curve.shown, ghost: false };
+  const entry = { ...drawnAs(curve), run: 0, runName, shown: curve.shown, ghost: false };
   if (chart.abscissa === "time") return [{ ...entry, x: live.times, y: values }];
   let found: { x: Values; y: Values } | null = null; // of a curve that is switched off no spectrum is needed
   const spectrum = () => (found ??= spectrumOf(live.times, values, chart, live.span));

@@ -1,4 +1,4 @@
-// The amplitude spectrum of a live run: as tmodes/plot/figures/spectrum.py makes it (line taken off, Hann window).
+// The amplitude spectrum of a live run: as tmodes/plot/spectra.py makes it (line taken off, Hann window).
 
 import type { Chart } from "../contract";
 

@@ -158,7 +158,7 @@ function nearest(times: ArrayLike<number>, time: number): number {
 
 function picture(grid: HTMLElement, panel: LinePanel, quantity: Quantity): Picture {
   let limits: [number, number] = [0, 1];
-  const looks = quantity.planes.map((_, k) => lookOf("real", k, true, 1));
+  const looks = quantity.planes.map((_, k) => lookOf(k));
   const place = make("div", { class: "plot-area", role: "img" });
   const unitName = make("span", { class: "unit" });
   const legend = make(

@@ -3,33 +3,23 @@
 from __future__ import annotations
 
 import textwrap
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.plot.facts import deformation_unit, largest, plain, spectral_part
+from tmodes.plot.charts import Chart, shown_name
+from tmodes.plot.contents import figure_charts
+from tmodes.plot.facts import spectral_part
 from tmodes.plot.figure import Figure, register
-from tmodes.plot.panels import Axes, AxesLike, Unit, letter, panels, readable, side_legend
-from tmodes.plot.style import COMPONENTS, QUIET
+from tmodes.plot.panels import Axes, AxesLike, draw_charts, letter, plain
+from tmodes.plot.spectra import LEAST_SAMPLES, still
+from tmodes.plot.style import QUIET
 
-__all__ = ["SpectrumFigure", "amplitude_spectrum", "keep_apart", "mark_frequencies"]
-
-
-LEAST_SAMPLES = 32
-DECADES = 4
-"""What lies further below the highest line is left out of the picture."""
-
-_MOST_COORDINATES = 3
-_ROUNDING = 1e-12
-"""Amplitudes below this [m, rad] are rounding."""
-
-_NOTHING = 1e-6
-"""A coordinate of the tip that oscillates less than this share of the others is not drawn."""
+__all__ = ["SpectrumFigure", "keep_apart", "mark_frequencies"]
 
 Array = NDArray[Any]
-Curves = dict[str, tuple[Array, Array]]
 
 
 @register
@@ -54,98 +44,24 @@ class SpectrumFigure(Figure):
         part = spectral_part(data, LEAST_SAMPLES)
         if len(part["time"]) < LEAST_SAMPLES:
             return f"a spectrum needs {LEAST_SAMPLES} samples, evenly spaced; this run has {len(data['time'])}"
-        if not _tip(part, "tip"):
-            return "nothing oscillates"
-        return ""
+        return "nothing oscillates" if still(part) else ""
 
     def draw(self, result: Any, ax: AxesLike = None) -> list[Axes]:
-        """The tip, and the elastic coordinates."""
-        data = result.data
-        part = spectral_part(data, LEAST_SAMPLES)
-        time = part["time"].values
-        step = float(time[1] - time[0])
-        groups = list(_groups(result, part))
-        found = [
-            {name: amplitude_spectrum(values, step) for name, values in signals.items()} for _, signals, *_ in groups
-        ]
-        scales = _scales(found, [unit for *_, unit, _ in groups], 0.5 / step)
-        axes = panels(ax, [[str(k)] for k in range(len(groups))], 1.0 + 2.1 * len(groups))
-        pads = []
-        for panel, curves, (*_, si, marks) in zip(axes, found, groups, strict=True):
-            unit, peak, highest = scales[si]
-            _draw(panel, curves, unit, peak, highest)
-            panel.set_xlabel("frequency [Hz]")
-            pads.append(mark_frequencies(panel, marks, highest))
-        span = f"{time[0]:.3g} to {time[-1]:.3g} s"
-        letter(axes, [f"{title}, {span}" for title, *_ in groups], pad=max(pads))
+        """The tip, and the elastic coordinates; what has one unit has one scale."""
+        charts = [*figure_charts(result, "spectra").values()]
+        axes = draw_charts(ax, [[chart] for chart in charts], 1.0 + 2.1 * len(charts))
+        for panel, chart in zip(axes, charts, strict=True):
+            same = [one for one, other in zip(axes, charts, strict=True) if other.si == chart.si]
+            panel.set_xlim(0, max(one.get_xlim()[1] for one in same))
+            panel.set_ylim(min(one.get_ylim()[0] for one in same), max(one.get_ylim()[1] for one in same))
+        pads = [mark_frequencies(panel, chart.marks) for panel, chart in zip(axes, charts, strict=True)]
+        letter(axes, map(_title, charts), pad=max(pads))
         return axes
 
 
-def _groups(result: Any, part: Any) -> Iterator[tuple[str, dict[str, Array], str, list[dict[str, Any]]]]:
-    """Title, signals, their unit and the modes to mark: actual tip, nominal tip, elastic coordinates."""
-    modes = result.end_frequencies
-    own = _marked(modes.get("actual", []))
-    yield "Actual tip", _tip(part, "tip"), "m", own
-    if "tip_nominal" in part and (nominal := _tip(part, "tip_nominal")):
-        yield "Nominal tip", nominal, "m", _marked(modes.get("nominal", []))
-    if inner := _coordinates(part):
-        yield "Elastic coordinates", inner, deformation_unit(result.data, next(iter(inner))), own
-
-
-def _tip(part: Any, path: str) -> dict[str, Array]:
-    """The coordinates of a tip that oscillate, less the commanded ones, which do not ring; none where nothing does."""
-    compared = "tip_commanded" in part
-    tip = part[path] - part["tip_commanded"] if compared else part[path]
-    found = {f"{'Δ' if compared else ''}{axis}": tip.sel(axis=axis).values for axis in "xyz"}
-    most = max(float(np.ptp(values)) for values in found.values())
-    return {name: values for name, values in found.items() if np.ptp(values) >= max(_NOTHING * most, _ROUNDING)}
-
-
-def _coordinates(part: Any) -> dict[str, Array]:
-    """The elastic coordinates of the actual robot that oscillate most."""
-    if "deformation_oscillatory" not in part:
-        return {}
-    names = [str(name) for name in part["deformation_kind"].values]
-    turning = [name for name in names if deformation_unit(part, name) == "rad"] or names
-    swings = part["deformation"].sel(deformation_kind=turning).transpose("time", "deformation_kind").values
-    chosen = largest(turning, np.std(swings, axis=0), _MOST_COORDINATES)
-    return {name: part["deformation"].sel(deformation_kind=name).values for name in chosen}
-
-
-def _marked(modes: list[dict[str, Any]]) -> list[dict[str, Any]]:
-    """The damped frequencies to mark, with names that may be wrapped at their dots."""
-    return [mode | {"element": plain(mode["element"]).replace(".", ".\n")} for mode in modes]
-
-
-def _highest(curves: Curves, nyquist: float) -> float:
-    """The end of the frequency axis [Hz]: what is above stays a thousand times below the highest peak."""
-    peak, end = max(float(amplitude.max()) for _, amplitude in curves.values()), 1.0
-    for frequency, amplitude in curves.values():
-        seen = frequency[amplitude > 1e-3 * peak]
-        end = max(end, float(seen[-1]) if len(seen) else 0.0)
-    return min(1.25 * end, nyquist)
-
-
-def _scales(found: list[Curves], units: list[str], nyquist: float) -> dict[str, tuple[Unit, float, float]]:
-    """For each SI unit one readable unit, the highest peak, and the end of the frequency axis [Hz]: panels compare."""
-    scales: dict[str, tuple[Unit, float, float]] = {}
-    for si in dict.fromkeys(units):
-        same = [curves for curves, own in zip(found, units, strict=True) if own == si]
-        peak = max(float(amplitude.max()) for curves in same for _, amplitude in curves.values())
-        scales[si] = readable(si, peak), peak, max(_highest(curves, nyquist) for curves in same)
-    return scales
-
-
-def _draw(panel: Axes, curves: Curves, unit: Unit, peak: float, highest: float) -> None:
-    for (name, (frequency, amplitude)), look in zip(curves.items(), COMPONENTS, strict=False):
-        shown = (frequency <= highest) & (amplitude > 0)
-        panel.plot(frequency[shown], unit.of(amplitude[shown]), label=plain(name), **look)
-    panel.set_xlim(0, highest)
-    if peak > 0:
-        panel.set_yscale("log")
-        panel.set_ylim(unit.factor * peak * 10**-DECADES, unit.factor * peak * 3)
-    panel.set_ylabel(f"amplitude [{unit.name}]")
-    side_legend(panel)
+def _title(chart: Chart) -> str:
+    start, end = chart.span or (0.0, 0.0)
+    return f"{chart.title}, {start:.3g} to {end:.3g} s"
 
 
 LABEL_WIDTH = 0.1
@@ -156,9 +72,6 @@ LABEL_LETTERS = 10
 
 LABEL_SIZE = 6.5
 """Size of a label's letters [points]."""
-
-NO_PEAK = 0.5**0.5
-"""Damping ratio from which on the response of an oscillator has no peak."""
 
 
 def keep_apart(wanted: Sequence[float], least: float, low: float = 0.0, high: float = 1.0) -> NDArray[Any]:
@@ -182,15 +95,15 @@ _LEADER = {"arrowstyle": "-", "color": QUIET, "linewidth": 0.5, "shrinkA": 0, "s
 """From below a label, so that a long leader passes under its neighbours and through none."""
 
 
-def mark_frequencies(panel: Axes, modes: Sequence[Mapping[str, Any]], highest: float) -> float:
-    """A thin line at each frequency up to ``highest`` [Hz], and above the axes its value and its element.
+def mark_frequencies(panel: Axes, marks: Sequence[tuple[float, str]]) -> float:
+    """A thin line at each frequency [Hz] of the panel, and above the axes its value and its element.
 
-    A mode that is damped too much to show a peak is not marked. Returns the height of the labels [points].
+    Returns the height of the labels [points].
     """
-    rings = ((mode["damped_frequency_Hz"], mode) for mode in modes if mode["damping_ratio"] < NO_PEAK)
-    shown = sorted(((f, m["element"]) for f, m in rings if f and f <= highest))[: int(1 / LABEL_WIDTH)]
-    frequencies = [float(frequency) for frequency, _ in shown]
-    labels = [f"{frequency:.3g} Hz\n{_wrapped(element)}" for frequency, element in shown]
+    highest = panel.get_xlim()[1]
+    shown = [mark for mark in marks if mark[0] <= highest][: int(1 / LABEL_WIDTH)]
+    frequencies = [frequency for frequency, _ in shown]
+    labels = [f"{frequency:.3g} Hz\n{_wrapped(plain(shown_name(element)))}" for frequency, element in shown]
     places = keep_apart([f / highest for f in frequencies], LABEL_WIDTH, LABEL_WIDTH / 2, 1 - LABEL_WIDTH / 2)
     for label, frequency, place in zip(labels, frequencies, places, strict=True):
         panel.axvline(frequency, color=QUIET, linewidth=0.6, linestyle=(0, (2, 2)), zorder=1)
@@ -217,16 +130,3 @@ def _wrapped(element: object) -> str:
         text = part if len(part) <= LABEL_LETTERS else part.replace("_", "_ ")
         lines += textwrap.wrap(text, width=LABEL_LETTERS)
     return "\n".join(line.rstrip(",").replace("_ ", "_") for line in lines)
-
-
-def amplitude_spectrum(values: Array, step: float, padding: int = 8) -> tuple[Array, Array]:
-    """Frequencies [Hz] and amplitudes [unit of ``values``] of evenly sampled ``values``, ``step`` [s] apart.
-
-    A least-squares line is subtracted, then a Hann window applied; a sine of amplitude A between two lines of the grid
-    shows a peak of A. ``padding`` makes the grid finer (it does not increase the resolution).
-    """
-    count = len(values)
-    line = np.polynomial.Polynomial.fit(np.arange(count), values, 1)(np.arange(count))
-    window = np.hanning(count + 1)[:-1]
-    amplitude = 2 * np.abs(np.fft.rfft((values - line) * window, padding * count)) / window.sum()
-    return np.fft.rfftfreq(padding * count, step), amplitude

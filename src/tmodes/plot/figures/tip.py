@@ -1,4 +1,4 @@
-"""The tip: its path, its tracking and the parts of its error; the elastic line of the links."""
+"""Pictures of the robot to scale: the path of its tip, the elastic line of its links."""
 
 from __future__ import annotations
 
@@ -7,27 +7,19 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.frame import along
 from tmodes.plot.facts import instant_looks, instants, names_of
 from tmodes.plot.figure import Figure, register
 from tmodes.plot.panels import (
     Axes,
     AxesLike,
-    Unit,
-    curves,
-    last_times,
     letter,
     panels,
     readable,
     shared_legend,
-    time_axis,
-    widest_legend,
-    zero_line,
 )
-from tmodes.plot.ranges import common_unit, largest_shown, seen
-from tmodes.plot.style import COMPONENTS, INK, QUIET, REAL, REFERENCE
+from tmodes.plot.style import INK, QUIET, REAL, REFERENCE
 
-__all__ = ["PLANES", "ElasticLine", "TipErrors", "TipPath", "TipTracking", "round_factor", "views"]
+__all__ = ["PLANES", "ElasticLine", "TipPath", "round_factor", "views"]
 
 PLANES = {("x", "y"): "from above", ("x", "z"): "from the side", ("y", "z"): "from the front"}
 """Pairs of axes, and the direction of view in which they are seen."""
@@ -80,7 +72,7 @@ class TipPath(Figure):
             _deviation(axes[-1], tip - planned, chosen[0])
         shared_legend(axes[0])
         titles = [f"Path of the tip, {PLANES[pair]}" for pair in chosen]
-        letter(axes, [*titles, *(["Deviation, actual − nominal"] if alone else [])])
+        letter(axes, [*titles, *(["Error from nominal path"] if alone else [])])
         return axes
 
 
@@ -112,122 +104,6 @@ def _poses(data: Any) -> list[Any]:
         return []
     lines = data["line"].transpose("time", "link", "s", "axis").values
     return [lines[k].reshape(-1, 3) for k in (0, -1)] if len(lines) > 1 else []
-
-
-_COMMANDED = {"color": QUIET, "linestyle": ":", "linewidth": 0.9}
-
-
-@register
-class TipTracking(Figure):
-    """Tip x, y, z [m]; commanded and nominal too, and the deviation from the nominal one [m]: distance, components.
-
-    A coordinate that is zero throughout is left out. ``ax``: an axes for each other one and, with a nominal run, one
-    for the deviation, or None.
-    """
-
-    name = "tip_tracking"
-    title = "Tip position"
-    caption = (
-        "Position of the tip: actual, nominal (the elasticity as known), and commanded (no elasticity, the setpoints); "
-        "with a nominal run, (d) shows by how much and in which direction the actual tip leaves it."
-    )
-
-    def draw(self, result: Any, ax: AxesLike = None) -> list[Axes]:
-        """One panel for each axis, and one of the deviation."""
-        data = result.data
-        planned = "tip_nominal" in data
-        shown = _moving(data)
-        if planned:
-            axes = panels(ax, [list(shown), ["deviation"] * len(shown)], 4.4, height_ratios=[1, 1.25])
-        else:
-            axes = panels(ax, [list(shown)], 2.3)
-        unit = common_unit("m", *shown.values())
-        for panel, axis in zip(axes, shown, strict=False):
-            _coordinate(panel, data, axis, unit)
-        if planned:
-            _deviation_over_time(axes[-1], data, list(shown))
-            shared_legend(axes[-1], place="lower left")
-        if planned or "tip_commanded" in data:
-            shared_legend(axes[0])
-        letter(axes, [*(f"Tip {axis}" for axis in shown), *(["Deviation, actual − nominal"] if planned else [])])
-        return axes
-
-
-_SERIES = {"actual": ("tip", REAL), "nominal": ("tip_nominal", REFERENCE), "commanded": ("tip_commanded", _COMMANDED)}
-
-
-def _moving(data: Any) -> dict[str, Any]:
-    """The values of each coordinate of the tip that is not zero throughout; of a tip at the origin, of all."""
-    known = [name for name, _ in _SERIES.values() if name in data]
-    values = {axis: np.stack([data[name].sel(axis=axis).values for name in known]) for axis in "xyz"}
-    size = largest_shown(values.values())
-    return {axis: value for axis, value in values.items() if seen(value, size)} or values
-
-
-def _coordinate(panel: Axes, data: Any, axis: str, unit: Unit) -> None:
-    known = {label: (name, look) for label, (name, look) in _SERIES.items() if name in data}
-    shown = {label: (data[name].sel(axis=axis).values, look) for label, (name, look) in known.items()}
-    curves(panel, data["time"].values, shown, "m", axis, unit)
-    time_axis(panel, data["time"].values)
-
-
-def _deviation_over_time(panel: Axes, data: Any, axes: list[str]) -> None:
-    difference = data["tip"] - data["tip_nominal"]  # no component is larger than the distance
-    parts = {
-        f"Δ{axis}": (difference.sel(axis=axis), look)
-        for axis, look in zip("xyz", COMPONENTS, strict=False)
-        if axis in axes
-    }
-    shown = {"distance": (data["deviation"].values, {"color": INK, "linewidth": 1.5})} | parts
-    curves(panel, data["time"].values, shown, "m", "deviation")
-    time_axis(panel, data["time"].values)
-
-
-_ERRORS = {"tip_error": "Actual − commanded", "tip_error_nominal": "Actual − nominal"}
-
-_SMALL = 1e-6
-"""Share of the largest error below which the error has no direction to speak of."""
-
-
-@register
-class TipErrors(Figure):
-    """Distance of the actual tip from the commanded and from the nominal one [m], and its parts along that error.
-
-    ``ax``: an axes for each path that there is, or None.
-    """
-
-    name = "tip_errors"
-    title = "Error of the tip, by cause"
-    caption = (
-        "Distance of the actual tip from the commanded path (the undeformed robot at its setpoints) and from the "
-        "nominal one (elastic as known), with the components of its parts along it, which add up to it."
-    )
-    needs: ClassVar = {"tip_error": "no drive has a setpoint, or an earlier version wrote the result"}
-
-    def draw(self, result: Any, ax: AxesLike = None) -> list[Axes]:
-        """One panel for each path."""
-        data = result.data
-        shown = [name for name in _ERRORS if name in data]
-        axes = panels(ax, [[name] for name in shown], 0.9 + 1.6 * len(shown))
-        for panel, name in zip(axes, shown, strict=True):
-            parts = data[name].transpose("time", "error_part", "axis").values
-            size = np.linalg.norm(parts.sum(axis=1), axis=1)
-            values = np.where((size > _SMALL * size.max())[:, None], along(parts), np.nan)
-            labels = [str(label) for label in data["error_part"].values]
-            looks = [*COMPONENTS[:3], {"color": QUIET, "linestyle": ":"}]
-            named = {
-                label: (values[:, k], looks[k])
-                for k, label in enumerate(labels)
-                if seen(np.nan_to_num(values[:, k]), size.max())
-            }
-            curves(
-                panel, data["time"].values, {"error": (size, {"color": INK, "linewidth": 1.5})} | named, "m", "error"
-            )
-            zero_line(panel)
-        last_times(axes, data["time"].values, 1)
-        widest_legend(axes)
-        letter(axes, [_ERRORS[name] for name in shown])
-        return axes
 
 
 VISIBLE = 0.1
