@@ -42,6 +42,16 @@ def test_the_path_of_a_slider_sets_it(name: str) -> None:
         assert changed != sheet_data(robot)
 
 
+def test_design_variables_are_none_of_the_surroundings_and_of_the_task() -> None:
+    robot = loaded("filipovic2010")
+    sliders = [slider.info() for slider in sliders_of(robot, knobs_of(robot, others=True), most=1000)]
+    given = {slider["group"] for slider in sliders if not slider["design"]}
+    assert {slider["group"] for slider in sliders if slider["design"]} == {"gear", "links", "motor", "controller"}
+    assert {"payload", "move", "environment", "gravity"} <= given
+    assert not any(slider["path"].startswith("real:") or "friction" in slider["path"]
+                   for slider in sliders if slider["design"])  # fmt: skip
+
+
 ALL = "joints.*.gear.stiffness"
 
 

@@ -59,7 +59,9 @@ def test_the_reference_ends_where_the_result_says(made: Any) -> None:
         hand = info["tip_nominal"].values - reference[:, -1, 0]
         assert np.allclose(np.linalg.norm(hand, axis=1), 0.25, atol=1e-6)
         assert np.abs(reference[:, 0, -1] - reference[:, 1, 0]).max() < 1e-6
-    assert np.abs(plain(scene["tipReference"]) - info["tip_nominal"].values).max() < 1e-12
+    for name, variable in (("tipReference", "tip_nominal"), ("tipCommanded", "tip_commanded")):
+        assert np.abs(plain(scene[name]) - info[variable].values).max() < 1e-12
+    assert scene["gravity"] == list(result.robot.gravity)
 
 
 @pytest.mark.parametrize("made", RESULTS)

@@ -153,6 +153,10 @@ export interface Scene {
   colours: { id: string; label: string; unit: string; values: Numbers }[];
   tip: Numbers; // [m, 3]
   tipReference: Numbers | null; // [m, 3]
+  /** The tip that the setpoints mean [m, 3]; null or none: nothing is commanded. */
+  tipCommanded?: Numbers | null;
+  /** In the world [m/s²]; none: not known. */
+  gravity?: number[];
   contact: SceneContact | null;
   joints: SceneJoint[];
   meshes: SceneMesh[];
@@ -246,6 +250,8 @@ export interface Slider {
   min: number;
   max: number;
   log: boolean;
+  /** Whoever designs the robot chooses it; else it is of the surroundings or of the task. */
+  design?: boolean;
 }
 
 /** The live model as it is shipped: known to src/live/ and tmodes/live/ alone, but for these. */

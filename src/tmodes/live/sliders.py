@@ -20,7 +20,10 @@ MOST = 16
 
 @dataclass(frozen=True)
 class Slider:
-    """A knob that a page shows, as it is known (``real`` False) or as the factor of the actual robot on it."""
+    """A knob that a page shows, as it is known (``real`` False) or as the factor of the actual robot on it.
+
+    ``design``: a design variable; else it is of the surroundings, of the task, or what is known of the actual robot.
+    """
 
     knob: int
     real: bool
@@ -33,6 +36,7 @@ class Slider:
     low: float
     high: float
     log: bool
+    design: bool = False
 
     def changes(self, knob: Knob, value: float) -> dict[str, float]:
         """What ``--set`` is to change, path and value, where the slider stands at ``value``."""
@@ -45,8 +49,12 @@ class Slider:
         return {
             "path": self.path, "label": self.label, "symbol": self.symbol, "unit": self.unit, "group": self.group,
             "value": self.value, "min": self.low, "max": self.high, "log": self.log,
+            "design": self.design,
         }  # fmt: skip
 
+
+_DESIGN = ("gear", "links", "motor", "controller")
+"""Groups of design variables, but for their friction; others are of the surroundings or of the task."""
 
 _VECTORS = ("position", "center", "axis", "gravity", "normal", "velocity", "force", "moment")
 
@@ -94,7 +102,7 @@ def sliders_of(sheet: Any, knobs: Sequence[Knob], most: int = MOST, *, ahead: Ah
             path, unit = group_path(knob.pattern, [own for own, _ in knob.targets], data), "-"
         shown = f"{label}: times the sheet's" if knob.together else label
         own = (path, shown, number.symbol, unit, group, knob.start, knob.low, knob.high, knob.log)
-        found.append(Slider(index, False, *own))
+        found.append(Slider(index, False, *own, design=rule.group in _DESIGN and ".friction." not in number.pattern))
         span = ahead.get(REAL + path)
         if (rule.real or span) and knob.factor and knob.reals:
             low, high = min(knob.factor, 0.2) / 2, 2 * max(knob.factor, 1.0)

@@ -71,6 +71,7 @@ def scene_of(result: Result, frames: Frames | None = None) -> dict[str, Any]:
         "reference": planned[0],
         "referenceRigid": planned[1],
         "roots": quaternions(turned[:, :, 0]),
+        "gravity": list(robot.gravity),
         "contact": _contact(data, robot),
         "joints": list(_joints(model, names)),
         "meshes": meshes_in(result.record, robot, model.chain, names),
@@ -79,9 +80,10 @@ def scene_of(result: Result, frames: Frames | None = None) -> dict[str, Any]:
 
 def _common(data: Any, names: list[str], line: Array, rigid: Array) -> dict[str, Any]:
     """What needs no robot."""
-    planned = data["tip_nominal"].transpose("time", "axis").values if "tip_nominal" in data else None
+    tips = ("tip", "tip_nominal", "tip_commanded")
+    own, planned, wanted = (data[name].transpose("time", "axis").values if name in data else None for name in tips)
     return {
-        "times": data["time"].values, "tip": data["tip"].transpose("time", "axis").values, "tipReference": planned,
+        "times": data["time"].values, "tip": own, "tipReference": planned, "tipCommanded": wanted,
         "colours": _colours(data, names, line, rigid),
     }  # fmt: skip
 
