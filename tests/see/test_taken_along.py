@@ -25,9 +25,9 @@ def saved(window: Any, press: Any) -> bytes:
 
 def test_pictures_of_robot_and_charts(window: Any) -> None:
     page = window.page
-    page.locator(".save-menu summary").click()
+    page.locator(".save-menu .menu-button").click()
     robot = saved(window, page.get_by_role("button", name="Save the picture (PNG)").click)
-    page.locator(".save-menu summary").click()
+    page.locator(".save-menu .menu-button").click()
     page.wait_for_selector("[data-chart=tip_deviation] canvas")
     chart = saved(window, page.locator("[data-chart=tip_deviation]").get_by_role("button", name="PNG").click)
     assert all(one.startswith(b"\x89PNG") and len(one) > 5_000 for one in (robot, chart))
@@ -35,12 +35,12 @@ def test_pictures_of_robot_and_charts(window: Any) -> None:
 
 def test_a_film_of_the_run(window: Any) -> None:
     page = window.page
-    page.locator(".save-menu summary").click()
+    page.locator(".save-menu .menu-button").click()
     page.get_by_role("button", name="Record the run (WebM)").click()
     until(lambda: shown(window) > 0.05)
     film = saved(window, page.get_by_role("button", name="Stop recording").click)
     assert film.startswith(b"\x1a\x45\xdf\xa3")
-    page.locator(".save-menu summary").click()
+    page.locator(".save-menu .menu-button").click()
 
 
 def test_an_address_leads_back(window: Any, browser: Any) -> None:
@@ -54,7 +54,7 @@ def test_an_address_leads_back(window: Any, browser: Any) -> None:
     wanted = f"{(own + (least if own - least > most - own else most)) / 2:.4g}"
     page.locator(number).fill(wanted)
     page.get_by_label("View", exact=True).select_option("top")
-    page.locator(".save-menu summary").click()
+    page.locator(".save-menu .menu-button").click()
     page.locator(".copy-link").click()
     address = page.url
     other = page.context.new_page()

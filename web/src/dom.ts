@@ -23,6 +23,30 @@ export function button(text: string, act: () => void, attributes: Attributes = {
   return element;
 }
 
+const EDGE = 8; // px between a menu and the edges of the window
+
+/** A button that opens a panel under it, inside the window, which a click elsewhere or Escape closes. */
+export function menu(text: string, ...items: Node[]): HTMLElement {
+  const id = ownId("menu");
+  const opener = make("button", { type: "button", class: "menu-button", text, popovertarget: id });
+  const panel = make("div", { id, class: "menu-panel", popover: "auto", role: "group", "aria-label": text }, ...items);
+  const place = () => {
+    const { left, top, bottom } = opener.getBoundingClientRect();
+    const { width, height } = panel.getBoundingClientRect();
+    const { clientWidth, clientHeight } = document.documentElement;
+    const below = bottom + height + 2 * EDGE < clientHeight;
+    panel.style.left = `${Math.max(EDGE, Math.min(left, clientWidth - width - EDGE))}px`;
+    panel.style.top = `${below ? bottom + EDGE / 2 : Math.max(EDGE, top - height - EDGE / 2)}px`;
+  };
+  panel.addEventListener("beforetoggle", (event) => {
+    const opens = event.newState === "open";
+    if (opens) requestAnimationFrame(place); // it has no size before it is open
+    for (const kind of ["scroll", "resize"])
+      window[opens ? "addEventListener" : "removeEventListener"](kind, place, { capture: true });
+  });
+  return make("span", { class: "menu" }, opener, panel);
+}
+
 /** Write a text where it is not there yet: what stays the same is not laid out again. */
 export function put(element: HTMLElement, text: string): void {
   if (element.textContent !== text) element.textContent = text;

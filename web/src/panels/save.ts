@@ -3,7 +3,7 @@
 import type { Clock } from "../clock";
 import type { Page } from "../contract";
 import type { SceneView } from "../contract_parts";
-import { button, make, put, save, savePicture } from "../dom";
+import { button, menu, put, save, savePicture } from "../dom";
 
 export function mountSave(element: HTMLElement, page: Page): void {
   for (const run of page.runs) {
@@ -25,15 +25,9 @@ export function saveMenu(name: string, scene: SceneView, clock: Clock, address: 
   const film = button("Record the run (WebM)", () => record(name, scene, clock, film), {
     hidden: typeof MediaRecorder === "undefined",
   });
-  const details = make("details", { class: "save-menu" }, make("summary", { text: "Save" }),
-    make("div", { class: "scene-more" },
-      button("Save the picture (PNG)", () => savePicture(scene.picture(), name)), film, link));
-  details.addEventListener("keydown", (event) => {
-    if (event.key !== "Escape") return;
-    details.open = false;
-    details.querySelector("summary")?.focus();
-  });
-  return details;
+  const found = menu("Save", button("Save the picture (PNG)", () => savePicture(scene.picture(), name)), film, link);
+  found.classList.add("save-menu");
+  return found;
 }
 
 const FRAMES = 30; // a second

@@ -1,4 +1,5 @@
 // The controls above the picture: what colours the links, how much elasticity is enlarged, where one looks from.
+import { menu } from "../dom";
 import { VIEWS, type View } from "./cameras";
 import { TOGGLES, type Settings } from "./settings";
 
@@ -95,7 +96,7 @@ function rounded(factor: number): number {
 }
 
 function more(settings: Settings, toggles: (keyof Settings)[], fine: boolean, wishes: Wishes): HTMLElement {
-  const panel = make("div", { className: "scene-more" });
+  const items: HTMLElement[] = [];
   for (const [key, label] of TOGGLES) {
     if (!toggles.includes(key)) continue;
     const box = make("input", { type: "checkbox", checked: settings[key] });
@@ -105,16 +106,10 @@ function more(settings: Settings, toggles: (keyof Settings)[], fine: boolean, wi
       wishes.changed();
       if (key === "apart") wishes.look("iso");
     });
-    panel.append(make("label", {}, box, label));
+    items.push(make("label", {}, box, label));
   }
-  if (fine) panel.append(make("label", {}, "Quality", qualities(settings, wishes)));
-  const details = make("details", {}, make("summary", {}, "Show"), panel);
-  details.addEventListener("keydown", (event) => {
-    if (event.key !== "Escape") return;
-    details.open = false;
-    details.querySelector("summary")?.focus();
-  });
-  return details;
+  if (fine) items.push(make("label", {}, "Quality", qualities(settings, wishes)));
+  return menu("Show", ...items);
 }
 
 function qualities(settings: Settings, wishes: Wishes): HTMLSelectElement {

@@ -10,21 +10,23 @@ const RULES = `
   --line: #46515c; --field: #1b2127; --sky: #1b222a; --earth: #12171d; --strong: #7cc4f2; } }
 .scene-bar { display: flex; flex-wrap: wrap; align-items: center; gap: 4px 12px; padding: 6px 8px; }
 .scene-bar label { display: inline-flex; align-items: center; gap: 6px; white-space: nowrap; }
-.scene-bar select, .scene-bar button, .scene-bar summary { font: inherit; color: inherit; background: var(--field);
+.scene-bar select, .scene-bar button { font: inherit; color: inherit; background: var(--field);
   border: 1px solid var(--line); border-radius: 5px; padding: 3px 8px; min-height: 28px; cursor: pointer; }
+.menu-panel { position: fixed; inset: auto; margin: 0; width: max-content; max-width: calc(100vw - 16px);
+  max-height: calc(100vh - 16px); overflow: auto; padding: 8px 10px; color: inherit; background: var(--field);
+  border: 1px solid var(--line); border-radius: 6px; box-shadow: 0 4px 14px rgba(0, 0, 0, 0.2); }
+.menu-panel:popover-open { display: grid; gap: 4px; }
+.menu-panel label { display: flex; align-items: center; gap: 6px; }
 .scene-bar select { max-width: 12.5em; text-overflow: ellipsis; }
-.scene-bar summary { list-style: none; display: inline-flex; align-items: center; }
-.scene-bar summary::after { content: " ▾"; white-space: pre; }
+.scene-bar .menu-button::after { content: " ▾"; white-space: pre; }
 .scene-bar input[type=range] { width: 104px; accent-color: var(--strong); }
 .scene-bar output { min-width: 2.6em; font-variant-numeric: tabular-nums; }
 .scene :focus-visible { outline: 2px solid var(--strong); outline-offset: 1px; }
-.scene details { position: relative; }
-.scene-more { position: absolute; z-index: 3; top: calc(100% + 4px); right: 0; display: grid; gap: 4px;
-  padding: 8px 10px; background: var(--field); border: 1px solid var(--line); border-radius: 6px;
-  box-shadow: 0 4px 14px rgba(0, 0, 0, 0.2); }
 .scene-view { position: relative; flex: 1 1 auto; min-height: 220px; overflow: hidden; border-radius: 6px;
   background: linear-gradient(var(--sky), var(--earth)); }
 .scene-view canvas { position: absolute; inset: 0; width: 100%; height: 100%; display: block; touch-action: none; }
+.scene-view .scene-overlay { pointer-events: none; }
+.scene-axes { flex: 1 0 100%; max-width: 88px; height: 96px; }
 .scene-note { box-sizing: border-box; position: absolute; pointer-events: none; background: var(--chip);
   border-radius: 5px; padding: 4px 8px; }
 .scene-note[hidden] { display: none; }
@@ -54,7 +56,7 @@ const RULES = `
   .scene-bar { padding: 4px 6px; gap: 4px 6px; }
   .scene-bar select { flex: 1 1 5em; min-width: 0; }
   .scene-bar label:has(> select) { flex: 1 1 5em; min-width: 0; }
-  .scene-bar > details { order: 1; }
+  .scene-bar > .menu { order: 1; }
   .scene-bar > .scene-factor-row { order: 2; flex: 1 1 60%; }
   .scene-bar > button { order: 3; }
   .scene-bar input[type=range] { flex: 1 1 64px; min-width: 64px; }
@@ -67,9 +69,9 @@ const RULES = `
   .scene-scale li:nth-child(even) { display: none; }
 }
 @media (pointer: coarse), (max-width: 40rem) {
-  .scene-bar select, .scene-bar button, .scene-bar summary { min-height: 40px; min-width: 40px; }
-  .scene-more label { min-height: 40px; }
-  .scene-more input { width: 20px; height: 20px; }
+  .scene-bar select, .scene-bar button { min-height: 40px; min-width: 40px; }
+  .menu-panel label { min-height: 40px; }
+  .menu-panel input { width: 20px; height: 20px; }
 }
 @media print { .scene-bar { display: none; } }
 `;
