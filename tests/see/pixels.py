@@ -12,7 +12,7 @@ from patience import steady
 
 __all__ = ["drawn_under", "notes_of", "robot_pixels"]
 
-NOTES = ".scene-legend, .scene-scale, .scene-grid, .scene-flat, .scene-factor"
+NOTES = ".scene-legend, .scene-scale, .scene-grid, .scene-flat, .scene-factor, .scene-axes"
 HIDDEN = ("floor", "surface", "traces")
 
 
@@ -44,7 +44,7 @@ def robot_pixels(frame: Any) -> np.ndarray:
     frame.evaluate(
         f"""for (const name of {list(HIDDEN)}) {{ const box = document.querySelector(`[data-scene=${{name}}]`);
         if (box && box.checked) box.click() }}
-        document.querySelectorAll('.scene-note').forEach((one) => {{ one.style.visibility = 'hidden' }})"""
+        document.querySelectorAll('.scene-note, .scene-overlay').forEach((one) => {{ one.style.visibility = 'hidden' }})"""
     )
     picture = matplotlib.image.imread(io.BytesIO(steady(frame.locator(".scene-view").screenshot)))
     return np.asarray(picture)[..., :3]

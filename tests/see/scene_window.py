@@ -58,8 +58,10 @@ class Window:
         """The canvas as pixels, without what is written over it."""
         from PIL import Image
 
-        notes = "document.querySelectorAll('.scene-note').forEach((note) => (note.style.visibility = '{}'))"
+        written = ".scene-note, .scene-overlay"
+        notes = f"document.querySelectorAll('{written}').forEach((note) => (note.style.visibility = '{{}}'))"
         self.do(notes.format("hidden"))  # where they are, the robot is not: they keep their places
+        self.page.wait_for_selector(".scene-view[data-still=true]")
         shot = self.page.locator(".scene-view").screenshot()
         self.page.evaluate(notes.format(""))
         return np.asarray(Image.open(io.BytesIO(shot)).convert("RGB")).astype(np.int16)

@@ -83,7 +83,7 @@ def test_the_surface_bends_with_the_line(browser: Any, bent: Result, tmp_path: P
 def bow(window: Any) -> float:
     """How far the middle of what is seen of the bar is from its ends' chord, over its height in pixels."""
     window.page.evaluate("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => done())))")
-    shot = window.page.locator(".scene canvas").screenshot()
+    shot = window.page.locator(".scene canvas[tabindex]").screenshot()
     picture = np.asarray(Image.open(io.BytesIO(shot)).convert("RGB")).astype(int)
     seen = np.ptp(picture, axis=-1) > 40
     seen[: len(seen) // 3] = False  # the legend, and the path of the tip

@@ -54,7 +54,7 @@ def middle(picture: Picture, colour: tuple[int, int, int]) -> tuple[np.ndarray, 
 
 def test_mouse_wheel_keys_and_presets_turn_it(robot: Window) -> None:
     first = robot.picture()
-    box = robot.page.locator("canvas").bounding_box()
+    box = robot.page.locator("canvas[tabindex]").bounding_box()
     robot.page.mouse.move(box["x"] + 200, box["y"] + 100)
     robot.page.mouse.down()
     robot.page.mouse.move(box["x"] + 260, box["y"] + 100, steps=3)
@@ -65,7 +65,7 @@ def test_mouse_wheel_keys_and_presets_turn_it(robot: Window) -> None:
     until(lambda: differing(turned, robot.picture()) > 300)
     robot.page.get_by_role("button", name="Reset view").click()
     assert differing(first, robot.picture()) == 0
-    robot.page.locator("canvas").focus()
+    robot.page.locator("canvas[tabindex]").focus()
     robot.page.keyboard.press("ArrowLeft")
     assert differing(first, robot.picture()) > 300
     robot.page.get_by_label("View", exact=True).select_option("top")
@@ -103,7 +103,7 @@ def test_it_reports_what_it_leaves_out(robot: Window) -> None:
 
 
 def test_it_has_no_choice_of_quality(robot: Window) -> None:
-    assert robot.page.locator(".scene-more").get_by_text("Quality").count() == 0
+    assert robot.page.locator(".menu-panel").get_by_text("Quality").count() == 0
 
 
 def test_dark_and_with_several_robots(bare: Any, pages: Callable[[str], Path]) -> None:
@@ -157,16 +157,16 @@ def test_lines_can_be_chosen_where_there_is_webgl(browser: Any, pages: Callable[
     window = look(browser, pages("robot"))
     window.enlarge(70)
     first = window.picture()
-    window.do("document.querySelector('details').open = true")
+    window.page.get_by_role("button", name="Show").click()
     window.page.get_by_label("Quality").select_option("lines")
-    window.do("document.querySelector('details').open = false")
+    window.page.keyboard.press("Escape")
     assert window.page.locator(".scene-flat").text_content() == "Drawn in lines"
     lines = window.picture()
     assert differing(first, lines) > 300
     assert window.page.locator(".scene-factor").text_content().startswith("Deformation × ")
-    window.do("document.querySelector('details').open = true")
+    window.page.get_by_role("button", name="Show").click()
     window.page.get_by_label("Quality").select_option("auto")
-    window.do("document.querySelector('details').open = false")
+    window.page.keyboard.press("Escape")
     assert differing(first, window.picture()) < 0.1 * differing(first, lines)
     window.close()
 

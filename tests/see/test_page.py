@@ -51,7 +51,7 @@ def seek(window: Any, share: float) -> None:
 def test_charts_are_drawn_in_colours(window: Any) -> None:
     window.page.wait_for_selector("[data-chart=tip_deviation] canvas")
     assert ink(window, "tip_deviation")[0] > 20
-    assert window.page.locator(".scene canvas").bounding_box()["width"] > 500
+    assert window.page.locator(".scene canvas[tabindex]").bounding_box()["width"] > 500
 
 
 def test_the_first_charts_are_seen_without_scrolling(browser: Any, reports: dict[str, Path]) -> None:

@@ -91,7 +91,7 @@ def test_a_robot_that_nothing_moves_is_drawn_at_rest_and_a_move_is_offered(tab: 
     offer.wait_for()
     assert tab.line() == "At rest: nothing moves this robot yet."
     assert not tab.page.locator(".errors").is_visible()
-    assert tab.page.locator(".view .scene canvas").is_visible()
+    assert tab.page.locator(".view .scene canvas[tabindex]").is_visible()
     assert not tab.page.locator(".view .facts-panel").is_visible()
     tab.page.locator(".view .modes-table, .view [aria-label^='Modes']").first.wait_for()
     tab.fresh(offer.click)

@@ -1,6 +1,6 @@
 // What the parts of a page promise each other: the live model and its runs, and the scene.
 
-import type { Chart, LinePanel, Mode, Scene, SceneContact, Slider } from "./contract";
+import type { Chart, LinePanel, Mode, Scene, SceneContact, Slider, Verdict } from "./contract";
 
 /** A picture that is known. */
 export type LiveScene = NonNullable<LiveRun["scene"]>;
@@ -18,7 +18,8 @@ export interface LiveRun {
    * New arrays for the scene's fields, at its own display times; links, joints and meshes stay. Not there as long as
    * only the curves are known.
    */
-  scene?: Pick<Scene, "times" | "line" | "rigid" | "roots" | "reference" | "referenceRigid" | "tip" | "tipReference">
+  scene?: Pick<Scene, "times" | "line" | "rigid" | "roots" | "reference" | "referenceRigid" | "tip" | "tipReference"
+  | "tipCommanded">
   & {
     colours: Scene["colours"];
     /** `surface`: where it is, if that changed. */
@@ -30,6 +31,10 @@ export interface LiveRun {
   span?: [number, number];
   /** Headline numbers by the ids of the facts; those that cannot be computed are absent. */
   facts: Record<string, { value: number | null; note: string; time?: number; more?: string }>;
+  /** Of this very run; not there as long as it is not known. */
+  verdict?: Verdict;
+  /** Names of fields of the verdict, and ids of facts, that are still being computed. */
+  pending?: string[];
   /** Its modes; a sentence where they cannot be reported, none where they are not known yet. */
   vibration?: Vibration | string;
 }
@@ -51,6 +56,18 @@ export interface Live {
   close(): void;
 }
 
+/** A cause of the tip's error, shown alone: the line from commanded to actual tip, cut into all causes. */
+export interface Cause {
+  /** Index of the run. */
+  run: number;
+  /** The link or joint that is marked. */
+  element: string | null;
+  /** Written at the line. */
+  label: string;
+  /** Components along the error [m], in order. */
+  parts: { value: number; colour: string; lit: boolean }[];
+}
+
 /** `mountScene(element, page, clock)` of src/scene/scene.ts gives it. */
 export interface SceneView {
   /** When the first run's robot is bent most [s]. */
@@ -65,6 +82,8 @@ export interface SceneView {
    * Show a mode instead of the motion; null: the motion. `amplitude`: largest displacement, share of the robot's size.
    */
   showMode(mode: Mode | null, amplitude: number): void;
+  /** Show one cause of the error alone, deformations enlarged until it is seen; null: all as it was before. */
+  explain(cause: Cause | null): void;
   resize(): void;
   dispose(): void;
 }

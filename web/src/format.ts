@@ -47,12 +47,13 @@ export function readable(unit: string, size: number): { factor: number; name: st
 }
 
 /** `4.041 mm`. */
-export function info(value: number | null, unit: string): string {
+export function info(value: number | null, unit: string, count = 4): string {
   if (value === null || !Number.isFinite(value)) return "–";
   const size = Math.abs(value);
   const { factor, name } = readable(unit, size);
   const tiny = size > 0 && (factor === 1 || unit in FIXED ? size * factor < 1e-3 : size < 1e-11);
-  return `${tiny ? powerOfTen(unit in FIXED ? value * factor : value) : digits(value * factor)}\u00a0${name}`.trimEnd();
+  const written = tiny ? powerOfTen(unit in FIXED ? value * factor : value) : digits(value * factor, count);
+  return `${written}\u00a0${name}`.trimEnd();
 }
 
 /** A number on an axis or in a legend, without a unit. */

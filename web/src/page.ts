@@ -13,6 +13,7 @@ import { follow, fragmentOf } from "./panels/address";
 import { fileName, mountSave, saveMenu } from "./panels/save";
 import { mountSliders } from "./panels/sliders";
 import { mountTransport } from "./panels/transport";
+import { mountVerdict } from "./panels/verdict";
 import { mountScene } from "./scene/scene";
 
 const MARKED = ["tip_error.commanded", "deviation.max", "deflection.max", "gear.max"];
@@ -50,7 +51,9 @@ export function mountPage(root: HTMLElement, page: Page): PageView {
   const modes = section(`Modes of vibration${of}`, page.runs[0].modes.length > 0);
   const files = make("div", { class: "bar files" });
   root.classList.add("app");
+  const strip = make("section", { class: "verdicts", "aria-label": "Verdict" });
   root.append(
+    strip,
     make("div", { class: "stage" }, stage),
     transport,
     make("div", { class: "desk" }, side, charts, make("div", { class: "lower" }, line.element, modes.element)),
@@ -60,7 +63,10 @@ export function mountPage(root: HTMLElement, page: Page): PageView {
   const scene = mountScene(stage, page, clock, true);
   clock.seek(scene.opensAt);
   const transportView = mountTransport(transport, clock);
-  const parts: { dispose(): void }[] = [scene, transportView];
+  const verdict = mountVerdict(strip, page, clock, scene);
+  const parts: { dispose(): void }[] = [verdict, scene, transportView];
+  const heights = new ResizeObserver(() => root.style.setProperty("--strip", `${strip.offsetHeight}px`));
+  heights.observe(strip); // the picture has what it leaves of the window
   let factsView = mountFacts(facts, page, clock);
   const chartsView = mountCharts(charts, page, clock);
   const lineView = page.runs[0].line ? mountLine(line.body, page, clock) : null;
@@ -88,16 +94,16 @@ export function mountPage(root: HTMLElement, page: Page): PageView {
       scene.replace(0, pictured);
       lineView?.show(live);
     }
+    verdict.show(live);
     chartsView.show(live);
     factsView.show(live);
     modesView?.show(live);
     mark(live);
-    document.querySelector("main > p.status")?.classList.toggle("before", live !== null);
   }
 
   const own = fileName(page.runs[0].name);
   const settings = page.live && mountSliders(sliders, page.live, {
-    open: openLive, show, fileName: `${own}_changed`, facts: page.runs[0].facts,
+    open: openLive, show, advise: verdict.advise, fileName: `${own}_changed`, facts: page.runs[0].facts,
   });
   if (settings) parts.push(settings);
   else if (page.notLive)
@@ -127,7 +133,8 @@ export function mountPage(root: HTMLElement, page: Page): PageView {
     showModes,
     complete(run) {
       const [first] = page.runs;
-      [first.facts, first.modes] = [run.facts, run.modes];
+      [first.facts, first.modes, first.verdict] = [run.facts, run.modes, run.verdict];
+      verdict.show(null);
       for (const chart of first.charts) chart.marks = run.charts.find(({ id }) => id === chart.id)?.marks ?? [];
       facts.replaceChildren();
       factsView = mountFacts(facts, page, clock);
@@ -137,6 +144,7 @@ export function mountPage(root: HTMLElement, page: Page): PageView {
     dispose() {
       clock.pause();
       removeEventListener("hashchange", goBack);
+      heights.disconnect();
       modesView?.dispose();
       [...parts, chartsView, ...(lineView ? [lineView] : [])].forEach((part) => part.dispose());
       root.replaceChildren();

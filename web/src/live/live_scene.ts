@@ -75,6 +75,7 @@ export function sceneOf(
     ],
     tip: numbers("tip"),
     tipReference: compared ? numbers("tip_nominal") : null,
+    tipCommanded: "tip_commanded" in series ? numbers("tip_commanded") : null,
     contact:
       bundle.contactPoint < 0
         ? null

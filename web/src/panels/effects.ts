@@ -9,6 +9,13 @@ const FIRST = LEADING.slice(0, 2); // those that come with the curves, before wh
 const STEP = 0.01;
 const PATIENCE = 6000; // ms that all runs may take
 
+/** The leading number's fact, its value, and its changes. */
+export interface Effects {
+  number: string;
+  whole: number;
+  shares: number[];
+}
+
 /** Rows that are shown at first: of each kind the first, then the next of each. */
 export function byKind(rows: SliderRow[], count: number): SliderRow[] {
   const kinds = [...new Set(rows.map((row) => row.slider.group))];
@@ -21,13 +28,13 @@ export function byKind(rows: SliderRow[], count: number): SliderRow[] {
 }
 
 /**
- * Changes of the leading number, as shares of it, for one per cent of each of the first `count` settings; why not,
+ * Changes of the leading number, as shares of it, for one per cent more of each of the first `count` settings; why not,
  * where that would take too long or cannot be; null where somebody wants another run meanwhile.
  */
 export async function effects(
   live: Live, rows: SliderRow[], count: number, wanted: () => boolean,
-): Promise<{ number: string; shares: number[] } | string | null> {
-  const own = rows.map((row) => row.slider.value);
+): Promise<Effects | string | null> {
+  const own = rows.map((row) => row.value);
   const began = performance.now();
   const facts = await early(live, own, FIRST);
   const id = LEADING.find((name) => facts[name]?.value);
@@ -37,13 +44,50 @@ export async function effects(
   const shares: number[] = [];
   for (const [k, { slider }] of rows.slice(0, count).entries()) {
     if (!wanted()) return null;
-    const more = slider.value * (1 + STEP);
+    const more = own[k] * (1 + STEP);
     const step = more <= slider.max && more >= slider.min ? STEP : -STEP;
     const values = own.map((value, j) => (j === k ? value * (1 + step) : value));
-    const found = slider.value === 0 ? whole : ((await early(live, values, [id]))[id]?.value ?? whole);
-    shares.push(Math.abs(found - whole) / Math.abs(whole));
+    const found = own[k] === 0 ? whole : ((await early(live, values, [id]))[id]?.value ?? whole);
+    shares.push((Math.sign(step) * (found - whole)) / Math.abs(whole));
   }
-  return { number: id, shares };
+  return { number: id, whole, shares };
+}
+
+const TIMES = 2; // as much a setting is changed to lessen the error
+const LEAST = 1.1; // as much it can at least be changed to be worth a word
+const TRIED = 4; // settings of a kind
+const NAMED = 2;
+
+export interface Change {
+  row: SliderRow;
+  value: number;
+  /** Of the leading number, as a share of it. */
+  change: number;
+}
+
+/** Twice or half of which settings lessens the leading number most: design variables first; null as with `effects`. */
+export async function lessening(
+  live: Live, rows: SliderRow[], { number, whole, shares }: Effects, wanted: () => boolean,
+): Promise<Change[] | null> {
+  const own = rows.map((row) => row.value);
+  const best: Change[] = [];
+  const order = rows.map((_, k) => k).filter((k) => shares[k] && !rows[k].slider.path.startsWith("real:"));
+  order.sort((j, k) => Math.abs(shares[k]) - Math.abs(shares[j]));
+  for (const design of [true, false]) {
+    const found: Change[] = [];
+    for (const k of order.filter((j) => Boolean(rows[j].slider.design) === design).slice(0, TRIED)) {
+      if (!wanted()) return null;
+      const { min, max } = rows[k].slider;
+      const value = Math.min(Math.max(own[k] * (shares[k] < 0 ? TIMES : 1 / TIMES), min), max);
+      if (Math.max(value / own[k], own[k] / value) < LEAST) continue;
+      const facts = await early(live, own.map((other, j) => (j === k ? value : other)), [number]);
+      const change = (Number(facts[number]?.value ?? whole) - whole) / Math.abs(whole);
+      if (change < -STEP) found.push({ row: rows[k], value, change });
+    }
+    best.push(...found.sort((one, other) => one.change - other.change));
+    if (best.length >= NAMED) break;
+  }
+  return best.slice(0, NAMED);
 }
 
 /** The facts that a run gives first, if one of those named is among them, else those that come with its picture. */

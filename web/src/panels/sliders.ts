@@ -6,14 +6,17 @@ import { button, make, put, save } from "../dom";
 import { digits, info } from "../format";
 import { spare } from "../spare";
 import type { Settings } from "./address";
-import { byKind, effects, nameOf } from "./effects";
+import { byKind, effects, lessening, nameOf } from "./effects";
 import { makeSlider, type SliderRow } from "./slider";
+import type { Advice } from "./verdict";
 
 export interface SlidersOptions {
   /** Starts the live model; `openLive` of live/live.ts. */
   open(bundle: LiveBundle): Promise<Live>;
   /** Shows another run everywhere; null: the page's own. */
   show(live: LiveRun | null): void;
+  /** Shows what lessens the error most; null: another run comes. */
+  advise(found: Advice[] | null): void;
   /** Of the file with a changed data sheet, without its ending. */
   fileName: string;
   /** The page's numbers. */
@@ -54,6 +57,7 @@ export function mountSliders(
   const unchanged = () => rows.every((row) => row.value === row.slider.value);
 
   function changed(): void {
+    options.advise(null);
     reset.disabled = unchanged();
     if (!busy || unchanged()) void simulate();
     else if (!scheduled) scheduled = requestAnimationFrame(again);
@@ -81,6 +85,7 @@ export function mountSliders(
       status.textContent = "The run as it was.";
       status.classList.remove("warned");
       void live.run(values()).catch(() => undefined); // ends what may still be running
+      ranking.ask();
       return;
     }
     [busy, began, heard] = [true, performance.now(), false];
@@ -88,7 +93,10 @@ export function mountSliders(
     if (!patience) patience = window.setTimeout(() => { bar.hidden = false; }, PATIENCE);
     try {
       const progress = (share: number) => { if (own === asked) bar.value = share; };
-      if (shown(await live.run(values(), progress, (early) => shown(early, own)), own)) ended();
+      if (shown(await live.run(values(), progress, (early) => shown(early, own)), own)) {
+        ended();
+        ranking.ask();
+      }
     } catch (error) {
       if (own !== asked || closed || (error instanceof Error && error.name === "Superseded")) return;
       ended();
@@ -138,22 +146,29 @@ export function mountSliders(
     rest.replaceChildren(...grouped(rows.filter((row) => !leading.includes(row))));
   }
 
-  /** The most effective settings first, once that is known; nothing moves under who uses them. */
+  /** What each setting does, and which lessen the error; the most effective first, as long as nobody uses them. */
   async function rank(opened: Live): Promise<void> {
-    if (asked > 0 || closed) return;
-    const found = await effects(opened, rows, RANKED, () => asked === 0 && !closed);
-    if (found === null || asked > 0 || closed) return;
+    const own = asked;
+    const wanted = () => asked === own && !busy && !closed;
+    const found = wanted() ? await effects(opened, rows, RANKED, wanted) : null;
+    if (found === null || !wanted()) return;
     order.hidden = false;
-    if (typeof found === "string") return put(order, `Ordered by kind, not by effect: ${found}.`);
+    if (typeof found === "string") {
+      options.advise([]);
+      return put(order, `Ordered by kind, not by effect: ${found}.`);
+    }
     const { number, shares } = found;
     rows.slice(0, RANKED).forEach((row, k) => {
-      row.effect.textContent = shares[k] > 0 ? `${digits(100 * shares[k], 2)} %` : "";
+      row.effect.textContent = shares[k] ? `${digits(100 * Math.abs(shares[k]), 2)} %` : "";
       row.effect.title = "change for 1 % of this setting";
     });
     put(order, `Behind each setting: the change of the ${nameOf(number, options.facts)} for 1 % of it.`);
-    if (element.contains(document.activeElement) || element.matches(":hover")) return;
-    const size = (row: SliderRow) => shares[rows.indexOf(row)] ?? -1;
-    place([...rows].sort((one, other) => size(other) - size(one)).slice(0, LEADING));
+    if (asked === 0 && !element.contains(document.activeElement) && !element.matches(":hover")) {
+      const size = (row: SliderRow) => Math.abs(shares[rows.indexOf(row)] ?? 0);
+      place([...rows].sort((one, other) => size(other) - size(one)).slice(0, LEADING));
+    }
+    const less = await lessening(opened, rows, found, wanted);
+    if (less && wanted()) options.advise(less.map(({ row, value, change }) => adviceOf(row, value, change, changed)));
   }
 
   const ranking = spare(() => live && rank(live).catch(() => undefined)); // it fails where somebody wants a run
@@ -191,6 +206,16 @@ export function mountSliders(
       element.replaceChildren();
     },
   };
+}
+
+/** `gear stiffness ×2: −21 %`. */
+function adviceOf(row: SliderRow, value: number, change: number, changed: () => void): Advice {
+  const times = value > row.value ? `×${digits(value / row.value, 2)}` : `÷${digits(row.value / value, 2)}`;
+  const apply = () => {
+    row.value = value;
+    changed();
+  };
+  return { text: `${row.slider.label} ${times}: −${digits(-100 * change, 2)} %`, apply };
 }
 
 function grouped(rows: SliderRow[]): HTMLElement[] {

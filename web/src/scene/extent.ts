@@ -1,10 +1,11 @@
 // How large a scene is: the box about all that moves in all runs, and the sizes that follow from it.
 import { Box3, Vector3 } from "three";
-import type { Page } from "../contract";
+import type { Page, Scene } from "../contract";
 import type { Widths } from "./links";
 import { openingOf, type Opening } from "./opening";
 import { forceScale } from "./shown";
-import { surfacesAt } from "./surfaces";
+import { surfaced, surfacesAt } from "./surfaces";
+import { sectionAxes } from "./sweep";
 import { round125 } from "./units";
 
 export interface Extent extends Widths {
@@ -18,30 +19,56 @@ export interface Extent extends Widths {
 }
 
 const FRAMES = 60;
+const BASE = 3; // half-widths of a usual link: that of the base
+const AXES = new Float32Array(9); // of the section at hand
+const WIDE = 0.04; // of the reach: half-widths up to which the margin of a picture holds links
 const SURFACED = 4; // of so many of these frames one, for surfaces: they have many places
 
 /** Places [k, 3] that a picture of all runs has to show, with their elasticity so many times enlarged. */
-export function placesOf(page: Page, factor: number, { reach, floor }: Extent): number[] {
+export function placesOf(page: Page, factor: number, { reach, floor, usual }: Extent): number[] {
   const scale = forceScale(page.runs, reach);
   const found: number[] = [];
   for (const { scene } of page.runs) {
-    const { line, rigid, contact } = scene;
+    const { line, rigid, contact, tipCommanded } = scene;
     const [frames, links, stations] = line.shape;
     const every = Math.max(1, Math.ceil(frames / FRAMES));
     const more = (k: number) => (factor - 1) * (line.data[k] - (rigid?.data[k] ?? line.data[k]) || 0); // no links: 0
-    if (line.data.length) found.push(line.data[0], line.data[1], floor);
+    for (const x of [-BASE * usual, BASE * usual])
+      for (const y of [-BASE * usual, BASE * usual])
+        if (line.data.length) found.push(line.data[0] + x, line.data[1] + y, floor);
     for (let frame = 0; frame < frames; frame += every) {
       for (let place = 0; place < links * stations; place += Math.max(1, stations >> 1))
-        for (let c = 0, k = 3 * (frame * links * stations + place); c < 3; c++, k++) found.push(line.data[k] + more(k));
+        {
+        const at = 3 * (frame * links * stations + place);
+        const here = [0, 1, 2].map((c) => line.data[at + c] + more(at + c));
+        found.push(...here, ...cornersAt(scene, frame, place, reach, here));
+      }
       const end = 3 * ((frame + 1) * links * stations - 1);
       for (let c = 0, k = 3 * frame; c < 3; c++, k++) {
         const tip = contact ? contact.at.data[k] + scale * contact.force.data[k] : scene.tip.data[k];
         found.push(tip + more(end + c));
       }
+      for (let c = 0, k = 3 * frame; tipCommanded && c < 3; c++, k++)
+        found.push(factor * tipCommanded.data[k] - (factor - 1) * scene.tip.data[k] + more(end + c));
       if (frame % (SURFACED * every) === 0) found.push(...surfacesAt(scene, frame, more));
     }
   }
   return found;
+}
+
+/** The corners of a wide section about a place of its line, `here` as it is shown. */
+function cornersAt(scene: Scene, frame: number, place: number, reach: number, here: number[]): number[] {
+  const [, links, stations] = scene.line.shape;
+  const [link, s] = [Math.floor(place / stations), place % stations];
+  const section = scene.links[link]?.section;
+  if (!section || surfaced(scene).has(link)) return [];
+  const { data, shape } = section.sizes;
+  const row = 2 * Math.round((s / Math.max(stations - 1, 1)) * (shape[0] - 1));
+  if (Math.max(data[row], data[row + 1]) < WIDE * reach) return [];
+  const first = 4 * (frame * links + link);
+  sectionAxes(AXES, Float32Array.from(scene.roots.data.subarray(first, first + 4)), 0);
+  return [-1, 1].flatMap((y) => [-1, 1].flatMap((z) =>
+    here.map((x, c) => x + y * data[row] * AXES[3 + c] + z * data[row + 1] * AXES[6 + c])));
 }
 
 export function extentOf(page: Page): Extent {

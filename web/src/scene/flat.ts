@@ -29,7 +29,7 @@ class FlatRun extends ShownRun {
   private robot: FlatRobot;
   private was: FlatRobot | null = null;
   private surface: FlatSurface | null;
-  private paths: { path: Float32Array; color: string }[] = [];
+  private laid: { path: Float32Array; color: string }[] = [];
   private traced = 0;
 
   constructor(
@@ -69,7 +69,7 @@ class FlatRun extends ShownRun {
     if (this.was && before) this.was.ghost(pen, before.line, colours.before, GHOST);
     if (settings.rigid && motion.rigid) this.robot.ghost(pen, motion.rigid, colours.rigid, GHOST);
     if (settings.reference && motion.reference) this.robot.ghost(pen, motion.reference, this.referenceColour, GHOST);
-    if (settings.traces) this.paths.forEach(({ path, color }) => drawTrace(pen, path, motion.frame, color));
+    if (settings.traces) this.laid.forEach(({ path, color }) => drawTrace(pen, path, motion.frame, color));
     this.robot.draw(pen, motion.line, this.look(settings), range, camera.position);
     if (settings.force && motion.arrays.contact) drawArrow(pen, motion.force, motion.at, scale, colours.force);
     pen.aside = 0;
@@ -86,10 +86,10 @@ class FlatRun extends ShownRun {
   private trace(factor: number): void {
     if (factor === this.traced) return;
     this.traced = factor;
-    const [own, led] = [this.motion.path(false, factor), this.motion.path(true, factor)];
-    this.paths = [];
-    if (led) this.paths.push({ path: led, color: this.referenceColour });
-    if (own) this.paths.push({ path: own, color: this.colour });
+    this.laid = this.paths.flatMap(([of, color]) => {
+      const path = this.motion.path(of, factor);
+      return path ? [{ path, color }] : [];
+    });
   }
 }
 
@@ -109,6 +109,7 @@ function lookOf({ joint, gear, base, payload }: Palette, one: string | null, lin
 export class FlatWorld extends Sight<FlatRun> {
   private readonly sheet: Sheet;
   private mode: { swinging: Swinging; robot: FlatRobot } | null = null;
+  private ratio: number | undefined;
 
   /** `wanted`: somebody chose it, it is not for want of WebGL. */
   constructor(given: Scenery, private readonly wanted: boolean) {
@@ -126,8 +127,11 @@ export class FlatWorld extends Sight<FlatRun> {
     this.refresh();
   }
 
-  draw(time: number, seconds: number): void {
+  draw(time: number, seconds: number, ratio?: number): void {
     const { sheet, runs } = this;
+    const { width, height } = sheet.pen;
+    if (ratio !== this.ratio) sheet.pen.resize(width, height, ratio);
+    this.ratio = ratio;
     const { settings, extent, colours } = this.given;
     if (!this.mode) this.cameras.follow(runs[0].motion.tip);
     sheet.pen.begin(extent.reach);
@@ -144,7 +148,7 @@ export class FlatWorld extends Sight<FlatRun> {
   }
 
   resize(width: number, height: number): void {
-    this.sheet.pen.resize(width, height);
+    this.sheet.pen.resize(width, height, this.ratio);
   }
 
   override tell(notes: Notes): void {

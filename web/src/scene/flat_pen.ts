@@ -11,8 +11,9 @@ export class Pen {
   readonly context: CanvasRenderingContext2D;
   /** Added to y of all places [m]. */
   aside = 0;
-  private width = 1;
-  private height = 1;
+  /** Of the picture [px of the page]. */
+  width = 1;
+  height = 1;
   private readonly view = new Float64Array(16);
   private readonly from = new Float64Array(3);
   private readonly to = new Float64Array(3);
@@ -26,9 +27,9 @@ export class Pen {
     context.lineJoin = "round";
   }
 
-  resize(width: number, height: number): void {
+  /** `ratio`: pixels of the canvas for one of the page. */
+  resize(width: number, height: number, ratio = Math.min(Math.max(window.devicePixelRatio, 1), 2)): void {
     if (width < 1 || height < 1) return;
-    const ratio = Math.min(Math.max(window.devicePixelRatio, 1), 2);
     [this.width, this.height] = [width, height];
     [this.canvas.width, this.canvas.height] = [Math.round(ratio * width), Math.round(ratio * height)];
     this.camera.aspect = width / height;

@@ -6,8 +6,11 @@ import { turnAlong } from "./turn";
 /** The arrays of a scene, those of the page or of the live model. */
 export type Arrays = Pick<
   Scene,
-  "times" | "line" | "rigid" | "reference" | "referenceRigid" | "roots" | "tip" | "tipReference" | "colours"
+  "times" | "line" | "rigid" | "reference" | "referenceRigid" | "roots" | "tip" | "tipReference" | "tipCommanded"
+  | "colours"
 > & { contact: (Pick<SceneContact, "force" | "at"> & Partial<Pick<SceneContact, "surface">>) | null };
+
+export type Tip = "actual" | "nominal" | "commanded";
 
 export class Motion {
   readonly links: number;
@@ -21,6 +24,7 @@ export class Motion {
   readonly values: Float32Array;
   readonly tip = new Float32Array(3);
   readonly tipReference = new Float32Array(3);
+  readonly tipCommanded = new Float32Array(3);
   readonly force = new Float32Array(3);
   readonly at = new Float32Array(3);
   /** Index of the display frame before the time, and the share of the way to the next. */
@@ -53,6 +57,7 @@ export class Motion {
     this.turn();
     this.mix(this.tip, arrays.tip);
     if (arrays.tipReference) this.mix(this.tipReference, arrays.tipReference);
+    if (arrays.tipCommanded) this.mix(this.tipCommanded, arrays.tipCommanded);
     if (arrays.contact) {
       this.mix(this.force, arrays.contact.force);
       this.mix(this.at, arrays.contact.at);
@@ -63,20 +68,21 @@ export class Motion {
     this.enlarge(factor, this.rigid, arrays.referenceRigid ? this.planned : this.rigid);
   }
 
-  /** The tip's path [m, 3] as it is shown, or the nominal one; null where there is none. */
-  path(reference: boolean, factor: number): Float32Array | null {
+  /** The path [m, 3] of a tip as it is shown; null where there is none. */
+  path(of: Tip, factor: number): Float32Array | null {
     const { arrays, frames } = this;
-    const tips = reference ? arrays.tipReference : arrays.tip;
-    const lines = reference ? arrays.reference : arrays.line;
-    const rigid = (reference && arrays.referenceRigid) || arrays.rigid;
-    if (tips === null) return null;
+    const tips = { actual: arrays.tip, nominal: arrays.tipReference, commanded: arrays.tipCommanded }[of];
+    const lines = of === "nominal" ? arrays.reference : arrays.line;
+    const rigid = (of === "nominal" && arrays.referenceRigid) || arrays.rigid;
+    if (!tips) return null;
     const found = Float32Array.from(tips.data);
     if (!rigid || !lines || this.links === 0) return found;
     const size = this.links * this.stations * 3;
     for (let k = 0; k < frames; k++)
       for (let c = 0; c < 3; c++) {
         const place = k * size + this.tipPlace + c;
-        found[3 * k + c] += (factor - 1) * (lines.data[place] - rigid.data[place]);
+        const gap = of === "commanded" ? tips.data[3 * k + c] - arrays.tip.data[3 * k + c] : 0;
+        found[3 * k + c] += (factor - 1) * (gap + lines.data[place] - rigid.data[place]);
       }
     return found;
   }
@@ -119,6 +125,7 @@ export class Motion {
     const { line, reference, tipPlace } = this;
     for (let c = 0; c < 3 && this.links > 0; c++) {
       const more = (factor - 1) * (line[tipPlace + c] - rigid[tipPlace + c]);
+      this.tipCommanded[c] += more + (factor - 1) * (this.tipCommanded[c] - this.tip[c]);
       this.tip[c] += more;
       this.at[c] += more;
       if (reference) this.tipReference[c] += (factor - 1) * (reference[tipPlace + c] - planned[tipPlace + c]);

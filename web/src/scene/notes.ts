@@ -17,21 +17,27 @@ export class Notes {
   private readonly factor = note("scene-factor");
   private readonly grid = note("scene-grid");
   private readonly way = note("scene-flat");
+  private readonly axes = make("div", { className: "scene-axes" });
   private readonly live = make("span");
   private shown = "";
 
   constructor(private readonly place: HTMLElement) {
-    const below = make("div", { className: "scene-below" }, this.grid, this.way);
+    const below = make("div", { className: "scene-below" }, this.axes, this.grid, this.way);
     place.append(this.legend, this.scale, make("div", { className: "scene-foot" }, below, this.factor));
   }
 
   /** What the notes leave free of the picture, whatever number the line that changes now shows. */
   rooms(): Rooms {
     this.live.textContent = this.shown.replace(/[\d.]+(?= N[, ])/g, "88.8");
-    const notes = [this.legend, this.scale, this.factor, this.way, this.grid];
+    const notes = [this.legend, this.scale, this.factor, this.way, this.grid, this.axes];
     const [place, ...boxes] = [this.place, ...notes].map((element) => element.getBoundingClientRect());
     this.live.textContent = this.shown;
     return roomsBetween(place, boxes);
+  }
+
+  /** The room for the axes of the world. */
+  get corner(): DOMRect {
+    return this.axes.getBoundingClientRect();
   }
 
   /** Which notes there are, and all of their words on which their size depends. */

@@ -15,6 +15,10 @@ export interface Palette {
   reference: string;
   rigid: string;
   before: string;
+  commanded: string;
+  /** Of the axes x, y, z, and of the arrow of gravity. */
+  axes: [string, string, string];
+  gravity: string;
   real: string;
   sky: string;
   ground: string;
@@ -24,14 +28,16 @@ const LIGHT: Palette = {
   runs: ["#0072b2", "#d55e00", "#00875f", "#a2488f", "#8c6a00", "#2a7fb8"],
   link: "#9aa5b1", joint: "#4a5562", gear: "#c76a00", base: "#39434e", payload: "#2b333c", grid: "#c3cad1",
   gridStrong: "#8e99a4", surface: "#009e73", force: "#b3261e", reference: "#d55e00", rigid: "#6b7681",
-  before: "#7a4ea3", real: "#0072b2", sky: "#ffffff", ground: "#b9c0c8",
+  before: "#7a4ea3", commanded: "#1d2329", real: "#0072b2",
+  axes: ["#c4372b", "#00754f", "#005a9e"], gravity: "#5b4a00", sky: "#ffffff", ground: "#b9c0c8",
 }; // prettier-ignore
 
 const DARK: Palette = {
   runs: ["#4fb0ea", "#ff8f45", "#3ecf9b", "#e08acb", "#d9b13a", "#9fd3f5"],
   link: "#8b96a3", joint: "#a9b4c0", gear: "#e69f00", base: "#6d7986", payload: "#cfd6dd", grid: "#39424c",
   gridStrong: "#5c6874", surface: "#2fbf95", force: "#ff7b70", reference: "#ff8c42", rigid: "#a3adb7",
-  before: "#c79be8", real: "#56b4e9", sky: "#ffffff", ground: "#5a6570",
+  before: "#c79be8", commanded: "#f2f5f8", real: "#56b4e9",
+  axes: ["#ff8a80", "#4fd6a5", "#7cc4f2"], gravity: "#e6cf6a", sky: "#ffffff", ground: "#5a6570",
 }; // prettier-ignore
 
 export function palette(dark: boolean): Palette {
@@ -65,5 +71,10 @@ export function step(share: number): number {
 
 /** The scale as a CSS gradient from left to right. */
 export function gradient(): string {
-  return `linear-gradient(to right, ${VIRIDIS.split(" ").map((hex) => `#${hex}`).join(", ")})`;
+  return `linear-gradient(to right, ${stops().join(", ")})`;
+}
+
+/** The colours of the scale at equal distances. */
+export function stops(): string[] {
+  return VIRIDIS.split(" ").map((hex) => `#${hex}`);
 }

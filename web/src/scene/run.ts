@@ -3,7 +3,7 @@ import { Group, type Material, type Mesh } from "three";
 import type { Run } from "../contract";
 import type { Extent } from "./extent";
 import { Arrow, surfaceMesh, Trace } from "./marks";
-import type { Arrays, Motion } from "./motion";
+import type { Arrays, Motion, Tip } from "./motion";
 import type { Palette } from "./palette";
 import { RobotView, type Body, type Look } from "./links";
 import type { Settings } from "./settings";
@@ -25,7 +25,7 @@ export class RunView extends ShownRun {
   private robot!: RobotView;
   private look!: Look;
   private readonly ghosts = new Map<Ghost, RobotView>();
-  private traces: { trace: Trace; reference: boolean }[] = [];
+  private readonly traces = new Map<Tip, Trace>();
   private arrow: Arrow | null = null;
   private surface: Mesh | null = null;
   private built = "";
@@ -140,8 +140,10 @@ export class RunView extends ShownRun {
 
   private draw(settings: Settings): void {
     this.trace(settings);
-    for (const { trace, reference } of this.traces) {
-      trace.group.visible = settings.traces && (!reference || this.motion.arrays.tipReference !== null);
+    for (const [of, trace] of this.traces) {
+      const { tipReference, tipCommanded } = this.motion.arrays;
+      const there = { actual: true, nominal: tipReference, commanded: tipCommanded }[of];
+      trace.group.visible = settings.traces && Boolean(there);
       trace.seek(this.motion.frame);
     }
     if (this.surface) this.surface.visible = settings.surface && this.showsSurface;
@@ -153,30 +155,25 @@ export class RunView extends ShownRun {
   private trace(settings: Settings): void {
     const wanted = `${settings.factor}`;
     if (wanted === this.traced) return;
-    const first = this.traces.length === 0;
     this.traced = wanted;
-    for (const reference of [false, true]) {
-      const path = this.motion.path(reference, settings.factor);
-      const known = this.traces.find((one) => one.reference === reference);
+    for (const [of, colour] of this.paths) {
+      const path = this.motion.path(of, settings.factor);
       if (path === null) continue;
-      if (known) known.trace.lay(path);
-      else if (first) {
-        const colour = reference ? this.referenceColour : this.colour;
-        const trace = new Trace(path, colour, 0.012 * this.shared.extent.reach);
-        this.traces.push({ trace, reference });
-        this.group.add(trace.group);
-      }
+      const trace = this.traces.get(of) ?? new Trace(path, colour, 0.012 * this.shared.extent.reach);
+      trace.lay(path);
+      this.traces.set(of, trace);
+      this.group.add(trace.group);
     }
   }
 
   private clear(): void {
     this.robot?.dispose();
     this.ghosts.forEach((view) => view.dispose());
-    this.traces.forEach(({ trace }) => trace.dispose());
+    this.traces.forEach((trace) => trace.dispose());
     this.arrow?.dispose();
     this.dropSurface();
     this.ghosts.clear();
-    this.traces = [];
+    this.traces.clear();
     this.traced = this.built = "";
   }
 }

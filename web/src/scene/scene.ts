@@ -1,12 +1,12 @@
 // The robot in space: `mountScene` puts it into an element of the page, where it follows the page's clock.
 import type { Clock } from "../clock";
 import type { Mode, Page } from "../contract";
-import type { LiveScene, SceneView } from "../contract_parts";
-import { framed } from "./framed";
+import type { Cause, LiveScene, SceneView } from "../contract_parts";
 import { make, makeControls } from "./controls";
 import { extentOf } from "./extent";
 import { FlatWorld } from "./flat";
 import { Notes } from "./notes";
+import { Painting } from "./painting";
 import { palette } from "./palette";
 import type { Settings } from "./settings";
 import type { Scenery, Sight } from "./sight";
@@ -34,6 +34,8 @@ class Mounted implements SceneView {
   private readonly still = window.matchMedia("(prefers-reduced-motion: reduce)");
   private readonly extent;
   private world: Sight;
+  private readonly painting: Painting;
+  private before: SceneView["view"] | null = null; // that of all causes
   private waiting = 0;
   private mode: { mode: Mode; amplitude: number } | null = null;
   private asked = 0;
@@ -52,11 +54,12 @@ class Mounted implements SceneView {
     const many = runs.length > 1;
     this.extent = extentOf(page);
     const enlarges = bent && this.extent.opening.most > 1;
+    const bends = bent && this.extent.opening.bends;
     this.settings = {
       colour: many ? "run" : (runs[0].scene.colours[0]?.id ?? "run"),
       factor: enlarges ? this.extent.opening.factor : 1,
-      reference: !many && !enlarges && runs[0].charts.length > 0, // at rest it is in the same place
-      rigid: enlarges && !many,
+      reference: !many && !bends && runs[0].charts.length > 0, // at rest it is in the same place
+      rigid: bends && !many,
       traces: true,
       force: true,
       surface: true,
@@ -66,6 +69,9 @@ class Mounted implements SceneView {
     }; // prettier-ignore
     this.replaced = runs.map(() => null);
     this.notes = new Notes(place);
+    this.painting = new Painting(place, this.notes, this.extent.reach, () => ({
+      time: clock.time, seconds: this.still.matches ? 0 : performance.now() / 1000,
+    }));
     frame.append(this.controls(), place);
     this.world = this.made();
     this.ends.push(clock.subscribe(this.ask));
@@ -87,6 +93,7 @@ class Mounted implements SceneView {
   showMode(mode: Mode | null, amplitude: number): void {
     if (mode && this.mode?.mode !== mode) this.frame.scrollIntoView({ block: "nearest" });
     this.mode = mode === null ? null : { mode, amplitude };
+    this.painting.swings = mode !== null;
     this.world.showMode(mode, amplitude);
     this.refresh();
   }
@@ -109,23 +116,34 @@ class Mounted implements SceneView {
     if (pose.length === 6 && pose.every(Number.isFinite)) this.world.cameras.pose = pose;
   }
 
-  picture(canvas = document.createElement("canvas")): HTMLCanvasElement {
-    this.world.draw(this.clock.time, this.still.matches ? 0 : performance.now() / 1000);
-    const colours = getComputedStyle(this.frame);
-    const factor = this.settings.factor === 1 ? "" : `, deformation × ${this.settings.factor}`;
-    const words = this.mode ? "" : `, t = ${this.clock.time.toFixed(3)} s${factor}`;
-    return framed(canvas, this.world.canvas, (name) => colours.getPropertyValue(name), this.page.title + words);
+  explain(cause: Cause | null): void {
+    const pose = this.world.cameras.preset ? [] : this.view.pose;
+    if (cause && !this.painting.cause) this.before = { ...this.view, pose };
+    this.painting.cause = cause;
+    if (cause) this.frame.scrollIntoView({ block: "nearest" });
+    if (cause) this.view = { pose: [], factor: this.painting.factorOf(cause) };
+    else if (this.before) this.view = this.before;
+    this.ask();
+  }
+
+  picture(canvas?: HTMLCanvasElement): HTMLCanvasElement {
+    const time = this.mode ? "" : `, t = ${this.clock.time.toFixed(3)} s`;
+    const found = this.painting.picture(this.page.title + time, canvas);
+    if (!canvas) this.ask();
+    return found;
   }
 
   resize(): void {
     this.world.resize(this.place.clientWidth, this.place.clientHeight);
     if (this.world.cameras.preset) this.world.cameras.refit();
+    this.painting.layout();
     this.ask();
   }
 
   dispose(): void {
     cancelAnimationFrame(this.asked);
     window.clearTimeout(this.waiting);
+    this.painting.dispose();
     this.ends.forEach((end) => end());
     this.world.canvas.removeEventListener("webglcontextlost", this.lost); // it loses it now
     this.world.dispose();
@@ -166,7 +184,7 @@ class Mounted implements SceneView {
     world.cameras.rooms = () => this.notes.rooms();
     world.canvas.addEventListener("webglcontextlost", this.lost);
     world.canvas.addEventListener("webglcontextrestored", this.found);
-    this.place.prepend(world.canvas);
+    this.painting.take(world, given.colours);
     return world;
   }
 
@@ -203,6 +221,7 @@ class Mounted implements SceneView {
     this.world.tell(this.notes);
     this.notes.tell(this.world.words());
     if (before !== this.notes.kinds && this.world.cameras.preset) this.world.cameras.refit(); // notes take room
+    this.painting.layout();
     this.ask();
   }
 
@@ -212,10 +231,11 @@ class Mounted implements SceneView {
   };
 
   private readonly draw = (now: number) => {
+    const moves = this.mode !== null && !this.still.matches;
     this.asked = 0;
-    this.world.draw(this.clock.time, this.still.matches ? 0 : now / 1000);
+    this.painting.draw(now, moves);
     this.notes.tell(this.world.words());
-    if (this.mode && !this.still.matches) this.ask();
+    if (moves) this.ask();
   };
 }
 

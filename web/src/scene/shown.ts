@@ -1,6 +1,6 @@
 // A run as it is shown, whatever draws it: its motion, that of itself before a change, its colours and their range.
 import type { Run } from "../contract";
-import { Motion, type Arrays } from "./motion";
+import { Motion, type Arrays, type Tip } from "./motion";
 import type { Palette } from "./palette";
 import type { Settings } from "./settings";
 import { round125 } from "./units";
@@ -38,6 +38,11 @@ export class ShownRun {
 
   get referenceColour(): string {
     return this.alone ? this.own.reference : this.own.rigid;
+  }
+
+  /** The tips that leave a path, in the order in which they are drawn, and its colour. */
+  get paths(): [Tip, string][] {
+    return [["commanded", this.own.commanded], ["nominal", this.referenceColour], ["actual", this.colour]];
   }
 
   get changed(): boolean {

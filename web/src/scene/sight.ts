@@ -30,8 +30,8 @@ export abstract class Sight<Kind extends ShownRun = ShownRun> {
 
   constructor(
     readonly canvas: HTMLCanvasElement,
-    camera: PerspectiveCamera,
-    protected readonly runs: Kind[],
+    readonly camera: PerspectiveCamera,
+    readonly runs: Kind[],
     protected readonly given: Scenery,
   ) {
     const { page, extent, ask } = given;
@@ -44,7 +44,13 @@ export abstract class Sight<Kind extends ShownRun = ShownRun> {
     canvas.title = `Drag to turn, right button to move, click and wheel to zoom. ${keys}`;
   }
 
-  abstract draw(time: number, seconds: number): void;
+  /** `ratio`: pixels for one of the page; none: as many as suit what moves. */
+  abstract draw(time: number, seconds: number, ratio?: number): void;
+
+  /** Whether it is drawn with few pixels while it moves. */
+  get coarse(): boolean {
+    return false;
+  }
 
   abstract resize(width: number, height: number): void;
 
@@ -123,10 +129,12 @@ export abstract class Sight<Kind extends ShownRun = ShownRun> {
     const entries: Entry[] = [];
     if (!alone) entries.push(...runs.map((run) => ({ colour: run.colour, label: run.run.name })));
     else if (settings.traces && this.moves()) entries.push({ colour: colours.real, label: "Path of the tip" });
+    const wanted = runs.some(({ motion }) => motion.arrays.tipCommanded);
+    if (settings.traces && wanted && this.moves()) entries.push({ colour: colours.commanded, label: "Commanded path" });
     const has = (key: "reference" | "rigid") => settings[key] && runs.some(({ run }) => run.scene[key]);
     const led = settings.traces && this.moves() && runs.some(({ run }) => run.scene.tipReference);
     if (has("reference")) entries.push({ colour: runs[0].referenceColour, label: "Nominal" });
-    else if (led) entries.push({ colour: runs[0].referenceColour, label: "Path of the nominal tip" });
+    else if (led) entries.push({ colour: runs[0].referenceColour, label: "Nominal path" });
     if (has("rigid")) entries.push({ colour: colours.rigid, label: "Undeformed" });
     if (runs.some(({ changed }) => changed)) entries.push({ colour: colours.before, label: "The run as it was" });
     return entries;

@@ -22,6 +22,8 @@ export class Stage {
   readonly canvas = document.createElement("canvas");
   readonly scene = new Scene();
   readonly camera = new PerspectiveCamera(32, 1, 0.01, 100);
+  /** Pixels for one of the page while something moves. */
+  readonly usual: number;
   private readonly renderer: WebGLRenderer;
   private readonly floor = new Group();
   private readonly light = new DirectionalLight("#ffffff", 2.2);
@@ -34,9 +36,8 @@ export class Stage {
       alpha: true,
       powerPreference: "low-power",
     });
-    this.renderer.setPixelRatio(
-      fine ? Math.min(window.devicePixelRatio, 2) : 0.75 * Math.min(window.devicePixelRatio, 1),
-    );
+    this.usual = fine ? Math.min(window.devicePixelRatio, 2) : 0.75 * Math.min(window.devicePixelRatio, 1);
+    this.renderer.setPixelRatio(this.usual);
     this.renderer.shadowMap.enabled = fine;
     this.renderer.shadowMap.type = PCFShadowMap;
     this.camera.up.set(0, 0, 1);
@@ -76,7 +77,9 @@ export class Stage {
     this.camera.updateProjectionMatrix();
   }
 
-  draw(): void {
+  /** `ratio`: pixels for one of the page. */
+  draw(ratio = this.usual): void {
+    if (this.renderer.getPixelRatio() !== ratio) this.renderer.setPixelRatio(ratio);
     this.renderer.render(this.scene, this.camera);
   }
 

@@ -25,15 +25,19 @@ export class World extends Sight<RunView> {
     this.refresh();
   }
 
-  draw(time: number, seconds: number): void {
+  draw(time: number, seconds: number, ratio?: number): void {
     const { settings } = this.given;
     if (this.mode) this.mode.swing((2 * Math.PI * seconds) / SWING);
     else this.runs.forEach((run) => run.update(time, settings, this.range));
     if (!this.mode) this.cameras.follow(this.runs[0].motion.tip);
-    this.stage.draw();
+    this.stage.draw(ratio);
   }
 
-  showMode(mode: Mode | null, amplitude: number): void {
+  override get coarse(): boolean {
+    return this.stage.quality === "low";
+  }
+
+  override showMode(mode: Mode | null, amplitude: number): void {
     super.showMode(mode, amplitude);
     this.mode?.dispose();
     this.mode = mode && new ModeView(mode, this.runs[0].run.scene, amplitude, this.shared);

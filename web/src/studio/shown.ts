@@ -121,6 +121,7 @@ function asLive(page: StudioPage | StudioChange, job: Job): LiveRun {
     series: Object.fromEntries(series),
     scene: run.scene,
     line: run.line,
+    verdict: run.verdict,
     facts: Object.fromEntries(
       run.facts.map(({ id, value, note, time }) => [id, { value, note, time: time ?? undefined }]),
     ),
