@@ -44,7 +44,7 @@ def robot_pixels(frame: Any) -> np.ndarray:
     frame.evaluate(
         f"""for (const name of {list(HIDDEN)}) {{ const box = document.querySelector(`[data-scene=${{name}}]`);
         if (box && box.checked) box.click() }}
-        document.querySelectorAll('.scene-note, .scene-overlay').forEach((one) => {{ one.style.visibility = 'hidden' }})"""
+        for (const one of document.querySelectorAll('.scene-note, .scene-overlay')) one.style.visibility = 'hidden';"""
     )
     picture = matplotlib.image.imread(io.BytesIO(steady(frame.locator(".scene-view").screenshot)))
     return np.asarray(picture)[..., :3]
