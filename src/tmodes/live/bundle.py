@@ -15,7 +15,16 @@ from tmodes.live.functions import ModelFunctions, engine_settings, live_module
 from tmodes.live.knobs import Ahead
 from tmodes.live.map import LiveMap, Progress, live_map
 from tmodes.live.numbers import follow_of
-from tmodes.live.places import evenly, joint_limits, lines_info, load_places, vibrations_info, yield_strengths
+from tmodes.live.places import (
+    after_rules,
+    continuing,
+    evenly,
+    joint_limits,
+    lines_info,
+    load_places,
+    vibrations_info,
+    yield_strengths,
+)
 from tmodes.live.template import sheet_template
 from tmodes.model.model import Model
 from tmodes.result import Result
@@ -70,6 +79,7 @@ def live_bundle(
     ended = held_at(pair.real, float(result.record["time"].values[-1]), place)
     own = mechanics(pair, ended, stations, method, compared=compared, surfaces=surfaces)
     live = live_map(pair, stations, ahead, progress)
+    own["after"] = after_rules(pair.real, method) if json.loads(result.record.attrs.get("headline", "null")) is None else None
     own["errorParts"] = [*map(str, result.record["error_part"].values)] if "tip_error" in result.record else None
     return {**_common(result, pair, live, method), **own, "stations": np.array(stations)}
 
@@ -140,7 +150,7 @@ def mechanics(
     ``surfaces``: links that have one, shown though they be a point.
     """
     functions = ModelFunctions(pair, stations, tuple(load_places(pair.real.chain(), pair.real.integration.line_points)))
-    module = live_module(functions, [method], slopes=False)
+    module = live_module(functions, dict.fromkeys((method, continuing(method))), slopes=False)
     runs = {"real": run_setup(pair.real)}
     if compared:
         runs = {"reference": run_setup(pair.nominal, follow_of(pair.nominal, "reference"))} | runs
@@ -185,7 +195,13 @@ def _run(setup: RunSetup) -> dict[str, Any]:
         "signals": len(setup.planned.each),
         "balance": _balance(setup),
         "moving": [k for k in range(len(setup.planned.each)) if k not in plan.aside],
-    }
+        "noise": [drive.noise for drive in plan.drives if drive.noise >= 0],
+        "clocks": [
+            [drive.clock, drive.servo.controller.period] for drive in plan.drives
+            if drive.clock >= 0 and drive.servo and drive.servo.controller
+        ],
+        "slipping": len(setup.model.loop.slipping),
+    }  # fmt: skip
 
 
 def _balance(setup: RunSetup) -> dict[str, Any] | None:

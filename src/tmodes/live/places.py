@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from types import ModuleType
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from tmodes.analysis import vibration
 from tmodes.analysis.line.line import line_places
 from tmodes.analysis.modes.modes import MotorState, moving_coordinates
 from tmodes.analysis.modes.of_sheet import local_servos
@@ -22,16 +24,19 @@ from tmodes.equations.line.schedule import ROOTS, Lines
 from tmodes.equations.loop.plan import LoopPlan
 from tmodes.equations.recursion.parts import Parts
 from tmodes.errors import SimulationError
+from tmodes.integrate.conditions import Band
+from tmodes.integrate.registry import integrator
 from tmodes.kinds.contacts.registry import Contact
 from tmodes.kinds.drives.contract import FRICTION
 from tmodes.kinds.joints.joint import Limits
 from tmodes.kinds.links.line import layout
 from tmodes.kinds.noted.functions import array
 from tmodes.model.model import Model
+from tmodes.result import settling
 from tmodes.sheet import Robot
 
 __all__ = [
-    "evenly", "joint_limits", "line_lengths", "line_names", "lines_info", "load_places", "vibration_numbers",
+    "after_rules", "continuing", "evenly", "joint_limits", "line_lengths", "line_names", "lines_info", "load_places", "vibration_numbers",
     "vibrations_info", "yield_strengths",
 ]  # fmt: skip
 
@@ -140,9 +145,24 @@ def vibrations_info(robot: Robot, ended: Robot, plan: LoopPlan, model: Model) ->
         "loads": [{"point": load.point, "follower": load.follower, "signal": load.signal} for load in plan.loads],
         "touch": _surface(robot.contact, *point) if robot.contact and point else None,
         "yields": [*sprung(model), *model.deformations.tolist()],
+        "units": [*model.chain.units(model.coordinates).values()],
+        "plays": _plays(model),
         "modes": modes,
         "noModes": why,
     }  # fmt: skip
+
+
+_PLAY = 12
+"""Where a drive's numbers have the play of its gear, but for two numbers of each range of its stiffness."""
+
+
+def _plays(model: Model) -> list[dict[str, int]]:
+    """Gears with play: their joint, their place among the deformations, that of the play in the chain's numbers."""
+    gears = [axis for axis in model.parts.axes if axis.axis.element]
+    return [
+        {"coordinate": axis.angle, "gear": k, "place": axis.drive_numbers.start + _PLAY + 2 * axis.drive.ranges}
+        for k, axis in enumerate(gears) if axis.drive_numbers and axis.axis.joint.gear and axis.axis.joint.gear.backlash
+    ]  # fmt: skip
 
 
 def _modes(robot: Robot, ended: Robot, model: Model) -> tuple[dict[str, Any] | None, str]:
@@ -209,3 +229,23 @@ def _surface(sheet: Contact, point: int) -> dict[str, Any] | None:
         return info | {"axis": drawn["center"], "distance": 0.0, "radius": drawn["radius"], "inside": drawn["inside"]}
     normal = np.array(drawn["normal"]) / np.linalg.norm(drawn["normal"])
     return info | {"axis": normal.tolist(), "distance": -float(normal @ np.array(drawn["position"]))}
+
+
+def continuing(method: str) -> str:
+    """The method by which a run is continued: its own where that chooses its steps."""
+    return method if integrator(method).adaptive else "dormand_prince"
+
+
+def after_rules(robot: Robot, method: str) -> dict[str, Any]:
+    """By which constants a page finds settling and vibration of a run, continued beyond its end."""
+    band, own = Band.parsed(robot.integration.settling_band), _constants(settling)
+    return {
+        "vibration": _constants(vibration), "settling": own | band._asdict() | {"within": band.words},
+        "method": continuing(method), "outputStep": robot.integration.output_step,
+    }  # fmt: skip
+
+
+def _constants(module: ModuleType) -> dict[str, Any]:
+    """Numbers and words that a module is governed by, by name."""
+    names = {name.strip("_"): value for name, value in vars(module).items() if name.strip("_").isupper()}
+    return {name: value for name, value in names.items() if isinstance(value, int | float | str | tuple)}

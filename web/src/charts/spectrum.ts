@@ -59,6 +59,32 @@ function windowed(values: Float64Array): number {
   return total;
 }
 
+/** Squared sizes of the lines [n/2 + 1] of the spectrum of values [n, 3] less their mean, in a Hann window, by axis. */
+export function powersOf(values: Float64Array): Float64Array[] {
+  const n = values.length / 3;
+  const size = 2 ** Math.ceil(Math.log2(2 * n));
+  const turn = (k: number) => (Math.PI * ((k * k) % (2 * n))) / n; // Bluestein: any length by one of a power of two
+  const [chirpRe, chirpIm] = [new Float64Array(size), new Float64Array(size)];
+  for (let k = 0; k < n; k += 1) {
+    for (const at of [k, (size - k) % size]) [chirpRe[at], chirpIm[at]] = [Math.cos(turn(k)), Math.sin(turn(k))];
+  }
+  transform(chirpRe, chirpIm);
+  return Array.from({ length: 3 }, (_, c) => {
+    let mean = 0;
+    for (let k = 0; k < n; k += 1) mean += values[3 * k + c] / n;
+    const [re, im] = [new Float64Array(size), new Float64Array(size)];
+    for (let k = 0; k < n; k += 1) {
+      const value = (values[3 * k + c] - mean) * (0.5 - 0.5 * Math.cos((2 * Math.PI * k) / (n - 1)));
+      [re[k], im[k]] = [value * Math.cos(turn(k)), -value * Math.sin(turn(k))];
+    }
+    transform(re, im);
+    for (let k = 0; k < size; k += 1) // the inverse transform by swapping both parts
+      [re[k], im[k]] = [re[k] * chirpIm[k] + im[k] * chirpRe[k], re[k] * chirpRe[k] - im[k] * chirpIm[k]];
+    transform(re, im);
+    return Float64Array.from({ length: Math.floor(n / 2) + 1 }, (__, k) => (re[k] ** 2 + im[k] ** 2) / size ** 2);
+  });
+}
+
 /** Fast Fourier transform in place, of 2^n values (Cooley and Tukey, 1965). */
 export function transform(real: Float64Array, imaginary: Float64Array): void {
   const size = real.length;

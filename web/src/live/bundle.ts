@@ -3,6 +3,8 @@
 import type { LiveBundle, SceneContact } from "../contract";
 import type { Numbers } from "../pack";
 import type { LoadsInfo } from "./loads";
+import type { VibrationRules } from "./exponentials";
+import type { SettlingRules } from "./settling";
 import type { LoadInfo } from "./wrench";
 import type { Layout } from "./engine";
 
@@ -58,7 +60,7 @@ export interface BalanceInfo {
 
 /** How one run of a robot starts: `reported` coordinates by its sheet, `exact` ones by signals (coordinate, signal). */
 export interface RunInfo {
-  state: Record<"q" | "v" | "currents" | "controls" | "works", [number, number]>;
+  state: Record<"q" | "v" | "currents" | "controls" | "works" | "modes", [number, number]>;
   start: Numbers;
   info: number[];
   exact: [number, number][];
@@ -69,8 +71,12 @@ export interface RunInfo {
   signals: number;
   /** How the equilibrium of its closed loop is found, from which it starts; null where its motors are held. */
   balance: BalanceInfo | null;
-  /** Those of the signals that move the robot; noise and the clocks of controllers move nothing. */
+  /** Those of the signals that move the robot; `noise` and `clocks` of controllers (signal, period) move nothing. */
   moving: number[];
+  noise: number[];
+  clocks: [number, number][];
+  /** How many of the modes are of dry friction that may stick. */
+  slipping: number;
 }
 
 /** All of it; `links` are the lines of the scene. */
@@ -116,6 +122,14 @@ export interface Bundle extends LiveBundle {
   /** The coordinates that give way. */
   yields: number[];
   modes: ModesInfo | null;
+  /** Of each coordinate, and gears with play: their coordinate, their place in `deformations`, that of the play. */
+  units: string[];
+  plays: { coordinate: number; gear: number; place: number }[];
+  /** By which rules and method a run is continued until it is at rest; null where it is not judged by its tip. */
+  after: {
+    vibration: VibrationRules; settling: SettlingRules & { USUAL: [number | null, number | null] };
+    method: string; outputStep: number;
+  } | null;
   /** Why there are no modes. */
   noModes: string;
 }

@@ -22,10 +22,8 @@ export function meanOverTime(times: Float64Array, values: Float64Array): number 
   return total / (times[times.length - 1] - times[0]);
 }
 
-/** How far the tip is from the commanded and nominal ones, and by which `parts`; why it is not seen to settle. */
-export function trackingFacts(
-  times: Float64Array, series: SeriesOf, moveEnd: number | null, parts: readonly string[],
-): Facts {
+/** How far the tip is from the commanded and nominal ones, and by which `parts`. */
+export function trackingFacts(times: Float64Array, series: SeriesOf, parts: readonly string[]): Facts {
   const facts: Facts = {};
   const { tip_error: error } = series;
   if (error) {
@@ -45,7 +43,7 @@ export function trackingFacts(
       note: "over the run",
     };
   }
-  return { ...facts, ...unseen(times, moveEnd, deviation !== undefined) };
+  return facts;
 }
 
 function largestError(
@@ -56,21 +54,6 @@ function largestError(
   const each = error ? range(0, error.shape[1]).map((part) => [alongSum(error, k, part), parts[part]] as const) : [];
   const words = each.filter(([size]) => size).map(([size, name]) => `${info(size, "m")} ${name ?? "geometry"}`);
   return { value: sizes[k], note, time: times[k], more: words.join(", ") };
-}
-
-/**
- * Why settling and residual vibration are not seen; nothing where the native run carries on beyond its end to see them.
- * The page does not carry on: it then gives no number of its own, and the original run's stays, marked as such.
- */
-function unseen(times: Float64Array, moveEnd: number | null, compared: boolean): Facts {
-  const end = times[times.length - 1];
-  if (moveEnd !== null && moveEnd <= end * (1 + 1e-9)) return {};
-  const moves = "what moves the robot changes up to the end of the run";
-  const when = `the run ends at ${figures(end, 6)} s, the move at ${figures(moveEnd ?? 0, 6)} s`;
-  const settling = moveEnd === null ? moves : `${when}: simulate longer to see it settle`;
-  const vibration: Facts[string] = { value: null, note: moveEnd === null ? moves : "the run ends with the move" };
-  const facts: Facts = { settling: { value: null, note: `not seen: ${settling}` }, "vibration.residual": vibration };
-  return compared ? { ...facts, "vibration.nominal": vibration } : facts;
 }
 
 /** Of a run that broke off: it has not settled, and what was largest was so until then. */

@@ -1,19 +1,29 @@
-// What a page shows of a run a little after its curves: the parts of its deformations, and its modes.
+// What a page shows of a run a little after its curves: how it settles, the parts of its deformations, and its modes.
 
 import type { LiveRun } from "../contract_parts";
+import { afterMove, laterOf, settledOf, vibrationAfter } from "./after";
+import { naturalOf, settlingFact, vibrationFact } from "./after_facts";
+import { elementsOf, unrestOf, type SeenMode } from "./vibrating";
 import { vibrationOf } from "./vibration";
 import type { Regime } from "./regime";
+import type { Curves } from "./run";
 import { splitOf } from "./decomposition";
 import type { Bundle } from "./bundle";
 import type { Engine } from "./engine";
 import { Cancelled, type Watch } from "./engine_run";
+import type { Facts } from "./facts";
 
 const PIECE = 50; // ms between two looks at whether a newer run began
 
-/** The same run with its parts and modes; `real`: the actual robot in motion. Raises Cancelled. */
+/** What comes later of a run, by the ids of facts. */
+export const LATER = ["settling", "vibration.residual", "vibration.nominal", "frequency.first"];
+
+/** The same run with all of it, `early` when it is known how it settles. Raises Cancelled. */
 export async function completed(
-  engine: Engine, bundle: Bundle, values: readonly number[], run: LiveRun, real: Regime, watch: Watch,
+  engine: Engine, bundle: Bundle, values: readonly number[], run: LiveRun, curves: Curves, watch: Watch,
+  early: (run: LiveRun) => void,
 ): Promise<LiveRun> {
+  const { real } = curves;
   let since = performance.now();
   const pause = async (always = false): Promise<void> => {
     if (!always && performance.now() - since < PIECE) return;
@@ -22,8 +32,45 @@ export async function completed(
     since = performance.now();
   };
   await pause(true);
-  const { vibration, facts } = vibrationOf(engine, bundle, values, real, run);
+  const after = await settled(engine, bundle, curves, watch);
+  const rested = { ...run, facts: { ...run.facts, ...curves.reported(after.facts) }, pending: ["frequency.first"] };
+  early(rested);
+  await pause(true);
+  const { vibration, facts } = vibrationOf(engine, bundle, values, real, run, after.seen);
   await pause(true);
   const parts = await splitOf(engine, bundle, real.blocks, real.schedule, run.times, run.series, pause);
-  return { ...run, vibration, facts: { ...run.facts, ...facts }, series: { ...run.series, ...parts } };
+  return {
+    ...rested, vibration, facts: { ...rested.facts, ...facts }, series: { ...run.series, ...parts }, pending: undefined,
+  };
+}
+
+/** How both runs settle and vibrate after the move, and what modes are seen of the actual one. */
+async function settled(
+  engine: Engine, bundle: Bundle, { run, real, nominal, end }: Curves, watch: Watch,
+): Promise<{ facts: Facts; seen: SeenMode[] }> {
+  if (!bundle.after || run.status !== "finished") return { facts: {}, seen: [] };
+  const facts: Facts = {};
+  const seenOf = async (regime: Regime, name: string) => {
+    const found = await afterMove(engine, bundle, regime, end, watch);
+    const later = laterOf(found);
+    const rests = end === null || end >= found.times[found.times.length - 1]
+      || settledOf(bundle, found, "", true).time !== null;
+    const [unrest, still] = rests ? ["", false] : unrestOf(engine, bundle, regime.blocks, later.times, later.q);
+    const vibration = vibrationAfter(bundle, found, still);
+    if (unrest && !vibration.modes.length) vibration.reason = unrest;
+    const since = later.times.map((time) => time - (end ?? 0));
+    const elements = elementsOf(engine, bundle, regime.blocks, since, later.q, vibration);
+    facts[name] = vibrationFact(vibration, found, elements);
+    return { found, unrest, seen: vibration.modes.map((mode, k) => (
+      { frequency: naturalOf(mode), damping: mode.damping, element: elements[k] ?? "" }
+    )) };
+  };
+  const { found, unrest, seen } = await seenOf(real, "vibration.residual");
+  facts.settling = settlingFact(settledOf(bundle, found, unrest), found, bundle.after.settling.within);
+  if (nominal) {
+    if (!nominal.vibration) await seenOf(nominal.regime, "vibration.nominal");
+    facts["vibration.nominal"] ??= nominal.vibration!;
+    nominal.vibration = facts["vibration.nominal"];
+  }
+  return { facts, seen };
 }

@@ -1,5 +1,9 @@
 // Small dense systems of equations.
 
+import { Matrix, SingularValueDecomposition } from "ml-matrix";
+
+const EPSILON = 2 ** -52;
+
 /** Solve matrix x = right by elimination with pivots: both are used up, `right` becomes x; false where singular. */
 export function solveInPlace(a: Float64Array, x: Float64Array): boolean {
   const n = x.length;
@@ -128,5 +132,38 @@ export function inverted(a: Float64Array, n: number): Float64Array | null {
       for (let j = 0; j < n; j += 1) found[i * n + j] -= factor * found[k * n + j];
     }
   }
+  return found;
+}
+
+/** x of least size with a x = b as nearly as can be, of a [rows, n], b [rows, width], which are used up. */
+export function leastSquares(a: Float64Array, b: Float64Array, rows: number, n: number, width: number): Float64Array {
+  for (let k = 0; k < Math.min(n, rows); k += 1) {
+    let size = 0;
+    for (let i = k; i < rows; i += 1) size = Math.hypot(size, a[i * n + k]);
+    if (!size) continue;
+    const lead = a[k * n + k] > 0 ? -size : size;
+    const mirror = Float64Array.from({ length: rows - k }, (_, i) => a[(k + i) * n + k] - (i ? 0 : lead));
+    const half = mirror.reduce((sum, value) => sum + value * value, 0) / 2;
+    for (const [matrix, wide] of [[a, n], [b, width]] as const)
+      for (let j = 0; j < wide; j += 1) {
+        let along = 0;
+        for (let i = k; i < rows; i += 1) along += mirror[i - k] * matrix[i * wide + j];
+        for (let i = k; i < rows; i += 1) matrix[i * wide + j] -= (along / half) * mirror[i - k];
+      }
+  }
+  const m = Math.min(n, rows);
+  const square = a.subarray(0, m * n).map((value, k) => (k % n < Math.floor(k / n) ? 0 : value));
+  const upper = Matrix.from1DArray(m, n, square);
+  const { diagonal, leftSingularVectors: u, rightSingularVectors: v } =
+    new SingularValueDecomposition(upper, { autoTranspose: true });
+  const found = new Float64Array(n * width);
+  diagonal.forEach((value, t) => {
+    if (!(value > EPSILON * Math.max(rows, n) * diagonal[0])) return;
+    for (let j = 0; j < width; j += 1) {
+      let along = 0;
+      for (let i = 0; i < m; i += 1) along += u.get(i, t) * b[i * width + j];
+      for (let i = 0; i < n; i += 1) found[i * width + j] += (v.get(i, t) * along) / value;
+    }
+  });
   return found;
 }

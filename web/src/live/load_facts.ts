@@ -5,6 +5,9 @@ import type { Largest, LimitInfo, Loads, LoadsInfo, Quantity } from "./loads";
 import { figures, type Facts } from "./facts";
 import { columns, type SeriesOf } from "./series";
 
+/** What follows from loads. */
+export const LOADS = ["deflection.max", "moment.max", "stress.max", "stress.share"];
+
 export function loadFacts(loads: Loads, { strengths, places, kept }: LoadsInfo, times: Float64Array): Facts {
   const part = [
     loads.every > 1 ? `one sample in ${loads.every}` : "",

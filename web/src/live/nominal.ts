@@ -3,6 +3,7 @@
 import type { Bundle } from "./bundle";
 import type { Engine } from "./engine";
 import { Cancelled, type Watch } from "./engine_run";
+import type { Facts } from "./facts";
 import { numbersOf } from "./map";
 import { buffersIn } from "./messages";
 import { moved, type Regime } from "./regime";
@@ -12,6 +13,8 @@ import { plannedOf, type Seen } from "./run_series";
 export interface Nominal {
   regime: Regime;
   seen: Seen;
+  /** Its vibration after the move, once that is asked for. */
+  vibration?: Facts[string];
 }
 
 /** Who makes it; raises an error where it cannot start, and Cancelled. */

@@ -20,8 +20,10 @@ import * as signals from "./signals";
 /** Curves and the numbers that follow from them, and what more of a run is made of. */
 export interface Curves {
   run: LiveRun;
-  /** The actual robot in motion. */
+  /** The actual robot in motion, the nominal one, and when the move ends [s]; null: never. */
   real: Regime;
+  nominal?: Nominal;
+  end: number | null;
   /** Numbers as they are, and as they are reported of this run: of one that broke off, until then. */
   facts: Facts;
   reported: (facts: Facts) => Facts;
@@ -44,7 +46,7 @@ export async function curvesOf(
   };
   const end = signals.moveEnd(real.info.moving.map((k) => real.each[k]));
   const failed = [nominal?.regime, real].find((regime) => regime && regime.run.status !== "finished");
-  const facts: Facts = { ...factsOf(bundle, times, series, end), ...limitFact(bundle.carried.limits, series) };
+  const facts: Facts = { ...factsOf(bundle, times, series), ...limitFact(bundle.carried.limits, series) };
   const reported = (all: Facts) => (failed ? brokenOff(all) : all);
   const run: LiveRun = {
     status: failed ? failed.run.status : "finished",
@@ -55,7 +57,7 @@ export async function curvesOf(
     span: spanOf(times, end, setpointsOf(bundle, series)),
     facts: reported(facts),
   };
-  return { run, real, facts, reported };
+  return { run, real, nominal, end, facts, reported };
 }
 
 /** The nominal robot, where there is one, and the actual one in motion, at once where somebody else has the former. */

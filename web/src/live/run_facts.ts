@@ -4,9 +4,9 @@ import type { Bundle } from "./bundle";
 import { energyFacts, figures, meanOverTime, trackingFacts, type Facts } from "./facts";
 import { columns, range, worst, type SeriesOf } from "./series";
 
-/** `end`: when the move ends [s]; null where it never does. */
-export function factsOf(bundle: Bundle, times: Float64Array, series: SeriesOf, end: number | null): Facts {
-  const tracking = trackingFacts(times, series, end, bundle.errorParts ?? []);
+/** Of the curves. */
+export function factsOf(bundle: Bundle, times: Float64Array, series: SeriesOf): Facts {
+  const tracking = trackingFacts(times, series, bundle.errorParts ?? []);
   const facts: Facts = { ...tracking, ...energyFacts(series, times.length) };
   const every = bundle.deformations.flatMap((name, k) => (name.endsWith(".gear") ? [k] : []));
   const turning = every.filter((k) => bundle.turning.includes(bundle.deformations[k].replace(/\.gear$/, "")));

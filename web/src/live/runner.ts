@@ -5,7 +5,8 @@ import type { Bundle } from "./bundle";
 import { Engine } from "./engine";
 import { Cancelled, type Watch } from "./engine_run";
 import { Kept } from "./kept";
-import { completed } from "./later";
+import { completed, LATER } from "./later";
+import { LOADS } from "./load_facts";
 import { picturedOf } from "./pictured";
 import { planHere, planThere, serve, type Nominal } from "./nominal";
 import { curvesOf } from "./run";
@@ -26,12 +27,12 @@ export async function openRunner(bundle: Bundle, partner?: MessagePort): Promise
       const curves = await curvesOf(engine, bundle, values, watch, kept, planner);
       const { real, run: { times, series } } = curves;
       const needed = [times, series, real];
-      early(curves.run, needed);
+      early({ ...curves.run, pending: [...LATER, ...LOADS] }, needed);
       await new Promise((resolve) => setTimeout(resolve, 0));
       if (watch.cancelled?.()) throw new Cancelled("a newer run began");
-      const pictured = picturedOf(engine, bundle, curves);
+      const pictured = { ...picturedOf(engine, bundle, curves), pending: LATER };
       early(pictured, needed);
-      return completed(engine, bundle, values, pictured, real, watch);
+      return completed(engine, bundle, values, pictured, curves, watch, (run) => early(run, needed));
     },
   };
 }

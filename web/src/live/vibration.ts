@@ -11,6 +11,7 @@ import { numbersOf, type Blocks } from "./map";
 import { motionOf, ringing, info, type Found } from "./modes";
 import type { Vibration } from "../contract_parts";
 import { bestPartners, likeness } from "./partners";
+import { LOADS, namedAsSeen, type SeenMode } from "./vibrating";
 import type { LiveRun } from "../contract_parts";
 import type { Regime } from "./regime";
 import { valueAt, type Schedule } from "./signals";
@@ -19,11 +20,11 @@ const ROUNDING = 1e-13;
 const SAME = 1e-6; // relative difference of |pole| and the undamped frequency below which they are the same number
 const NOTHING = 1e-13;
 const FREE = "whole arm, free";
-const LOADS = "whole arm, in its weight and loads";
 
-/** Modes, marks and the first frequency for values of the sliders; a sentence where there are none. */
+/** Modes, marks (by what was `seen` of them) and the first frequency; a sentence where there are none. */
 export function vibrationOf(
   engine: Engine, bundle: Bundle, values: readonly number[], { blocks, schedule, info: own }: Regime, run: LiveRun,
+  seen: SeenMode[],
 ): { vibration: Vibration | string; facts: Facts } {
   if (!bundle.modes) return { vibration: bundle.noModes, facts: {} };
   try {
@@ -35,7 +36,7 @@ export function vibrationOf(
       bundle.modes.cases.find((one) => one.name === "locked")!;
     const end = endOf(bundle, own, schedule, run);
     const ending = end && aboutRest(engine, bundle, values, schedule, end, run.times[run.times.length - 1]).linear;
-    const marked = ending ? modesOf(bundle, blocks, ending, name, moving) : [];
+    const marked = ending ? namedAsSeen(modesOf(bundle, blocks, ending, name, moving), seen) : [];
     return info(cases, marked, rest, (q, count) => poseOf(engine, bundle, blocks, q, count).line);
   } catch (problem) {
     return { vibration: problem instanceof Error ? problem.message : String(problem), facts: {} };
@@ -118,7 +119,7 @@ function modesOf(bundle: Bundle, blocks: Blocks, linear: Linear, name: string, m
 }
 
 /** Twice the energy of a shape in each spring, and in the controllers. */
-function storedIn(
+export function storedIn(
   bundle: Bundle,
   blocks: Blocks,
   elastic: Float64Array,
