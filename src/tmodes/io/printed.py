@@ -14,8 +14,8 @@ if TYPE_CHECKING:
     from xarray import Dataset
 
 __all__ = [
-    "NEVER_LARGE", "CommandResult", "Table", "changed_by", "known_columns", "plain", "power_of_ten", "pretty", "public_names",
-    "shortened", "table_html", "written",
+    "NEVER_LARGE", "CommandResult", "Table", "changed_by", "known_columns", "plain", "power_of_ten", "pretty",
+    "public_names", "shortened", "table_html", "written",
 ]  # fmt: skip
 
 MOST_LINES, WIDEST = 10, 120
