@@ -192,7 +192,7 @@ def test_a_hostile_name_stays_text(browser: Any, good: Result, tmp_path: Path) -
         window = look(browser, path)
         assert window.said == []
         assert window.page.locator("img").count() == 0
-        assert window.page.locator("script").count() == 2
+        assert window.page.locator("script").count() == 4
         assert HOSTILE in window.page.locator("main").inner_text()
         window.page.context.close()
 

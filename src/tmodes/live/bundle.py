@@ -79,7 +79,9 @@ def live_bundle(
     ended = held_at(pair.real, float(result.record["time"].values[-1]), place)
     own = mechanics(pair, ended, stations, method, compared=compared, surfaces=surfaces)
     live = live_map(pair, stations, ahead, progress)
-    own["after"] = after_rules(pair.real, method) if json.loads(result.record.attrs.get("headline", "null")) is None else None
+    own["after"] = (
+        after_rules(pair.real, method) if json.loads(result.record.attrs.get("headline", "null")) is None else None
+    )
     own["errorParts"] = [*map(str, result.record["error_part"].values)] if "tip_error" in result.record else None
     return {**_common(result, pair, live, method), **own, "stations": np.array(stations)}
 

@@ -36,8 +36,8 @@ from tmodes.result import settling
 from tmodes.sheet import Robot
 
 __all__ = [
-    "after_rules", "continuing", "evenly", "joint_limits", "line_lengths", "line_names", "lines_info", "load_places", "vibration_numbers",
-    "vibrations_info", "yield_strengths",
+    "after_rules", "continuing", "evenly", "joint_limits", "line_lengths", "line_names", "lines_info", "load_places",
+    "vibration_numbers", "vibrations_info", "yield_strengths",
 ]  # fmt: skip
 
 

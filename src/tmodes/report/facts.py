@@ -61,7 +61,9 @@ def tracking_facts(summary: dict[str, Any]) -> Iterator[Fact]:
         facts.append(_error(one, f"{other}tip_error.commanded", f"{whose.capitalize()} error from commanded path", one))
     if deviation := summary["deviation"]:
         nominal = errors.get("nominal", {})
-        facts.append(_error(deviation, f"{other}deviation.max", f"{whose.capitalize()} error from nominal path", nominal))
+        facts.append(
+            _error(deviation, f"{other}deviation.max", f"{whose.capitalize()} error from nominal path", nominal)
+        )
     yield from facts
     yield _settling(summary["settling"])
     for which, one in summary["vibration"].items():

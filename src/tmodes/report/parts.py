@@ -105,13 +105,29 @@ _NEEDS = (
 
 
 def application(page: Mapping[str, Any]) -> Markup:
-    """Where the program mounts its parts, the data that it reads, and the program itself."""
+    """Where the program mounts its parts, the data that it reads, and the program itself, compressed."""
     without = tag("noscript", tag("p", _NEEDS, class_="status warning"))
     place = tag("div", id="tmodes-app")
     data = tag("script", Markup(embedded(pack(page))), type="text/plain", id="tmodes-data")
     heading = tag("h2", SECTIONS["viewer"], class_="offscreen")
     viewer = tag("section", heading, without, place, id="viewer", aria_label="Interactive view")
-    return Markup(viewer + data + tag("script", Markup(program())))
+    return Markup(viewer + data + _packed_program() + tag("script", Markup(_LOADER)))
+
+
+_LOADER = """\
+void (async () => {
+  const text = atob(document.getElementById("tmodes-program").textContent);
+  const packed = Uint8Array.from(text, (letter) => letter.charCodeAt(0));
+  const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
+  const script = document.createElement("script");
+  script.textContent = await new Response(stream).text();
+  document.body.append(script);
+})();"""
+
+
+@cache
+def _packed_program() -> Markup:
+    return tag("script", Markup(embedded(program().encode())), type="text/plain", id="tmodes-program")
 
 
 @cache
@@ -120,12 +136,12 @@ def program() -> str:
     return files("tmodes.report").joinpath("web/viewer.js").read_text(encoding="utf-8")
 
 
-@cache
-def policy() -> str:
-    """Content security policy of a page with the viewer: it may run this one program, and ask for nothing at all."""
-    digest = base64.b64encode(hashlib.sha256(program().encode()).digest()).decode()
+def policy(*further: str) -> str:
+    """Content security policy of a page with the viewer: it asks for nothing, and runs this program and ``further``."""
+    texts = (_LOADER, program(), *further)
+    digests = " ".join(f"'sha256-{base64.b64encode(hashlib.sha256(one.encode()).digest()).decode()}'" for one in texts)
     return (
-        f"default-src 'none'; script-src 'sha256-{digest}' 'wasm-unsafe-eval'; style-src 'unsafe-inline'; "
+        f"default-src 'none'; script-src {digests} 'wasm-unsafe-eval'; style-src 'unsafe-inline'; "
         "img-src data: blob:; worker-src blob:; connect-src 'none'; base-uri 'none'; form-action 'none'"
     )
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import base64
 import gzip
-import hashlib
 from collections.abc import Callable, Mapping, Sequence
 from functools import cache
 from importlib.resources import files
@@ -18,7 +17,7 @@ from tmodes.io.atomic import atomic_write
 from tmodes.report.markup import Markup, table, tag
 from tmodes.report.pack import embedded, pack
 from tmodes.report.page import page
-from tmodes.report.parts import document, program
+from tmodes.report.parts import document, policy
 from tmodes.result.run import run
 from tmodes.study.page.data import PERCENTS, ColumnInfo, Setting, ahead_of, page_data, setting_of, tip_bands
 from tmodes.study.result import StudyResult
@@ -35,18 +34,6 @@ _MOST_LOST = 20
 def study_program() -> str:
     """The program of a study's page as ``tools/web.py`` built it."""
     return files("tmodes.report").joinpath("web/study.js").read_text(encoding="utf-8")
-
-
-def _policy() -> str:
-    """It may run its own program, and open a report, which runs the viewer's; it asks for nothing at all."""
-    digests = [
-        f"'sha256-{base64.b64encode(hashlib.sha256(text.encode()).digest()).decode()}'"
-        for text in (study_program(), program())
-    ]
-    return (
-        f"default-src 'none'; script-src {' '.join(digests)} 'wasm-unsafe-eval'; style-src 'unsafe-inline'; "
-        "img-src data: blob:; worker-src blob:; connect-src 'none'; base-uri 'none'; form-action 'none'"
-    )
 
 
 def packed_report(html: str) -> str:
@@ -77,7 +64,7 @@ def study_document(
                 id="provenance")  # fmt: skip
     sections = {"charts": "Charts", "numbers": "Numbers", "provenance": "Provenance"}
     return document(
-        title, _policy(), sections, Markup(tag("style", styles)), heading,
+        title, policy(study_program()), sections, Markup(tag("style", styles)), heading,
         _status(rows, sentence, "good" if chosen else "warning"), chosen or Markup(),
         place, script, numbers, about,
     )  # fmt: skip
