@@ -16,9 +16,8 @@ import pytest
 import tmodes
 from command import tmodes as command
 from see.runs import result_of
-from tmodes.cli.show import names_apart
 from tmodes.errors import InputError, ResultFileError
-from tmodes.report.differences import differences, names_by_difference
+from tmodes.report.differences import differences, names_by_difference, run_names
 from tmodes.report.notebook import rest_page, show
 from tmodes.result import Result
 
@@ -53,7 +52,7 @@ def test_two_runs_side_by_side(runs, tmp_path):
     document = out.read_text(encoding="utf-8")
     head = head_of(document)
     assert [run["name"] for run in head["runs"]] == info["runs"]
-    assert info["runs"] == ["gear stiffness 400\u00a0N·m/rad", "gear stiffness 900\u00a0N·m/rad"]
+    assert info["runs"] == ["gear.stiffness 400", "gear.stiffness 900"]
     sheet, numbers = document.split("<h2>Differences</h2>")[1].split("<table>")[1:3]
     assert re.findall(r'<th scope="row">([^<]*)', sheet) == ["joints.joint.gear.stiffness.0"]
     one, two = (
@@ -93,10 +92,13 @@ def test_what_cannot_be_viewed(runs, tmp_path):
 
 
 def test_names_apart():
+    """By robots, by folders, by numbers where one file is given twice; short in any case."""
     paths = [Path("/a/one/result.nc"), Path("/b/one/result.nc"), Path("/b/two.nc")]
-    assert names_apart(["x", "y", "z"], paths) == ["x", "y", "z"]
-    assert names_apart(["x", "x", "y"], paths) == ["x (a/one)", "x (b/one)", "y (b/two)"]
-    assert names_apart(["x", "x"], [paths[0], paths[0]]) == ["x (1)", "x (2)"]
+    one, other = result_of("cantilever"), tmodes.run(tmodes.load("spong1987").with_({"integration.duration": 0.1}))
+    assert run_names([one, other], paths[:2]) == ["test", "spong1987"]
+    assert run_names([one, other, one], paths) == ["a/one", "b/one", "b/two"]
+    assert run_names([one, one], [paths[0], paths[0]]) == ["test 1", "test 2"]
+    assert run_names([one, one], [Path(f"/{k}{40 * 'long'}.nc") for k in range(2)]) == ["test 1", "test 2"]
 
 
 def test_a_result_in_a_notebook():
@@ -158,8 +160,9 @@ def test_runs_are_named_by_the_fewest_values_that_tell_them_apart(runs):
     assert names_by_difference([soft, soft]) is None
     assert names_by_difference([soft]) is None
     assert [one.path.rpartition(".")[2] for one in differences([stiff, heavy])] == ["mass", "output_step"]
-    assert names_by_difference([stiff, heavy]) == ["payload mass 0.5\u00a0kg", "payload mass 0.7\u00a0kg"]
+    assert names_by_difference([stiff, heavy]) == ["payload.mass 0.5\u00a0kg", "payload.mass 0.7\u00a0kg"]
     names = names_by_difference([soft, stiff, heavy])
     assert names
-    assert [name.split(", ")[1] for name in names] == [f"payload mass {m}\u00a0kg" for m in (0.5, 0.5, 0.7)]
+    assert [name.split(", ")[1] for name in names] == [f"mass {m}" for m in (0.5, 0.5, 0.7)]
+    assert max(map(len, names)) <= 24
     assert 'title="filipovic2010: 2 runs compared"' in show(stiff, heavy)._repr_html_()

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from tmodes.io.printed import changed_by
 from tmodes.plot.panels import pretty, readable
 
 
@@ -43,3 +44,14 @@ def test_the_largest_of_several() -> None:
 )
 def test_units_are_written_as_in_books(unit: str, written: str) -> None:
     assert pretty(unit) == written
+
+
+@pytest.mark.parametrize(
+    ("value", "first", "words"),
+    [(143.0, 1.0, "×143"), (66.0, 100.0, "−34 %"), (2.0, 1.0, "×2"), (1.5, 1.0, "+50 %"), (-3.0, -2.0, "+50 %"),
+     (1e-3, 1.0, "÷1000"), (0.5, 0.0, "from 0"), (0.0, 0.5, "to 0"), (1e-3, 1e-17, "from nearly 0"), (1.0, 1.0, ""),
+     (1.0, -1.0, "")],
+)  # fmt: skip
+def test_a_change_has_a_meaning(value: float, first: float, words: str) -> None:
+    """Factors instead of percentages of many digits; nothing where there is no ratio."""
+    assert changed_by(value, first) == words

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from tmodes.cli.series import StoredSeries
     from tmodes.result import Result
 
-__all__ = ["names_apart", "opened", "show", "view"]
+__all__ = ["opened", "show", "view"]
 
 
 WIDTH = 16
@@ -162,14 +162,14 @@ def view(
     over each other. Runs of one robot are named by what differs in their sheets, and tables list what differs and how
     every number changes.
     """
-    from tmodes.report.data import live_page, page_data, robot_name
-    from tmodes.report.differences import names_by_difference
+    from tmodes.report.data import live_page, page_data
+    from tmodes.report.differences import run_names
     from tmodes.report.parts import viewer_document
 
     _refuse_too_many(results)
     _refuse_taken(out, overwrite)
     stored = [stored_result(path) for path in results]
-    names = names_by_difference(stored) or names_apart([robot_name(one) for one in stored], results)
+    names = run_names(stored, [path.absolute() for path in results])
     with working("page", at_once=True):
         data = page_data(stored, names) if len(stored) > 1 else live_page(stored[0])
         page = _written(viewer_document(data), out, overwrite)
@@ -195,20 +195,6 @@ def _refuse_taken(out: Path | None, overwrite: bool) -> None:
         raise file_error(out, "a folder", "the name of a file", f"name the page, such as --out {out / 'view.html'}")
     if out is not None and os.path.lexists(out) and not overwrite:
         raise file_error(out, "a file that exists", "a new name", "--overwrite replaces it, --out names another")
-
-
-def names_apart(names: list[str], paths: list[Path]) -> list[str]:
-    """Names that tell the runs apart: a robot's own; where several share it, with as much of the path as it takes."""
-    if len(set(names)) == len(names):
-        return names
-    files = [path.absolute() for path in paths]
-    parts = [(path.parent if path.name == "result.nc" else path.with_suffix("")).parts for path in files]
-    longest = max(map(len, parts))
-    for depth in range(1, longest + 1):
-        info = [f"{name} ({'/'.join(one[-depth:])})" for name, one in zip(names, parts, strict=True)]
-        if len(set(info)) == len(info):
-            return info
-    return [f"{name} ({number})" for number, name in enumerate(names, 1)]
 
 
 def _written(text: str, out: Path | None, overwrite: bool) -> Path:

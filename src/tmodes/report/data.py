@@ -18,7 +18,7 @@ from tmodes.live.knobs import Ahead
 from tmodes.live.map import Progress
 from tmodes.plot.style import colours
 from tmodes.report.charts import charts_of
-from tmodes.report.differences import difference_tables, names_by_difference
+from tmodes.report.differences import difference_tables, run_names
 from tmodes.report.events import events_of
 from tmodes.report.facts import Fact, run_facts
 from tmodes.report.scene import frames_of, line_of, lines_at, scene_of
@@ -46,13 +46,13 @@ def page_data(
     says why, where it could be expected to. ``light``: without modes and sheet, for a picture that changes while
     somebody drags; of an early result (:func:`tmodes.result.early.early_result`) without the numbers it lacks.
     """
-    names = names or names_by_difference(results) or [robot_name(result) for result in results]
+    names = names or run_names(results)
     made = [Derives() for _ in results]
     charts = charts_of(results, made)
     runs = [_run(*one, light=light) for one in zip(results, names, charts, made, strict=True)]
-    subtitle = _title(results[0]) if len(results) == 1 else f"{len(results)} runs side by side"
+    subtitle = _title(results[0]) if len(results) == 1 else f"{len(results)} runs"
     own = {robot_name(result) for result in results}
-    same = len(results) > 1 and len(own) == 1 and not any(name.startswith(min(own)) for name in names)
+    same = len(results) > 1 and len(own) == 1
     title = f"{min(own)}: {len(results)} runs compared" if same else ", ".join(names)
     own_words = {"phrases": PHRASES, "colours": colours()}
     info = {"title": title, "subtitle": subtitle, "live": live, "notLive": not_live} | own_words

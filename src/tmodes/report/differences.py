@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterator, Mapping, Sequence
+from itertools import product
+from pathlib import Path
 from typing import Any, NamedTuple
 
 from tmodes.io.printed import changed_by
@@ -13,7 +15,7 @@ from tmodes.io.words import shown
 from tmodes.report.markup import Markup, table, tag, written
 from tmodes.result import Result
 
-__all__ = ["Difference", "difference_tables", "differences", "names_by_difference"]
+__all__ = ["Difference", "difference_tables", "differences", "names_by_difference", "run_names"]
 
 _ASIDE = {"format", "kind", "name", "title", "imported", "citation", "assumed", "notices"}
 """Entries of a sheet that change no run."""
@@ -23,16 +25,18 @@ _MOST_ROWS, _MOST_NAMED = 40, 3
 
 
 class Difference(NamedTuple):
-    """A place of the sheets by its path, and what stands there in each run, with its unit; a dash for nothing."""
+    """A place of the sheets by its path, and what stands there in each run; a dash for nothing.
+
+    ``values``: with units; ``bare``: numbers in SI units.
+    """
 
     path: str
     values: tuple[str, ...]
+    bare: tuple[str, ...]
 
-    @property
-    def short(self) -> str:
-        """The last two words of the path: ``payload mass``."""
-        words = [word for word in self.path.split(".") if not word.isdigit()]
-        return " ".join(words[-2:]).replace("_", " ")
+    def label(self, words: int) -> str:
+        """The last words of the path: ``payload.mass``."""
+        return ".".join([word for word in self.path.split(".") if not word.isdigit()][-words:])
 
 
 def differences(results: Sequence[Result]) -> list[Difference]:
@@ -44,8 +48,8 @@ def differences(results: Sequence[Result]) -> list[Difference]:
     for path in paths:
         here = [one.get(path) for one in flat]
         if len({json.dumps(one and one[1]) for one in here}) > 1:
-            values = (_text(*one, sheet) if one else "–" for one, sheet in zip(here, sheets, strict=True))
-            found.append(Difference(path, tuple(values)))
+            texts = [_texts(*one, sheet) if one else ("–", "–") for one, sheet in zip(here, sheets, strict=True)]
+            found.append(Difference(path, *zip(*texts, strict=True)))
     return found
 
 
@@ -60,23 +64,54 @@ def _leaves(value: Any, steps: tuple[Step, ...]) -> Iterator[tuple[tuple[Step, .
             yield from _leaves(item, (*steps, step))
 
 
-def _text(steps: tuple[Step, ...], value: Any, sheet: Any) -> str:
+def _texts(steps: tuple[Step, ...], value: Any, sheet: Any) -> tuple[str, str]:
+    """With its unit, and without."""
     if isinstance(value, bool) or not isinstance(value, (int, float)):
-        return value if isinstance(value, str) else shown(value)
+        text = value if isinstance(value, str) else shown(value)
+        return text, text
     place = place_of(steps, sheet)
-    return written(float(value), (place and place.unit) or "-", 6)
+    return written(float(value), (place and place.unit) or "-", 6), f"{value:.6g}"
 
 
 def names_by_difference(results: Sequence[Result]) -> list[str] | None:
-    """Names of runs of one robot by the fewest values that tell all apart; None where there are none, or too many."""
+    """Names of runs of one robot by the fewest values that tell all apart, such as ``gear.stiffness 90``.
+
+    At most 24 letters, so with fewer words of the path, or without the unit, where that is too long. None where there
+    are none, or too many.
+    """
     if len({result.name for result in results}) != 1 or len(results) < 2:
         return None
     found = differences(results)
     for count in range(1, min(len(found), _MOST_NAMED) + 1):
-        names = [", ".join(f"{one.short} {one.values[k]}" for one in found[:count]) for k in range(len(results))]
-        if len(set(names)) == len(names):
-            return names
+        for words, field in product((2, 1, 0), ("values", "bare")):
+            parts = [[f"{one.label(words)} {value}".strip() if words else value for value in getattr(one, field)]
+                     for one in found[:count]]  # fmt: skip
+            names = [", ".join(own) for own in zip(*parts, strict=True)]
+            if _short_and_apart(names):
+                return names
     return None
+
+
+LONGEST = 24
+"""Letters of a run's name."""
+
+
+def run_names(results: Sequence[Result], files: Sequence[Path] = ()) -> list[str]:
+    """Short names of runs that tell them apart: by what differs, else of robots, of folders, else numbers."""
+    own = [result.name if len(result.name) <= LONGEST else f"{result.name[: LONGEST - 1]}…" for result in results]
+    if len(results) < 2 or _short_and_apart(own):
+        return own
+    if found := names_by_difference(results):
+        return found
+    places = [(path.parent if path.name == "result.nc" else path.with_suffix("")).parts for path in files]
+    for depth in range(1, 1 + max(map(len, places), default=0)):
+        if _short_and_apart(names := ["/".join(parts[-depth:]) for parts in places]):
+            return names
+    return [f"{name[: LONGEST - 3]} {number}" for number, name in enumerate(own, 1)]
+
+
+def _short_and_apart(names: Sequence[str]) -> bool:
+    return len(set(names)) == len(names) and max(map(len, names)) <= LONGEST
 
 
 def difference_tables(results: Sequence[Result], runs: Sequence[Mapping[str, Any]]) -> Markup | None:

@@ -13,8 +13,7 @@ from typing import Any
 from tmodes.errors import InputError
 from tmodes.io.arguments import checked_arguments
 from tmodes.io.atomic import atomic_write
-from tmodes.report.data import live_page, page_data, robot_name
-from tmodes.report.differences import names_by_difference
+from tmodes.report.data import live_page, page_data
 from tmodes.report.parts import viewer_document
 from tmodes.report.rest import rest_page
 from tmodes.result import Result
@@ -66,18 +65,10 @@ def show(*shown: Result | Robot, names: list[str] | None = None, height: int = H
         raise InputError("show", got, "one result or more, or one robot", "run robots first to compare them")
     if names is not None and len(names) != len(shown):
         raise InputError("names", f"{len(names)} names", f"{len(shown)}, one for each", "name each result")
-    page = rest_page(robots[0]) if robots else _page_of(results, names or _numbered(results))
+    page = rest_page(robots[0]) if robots else _page_of(results, names)
     return Shown(viewer_document(page), str(page["title"]), height)
 
 
 def _page_of(results: list[Result], names: list[str] | None) -> dict[str, Any]:
     """One result with its equations, so that it can be run again in the page; several side by side."""
     return live_page(results[0]) if len(results) == 1 and names is None else page_data(results, names)
-
-
-def _numbered(results: list[Result]) -> list[str] | None:
-    """Several results of robots of one name are named by what differs, else get numbers."""
-    if found := names_by_difference(results):
-        return found
-    names = [robot_name(result) for result in results]
-    return None if len(set(names)) == len(names) else [f"{name} {k}" for k, name in enumerate(names, 1)]
