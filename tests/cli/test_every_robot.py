@@ -83,7 +83,14 @@ class TestEveryRobot:
         assert json.loads(done_by("batch", run[0], *vary, *SHORT, "--json").stdout)["finished"] == 2
 
     def test_its_result_is_shown_and_viewed(self, run: tuple[str, Path], tmp_path: Path) -> None:
-        assert json.loads(done_by("show", run[1], "--json").stdout)["status"] == "finished"
+        found = json.loads(done_by("show", run[1], "--json").stdout)
+        assert found["status"] == "finished"
+        lines = done_by("show", run[1]).stdout.splitlines()
+        assert max(map(len, lines)) <= 80
+        assert " ".join(lines).startswith(found["summary"]["verdict"]["sentence"])
+        rows = [line for line in lines if line[:2] == "  " and line[2:3].isalpha()]
+        assert 2 <= len(rows) <= 1 + 12
+        assert any("Settling" in row for row in rows)
         done_by("view", run[1], "--no-open", "--out", tmp_path / "view.html")
         assert (tmp_path / "view.html").read_text(encoding="utf-8").startswith("<!doctype html>")
 

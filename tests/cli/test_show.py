@@ -14,7 +14,7 @@ import pytest
 from command import COMMAND, tmodes
 from result.synthetic import synthetic_result
 from see.runs import NASTY, result_of
-from tmodes.cli.series import ASCII, BLOCKS, first_series, series_of_result, sparkline, steps_for
+from tmodes.cli.series import ASCII, BLOCKS, series_of_result, sparkline, steps_for
 from tmodes.result import Result
 
 SHOW = [*COMMAND, "show"]
@@ -37,11 +37,14 @@ def info(*arguments: object, **more):
 
 
 def test_folder_and_file_tell_the_same(robot_run):
-    shown = info(robot_run).stdout
-    assert shown.replace("\\", "/") == info(robot_run / "result.nc").stdout.replace("\\", "/")
-    for word in ("finished", "tip error to nominal", "mm", "locked", "damping ratio", "voltage joint [V]", "█"):
-        assert word in shown
-    assert "\x1b" not in shown
+    for options in ([], ["--all"]):
+        shown = info(robot_run, *options).stdout
+        assert shown.replace("\\", "/") == info(robot_run / "result.nc", *options).stdout.replace("\\", "/")
+        assert "\x1b" not in shown
+        for word in ("finished", "rror from nominal path", "mm"):
+            assert word in shown
+        for word in ("locked", "damping ratio", "voltage joint [V]", "█"):
+            assert (word in shown) == bool(options)
 
 
 def test_numbers_for_machines_are_those_of_the_series(robot_run):
@@ -57,7 +60,7 @@ def test_numbers_for_machines_are_those_of_the_series(robot_run):
 def test_an_arm_with_a_nasty_name(arm_result, tmp_path):
     """Names are text; each series of an arm has the one unit that is its own."""
     arm_result.save(tmp_path / "result.nc")
-    shown = info(tmp_path).stdout
+    shown = info(tmp_path, "--all").stdout
     assert f"effort {NASTY} [" in shown
     assert "along prismatic" not in shown
     units = {one.name: one.unit for one in series_of_result(arm_result.data)}
@@ -71,12 +74,11 @@ def test_series_along_a_link_are_the_farthest_values(arm_result):
     values = data["moment"].sel(bending_link="rod", moment_kind="z").values
     own = next(one for one in series_of_result(data) if one.name == "moment rod z")
     assert np.array_equal(np.abs(own.values), np.abs(values).max(axis=-1))
-    assert len(first_series(data)) < len(list(series_of_result(data)))
 
 
 def test_no_blocks_where_the_terminal_has_none(robot_run):
     world = os.environ | {"PYTHONIOENCODING": "ascii"}
-    shown = info(robot_run, env=world).stdout
+    shown = info(robot_run, "--all", env=world).stdout
     assert shown.isascii()
     assert "\\u" not in shown
     assert "energy_balance" in shown
@@ -91,13 +93,15 @@ def test_eighty_columns(robot_run):
     import termios
 
     fcntl.ioctl(other, termios.TIOCSWINSZ, struct.pack("HHHH", 40, 80, 0, 0))
-    with subprocess.Popen([*SHOW, str(robot_run)], stdout=other, stderr=other, env=os.environ | {"TERM": "dumb"}):
+    with subprocess.Popen(
+        [*SHOW, "--all", str(robot_run)], stdout=other, stderr=other, env=os.environ | {"TERM": "dumb"}
+    ):
         os.close(other)
         content = b""
         while part := _read(main):
             content += part
     os.close(main)
-    table = content.decode().partition("frequencies")[2].partition("more series")[0]
+    table = content.decode().partition("frequencies")[2].partition("data    ")[0]
     assert "voltage" in table
     assert max(map(len, table.splitlines())) <= 80
 

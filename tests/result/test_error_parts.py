@@ -151,8 +151,8 @@ def test_what_is_shown_of_it():
     summary = result_of("swinging").summary()
     for which, one in summary["tip_error"].items():
         assert sum(one["parts_m"].values()) == pytest.approx(one["max_m"], rel=1e-12)
-        row = next(row for row in summary_rows(summary) if row[0] == f"tip error to {which}")
-        assert f"{one['parts_m']['controller'] * 1e3:.3g} controller" in row[-1]
+        row = next(row for row in summary_rows(summary) if row[0] == f"error from {which} path")
+        assert f"controller {one['parts_m']['controller'] * 1e3:.3g} mm" in row[-1]
         for part, elements in one["elements_m"].items():
             assert sum(elements.values()) == pytest.approx(one["parts_m"][part], abs=1e-14)
         assert (one["environment_m"] is None) == ("contact_force" not in result_of("swinging").data)
@@ -262,8 +262,8 @@ def test_parts_of_a_deformation_that_cancel_are_not_given():
     data["deformation_stationary"].loc[{"deformation_kind": "shoulder.gear", "time": 0.0}] = 1.49e3
     summary = Result(data).summary()
     assert "max_stationary" not in summary["deformations"]["shoulder.gear"]
-    row = next(row for row in summary_rows(summary) if row[0] == "largest shoulder.gear")
-    assert "T_st" not in row[3]
+    row = next(row for row in summary_rows(summary) if row[0] == "deflection of gear shoulder")
+    assert "static" not in row[4]
 
 
 def test_a_double_eigenvalue_zero_does_not_grow():

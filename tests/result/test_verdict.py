@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import html
+import json
 import os
 from typing import Any
 
@@ -9,6 +11,7 @@ import pytest
 
 import tmodes
 from random_sheets import random_sheet
+from tmodes.cli.terminal import print_parts
 from tmodes.report.data import page_data
 from tmodes.report.rest import rest_page
 from tmodes.result import Result
@@ -165,6 +168,28 @@ def test_pages_carry_verdicts_and_phrases(spong: Result) -> None:
     still = rest_page(tmodes.load("spong1987"))["runs"][0]["verdict"]
     assert still.keys() == spong.verdict.keys()
     assert still["largest_m"] is None
+
+
+def test_terminal_repr_notebook_json_and_page_give_the_same(spong: Result, capsys: Any) -> None:
+    shown = tmodes.Result.like(spong)
+    print_parts(shown.tables())
+    texts = [capsys.readouterr().out, repr(shown), html.unescape(shown._repr_html_())]
+    for text in texts:
+        words = " ".join(text.split())
+        assert spong.verdict["sentence"] in words
+        assert f"{culprit_words(spong.verdict)}." in words
+    assert json.loads(json.dumps(shown.info()))["summary"]["verdict"] == spong.verdict
+    assert page_data([shown])["runs"][0]["verdict"] == spong.verdict
+
+
+def test_a_number_that_is_not_exact_says_so(spong: Result, monkeypatch: pytest.MonkeyPatch) -> None:
+    """An error of the integration that shows in the first figures is said with the number."""
+    shown = tmodes.Result.like(spong)
+    summary = shown.summary()
+    summary["error"] = {"how": "x", "figures": {"tip_error.commanded.max_m": 0.002}, "approximate": []}
+    assert "±" not in repr(shown)
+    monkeypatch.setattr(shown, "summary", lambda band=None: summary)
+    assert "± 2 mm" in repr(shown)
 
 
 def test_a_phrase_takes_the_first_alternative_that_is_known() -> None:

@@ -137,12 +137,12 @@ def test_a_finished_run_says_so(texts: dict[str, str], good: Result) -> None:
 
 def test_the_numbers_are_those_of_the_summary(texts: dict[str, str], good: Result) -> None:
     info, text = good.summary(), Page(texts["good"]).text
-    assert f"Tip error from nominal path {info['deviation']['max_m'] * 1e3:.4g} mm" in text
+    assert f"Error from nominal path {info['deviation']['max_m'] * 1e3:.4g} mm" in text
     assert f"at {info['deviation']['time_of_max_s']:.3g} s" in text
     settling = info["settling"]
     assert f"Settling after the move {settling['time_s']:.4g} s within" in text
     assert f"{1e3 * settling['limit_m']:.4g} mm of its rest, 0.1 % of the move" in text
-    assert "First natural frequency, controlled 4.932 Hz 4.989 Hz with the motors locked" in text
+    assert "First frequency, controlled 4.932 Hz 4.989 Hz with the motors locked" in text
     for name, one in info["deformations"].items():
         assert f"{name} {1e3 * one['max']:.4g} mrad {one['time_of_max_s']:.3g} s" in text
     moment = max(link["bending_moment"]["max_Nm"] for link in info["links"].values())

@@ -275,7 +275,7 @@ def test_a_case_is_simulated_again_in_its_live_report(browser: Any, tmp_path: Pa
     }
     wanted = run(load("spong1987").with_(changes)).summary()["tip_error"]["commanded"]["max_m"] * 1e3
     assert rows.quantities["peak"][case] == pytest.approx(wanted, rel=1e-4)
-    row = report.locator(".facts > div", has_text="Tip error from commanded path").locator("strong")
+    row = report.locator(".facts > div", has_text="Error from commanded path").locator("strong")
     report.wait_for_selector(".facts .was")
     assert float(row.first.inner_text().split()[0]) == pytest.approx(wanted, rel=2e-3)
     assert window.said == []

@@ -81,7 +81,7 @@ def test_numbers_marks_and_keys_lead_to_their_time(window: Any, good: Any) -> No
     page.keyboard.press(",")
     page.keyboard.press(",")
     assert shown(window) == pytest.approx(worst - 1e-3, abs=1e-6)
-    page.locator(".time-mark[aria-label*='tip error from commanded path']").click()
+    page.locator(".time-mark[aria-label*='error from commanded path']").click()
     assert shown(window) == pytest.approx(worst, abs=0.03)
 
 

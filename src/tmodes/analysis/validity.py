@@ -13,9 +13,10 @@ from tmodes.equations.recursion.parts import NodePart
 from tmodes.kinds.links.contract import Link
 from tmodes.model.model import Model
 from tmodes.sheet import Robot
+from tmodes.sheet.robot import yield_strength
 
 __all__ = [
-    "LinkRange", "link_angles", "link_ranges", "missing_share", "rest_warnings", "run_warnings", "yield_strength",
+    "LinkRange", "link_angles", "link_ranges", "missing_share", "rest_warnings", "run_warnings",
 ]  # fmt: skip
 
 Array = NDArray[np.float64]
@@ -166,15 +167,6 @@ def _yielding(robot: Robot, time: Array, line: LinkLine) -> Iterator[str]:
         f"link {line.name} is stressed beyond the yield strength of its material ({strength / 1e6:.4g} MPa{place})",
         "MPa", "the elastic model ends there; take a stronger section, or a slower move",
     )  # fmt: skip
-
-
-def yield_strength(robot: Robot, name: str) -> float | None:
-    """Least yield strength [Pa] of a link's materials, None where unknown. Segments bear their link's name."""
-    names = {link.name for link in robot.links}
-    beam = robot.link(name if name in names else name.rpartition(".")[0]).beam if robot.links else None
-    if beam is None:
-        return None
-    return min(beam.yield_strengths, default=None)
 
 
 def _buckling(model: Model, time: Array, line: LinkLine) -> Iterator[str]:

@@ -24,15 +24,42 @@ __all__ = ["COMMANDS", "app", "main"]
 INTERRUPTED = 130
 FAULT = 70
 
-COMMANDS = {
-    "run": "run.run", "robots": "sheets.robots", "check": "sheets.check", "describe": "describe.describe",
-    "batch": "batch.batch", "study": "study.study", "static": "static.static", "hierarchy": "describe.hierarchy",
-    "modes": "modes.modes", "outputs": "names.outputs", "parameters": "names.parameters",
-    "eval": "evaluate.evaluate", "schema": "sheets.schema", "show": "show.show",
-    "view": "show.view", "figures": "figures.figures", "studio": "studio.studio", "export": "export.export",
-    "sensitivity": "sensitivity.sensitivity", "optimize": "optimize.optimize",
-    "cache": "cache.cache",
+_GROUPS = {
+    "First commands": {
+        "run": ("run.run", "simulate a robot under control; the result as a page and a file"),
+        "check": ("sheets.check", "check a data sheet: all errors at once, wrong units"),
+        "modes": ("modes.modes", "frequencies and damping, and what vibrates"),
+        "study": ("study.study", "many robots by a plan: tolerances, sweeps, catalogues"),
+        "studio": ("studio.studio", "change a robot in the browser and see it move at once"),
+    },
+    "Robots": {
+        "robots": ("sheets.robots", "list the published robots, print one to edit"),
+        "describe": ("describe.describe", "masses, stiffness, frequencies of the links, sag"),
+        "static": ("static.static", "equilibrium under weight and loads, and its stability"),
+        "hierarchy": ("describe.hierarchy", "link models side by side: cost and difference"),
+        "outputs": ("names.outputs", "names of all numbers of an instant, with units"),
+        "parameters": ("names.parameters", "numbers of a data sheet that can be varied"),
+        "schema": ("sheets.schema", "the JSON Schema of data sheets, for editors"),
+    },
+    "Results": {
+        "show": ("show.show", "a stored result, or study, in the terminal"),
+        "view": ("show.view", "results in the browser, several side by side"),
+        "figures": ("figures.figures", "draw the figures of a result, for print"),
+    },
+    "Many runs": {
+        "batch": ("batch.batch", "vary numbers of one robot, evenly or at random"),
+        "sensitivity": ("sensitivity.sensitivity", "which parameters matter, and how sure that is"),
+        "optimize": ("optimize.optimize", "the best design within limits"),
+    },
+    "Equations and code": {
+        "eval": ("evaluate.evaluate", "the equations at given states"),
+        "export": ("export.export", "the equations and integrator as WebAssembly"),
+        "cache": ("cache.cache", "where compiled code is kept; remove it"),
+    },
 }  # fmt: skip
+"""The commands in groups: where the function of each is in this package, and what it does."""
+
+COMMANDS = {name: home for group in _GROUPS.values() for name, (home, _) in group.items()}
 """The function of each command, by its module in this package; imported when the command is given."""
 
 _OLD = {"ladder": "describe.ladder"}
@@ -59,15 +86,29 @@ class Commands(TyperGroup):
         single.command(cmd_name)(getattr(import_module(f"tmodes.cli.{module}"), function))
         return typer.main.get_command(single)
 
+    def format_help_text(self, ctx: Any, formatter: Any) -> None:
+        """What tmodes is, and its commands, the first ones first; none is imported."""
+        super().format_help_text(ctx, formatter)
+        for title, group in _GROUPS.items():
+            with formatter.section(title):
+                formatter.write_dl([(name, words) for name, (_, words) in group.items()], col_spacing=3)
+
+    def format_commands(self, ctx: Any, formatter: Any) -> None:
+        """Nothing further: they stand before the options."""
+
 
 app = typer.Typer(
     name="tmodes",
     cls=Commands,
     no_args_is_help=True,
     help="Model, simulate and control robots that bend: elastic gears, flexible links, a tip that touches the world.",
-    epilog="Start with:  tmodes run two_link_arm      Your own robot:  tmodes robots two_link_arm > my.yaml   "
-    "then  tmodes check my.yaml  and  tmodes run my.yaml      Exit codes: 0 done, 2 wrong input, 3 the run failed, "
-    "4 a file cannot be read or written, 5 compiler trouble, 70 a fault of tmodes, 130 interrupted.",
+    epilog="""\b
+    Start with:       tmodes run two_link_arm
+    Your own robot:   tmodes robots two_link_arm > my.yaml,  then  tmodes check my.yaml
+    All of a command: tmodes COMMAND --help
+
+    Exit codes: 0 done, 2 wrong input, 3 the run failed, 4 a file cannot be read or written, 5 compiler trouble,
+    70 a fault of tmodes, 130 interrupted.""",
     **_PLAIN,
 )
 

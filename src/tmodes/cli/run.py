@@ -50,6 +50,7 @@ def run(
         typer.Option("--live/--no-live", help="Let the report simulate again; compiling takes some seconds, once."),
     ] = True,
     open_page: Annotated[bool, typer.Option("--open", help="Open the report in the browser.")] = False,
+    everything: Annotated[bool, typer.Option("--all", help="All numbers, with their errors; not a dozen.")] = False,
     timing: Annotated[bool, typer.Option("--timing", help="Say where the time went, here and in the report.")] = False,
     as_json: options.AsJson = False,
 ) -> None:
@@ -87,7 +88,7 @@ def run(
                 warn(notices_about(sheet))  # a wrong unit is the likely cause
                 raise
             fault = folder.products(result, progress, report=report, figures=figures)
-    _say(result, folder, as_json, progress.spent if timing else {})
+    _say(result, folder, as_json, progress.spent if timing else {}, everything=everything)
     if fault:
         raise fault
     if open_page and folder.report_file.exists():
@@ -118,8 +119,8 @@ def _folder(
     return RunFolder(path, sheet, overwrite, shapes, live=live, spent=spent)
 
 
-def _say(result: Any, folder: RunFolder, as_json: bool, spent: Mapping[str, list[float]]) -> None:
-    from tmodes.interface.summary import result_record, run_tables
+def _say(result: Any, folder: RunFolder, as_json: bool, spent: Mapping[str, list[float]], *, everything: bool) -> None:
+    from tmodes.interface.summary import COLUMNS, result_record, run_tables
 
     if as_json:
         timing = {"files": folder.written(), "seconds_per_simulated_second": result.timing}
@@ -127,7 +128,8 @@ def _say(result: Any, folder: RunFolder, as_json: bool, spent: Mapping[str, list
             timing["stages_s"] = {stage: dict(zip(TIMES, times, strict=True)) for stage, times in spent.items()}
         print_json(result_record(result) | timing)
     else:
-        print_parts(run_tables(result, ended=result.status == "finished"))  # any other ending is said with the errors
+        more = f"tmodes show {folder.path} --all"
+        print_parts(run_tables(result, everything=everything, more=more), None if everything else COLUMNS)
         print(f"open    {folder.report_file}" if folder.report_file.exists() else "no report was written")
         print(f"data    {folder.result_file}")
         if spent:

@@ -13,17 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 if TYPE_CHECKING:
     from tmodes.io.labelled import Labelled, Record
 
-__all__ = ["ASCII", "BLOCKS", "StoredSeries", "first_series", "series_of_result", "sparkline", "steps_for"]
-
-FIRST = (
-    "deviation", "tip", "deformation", "penetration", "surface_displacement", "contact_force_radial",
-    "contact_force_normal", "voltage", "current", "effort", "motor_torque", "gear_torque", "stress", "deflection",
-    "bending_moment", "moment", "energy_balance", "q",
-)  # fmt: skip
-"""What a reader asks first; a result may have any other, which ``--all`` shows."""
-
-MOST_EACH, MOST = 6, 28
-"""Series of one variable, and of all, that are shown unasked."""
+__all__ = ["ASCII", "BLOCKS", "StoredSeries", "series_of_result", "sparkline", "steps_for"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -46,17 +36,6 @@ def series_of_result(data: Record) -> Iterator[StoredSeries]:
     for name, variable in data.data_vars.items():
         if variable.dims[:1] == ("time",) and np.issubdtype(variable.dtype, np.floating):
             yield from _parts(data, str(name), variable, _coordinate_units(data))
-
-
-def first_series(data: Record) -> list[StoredSeries]:
-    """Those of the variables that a reader asks first, of each variable the ones with the widest range."""
-    found = list(series_of_result(data))
-    shown: list[StoredSeries] = []
-    for name in FIRST:
-        own = [one for one in found if one.variable == name]
-        widest = sorted(own, key=lambda one: -float(np.ptp(one.values)))[:MOST_EACH]
-        shown += [one for one in own if one in widest]
-    return shown[:MOST]
 
 
 def _farthest(variable: Labelled) -> tuple[list[str], NDArray[np.float64]]:

@@ -15,7 +15,7 @@ from tmodes.cli.options import AsJson, SettlingBand, stored_result
 from tmodes.cli.terminal import print_json, print_parts, print_result, print_table, warn, working
 from tmodes.errors import InputError
 from tmodes.io.atomic import atomic_write, file_error
-from tmodes.io.printed import plain
+from tmodes.io.printed import Table, plain
 
 if TYPE_CHECKING:
     from tmodes.cli.series import StoredSeries
@@ -29,15 +29,14 @@ WIDTH = 16
 
 MOST_MODES = 8
 
-PLAIN_UNITS = str.maketrans({"·": " ", "µ": "u", "Ω": "ohm", "²": "^2", "³": "^3", "–": "-"})
-"""Units for terminals that know no other letters."""
-
 ResultArgument = Annotated[Path, typer.Argument(metavar="RESULT", help="A result.nc, or the folder of a run or study.")]
 
 
 def show(
     result: ResultArgument,
-    everything: Annotated[bool, typer.Option("--all", help="Every series, not only the first ones.")] = False,
+    everything: Annotated[
+        bool, typer.Option("--all", help="All numbers with their errors, frequencies, every series.")
+    ] = False,
     events: Annotated[bool, typer.Option("--events", help="What happened when: touch, stick, slip, teeth.")] = False,
     settling_band: SettlingBand = None,
     output: Annotated[
@@ -45,9 +44,10 @@ def show(
     ] = None,
     as_json: AsJson = False,
 ) -> None:
-    """What a stored result says: how the run ended, the numbers that matter, frequencies, and every course in a line.
+    """What a stored result says: its verdict, and at most a dozen numbers.
 
-    Of what is known along a link (deflection, moment) the value of the largest size at each instant is shown.
+    With `--all` all numbers with their errors, frequencies, and the course of every series in a line; of what is known
+    along a link (deflection, moment) the value of the largest size at each instant.
 
     With `--events` its events alone: when and where a contact touched, friction stuck or slipped, teeth of a gear with
     play met, a joint passed its limit, and at which speed; `--json` has them always.
@@ -58,7 +58,7 @@ def show(
 
     Of a study, its folder: what its quantities are over all cases, as the study has reported it.
     """
-    from tmodes.cli.series import StoredSeries, first_series, series_of_result
+    from tmodes.cli.series import StoredSeries, series_of_result
     from tmodes.interface.show import is_study, result_file
     from tmodes.interface.summary import events_table, result_record
 
@@ -74,7 +74,7 @@ def show(
             _print_series(chosen, float(data["time"][-1]))
             return
     else:
-        chosen = list(series_of_result(data)) if everything or as_json else first_series(data)
+        chosen = list(series_of_result(data)) if everything or as_json else []
     if as_json:
         series = [{"variable": one.variable, "of": one.of, "unit": one.unit} | _extremes(one) for one in chosen]
         print_json({"file": str(result_file(result)), **result_record(stored, settling_band), "series": series})
@@ -82,7 +82,7 @@ def show(
     if events:
         print_parts([events_table(stored)])
         return
-    _show(stored, result_file(result), chosen, sum(1 for _ in series_of_result(data)), settling_band)
+    _show(stored, result_file(result), chosen, settling_band)
 
 
 def _show_study(place: Path, *, as_json: bool) -> None:
@@ -102,17 +102,17 @@ def _extremes(one: StoredSeries) -> dict[str, float]:
     return {"min": float(one.values.min()), "max": float(one.values.max()), "end": float(one.values[-1])}
 
 
-def _show(stored: Result, file: Path, chosen: list[StoredSeries], total: int, band: str | None) -> None:
-    from tmodes.interface.summary import run_tables
+def _show(stored: Result, file: Path, chosen: list[StoredSeries], band: str | None) -> None:
+    from tmodes.interface.summary import COLUMNS, run_tables
 
-    print_parts(run_tables(stored, band))
-    if modes := list(_modes(stored.frequencies)):
-        print_table(
-            "frequencies", ["motors", "dominant element", "natural [Hz]", "damped [Hz]", "damping ratio"], modes
-        )
-    _print_series(chosen, float(stored.record["time"][-1]))
-    if len(chosen) < total:
-        print(f"{total - len(chosen)} more series: --all")
+    more = "all numbers with their errors, frequencies, every series: --all"
+    parts = run_tables(stored, band, everything=bool(chosen), more=more)
+    print_parts(parts, None if chosen else COLUMNS)
+    if chosen:
+        modes = list(_modes(stored.frequencies))
+        columns = ["motors", "dominant element", "natural [Hz]", "damped [Hz]", "damping ratio"]
+        print_parts([Table("frequencies", columns, modes)] if modes else ())
+        _print_series(chosen, float(stored.record["time"][-1]))
     print(f"data    {plain(str(file))}")
     warn(map(plain, stored.warnings))
 
@@ -123,13 +123,12 @@ def _print_series(chosen: list[StoredSeries], end: float) -> None:
 
 
 def _row(one: StoredSeries) -> list[str]:
-    from tmodes.cli.series import ASCII, sparkline, steps_for
+    from tmodes.cli.series import sparkline, steps_for
     from tmodes.plot.panels import readable
 
     unit, steps = readable(one.unit, one.values), steps_for(sys.stdout.encoding)
-    name = unit.name.translate(PLAIN_UNITS) if steps is ASCII else unit.name
     numbers = [f"{value * unit.factor:.4g}" for value in _extremes(one).values()]
-    return [f"{plain(one.name)} [{plain(name)}]", *numbers, sparkline(one.values, WIDTH, steps)]
+    return [f"{plain(one.name)} [{plain(unit.name)}]", *numbers, sparkline(one.values, WIDTH, steps)]
 
 
 def _modes(frequencies: dict[str, list[dict[str, Any]]]) -> Iterator[list[str]]:

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
 __all__ = [
     "TIMES",
     "Stages",
+    "letters",
     "notice",
     "print_json",
     "print_json_list",
@@ -56,13 +57,15 @@ def print_json_list(values: Iterable[Any]) -> None:
     print("\n]")
 
 
-def print_table(title: str, columns: Sequence[str], rows: Sequence[Sequence[str]]) -> None:
+def print_table(title: str, columns: Sequence[str], rows: Sequence[Sequence[str]], piped: int | None = None) -> None:
     """Print a table; columns of numbers stand to the right.
 
     Words and numbers are never cut. Where the terminal is too narrow, cells wrap between words; where it is narrower
-    than the longest words side by side, each row becomes a block of lines, one for each column.
+    than the longest words side by side, each row becomes a block of lines, one for each column. ``piped``: the width
+    where there is no terminal; None: whatever the table needs.
     """
-    room = shutil.get_terminal_size().columns if sys.stdout.isatty() else None
+    title, columns, rows = letters(title), [*map(letters, columns)], [[*map(letters, row)] for row in rows]
+    room = shutil.get_terminal_size().columns if sys.stdout.isatty() else piped
     frame = 3 * len(columns) + 1
     longest = [_widths(cells) for cells in zip(columns, *rows, strict=True)]
     whole, words = [one[0] for one in longest], [one[1] for one in longest]
@@ -85,10 +88,23 @@ def print_result(found: CommandResult, as_json: bool, **more: Any) -> None:
     warn(() if as_json else found.warnings)
 
 
-def print_parts(parts: Iterable[str | Table]) -> None:
-    """Print sentences and tables."""
+def print_parts(parts: Iterable[str | Table], piped: int | None = None) -> None:
+    """Print sentences and tables; ``piped`` as of :func:`print_table`."""
     for part in parts:
-        print(part) if isinstance(part, str) else print_table(*part)
+        print(letters(part)) if isinstance(part, str) else print_table(*part, piped)
+
+
+_PLAIN = str.maketrans("·µ–≈⁻⁰¹²³⁴⁵⁶⁷⁸⁹", " u-~-0123456789") | {ord("Ω"): "ohm", ord("±"): "+-"}
+"""Letters for terminals that know no others."""
+
+
+def letters(text: str) -> str:
+    """The text, in letters that the terminal has."""
+    try:
+        text.encode(sys.stdout.encoding or "ascii")
+    except (LookupError, UnicodeEncodeError):
+        return text.replace(" × 10", "e").translate(_PLAIN)
+    return text
 
 
 def _widths(cells: Sequence[str]) -> tuple[int, int]:

@@ -249,6 +249,10 @@ class Robot(sheet.Robot):
         return "".join(map(table_html, self._tables()))
 
 
+_SHOWN = 30, 80
+"""Lines of a result, its verdict, a dozen numbers, its events, and characters of each."""
+
+
 class Result(lower.Result, CommandResult):  # pyright: ignore[reportIncompatibleVariableOverride]
     """What a run gave: named series with units in ``data``, and what is asked of them.
 
@@ -291,15 +295,18 @@ class Result(lower.Result, CommandResult):  # pyright: ignore[reportIncompatible
 
         return result_record(self)
 
-    def tables(self) -> Iterator[str | Table]:
-        """The numbers that a reader asks first with their errors, how the run ended, its events and its steps.
+    def tables(self, everything: bool = False) -> Iterator[str | Table]:
+        """The verdict in words, a dozen numbers, its events; or ``everything``: all numbers, with their errors, steps.
 
-        >>> next(result.tables()).title
-        'spong1987: finished'
+        >>> [part.title for part in result.tables() if not isinstance(part, str)]
+        ['spong1987: finished']
         """
         from tmodes.interface.summary import run_tables
 
-        yield from run_tables(self)
+        yield from run_tables(self, everything=everything, more="all numbers with their errors: .tables(True)")
+
+    def __repr__(self) -> str:
+        return shortened(self.tables(), "print them with .tables()", *_SHOWN)
 
     @checked_arguments
     def plot(self, ax: Any = None, name: str | None = None) -> list[Any]:

@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import asdict
+from textwrap import fill
 from typing import TYPE_CHECKING, Any
 
 from tmodes.io.printed import Table, plain
+from tmodes.io.words import element_words
 
 if TYPE_CHECKING:
+    from tmodes.report.facts import Fact
     from tmodes.result import Result
 
 __all__ = [
@@ -44,24 +47,92 @@ def events_table(result: Result) -> str | Table:
     return Table(f"{plain(result.name)}: {len(rows):,} events", columns, rows)
 
 
-def run_tables(result: Result, band: str | float | None = None, *, ended: bool = True) -> Iterator[str | Table]:
-    """What a run has shown: its numbers, how it ended (``ended``), its events, its steps and its errors.
+def run_tables(
+    result: Result, band: str | float | None = None, *, everything: bool = False, more: str = ""
+) -> Iterator[str | Table]:
+    """What a run comes to in words, its numbers, at most a dozen, and its events.
 
-    ``band``: within which the tip counts as settled.
+    ``everything``: all numbers with their errors, how the run ended, its steps; ``band``: within which the tip counts
+    as settled; ``more``: where the rest is.
     """
     from tmodes.result.events import counted
+    from tmodes.result.verdict import culprit_words
 
     summary = result.summary(band)
+    found = summary["verdict"]
+    yield fill(plain(found["sentence"]), COLUMNS)
+    if words := culprit_words(found):
+        yield fill(plain(f"Causes: {words}."), COLUMNS)
+    yield _every_number(result, summary) if everything else _first_numbers(result, summary)
+    if everything:
+        yield f"end     {plain(result.message)}"
+    if events := result.events:
+        yield f"events  {len(events):,}: {counted(events)} (tmodes show --events)"
+    if everything:
+        yield from integration_lines(result, summary)
+    elif more:
+        yield f"more    {more}"
+
+
+def _every_number(result: Result, summary: dict[str, Any]) -> Table:
     columns = ["quantity", "value", "error", "model error", "where"]
     rows = list(summary_rows(summary))
     if not (summary["model_error"] or {}).get("figures"):
         columns, rows = [name for name in columns if name != "model error"], [(*row[:3], row[4]) for row in rows]
-    yield Table(f"{result.name}: {result.status}", columns, rows)
-    if ended:
-        yield f"end     {plain(result.message)}"
-    if events := result.events:
-        yield f"events  {len(events):,}: {counted(events)} (tmodes show --events)"
-    yield from integration_lines(result, summary)
+    return Table(f"{result.name}: {result.status}", columns, rows)
+
+
+def _first_numbers(result: Result, summary: dict[str, Any]) -> Table:
+    """The facts of a report that matter most, in their order."""
+    from tmodes.report.facts import run_facts, value_words
+
+    facts = {fact.id.removeprefix("point."): fact for fact in run_facts(result, summary)}
+    own, rows = _short_notes(summary), []
+    for name in (name for name in _FIRST if name in facts):
+        fact = facts[name]
+        note = own.get(name) or fact.note.partition("; not looked at")[0].removesuffix(" of the run")
+        words = fact.name, f"{value_words(fact)}{_uncertain(summary, fact)}", note
+        rows.append([plain(text.replace("\u00a0", " ")) for text in words])
+    return Table(f"{result.name}: {result.status}", ["quantity", "value", "where"], rows)
+
+
+_FIRST = (
+    "tip_error.commanded", "deviation.max", "settling", "vibration.residual", "deflection.max", "stress.max",
+    "stress.share", "gear.max", "gear_torque.max", "limits.share", "contact.mean", "energy.residual",
+)  # fmt: skip
+"""Facts by their stable names."""
+
+COLUMNS = 80
+"""Columns of the first lines on a run."""
+
+
+def _short_notes(summary: dict[str, Any]) -> dict[str, str]:
+    """Of what says more in a report."""
+    from tmodes.io.printed import written
+
+    settling, residual, energy = summary["settling"], summary["verdict"]["residual"], summary["energy"]
+    notes = {"settling": "not seen to settle"} if settling["time_s"] is None else {}
+    if settling["time_s"] is not None and not settling["reason"]:
+        notes["settling"] = f"within {written(settling['limit_m'], 'm', 3)} of its rest"
+    if residual:
+        notes["vibration.residual"] = f"{residual['frequency_Hz']:.3g} Hz, {100 * residual['damping']:.2g} % damping"
+    if energy and energy["worst_residual_over_moved"] is not None:
+        notes["energy.residual"] = f"of {written(energy['moved_J'], 'J')} moved"
+    return notes
+
+
+def _uncertain(summary: dict[str, Any], fact: Fact) -> str:
+    """The error of a number, by integration and link models, where it shows in its first figures."""
+    path = _PATHS.get(fact.id)
+    found = max((summary[kind] or {}).get("figures", {}).get(path, 0.0) for kind in ("error", "model_error"))
+    return f" ± {1e3 * found:.2g} mm" if fact.value and found > _SHOWS * fact.value else ""
+
+
+_PATHS = {"tip_error.commanded": "tip_error.commanded.max_m", "deviation.max": "deviation.max_m"}
+"""Where the errors of facts are."""
+
+_SHOWS = 1e-3
+"""Share of a number from which on its error is said with it."""
 
 
 def error_of(summary: dict[str, Any], path: str, factor: float, unit: str) -> str:
@@ -155,27 +226,12 @@ def _tip(summary: dict[str, Any]) -> Iterator[Row]:
     def in_mm(length: float) -> str:
         return f"{length * 1e3:.3g} mm"
 
-    subject, point = _subject(summary), summary["point"]
+    point, settling = summary["point"], summary["settling"]
     if point["reason"]:
         yield "errors measured at", "-", "", "", point["name"] or point["reason"]
-    errors, settling = summary["tip_error"], summary["settling"]
-    for which, path in _ERRORS.items():
-        if which in errors:
-            yield _tip_error(summary, which, path)
-            yield from _elements(which, errors[which])
-    if errors:
-        ends = [f"{one['end_m'] * 1e3:.4g} mm to {which}" for which, one in errors.items()]
-        yield (
-            f"{subject} at the end",
-            ends[0].partition(" to ")[0],
-            "",
-            "",
-            "to commanded" + "".join(f"; {e}" for e in ends[1:]),
-        )
-    elif deviation := summary["deviation"]:
-        when = f"t = {deviation['time_of_max_s']:.3f} s"
-        yield _row(summary, "deviation.max_m", f"{subject} to nominal", deviation["max_m"], "mm", when, 1e3)
-        yield _row(summary, "deviation.end_m", f"{subject} at the end", deviation["end_m"], "mm", "to nominal", 1e3)
+    errors = summary["tip_error"] or ({"nominal": summary["deviation"]} if summary["deviation"] else {})
+    for which, one in errors.items():
+        yield from _tip_error(summary, which, one)
     time = "-" if settling["time_s"] is None else f"{settling['time_s']:.3f} s"
     yield "settling after the move", time, "", "", settling_words(settling, in_mm)
     for which, one in summary["vibration"].items():
@@ -183,36 +239,21 @@ def _tip(summary: dict[str, Any]) -> Iterator[Row]:
         yield f"residual vibration, {which}", value, "", "", vibration_words(one, in_mm)
 
 
-_ERRORS = {"commanded": "tip_error.commanded.max_m", "nominal": "deviation.max_m"}
+_ERRORS = {"commanded": "tip_error.commanded", "nominal": "deviation"}
 """Paths from which the tip's error is measured, and where the uncertainty of the largest one is."""
 
 
-def _subject(summary: dict[str, Any]) -> str:
-    """Whose error it is."""
-    return "tip error" if not summary["point"]["reason"] else "error"
+def _tip_error(summary: dict[str, Any], which: str, one: dict[str, Any]) -> Iterator[Row]:
+    """The largest error, by causes along it; the last one; what of gears and links is by the contact force."""
+    from tmodes.result.verdict import culprit_words, culprits
 
-
-def _tip_error(summary: dict[str, Any], which: str, path: str) -> Row:
-    """The largest error, with its parts along it."""
-    one = summary["tip_error"][which]
-    parts = ", ".join(f"{value * 1e3:.3g} {name}" for name, value in one["parts_m"].items() if value)
-    where = f"t = {one['time_of_max_s']:.3f} s"
-    if parts:
-        where = f"{parts}; {where}"
-    return _row(summary, path, f"{_subject(summary)} to {which}", one["max_m"], "mm", where, 1e3)
-
-
-def _elements(which: str, one: dict[str, Any]) -> Iterator[Row]:
-    """The gears and links with the largest parts, where there are several; what of them is by the contact force."""
-    from tmodes.result.summary import largest_elements
-
-    elements = largest_elements(one)
-    if len(elements) > 1:
-        words = ", ".join(f"{value * 1e3:.3g} mm {name}" for name, value in elements)
-        yield f"  by element, to {which}", "", "", "", words
+    when, name = f"t = {one['time_of_max_s']:.3f} s", f"error from {which} path"
+    words = "; ".join(filter(None, [culprit_words({"culprits": [*culprits(one)]}), when]))
+    yield _row(summary, f"{_ERRORS[which]}.max_m", name, one["max_m"], "mm", words, 1e3)
+    yield _row(summary, f"{_ERRORS[which]}.end_m", f"{name} at the end", one["end_m"], "mm", "", 1e3)
     if environment := one.get("environment_m"):
-        words = ", ".join(f"{value * 1e3:.3g} mm of {name}" for name, value in environment.items())
-        yield f"  by the contact, to {which}", "", "", "", f"{words} (statics with and without it)"
+        words = ", ".join(f"{value * 1e3:.3g} mm of {part}" for part, value in environment.items())
+        yield "  of it by the contact", "", "", "", f"{words} (statics with and without it)"
 
 
 def _largest(info: dict[str, Any], key: str, most: int) -> list[tuple[str, dict[str, Any]]]:
@@ -224,10 +265,12 @@ def _largest(info: dict[str, Any], key: str, most: int) -> list[tuple[str, dict[
 def _deformations(summary: dict[str, Any]) -> Iterator[Row]:
     for name, one in _largest(summary["deformations"], "max", _MOST_DEFORMATIONS):
         unit, factor = ("", 1.0) if one["unit"] == "1" else (f"m{one['unit']}", 1e3)  # of stretch and shear none
-        parts = f"t = {one['time_of_max_s']:.3f} s"
+        parts = [f"t = {one['time_of_max_s']:.3f} s"]
         if "max_stationary" in one:
-            parts = f"T_st {one['max_stationary'] * factor:.4g}, T_to {one['max_oscillatory'] * factor:.4g}"
-        yield _row(summary, f"deformations.{name}.max", f"largest {name}", one["max"], unit, parts, factor)
+            sizes = {"static": one["max_stationary"], "dynamic": one["max_oscillatory"]}
+            parts += [f"largest {part} part {size * factor:.4g} {unit}".rstrip() for part, size in sizes.items()]
+        own = f"deflection of {element_words(name)}"
+        yield _row(summary, f"deformations.{name}.max", own, one["max"], unit, ", ".join(parts), factor)
 
 
 def _link(name: str, link: dict[str, Any], summary: dict[str, Any]) -> Iterator[Row]:

@@ -8,6 +8,7 @@ from __future__ import annotations
 import html
 import math
 from collections.abc import Iterable, Iterator, Sequence
+from textwrap import wrap
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 if TYPE_CHECKING:
@@ -20,6 +21,9 @@ __all__ = [
 
 MOST_LINES, WIDEST = 10, 120
 """Lines of a ``repr``, and characters of each."""
+
+_NARROWEST = 20
+"""Least characters of a column that wraps."""
 
 
 class Table(NamedTuple):
@@ -81,16 +85,17 @@ class CommandResult:
         return public_names(self)
 
 
-def shortened(parts: Iterable[str | Table], hint: str) -> str:
-    """Sentences and tables as text of at most ten lines; of more the last one counts the rest, with a hint."""
-    lines = [line for part in parts for line in _lines(part)]
-    found = [line if len(line) <= WIDEST else f"{line[: WIDEST - 1]}…" for line in lines]
-    if len(found) > MOST_LINES:
-        found = [*found[: MOST_LINES - 1], f"… {len(found) - MOST_LINES + 1} more lines: {hint}"]
+def shortened(parts: Iterable[str | Table], hint: str, most: int = MOST_LINES, widest: int = WIDEST) -> str:
+    """Sentences and tables as text of at most so many lines; of more the last one counts the rest, with a hint."""
+    lines = [line for part in parts for line in _lines(part, widest)]
+    found = [line if len(line) <= widest else f"{line[: widest - 1]}…" for line in lines]
+    if len(found) > most:
+        found = [*found[: most - 1], f"… {len(found) - most + 1} more lines: {hint}"]
     return "\n".join(found)
 
 
-def _lines(part: str | Table) -> Iterator[str]:
+def _lines(part: str | Table, widest: int) -> Iterator[str]:
+    """The lines of a part; the last column of a table wraps where that is enough to fit."""
     if isinstance(part, str):
         yield from part.splitlines()
         return
@@ -98,8 +103,12 @@ def _lines(part: str | Table) -> Iterator[str]:
         yield part.title
     cells = [part.columns, *part.rows]
     widths = [max(map(len, column)) for column in zip(*cells, strict=True)]
+    room = widest - sum(widths[:-1]) - 2 * len(widths)
     for row in cells:
-        yield "  " + "  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True)).rstrip()
+        last = wrap(row[-1], room) if len(row[-1]) > room > _NARROWEST else [row[-1]]
+        for k, text in enumerate(last):
+            own = [*row[:-1], text] if k == 0 else [*[""] * (len(row) - 1), text]
+            yield "  " + "  ".join(cell.ljust(width) for cell, width in zip(own, widths, strict=True)).rstrip()
 
 
 def table_html(part: str | Table) -> str:

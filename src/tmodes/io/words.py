@@ -9,7 +9,7 @@ from typing import Any
 
 from tmodes.errors import InputError
 
-__all__ = ["meant", "nearest", "plain", "several", "shown", "shown_path"]
+__all__ = ["element_words", "meant", "nearest", "plain", "several", "shown", "shown_path"]
 
 LONGEST = 60
 
@@ -132,3 +132,11 @@ def several(which: str, words: Any) -> tuple[str, ...]:
 def plain(word: str) -> str:
     """A word without what does not count when names are compared: case, hyphens, outer spaces."""
     return word.strip().lower().replace("-", "_").replace(" ", "_")
+
+
+def element_words(name: str) -> str:
+    """``gear elbow`` for the element ``elbow.gear``, ``link arm (bend_z1)`` for the coordinate ``arm.bend_z1``."""
+    owner, _, own = name.rpartition(".")
+    if own in ("gear", "spring", "controller", "motor"):
+        return f"{own} {owner}"
+    return f"link {owner} ({own})" if owner else name

@@ -18,7 +18,6 @@ from tmodes.analysis.quasistatic import sprung
 from tmodes.analysis.statics.at_rest import robot_rest
 from tmodes.analysis.statics.compliance import spring_rows
 from tmodes.analysis.statics.equilibrium import Equilibrium
-from tmodes.analysis.validity import yield_strength
 from tmodes.chain.chain import Chain
 from tmodes.equations.line.schedule import ROOTS, Lines
 from tmodes.equations.loop.plan import LoopPlan
@@ -34,6 +33,7 @@ from tmodes.kinds.noted.functions import array
 from tmodes.model.model import Model
 from tmodes.result import settling
 from tmodes.sheet import Robot
+from tmodes.sheet.robot import yield_strength
 
 __all__ = [
     "after_rules", "continuing", "evenly", "joint_limits", "line_lengths", "line_names", "lines_info", "load_places",

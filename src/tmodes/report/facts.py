@@ -12,9 +12,18 @@ from tmodes.plot.facts import effort_unit, names_of
 from tmodes.report.markup import Markup, tag, written
 from tmodes.result import Result
 from tmodes.result.derived import Derives
-from tmodes.result.summary import TIP, largest_elements, mean_over_time, settling_words, vibration_words
+from tmodes.result.summary import largest_elements, mean_over_time, settling_words, vibration_words
 
-__all__ = ["Fact", "energy_facts", "fact_list", "frequency_facts", "run_facts", "tracking_facts", "vibration_fact"]
+__all__ = [
+    "Fact",
+    "energy_facts",
+    "fact_list",
+    "frequency_facts",
+    "run_facts",
+    "tracking_facts",
+    "value_words",
+    "vibration_fact",
+]
 
 
 @dataclass(frozen=True)
@@ -37,7 +46,10 @@ def fact_list(facts: Iterable[Fact]) -> Markup:
     """Facts as the page shows them where no program runs."""
     entries = (
         tag(
-            "div", tag("dt", fact.name), tag("dd", tag("strong", _value(fact)), tag("span", _said(fact))), class_="card"
+            "div",
+            tag("dt", fact.name),
+            tag("dd", tag("strong", value_words(fact)), tag("span", _said(fact))),
+            class_="card",
         )
         for fact in facts
     )
@@ -48,22 +60,21 @@ def _said(fact: Fact) -> str:
     return "; ".join(filter(None, [fact.note, fact.more]))
 
 
-def _value(fact: Fact) -> str:
+def value_words(fact: Fact) -> str:
+    """Its value with a readable unit; a dash where there is none."""
     return "–" if fact.value is None else written(fact.value, fact.unit)
 
 
 def tracking_facts(summary: dict[str, Any]) -> Iterator[Fact]:
     """How far the tip is from its commanded and nominal paths, and why; how it settles and rings."""
     errors, point = summary["tip_error"], summary["point"]
-    other, whose = ("point.", point["name"]) if point["reason"] else ("", TIP)  # the page finds the tip's anew
+    other, whose = ("point.", f", {point['name']}") if point["reason"] else ("", "")  # the page finds the tip's anew
     facts = []
     if one := errors.get("commanded"):
-        facts.append(_error(one, f"{other}tip_error.commanded", f"{whose.capitalize()} error from commanded path", one))
+        facts.append(_error(one, f"{other}tip_error.commanded", f"Error from commanded path{whose}", one))
     if deviation := summary["deviation"]:
         nominal = errors.get("nominal", {})
-        facts.append(
-            _error(deviation, f"{other}deviation.max", f"{whose.capitalize()} error from nominal path", nominal)
-        )
+        facts.append(_error(deviation, f"{other}deviation.max", f"Error from nominal path{whose}", nominal))
     yield from facts
     yield _settling(summary["settling"])
     for which, one in summary["vibration"].items():
@@ -99,7 +110,7 @@ def frequency_facts(known: dict[str, float | None]) -> Iterator[Fact]:
     """The natural frequency of the lowest mode that rings under control, where there is one."""
     if known["controlled"] is not None:
         locked = "" if known["locked"] is None else f"{known['locked']:.4g} Hz with the motors locked"
-        yield Fact("frequency.first", "First natural frequency, controlled", known["controlled"], "Hz", locked)
+        yield Fact("frequency.first", "First frequency, controlled", known["controlled"], "Hz", locked)
 
 
 def energy_facts(known: dict[str, Any]) -> Iterator[Fact]:
@@ -137,7 +148,7 @@ def run_facts(result: Result, summary: dict[str, Any], made: Derives | None = No
 def _square(data: Any) -> Iterator[Fact]:
     if "deviation" in data:
         square = mean_over_time(data["time"].values, data["deviation"].values ** 2)
-        yield Fact("deviation.rms", "Tip error from nominal path, rms", float(np.sqrt(square)), "m", "over the run")
+        yield Fact("deviation.rms", "Error from nominal path, rms", float(np.sqrt(square)), "m", "over the run")
 
 
 def _worst(links: dict[str, Any], quantity: str, key: str, unit: str, title: str, own: str = "") -> Iterator[Fact]:
@@ -197,7 +208,7 @@ def _limits(limits: list[dict[str, Any]]) -> Iterator[Fact]:
         value, limit = (written(one[name], one["unit"]) for name in ("value", "limit"))
         of = ", from its middle" if one["quantity"] == "range" else f": {value} of {limit}"
         note = f"{one['quantity']} of {one['element']}{of}"
-        yield Fact("limits.share", "Largest share of a joint's limit", 100 * one["share"], "%", note)
+        yield Fact("limits.share", "Share of a joint's limit", 100 * one["share"], "%", note)
 
 
 def _contact(known: dict[str, float] | None) -> Iterator[Fact]:

@@ -14,6 +14,7 @@ from tmodes.analysis.energy import STILL, largest_flow
 from tmodes.chain.chain import joint_of_element
 from tmodes.frame import along
 from tmodes.integrate.conditions import Band
+from tmodes.io.words import element_words
 from tmodes.result.derived import Derives, failed_in
 from tmodes.result.settling import USUAL, not_settled, plain_vibration, settling, vibration
 
@@ -119,7 +120,7 @@ def vibration_words(one: dict[str, Any], length: Callable[[float], str]) -> str:
 
 
 def _mode_words(mode: dict[str, Any], length: Callable[[float], str]) -> str:
-    named = [mode.get("element", "")]
+    named = [element_words(mode.get("element", ""))]
     if drift := mode.get("drift_Hz"):
         named.append(f"{drift[0]:.3g} to {drift[1]:.3g} Hz as it decays")
     if mode.get("share", 0.0) >= _SAID:

@@ -11,12 +11,12 @@ from typing import Any
 
 import numpy as np
 
-from tmodes.analysis.validity import yield_strength
 from tmodes.io.printed import written
 from tmodes.kinds.joints.joint import Limits
 from tmodes.sheet import Robot
+from tmodes.sheet.robot import yield_strength
 
-__all__ = ["PHRASES", "culprit_words", "filled", "limits_of", "said", "unjudged", "verdict"]
+__all__ = ["PHRASES", "culprit_words", "culprits", "filled", "limits_of", "said", "unjudged", "verdict"]
 
 Phrases = Sequence[Sequence[str]]
 """The parts of a text, each with its alternatives."""
@@ -76,7 +76,7 @@ def verdict(
     errors, deviation, settling = summary["tip_error"], summary["deviation"], summary["settling"]
     against = "commanded" if "commanded" in errors else "nominal" if deviation else None
     largest = errors["commanded"] if against == "commanded" else deviation or {}
-    modes = (summary["vibration"].get("actual") or {}).get("modes") or [None]
+    modes = (summary["vibration"].get("actual") or {}).get("modes") or []
     found = {
         "point": summary["point"]["name"],
         "against": against,
@@ -85,12 +85,12 @@ def verdict(
         "final_m": largest.get("end_m"),
         "bends": None if against else _bends(summary),
         "settling": {"time_s": settling["time_s"], "within_m": settling["limit_m"], "reason": settling["reason"]},
-        "residual": modes[0] and {
+        "residual": {
             "amplitude_m": modes[0]["amplitude_m"], "frequency_Hz": modes[0]["frequency_Hz"],
             "damping": modes[0]["damping_ratio"],
-        },
+        } if modes else None,
         "limits": [*limits],
-        "culprits": [*_culprits(errors.get(against, {}))],
+        "culprits": [*culprits(errors.get(against, {}))],
         "tolerance_m": tolerance,
     }  # fmt: skip
     found["level"] = _level(found, summary["status"], warnings)
@@ -119,7 +119,7 @@ def _bends(summary: Mapping[str, Any]) -> dict[str, Any] | None:
     return max(found, key=lambda one: one["value"], default=None)
 
 
-def _culprits(error: Mapping[str, Any]) -> Iterator[dict[str, Any]]:
+def culprits(error: Mapping[str, Any]) -> Iterator[dict[str, Any]]:
     """Of one of the errors of a summary, by the name of each element where it is known, the largest first."""
     elements = error.get("elements_m", {})
     parts = {part: {None: value} for part, value in error.get("parts_m", {}).items() if not _split(part, elements)}
@@ -187,7 +187,7 @@ def said(found: Mapping[str, Any], status: str, message: str) -> dict[str, str]:
 _ENDED = ("finished", "stopped_by_condition")
 
 
-def _written(value: float, unit: str, digits: int = 3) -> str:
+def _written(value: Any, unit: str, digits: int = 3) -> str:
     return written(value, unit, digits).replace("\u00a0", " ")
 
 

@@ -34,7 +34,7 @@ from tmodes.sheet.parts import (
 from tmodes.sheet.planar import in_plane, planar_issues
 from tmodes.sheet.topology import tree_issues
 
-__all__ = ["MOST_JOINTS", "RECURSION", "SHEET_FORMAT", "Robot", "RobotPair", "refuse_other"]
+__all__ = ["MOST_JOINTS", "RECURSION", "SHEET_FORMAT", "Robot", "RobotPair", "refuse_other", "yield_strength"]
 
 SHEET_FORMAT = 1
 """Version of the data sheet's format."""
@@ -216,6 +216,15 @@ def refuse_other(robot: object, *others: type) -> None:
     if not isinstance(robot, (Robot, *others)):
         got, hint = f"a {type(robot).__name__}", "load it first: tmodes.load(NAME or FILE)"
         raise InputError("robot", got, "a tmodes.Robot", hint)
+
+
+def yield_strength(robot: Robot, name: str) -> float | None:
+    """Least yield strength [Pa] of a link's materials, None where unknown. Segments bear their link's name."""
+    names = {link.name for link in robot.links}
+    beam = robot.link(name if name in names else name.rpartition(".")[0]).beam if robot.links else None
+    if beam is None:
+        return None
+    return min(beam.yield_strengths, default=None)
 
 
 @dataclass(frozen=True)

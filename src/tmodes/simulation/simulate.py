@@ -37,7 +37,7 @@ Progress = Callable[[str, float], None]
 Journals = Callable[[str], Journal | None]
 
 _WITHOUT_NOMINAL = (
-    "errors are those to the commanded path alone, there is no nominal run: {}, which no motor can follow exactly"
+    "errors are those from the commanded path alone, there is no nominal run: {}, which no motor can follow exactly"
 )
 
 _CAUSES = (

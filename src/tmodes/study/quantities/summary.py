@@ -128,6 +128,8 @@ PATHS = {
     "links.{link}.stress.{max_Pa|time_s|s}": "largest stress of a link",
     "contact_force.{min_N|max_N|mean_N|deepest_m}": "force into the surface, and how deep",
     "energy.{moved_J|worst_residual_J|worst_residual_over_moved}": "balance of energy",
+    "verdict.{largest_m|time_s|final_m|tolerance_m}": "largest error, when, and the last; tolerance of the task",
+    "verdict.{settling|residual|bends|limits|culprits}.*": "its other parts: `limits.0.share`, the most critical",
     "{error|model_error}.figures.*": "estimated error of a number of the summary, by its path",
 }  # fmt: skip
 """Paths by their pattern, and what they are: ``{one|other}`` are words, ``{drive}`` and so on names, ``*`` the rest."""
