@@ -52,7 +52,7 @@ def show(
     With `--events` its events alone: when and where a contact touched, friction stuck or slipped, teeth of a gear with
     play met, a joint passed its limit, and at which speed; `--json` has them always.
 
-    With `--settling-band` the settling is found anew in the samples of the file, which end with the run.
+    With `--settling-band` the settling is found in the samples of the file, which end with the run.
 
     With `--output NAME` outputs by their names, as `tmodes outputs` lists them, stored or computed from the motion.
 

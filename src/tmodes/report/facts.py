@@ -68,7 +68,7 @@ def value_words(fact: Fact) -> str:
 def tracking_facts(summary: dict[str, Any]) -> Iterator[Fact]:
     """How far the tip is from its commanded and nominal paths, and why; how it settles and rings."""
     errors, point = summary["tip_error"], summary["point"]
-    other, whose = ("point.", f", {point['name']}") if point["reason"] else ("", "")  # the page finds the tip's anew
+    other, whose = ("point.", f", {point['name']}") if point["reason"] else ("", "")  # the page has the tip's
     facts = []
     if one := errors.get("commanded"):
         facts.append(_error(one, f"{other}tip_error.commanded", f"Error from commanded path{whose}", one))
