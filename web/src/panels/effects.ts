@@ -8,12 +8,13 @@ const LEADING = ["tip_error.commanded", "deviation.max", "deflection.max", "gear
 const FIRST = LEADING.slice(0, 2); // those that come with the curves, before which none counts
 const STEP = 0.01;
 const PATIENCE = 6000; // ms that all runs may take
+const FEWEST = 4; // settings that are worth the trouble
 
-/** The leading number's fact, its value, and its changes. */
+/** The leading number's fact, its value, and its changes by the settings; none where they are not measured. */
 export interface Effects {
   number: string;
   whole: number;
-  shares: number[];
+  shares: (number | undefined)[];
 }
 
 /** Rows that are shown at first: of each kind the first, then the next of each. */
@@ -28,8 +29,8 @@ export function byKind(rows: SliderRow[], count: number): SliderRow[] {
 }
 
 /**
- * Changes of the leading number, as shares of it, for one per cent more of each of the first `count` settings; why not,
- * where that would take too long or cannot be; null where somebody wants another run meanwhile.
+ * Changes of the leading number, as shares of it, for one per cent more of each of the first `count` settings; where
+ * that takes long of fewer, design variables first. Why not, where it cannot be; null where another run is wanted.
  */
 export async function effects(
   live: Live, rows: SliderRow[], count: number, wanted: () => boolean,
@@ -40,15 +41,19 @@ export async function effects(
   const id = LEADING.find((name) => facts[name]?.value);
   if (!id) return "no number of this run shows it";
   const whole = Number(facts[id].value);
-  if ((performance.now() - began) * Math.min(count, rows.length) > PATIENCE) return "to measure it would take long";
-  const shares: number[] = [];
-  for (const [k, { slider }] of rows.slice(0, count).entries()) {
+  const most = Math.floor(PATIENCE / (performance.now() - began));
+  const order = [...rows.slice(0, count).keys()];
+  if (most < order.length) order.sort((j, k) => designed(rows[k]) - designed(rows[j]));
+  if (most < Math.min(FEWEST, order.length)) return "to measure it would take long";
+  const shares: Effects["shares"] = [];
+  for (const k of order.slice(0, most)) {
     if (!wanted()) return null;
+    const { slider } = rows[k];
     const more = own[k] * (1 + STEP);
     const step = more <= slider.max && more >= slider.min ? STEP : -STEP;
     const values = own.map((value, j) => (j === k ? value * (1 + step) : value));
     const found = own[k] === 0 ? whole : ((await early(live, values, [id]))[id]?.value ?? whole);
-    shares.push((Math.sign(step) * (found - whole)) / Math.abs(whole));
+    shares[k] = (Math.sign(step) * (found - whole)) / Math.abs(whole);
   }
   return { number: id, whole, shares };
 }
@@ -71,14 +76,15 @@ export async function lessening(
 ): Promise<Change[] | null> {
   const own = rows.map((row) => row.value);
   const best: Change[] = [];
-  const order = rows.map((_, k) => k).filter((k) => shares[k] && !rows[k].slider.path.startsWith("real:"));
-  order.sort((j, k) => Math.abs(shares[k]) - Math.abs(shares[j]));
-  for (const design of [true, false]) {
+  const share = (k: number) => shares[k] ?? 0;
+  const order = rows.map((_, k) => k).filter((k) => share(k) && !rows[k].slider.path.startsWith("real:"));
+  order.sort((j, k) => Math.abs(share(k)) - Math.abs(share(j)));
+  for (const design of [1, 0]) {
     const found: Change[] = [];
-    for (const k of order.filter((j) => Boolean(rows[j].slider.design) === design).slice(0, TRIED)) {
+    for (const k of order.filter((j) => designed(rows[j]) === design).slice(0, TRIED)) {
       if (!wanted()) return null;
       const { min, max } = rows[k].slider;
-      const value = Math.min(Math.max(own[k] * (shares[k] < 0 ? TIMES : 1 / TIMES), min), max);
+      const value = Math.min(Math.max(own[k] * (share(k) < 0 ? TIMES : 1 / TIMES), min), max);
       if (Math.max(value / own[k], own[k] / value) < LEAST) continue;
       const facts = await early(live, own.map((other, j) => (j === k ? value : other)), [number]);
       const change = (Number(facts[number]?.value ?? whole) - whole) / Math.abs(whole);
@@ -88,6 +94,10 @@ export async function lessening(
     if (best.length >= NAMED) break;
   }
   return best.slice(0, NAMED);
+}
+
+function designed({ slider }: SliderRow): number {
+  return Number(slider.design === true);
 }
 
 /** The facts that a run gives first, if one of those named is among them, else those that come with its picture. */

@@ -15,8 +15,8 @@ export interface SlidersOptions {
   open(bundle: LiveBundle): Promise<Live>;
   /** Shows another run everywhere; null: the page's own. */
   show(live: LiveRun | null): void;
-  /** Shows what lessens the error most; null: another run comes. */
-  advise(found: Advice[] | null): void;
+  /** Shows what lessens the error most, or why that is not known; null: another run comes. */
+  advise(found: Advice[] | string | null): void;
   /** Of the file with a changed data sheet, without its ending. */
   fileName: string;
   /** The page's numbers. */
@@ -154,12 +154,13 @@ export function mountSliders(
     if (found === null || !wanted()) return;
     order.hidden = false;
     if (typeof found === "string") {
-      options.advise([]);
+      options.advise(found);
       return put(order, `Ordered by kind, not by effect: ${found}.`);
     }
     const { number, shares } = found;
     rows.slice(0, RANKED).forEach((row, k) => {
-      row.effect.textContent = shares[k] ? `${digits(100 * Math.abs(shares[k]), 2)} %` : "";
+      const share = Math.abs(shares[k] ?? 0);
+      row.effect.textContent = share ? `${digits(100 * share, 2)} %` : "";
       row.effect.title = "change for 1 % of this setting";
     });
     put(order, `Behind each setting: the change of the ${nameOf(number, options.facts)} for 1 % of it.`);

@@ -10,8 +10,8 @@ import { digits, info } from "../format";
 export interface VerdictView {
   /** That of the live model for the first run, or that it is being computed; null: the page's own. */
   show(live: LiveRun | null): void;
-  /** What lessens the error most, as buttons that apply it; null: it is being computed. */
-  advise(found: Advice[] | null): void;
+  /** What lessens the error most, as buttons that apply it, or why that is not known; null: it is being computed. */
+  advise(found: Advice[] | string | null): void;
   dispose(): void;
 }
 
@@ -23,6 +23,7 @@ export interface Advice {
 type Culprit = Verdict["culprits"][number];
 
 const LESSENS = "Lessens the largest error most:";
+const NONE = "No setting within its range lessens the largest error by 1 % or more.";
 const MOST = 6; // causes that are named
 const FIGURES = 3;
 
@@ -98,8 +99,9 @@ export function mountVerdict(element: HTMLElement, page: Page, clock: Clock, sce
     advise(found) {
       advice.classList.toggle("computing", found === null);
       if (found === null) return;
-      put(leads, found.length ? LESSENS : "No setting within its range lessens the error by itself.");
-      advice.replaceChildren(leads, ...found.map(({ text, apply }) => button(text, apply)));
+      const known = typeof found !== "string";
+      put(leads, known ? (found.length ? LESSENS : NONE) : `Which setting lessens the error is not known: ${found}.`);
+      advice.replaceChildren(leads, ...(known ? found.map(({ text, apply }) => button(text, apply)) : []));
     },
     dispose() {
       document.removeEventListener("keydown", keys);

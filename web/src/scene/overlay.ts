@@ -137,7 +137,8 @@ export class Overlay {
     const [left, right, top, bottom] = [Math.min(...xs), Math.max(...xs), Math.min(...ys), Math.max(...ys)];
     const middle: [number, number] = [(left + right - wide) / 2, (top + bottom - tall) / 2];
     const sides: [number, number][] = [
-      [right + gap, middle[1]], [left - gap - wide, middle[1]], [middle[0], bottom + gap], [middle[0], top - gap - tall],
+      [right + gap, middle[1]], [left - gap - wide, middle[1]],
+      [middle[0], bottom + gap], [middle[0], top - gap - tall],
     ];
     const [x, y] = sides.find(([u, v]) => u > 0 && u + wide < width && v > 0 && v + tall < height) ?? middle;
     context.fillStyle = chip;
