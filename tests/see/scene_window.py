@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 
 from patience import LONG, WAIT
 from see.scenes import arm_result, robot_result
+from tmodes import load, run
 from tmodes.report.data import modes_of
 from tmodes.report.pack import embedded, pack
 from tmodes.report.scene import line_of, scene_of
@@ -126,6 +127,7 @@ def scene_pages(folder: Path) -> Callable[[str], Path]:
     made = {
         "robot": lambda: [run_of(robot_result(), NASTY)],
         "arm": lambda: [run_of(arm_result(), "arm")],
+        "wide": lambda: [run_of(run(load("quanser_2dsfl", {"integration.duration": 1.0})), "wide")],
         "three": lambda: [run_of(robot_result(mass), f"{mass} kg") for mass in (0.5, 0.25, 1.0)],
     }
     digest = base64.b64encode(hashlib.sha256(program.encode()).digest()).decode()

@@ -111,6 +111,18 @@ def test_it_opens_bent_and_no_scale_leaves_the_picture(robot: Window) -> None:
         assert differing(shot[[0, -1], 1:], shot[[0, -1], :-1]) == 0  # nothing but the sky is at the edge
 
 
+def test_a_wide_link_stays_in_the_picture(browser: Any, pages: Callable[[str], Path]) -> None:
+    window = look(browser, pages("wide"))
+    window.do("view.dispose(); window.view = mount(true)")
+    window.choose("floor")
+    for time in (0.0, 0.3, 0.5, 0.7, 1.0):
+        window.do(f"clock.seek({time})")
+        shot = window.picture()
+        assert differing(shot[[0, -1], 1:], shot[[0, -1], :-1]) == 0
+        assert differing(shot[1:, [0, -1]], shot[:-1, [0, -1]]) == 0
+    window.close()
+
+
 def test_modes_are_animated_and_end(robot: Window) -> None:
     first = robot.picture()
     robot.do("view.showMode(page.runs[0].modes[2], 0.15)")

@@ -56,8 +56,8 @@ function write(context: CanvasRenderingContext2D, place: HTMLElement, note: HTML
   context.textBaseline = "middle";
   for (const texts = document.createTreeWalker(note, NodeFilter.SHOW_TEXT); texts.nextNode();) {
     const node = texts.currentNode as Text;
-    const { color, font } = getComputedStyle(node.parentElement ?? note);
-    [context.fillStyle, context.font] = [color, font];
+    const { color, fontWeight, fontSize, fontFamily } = getComputedStyle(node.parentElement ?? note);
+    [context.fillStyle, context.font] = [color, `${fontWeight} ${fontSize} ${fontFamily}`];
     for (const word of node.data.matchAll(/\S+/g)) {
       range.setStart(node, word.index);
       range.setEnd(node, word.index + word[0].length);
