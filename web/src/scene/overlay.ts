@@ -24,6 +24,7 @@ export class Overlay {
   private origin: [number, number] = [0, 0];
 
   private ratio: number | undefined;
+  private taken: [number, number, number, number][] = []; // by words: left, top, right, bottom [px]
 
   constructor(
     private readonly camera: PerspectiveCamera, private readonly reach: number, private readonly inks: Inks,
@@ -51,6 +52,8 @@ export class Overlay {
     pen.begin(this.reach);
     pen.context.font = FONT;
     this.triad(runs[0].run.scene.gravity);
+    const [u, v] = this.origin;
+    this.taken = [[u - 2 * ARM, v - 2 * ARM, u + 2 * ARM, v + 2 * ARM]];
     const shown = cause && runs[cause.run];
     if (!shown) return;
     pen.aside = shown.aside;
@@ -140,7 +143,10 @@ export class Overlay {
       [right + gap, middle[1]], [left - gap - wide, middle[1]],
       [middle[0], bottom + gap], [middle[0], top - gap - tall],
     ];
-    const [x, y] = sides.find(([u, v]) => u > 0 && u + wide < width && v > 0 && v + tall < height) ?? middle;
+    const free = ([u, v]: [number, number]) => u > 0 && u + wide < width && v > 0 && v + tall < height &&
+      this.taken.every(([a, b, c, d]) => u > c || u + wide < a || v > d || v + tall < b);
+    const [x, y] = sides.find(free) ?? middle;
+    this.taken.push([x, y, x + wide, y + tall]);
     context.fillStyle = chip;
     context.fillRect(x, y, wide, tall);
     this.words(text, x + 6, y + 14, ink);
