@@ -15,7 +15,16 @@ from numpy.typing import ArrayLike, NDArray
 from tmodes.analysis.quasistatic import deflections, gear_inputs, sprung
 from tmodes.model.model import Model
 
-__all__ = ["FREE", "PARTS", "element_steps", "straight", "substitutions", "tips", "without_elasticity"]
+__all__ = [
+    "FREE",
+    "PARTS",
+    "element_places",
+    "element_steps",
+    "straight",
+    "substitutions",
+    "tips",
+    "without_elasticity",
+]
 
 Array = NDArray[np.float64]
 
@@ -58,20 +67,23 @@ def substitutions(model: Model, q: ArrayLike, commanded: ArrayLike, driven: Sequ
     return [straight(model, wanted), straight(model, moved), joints, actual]
 
 
-def element_steps(model: Model, straightened: Array, actual: Array) -> tuple[list[tuple[str, str]], list[Array]]:
-    """The steps from the second shape of :func:`substitutions` to the last, one joint, then one link at a time.
-
-    Part (``gears``, ``free joints``, ``links``) and name of each, the joints and the links in the order of the chain,
-    and the shapes (n, nq) that they lead to.
-    """
+def element_places(model: Model) -> list[tuple[str, str, list[int]]]:
+    """Part (``gears``, ``free joints``, ``links``), name and coordinates of each joint, then link, by the chain."""
     places = [
         ("gears" if axis.axis.element else FREE, axis.axis.name, [axis.angle])
         for axis in model.parts.axes if not (axis.axis.drive.is_driven and axis.input == axis.angle)
     ]  # fmt: skip
     links = [(one.node.name, [*range(model.nq)[one.link.own]]) for one in model.parts.nodes if one.link]
-    places += [("links", name, own) for name, own in links if own]
+    return places + [("links", name, own) for name, own in links if own]
+
+
+def element_steps(model: Model, straightened: Array, actual: Array) -> tuple[list[tuple[str, str]], list[Array]]:
+    """The steps from the second shape of :func:`substitutions` to the last, one joint, then one link at a time.
+
+    Part and name of each as of :func:`element_places`, and the shapes (n, nq) that they lead to.
+    """
     names, shapes, shape = [], [], straightened
-    for part, name, own in places:
+    for part, name, own in element_places(model):
         shape = shape.copy()
         shape[:, own] = actual[:, own]
         names.append((part, name))

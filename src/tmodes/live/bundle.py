@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from tmodes.analysis.error_parts import element_places
 from tmodes.analysis.line.line import elastic_line, line_places
 from tmodes.analysis.quasistatic import elastic_names
 from tmodes.live.functions import ModelFunctions, engine_settings, live_module
@@ -29,6 +30,7 @@ from tmodes.live.template import sheet_template
 from tmodes.model.model import Model
 from tmodes.result import Result
 from tmodes.result.end_modes import held_at
+from tmodes.result.verdict import PHRASES
 from tmodes.sheet import Robot, RobotPair
 from tmodes.simulation.balance import frozen
 from tmodes.simulation.initial_state import RunSetup, closed_balance, first_state, run_setup
@@ -79,6 +81,12 @@ def live_bundle(
     ended = held_at(pair.real, float(result.record["time"].values[-1]), place)
     own = mechanics(pair, ended, stations, method, compared=compared, surfaces=surfaces)
     live = live_map(pair, stations, ahead, progress)
+    task = pair.nominal.task
+    own["judged"] = {
+        "phrases": PHRASES["sentence"],
+        "tolerance": task and task.tolerance,
+        "warned": bool(result.warnings),
+    }
     own["after"] = (
         after_rules(pair.real, method) if json.loads(result.record.attrs.get("headline", "null")) is None else None
     )
@@ -152,7 +160,7 @@ def mechanics(
     ``surfaces``: links that have one, shown though they be a point.
     """
     functions = ModelFunctions(pair, stations, tuple(load_places(pair.real.chain(), pair.real.integration.line_points)))
-    module = live_module(functions, dict.fromkeys((method, continuing(method))), slopes=False)
+    module = live_module(functions, sorted({method, continuing(method)}), slopes=False)
     runs = {"real": run_setup(pair.real)}
     if compared:
         runs = {"reference": run_setup(pair.nominal, follow_of(pair.nominal, "reference"))} | runs
@@ -167,6 +175,7 @@ def mechanics(
         "deformations": list(elastic_names(model)),
         "turning": [axis.name for axis in model.chain.axes if not axis.coordinate.slides],
         "bends": model.deformations.tolist(),
+        "elements": [{"cause": part, "name": name, "own": own} for part, name, own in element_places(model)],
         "links": _links(model, surfaces),
         "carried": _carried(pair, real, functions),
         "surface": pair.real.contact and pair.real.contact.shape.drawing(),

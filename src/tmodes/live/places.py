@@ -161,7 +161,8 @@ def _plays(model: Model) -> list[dict[str, int]]:
     gears = [axis for axis in model.parts.axes if axis.axis.element]
     return [
         {"coordinate": axis.angle, "gear": k, "place": axis.drive_numbers.start + _PLAY + 2 * axis.drive.ranges}
-        for k, axis in enumerate(gears) if axis.drive_numbers and axis.axis.joint.gear and axis.axis.joint.gear.backlash
+        for k, axis in enumerate(gears)
+        if axis.drive and axis.drive_numbers and axis.axis.joint.gear and axis.axis.joint.gear.backlash
     ]  # fmt: skip
 
 

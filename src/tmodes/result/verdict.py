@@ -175,7 +175,7 @@ def said(found: Mapping[str, Any], status: str, message: str) -> dict[str, str]:
         "settled": settled and _written(settled, "s"),
         "reason": not failed and settled is None and settling["reason"],
         "frequency": seen and _written(residual["frequency_Hz"], "Hz"),
-        "damping": seen and _written(round(100 * residual["damping"], 1) + 0.0, "%", 2),
+        "damping": seen and _written(round(100 * residual["damping"], residual["damping"] < _TENTHS) + 0.0, "%", 2),
         "quantity": worst and worst["quantity"].capitalize(),
         "element": worst and worst["element"],
         "value": worst and _written(worst["value"], worst["unit"]),
@@ -183,6 +183,9 @@ def said(found: Mapping[str, Any], status: str, message: str) -> dict[str, str]:
     }
     return {name: text for name, text in known.items() if text}
 
+
+_TENTHS = 0.0995
+"""Damping ratio below which tenths of a per cent are said."""
 
 _ENDED = ("finished", "stopped_by_condition")
 

@@ -27,8 +27,9 @@ _NOTICEABLE = 1e-3
 _SAME = 0.03
 """Distance of two poles over their size up to which they are of one mode."""
 
-_STEADY, _TURNS = 0.05, 0.5
-"""How near to its half a motion is in the middle of its time where its speed is steady; turn [rad] that is seen."""
+_STEADY, _TURNS, _NOTHING = 0.05, 0.5, 1e-8
+"""How near to its half a motion is in the middle of its time where its speed is steady; turn [rad] that is seen; travel
+[rad, m] that is rounding."""
 
 _INSTANTS = 200
 """Instants of a vibration at which its energies are taken."""
@@ -43,7 +44,7 @@ def unrest(run: RunData, times: Array, q: Array) -> tuple[str, bool]:
     late = q[len(q) // 2 - 1 :]
     first, travel = late[(len(late) - 1) // 2] - late[0], late[-1] - late[0]
     swing = np.abs(late - late[0] - np.linspace(0.0, 1.0, len(late))[:, None] * travel).max(axis=0, initial=0.0)
-    share = np.divide(first, travel, out=np.zeros_like(travel), where=np.abs(travel) > 2 * swing)
+    share = np.divide(first, travel, out=np.zeros_like(travel), where=np.abs(travel) > np.maximum(2 * swing, _NOTHING))
     onward = np.where(np.abs(share - 0.5) < _STEADY, travel, 0.0)
     if onward.any():
         k = int(np.abs(onward).argmax())

@@ -11,9 +11,10 @@ import { columns, range, rowsOf, sizes } from "./series";
 import { areCoarse, CHANGES, restOf, settlingOf, type Path, type Settled } from "./settling";
 import { merged, rowsAt, rowsOf as piecesOf, schedule as held, valueAt, type Schedule } from "./signals";
 
-const STEP = 1e-6; // of the differences of fourth order that make the tangent of the closed loop
-const UNDAMPED = 1e-7; // decay over size of an eigenvalue by differences that is rounding
-const [ROUNDING, RINGS] = [1e-9, 1e-9]; // of a row of the tangent; imaginary part over size of what rings
+const [LONG, SHORT] = [1e-3, 1e-6]; // steps of the differences that make the tangent of the closed loop
+const ROUNDING = 1e-8; // of a row of it, by short steps
+const UNDAMPED = 3e-9; // decay over size of an eigenvalue that is rounding
+const RINGS = 1e-9;
 
 /** A motion: coordinates q [n, nq] besides the tip. */
 interface Motion extends Path {
@@ -103,24 +104,28 @@ function decaysOf(engine: Engine, { after }: Bundle, { name, info, blocks, sched
   const [size, m] = [run.states.length / run.times.length, info.state.works[0]];
   const start = run.states.slice(0, size);
   for (let k = info.state.modes[0]; k < info.state.modes[0] + info.slipping; k += 1) start[k] ||= 1;
-  const steps = [STEP, -STEP, 2 * STEP, -2 * STEP];
-  const states = new Float64Array(4 * m * size);
-  steps.forEach((step, s) => {
-    for (let j = 0; j < m; j += 1) {
-      states.set(start, (s * m + j) * size);
-      states[(s * m + j) * size + j] += step;
-    }
-  });
   const time = new Float64Array(1);
-  const inputs = { time, state: states, row: rowsAt(schedule, time), step: new Float64Array(1) };
-  const { rate } = engine.sample(`${name}.rate`, blocks.parameters, inputs, 4 * m);
-  const at = (s: number, i: number, j: number) => rate[(s * m + j) * size + i];
+  const still = { time, row: rowsAt(schedule, time), step: new Float64Array(1) };
+  /** Derivatives of the rates i by the states j: differences of fourth order. */
+  const slopes = (step: number) => {
+    const states = new Float64Array(4 * m * size);
+    [step, -step, 2 * step, -2 * step].forEach((away, s) => {
+      for (let j = 0; j < m; j += 1) {
+        states.set(start, (s * m + j) * size);
+        states[(s * m + j) * size + j] += away;
+      }
+    });
+    const { rate } = engine.sample(`${name}.rate`, blocks.parameters, { ...still, state: states }, 4 * m);
+    const at = (s: number, i: number, j: number) => rate[(s * m + j) * size + i];
+    return (i: number, j: number) => (8 * (at(0, i, j) - at(1, i, j)) - (at(2, i, j) - at(3, i, j))) / (12 * step);
+  };
   const given = info.exact.flatMap(([k]) => [info.state.q[0] + k, info.state.v[0] + k]);
   const free = range(0, m).filter((k) => !given.includes(k)); // given motions neither ring nor decay
+  const [long, short] = [slopes(LONG), slopes(SHORT)]; // long steps round less, short ones follow dry friction
   const tangent = new Matrix(free.map((i) => {
-    const row = free.map((j) => (8 * (at(0, i, j) - at(1, i, j)) - (at(2, i, j) - at(3, i, j))) / (12 * STEP));
-    const least = ROUNDING * row.reduce((most, value) => Math.max(most, Math.abs(value)), 0);
-    return row.map((value) => (Math.abs(value) > least ? value : 0));
+    const most = free.reduce((largest, j) => Math.max(largest, Math.abs(short(i, j))), 0);
+    const same = (j: number) => Math.abs(long(i, j) - short(i, j)) <= ROUNDING * most;
+    return free.map((j) => (same(j) ? long(i, j) : short(i, j)));
   }));
   if (!free.length || !tangent.to1DArray().every(Number.isFinite)) return [];
   const found = new EigenvalueDecomposition(tangent, { assumeSymmetric: false });

@@ -106,8 +106,11 @@ export interface Bundle extends LiveBundle {
   turning: string[];
   /** Names of the parts of the tip's error, controller, gears and links; none where no drive has a setpoint. */
   errorParts: string[] | null;
-  /** Coordinates of the links' own deformations. */
+  /** Coordinates of the links' own deformations, and all elements of such a part with theirs, by the chain. */
   bends: number[];
+  elements: { cause: string; name: string; own: number[] }[];
+  /** The words of a verdict, the tolerance of the task [m], and whether the run as it was had warnings. */
+  judged: { phrases: string[][]; tolerance: number | null; warned: boolean };
   links: { name: string; bends: boolean }[];
   carried: LoadsInfo;
   contactPoint: number;

@@ -45,6 +45,33 @@ export function causesOf(
   return found;
 }
 
+/** By which elements the error of the tip is that at sample `k`: those of the actual robot, less the nominal one's. */
+export function elementSteps(
+  engine: Engine, bundle: Bundle, real: Regime, against: Seen, movers: [sign: number, seen: Seen][], k: number,
+): { cause: string; element: string; vector: number[] }[] {
+  const width = engine.layout.coordinates.length;
+  const row = (seen: Seen) => seen.model.q.slice(k * width, (k + 1) * width);
+  const wanted = row(against);
+  for (const [coordinate, signal] of [...real.info.commanded, ...real.info.exact])
+    wanted[coordinate] = valueAt(real.schedule, signal, real.run.times[k]);
+  const found = bundle.elements.map(({ cause, name }) => ({ cause, element: name, vector: [0, 0, 0] }));
+  for (const [sign, seen] of movers) {
+    const [actual, moved] = [row(seen), wanted.slice()];
+    for (const j of seen.regime.info.driven) moved[j] = actual[j];
+    const shape = affine(seen.regime.blocks.straight, moved, 1);
+    const shapes = [...shape];
+    for (const { own } of bundle.elements) {
+      for (const j of own) shape[j] = actual[j];
+      shapes.push(...shape);
+    }
+    const tips = tipAt(engine, seen.regime, Float64Array.from(shapes), bundle.elements.length + 1);
+    found.forEach(({ vector }, e) => {
+      for (let i = 0; i < 3; i += 1) vector[i] += sign * (tips[3 * e + 3 + i] - tips[3 * e + i]);
+    });
+  }
+  return found;
+}
+
 function parted(tips: Float64Array[]): Float64Array[] {
   return tips.slice(1).map((tip, k) => difference(tip, tips[k]));
 }

@@ -12,11 +12,14 @@ import type { Bundle } from "./bundle";
 import type { Engine } from "./engine";
 import { Cancelled, type Watch } from "./engine_run";
 import type { Facts } from "./facts";
+import type { Residual } from "./residual";
+import type { Settled } from "./settling";
+import { withRest } from "./verdict";
 
 const PIECE = 50; // ms between two looks at whether a newer run began
 
 /** What comes later of a run, by the ids of facts. */
-export const LATER = ["settling", "vibration.residual", "vibration.nominal", "frequency.first"];
+export const LATER = ["settling", "residual", "vibration.residual", "vibration.nominal", "frequency.first"];
 
 /** The same run with all of it, `early` when it is known how it settles. Raises Cancelled. */
 export async function completed(
@@ -33,7 +36,11 @@ export async function completed(
   };
   await pause(true);
   const after = await settled(engine, bundle, curves, watch);
-  const rested = { ...run, facts: { ...run.facts, ...curves.reported(after.facts) }, pending: ["frequency.first"] };
+  if (after.settled && after.vibration) curves.judged = withRest(curves.judged, after.settled, after.vibration);
+  const rested: LiveRun = {
+    ...run, verdict: curves.judge(curves.judged), facts: { ...run.facts, ...curves.reported(after.facts) },
+    pending: ["frequency.first"],
+  };
   early(rested);
   await pause(true);
   const { vibration, facts } = vibrationOf(engine, bundle, values, real, run, after.seen);
@@ -47,7 +54,7 @@ export async function completed(
 /** How both runs settle and vibrate after the move, and what modes are seen of the actual one. */
 async function settled(
   engine: Engine, bundle: Bundle, { run, real, nominal, end }: Curves, watch: Watch,
-): Promise<{ facts: Facts; seen: SeenMode[] }> {
+): Promise<{ facts: Facts; seen: SeenMode[]; settled?: Settled; vibration?: Residual }> {
   if (!bundle.after || run.status !== "finished") return { facts: {}, seen: [] };
   const facts: Facts = {};
   const seenOf = async (regime: Regime, name: string) => {
@@ -61,16 +68,17 @@ async function settled(
     const since = later.times.map((time) => time - (end ?? 0));
     const elements = elementsOf(engine, bundle, regime.blocks, since, later.q, vibration);
     facts[name] = vibrationFact(vibration, found, elements);
-    return { found, unrest, seen: vibration.modes.map((mode, k) => (
+    return { found, unrest, vibration, seen: vibration.modes.map((mode, k) => (
       { frequency: naturalOf(mode), damping: mode.damping, element: elements[k] ?? "" }
     )) };
   };
-  const { found, unrest, seen } = await seenOf(real, "vibration.residual");
-  facts.settling = settlingFact(settledOf(bundle, found, unrest), found, bundle.after.settling.within);
+  const { found, unrest, vibration, seen } = await seenOf(real, "vibration.residual");
+  const settled = settledOf(bundle, found, unrest);
+  facts.settling = settlingFact(settled, found, bundle.after.settling.within);
   if (nominal) {
     if (!nominal.vibration) await seenOf(nominal.regime, "vibration.nominal");
     facts["vibration.nominal"] ??= nominal.vibration!;
     nominal.vibration = facts["vibration.nominal"];
   }
-  return { facts, seen };
+  return { facts, seen, settled, vibration };
 }

@@ -1,12 +1,13 @@
 // Headline numbers of the loads along the links, and of the joints' limits, as tmodes/report/facts.py.
 
+import type { Verdict } from "../contract";
 import { info } from "../format";
 import type { Largest, LimitInfo, Loads, LoadsInfo, Quantity } from "./loads";
 import { figures, type Facts } from "./facts";
 import { columns, type SeriesOf } from "./series";
 
 /** What follows from loads. */
-export const LOADS = ["deflection.max", "moment.max", "stress.max", "stress.share"];
+export const LOADS = ["limits", "deflection.max", "moment.max", "stress.max", "stress.share"];
 
 export function loadFacts(loads: Loads, { strengths, places, kept }: LoadsInfo, times: Float64Array): Facts {
   const part = [
@@ -37,31 +38,34 @@ export function loadFacts(loads: Loads, { strengths, places, kept }: LoadsInfo, 
   };
 }
 
+/** How near a run comes to a limit, as `limits_of` of tmodes/result/verdict.py. */
+export type Limit = Verdict["limits"][number];
+
 /** The largest share of a limit of a joint: of its speed, its effort, its range (from its middle). */
-export function limitFact(limits: LimitInfo[], series: SeriesOf): Facts {
-  const worst = most(limits.flatMap((limit) => sharesOf(limit, series)), ({ share }) => share);
-  return worst ? { "limits.share": { value: 100 * worst.share, note: worst.note } } : {};
+export function limitFact(limits: Limit[]): Facts {
+  const worst = most(limits, ({ share }) => share);
+  if (!worst) return {};
+  const { quantity, element, value, limit, unit } = worst;
+  const of = `${quantity} of ${element}`;
+  const note = quantity === "range" ? `${of}, from its middle` : `${of}: ${info(value, unit)} of ${info(limit, unit)}`;
+  return { "limits.share": { value: 100 * worst.share, note } };
 }
 
-function sharesOf(
-  { joint, coordinate, drive, unit, effortUnit, speed, effort, range }: LimitInfo,
-  series: SeriesOf,
-): { share: number; note: string }[] {
+/** Of one joint: its speed, its effort, its range (from its middle). */
+export function limitsOf(
+  { joint, coordinate, drive, unit, effortUnit, speed, effort, range }: LimitInfo, series: SeriesOf,
+): Limit[] {
   const largest = (name: string, column: number, middle = 0) =>
     columns(series[name].data, series[name].shape[1], [column]).reduce(
       (size, value) => Math.max(size, Math.abs(value - middle)),
       0,
     );
-  const shared = (size: number, limit: number, what: string, of: string) => ({
-    share: size / limit,
-    note: `${what} of ${joint}: ${info(size, of)} of ${info(limit, of)}`,
-  });
+  const shared = (quantity: string, value: number, limit: number, of: string) =>
+    ({ quantity, element: joint, value, limit, unit: of, share: value / limit });
   return [
-    ...(speed ? [shared(largest("v", coordinate), speed, "speed", `${unit}/s`)] : []),
-    ...(effort && drive >= 0 ? [shared(largest("effort", drive), effort, "effort", effortUnit)] : []),
-    ...(range
-      ? [{ share: largest("q", coordinate, range[0]) / range[1], note: `range of ${joint}, from its middle` }]
-      : []),
+    ...(speed ? [shared("speed", largest("v", coordinate), speed, `${unit}/s`)] : []),
+    ...(effort && drive >= 0 ? [shared("effort", largest("effort", drive), effort, effortUnit)] : []),
+    ...(range ? [shared("range", largest("q", coordinate, range[0]), range[1], unit)] : []),
   ];
 }
 

@@ -7,16 +7,20 @@ import { sceneOf } from "./live_scene";
 import { loadFacts } from "./load_facts";
 import { linePanel, loadColours } from "./load_picture";
 import { loadsOf } from "./loads";
+import { withLoads } from "./verdict";
 import type { Curves } from "./run";
 
 /** The same run with the picture at the display frames, the elastic line, and the numbers of the loads. */
-export function picturedOf(engine: Engine, bundle: Bundle, { run, real, facts, reported }: Curves): LiveRun {
+export function picturedOf(engine: Engine, bundle: Bundle, curves: Curves): LiveRun {
+  const { run, real, facts, reported } = curves;
   const { times, series } = run;
   const frames = framesOf(bundle, times.length);
   const loads = loadsOf(engine, bundle, real.blocks, series, times, real.schedule, frames);
   const colours = loadColours(bundle, loads.links, frames.length);
+  curves.judged = withLoads(curves.judged, loads, bundle.carried.strengths, times);
   return {
     ...run,
+    verdict: curves.judge(curves.judged),
     scene: sceneOf(engine, bundle, real.blocks, series, times, frames, colours),
     line: linePanel(bundle, loads.links, frames.length),
     facts: reported({ ...facts, ...loadFacts(loads, bundle.carried, times) }),

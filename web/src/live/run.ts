@@ -1,10 +1,11 @@
 // The curves of a run in the page, from values of the sliders, as tmodes/simulation/simulate.py finds them; what takes
 // longer comes after them: pictured.ts and later.ts.
 
+import type { Verdict } from "../contract";
 import type { LiveRun } from "../contract_parts";
 import { causesOf } from "./causes";
 import { factsOf } from "./run_facts";
-import { limitFact } from "./load_facts";
+import { limitFact, limitsOf } from "./load_facts";
 import type { Nominal, Planner } from "./nominal";
 import { moved, type Regime } from "./regime";
 import { compared, firstOf, seenOf, seriesOf } from "./run_series";
@@ -14,6 +15,7 @@ import type { Watch } from "./engine_run";
 import { brokenOff, type Facts } from "./facts";
 import type { Kept } from "./kept";
 import { numbersOf } from "./map";
+import { judgedOf, verdictOf, type Judged } from "./verdict";
 import { setpointsOf, spanOf } from "./span";
 import * as signals from "./signals";
 
@@ -27,6 +29,9 @@ export interface Curves {
   /** Numbers as they are, and as they are reported of this run: of one that broke off, until then. */
   facts: Facts;
   reported: (facts: Facts) => Facts;
+  /** What is known of the verdict, and the verdict by what is known. */
+  judged: Judged;
+  judge: (found: Judged) => Verdict | undefined;
 }
 
 /** Raises an error where the run cannot start. `kept`: the nominal run before, which many sliders leave as it is. */
@@ -46,7 +51,9 @@ export async function curvesOf(
   };
   const end = signals.moveEnd(real.info.moving.map((k) => real.each[k]));
   const failed = [nominal?.regime, real].find((regime) => regime && regime.run.status !== "finished");
-  const facts: Facts = { ...factsOf(bundle, times, series), ...limitFact(bundle.carried.limits, series) };
+  const limits = bundle.carried.limits.flatMap((limit) => limitsOf(limit, series));
+  const judged = judgedOf(engine, bundle, real, [own, planned], times, series, limits);
+  const facts: Facts = { ...factsOf(bundle, times, series), ...limitFact(limits) };
   const reported = (all: Facts) => (failed ? brokenOff(all) : all);
   const run: LiveRun = {
     status: failed ? failed.run.status : "finished",
@@ -57,7 +64,9 @@ export async function curvesOf(
     span: spanOf(times, end, setpointsOf(bundle, series)),
     facts: reported(facts),
   };
-  return { run, real, nominal, end, facts, reported };
+  const judge = (found: Judged) => (bundle.after ? verdictOf(bundle, found, run.status, run.message) : undefined);
+  run.verdict = judge(judged);
+  return { run, judged, judge, real, nominal, end, facts, reported };
 }
 
 /** The nominal robot, where there is one, and the actual one in motion, at once where somebody else has the former. */

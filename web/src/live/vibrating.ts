@@ -12,7 +12,7 @@ import type { Residual } from "./residual";
 import { columns, range, rowsOf } from "./series";
 import { storedIn } from "./vibration";
 
-const [STEADY, TURNS] = [0.05, 0.5]; // of a motion that is none of vibration
+const [STEADY, TURNS, NOTHING] = [0.05, 0.5, 1e-8]; // of a motion that is none of vibration
 const INSTANTS = 200;
 const NOTICEABLE = 1e-3; // energy of all springs over the kinetic one, below which none is named
 const SAME = 0.03; // distance of two poles over their size up to which they are of one mode
@@ -62,7 +62,7 @@ export function unrestOf(
     let swing = 0;
     for (let k = 0; k < count; k += 1)
       swing = Math.max(swing, Math.abs(q[(from + k) * width + j] - first[j] - (k / (count - 1)) * travel));
-    const share = Math.abs(travel) > 2 * swing ? (middle[j] - first[j]) / travel : 0;
+    const share = Math.abs(travel) > Math.max(2 * swing, NOTHING) ? (middle[j] - first[j]) / travel : 0;
     if (Math.abs(share - 0.5) < STEADY && Math.abs(travel) > most) [fastest, most] = [j, Math.abs(travel)];
   }
   if (fastest >= 0) {
