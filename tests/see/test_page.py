@@ -55,9 +55,19 @@ def test_charts_are_drawn_in_colours(window: Any) -> None:
 
 
 def test_the_first_charts_are_seen_without_scrolling(browser: Any, reports: dict[str, Path]) -> None:
-    page = look(browser, reports["good"]).page
-    assert page.locator(".transport").bounding_box()["y"] + 40 < 800
-    assert page.locator("[data-chart=tip_deviation] .plot-area").bounding_box()["y"] + 100 < 800
+    page = look(browser, reports["good"], (1280, 720)).page
+    assert page.locator(".transport").bounding_box()["y"] + 40 < 720
+    plot, legend = (page.locator(f"[data-chart=tip_error] {part}").bounding_box() for part in (".plot-area", ".legend"))
+    assert plot["y"] + 100 < 720
+    assert legend["y"] + legend["height"] < 720
+    for tab in page.locator(".charts [role=tab]").all():
+        tab.click()
+        for chart in page.locator("[data-chart]").all():
+            chart.evaluate("(one) => one.scrollIntoView({ block: 'center' })")
+            boxes = [chart.locator(part).bounding_box() for part in (".plot-area", ".legend")]
+            assert min(box["y"] for box in boxes) >= 0
+            assert max(box["y"] + box["height"] for box in boxes) <= 720, chart.get_attribute("data-chart")
+            assert boxes[1]["x"] >= boxes[0]["x"] + boxes[0]["width"], "the legend is beside the plot"
     page.context.close()
 
 
@@ -67,7 +77,9 @@ def test_charts_and_numbers_follow_the_time(window: Any, good: Result) -> None:
     assert shown(window) == pytest.approx(1.0)
     assert window.page.evaluate(LINE) != before
     info = window.page.locator("[data-chart=tip_deviation] .toggle .value").first.inner_text()
-    assert float(info) == pytest.approx(1e3 * float(good.data["deviation"].sel(time=1.0, method="nearest")), rel=1e-3)
+    assert float(info.removesuffix(" mm")) == pytest.approx(
+        1e3 * float(good.data["deviation"].sel(time=1.0, method="nearest")), rel=1e-3
+    )
 
 
 def test_a_click_on_a_chart_chooses_the_time(window: Any) -> None:

@@ -115,6 +115,8 @@ export interface Chart {
   title: string;
   group: "error" | "tip" | "contact" | "deformations" | "motors" | "energy" | "spectrum";
   unit: string;
+  /** The quantity and its unit, as the axis says them. */
+  ordinate: string;
   /** What is along: time [s] (linked with the clock) or frequency [Hz]. */
   abscissa: "time" | "frequency";
   at: Numbers;

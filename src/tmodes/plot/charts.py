@@ -22,6 +22,12 @@ Array = NDArray[Any]
 Place = tuple[str, int]
 """A series of a result: its variable, and the column of its flattened trailing dimensions."""
 
+_QUANTITIES = {
+    "rad": "angle", "rad/s": "rate", "m": "displacement", "m/s": "speed", "N": "force", "N m": "torque", "V": "voltage",
+    "A": "current",
+}  # fmt: skip
+"""What an ordinate shows where its chart has no word, by unit."""
+
 _SMALLEST, _LONG = 1e-6, 10.0
 """Lengths between these [m] are in mm."""
 
@@ -78,6 +84,11 @@ class Chart:
     zero: bool = False
     overview: bool = False
     unit: Unit = SI
+
+    @property
+    def ordinate(self) -> str:
+        """What the ordinate shows, with its unit."""
+        return f"{self.what or _QUANTITIES.get(self.si, '')} [{self.unit.name}]".lstrip()
 
     @property
     def labels(self) -> list[str]:
@@ -140,8 +151,9 @@ class Look:
     dash: tuple[float, ...]
 
 
-def looks(lines: Sequence[Line]) -> list[Look]:
-    """Of each of a chart's lines: a cause has its colour, a part its dash; what has neither takes the next of each."""
+def looks(chart: Chart) -> list[Look]:
+    """Of each of its lines: a cause has its colour, a part its dash; what has neither takes the next of each."""
+    lines = chart.lines
     labels, roles = (
         [*dict.fromkeys(names)] for names in zip(*((line.label, line.role) for line in lines), strict=True)
     )
@@ -157,7 +169,7 @@ def looks(lines: Sequence[Line]) -> list[Look]:
             name = f"of-{own.replace(' ', '-')}"
         else:
             name = CYCLE[free.index(line.label) % len(CYCLE)] if len(labels) > 1 else PARTS[line.role][1]
-        solid = line.cause == "total" or len(lines) == 1
+        solid = chart.stacked or line.cause == "total" or len(lines) == 1
         dash = DASHES[line.role] if len(roles) > 1 else SERIES[place % len(SERIES)]
         found.append(Look(name, () if solid else dash))
     return found

@@ -27,7 +27,7 @@ _CAUSES = {
 }  # fmt: skip
 """The cause of a part of the error, or of an energy."""
 
-_SIGNED = "a part below zero lessens the error"
+_SIGNED = "a part below zero lessens the error, so that another can be larger than the whole"
 
 
 def run_charts(result: Result, made: Derives | None = None) -> list[Chart]:
@@ -117,7 +117,7 @@ def _deformations(data: Any) -> Iterator[Chart]:
     for (cause, owner, unit), lines in groups.items():
         alone = len({line.label for line in lines}) == 1  # one coordinate shows all its parts, of several how they move
         drawn = tuple(replace(line, shown=alone or line.role == "real") for line in lines)
-        title = shown_name(owner if cause == "gear" or owner.startswith("link") else f"link {owner}")
+        title = shown_name(owner if cause == "gear" else f"deformation of {owner}")
         yield Chart(
             f"deformation_{owner}_{unit}", f"{title[0].upper()}{title[1:]}", "deformations", unit, data["time"].values,
             drawn, overview=worst[cause] == (cause, owner, unit),

@@ -50,13 +50,6 @@ def panels(ax: AxesLike, layout: Sequence[Sequence[str]], height: float, **more:
     return given
 
 
-_QUANTITIES = {
-    "rad": "angle", "rad/s": "rate", "m": "displacement", "m/s": "speed", "N": "force", "N m": "torque", "V": "voltage",
-    "A": "current",
-}  # fmt: skip
-"""What an axis shows where its figure gives no word, by unit."""
-
-
 def draw_charts(ax: AxesLike, rows: Sequence[Sequence[Chart]], height: float = 0.0) -> list[Axes]:
     """Rows of charts with letters and legends, on given axes or in a new figure; ``height`` [in], 0: by the rows."""
     charts, width = [chart for row in rows for chart in row], math.lcm(*map(len, rows))
@@ -88,7 +81,7 @@ def draw_chart(panel: Axes, chart: Chart) -> None:
     shown = [
         *zip(
             chart.lines,
-            looks(chart.lines),
+            looks(chart),
             np.where(values, np.abs(values), np.nan) if chart.log == "first" else values,
             strict=True,
         )
@@ -105,7 +98,7 @@ def draw_chart(panel: Axes, chart: Chart) -> None:
         dashes = (0, tuple(0.75 * part for part in look.dash)) if look.dash else "-"
         style = {"color": colour(look.colour), "linestyle": dashes, "linewidth": 1.2}
         panel.plot(chart.at, own, label=plain(word_of(chart, line)) or None, **(line.look or style))
-    panel.set_ylabel(f"{chart.what or _QUANTITIES.get(chart.si, '')} [{unit.name}]".lstrip())
+    panel.set_ylabel(chart.ordinate)
     if not values.any():
         panel.text(0.5, 0.6, "zero throughout", ha="center", transform=panel.transAxes)
     elif chart.log == "first":

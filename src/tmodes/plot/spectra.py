@@ -45,11 +45,12 @@ def run_spectra(result: Result) -> Iterator[Chart]:
     names = [str(name) for name in part["deformation_kind"].values] if "deformation_kind" in data.dims else []
     units = [deformation_unit(data, name) for name in names]
     unit, marks = "rad" if "rad" in units else "".join(units[:1]), own_frequencies(result)
+    end = "" if unit == "rad" else f"_{unit}"
     inner = [line_of(part, ("deformation", k), shown_name(names[k])) for k, one in enumerate(units) if one == unit]
     charts = {
         ("spectrum_tip", "actual tip", "m"): (_tip(part, "tip"), marks["actual"]),
         ("spectrum_tip_nominal", "nominal tip", "m"): (_tip(part, "tip_nominal"), marks["nominal"]),
-        ("spectrum_deformations", "deformations", unit): (inner, marks["actual"]),
+        (f"spectrum_deformations{end}", "deformations", unit): (inner, marks["actual"]),
     }
     found = [_spectrum(*of, part, lines, own) for of, (swinging, own) in charts.items() if (lines := _most(swinging))]
     for chart in found:

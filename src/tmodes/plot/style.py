@@ -61,7 +61,7 @@ SERIES: tuple[tuple[float, ...], ...] = (
 """The same of curves that are compared, in their order."""
 
 
-CYCLE = ("blue", "red", "violet", "sky", "ochre", "green")
+CYCLE = ("blue", "red", "violet", "ochre", "sky", "green")
 """Names in :data:`PALETTE` that curves without a cause take, in their order."""
 
 

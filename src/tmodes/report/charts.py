@@ -80,8 +80,8 @@ def chart_data(chart: Chart) -> dict[str, Any]:
     """A chart as the page holds it; too many samples are thinned so that every extreme stays."""
     kept = thinned(chart.values.T, MOST_POINTS)
     coarse = len(kept) < len(chart.at) and chart.log == "no"
-    same = ("id", "title", "group", "abscissa", "span", "log", "stacked", "note", "overview")
-    drawn = zip(chart.lines, looks(chart.lines), strict=True)
+    same = ("id", "title", "group", "abscissa", "span", "log", "stacked", "note", "overview", "ordinate")
+    drawn = zip(chart.lines, looks(chart), strict=True)
     return {name: getattr(chart, name) for name in same} | {
         "unit": chart.unit.name,
         "at": chart.at[kept] if len(kept) < len(chart.at) else chart.at,

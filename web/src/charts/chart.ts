@@ -81,9 +81,10 @@ export function mountChart(set: ChartSet, clock: Clock, zoom: Zoom): ChartView {
   });
   const ownNote = make("p", { class: "note", hidden: !chart.note, text: `Note: ${chart.note}.` });
   const axisNote = make("p", { class: "note", hidden: true });
-  const legend: Legend = makeLegend(entries, set.compared, redraw);
+  const legend: Legend = makeLegend(entries, set.compared, unit, redraw);
   const element = make("figure", { class: "chart", "aria-labelledby": title, "data-chart": chart.id },
-    make("figcaption", {}, heading, readout, tools), place, legend.element, ownNote, axisNote, thinning, marksNote);
+    make("figcaption", {}, heading, readout, tools), make("div", { class: "drawing" }, legend.element, place),
+    ownNote, axisNote, thinning, marksNote);
 
   function setLog(on: boolean): void {
     log = on;
@@ -139,7 +140,7 @@ export function mountChart(set: ChartSet, clock: Clock, zoom: Zoom): ChartView {
     hover = null; // where the pointer was, was a place of that plot
     plot = makePlot(place, data, lines, {
       log, decades: chart.group === "spectrum" ? DECADES.spectrum : DECADES.other, height: HEIGHT, marks,
-      abscissa,
+      abscissa, ordinate: chart.ordinate,
       zoomed: (range) => (timed ? zoom.set(range) : stretch(range)),
       hovered: (at) => { hover = at; tell(); },
       chosen: (at) => { if (timed) clock.seek(at); },

@@ -21,7 +21,7 @@ type Key = (entry: Entry) => string;
  * `changed` is called after a switch. What is switched: runs, labels, roles, each where there are several of them.
  * `compared`: the page has several runs, whose colours tell them apart, also where only one has this chart.
  */
-export function makeLegend(entries: Entry[], compared: boolean, changed: () => void): Legend {
+export function makeLegend(entries: Entry[], compared: boolean, unit: string, changed: () => void): Legend {
   let own = entries.filter((entry) => !entry.ghost);
   const keys: Key[] = [(entry) => String(entry.run), (entry) => entry.label, (entry) => entry.role];
   const kinds = keys.map((key) => [...new Set(own.map(key))]);
@@ -77,7 +77,7 @@ export function makeLegend(entries: Entry[], compared: boolean, changed: () => v
       for (const [kind, place] of values) {
         const entry = own.find((one) => keys[byColour](one) === kind && keys.every((key, k) => !off[k].has(key(one))));
         const value = entry ? valueOf(entry) : null;
-        put(place, value === null ? "" : plain(value).replace("-", "−"));
+        put(place, value === null ? "" : `${plain(value).replace("-", "−")} ${unit}`);
       }
     },
   };

@@ -1,7 +1,7 @@
 // Colours and dashes of curves: colour-blind-safe, and reported apart without colour too.
 
 /** Custom properties of app.css, in the order in which curves take them. */
-const COLOURS = ["--blue", "--red", "--violet", "--sky", "--ochre", "--green"];
+const COLOURS = ["--blue", "--red", "--green", "--violet", "--ochre", "--sky"];
 const SERIES: number[][] = [[], [7, 2], [6, 2, 2, 2], [2, 2], [9, 2, 2, 2, 2, 2], [12, 4]];
 
 /** How a curve is drawn: the custom property of its colour, its dashes. */

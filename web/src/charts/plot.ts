@@ -20,6 +20,7 @@ export interface PlotOptions {
   /** Decades below the largest value that a logarithmic axis shows. */
   decades: number;
   abscissa: string;
+  ordinate: string;
   marks: { at: number; label: string }[];
   height: number;
   zoomed(range: [number, number] | null): void;
@@ -65,6 +66,9 @@ export function makePlot(
       },
       {
         ...axis,
+        label: wanted.ordinate,
+        labelSize: 16,
+        labelFont: FONT,
         grid: { ...grid, filter },
         ticks: { ...axis.ticks, filter },
         size: (_, marks) => 16 + 7 * Math.max(2, ...(marks ?? []).map((mark) => mark.length)),
