@@ -50,9 +50,9 @@ def page_data(
     made = [Derives() for _ in results]
     charts = charts_of(results, made)
     runs = [_run(*one, light=light) for one in zip(results, names, charts, made, strict=True)]
-    subtitle = _title(results[0]) if len(results) == 1 else f"{len(results)} runs"
     own = {robot_name(result) for result in results}
     same = len(results) > 1 and len(own) == 1
+    subtitle = _title(results[0]) if len(own) == 1 else f"{len(results)} runs"
     title = f"{min(own)}: {len(results)} runs compared" if same else ", ".join(names)
     own_words = {"phrases": PHRASES, "colours": colours()}
     info = {"title": title, "subtitle": subtitle, "live": live, "notLive": not_live} | own_words

@@ -73,6 +73,12 @@ export class Cameras {
     this.place(1);
   }
 
+  /** Horizontally to the right, as one looks from the preset. */
+  get across(): [number, number] {
+    const { x, y } = this.side(this.view);
+    return [-y / Math.hypot(x, y), x / Math.hypot(x, y)];
+  }
+
   private side(view: View): Vector3 {
     return this.offset.set(...(view === "iso" ? this.oblique : DIRECTIONS[view])).normalize();
   }

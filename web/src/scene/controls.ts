@@ -56,8 +56,9 @@ export function makeControls(
   );
   bar.append(make("label", {}, name("View"), view));
   const reset = make("button", { type: "button", ariaLabel: "Reset view" }, "Reset");
-  reset.addEventListener("click", () => wishes.look(view.value as View));
-  bar.append(reset, more(settings, toggles, fine, wishes));
+  const again = () => wishes.look(view.value as View);
+  reset.addEventListener("click", again);
+  bar.append(reset, more(settings, toggles, fine, wishes, again));
   return bar;
 } // prettier-ignore
 
@@ -95,7 +96,9 @@ function rounded(factor: number): number {
   return factor < 10 ? Math.round(10 * factor) / 10 : Math.round(factor);
 }
 
-function more(settings: Settings, toggles: (keyof Settings)[], fine: boolean, wishes: Wishes): HTMLElement {
+function more(
+  settings: Settings, toggles: (keyof Settings)[], fine: boolean, wishes: Wishes, again: () => void,
+): HTMLElement {
   const items: HTMLElement[] = [];
   for (const [key, label] of TOGGLES) {
     if (!toggles.includes(key)) continue;
@@ -104,7 +107,7 @@ function more(settings: Settings, toggles: (keyof Settings)[], fine: boolean, wi
     box.addEventListener("change", () => {
       settings[key] = box.checked;
       wishes.changed();
-      if (key === "apart") wishes.look("iso");
+      if (key === "apart") again();
     });
     items.push(make("label", {}, box, label));
   }

@@ -111,3 +111,10 @@ function floorBelow(box: Box3, page: Page, reach: number): number {
   const step = round125(0.1 * reach);
   return Math.floor((Math.min(box.min.z, root) - 0.12 * reach) / step) * step;
 }
+
+/** Whether all runs are of one robot, as far as is seen: the same links on the same base, to be drawn in one place. */
+export function alike({ runs }: Page, { reach }: Extent): boolean {
+  const names = runs.map(({ scene: { links } }) => links.map(({ name }) => name).join());
+  const bases = runs.map(({ scene: { line } }) => [0, 1, 2].map((c) => line.data[c] - runs[0].scene.line.data[c]));
+  return new Set(names).size === 1 && bases.every((away) => Math.hypot(...away) < 0.01 * reach);
+}

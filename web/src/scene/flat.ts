@@ -72,7 +72,7 @@ class FlatRun extends ShownRun {
     if (settings.traces) this.laid.forEach(({ path, color }) => drawTrace(pen, path, motion.frame, color));
     this.robot.draw(pen, motion.line, this.look(settings), range, camera.position);
     if (settings.force && motion.arrays.contact) drawArrow(pen, motion.force, motion.at, scale, colours.force);
-    pen.aside = 0;
+    pen.aside = [0, 0];
   }
 
   private look(settings: Settings): Look {
@@ -128,12 +128,12 @@ export class FlatWorld extends Sight<FlatRun> {
   }
 
   draw(time: number, seconds: number, ratio?: number): void {
-    const { sheet, runs } = this;
+    const { sheet } = this;
     const { width, height } = sheet.pen;
     if (ratio !== this.ratio) sheet.pen.resize(width, height, ratio);
     this.ratio = ratio;
     const { settings, extent, colours } = this.given;
-    if (!this.mode) this.cameras.follow(runs[0].motion.tip);
+    if (!this.mode) this.cameras.follow(this.tip);
     sheet.pen.begin(extent.reach);
     if (settings.floor) drawFloor(sheet.pen, extent, colours);
     if (this.mode) this.swing((2 * Math.PI * seconds) / SWING);
@@ -166,7 +166,7 @@ export class FlatWorld extends Sight<FlatRun> {
   /** The farther first: the nearer is drawn over it. */
   private sorted(): FlatRun[] {
     const { pen } = this.sheet;
-    const depth = (run: FlatRun) => pen.depth([0, run.aside, 0], 0);
+    const depth = (run: FlatRun) => pen.depth([...run.aside, 0], 0);
     return [...this.runs].sort((one, other) => depth(other) - depth(one));
   }
 

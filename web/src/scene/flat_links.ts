@@ -108,7 +108,8 @@ export class FlatRobot {
     for (let s = 1; s < stations; s++) {
       const at = 3 * (stations * k + s);
       transport(axes, line[at] - line[at - 3], line[at + 1] - line[at - 2], line[at + 2] - line[at - 1]);
-      const [ax, ay, az] = across(axes, eye.x - line[at], eye.y - line[at + 1] - pen.aside, eye.z - line[at + 2]);
+      const [left, ahead] = [line[at] + pen.aside[0], line[at + 1] + pen.aside[1]];
+      const [ax, ay, az] = across(axes, eye.x - left, eye.y - ahead, eye.z - line[at + 2]);
       const y = half[2 * s] * Math.abs(ax * axes[3] + ay * axes[4] + az * axes[5]);
       const z = half[2 * s + 1] * Math.abs(ax * axes[6] + ay * axes[7] + az * axes[8]);
       const wide = shape === "round" ? Math.hypot(y, z) : y + z;

@@ -9,8 +9,8 @@ export type Places = ArrayLike<number>;
 export class Pen {
   readonly canvas = document.createElement("canvas");
   readonly context: CanvasRenderingContext2D;
-  /** Added to y of all places [m]. */
-  aside = 0;
+  /** Added to x and y of all places [m]. */
+  aside: readonly [number, number] = [0, 0];
   /** Of the picture [px of the page]. */
   width = 1;
   height = 1;
@@ -129,8 +129,8 @@ export class Pen {
   private seen(row: number, places: Places, k: number): number {
     const { view } = this;
     return (
-      view[row] * places[k] +
-      view[4 + row] * (places[k + 1] + this.aside) +
+      view[row] * (places[k] + this.aside[0]) +
+      view[4 + row] * (places[k + 1] + this.aside[1]) +
       view[8 + row] * places[k + 2] +
       view[12 + row]
     );

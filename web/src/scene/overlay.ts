@@ -59,7 +59,7 @@ export class Overlay {
     pen.aside = shown.aside;
     this.element(shown, cause);
     this.error(shown, cause);
-    pen.aside = 0;
+    pen.aside = [0, 0];
   }
 
   private triad(gravity: number[] | undefined): void {

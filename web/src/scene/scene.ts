@@ -3,7 +3,7 @@ import type { Clock } from "../clock";
 import type { Mode, Page } from "../contract";
 import type { Cause, LiveScene, SceneView } from "../contract_parts";
 import { make, makeControls } from "./controls";
-import { extentOf } from "./extent";
+import { alike, extentOf } from "./extent";
 import { FlatWorld } from "./flat";
 import { Notes } from "./notes";
 import { Painting } from "./painting";
@@ -64,7 +64,7 @@ class Mounted implements SceneView {
       force: true,
       surface: true,
       floor: true,
-      apart: false,
+      apart: many && !alike(page, this.extent),
       quality: "auto",
     }; // prettier-ignore
     this.replaced = runs.map(() => null);

@@ -17,8 +17,8 @@ export class ShownRun {
   motion: Motion;
   /** Whether its surface is shown where surfaces are: another run may show the same. */
   showsSurface = true;
-  /** How far it is shown from where it is, along y [m]. */
-  aside = 0;
+  /** How far it is shown from where it is, along x and y [m]. */
+  aside: [number, number] = [0, 0];
   protected before: Motion | null = null;
 
   /** `alone`: there is no other run, so that the robot needs no colour of its own. */

@@ -12,6 +12,7 @@ import { surfaced } from "./surfaces";
 import { digits, readable } from "./units";
 
 const NOTHING = 1e-12; // m, N m, ...: rounding
+const GAP = 0.1; // of the reach, between robots side by side
 
 export interface Scenery {
   page: Page;
@@ -69,21 +70,31 @@ export abstract class Sight<Kind extends ShownRun = ShownRun> {
     const range = { low: Infinity, high: -Infinity };
     runs.forEach((run) => run.widen(settings.colour, range));
     this.range = range.low <= range.high ? range : { low: 0, high: 0 };
-    const { box, reach } = extent;
-    const wide = settings.apart ? Math.max(0.4 * reach, box.max.y - box.min.y + 0.15 * reach) : 0;
+    const places = placesOf(this.given.page, settings.factor, extent);
+    const [x, y] = this.cameras.across;
+    const spots = settings.apart ? places.flatMap((_, k) => (k % 3 ? [] : [x * places[k] + y * places[k + 1]])) : [0];
+    const ends = [Math.min, Math.max].map((best) => spots.reduce((one, other) => best(one, other)));
+    const wide = settings.apart ? ends[1] - ends[0] + GAP * extent.reach : 0;
     const surfaces = runs.map(({ run }) => JSON.stringify(run.scene.contact?.surface));
     runs.forEach((run, k) => {
-      run.aside = (k - (runs.length - 1) / 2) * wide;
+      const far = (k - (runs.length - 1) / 2) * wide;
+      run.aside = [far * x, far * y];
       run.showsSurface = settings.apart || surfaces.indexOf(surfaces[k]) === k;
     });
-    const places = placesOf(this.given.page, settings.factor, extent);
-    const least = box.min.toArray().map((x, k) => x - (k === 1 ? ((runs.length - 1) / 2) * wide : 0));
-    const most = box.max.toArray().map((x, k) => x + (k === 1 ? ((runs.length - 1) / 2) * wide : 0));
-    this.cameras.places = wide ? [...places, ...least, ...most] : places;
+    const moved = ({ aside }: ShownRun) => places.map((place, k) => place + (aside[k % 3] ?? 0));
+    this.cameras.places = wide ? [runs[0], runs[runs.length - 1]].flatMap(moved) : places;
   }
 
   look(view: View, glide: boolean): void {
-    this.cameras.show(view, this.runs[0].motion.tip, glide);
+    this.cameras.view = view;
+    if (this.given.settings.apart) this.refresh(); // side by side as they are seen from there
+    this.cameras.show(view, this.tip, glide);
+  }
+
+  /** Where the tip of the first run is. */
+  protected get tip(): Float32Array {
+    const { aside, motion } = this.runs[0];
+    return motion.tip.map((place, k) => place + (aside[k] ?? 0));
   }
 
   /** Look from where another one looks. */

@@ -29,7 +29,7 @@ export class World extends Sight<RunView> {
     const { settings } = this.given;
     if (this.mode) this.mode.swing((2 * Math.PI * seconds) / SWING);
     else this.runs.forEach((run) => run.update(time, settings, this.range));
-    if (!this.mode) this.cameras.follow(this.runs[0].motion.tip);
+    if (!this.mode) this.cameras.follow(this.tip);
     this.stage.draw(ratio);
   }
 
@@ -47,7 +47,7 @@ export class World extends Sight<RunView> {
 
   refresh(): void {
     super.refresh();
-    this.runs.forEach(({ group, aside }) => group.position.set(0, aside, 0));
+    this.runs.forEach(({ group, aside }) => group.position.set(...aside, 0));
     this.stage.floorShown = this.given.settings.floor;
   }
 
