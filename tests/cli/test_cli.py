@@ -6,6 +6,7 @@ import json
 import os
 import signal
 import subprocess
+from itertools import chain
 from pathlib import Path
 
 import numpy as np
@@ -15,6 +16,7 @@ import patience
 from command import COMMAND, tmodes
 from disturbed import running
 from patience import until
+from tmodes.cli.main import COMMANDS
 
 STATES = Path(__file__).parents[1] / "oracle/reference_states.json"
 LONG = {
@@ -38,6 +40,27 @@ def test_run_as_json(tmp_path):
     assert [round(line["frequency_Hz"], 3) for line in info["frequencies"]["locked"]] == [
         4.996, 7.315, 20.259, 32.616, 179.859,
     ]  # fmt: skip
+
+
+def test_help_begins_with_five_commands():
+    """And has each of the others, uncut."""
+    shown = tmodes("--help").stdout
+    sections = [part.splitlines() for part in shown.split("\n\n") if part[:1] != " "][1:]
+    names = {lines[0]: [line.split()[0] for line in lines[1:]] for lines in sections}
+    assert next(iter(names.values())) == ["run", "check", "modes", "study", "studio"]
+    assert sorted([*chain(*names.values())][: len(COMMANDS)]) == sorted(COMMANDS)
+    assert "..." not in shown.partition("[ARGS]...")[2]
+    assert max(map(len, shown.splitlines())) <= 80
+
+
+def test_an_output_without_a_name_is_refused(tmp_path):
+    """Which would else be the current folder; and a batch fills no folder that holds something else."""
+    (tmp_path / "mine.txt").write_text("mine", encoding="utf-8")
+    batch = ("batch", "spong1987", "--vary", "gear.stiffness=80:120:2", "--duration", "0.05", "--out")
+    for line in (("run", "spong1987", "--out"), batch):
+        assert "--out must be the name" in tmodes(*line, "", code=2, cwd=tmp_path).stderr
+    assert "mine.txt" in tmodes(*batch, tmp_path, code=4).stderr
+    assert [file.name for file in tmp_path.iterdir()] == ["mine.txt"]
 
 
 def test_same_bytes_everywhere(tmp_path):

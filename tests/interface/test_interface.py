@@ -118,6 +118,25 @@ def test_every_argument_of_a_command_is_one_of_the_method(name: str) -> None:
         assert getattr(tmodes, "evaluate" if name == "eval" else name) is getattr(tmodes.Robot, name)
 
 
+def test_what_functions_give_prints_without_its_arrays() -> None:
+    measured, paths = tmodes.tracking_error("tip", [0, 0, 0]), ["gear.stiffness"]
+    found = [
+        measured, tmodes.forward_sensitivities(SHORT, paths), SHORT.gradient(measured, paths).found,
+        tmodes.simulate_batch(SHORT, {"gear.stiffness": [80.0, 90.0]}),
+    ]  # fmt: skip
+    for one in found:
+        assert len(repr(one)) <= 120
+        assert not set("[<") & set(repr(one))
+
+
+def test_a_beam_that_is_rigid_is_no_flexible_link() -> None:
+    robot = tmodes.load("flexarm1990")
+    assert "1 flexible link," in repr(robot.check())
+    rigid = robot.with_({"links.forearm.beam.model": "rigid"})
+    assert "0 flexible links," in repr(rigid.check())
+    assert "flexible links:" not in repr(rigid)
+
+
 def test_a_robot_stays_one() -> None:
     changed = LINK.with_({"gear.stiffness": 80.0})
     made = [

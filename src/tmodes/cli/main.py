@@ -9,11 +9,12 @@ import sys
 import time as clock
 from contextlib import suppress
 from importlib import import_module
+from itertools import pairwise
 from pathlib import Path
 from typing import Annotated, Any
 
 import typer
-from typer.core import TyperGroup
+from typer.core import TyperCommand, TyperGroup
 
 from tmodes.cli.memory import OUT_OF_MEMORY, lacks_memory, words
 from tmodes.cli.terminal import Stages
@@ -69,6 +70,14 @@ _PLAIN: Any = {"add_completion": False, "pretty_exceptions_enable": False, "rich
 """No markup: its tables cut long words, and take units in brackets for markup."""
 
 
+class _Command(TyperCommand):
+    def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
+        """Refuse ``--out ""``, which the library takes for the current folder."""
+        if "--out=" in args or ("--out", "") in pairwise(args):
+            raise InputError("--out", "no name", "the name of a folder or file", "write it; . is this folder")
+        return super().parse_args(ctx, args)
+
+
 class Commands(TyperGroup):
     """The commands by name, each imported and built when it is asked for."""
 
@@ -83,7 +92,7 @@ class Commands(TyperGroup):
             return None
         module, _, function = home.partition(".")
         single = typer.Typer(**_PLAIN)
-        single.command(cmd_name)(getattr(import_module(f"tmodes.cli.{module}"), function))
+        single.command(cmd_name, cls=_Command)(getattr(import_module(f"tmodes.cli.{module}"), function))
         return typer.main.get_command(single)
 
     def format_help_text(self, ctx: Any, formatter: Any) -> None:
@@ -104,7 +113,7 @@ app = typer.Typer(
     help="Model, simulate and control robots that bend: elastic gears, flexible links, a tip that touches the world.",
     epilog="""\b
     Start with:       tmodes run two_link_arm
-    Your own robot:   tmodes robots two_link_arm > my.yaml,  then  tmodes check my.yaml
+    Your own robot:   tmodes robots two_link_arm > my.yaml; tmodes check my.yaml
     All of a command: tmodes COMMAND --help
 
     Exit codes: 0 done, 2 wrong input, 3 the run failed, 4 a file cannot be read or written, 5 compiler trouble,

@@ -21,6 +21,7 @@ from tmodes.gradients.lowering import Lowered, lowered
 from tmodes.gradients.quantities import Functional, Quantities, measured_by
 from tmodes.gradients.references import TipReference, pulled, swept
 from tmodes.io.arguments import checked_arguments, numbers_of
+from tmodes.io.printed import shortened
 from tmodes.sheet import Robot
 from tmodes.sheet.robot import refuse_other
 from tmodes.simulation.recording import MOST_BYTES, Recording
@@ -51,7 +52,7 @@ class Cost:
     bytes: int
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Sensitivities:
     """``times`` (n,) [s], ``states`` (n, size), and by path their derivatives (n, size) per unit of the quantity.
 
@@ -65,8 +66,12 @@ class Sensitivities:
     of: dict[str, dict[str, Array]]
     cost: Cost
 
+    def __repr__(self) -> str:
+        size = f"{len(self.times)} samples of {self.states.shape[1]} states"
+        return shortened([f"derivatives of {', '.join([size, *self.info])} by {', '.join(self.by)}"], "see .by")
 
-@dataclass(frozen=True, eq=False)
+
+@dataclass(frozen=True, eq=False, repr=False)
 class Gradient:
     """Value of a functional, and its derivatives, each per unit of what it is by.
 
@@ -82,6 +87,10 @@ class Gradient:
     parameters: Array
     signals: Array
     cost: Cost
+
+    def __repr__(self) -> str:
+        slopes = ", ".join(f"{path}: {slope:.6g}" for path, slope in self.by.items())
+        return shortened([f"{self.value:.6g}, and its derivatives per SI unit: {slopes}"], "see .by")
 
 
 @checked_arguments

@@ -87,7 +87,7 @@ class Quantities:
         return self._of.along(self.parameters, self._instants, slopes, change=parameters) if self._of else {}
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Functional:
     """One number of a run: ``measure(times (n,), quantities)`` -> its value and its derivatives.
 
@@ -108,6 +108,9 @@ class Functional:
 
     def __post_init__(self) -> None:
         refuse_fields(self)
+
+    def __repr__(self) -> str:
+        return f"a number of {', '.join(self.quantities)} over a run"
 
 
 def measured_by(functional: Functional, times: Array, info: Mapping[str, Array]) -> tuple[float, dict[str, Array]]:

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 from tmodes.errors import InputError, SimulationError
 from tmodes.io.arguments import checked_arguments
 from tmodes.io.printed import CommandResult, Table
+from tmodes.io.words import count_of
 
 if TYPE_CHECKING:
     from xarray import Dataset
@@ -103,17 +104,13 @@ class Check(CommandResult):
     def tables(self) -> Iterator[str | Table]:
         """That it is valid, what it has, and what looks implausible."""
         robot = self.robot
-        bending = sum(link.beam is not None for link in robot.links)
-        counts = [_count(len(robot.joints), "joint"), _count(bending, "flexible link")]
-        counts += [_count(len(self.coordinates), "coordinate"), _count(len(self.driven), "drive")]
+        bending = sum(bool(link.beam and link.beam.coordinate_count) for link in robot.links)
+        counts = [count_of(len(robot.joints), "joint"), count_of(bending, "flexible link")]
+        counts += [count_of(len(self.coordinates), "coordinate"), count_of(len(self.driven), "drive")]
         contact = "contact on" if robot.contact else "contact off" if robot.contact_off else "no contact"
         yield f"{robot.name}: valid ({', '.join([*counts, contact, f'equations: {robot.equations}'])})"
         yield from (f"note: {note}" for note in robot.held_notices)
         yield from (f"warning: {warning}" for warning in self.warnings)
-
-
-def _count(count: int, what: str) -> str:
-    return f"{count} {what}" + ("" if count == 1 else "s")
 
 
 UNITS = {

@@ -236,7 +236,7 @@ class Robot(sheet.Robot):
             for joint in self.joints
         ]  # fmt: skip
         yield Table("", ["joint", "type", "gear stiffness [SI]", "carries", "drive"], rows)
-        beams = {link.name: cast("Any", link.beam) for link in self.links if link.beam}
+        beams = {link.name: cast("Any", link.beam) for link in self.links if link.beam and link.beam.coordinate_count}
         if beams:
             yield f"flexible links: {', '.join(f'{name} ({beam.model})' for name, beam in beams.items())}"
 

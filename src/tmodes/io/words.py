@@ -9,7 +9,7 @@ from typing import Any
 
 from tmodes.errors import InputError
 
-__all__ = ["element_words", "meant", "nearest", "plain", "several", "shown", "shown_path"]
+__all__ = ["count_of", "element_words", "meant", "nearest", "plain", "several", "shown", "shown_path"]
 
 LONGEST = 60
 
@@ -132,6 +132,11 @@ def several(which: str, words: Any) -> tuple[str, ...]:
 def plain(word: str) -> str:
     """A word without what does not count when names are compared: case, hyphens, outer spaces."""
     return word.strip().lower().replace("-", "_").replace(" ", "_")
+
+
+def count_of(count: int, what: str) -> str:
+    """``1 case``, ``1,000 cases``."""
+    return f"{count:,} {what}" + ("" if count == 1 else "s")
 
 
 def element_words(name: str) -> str:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from tmodes.io.printed import pretty, written
+from tmodes.io.words import count_of
 from tmodes.study.rows import Rows
 from tmodes.study.statistics import CONFIDENCE, Interval, statistics
 
@@ -33,7 +34,7 @@ def amount(value: float, unit: str) -> str:
 
 def study_sentence(answers: Sequence[str], rows: Rows) -> str:
     """What is found of the first quantities, and how many cases finished."""
-    return f"{joined_answers(answers)} {int(rows.good.sum()):,} of {len(rows):,} cases finished.".lstrip()
+    return f"{joined_answers(answers)} {int(rows.good.sum()):,} of {count_of(len(rows), 'case')} finished.".lstrip()
 
 
 def quantity_answers(study: Study, rows: Rows) -> dict[str, str]:

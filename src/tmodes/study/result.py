@@ -15,6 +15,7 @@ from tmodes.errors import InputError
 from tmodes.io.arguments import checked_arguments
 from tmodes.io.atomic import file_error
 from tmodes.io.printed import CommandResult, Table
+from tmodes.io.words import count_of
 from tmodes.study.answers import quantity_answers, study_sentence
 from tmodes.study.blocks import Block, Cover, Label
 from tmodes.study.plans import Design
@@ -192,7 +193,7 @@ class StudyResult(CommandResult):
             ]
             for name, found in info["quantities"].items()
         ]  # fmt: skip
-        yield Table(f"{info['study']}: {info['cases']:,} cases: {counts}", head, rows)
+        yield Table(f"{info['study']}: {count_of(info['cases'], 'case')}: {counts}", head, rows)
         if info["confidence"]:
             sure = f"{100 * info['confidence']:.0f} % confidence"
             yield f"In brackets: intervals of the percentiles at {sure}; - where there are too few cases for an end."

@@ -19,6 +19,7 @@ from tmodes.integrate.settings import MOST_BYTES
 from tmodes.io.arguments import checked_arguments
 from tmodes.io.atomic import FolderLock, atomic_write, check_writable, file_error
 from tmodes.io.plain_file import parsed_json, regular_file, whole_file
+from tmodes.io.printed import shortened
 from tmodes.simulation.case_results import COUNTS, CaseResults
 from tmodes.simulation.parts import Trajectory
 
@@ -34,7 +35,7 @@ BATCH_FORMAT = 1
 _STATES, _TIMES, _TIPS, _SUMMARY = "states.npy", "times.npy", "tips.npy", "batch.json"
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class BatchRun:
     """k runs of one structure, sampled at the same times.
 
@@ -64,6 +65,10 @@ class BatchRun:
         """The batch of runs whose samples are in ``states`` already."""
         words = tuple(results.status.tolist()), tuple(results.message.tolist())
         return cls(coordinates, times, states, results.samples, *words, results.statistics)
+
+    def __repr__(self) -> str:
+        seen = f"{len(self.times)} samples of {', '.join(self.coordinates)}"
+        return shortened([f"{self.size} runs, {int(self.finished.sum())} of them finished: {seen}"], "see .coordinates")
 
     @property
     def size(self) -> int:
@@ -132,8 +137,12 @@ def check_room(shape: tuple[int, int, int], folder: Path | None) -> None:
 
 
 def _refuse_batch(folder: Path) -> None:
-    if (there := folder / _SUMMARY).exists():
-        raise file_error(there, "a batch that is there", "a new folder", "choose another folder")
+    if (folder / _SUMMARY).exists():
+        raise file_error(folder / _SUMMARY, "a batch that is there", "a new folder", "choose another folder")
+    if folder.is_dir() and (
+        other := next((file for file in folder.iterdir() if not file.name.startswith(".tmodes")), None)
+    ):
+        raise file_error(f"folder {folder}", f"a folder with {other.name}", "an empty folder", "name another --out")
 
 
 def _write(batch: BatchRun, folder: Path) -> None:
