@@ -153,6 +153,18 @@ def test_another_point_than_the_tip_is_named() -> None:
     assert found["sentence"].startswith("The centre of mass of link rod is up to")
 
 
+def test_where_no_point_shows_the_motion_there_is_no_error() -> None:
+    """A body on the axis of the only joint."""
+    body = {"name": "disk", "mass": 1.0, "inertia": {"xx": 0.1, "yy": 0.1, "zz": 0.1}}
+    drive = {"joint": "pivot", "command": "position", "controller": {"type": "pd", "position_gain": 5.0,
+             "velocity_gain": 1.0}, "signal": {"type": "constant", "value": 0.2}}  # fmt: skip
+    disk = SWING | {"links": [{"name": "rod", "bodies": [body]}], "tip": {"link": "rod"}}
+    found = run(Robot.from_data(disk | {"drives": [drive], "initial": {"state": "zero"}})).verdict
+    assert found["point"] == ""
+    assert found["largest_m"] is None
+    assert found["sentence"].startswith("No error of the tip is measured; the tip is not seen to settle: ")
+
+
 def test_an_early_result_leaves_out_what_it_does_not_know() -> None:
     found = early_result(judged("spong1987")).verdict
     assert found["largest_m"] == pytest.approx(0.239, rel=1e-3)

@@ -13,6 +13,7 @@ import numpy as np
 
 from tmodes.io.printed import written
 from tmodes.kinds.joints.joint import Limits
+from tmodes.result.summary import TIP
 from tmodes.sheet import Robot
 from tmodes.sheet.robot import yield_strength
 
@@ -31,6 +32,7 @@ PHRASES: dict[str, Phrases] = {
             "{subject} follows its {path} path",
             "The end of {link} is deflected by up to {deflection} ({at})",
             "Gear {gear} is deflected by up to {deflection} ({at})",
+            "No error of {nowhere} is measured",
             "No path is commanded",
         ),
         (", within its tolerance of {kept}", ", beyond its tolerance of {missed}"),
@@ -160,7 +162,8 @@ def said(found: Mapping[str, Any], status: str, message: str) -> dict[str, str]:
         "failure": message if failed else None,
         "condition": message if status == _ENDED[1] else None,
         "subject": found["point"][:1].upper() + found["point"][1:] if against else None,
-        "it": "it" if against else f"the {found['point'].removeprefix('the ')}",
+        "it": "it" if against else f"the {(found['point'] or TIP).removeprefix('the ')}",
+        "nowhere": None if found["point"] else f"the {TIP}",
         "path": against,
         "largest": off and _written(largest, "m"),
         "final": off and _written(found["final_m"], "m"),
