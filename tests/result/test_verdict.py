@@ -100,6 +100,9 @@ def test_a_warning_a_limit_and_an_early_end_are_never_good(spong: Result) -> Non
     assert verdict(summary, (), 1.0, ["a warning"])["level"] == "neutral"
     assert verdict(summary, passed, 1.0)["level"] == "neutral"
     assert "joint" in verdict(summary, passed)["sentence"]
+    kept = [passed[0] | {"share": 1 + 1e-12}]
+    assert "joint" not in verdict(summary, kept)["sentence"]
+    assert verdict(summary, kept, 1.0)["level"] == "good"
     assert verdict(summary | {"status": "stopped_by_condition"}, (), 1.0)["level"] == "neutral"
     assert verdict(summary | {"status": "diverged"}, (), 1.0)["level"] == "bad"
 

@@ -52,6 +52,9 @@ PHRASES: dict[str, Phrases] = {
 }
 """Texts by name: parts in their order, each with alternatives; fields in braces are those of :func:`said`."""
 
+_PASSED = 1 + 1e-6
+"""Share of a limit from which on it is passed: a motion planned to its limit keeps it."""
+
 _FIELDS = re.compile(r"\{(\w+)\}")
 
 _EXACT = 1e-9
@@ -147,7 +150,7 @@ def _level(found: Mapping[str, Any], status: str, warnings: Sequence[str]) -> st
         return "neutral"
     if largest > tolerance:
         return "bad"
-    clean = status == "finished" and not warnings and all(one["share"] <= 1 for one in found["limits"])
+    clean = status == "finished" and not warnings and all(one["share"] <= _PASSED for one in found["limits"])
     return "good" if clean else "neutral"
 
 
@@ -157,7 +160,7 @@ def said(found: Mapping[str, Any], status: str, message: str) -> dict[str, str]:
     settling, residual, bends, failed = found["settling"], found["residual"], found["bends"], status not in _ENDED
     off, within, settled = largest is not None and largest > _EXACT, settling["within_m"] or 0.0, settling["time_s"]
     seen = residual and (settled is None or residual["amplitude_m"] > within)
-    worst = next((one for one in found["limits"] if one["share"] > 1), None)
+    worst = next((one for one in found["limits"] if one["share"] > _PASSED), None)
     known = {
         "failure": message if failed else None,
         "condition": message if status == _ENDED[1] else None,

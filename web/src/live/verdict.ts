@@ -16,6 +16,7 @@ import type { Settled } from "./settling";
 
 export type Judged = Omit<Verdict, "level" | "sentence">;
 
+const PASSED = 1 + 1e-6; // share of a limit from which on it is passed, as tmodes/result/verdict.py
 const EXACT = 1e-9; // error [m] up to which a point follows its path, and share of it below which a part is rounding
 
 /** The error of the tip and its causes, by the curves of a run. */
@@ -100,7 +101,7 @@ export function verdictOf(
   { judged: { phrases, warned } }: Bundle, found: Judged, status: string, message: string,
 ): Verdict {
   const { tolerance_m: tolerance, largest_m: largest } = found;
-  const within = !warned && found.limits.every(({ share }) => share <= 1);
+  const within = !warned && found.limits.every(({ share }) => share <= PASSED);
   const level = status !== "finished" ? "bad"
     : tolerance === null || largest === null ? "neutral"
     : largest > tolerance ? "bad" : within ? "good" : "neutral";
@@ -117,7 +118,7 @@ function said(found: Judged, failure: string): Record<string, string | false | n
   const off = largest !== null && largest > EXACT;
   const [within, settled] = [settling.within_m ?? 0, settling.time_s];
   const seen = residual && (settled === null || residual.amplitude_m > within);
-  const passed = found.limits.find(({ share }) => share > 1);
+  const passed = found.limits.find(({ share }) => share > PASSED);
   const judged = tolerance !== null && largest !== null;
   return {
     failure,
