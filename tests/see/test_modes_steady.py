@@ -114,8 +114,8 @@ def test_what_stays_for_long_says_of_what_it_is(fresh: tuple[Any, str, float]) -
     window, slider, value = fresh
     page = window.page
     words = {
-        0: ("the run as it was; the new", "of the original run"),
-        1: ("the setting before", "of the setting before"),
+        0: ("the run as it was; the new", "computing; of the original run"),
+        1: ("the setting before", "computing; of the setting before"),
     }
     for k, (note, was) in words.items():
         before = page.locator(FREQUENCY).inner_text()

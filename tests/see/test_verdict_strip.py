@@ -12,6 +12,7 @@ import pytest
 from patience import until
 from see.looking import Window, look
 from see.test_page import shown
+from tmodes import run
 from tmodes.result import Result
 
 WIDTHS = ((1280, 800), (1440, 900), (1920, 1080), (390, 844))
@@ -120,4 +121,24 @@ def test_what_lessens_the_error_is_true_and_applied(browser: Any, reports: dict[
     until(lambda: "%" in str(error.locator(".was").text_content()))
     assert page.locator(".slider.changed").count() == 1
     assert str(error.locator(".was").text_content()).startswith(words.rpartition(": ")[2].replace(" %", ""))
+    page.context.close()
+
+
+def test_it_follows_a_slider(browser: Any, reports: dict[str, Path], good: Result) -> None:
+    """The sentence of another setting, by the run of `tmodes run --set`; a cause that is shown stays."""
+    page = look(browser, reports["good"]).page
+    page.wait_for_selector(".sliders-panel [role=status]:text('Move a slider')")
+    path = page.locator(".leading [data-path]").first.get_attribute("data-path")
+    number = page.locator(f"[data-path='{path}'] input[type=number]")
+    page.locator(".culprits button").first.click()
+    value = float(f"{1.1 * float(number.input_value()):.4g}")
+    number.fill(str(value))
+    wanted = run(good.robot.with_({str(path): value})).verdict["sentence"]
+    sentence = page.locator(".verdict-sentence")
+    until(lambda: sentence.text_content() == wanted, f"{sentence.text_content()} for {wanted}")
+    assert sentence.get_attribute("data-state") == ""
+    until(lambda: page.locator(".verdict .computing:not(.advice)").count() == 0)
+    assert page.locator(".culprits button[aria-pressed=true]").count() == 1
+    page.get_by_role("button", name="reset all").click()
+    until(lambda: sentence.text_content() == good.verdict["sentence"])
     page.context.close()

@@ -58,8 +58,9 @@ function row(fact: Fact, rest: boolean, known: Info[], clock: Clock): HTMLElemen
   const place = make("dd", {}, value, was);
   known.push((live, late) => {
     const fresh = live?.facts[fact.id];
+    element.classList.toggle("computing", !fresh && isEarly(live));
     if (!fresh && isEarly(live)) {
-      if (late) put(was, changed ? "of the setting before" : "of the original run");
+      if (late) put(was, `computing; ${changed ? "of the setting before" : "of the original run"}`);
       if (late) was.hidden = false;
       return;
     }

@@ -6,6 +6,7 @@ import type { Page, Run, Verdict } from "../contract";
 import type { LiveRun, SceneView } from "../contract_parts";
 import { button, make, put } from "../dom";
 import { digits, info } from "../format";
+import { isEarly } from "./early";
 
 export interface VerdictView {
   /** That of the live model for the first run, or that it is being computed; null: the page's own. */
@@ -130,11 +131,13 @@ function rowOf(run: Run, several: boolean, choose: (culprit: Culprit) => void): 
   let verdict = run.verdict ?? null;
   let shown = "";
 
-  function fill(pending: string[], computing: boolean): void {
+  /** `state`: why it is not of what is shown; empty where it is. */
+  function fill(pending: string[], state: string): void {
     element.hidden = verdict === null;
     if (!verdict) return;
-    element.classList.toggle("computing", computing);
-    element.dataset.level = computing ? "neutral" : verdict.level;
+    element.classList.toggle("computing", state !== "");
+    element.dataset.level = state ? "neutral" : verdict.level;
+    sentence.dataset.state = state;
     put(sentence, verdict.sentence);
     numbers.replaceChildren(...NUMBERS.flatMap(([name, fields, text]) => {
       const late = fields.some((field) => pending.includes(field));
@@ -174,7 +177,7 @@ function rowOf(run: Run, several: boolean, choose: (culprit: Culprit) => void): 
     (names.children[focus] as HTMLElement | undefined)?.focus();
   }
 
-  fill([], false);
+  fill([], "");
   return {
     element,
     get verdict() {
@@ -182,7 +185,8 @@ function rowOf(run: Run, several: boolean, choose: (culprit: Culprit) => void): 
     },
     show(live) {
       if (live?.verdict ?? !live) verdict = live?.verdict ?? run.verdict ?? null;
-      fill(live?.pending ?? [], live !== null && !live.verdict);
+      const known = live === null || live.verdict !== undefined;
+      fill(live?.pending ?? [], known ? "" : isEarly(live) ? " computing …" : " (of the run as it was)");
     },
     press(key) {
       for (const one of names.querySelectorAll<HTMLElement>("[data-key]"))
