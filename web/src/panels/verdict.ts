@@ -27,6 +27,7 @@ const LESSENS = "Lessens the largest error most:";
 const NONE = "No setting within its range lessens the largest error by 1 % or more.";
 const MOST = 6; // causes that are named
 const FIGURES = 3;
+const AFTER: (keyof Verdict)[] = ["settling", "residual"]; // of a run that reached its end
 
 /** One number of the strip: its name, the fields of the verdict on which it rests, and itself. */
 const NUMBERS: [string, (keyof Verdict)[], (verdict: Verdict) => string][] = [
@@ -140,6 +141,7 @@ function rowOf(run: Run, several: boolean, choose: (culprit: Culprit) => void): 
     sentence.dataset.state = state;
     put(sentence, verdict.sentence);
     numbers.replaceChildren(...NUMBERS.flatMap(([name, fields, text]) => {
+      if (!run.success && AFTER.some((field) => fields.includes(field))) return [];
       const late = fields.some((field) => pending.includes(field));
       const value = late ? "computing" : text(verdict!);
       return value ? [make("div", { class: late ? "computing" : undefined },

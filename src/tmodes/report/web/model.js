@@ -1,4 +1,4 @@
-/* tmodes, built from e3f08bb569fc2b91; BSD-3-Clause */
+/* tmodes, built from d61c0ada561262b8; BSD-3-Clause */
 
 // src/live/engine_error.ts
 var EngineError = class extends Error {
