@@ -17,6 +17,7 @@ from tmodes import load, run
 from tmodes.frame import along
 
 PAYLOAD = '[data-path="links.link.bodies.payload.mass"] input[type=number]'
+REASON = '[data-path="links.link.bodies.payload.mass"] .refused'
 STATUS = ".sliders-panel [role=status]"
 WORST = "[data-fact='deviation.max'] strong"
 EFFECTS = """[...document.querySelectorAll('.sliders-panel .slider')].map((one) => [one.dataset.path,
@@ -123,15 +124,36 @@ def test_the_keyboard_stays_where_a_number_was_given_back(window: Any) -> None:
     assert window.page.evaluate(focus) == ["range", "links.link.bodies.payload.mass"]
 
 
-def test_bounds_are_kept_and_nonsense_is_ignored(window: Any) -> None:
-    give(window, "1e9")
-    window.page.locator(PAYLOAD).blur()
-    most = float(window.page.locator(PAYLOAD).get_attribute("max"))
-    assert float(window.page.locator(PAYLOAD).input_value()) == pytest.approx(most, rel=1e-5)
-    window.page.locator(PAYLOAD).fill("")
-    window.page.locator(PAYLOAD).blur()
-    assert float(window.page.locator(PAYLOAD).input_value()) == pytest.approx(most, rel=1e-5)
+def test_a_number_beyond_the_slider_is_taken_and_one_that_the_sheet_refuses_is_refused_at_the_field(
+    window: Any,
+) -> None:
+    field, reason = window.page.locator(PAYLOAD), window.page.locator(REASON)
+    give(window, "3.5")  # the slider ends at 1.5
+    assert field.input_value() == "3.5"
+    field.fill("-1")
+    assert "at least 0" in reason.inner_text()
+    assert field.get_attribute("aria-invalid") == "true"
+    field.fill("")
+    field.blur()
+    assert field.input_value() == "3.5"
+    assert not reason.is_visible()
     window.page.get_by_role("button", name="reset all").click()
+
+
+def test_nothing_of_the_original_run_stays_without_a_word(window: Any) -> None:
+    """Numbers are of the new run, those that take longer too; what no slider changes says whose it is."""
+    window.page.evaluate("document.querySelector('main').append(document.createElement('section'))")
+    window.page.evaluate("document.querySelector('main > section:last-child').id = 'robot'")  # as a report has it
+    give(window, "0.8")
+    window.page.wait_for_function("() => !document.querySelector('.facts .computing, .verdict .computing')")
+    facts = window.page.locator(".facts [data-fact]").all_inner_texts()
+    assert len(facts) > 8
+    assert not any("original run" in text or "computing" in text for text in facts)
+    words = "getComputedStyle(document.querySelector('#robot'), '::before').content"
+    assert "original run" in window.page.evaluate(words)
+    window.page.get_by_role("button", name="reset all").click()
+    window.page.wait_for_selector(f"{STATUS}:text('as it was.')")
+    assert window.page.locator(".original").count() == 0
 
 
 def test_it_is_silent_and_asks_for_nothing(window: Any) -> None:

@@ -252,6 +252,9 @@ export interface Slider {
   min: number;
   max: number;
   log: boolean;
+  /** What the data sheet takes, where that has an end. */
+  least?: number;
+  most?: number;
   /** Whoever designs the robot chooses it; else it is of the surroundings or of the task. */
   design?: boolean;
 }

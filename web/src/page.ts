@@ -16,6 +16,8 @@ import { mountTransport } from "./panels/transport";
 import { mountVerdict } from "./panels/verdict";
 import { mountScene } from "./scene/scene";
 
+/** What stands outside of the program, in words that no slider changes. */
+const ORIGINAL = "main > .status, #numbers, #robot, #provenance";
 const MARKED = ["tip_error.commanded", "deviation.max", "deflection.max", "gear.max"];
 
 export interface PageView {
@@ -99,6 +101,7 @@ export function mountPage(root: HTMLElement, page: Page): PageView {
     factsView.show(live);
     modesView?.show(live);
     mark(live);
+    for (const one of document.querySelectorAll(ORIGINAL)) one.classList.toggle("original", live !== null);
   }
 
   const own = fileName(page.runs[0].name);

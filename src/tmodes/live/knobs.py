@@ -125,10 +125,16 @@ def knobs_of(sheet: Robot, ahead: Ahead | None = None, *, others: bool = False) 
     return found
 
 
+_SURROUNDINGS = ("gravity", "base", "base_motion", "contact", "loads", "initial", "task")
+
+
 def _others(sheet: Robot, numbers: Sequence[SheetNumber]) -> Iterator[Knob]:
-    """Numbers by themselves: from half to twice, or of a zero as far as its unit suggests."""
+    """Numbers by themselves: from half to twice, or of a zero as far as its unit suggests.
+
+    Those of the robot first, then those of its surroundings, each time what is not zero first.
+    """
     away = {"m": 0.05 * stretched_length(sheet), "rad": 0.5}
-    for number in numbers:
+    for number in sorted(numbers, key=lambda one: (one.path.split(".")[0] in _SURROUNDINGS, one.value == 0.0)):
         zero = away.get(number.unit, 1.0) if number.value == 0.0 else 0.0
         low, high = sorted((number.value / 2 - zero, 2 * number.value + zero))
         low, high = max(low, number.least), min(high, number.most)

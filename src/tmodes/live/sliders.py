@@ -9,6 +9,7 @@ from typing import Any
 
 from tmodes.io.sheet_check import sheet_data
 from tmodes.io.sheet_groups import group_path
+from tmodes.kinds.schema.quantity import LARGEST
 from tmodes.live.knobs import REAL, Ahead, Knob, rule_of
 from tmodes.live.sheet_numbers import SheetNumber
 
@@ -23,6 +24,7 @@ class Slider:
     """A knob that a page shows, as it is known (``real`` False) or as the factor of the actual robot on it.
 
     ``design``: a design variable; else it is of the surroundings, of the task, or what is known of the actual robot.
+    ``least``, ``most``: what the sheet takes, None: any number.
     """
 
     knob: int
@@ -37,6 +39,8 @@ class Slider:
     high: float
     log: bool
     design: bool = False
+    least: float | None = None
+    most: float | None = None
 
     def changes(self, knob: Knob, value: float) -> dict[str, float]:
         """What ``--set`` is to change, path and value, where the slider stands at ``value``."""
@@ -50,6 +54,7 @@ class Slider:
             "path": self.path, "label": self.label, "symbol": self.symbol, "unit": self.unit, "group": self.group,
             "value": self.value, "min": self.low, "max": self.high, "log": self.log,
             "design": self.design,
+            **{name: end for name, end in (("least", self.least), ("most", self.most)) if end is not None},
         }  # fmt: skip
 
 
@@ -102,7 +107,12 @@ def sliders_of(sheet: Any, knobs: Sequence[Knob], most: int = MOST, *, ahead: Ah
             path, unit = group_path(knob.pattern, [own for own, _ in knob.targets], data), "-"
         shown = f"{label}: times the sheet's" if knob.together else label
         own = (path, shown, number.symbol, unit, group, knob.start, knob.low, knob.high, knob.log)
-        found.append(Slider(index, False, *own, design=rule.group in _DESIGN and ".friction." not in number.pattern))
+        design, whole = (
+            rule.group in _DESIGN and ".friction." not in number.pattern,
+            number.value if knob.together else 1.0,
+        )
+        ends = (end / whole if abs(end) < LARGEST else None for end in (number.least, number.most))
+        found.append(Slider(index, False, *own, design, *ends))
         span = ahead.get(REAL + path)
         if (rule.real or span) and knob.factor and knob.reals:
             low, high = min(knob.factor, 0.2) / 2, 2 * max(knob.factor, 1.0)

@@ -5,18 +5,20 @@ import type { Fact, Page } from "../contract";
 import type { LiveRun } from "../contract_parts";
 import { button, make, put } from "../dom";
 import { digits, info } from "../format";
-import { isEarly, patience } from "./early";
 
 export interface FactsView {
   /**
-   * Numbers of the live model for the first run; null: the page's own alone. A number that a run does not tell early
-   * stays until all of the run is there.
+   * Numbers of the live model for the first run; null: the page's own alone. One that is still computed stays, grey.
    */
   show(live: LiveRun | null): void;
 }
 
-/** Texts of what is there already: no element is made again. `late`: what stays says of what it is. */
-type Info = (live: LiveRun | null, late: boolean) => void;
+/** Texts of what is there already: no element is made again. */
+type Info = (live: LiveRun | null) => void;
+
+function isPending(id: string, live: LiveRun | null): boolean {
+  return Boolean(live?.pending?.includes(id)) && !(id in live!.facts);
+}
 
 const MAIN = 7; // numbers that are shown at first
 
@@ -25,14 +27,7 @@ export function mountFacts(element: HTMLElement, page: Page, clock: Clock): Fact
   element.hidden = page.runs.every((run) => run.facts.length === 0);
   if (page.runs.length > 1) element.append(make("h3", { class: "offscreen", text: "Numbers" }), compared(page, known));
   else element.append(single(page.runs[0].facts, known, clock));
-  let last: LiveRun | null = null;
-  const late = patience(() => known.forEach((tell) => tell(last, true)));
-  const show = (live: LiveRun | null) => {
-    last = live;
-    if (isEarly(live)) late.begin();
-    else late.end();
-    known.forEach((tell) => tell(live, false));
-  };
+  const show = (live: LiveRun | null) => known.forEach((tell) => tell(live));
   show(null);
   return { show };
 }
@@ -51,20 +46,19 @@ function row(fact: Fact, rest: boolean, known: Info[], clock: Clock): HTMLElemen
   const value = make("strong");
   const was = make("span", { class: "was" });
   const note = make("dd", { class: "note" });
-  let changed = false;
   let time: number | null = null;
   const jump = make("button", { type: "button", class: "jump" });
   jump.addEventListener("click", () => time !== null && clock.seek(time));
   const place = make("dd", {}, value, was);
-  known.push((live, late) => {
+  known.push((live) => {
     const fresh = live?.facts[fact.id];
-    element.classList.toggle("computing", !fresh && isEarly(live));
-    if (!fresh && isEarly(live)) {
-      if (late) put(was, `computing; ${changed ? "of the setting before" : "of the original run"}`);
-      if (late) was.hidden = false;
+    const waits = isPending(fact.id, live);
+    element.classList.toggle("computing", waits);
+    if (waits) {
+      put(was, "computing");
+      was.hidden = false;
       return;
     }
-    changed = fresh !== undefined;
     const before = fresh ? `${change(fact, fresh.value)} was ${info(fact.value, fact.unit)}` : "of the original run";
     put(value, info(fresh ? fresh.value : fact.value, fact.unit));
     put(was, live ? before : "");
@@ -110,7 +104,9 @@ function compared(page: Page, known: Info[]): HTMLElement {
         const own = run.facts.find((other) => other.id === fact.id);
         known.push((live) => {
           const fresh = k === 0 ? live?.facts[fact.id] : undefined;
-          if (k === 0 && !fresh && isEarly(live)) return;
+          const waits = k === 0 && isPending(fact.id, live);
+          cell.classList.toggle("computing", waits);
+          if (waits) return;
           put(cell, info(fresh ? fresh.value : (own?.value ?? null), own?.unit ?? fact.unit));
           cell.title = (fresh ?? own)?.note ?? "";
         });

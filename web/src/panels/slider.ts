@@ -1,8 +1,8 @@
 // One number that can be changed: a slider, the number itself, and the way back.
 
 import type { Slider } from "../contract";
-import { button, make, ownId } from "../dom";
-import { digits, pretty } from "../format";
+import { button, make, ownId, put } from "../dom";
+import { digits, pretty, readable } from "../format";
 
 export interface SliderRow {
   readonly element: HTMLElement;
@@ -10,26 +10,29 @@ export interface SliderRow {
   /** What one per cent of it does, in words. */
   readonly effect: HTMLElement;
   value: number;
+  /** Says at the field why its number is refused; empty: it is not. */
+  refuse(reason: string): void;
 }
 
 const STEPS = 1000;
 const LARGE = 1e7;
+const TINY = 1e-300; // that is next to zero, which is refused
+const [SMALL, BIG] = [1e-3, 1e5]; // numbers that read better with a prefix
 
-/** `changed` is called whenever the user gave another value, within the slider's bounds. */
+/** `changed` is called whenever the user gave another value: within the slider's ends, typed within the sheet's. */
 export function makeSlider(slider: Slider, changed: () => void): SliderRow {
   const name = ownId("slider");
-  const unit = pretty(slider.unit);
+  const { factor, name: unit } = unitOf(slider);
   const range = make("input", { type: "range", id: name, min: "0", max: String(STEPS), step: "1" });
   const number = make("input", {
     type: "number",
     "aria-label": `${slider.label}${unit ? `, in ${unit}` : ""}`,
     step: "any",
-    min: String(slider.min),
-    max: String(slider.max),
   });
+  const reason = make("p", { class: "note refused", role: "alert", hidden: true });
   const back = button("↺", undo, {
     class: "tool",
-    "aria-label": `${slider.label}: back to ${digits(slider.value, 6)} ${unit}`,
+    "aria-label": `${slider.label}: back to ${digits(factor * slider.value, 6)} ${unit}`,
     title: "back to the run's own",
   });
   const effect = make("span", { class: "effect" });
@@ -37,18 +40,29 @@ export function makeSlider(slider: Slider, changed: () => void): SliderRow {
 
   function tell(typing = false): void {
     range.value = String(Math.round(STEPS * shareOf(slider, value)));
-    range.setAttribute("aria-valuetext", `${digits(value, 5)} ${unit}`);
-    if (!typing) number.value = typed(value);
+    range.setAttribute("aria-valuetext", `${digits(factor * value, 5)} ${unit}`);
+    if (!typing) number.value = typed(factor * value);
     back.disabled = value === slider.value;
     element.classList.toggle("changed", value !== slider.value);
   }
 
   function give(wanted: number, typing = false): void {
-    const bounded = Math.min(Math.max(wanted, slider.min), slider.max);
-    if (bounded === value) return tell(typing);
-    value = bounded;
+    const { least = -Infinity, most = Infinity } = slider;
+    const beyond = wanted < least ? ["at least", least] as const : wanted > most ? ["at most", most] as const : null;
+    const above = beyond?.[1] && beyond[1] < TINY;
+    const end = beyond && (above ? "numbers above 0" : `${beyond[0]} ${digits(factor * beyond[1])} ${unit}`.trim());
+    refuse(end ? `The data sheet takes ${end}.` : "");
+    if (beyond) return;
+    const moved = wanted !== value;
+    value = wanted;
     tell(typing);
-    changed();
+    if (moved) changed();
+  }
+
+  function refuse(why: string): void {
+    put(reason, why);
+    reason.hidden = !why;
+    number.setAttribute("aria-invalid", String(Boolean(why)));
   }
 
   /** The button that was pressed is of no more use then: the keyboard continues at the slider. */
@@ -59,9 +73,12 @@ export function makeSlider(slider: Slider, changed: () => void): SliderRow {
 
   range.addEventListener("input", () => give(Number(digits(valueOf(slider, Number(range.value) / STEPS), 4))));
   number.addEventListener("input", () => {
-    if (number.value !== "" && Number.isFinite(number.valueAsNumber)) give(number.valueAsNumber, true);
+    if (number.value !== "" && Number.isFinite(number.valueAsNumber)) give(number.valueAsNumber / factor, true);
   });
-  number.addEventListener("change", () => tell());
+  number.addEventListener("change", () => {
+    if (number.value === "") refuse("");
+    if (reason.hidden) tell();
+  });
   const words = make(
     "label",
     { for: name, title: slider.path },
@@ -71,20 +88,29 @@ export function makeSlider(slider: Slider, changed: () => void): SliderRow {
   );
   const element = make("div", { class: "slider", "data-path": slider.path }, words,
     make("div", { class: "slider-row" }, range, number, make("span", { class: "unit", text: unit }), back),
-    make("code", { class: "path", text: slider.path, title: "--set PATH=VALUE" }));
+    reason, make("code", { class: "path", text: slider.path, title: "--set PATH=VALUE" }));
   tell();
   return {
     element,
     slider,
     effect,
+    refuse,
     get value() {
       return value;
     },
     set value(wanted) {
       value = wanted;
+      refuse("");
       tell();
     },
   };
+}
+
+/** Its unit, with a prefix where its numbers would be long: GPa. */
+function unitOf({ unit, min, max }: Slider): { factor: number; name: string } {
+  const size = Math.max(Math.abs(min), Math.abs(max));
+  const prefixed = (size < SMALL || size >= BIG) && !unit.startsWith("kg");
+  return prefixed ? readable(unit, size) : { factor: 1, name: pretty(unit) };
 }
 
 /** As a field of numbers takes it: a modulus in Pa has more zeros than fit. */
@@ -96,7 +122,7 @@ function typed(value: number): string {
 function shareOf(slider: Slider, value: number): number {
   const { min, max } = slider;
   if (max <= min) return 0;
-  return slider.log && min > 0 ? Math.log(value / min) / Math.log(max / min) : (value - min) / (max - min);
+  return slider.log && min > 0 && value > 0 ? Math.log(value / min) / Math.log(max / min) : (value - min) / (max - min);
 }
 
 function valueOf(slider: Slider, share: number): number {

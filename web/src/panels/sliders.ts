@@ -89,7 +89,10 @@ export function mountSliders(
       return;
     }
     [busy, began, heard] = [true, performance.now(), false];
-    rows.forEach((row) => row.element.classList.remove("warned"));
+    for (const row of rows) {
+      row.element.classList.remove("warned");
+      row.refuse("");
+    }
     if (!patience) patience = window.setTimeout(() => { bar.hidden = false; }, PATIENCE);
     try {
       const progress = (share: number) => { if (own === asked) bar.value = share; };
@@ -104,7 +107,10 @@ export function mountSliders(
       const why = (error instanceof Error ? error.message : String(error)).replace(/\.$/, "");
       status.textContent = `This could not be simulated: ${why}; shown is the run as it was.`;
       status.classList.add("warned");
-      rows.forEach((row) => row.element.classList.toggle("warned", why.includes(`${row.slider.path} = `)));
+      for (const row of rows.filter(({ slider }) => why.includes(`${slider.path} = `))) {
+        row.element.classList.add("warned");
+        row.refuse(`${why.slice(why.indexOf(": ") + 2)}.`);
+      }
     }
   }
 
@@ -196,8 +202,7 @@ export function mountSliders(
       Object.fromEntries(
         rows.filter((row) => row.value !== row.slider.value).map((row) => [row.slider.path, row.value]),
       ),
-    give: (wanted) => give(rows.map(({ slider }) =>
-      Math.min(Math.max(wanted[slider.path] ?? slider.value, slider.min), slider.max))),
+    give: (wanted) => give(rows.map(({ slider }) => wanted[slider.path] ?? slider.value)),
     dispose() {
       closed = true;
       cancelAnimationFrame(scheduled);
