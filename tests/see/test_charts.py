@@ -2,19 +2,32 @@
 
 from __future__ import annotations
 
+import os
+from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
 import pytest
+from matplotlib.colors import to_hex
+from matplotlib.figure import Figure
 
+import tmodes
+from random_sheets import random_sheet
 from see.scenes import arm_result
 from tmodes.frame import along
+from tmodes.plot.charts import in_units, word_of
+from tmodes.plot.panels import draw_chart, plain
 from tmodes.plot.spectra import amplitude_spectrum
-from tmodes.report.charts import charts_of, page_charts
+from tmodes.plot.style import CAUSES, colour, house_style
+from tmodes.report.charts import chart_data, charts_of, page_charts
 from tmodes.report.data import facts_of, page_data
 from tmodes.report.facts import run_facts
 from tmodes.report.pack import Coarse, pack
 from tmodes.result import Result
+from tmodes.robots import published
+
+COUNT = int(os.environ.get("TMODES_PROPERTIES", "2"))
+"""How many random robots are run; with more than two, every published robot too."""
 
 PREFIX = {"m": 1e3, "µ": 1e6, "n": 1e9, "k": 1e-3}
 
@@ -160,3 +173,43 @@ def test_the_data_of_a_page_can_be_packed(good: Result, failed: Result) -> None:
     assert page["runs"][1]["status"] == "diverged"
     assert page["runs"][0]["sheet"].startswith("format: 1")
     assert 100_000 < len(pack(page)) < 1_650_000
+
+
+def compared() -> Iterator[Result]:
+    """Runs of random robots; of every published one too, where many are wanted."""
+    for k in range(COUNT):
+        yield tmodes.run(tmodes.Robot.from_data(random_sheet(k)))
+    for name in published() if COUNT > 2 else ():
+        try:
+            yield tmodes.run(tmodes.load(name))
+        except tmodes.errors.InputError:  # its package is not installed
+            continue
+
+
+def test_figures_and_the_page_draw_the_same_chart(good: Result) -> None:
+    """With equal labels, units, values and colours; no code name, no underscore, no letter of the paper in a text."""
+    groups, texts = set[str](), set[str]()
+    for result in (good, *compared()):
+        for chart in in_units([page_charts(result)])[0]:
+            data, panel = chart_data(chart), Figure().subplots()
+            with house_style():
+                draw_chart(panel, chart)
+            assert panel.get_ylabel() == data["ordinate"]
+            assert data["ordinate"].endswith(f"[{data['unit']}]")
+            curves = {str(line.get_label()): line for line in panel.get_lines()}
+            areas = {str(area.get_label()): to_hex(area.get_facecolor()[0]) for area in panel.collections}
+            for line, curve in zip(chart.lines, data["curves"], strict=True):
+                word = plain(word_of(chart, line))
+                assert areas.get(word) or to_hex(curves[word].get_color()) == colour(curve["colour"])
+                assert areas.get(word, colour(curve["colour"])) == colour(curve["colour"])
+                if word not in areas and len(line.values) == len(curve["values"]):
+                    shown = np.abs(curve["values"]) if chart.log == "first" else curve["values"]
+                    drawn = np.nan_to_num(np.asarray(curves[word].get_ydata(), dtype=float))
+                    assert drawn == pytest.approx(shown, rel=1e-5, abs=1e-5 * float(np.abs(shown).max()))
+                if chart.stacked:
+                    assert colour(curve["colour"]) == CAUSES[line.cause][0]
+                texts |= {curve["label"], curve["part"], word}
+            texts |= {data["title"], data["ordinate"], data["note"]}
+            groups.add(chart.group)
+    assert groups >= {"error", "tip", "contact", "deformations", "motors", "energy", "spectrum"}
+    assert not [text for text in texts if set(text) & set("`_") or "T_" in text]

@@ -235,7 +235,7 @@ def test_loads_that_cannot_be_held_cost_no_run(robot):
     rough = {"reference.duration": 0.02, "contact": False, "integration.duration": 0.1}
     result = tmodes.run(robot.with_(rough))
     assert result.success
-    assert any("T_st is that of the linear arm" in warning for warning in result.warnings)
+    assert any("static part of the deformations is that of the linear arm" in warning for warning in result.warnings)
     assert np.isfinite(result.data["deformation_stationary"].values).all()
 
 

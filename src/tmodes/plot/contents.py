@@ -22,7 +22,8 @@ _ROLES = {"real": "", "reference": "_nominal", "stationary": "_stationary", "osc
 """Parts of a deformation, and how the names of their series end."""
 
 _CAUSES = {
-    "controller": "controller", "gears": "gear", "links": "link", "elastic gear": "gear", "elastic link": "link",
+    "controller": "controller", "gears": "gear", "links": "link", "free joints": "free joint", "total": "total",
+    "gears, free joints": "gear", "elastic gear": "gear", "elastic link": "link",
     "gear damping": "gear", "link damping": "link", "contact": "contact", "motor": "controller",
 }  # fmt: skip
 """The cause of a part of the error, or of an energy."""
@@ -54,7 +55,7 @@ def _causes(data: Any) -> Iterator[Chart]:
             names = [str(name).replace("_", " ") for name in data["error_part"].values]
             columns = [*along(parts).T, np.linalg.norm(parts.sum(axis=1), axis=1)]
             *lines, total = [
-                Line(name, "real", values, (series, k), along=True, cause=_CAUSES.get(name, name))
+                Line(name, "real", values, (series, k), along=True, cause=_CAUSES.get(name, ""))
                 for name, values, k in zip([*names, "total"], columns, [*range(len(names)), -1], strict=True)
             ]
             drawn = (*(line for line in lines if np.any(line.values)), total)

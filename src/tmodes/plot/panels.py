@@ -109,7 +109,9 @@ def draw_chart(panel: Axes, chart: Chart) -> None:
         fill_from_zero(panel)
     if chart.group == "deformations" and chart.abscissa == "time":
         limit_peaks(panel, chart.at, chart.values, unit)
-    if chart.note:
+    if chart.note and chart.stacked:
+        panel.set_title(chart.note, loc="right", fontsize=6.5, fontweight="normal", color=QUIET)
+    elif chart.note:
         _note(panel, chart.note)
 
 

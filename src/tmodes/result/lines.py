@@ -30,7 +30,7 @@ def line_series(run: RunData, stations: Array, count: int) -> tuple[Variables, d
     loose = np.flatnonzero(~split.held)
     if len(loose):
         notices.append(
-            f"T_st is that of the linear arm at {len(loose)} of {count} samples, first at t = "
+            f"the static part of the deformations is that of the linear arm at {len(loose)} of {count} samples, first at t = "
             f"{run.times[loose[0]]:.4g} s: the arm could not hold its loads there without moving"
         )
     return over_time(found, count), names, notices
@@ -99,10 +99,15 @@ def _loads(bending: list[LinkLine], *, shown: bool = False) -> Series:
 
 
 def _split(stationary: Array, oscillatory: Array) -> Series:
-    text = "stationary part T_st of the elastic coordinates"
+    text = "static part of the elastic coordinates: what the present forces would hold"
     return {
         "deformation_stationary": ("deformation_kind", stationary, MIXED, text),
-        "deformation_oscillatory": ("deformation_kind", oscillatory, MIXED, "oscillatory part T_to"),
+        "deformation_oscillatory": (
+            "deformation_kind",
+            oscillatory,
+            MIXED,
+            "dynamic part of the elastic coordinates: their oscillation about the static part",
+        ),
     }
 
 
