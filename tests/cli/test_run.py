@@ -44,7 +44,7 @@ def test_the_main_job(files):
     assert (out / "result.nc").read_bytes() == before
     drawn = tmodes("figures", out, "tip_path", "--pdf").stdout
     assert f"wrote   2 files to {out / 'figures'}" in drawn
-    assert sorted(path.name for path in (out / "figures").iterdir()) == ["tip_path.pdf", "tip_path.svg"]
+    assert sorted(path.name for path in (out / "figures").iterdir()) == ["captions.txt", "tip_path.pdf", "tip_path.svg"]
     tmodes("run", files / "pendulum.yaml", "--duration", 1, "--out", out, "--no-report", "--figures", "--overwrite")
     assert (out / "result.nc").read_bytes() != before
     assert len(list((out / "figures").glob("*.svg"))) == len(list((out / "figures").glob("*.png"))) >= 5

@@ -40,7 +40,7 @@ def helped(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(drawing, "_take_first", lambda taken, place: False)
 
 
-def fails(drawn: object, kind: str) -> bytes:
+def fails(drawn: object, kind: str, **more: object) -> bytes:
     raise ZeroDivisionError(kind)
 
 

@@ -6,11 +6,11 @@ those that a result can fill, ``left_out`` the reasons of the others; ``register
 
 from typing import Any
 
-from tmodes.plot.figure import FIGURES, Figure, all_figures, left_out, register, save_figures
+from tmodes.plot.figure import FIGURES, PAPER_FIGURES, Figure, all_figures, left_out, register, save_figures
 from tmodes.plot.style import house_style
 
 __all__ = [
-    "FIGURES", "Figure", "all_figures", "contact_force", "controller_states", "deformations",
+    "FIGURES", "PAPER_FIGURES", "Figure", "all_figures", "contact_force", "controller_states", "deformations",
     "elastic_line", "energies", "gear_deflections", "house_style", "joint_efforts", "joint_tracking", "left_out",
     "link_coordinates", "link_deflection", "link_loads", "link_tips", "register", "save_figures", "spectrum",
     "tip_errors", "tip_path", "tip_tracking",
@@ -28,6 +28,8 @@ FIGURES.bring(
     },
 )  # fmt: skip
 """In the order of the report."""
+
+PAPER_FIGURES.bring("tmodes.plot.figures", dict.fromkeys(("figure_6", "figure_7", "figure_8"), "paper"))
 
 contact_force: Figure
 controller_states: Figure

@@ -19,7 +19,8 @@ from tmodes.plot.style import house_style
 from tmodes.result.result import Result
 
 __all__ = [
-    "FIGURES", "FORMATS", "Figure", "all_figures", "left_out", "output_figure", "register", "rendered", "save_figures",
+    "FIGURES", "FORMATS", "PAPER_FIGURES", "Figure", "all_figures", "captions", "left_out", "output_figure",
+    "register", "rendered", "save_figures",
 ]  # fmt: skip
 
 
@@ -37,6 +38,9 @@ class Figure(ABC):
 
     caption: ClassVar[str] = ""
     """What to look at, in one or two sentences."""
+
+    serif: ClassVar[bool] = False
+    """Whether it is drawn in a journal's font."""
 
     needs: ClassVar[Mapping[str, str]] = {}
     """Series or dimensions of the result that must exist, each with the reason when it does not."""
@@ -58,7 +62,7 @@ class Figure(ABC):
         """
         if reason := self.missing(result.data):
             raise InputError(self.name, reason, "a result that has what it shows", "leave this figure out")
-        with house_style():
+        with house_style(serif=self.serif):
             return self.draw(result, ax, **options)
 
 
@@ -77,6 +81,9 @@ FIGURES: Registry[Figure] = Registry(
 
 register = FIGURES.register
 
+PAPER_FIGURES: Registry[Figure] = Registry("figure of the 2010 paper", Figure, check=_has_words, made=lambda own: own())
+"""Figures 6, 7 and 8 of Filipovic & Djuric (2010)."""
+
 
 FORMATS: dict[str, dict[str, Any]] = {
     "svg": {"Date": None, "Creator": None, "Format": None, "Type": None},
@@ -89,16 +96,16 @@ DPI = 200
 """Resolution of a PNG in a file, for print [dots per inch]."""
 
 
-def rendered(figure: Any, kind: str, dpi: int = DPI) -> bytes:
-    """The figure as the bytes of a file of this ``kind`` (a key of FORMATS).
+def rendered(figure: Any, kind: str, dpi: int = DPI, *, serif: bool = False) -> bytes:
+    """The figure as the bytes of a file of this ``kind`` (a key of FORMATS), with text as text where it can hold text.
 
     Its layout is found at the first time, and stays: each file is one pass of drawing, and all have the same places.
     """
-    if engine := figure.get_layout_engine():
-        engine.execute(figure)
-        figure.set_layout_engine(None)
     stream = io.BytesIO()
-    with house_style():
+    with house_style(serif=serif):
+        if engine := figure.get_layout_engine():
+            engine.execute(figure)
+            figure.set_layout_engine(None)
         figure.savefig(stream, format=kind, dpi=dpi, metadata=FORMATS[kind])
     return stream.getvalue()
 
@@ -115,14 +122,26 @@ def output_figure(result: Result, name: str, ax: AxesLike = None) -> list[Axes]:
     return axes
 
 
+def _figure(name: str) -> Figure:
+    """A figure of either kind."""
+    return (PAPER_FIGURES if name in PAPER_FIGURES else FIGURES)[name]
+
+
 def _files(formats: Sequence[str], result: Result, name: str) -> dict[str, bytes]:
     """A figure as the contents of its files, by format."""
-    figure = FIGURES[name](result)[0].figure
-    return {kind: rendered(figure, kind) for kind in formats}
+    one = _figure(name)
+    figure = one(result)[0].figure
+    return {kind: rendered(figure, kind, serif=one.serif) for kind in formats}
 
 
 ROOM = 10_000_000
 """Disk space of all figures together, at most [bytes]."""
+
+
+def captions(names: Sequence[str]) -> str:
+    """What stands below each of these figures, a paragraph for each."""
+    shown = ((name.capitalize().replace("_", " "), _figure(name)) for name in names)
+    return "\n\n".join(f"{label}: {one.title}. {one.caption}" for label, one in shown) + "\n"
 
 
 def _say_nothing(done: int, total: int, name: str) -> None:
@@ -136,9 +155,9 @@ def all_figures(result: Result) -> dict[str, Callable[..., list[Axes]]]:
 
 
 @checked_arguments
-def left_out(result: Result) -> dict[str, str]:
-    """The figures that this result cannot fill: name -> why."""
-    reasons = {name: figure.missing(result.data) for name, figure in FIGURES.items()}
+def left_out(result: Result, *, paper: bool = False) -> dict[str, str]:
+    """The figures that this result cannot fill, or those of the 2010 ``paper``: name -> why."""
+    reasons = {name: one.missing(result.data) for name, one in (PAPER_FIGURES if paper else FIGURES).items()}
     return {name: reason for name, reason in reasons.items() if reason}
 
 
@@ -153,9 +172,10 @@ def save_figures(
 ) -> list[Path]:
     """Write figures of the result into ``folder``, one file per figure and format; returns the files.
 
-    ``names``: which of :func:`all_figures`, None: all. ``progress(done, total, name)`` is called before each figure and
-    once at the end. ``stored``: a file that holds this result, from which processes read it to draw many figures at
-    once where there are cores; a program that calls this with it guards its main part by ``__name__``.
+    ``names``: which of :func:`all_figures` or of ``PAPER_FIGURES``, None: all of the first.
+    ``progress(done, total, name)`` is called before each figure and once at the end. ``stored``: a file that holds this
+    result, from which processes read it to draw many figures at once where there are cores; a program that calls this
+    with it guards its main part by ``__name__``.
 
     Raises :class:`tmodes.errors.InputError` for an unknown format or name, and
     :class:`tmodes.errors.ResultFileError` when a file cannot be written; a file is either complete or as it was before.
@@ -165,8 +185,9 @@ def save_figures(
         raise InputError("formats", repr(unknown), f"some of {', '.join(FORMATS)}", "choose one of these")
     check_writable(folder, ROOM)
     figures = all_figures(result)
-    for unknown in sorted(set(names or ()) - set(figures)):
-        reason = left_out(result).get(unknown)
+    reasons = left_out(result) | left_out(result, paper=True)
+    for unknown in sorted(set(names or ()) - set(figures) - (set(PAPER_FIGURES) - set(reasons))):
+        reason = reasons.get(unknown)
         got = f"{unknown}, which is left out: {reason}" if reason else f"the unknown figure {unknown!r}"
         hint = "choose among these; `tmodes outputs` lists the numbers that `Result.plot(name=...)` draws"
         raise InputError("figures", got, f"some of {', '.join(figures)}", hint)

@@ -97,7 +97,7 @@ def draw_chart(panel: Axes, chart: Chart) -> None:
     for line, look, own in shown:
         dashes = (0, tuple(0.75 * part for part in look.dash)) if look.dash else "-"
         style = {"color": colour(look.colour), "linestyle": dashes, "linewidth": 1.2}
-        panel.plot(chart.at, own, label=plain(word_of(chart, line)) or None, **(line.look or style))
+        panel.plot(chart.at, own, **{"label": plain(word_of(chart, line)) or None, **(line.look or style)})
     panel.set_ylabel(chart.ordinate)
     if not values.any():
         panel.text(0.5, 0.6, "zero throughout", ha="center", transform=panel.transAxes)

@@ -116,22 +116,29 @@ SETTINGS: dict[str, Any] = {
     **dict.fromkeys(("axes.grid", "axes.axisbelow", "path.simplify"), True),
     **dict.fromkeys(("axes.spines.top", "axes.spines.right", "axes.formatter.useoffset", "legend.frameon"), False),
     "figure.dpi": 100, "savefig.dpi": 200, "figure.facecolor": PAPER, "savefig.facecolor": "auto",
-    "font.family": "DejaVu Sans", "mathtext.fontset": "dejavusans",
+    "font.family": ["DejaVu Sans", "sans-serif"], "mathtext.fontset": "dejavusans",
     "axes.titlesize": 8.5, "axes.titleweight": "bold", "axes.titlelocation": "left", "axes.titlepad": 5,
     "axes.facecolor": "none", "axes.xmargin": 0.0, "axes.ymargin": 0.07, "axes.formatter.limits": (-4, 5),
     "legend.handlelength": 2.6, "legend.borderaxespad": 0.2,
     "grid.color": GRID, "grid.linewidth": 0.5,
     "lines.linewidth": 1.1, "lines.solid_capstyle": "round", "path.simplify_threshold": 0.15,
-    "svg.fonttype": "path", "svg.hashsalt": "tmodes", "pdf.fonttype": 42,
+    "svg.fonttype": "none", "svg.hashsalt": "tmodes", "pdf.fonttype": 42,
 }  # fmt: skip
 
 
-@contextmanager
-def house_style() -> Iterator[None]:
-    """Draw and save inside this; whatever the user had set is as before afterwards."""
-    from matplotlib import style
+_SERIF = ("Times New Roman", "Liberation Serif", "STIXGeneral")
+"""Fonts of journals, the first that is there is taken; the last one comes with matplotlib."""
 
-    with style.context(["default", SETTINGS]):
+
+@contextmanager
+def house_style(*, serif: bool = False) -> Iterator[None]:
+    """Draw and save inside this, ``serif``: in a journal's font; what the user had set is as before afterwards."""
+    from matplotlib import font_manager, style
+
+    known = {font.name for font in font_manager.fontManager.ttflist} if serif else ()
+    families = [name for name in _SERIF if name in known][:1]
+    journal = {"font.family": [*families, "serif"], "font.serif": _SERIF, "mathtext.fontset": "stix"} if serif else {}
+    with style.context(["default", SETTINGS | journal]):
         yield
 
 
