@@ -1,8 +1,8 @@
 """Takes the pictures of the pages in docs/: ``python tools/gallery.py [NAME…]``.
 
 Needs a Chromium browser and playwright (``pip install -e ".[test]"``). Each picture's command is next to it in
-docs/gallery.md or docs/how-stiff.md; this runs it in a folder with the files of examples/studies, opens what it wrote,
-does what the caption says, and takes the picture.
+docs/gallery.md, docs/how-stiff.md or docs/paper.md; this runs it in a folder with the files of examples/studies, opens
+what it wrote, does what the caption says, and takes the picture. A figure for print is copied.
 """
 
 from __future__ import annotations
@@ -67,6 +67,7 @@ def _worst(page: Any) -> None:
 
 
 _SEED = ("run filipovic2010 --out seed",)
+_PAPER = ("run filipovic2010_vibrating --out vibrating", "figures vibrating --paper")
 SHOTS: dict[str, Shot] = {
     "gallery-report": Shot(_SEED, "seed/report.html"),
     "gallery-report-dark": Shot(_SEED, "seed/report.html", scheme="dark"),
@@ -93,6 +94,10 @@ SHOTS: dict[str, Shot] = {
             "view before after --out compared.html --no-open",
         ),
         "compared.html",
+    ),
+    **{f"paper-figure-{k}": Shot(_PAPER, f"vibrating/figures/figure_{k}.svg") for k in (6, 7, 8)},
+    "paper-figure-8-first": Shot(
+        ("run filipovic2010 --out first", "figures first --paper"), "first/figures/figure_8.svg"
     ),
 }
 
@@ -126,6 +131,9 @@ def _made(place: Path, commands: tuple[str, ...]) -> Path:
 
 
 def _take(browser: Any, name: str, shot: Shot, work: Path) -> None:
+    if shot.page.endswith(".svg"):
+        shutil.copy(work / shot.page, TARGET / f"{name}.svg")
+        return
     size = {"width": WIDTH, "height": shot.height}
     context = browser.new_context(viewport=size, color_scheme=shot.scheme, reduced_motion="reduce")
     with _address(shot.page, work) as address:

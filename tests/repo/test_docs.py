@@ -51,12 +51,12 @@ IMAGES = ROOT / "docs" / "images"
 @pytest.mark.parametrize("name", [image.stem for image in sorted(IMAGES.iterdir())])
 def test_a_picture_is_shown_next_to_the_commands_that_make_its_page(name: str) -> None:
     """Each is one that a tool takes again, by commands that a reader sees on the same page."""
-    showing = [page for page in pages(ROOT) if f"images/{name}.png" in page.read_text(encoding="utf-8")]
+    showing = [page for page in pages(ROOT) if f"images/{name}." in page.read_text(encoding="utf-8")]
     assert showing
     if name == "stick-slip":  # of tools/friction_picture.py
         return
     said = "\n".join(page.read_text(encoding="utf-8") for page in showing if page.parent == ROOT / "docs")
     shot = SHOTS[name]
-    commands = [*shot.commands, *([] if shot.page.endswith(".html") else [shot.page])]
+    commands = [*shot.commands, *([] if shot.page.endswith((".html", ".svg")) else [shot.page])]
     for command in commands:
         assert f"tmodes {command.replace(' --no-open', '')}" in said.replace(" --no-open", ""), command
