@@ -1,4 +1,4 @@
-/* tmodes, built from d61c0ada561262b8; BSD-3-Clause */
+/* tmodes, built from c0249c9764916724; BSD-3-Clause */
 
 // src/live/engine_error.ts
 var EngineError = class extends Error {
