@@ -109,10 +109,8 @@ def draw_chart(panel: Axes, chart: Chart) -> None:
         fill_from_zero(panel)
     if chart.group == "deformations" and chart.abscissa == "time":
         limit_peaks(panel, chart.at, chart.values, unit)
-    if chart.note and chart.stacked:
-        panel.set_title(chart.note, loc="right", fontsize=6.5, fontweight="normal", color=QUIET)
-    elif chart.note:
-        _note(panel, chart.note)
+    if chart.note:
+        _note(panel, chart)
 
 
 _DECADES = {"spectrum": 4}
@@ -134,11 +132,14 @@ def _stack(panel: Axes, chart: Chart, parts: Sequence[tuple[Line, str, Any]]) ->
             ends[k] += part
 
 
-def _note(panel: Axes, words: str) -> None:
-    """Words where there are fewest curves."""
+def _note(panel: Axes, chart: Chart) -> None:
+    """The words of a chart above its areas, or where there are fewest curves."""
     from matplotlib.legend import Legend
 
-    panel.add_artist(Legend(panel, [], [], loc="best", title=words, title_fontsize=7, frameon=False))
+    if chart.stacked:
+        panel.set_title(chart.note, loc="right", fontsize=6.5, fontweight="normal", color=QUIET)
+    else:
+        panel.add_artist(Legend(panel, [], [], loc="best", title=chart.note, title_fontsize=7, frameon=False))
 
 
 def across(panel: Axes, chart: Chart, *, label: bool = True) -> None:

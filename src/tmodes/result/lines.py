@@ -30,8 +30,8 @@ def line_series(run: RunData, stations: Array, count: int) -> tuple[Variables, d
     loose = np.flatnonzero(~split.held)
     if len(loose):
         notices.append(
-            f"the static part of the deformations is that of the linear arm at {len(loose)} of {count} samples, first at t = "
-            f"{run.times[loose[0]]:.4g} s: the arm could not hold its loads there without moving"
+            f"the static part of the deformations is that of the linear arm at {len(loose)} of {count} samples, first "
+            f"at t = {run.times[loose[0]]:.4g} s: the arm could not hold its loads there without moving"
         )
     return over_time(found, count), names, notices
 
