@@ -18,6 +18,7 @@ import tmodes
 from command import called
 from command import tmodes as command
 from tmodes.cli.main import COMMANDS
+from tmodes.errors import InputError
 from tmodes.interface.hierarchy import Hierarchy
 from tmodes.interface.statics import Linearization
 from tmodes.io.printed import CommandResult
@@ -237,6 +238,11 @@ def test_a_unique_ending_of_a_path_is_a_path() -> None:
     unwritten = tmodes.load("spong1987", {"gear.backlash": 1e-3}).joints[0].gear  # no key of the file
     assert unwritten is not None
     assert unwritten.backlash == 1e-3
+    limits = tmodes.load("spong1987", {"limits.speed": "170 deg/s"}).joints[0].limits  # no group of the file
+    assert limits is not None
+    assert limits.speed == pytest.approx(np.deg2rad(170))
+    with pytest.raises(InputError, match="the ending of 2 paths"):
+        tmodes.load("spong1987", {"friction.viscous": 0.1})
 
 
 @pytest.mark.parametrize("name", ["signal.end", "duration"])

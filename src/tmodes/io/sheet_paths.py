@@ -95,7 +95,9 @@ def steps_of(path: str, data: Any) -> list[Step]:
     last, rest = _led(here, words, data)
     if not rest:
         return list(last.steps)
-    ends = [end for node in _nodes(here, data) if (end := _ending(node, words, data))]
+    nodes = [*_nodes(here, data)]
+    ends = [end for node in nodes if (end := _ending(node, words, data))]
+    ends = ends or [end for node in nodes if (end := _left_out(node, words, data))]
     if len(ends) == 1:
         return list(ends[0])
     if ends:
@@ -154,6 +156,13 @@ def _ending(node: _Node, words: list[str], data: Any) -> tuple[Step, ...]:
     found, rest = _led(node, words, data)
     group = at(value, *found.steps[len(node.steps) : -1]) if len(words) > 1 else None
     return found.steps if not rest and (found.value is not None or isinstance(group, Mapping)) else ()
+
+
+def _left_out(node: _Node, words: list[str], data: Any) -> tuple[Step, ...]:
+    """The steps of what may stand in a group that is left out, where words lead from a node; else empty."""
+    known = keys(chosen(node.place, node.value)) if node.place and isinstance(node.value, Mapping) else ()
+    found, rest = _led(node, words, data) if len(words) > 1 and words[0] in known else (node, words)
+    return () if rest else found.steps
 
 
 def expanded(value: Any, steps: Sequence[Step]) -> Any:
