@@ -42,7 +42,7 @@ _NOT_COMPARED = (
     "an actual robot with factors of its own is compared with the nominal one, and this run has no nominal run to "
     "compare with; set them in the data sheet and simulate it by `tmodes run`"
 )
-_DRAGS = "a nominal robot that a moving surface drags at rest starts otherwise; change it by --set"
+_DRAGS = "of a surface that stands still: a robot that a moving one drags starts otherwise; change it by --set"
 _FOLLOWS = "it follows from other numbers, as in the format that the robot is imported from"
 _STRUCTURE = "structure: another value takes other equations; change it by --set"
 
@@ -290,7 +290,8 @@ def _offered(pair: RobotPair, ahead: Ahead | None) -> LiveMap:
         for one in sliders
     }
     every = LiveMap(tuple(sliders), moved, _fixed({}), {}, left_out)
-    every = every.without({path: _DRAGS for path in moved if path.startswith("contact.velocity.")})
+    if pair.nominal.contact and not any(pair.nominal.contact.velocity):
+        every = every.without({path: _DRAGS for path in moved if path.startswith("contact.velocity.")})
     every = every.without(
         dict.fromkeys(_following(pair.nominal, [path for _, own in moved.values() for path in own]), _FOLLOWS)
     )

@@ -43,9 +43,13 @@ class Imbalance:
 
 
 def closes(robot: Robot, model: LoopModel) -> bool:
-    """Whether the start may be another than with held motors: controllers keep positions, or the base is moved."""
+    """Whether the start may be another than with held motors.
+
+    Controllers keep positions, the base is moved, or the surface moves along itself and drags.
+    """
     controlled = any(driver.plan.servo and driver.plan.servo.controller for driver in model.loop.drivers)
-    return (controlled or robot.base_motion is not None) and not placed(robot, model)
+    drags = robot.contact is not None and any(number(rate) != 0.0 for rate in robot.contact.velocity)
+    return (controlled or robot.base_motion is not None or drags) and not placed(robot, model)
 
 
 def placed(robot: Robot, model: LoopModel) -> list[str]:
