@@ -39,9 +39,16 @@ export function naturalOf({ frequency, damping }: Oscillation): number {
   return frequency / Math.sqrt(1 - damping ** 2);
 }
 
+/** `gear elbow` for the element `elbow.gear`, as tmodes/io/words.py. */
+function elementWords(name: string): string {
+  const [, owner, own] = /^(?:(.*)\.)?(.*)$/.exec(name)!;
+  if (["gear", "spring", "controller", "motor"].includes(own)) return `${own} ${owner}`;
+  return owner ? `link ${owner} (${own})` : name;
+}
+
 function modeWords(mode: Oscillation, element: string): string {
   const more = joined([
-    element,
+    elementWords(element),
     mode.drift ? `${digits(mode.drift[0], 3)} to ${digits(mode.drift[1], 3)} Hz as it decays` : "",
     mode.share >= SAID ? percent(mode.share) : "",
   ], ", ");
