@@ -81,15 +81,12 @@ def live_bundle(
     ended = held_at(pair.real, float(result.record["time"].values[-1]), place)
     own = mechanics(pair, ended, stations, method, compared=compared, surfaces=surfaces)
     live = live_map(pair, stations, ahead, progress)
-    task = pair.nominal.task
+    task, by_tip = pair.nominal.task, json.loads(result.record.attrs.get("headline", "null")) is None
     own["judged"] = {
-        "phrases": PHRASES["sentence"],
-        "tolerance": task and task.tolerance,
+        "phrases": PHRASES["sentence" if by_tip else "elsewhere"], "tolerance": task and task.tolerance,
         "warned": bool(result.warnings),
-    }
-    own["after"] = (
-        after_rules(pair.real, method) if json.loads(result.record.attrs.get("headline", "null")) is None else None
-    )
+    }  # fmt: skip
+    own["after"] = after_rules(pair.real, method) if by_tip else None
     own["errorParts"] = [*map(str, result.record["error_part"].values)] if "tip_error" in result.record else None
     return {**_common(result, pair, live, method), **own, "stations": np.array(stations)}
 

@@ -47,6 +47,10 @@ PHRASES: dict[str, Phrases] = {
         (" {quantity} of {element} passes its limit: {value} of {limit}.",),
         (" The run was ended by a stop condition: {condition}.",),
     ),
+    "elsewhere": (
+        ("The run did not finish: {failure}. ",),
+        ("The tip does not show this motion; for errors of another point run the changed sheet by tmodes run --set.",),
+    ),
     "culprit": (("{cause} {element}", "{cause}"),),
     "culprits": (("{along}",), (" against {opposed}",)),
 }

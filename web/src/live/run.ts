@@ -15,7 +15,7 @@ import type { Watch } from "./engine_run";
 import { brokenOff, type Facts } from "./facts";
 import type { Kept } from "./kept";
 import { numbersOf } from "./map";
-import { judgedOf, verdictOf, type Judged } from "./verdict";
+import { judgedOf, unjudged, verdictOf, type Judged } from "./verdict";
 import { setpointsOf, spanOf } from "./span";
 import * as signals from "./signals";
 
@@ -31,7 +31,7 @@ export interface Curves {
   reported: (facts: Facts) => Facts;
   /** What is known of the verdict, and the verdict by what is known. */
   judged: Judged;
-  judge: (found: Judged) => Verdict | undefined;
+  judge: (found: Judged) => Verdict;
 }
 
 /** Raises an error where the run cannot start. `kept`: the nominal run before, which many sliders leave as it is. */
@@ -64,7 +64,7 @@ export async function curvesOf(
     span: spanOf(times, end, setpointsOf(bundle, series)),
     facts: reported(facts),
   };
-  const judge = (found: Judged) => (bundle.after ? verdictOf(bundle, found, run.status, run.message) : undefined);
+  const judge = (found: Judged) => verdictOf(bundle, bundle.after ? found : unjudged(found), run.status, run.message);
   run.verdict = judge(judged);
   return { run, judged, judge, real, nominal, end, facts, reported };
 }

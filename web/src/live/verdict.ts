@@ -96,6 +96,12 @@ export function withRest(judged: Judged, { time, limit, reason }: Settled, { mod
   };
 }
 
+/** Of a run that is judged by another point than its tip, whose errors are found natively alone: its limits. */
+export function unjudged(judged: Judged): Judged {
+  const nothing = { against: null, largest_m: null, time_s: null, final_m: null, bends: null, culprits: [] };
+  return { ...judged, ...nothing, settling: { time_s: null, within_m: null, reason: "" }, residual: null };
+}
+
 /** The verdict, with its level and its sentence. */
 export function verdictOf(
   { judged: { phrases, warned } }: Bundle, found: Judged, status: string, message: string,
