@@ -14,6 +14,7 @@ from matplotlib.figure import Figure
 import tmodes
 from random_sheets import random_sheet
 from see.scenes import arm_result
+from tmodes.errors import InputError
 from tmodes.frame import along
 from tmodes.plot.charts import in_units, word_of
 from tmodes.plot.panels import draw_chart, plain
@@ -182,7 +183,7 @@ def compared() -> Iterator[Result]:
     for name in published() if COUNT > 2 else ():
         try:
             yield tmodes.run(tmodes.load(name))
-        except tmodes.errors.InputError:  # its package is not installed
+        except InputError:  # its package is not installed
             continue
 
 
@@ -197,10 +198,11 @@ def test_figures_and_the_page_draw_the_same_chart(good: Result) -> None:
             assert panel.get_ylabel() == data["ordinate"]
             assert data["ordinate"].endswith(f"[{data['unit']}]")
             curves = {str(line.get_label()): line for line in panel.get_lines()}
+            colours = {name: str(line.get_color()) for name, line in curves.items()}
             areas = {str(area.get_label()): to_hex(area.get_facecolor()[0]) for area in panel.collections}
             for line, curve in zip(chart.lines, data["curves"], strict=True):
                 word = plain(word_of(chart, line))
-                assert areas.get(word) or to_hex(curves[word].get_color()) == colour(curve["colour"])
+                assert areas.get(word) or colours[word] == colour(curve["colour"])
                 assert areas.get(word, colour(curve["colour"])) == colour(curve["colour"])
                 if word not in areas and len(line.values) == len(curve["values"]):
                     shown = np.abs(curve["values"]) if chart.log == "first" else curve["values"]

@@ -117,8 +117,8 @@ def test_equal_curves_are_one_and_the_figure_says_so(good: Result) -> None:
 
 def test_an_oscillation_too_small_for_a_panel_is_stated(good: Result) -> None:
     titles = [panel.get_title(loc="left") for panel in plot.all_figures(good)["link_coordinates"]()]
-    assert titles[:2] == ["a) Link, azimuth1", "b) Link, azimuth1, dynamic part"]
-    assert titles[4] == "e) Link, elevation1 (dynamic part at most 0.007 %)"
+    assert titles[:2] == ["a) Deformation of link, azimuth1", "b) dynamic part"]
+    assert titles[4] == "e) Deformation of link, elevation1 (dynamic part at most 0.007 %)"
 
 
 def test_a_force_from_zero_and_in_close_up_only_where_they_differ(good: Result) -> None:

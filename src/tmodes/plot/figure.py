@@ -14,13 +14,14 @@ from tmodes.io.arguments import checked_arguments
 from tmodes.io.atomic import atomic_write, check_writable
 from tmodes.kinds.registry import Registry
 from tmodes.plot.charts import Chart, Line, in_units
-from tmodes.plot.panels import Axes, AxesLike, across, draw_chart, panels
+from tmodes.plot.facts import names_of
+from tmodes.plot.panels import Axes, AxesLike, across, draw_chart, draw_charts, panels
 from tmodes.plot.style import house_style
 from tmodes.result.result import Result
 
 __all__ = [
-    "FIGURES", "FORMATS", "PAPER_FIGURES", "Figure", "all_figures", "captions", "left_out", "output_figure",
-    "register", "rendered", "save_figures",
+    "FIGURES", "FORMATS", "PAPER_FIGURES", "ChartFigure", "Figure", "Rows", "all_figures", "captions", "left_out",
+    "output_figure", "register", "rendered", "save_figures",
 ]  # fmt: skip
 
 
@@ -64,6 +65,31 @@ class Figure(ABC):
             raise InputError(self.name, reason, "a result that has what it shows", "leave this figure out")
         with house_style(serif=self.serif):
             return self.draw(result, ax, **options)
+
+
+Rows = Sequence[Sequence[Chart]]
+
+
+class ChartFigure(Figure):
+    """A figure that lays out charts in rows, lettered as one reads them."""
+
+    def __init__(
+        self, name: str, title: str, caption: str, rows: Callable[[Result], Rows], shows: str,
+        needs: Mapping[str, str] | None = None, cause: str = "",
+    ) -> None:  # fmt: skip
+        """``shows``: what and which axes, in words; ``cause``: of which, ``gear`` or ``link``, coordinates it is."""
+        vars(self).update(name=name, title=title, caption=caption, needs=needs or {}, __doc__=shows)
+        self._rows, self._cause = rows, cause
+
+    def missing(self, data: Any) -> str:
+        """A robot whose links alone are elastic has no figure of gears, and the other way round."""
+        reason, kinds = super().missing(data), names_of(data, "deformation_kind") if self._cause else []
+        known = [(name in data["coordinate"].values) == (self._cause == "link") for name in kinds]
+        return reason or ("" if any(known) or not self._cause else next(iter(self.needs.values())))
+
+    def draw(self, result: Any, ax: AxesLike = None) -> list[Axes]:
+        """One panel for each chart."""
+        return draw_charts(ax, self._rows(result))
 
 
 def _has_words(figure: Figure) -> None:

@@ -78,26 +78,10 @@ def plain(text: str, most: int = 60) -> str:
 def draw_chart(panel: Axes, chart: Chart) -> None:
     """The curves of a chart, in its unit and the colours that it has on the page."""
     unit, values = chart.unit, chart.unit.of(chart.values)
-    shown = [
-        *zip(
-            chart.lines,
-            looks(chart),
-            np.where(values, np.abs(values), np.nan) if chart.log == "first" else values,
-            strict=True,
-        )
-    ]
     if chart.band:
         low, high = map(unit.of, chart.band)
-        panel.fill_between(
-            chart.at, low, high, facecolor=BAND, edgecolor=BLUE, linewidth=0.6, label="range over the run"
-        )
-    if chart.stacked:
-        _stack(panel, chart, [(line, colour(look.colour), own) for line, look, own in shown[:-1]])
-        shown = shown[-1:]
-    for line, look, own in shown:
-        dashes = (0, tuple(0.75 * part for part in look.dash)) if look.dash else "-"
-        style = {"color": colour(look.colour), "linestyle": dashes, "linewidth": 1.2}
-        panel.plot(chart.at, own, **{"label": plain(word_of(chart, line)) or None, **(line.look or style)})
+        panel.fill_between(chart.at, low, high, facecolor=BAND, edgecolor=BLUE, linewidth=0.6, label=_RANGE)
+    _draw_lines(panel, chart, values)
     panel.set_ylabel(chart.ordinate)
     if not values.any():
         panel.text(0.5, 0.6, "zero throughout", ha="center", transform=panel.transAxes)
@@ -111,6 +95,22 @@ def draw_chart(panel: Axes, chart: Chart) -> None:
         limit_peaks(panel, chart.at, chart.values, unit)
     if chart.note:
         _note(panel, chart)
+
+
+_RANGE = "range over the run"
+
+
+def _draw_lines(panel: Axes, chart: Chart, values: Any) -> None:
+    """The lines, of a stacked chart the areas and their sum."""
+    sizes = np.where(values, np.abs(values), np.nan) if chart.log == "first" else values
+    shown = [*zip(chart.lines, looks(chart), sizes, strict=True)]
+    if chart.stacked:
+        _stack(panel, chart, [(line, colour(look.colour), own) for line, look, own in shown[:-1]])
+        shown = shown[-1:]
+    for line, look, own in shown:
+        dashes = (0, tuple(0.75 * part for part in look.dash)) if look.dash else "-"
+        style = {"color": colour(look.colour), "linestyle": dashes, "linewidth": 1.2}
+        panel.plot(chart.at, own, **{"label": plain(word_of(chart, line)) or None, **(line.look or style)})
 
 
 _DECADES = {"spectrum": 4}
