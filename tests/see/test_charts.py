@@ -199,7 +199,9 @@ def test_figures_and_the_page_draw_the_same_chart(good: Result) -> None:
             assert data["ordinate"].endswith(f"[{data['unit']}]")
             curves = {str(line.get_label()): line for line in panel.get_lines()}
             colours = {name: str(line.get_color()) for name, line in curves.items()}
-            areas = {str(area.get_label()): to_hex(area.get_facecolor()[0]) for area in panel.collections}
+            areas = {
+                str(area.get_label()): to_hex(tuple(np.asarray(area.get_facecolor())[0])) for area in panel.collections
+            }
             for line, curve in zip(chart.lines, data["curves"], strict=True):
                 word = plain(word_of(chart, line))
                 assert areas.get(word) or colours[word] == colour(curve["colour"])

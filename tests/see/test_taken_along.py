@@ -28,6 +28,7 @@ def test_pictures_of_robot_and_charts(window: Any) -> None:
     page.locator(".save-menu .menu-button").click()
     robot = saved(window, page.get_by_role("button", name="Save the picture (PNG)").click)
     page.locator(".save-menu .menu-button").click()
+    page.locator("[data-chart=tip_deviation]").scroll_into_view_if_needed()
     page.wait_for_selector("[data-chart=tip_deviation] canvas")
     chart = saved(window, page.locator("[data-chart=tip_deviation]").get_by_role("button", name="PNG").click)
     assert all(one.startswith(b"\x89PNG") and len(one) > 5_000 for one in (robot, chart))
