@@ -6,12 +6,12 @@ from abc import abstractmethod
 from collections.abc import Sequence
 from typing import Any, ClassVar
 
-from tmodes.plot.charts import Chart, Line, in_units, values_at
+from tmodes.plot.charts import Chart, Line, values_at
 from tmodes.plot.facts import names_of
 from tmodes.plot.figure import PAPER_FIGURES, Figure
 from tmodes.plot.panels import Axes, AxesLike, draw_charts
 from tmodes.plot.style import REAL, REFERENCE
-from tmodes.plot.units import Unit
+from tmodes.plot.units import readable
 
 __all__ = ["ElasticAngles", "EnvironmentForce", "TipCoordinates"]
 
@@ -27,11 +27,11 @@ ANGLES = {
 _LOOKS = {"real": {"label": "real", **REAL}, "reference": {"label": "reference (superscript $o$)", **REFERENCE}}
 
 
-def _chart(data: Any, title: str, symbol: str, si: str, values: dict[str, Any], unit: Unit | None = None) -> Chart:
+def _chart(data: Any, title: str, symbol: str, si: str, values: dict[str, Any]) -> Chart:
     """A quantity over time, by role; ``symbol`` is what its axis says."""
     lines = tuple(Line(role, role, own, look=_LOOKS[role]) for role, own in values.items())
-    chart = Chart(title, title, "paper", si, data["time"].values, lines, symbol)
-    return in_units([[chart]])[0][0] if unit is None else Chart(**{**vars(chart), "unit": unit})
+    unit = readable(si, *values.values())
+    return Chart(title, title, "paper", si, data["time"].values, lines, symbol, unit=unit)
 
 
 class PaperFigure(Figure):
@@ -74,10 +74,10 @@ class TipCoordinates(PaperFigure):
 
     def rows(self, data: Any) -> Sequence[Sequence[Chart]]:
         """The coordinates and the deviation."""
-        known, metres = {"real": "tip", "reference": "tip_nominal"}, Unit("m", 1.0)
+        known = {"real": "tip", "reference": "tip_nominal"}
         paths = [
             _chart(data, f"{letter}) coordinate {axis}", f"${axis}$", "m",
-                   {role: values_at(data, (name, k)) for role, name in known.items()}, metres)
+                   {role: values_at(data, (name, k)) for role, name in known.items()})
             for k, (axis, letter) in enumerate(zip("xyz", "abc", strict=True))
         ]  # fmt: skip
         apart = _chart(data, "d) deviation", "deviation", "m", {"real": values_at(data, ("deviation", 0))})
