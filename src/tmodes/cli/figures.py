@@ -43,6 +43,8 @@ def figures(
     from tmodes.plot.figure import captions
 
     formats = ["svg", *(["png"] if png else []), *(["pdf"] if pdf else [])]
+    if paper and is_study(result):
+        raise InputError("tmodes figures --paper", "a study", "a result of the 2010 robot", "leave `--paper` out")
     if is_study(result):
         _of_study(result, out or result / "figures", formats, names or None)
         return
@@ -50,8 +52,8 @@ def figures(
     folder = out or file.parent / "figures"
     if paper:
         reasons = left_out(stored, paper=True)
-        names = [name for name in PAPER_FIGURES if name not in reasons]
-        if not names:
+        names = [*(names or ()), *(name for name in PAPER_FIGURES if name not in reasons)]
+        if len(reasons) == len(PAPER_FIGURES):
             hint = "make one: tmodes run filipovic2010 --out results/filipovic2010"
             raise InputError("tmodes figures --paper", next(iter(reasons.values())), "a result of the 2010 robot", hint)
         warn(f"{name} is left out: {reason}" for name, reason in reasons.items())
