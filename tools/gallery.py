@@ -49,7 +49,7 @@ def _mode(page: Any) -> None:
 
 
 def _what_if(page: Any) -> None:
-    page.get_by_label("mass, payload on link, in kg").first.fill("1.2")
+    page.get_by_label("mass, payload on forearm, in kg").first.fill("3")
     page.wait_for_selector("text=run as it was", timeout=WAIT)
 
 
@@ -57,7 +57,7 @@ def _studio(page: Any) -> None:
     line = page.locator(".line", has_text="New curves")
     line.wait_for(timeout=WAIT)
     page.evaluate("document.querySelector('.line').textContent = ''")
-    page.locator("[data-slider='links.0.bodies.0.mass'] input.number").fill("1.2")
+    page.locator("[data-slider='links.1.bodies.1.mass'] input.number").fill("3")
     page.keyboard.press("Enter")
     line.wait_for(timeout=WAIT)
 
@@ -66,24 +66,24 @@ def _worst(page: Any) -> None:
     page.get_by_role("button", name="largest", exact=True).click()
 
 
-_SEED = ("run filipovic2010 --out seed",)
+_ARM = ("run two_link_arm --out arm",)
 _PAPER = ("run filipovic2010_vibrating --out vibrating", "figures vibrating --paper")
 SHOTS: dict[str, Shot] = {
-    "gallery-report": Shot(_SEED, "seed/report.html"),
-    "gallery-report-dark": Shot(_SEED, "seed/report.html", scheme="dark"),
-    "gallery-what-if": Shot(_SEED, "seed/report.html", _what_if),
+    "gallery-report": Shot(_ARM, "arm/report.html"),
+    "gallery-report-dark": Shot(_ARM, "arm/report.html", scheme="dark"),
+    "gallery-what-if": Shot(_ARM, "arm/report.html", _what_if),
     "gallery-arm": Shot(("run manutec_r3 --out manutec",), "manutec/report.html"),
     "gallery-mode": Shot(("run deluca_siciliano1991 --out deluca",), "deluca/report.html", _mode),
     "gallery-compare": Shot(
         (
-            "run filipovic2010 --out known",
-            "run filipovic2010 --set payload.mass=0.6 --out heavier",
-            "run filipovic2010 --set gear.stiffness=400 --out softer",
+            "run two_link_arm --out known",
+            "run two_link_arm --set payload.mass=3 --out heavier",
+            "run two_link_arm --set elbow.gear.stiffness=4000 --out softer",
             "view known heavier softer --out compare.html --no-open",
         ),
         "compare.html",
     ),
-    "gallery-studio": Shot((), "studio filipovic2010 --no-open --folder my-robot", _studio),
+    "gallery-studio": Shot((), "studio two_link_arm --no-open --folder my-robot", _studio),
     "how-stiff-sweep": Shot(("study gear_sweep.yaml --out sweep",), "sweep/study.html", height=470),
     "how-stiff-known": Shot(("study gear_known.yaml --out known",), "known/study.html", _worst),
     "how-stiff-both": Shot(("study gear_and_payload.yaml --out both",), "both/study.html", height=560),
