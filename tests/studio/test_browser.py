@@ -6,10 +6,13 @@ import os
 import signal
 import subprocess
 import sys
+from itertools import product
 from pathlib import Path
 
+import numpy as np
 import pytest
 
+import tmodes
 from command import started
 from patience import steady, until
 from studio.tabs import Tab, drag, opened
@@ -45,8 +48,6 @@ def test_the_page_that_leads_there(browser, address):
 
 def test_a_dragged_slider_gives_new_curves_and_a_ghost(tab):
     """The largest deviation is that of the command line for the payload that the slider shows."""
-    import tmodes
-
     assert "token" not in tab.page.url
     before = tab.fact("deviation.max")
     tab.fresh(lambda: drag(tab, MASS, 0.9))
@@ -66,6 +67,45 @@ def opened_groups(tab: Tab, *paths: str) -> None:
 
 def payload_opened(tab: Tab) -> None:
     opened_groups(tab, "links", "links.0", "links.0.bodies", "links.0.bodies.0")
+
+
+MARKED = "document.querySelector('.scene-view').dataset.marked"
+FOCUSED = "document.activeElement.closest('[data-path]')?.dataset.path"
+
+
+def current(tab: Tab) -> str:
+    return tab.page.get_attribute(".tree [aria-current=true]", "data-steps") or ""
+
+
+def test_structure_picture_and_fields_show_one_part(tab):
+    """A node leads to its fields and marks its joint; so does a click in the picture; a field marks its node."""
+    page = tab.page
+    assert page.locator(".tree button").all_inner_texts() == [
+        "joint", "motor", "gear", "controller", "link", "beam", "payload", "tip", "contact",
+    ]  # fmt: skip
+    page.locator(".tree").get_by_role("button", name="gear").click()
+    assert (page.evaluate(FOCUSED), page.evaluate(MARKED), current(tab)) == ("joints.0.gear", "joint", "joints.0.gear")
+    payload_opened(tab)
+    page.locator("details[data-path='links.0.bodies.0']").get_by_label("Mass").focus()
+    assert (page.evaluate(MARKED), current(tab)) == ("link", "links.0.bodies.0")
+    page.locator(".tree").get_by_role("button", name="contact").click()
+    page.locator(".scene-view").evaluate("one => one.scrollIntoView({ block: 'center' })")
+    box = page.locator(".scene-view").bounding_box()
+    wanted = {("joint", "joints.0", "joints.0"), ("link", "links.0", "links.0")}
+    for x, y in product(np.linspace(0.05, 0.6, 20), np.linspace(0.3, 0.9, 16)):
+        if wanted:
+            page.mouse.click(box["x"] + x * box["width"], box["y"] + y * box["height"])
+            wanted.discard((page.evaluate(MARKED), current(tab), page.evaluate(FOCUSED)))
+    assert not wanted
+
+
+def test_the_verdict_is_of_the_newest_run(tab):
+    payload_opened(tab)
+    before = tab.page.inner_text(".verdict-sentence")
+    tab.fresh(lambda: tab.type("Mass", "0.9"))
+    wanted = tmodes.run(tmodes.load("filipovic2010").with_({"payload.mass": 0.9})).verdict["sentence"]
+    assert wanted != before
+    tab.page.locator(".verdict-sentence", has_text=wanted.replace("\u00a0", " ")).wait_for()
 
 
 def test_a_link_of_modes_has_the_form_of_its_model(tab):

@@ -84,6 +84,10 @@ export interface SceneView {
   showMode(mode: Mode | null, amplitude: number): void;
   /** Show one cause of the error alone, deformations enlarged until it is seen; null: all as it was before. */
   explain(cause: Cause | null): void;
+  /** Mark a link or a joint by its name; null: none. */
+  highlight(element: string | null): void;
+  /** What a click on a link or a joint does, by its name. */
+  onPick(act: (element: string) => void): void;
   resize(): void;
   dispose(): void;
 }

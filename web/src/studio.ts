@@ -11,6 +11,7 @@ import { Runner } from "./studio/runner";
 import { Forms } from "./studio/schema";
 import { Shown } from "./studio/shown";
 import { mountSliders, type SlidersView } from "./studio/sliders";
+import { Tree, type Node } from "./studio/tree";
 import { uploadControl } from "./studio/upload";
 
 const WAIT = 300;
@@ -30,7 +31,28 @@ async function main(): Promise<void> {
   let choice = 0;
   formPlace.addEventListener("submit", (event) => event.preventDefault());
 
-  const shown = new Shown(view);
+  const treePlace = make("div", { class: "tree", role: "group", "aria-label": "Structure" });
+  const tree = new Tree(treePlace, (node) => choosePart(node));
+  const shown = new Shown(view, (element) => choosePart(tree.named(element)));
+
+  /** A part of the robot, from the tree or the picture: its fields come into sight, its element is marked. */
+  function choosePart(node: Node | null): void {
+    if (!node) return;
+    form?.focus(node.steps);
+    aim(node);
+  }
+
+  function aim(node: Node | null): void {
+    tree.mark(node);
+    shown.highlight(node?.element ?? null);
+  }
+
+  for (const place of [formPlace, sliderPlace])
+    place.addEventListener("focusin", ({ target }) => {
+      const group = (target as HTMLElement).closest<HTMLElement>("[data-path], [data-slider]");
+      aim(tree.about((group?.dataset.path ?? group?.dataset.slider ?? "").split(".")));
+    });
+
   const runner = new Runner({
     begun() {
       clearTimeout(slow);
@@ -96,6 +118,7 @@ async function main(): Promise<void> {
     if (!current) return;
     sliders?.refresh();
     if (structure) void look(current);
+    if (structure) tree.show(current.sheet);
     runner.want(current);
   }
 
@@ -122,6 +145,7 @@ async function main(): Promise<void> {
     shown.forget();
     form = new Form(formPlace, new Forms(schema), loaded.sheet, loaded.units, changed);
     sliders = slidersOf(loaded);
+    tree.show(loaded.sheet);
     info.offer(null);
     view.classList.remove("stale");
     document.title = `${loaded.name} – tmodes studio`;
@@ -181,6 +205,8 @@ async function main(): Promise<void> {
         { class: "controls", "aria-label": "Numbers" },
         make("h2", { text: "Drag" }),
         sliderPlace,
+        make("h2", { text: "Structure" }),
+        treePlace,
         make("h2", { text: "Data sheet" }),
         formPlace,
       ),

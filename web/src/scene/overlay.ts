@@ -8,6 +8,7 @@ import type { ShownRun } from "./shown";
 const ARM = 26; // px: length of the axes
 const FONT = "600 12px system-ui, sans-serif";
 const AXES: [string, [number, number, number]][] = [["x", [1, 0, 0]], ["y", [0, 1, 0]], ["z", [0, 0, 1]]];
+const NEAR = 24; // px: so near to a link, or to a joint, a click is on it
 const GRAVITY = 0.3; // of the arm: how far beyond the axes the arrow of gravity is drawn
 
 /** Colours that it takes from the page. */
@@ -44,8 +45,8 @@ export class Overlay {
     this.origin = [axes.left - place.left + axes.width / 2, axes.top - place.top + axes.height / 2];
   }
 
-  /** `ratio`: pixels for one of the page; none: those of the screen. */
-  draw(runs: ShownRun[], cause: Cause | null, ratio?: number): void {
+  /** `marked`: a link or a joint of the first run; `ratio`: pixels for one of the page; none: those of the screen. */
+  draw(runs: ShownRun[], cause: Cause | null, marked: string, ratio?: number): void {
     const { pen } = this;
     if (ratio !== this.ratio) pen.resize(pen.width, pen.height, ratio);
     this.ratio = ratio;
@@ -54,12 +55,29 @@ export class Overlay {
     this.triad(runs[0].run.scene.gravity);
     const [u, v] = this.origin;
     this.taken = [[u - 2 * ARM, v - 2 * ARM, u + 2 * ARM, v + 2 * ARM]];
-    const shown = cause && runs[cause.run];
+    const shown = runs[cause?.run ?? 0];
     if (!shown) return;
     pen.aside = shown.aside;
-    this.element(shown, cause);
-    this.error(shown, cause);
+    this.element(shown, cause ? cause.element : marked, cause?.parts.find(({ lit }) => lit)?.colour ?? this.inks.ink);
+    if (cause) this.error(shown, cause);
     pen.aside = [0, 0];
+  }
+
+  /** The joint of a run, else the link, that is drawn near a place of the picture [px]. */
+  nearest({ run: { scene }, motion, aside }: ShownRun, x: number, y: number): string | null {
+    const { pen } = this;
+    let [best, least]: [string | null, number] = [null, NEAR];
+    const look = (name: string, place: number, less: number) => {
+      const at = pen.at(motion.line, place);
+      const away = at ? Math.hypot(at[0] - x, at[1] - y) - less : Infinity;
+      if (away < least) [best, least] = [name, away];
+    };
+    pen.aside = aside;
+    for (const { name, link } of scene.joints) look(name, 3 * motion.stations * link, NEAR / 2);
+    for (let k = 0; k < 3 * motion.stations * motion.links; k += 3)
+      look(scene.links[Math.floor(k / 3 / motion.stations)]?.name ?? "", k, 0);
+    pen.aside = [0, 0];
+    return best || null;
   }
 
   private triad(gravity: number[] | undefined): void {
@@ -85,23 +103,24 @@ export class Overlay {
     arrow(gravity.map((g) => (g / size) * (1 + GRAVITY)), "g", this.inks.gravity, 2.5, GRAVITY);
   }
 
-  /** The link or the joint that a cause is of, marked and named. */
-  private element({ run, motion }: ShownRun, cause: Cause): void {
+  /** A link or a joint, marked and named. */
+  private element({ run, motion }: ShownRun, name: string | null, colour: string): void {
     const { pen } = this;
-    const colour = cause.parts.find(({ lit }) => lit)?.colour ?? this.inks.ink;
     const size = 3 * motion.stations;
-    const { link, joint } = placeOf(run, cause.element, motion.links);
-    const at = pen.at(motion.line, joint >= 0 ? joint * size : link * size + 3 * (motion.stations >> 1));
-    if ((link < 0 && joint < 0) || !at || !cause.element) return;
-    if (link >= 0) {
-      pen.path(motion.line, link * size, motion.stations);
+    const { pieces, joint } = placeOf(run, name, motion.links);
+    const middle = (pieces[pieces.length >> 1] ?? 0) * size + 3 * (motion.stations >> 1);
+    const at = pen.at(motion.line, joint >= 0 ? joint * size : middle);
+    if ((!pieces.length && joint < 0) || !at || !name) return;
+    for (const piece of pieces) {
+      pen.path(motion.line, piece * size, motion.stations);
       pen.stroke(colour, 7, 0.85);
-    } else {
+    }
+    if (!pieces.length) {
       pen.context.beginPath();
       pen.context.arc(...at, 15, 0, 2 * Math.PI);
       pen.stroke(colour, 4);
     }
-    this.chip(cause.element, [[at[0] - 15, at[1] - 15], [at[0] + 15, at[1] + 15]]);
+    this.chip(name, [[at[0] - 15, at[1] - 15], [at[0] + 15, at[1] + 15]]);
   }
 
   /** From the commanded tip to the actual one, cut into the causes. */
@@ -159,9 +178,10 @@ export class Overlay {
   }
 }
 
-/** Which link, or the link at whose root a joint is; -1: none. */
-function placeOf({ scene }: Run, element: string | null, count: number): { link: number; joint: number } {
+/** The pieces of a link, which has one or is `link.1`, `link.2`; or the link at whose root a joint is, -1: none. */
+function placeOf({ scene }: Run, element: string | null, count: number): { pieces: number[]; joint: number } {
   const joint = scene.joints.find(({ name }) => name === element)?.link ?? -1;
-  const link = scene.links.findIndex(({ name }) => name === element);
-  return { link: link < count && joint < 0 ? link : -1, joint: joint < count ? joint : -1 };
+  const of = ({ name }: { name: string }) => name === element || name.replace(/\.\d+$/, "") === element;
+  const pieces = scene.links.flatMap((link, k) => (of(link) && k < count && joint < 0 ? [k] : []));
+  return { pieces, joint: joint < count ? joint : -1 };
 }

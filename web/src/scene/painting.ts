@@ -14,6 +14,9 @@ const FARTHEST = 0.5; // of the reach: and as large the whole error at most
 
 export class Painting {
   cause: Cause | null = null;
+  /** A link or a joint that is marked, and what a click on one does. */
+  marked = "";
+  picked: ((element: string) => void) | null = null;
   /** A mode swings in place of the run. */
   swings = false;
   private world!: Sight;
@@ -25,7 +28,16 @@ export class Painting {
   constructor(
     private readonly place: HTMLElement, private readonly notes: Notes, private readonly reach: number,
     private readonly seconds: () => { time: number; seconds: number },
-  ) {}
+  ) {
+    let from = [0, 0];
+    place.addEventListener("pointerdown", ({ clientX, clientY }) => (from = [clientX, clientY]));
+    place.addEventListener("click", ({ clientX, clientY }) => {
+      if (!this.picked || Math.hypot(clientX - from[0], clientY - from[1]) > 4) return; // it was turned
+      const { left, top } = place.getBoundingClientRect();
+      const element = this.overlay.nearest(this.world.runs[0], clientX - left, clientY - top);
+      if (element) this.picked(element);
+    });
+  }
 
   /** Paint another world from now on. */
   take(world: Sight, { force, gravity, axes }: Palette): void {
@@ -78,7 +90,7 @@ export class Painting {
   private paint(ratio?: number): void {
     const { time, seconds } = this.seconds();
     this.world.draw(time, seconds, ratio);
-    this.overlay.draw(this.world.runs, this.swings ? null : this.cause, ratio);
+    this.overlay.draw(this.world.runs, this.swings ? null : this.cause, this.marked, ratio);
   }
 }
 

@@ -9,10 +9,10 @@ import { Notes } from "./notes";
 import { Painting } from "./painting";
 import { palette } from "./palette";
 import type { Settings } from "./settings";
-import type { Scenery, Sight } from "./sight";
+import type { Sight } from "./sight";
 import { suitable, type Quality } from "./stage";
 import { useStyle } from "./style";
-import { World } from "./world";
+import { inSpace } from "./world";
 
 const PATIENCE = 2000; // ms: a context that is lost comes back by then, or the robot is drawn without it
 
@@ -126,6 +126,15 @@ class Mounted implements SceneView {
     this.ask();
   }
 
+  highlight(element: string | null): void {
+    this.place.dataset.marked = this.painting.marked = element ?? "";
+    this.ask();
+  }
+
+  onPick(act: (element: string) => void): void {
+    this.painting.picked = act;
+  }
+
   picture(canvas?: HTMLCanvasElement): HTMLCanvasElement {
     const time = this.mode ? "" : `, t = ${this.clock.time.toFixed(3)} s`;
     const found = this.painting.picture(this.page.title + time, canvas);
@@ -237,13 +246,4 @@ class Mounted implements SceneView {
     this.notes.tell(this.world.words());
     if (moves) this.ask();
   };
-}
-
-/** Drawn by WebGL; null where the browser has none after all. */
-function inSpace(given: Scenery, quality: Quality): World | null {
-  try {
-    return new World(given, quality);
-  } catch {
-    return null;
-  }
 }

@@ -62,3 +62,12 @@ export class World extends Sight<RunView> {
     this.stage.dispose();
   }
 }
+
+/** Drawn by WebGL; null where the browser has none after all. */
+export function inSpace(given: Scenery, quality: Quality): World | null {
+  try {
+    return new World(given, quality);
+  } catch {
+    return null;
+  }
+}

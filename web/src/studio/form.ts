@@ -64,7 +64,10 @@ export class Form {
   /** Bring the field at steps into sight, without the focus. */
   reveal(steps: Step[]): HTMLElement | null {
     const input = this.find(steps);
-    input?.scrollIntoView({ block: "center" });
+    const place = this.element.closest(".controls");
+    if (!input || !place) return input;
+    place.scrollTop += input.getBoundingClientRect().top - place.getBoundingClientRect().top - place.clientHeight / 3;
+    place.scrollIntoView({ block: "nearest" }); // the picture stays where it is
     return input;
   }
 
@@ -75,7 +78,8 @@ export class Form {
 
   focus(steps: Step[]): void {
     const input = this.reveal(steps);
-    (input?.matches("details") ? input.querySelector<HTMLElement>("summary") : input)?.focus();
+    const inner = input?.matches("details") ? input.querySelector<HTMLElement>("summary") : input;
+    inner?.focus({ preventScroll: true });
   }
 
   /** The field at steps, its groups opened, or the nearest group around it. */

@@ -14,7 +14,16 @@ export class Shown {
   private job: Job | null = null;
   private keeping = false; // whether the next page is the ghost of those to come
 
-  constructor(private readonly element: HTMLElement) {}
+  private marked: string | null = null;
+
+  /** `picked` hears of the link or joint that was clicked in the picture. */
+  constructor(private readonly element: HTMLElement, private readonly picked: (element: string) => void) {}
+
+  /** Mark a link or a joint in the picture; null: none. */
+  highlight(element: string | null): void {
+    this.marked = element;
+    this.view?.scene.highlight(element);
+  }
 
   /** The page upon which a change of its numbers can be drawn; null: there is none, or another one is wanted. */
   get upon(): Upon | null {
@@ -69,7 +78,7 @@ export class Shown {
   /** Show nothing of the robot before: another one comes, and its numbers are not those. */
   forget(): void {
     this.view?.dispose();
-    this.view = this.base = this.last = this.job = null;
+    this.view = this.base = this.last = this.job = this.marked = null;
     this.keeping = false;
     this.element.replaceChildren(make("p", { class: "empty", text: "Nothing is shown yet." }));
   }
@@ -82,6 +91,8 @@ export class Shown {
     this.base = page;
     this.keeping = false;
     this.view = mountPage(this.element, page);
+    this.view.scene.onPick(this.picked);
+    this.view.scene.highlight(this.marked);
     this.view.clock.speed = speed;
     if (clock) this.view.clock.seek(time);
     if (playing) this.view.clock.play();
