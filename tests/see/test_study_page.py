@@ -132,9 +132,11 @@ def test_no_words_of_axes_touch(browser: Any, tmp_path: Path, size: float) -> No
 
 
 @pytest.mark.parametrize("scheme", ["light", "dark"])
-def test_axe_finds_nothing(window: Window, scheme: str) -> None:
+@pytest.mark.parametrize("what", ["window", "designs"])
+def test_axe_finds_nothing(request: pytest.FixtureRequest, what: str, scheme: str) -> None:
     if not AXE.is_file():
         pytest.skip("needs axe-core: npm ci in web/")
+    window = request.getfixturevalue(what)
     window.page.emulate_media(color_scheme=scheme)
     window.page.evaluate(AXE.read_text(encoding="utf-8"))
     found = window.page.evaluate("axe.run(document, {resultTypes: ['violations']})")
@@ -262,7 +264,7 @@ def test_a_case_is_simulated_again_in_its_live_report(browser: Any, tmp_path: Pa
     assert done.sentence == done.info()["sentence"] == next(iter(done.tables())) == repr(done).partition("\n")[0]
     window = opened(browser, write_page(done, tmp_path / "study.html"))
     page, rows = window.page, done.rows
-    assert page.locator("p.status").inner_text() == done.sentence
+    assert page.locator("p.status.neutral").inner_text() == done.sentence
     case = int(np.argmax(rows.quantities["peak"]))
     assert page.get_by_role("heading", name="Tip x less that of the sheet's own run").count() == 1
     page.get_by_role("button", name="largest", exact=True).click()

@@ -74,7 +74,7 @@ def _status(rows: Rows, sentence: str, lost: str) -> Markup:
     """What was found, in a sentence; where cases were lost of the class ``lost``."""
     good = int(rows.good.sum())
     if good:
-        return tag("p", sentence, class_="status" if good == len(rows) else f"status {lost}")
+        return tag("p", sentence, class_=f"status {'neutral' if good == len(rows) else lost}")
     return tag("p", sentence, class_="status bad", role="alert")
 
 
