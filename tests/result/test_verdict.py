@@ -51,6 +51,7 @@ def test_the_numbers_are_those_of_the_summary(spong: Result) -> None:
     ]
     assert found["settling"]["time_s"] == summary["settling"]["time_s"]
     assert found["residual"]["damping"] == mode["damping_ratio"]
+    assert found["residual"]["amplitude_m"] == summary["vibration"]["actual"]["amplitude_m"]
     assert [(one["cause"], one["element"]) for one in found["culprits"]] == [("controller", None), ("gear", "joint")]
     assert summary["verdict"] == found
 

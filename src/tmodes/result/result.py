@@ -283,9 +283,10 @@ class Result:
         How far the ``point`` was off, ``against`` its commanded path, or the nominal one where nothing is commanded:
         ``largest_m`` [m] at ``time_s`` [s], ``final_m`` [m]; ``culprits``: components ``value_m`` [m] of each cause and
         element along the largest error, which add up to it. ``settling``: ``time_s`` [s] after the move, ``within_m``
-        [m] of its own rest, or a ``reason``; ``residual``: ``amplitude_m`` [m], ``frequency_Hz``, ``damping`` [-] of
-        the strongest mode of its vibration then. ``limits`` of the sheet, the most critical first; ``tolerance_m`` [m]
-        of its task, and by that the ``level``: ``neutral``, ``good`` or ``bad``. What is not known is None.
+        [m] of its own rest, or a ``reason``; ``residual``: ``amplitude_m`` [m] of its vibration then, and
+        ``frequency_Hz``, ``damping`` [-] of the strongest mode of that. ``limits`` of the sheet, the most critical
+        first; ``tolerance_m`` [m] of its task, and by that the ``level``: ``neutral``, ``good`` or ``bad``. What is not
+        known is None.
 
         Source: :func:`tmodes.result.verdict.verdict`.
 

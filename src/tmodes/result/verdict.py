@@ -85,7 +85,8 @@ def verdict(
     errors, deviation, settling = summary["tip_error"], summary["deviation"], summary["settling"]
     against = "commanded" if "commanded" in errors else "nominal" if deviation else None
     largest = errors["commanded"] if against == "commanded" else deviation or {}
-    modes = (summary["vibration"].get("actual") or {}).get("modes") or []
+    vibration = summary["vibration"].get("actual") or {}
+    modes = vibration.get("modes")
     found = {
         "point": summary["point"]["name"],
         "against": against,
@@ -95,7 +96,7 @@ def verdict(
         "bends": None if against else _bends(summary),
         "settling": {"time_s": settling["time_s"], "within_m": settling["limit_m"], "reason": settling["reason"]},
         "residual": {
-            "amplitude_m": modes[0]["amplitude_m"], "frequency_Hz": modes[0]["frequency_Hz"],
+            "amplitude_m": vibration["amplitude_m"], "frequency_Hz": modes[0]["frequency_Hz"],
             "damping": modes[0]["damping_ratio"],
         } if modes else None,
         "limits": [*limits],

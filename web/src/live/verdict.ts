@@ -86,11 +86,11 @@ export function withLoads(
   return { ...judged, bends, limits: ordered([...stresses, ...judged.limits]) };
 }
 
-export function withRest(judged: Judged, { time, limit, reason }: Settled, { modes: [mode] }: Residual): Judged {
+export function withRest(judged: Judged, { time, limit, reason }: Settled, { amplitude, modes: [mode] }: Residual): Judged {
   return {
     ...judged, settling: { time_s: time, within_m: limit, reason },
-    residual: mode ? {
-      amplitude_m: mode.amplitude, frequency_Hz: mode.frequency / Math.sqrt(1 - mode.damping ** 2),
+    residual: mode && amplitude !== null ? {
+      amplitude_m: amplitude, frequency_Hz: mode.frequency / Math.sqrt(1 - mode.damping ** 2),
       damping: mode.damping,
     } : null,
   };
