@@ -16,7 +16,7 @@ SHORT = ["--duration", "0.2", "--no-contact", "--no-report"]
 
 def test_options_and_what_is_reported(tmp_path):
     """Method and both tolerances reach the run; steps, time of computing and errors are reported."""
-    options = ["--integrator", "dop853", "--rtol", 1e-8, "--atol", 1e-11, *SHORT]
+    options = ["--integrator", "dop853", "--rtol", 1e-8, "--atol", 1e-11, *SHORT, "--all"]
     info = tmodes("run", "filipovic2010", *options, "--out", tmp_path / "table").stdout
     for words in ("of dop853 (", "of computing for each simulated second", "error", "< ", "by a second run"):
         assert words in info
@@ -32,7 +32,7 @@ def test_options_and_what_is_reported(tmp_path):
 
 
 def test_check_error(tmp_path):
-    info = tmodes("run", "filipovic2010", "--check-error", *SHORT, "--out", tmp_path).stdout
+    info = tmodes("run", "filipovic2010", "--check-error", "--all", *SHORT, "--out", tmp_path).stdout
     assert "< " in info
     assert Result.load(tmp_path / "result.nc").robot.integration.check_error
 
@@ -53,7 +53,7 @@ def test_unknown_integrator(tmp_path):
 
 def test_passes_of_lanes_are_reported(tmp_path):
     """Of a method that evaluates several states at once both counts are reported."""
-    options = ["--integrator", "extrapolation", "--duration", "0.02", "--no-report"]
+    options = ["--integrator", "extrapolation", "--duration", "0.02", "--no-report", "--all"]
     info = tmodes("run", "spong1987", *options, "--out", tmp_path).stdout
     assert "evaluations in " in info
     assert "passes of four lanes" in info

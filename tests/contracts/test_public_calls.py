@@ -173,6 +173,7 @@ def calls(folder: Path) -> dict[str, tuple[Callable[..., Any], dict[str, Any]]]:
         **{f"Model.{name}": (getattr(model, name), {"q": still, "v": still}) for name in ("elastic_forces", "energies", "losses", "power_lost", "momentum")},
         "reduced_output": (tmodes.reduced_output, {"output": "tip.x", "how": "rms"}),
         "Result.output": (result.output, {"name": "tip.x"}),
+        "Result.tables": (lambda everything: [*result.tables(everything)], {"everything": False}),
         "Result.reduce": (result.reduce, {"name": "tip.x", "how": "max"}),
         "outputs": (tmodes.outputs, {"robot": robot}),
         "parameters": (tmodes.parameters, {"robot": robot}),

@@ -295,6 +295,7 @@ class Result(lower.Result, CommandResult):  # pyright: ignore[reportIncompatible
 
         return result_record(self)
 
+    @checked_arguments
     def tables(self, everything: bool = False) -> Iterator[str | Table]:
         """The verdict in words, a dozen numbers, its events; or ``everything``: all numbers, with their errors, steps.
 

@@ -182,10 +182,12 @@ def _modes(robot: Robot, ended: Robot, model: Model) -> tuple[dict[str, Any] | N
     servos = local_servos(robot, rest.model)
     names = list(model.coordinates)
     gears, links, parallel = spring_rows(rest.model)
-    beside = dict(parallel.values())
-    springs = [{"element": name, "rows": [k], "gear": True, "beside": beside.get(k, -1)} for name, k in gears.items()]
-    springs += [{"element": name, "rows": rows, "gear": False, "beside": -1} for name, rows in links.items()]
-    springs += [{"element": name, "rows": [k], "gear": False, "beside": n} for name, (k, n) in parallel.items()]
+    aligned = dict(parallel.values())
+    springs = [
+        {"element": name, "rows": [k], "gear": True, "parallel": aligned.get(k, -1)} for name, k in gears.items()
+    ]
+    springs += [{"element": name, "rows": rows, "gear": False, "parallel": -1} for name, rows in links.items()]
+    springs += [{"element": name, "rows": [k], "gear": False, "parallel": n} for name, (k, n) in parallel.items()]
     return {
         "rest": rest.q,
         "end": _end(ended),

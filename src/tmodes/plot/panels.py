@@ -153,7 +153,7 @@ def across(panel: Axes, chart: Chart, *, label: bool = True) -> None:
 
 
 def _legends(axes: Sequence[Axes], charts: Sequence[Chart], alone: Sequence[bool]) -> None:
-    """One legend above for curves that several panels have; beside each panel where rows differ in theirs."""
+    """One legend above for curves that several panels have; next to each panel where rows differ in theirs."""
     words = {panel: tuple(panel.get_legend_handles_labels()[1]) for panel in axes}
     words = {
         panel: () if len(own) == 1 and own[0] in chart.title.lower() else own
@@ -165,10 +165,10 @@ def _legends(axes: Sequence[Axes], charts: Sequence[Chart], alone: Sequence[bool
         families.setdefault(home, []).append(panel)
     rows = dict(zip(axes, alone, strict=True))
     single = [own for own in families.values() if all(rows[panel] for panel in own)]
-    beside = single if len(single) > 1 or any(len(own) == 1 for own in single) else []
-    for panel in (panel for own in beside for panel in own if words[panel]):
+    outside = single if len(single) > 1 or any(len(own) == 1 for own in single) else []
+    for panel in (panel for own in outside for panel in own if words[panel]):
         side_legend(panel)
-    if above := [own[0] for own in families.values() if own not in beside]:
+    if above := [own[0] for own in families.values() if own not in outside]:
         shared_legend(*above)
 
 

@@ -156,8 +156,8 @@ export interface ModesInfo {
   free: number[];
   cases: { name: string; moving: number[] }[];
   servos: { coordinate: number; element: string }[];
-  /** `beside`: place in the numbers of the chain of the stiffness of a parallel spring on that joint; -1: none. */
-  springs: { element: string; rows: number[]; gear: boolean; beside: number }[];
+  /** `parallel`: place in the numbers of the chain of the stiffness of a parallel spring on that joint; -1: none. */
+  springs: { element: string; rows: number[]; gear: boolean; parallel: number }[];
   /** Numbers of the chain that make dry friction. */
   dry: number[];
 }

@@ -133,9 +133,9 @@ export function storedIn(
     return sum;
   };
   const { springs, servos } = bundle.modes!;
-  const found = springs.map(({ element, rows, gear, beside }) => {
-    const parallel = beside < 0 ? 0 : blocks.chain[beside];
-    if (!gear && beside >= 0) return { element, energy: parallel * shape[rows[0]] ** 2 };
+  const found = springs.map(({ element, rows, gear, parallel: place }) => {
+    const parallel = place < 0 ? 0 : blocks.chain[place];
+    if (!gear && place >= 0) return { element, energy: parallel * shape[rows[0]] ** 2 };
     if (!gear) return { element, energy: rows.reduce((sum, row) => sum + shape[row] * force(row), 0) };
     const own = elastic[rows[0] * (n + 1)] - parallel;
     return { element, energy: own ? (force(rows[0]) - parallel * shape[rows[0]]) ** 2 / own : 0 };
