@@ -98,7 +98,7 @@ def assert_nothing_overlaps(axes: list[Any]) -> None:
     whole = axes[0].figure
     whole.canvas.draw()
     drawer = whole.canvas.get_renderer()  # pyright: ignore[reportAttributeAccessIssue]
-    titles: list[Any] = [vars(panel)["_left_title"] for panel in axes]
+    titles: list[Any] = [vars(panel)[f"_{place}_title"] for panel in axes for place in ("left", "right")]
     words = [*titles, *(text for panel in axes for text in (panel.xaxis.label, panel.yaxis.label))]
     boxes = [text.get_window_extent(drawer) for text in words if text.get_text()]
     boxes += [legend.get_window_extent(drawer) for legend in whole.legends]

@@ -28,7 +28,7 @@ _CAUSES = {
 }  # fmt: skip
 """The cause of a part of the error, or of an energy."""
 
-_SIGNED = "a part below zero lessens the error, so that another can be larger than the whole"
+_SIGNED = "parts below zero lessen the error; others can exceed it"
 
 
 def run_charts(result: Result, made: Derives | None = None) -> list[Chart]:

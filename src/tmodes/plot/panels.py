@@ -59,7 +59,7 @@ def draw_charts(ax: AxesLike, rows: Sequence[Sequence[Chart]], height: float = 0
     for k, (panel, chart) in enumerate(zip(axes, charts, strict=True)):
         draw_chart(panel, chart)
         across(panel, chart, label=not linked or k >= len(charts) - len(rows[-1]))
-    _legends(axes, charts, [len(row) == 1 for row in rows for _ in row])
+    _legends(axes, charts, [len(row) == 1 and not chart.stacked for row in rows for chart in row])
     room = [_ROOM // len(row) for row in rows for _ in row]
     letter(axes, [plain(chart.title, most) for chart, most in zip(charts, room, strict=True)])
     return axes
@@ -153,7 +153,7 @@ def across(panel: Axes, chart: Chart, *, label: bool = True) -> None:
 
 
 def _legends(axes: Sequence[Axes], charts: Sequence[Chart], alone: Sequence[bool]) -> None:
-    """One legend above for curves that several panels have; next to each panel where rows differ in theirs."""
+    """One legend above for areas and for curves that several panels have; next to each panel where rows differ."""
     words = {panel: tuple(panel.get_legend_handles_labels()[1]) for panel in axes}
     words = {
         panel: () if len(own) == 1 and own[0] in chart.title.lower() else own
