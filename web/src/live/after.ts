@@ -11,10 +11,8 @@ import { columns, range, rowsOf, sizes } from "./series";
 import { areCoarse, CHANGES, restOf, settlingOf, type Path, type Settled } from "./settling";
 import { merged, rowsAt, rowsOf as piecesOf, schedule as held, valueAt, type Schedule } from "./signals";
 
-const [LONG, SHORT] = [1e-3, 1e-6]; // steps of the differences that make the tangent of the closed loop
-const ROUNDING = 1e-8; // of a row of it, by short steps
-const UNDAMPED = 3e-9; // decay over size of an eigenvalue that is rounding
-const RINGS = 1e-9;
+const [LONG, SHORT, ROUNDING] = [1e-3, 1e-6, 1e-8]; // steps by which the tangent is found; what of a row is rounding
+const [UNDAMPED, RINGS] = [3e-9, 1e-9]; // decay over size of an eigenvalue that is rounding; its turn that rings
 
 /** A motion: coordinates q [n, nq] besides the tip. */
 interface Motion extends Path {
@@ -64,7 +62,9 @@ export function laterOf({ times, q, tip, even, end }: AfterMove): Pick<AfterMove
 }
 
 /** The vibration at the end of the move, about the slowly moving mean; `nothing`: the motion is none. */
-export function vibrationAfter({ after }: Bundle, found: AfterMove, nothing = false): Residual {
+export async function vibrationAfter(
+  { after }: Bundle, found: AfterMove, nothing: boolean, pause: () => Promise<void>,
+): Promise<Residual> {
   if (nothing) return none(null, "");
   if (found.end === null) return none(null, CHANGES);
   const { times, tip } = laterOf(found);
@@ -75,7 +75,7 @@ export function vibrationAfter({ after }: Bundle, found: AfterMove, nothing = fa
   const least = after!.settling.AT_REST * far.reduce((most, value) => Math.max(most, value), 0);
   const moving = far.reduce((count, value, k) => (value > least ? k + 1 : count), 0);
   const kept = Math.min(Math.max(moving, 4 * FEWEST), last);
-  return residualVibration(after!.vibration, times.subarray(0, kept), tip.subarray(0, 3 * kept), found.end);
+  return residualVibration(after!.vibration, times.subarray(0, kept), tip.subarray(0, 3 * kept), found.end, pause);
 }
 
 function stepsOf({ statistics }: RunResult): number {

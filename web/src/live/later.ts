@@ -17,6 +17,7 @@ import type { Settled } from "./settling";
 import { withRest } from "./verdict";
 
 const PIECE = 50; // ms between two looks at whether a newer run began
+const QUIET = 100; // ms without a newer run before what takes longer begins
 
 /** What comes later of a run, by the ids of facts. */
 export const LATER = ["settling", "residual", "vibration.residual", "vibration.nominal", "frequency.first"];
@@ -34,8 +35,9 @@ export async function completed(
     if (watch.cancelled?.()) throw new Cancelled("a newer run began");
     since = performance.now();
   };
+  await new Promise((resolve) => setTimeout(resolve, QUIET));
   await pause(true);
-  const after = await settled(engine, bundle, curves, watch);
+  const after = await settled(engine, bundle, curves, watch, pause);
   if (after.settled && after.vibration) curves.judged = withRest(curves.judged, after.settled, after.vibration);
   const rested: LiveRun = {
     ...run, verdict: curves.judge(curves.judged), facts: { ...run.facts, ...curves.reported(after.facts) },
@@ -54,6 +56,7 @@ export async function completed(
 /** How both runs settle and vibrate after the move, and what modes are seen of the actual one. */
 async function settled(
   engine: Engine, bundle: Bundle, { run, real, nominal, end }: Curves, watch: Watch,
+  pause: () => Promise<void>,
 ): Promise<{ facts: Facts; seen: SeenMode[]; settled?: Settled; vibration?: Residual }> {
   if (!bundle.after || run.status !== "finished") return { facts: {}, seen: [] };
   const facts: Facts = {};
@@ -63,9 +66,10 @@ async function settled(
     const rests = end === null || end >= found.times[found.times.length - 1]
       || settledOf(bundle, found, "", true).time !== null;
     const [unrest, still] = rests ? ["", false] : unrestOf(engine, bundle, regime.blocks, later.times, later.q);
-    const vibration = vibrationAfter(bundle, found, still);
+    const vibration = await vibrationAfter(bundle, found, still, pause);
     if (unrest && !vibration.modes.length) vibration.reason = unrest;
     const since = later.times.map((time) => time - (end ?? 0));
+    await pause();
     const elements = elementsOf(engine, bundle, regime.blocks, since, later.q, vibration);
     facts[name] = vibrationFact(vibration, found, elements);
     return { found, unrest, vibration, seen: vibration.modes.map((mode, k) => (

@@ -40,10 +40,10 @@ function lessMean(values: Float64Array, of = values): Float64Array {
   return values.map((value, k) => value - mean[k % 3]);
 }
 
-/** Of evenly spaced samples [n, 3] of a motion that nothing drives, from `since` [s] on. */
-export function residualVibration(
-  rules: VibrationRules, times: Float64Array, values: Float64Array, since: number,
-): Residual {
+/** Of evenly spaced samples [n, 3] of a motion that nothing drives, from `since` [s] on; `pause`: between pieces. */
+export async function residualVibration(
+  rules: VibrationRules, times: Float64Array, values: Float64Array, since: number, pause: () => Promise<void>,
+): Promise<Residual> {
   const n = times.length;
   if (n < rules.FEWEST) return none(null, ENDS);
   const ranges = [0, 1, 2].map((c) => {
@@ -55,19 +55,22 @@ export function residualVibration(
   for (const part of rules.WINDOWS) {
     const count = Math.floor(n / part);
     if (count < rules.FEWEST) continue;
-    const found = ofWindow(rules, after.subarray(0, count), values.subarray(0, 3 * count));
+    const found = await ofWindow(rules, after.subarray(0, count), values.subarray(0, 3 * count), pause);
     if (found) return found;
   }
   return byPeriod(rules, after, values);
 }
 
 /** The vibration in some samples; null where they are no sum of decaying exponentials. */
-function ofWindow(rules: VibrationRules, times: Float64Array, values: Float64Array): Residual | null {
+async function ofWindow(
+  rules: VibrationRules, times: Float64Array, values: Float64Array, pause: () => Promise<void>,
+): Promise<Residual | null> {
   const stride = strideOf(rules, values);
   const count = Math.min(Math.ceil(times.length / stride), rules.MOST_SAMPLES);
   const t = Float64Array.from({ length: count }, (_, k) => times[k * stride]);
   const kept = Float64Array.from({ length: 3 * count }, (_, k) => values[3 * stride * Math.floor(k / 3) + (k % 3)]);
   const y = lessMean(kept);
+  await pause();
   const windows = windowsOf(y);
   const inside = times.filter((time) => time <= t[count - 1]);
   const whole = lessMean(values.subarray(0, 3 * inside.length), kept);
@@ -77,6 +80,7 @@ function ofWindow(rules: VibrationRules, times: Float64Array, values: Float64Arr
   }).map((terms) => once(() => fitOf(rules, t, y, polesOf(windows, terms, t[1] - t[0]))));
   for (const wrong of rules.WRONG)
     for (const fit of fits) {
+      await pause();
       const found = checked(rules, t, y, fit(), wrong, inside, whole);
       if (found) return found;
     }

@@ -59,7 +59,7 @@ export function mountSliders(
   function changed(): void {
     options.advise(null);
     reset.disabled = unchanged();
-    if (!busy || unchanged()) void simulate();
+    if (!busy || heard || unchanged()) void simulate();
     else if (!scheduled) scheduled = requestAnimationFrame(again);
   }
 
