@@ -131,10 +131,14 @@ _SURROUNDINGS = ("gravity", "base", "base_motion", "contact", "loads", "initial"
 def _others(sheet: Robot, numbers: Sequence[SheetNumber]) -> Iterator[Knob]:
     """Numbers by themselves: from half to twice, or of a zero as far as its unit suggests.
 
-    Those of the robot first, then those of its surroundings, each time what is not zero first.
+    Those of the robot first, then those of its surroundings; directions of axes and zeros come last of each.
     """
     away = {"m": 0.05 * stretched_length(sheet), "rad": 0.5}
-    for number in sorted(numbers, key=lambda one: (one.path.split(".")[0] in _SURROUNDINGS, one.value == 0.0)):
+
+    def last(one: SheetNumber) -> tuple[bool, bool, bool]:
+        return one.path.split(".")[0] in _SURROUNDINGS, ".axis." in one.path, one.value == 0.0
+
+    for number in sorted(numbers, key=last):
         zero = away.get(number.unit, 1.0) if number.value == 0.0 else 0.0
         low, high = sorted((number.value / 2 - zero, 2 * number.value + zero))
         low, high = max(low, number.least), min(high, number.most)
