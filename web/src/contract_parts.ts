@@ -1,6 +1,7 @@
 // What the parts of a page promise each other: the live model and its runs, and the scene.
 
-import type { Chart, LinePanel, Mode, Scene, SceneContact, Slider, Verdict } from "./contract";
+import type { Chart, LinePanel, Mode, Slider, Verdict } from "./contract";
+import type { Scene, SceneContact } from "./contract_scene";
 
 /** A picture that is known. */
 export type LiveScene = NonNullable<LiveRun["scene"]>;

@@ -1,6 +1,7 @@
 // What a live bundle holds, as tmodes/live/bundle.py writes it.
 
-import type { LiveBundle, SceneContact } from "../contract";
+import type { LiveBundle } from "../contract";
+import type { SceneContact } from "../contract_scene";
 import type { Numbers } from "../pack";
 import type { LoadsInfo } from "./loads";
 import type { VibrationRules } from "./exponentials";

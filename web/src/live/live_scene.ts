@@ -1,6 +1,6 @@
 // The picture of the robot at the display frames: where its links are, bent, without elasticity, and as planned.
 
-import type { SceneContact } from "../contract";
+import type { SceneContact } from "../contract_scene";
 import type { LiveScene } from "../contract_parts";
 import type { Numbers } from "../pack";
 import type { Bundle } from "./bundle";

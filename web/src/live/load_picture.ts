@@ -1,6 +1,7 @@
 // What a page shows of the loads along a robot's links: the panel of the elastic line, and what colours the links.
 
-import type { LinePanel, Scene } from "../contract";
+import type { LinePanel } from "../contract";
+import type { Scene } from "../contract_scene";
 import type { LinkLoads } from "./loads";
 import type { Bundle } from "./bundle";
 import { sizes } from "./series";

@@ -86,7 +86,9 @@ export function withLoads(
   return { ...judged, bends, limits: ordered([...stresses, ...judged.limits]) };
 }
 
-export function withRest(judged: Judged, { time, limit, reason }: Settled, { amplitude, modes: [mode] }: Residual): Judged {
+export function withRest(
+  judged: Judged, { time, limit, reason }: Settled, { amplitude, modes: [mode] }: Residual,
+): Judged {
   return {
     ...judged, settling: { time_s: time, within_m: limit, reason },
     residual: mode && amplitude !== null ? {

@@ -1,6 +1,7 @@
 // How large a scene is: the box about all that moves in all runs, and the sizes that follow from it.
 import { Box3, Vector3 } from "three";
-import type { Page, Scene } from "../contract";
+import type { Page } from "../contract";
+import type { Scene } from "../contract_scene";
 import type { Widths } from "./links";
 import { openingOf, type Opening } from "./opening";
 import { forceScale } from "./shown";

@@ -1,6 +1,6 @@
 // A robot of lines: each link as wide as it is seen, its joints as dots, the nearer before the farther.
 import type { Vector3 } from "three";
-import type { SceneLink } from "../contract";
+import type { SceneLink } from "../contract_scene";
 import type { Pen } from "./flat_pen";
 import type { Motion } from "./motion";
 import { SCALE, step } from "./palette";

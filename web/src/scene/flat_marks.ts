@@ -1,5 +1,5 @@
 // What is drawn about a robot of lines: floor, surface that is touched, ways of the tips, force at the contact.
-import type { SceneContact } from "../contract";
+import type { SceneContact } from "../contract_scene";
 import type { Extent } from "./extent";
 import type { Pen } from "./flat_pen";
 import { patch, SQUARES } from "./marks";

@@ -4,7 +4,7 @@ import {
   MeshStandardMaterial, Quaternion, SphereGeometry, Vector3,
 } from "three"; // prettier-ignore
 import { toCreasedNormals } from "three/examples/jsm/utils/BufferGeometryUtils.js";
-import type { Scene, SceneJoint, SceneLink, SceneMesh } from "../contract";
+import type { Scene, SceneJoint, SceneLink, SceneMesh } from "../contract_scene";
 import { Bent, distances } from "./bent";
 import type { Motion } from "./motion";
 import { SCALE, step } from "./palette";

@@ -6,7 +6,7 @@ import {
 import { Line2 } from "three/examples/jsm/lines/Line2.js";
 import { LineGeometry } from "three/examples/jsm/lines/LineGeometry.js";
 import { LineMaterial } from "three/examples/jsm/lines/LineMaterial.js";
-import type { SceneContact } from "../contract";
+import type { SceneContact } from "../contract_scene";
 
 const UP = new Vector3(0, 1, 0);
 

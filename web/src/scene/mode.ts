@@ -1,6 +1,7 @@
 // A mode that swings about the robot's rest.
 import { Group } from "three";
-import type { Mode, Scene } from "../contract";
+import type { Mode } from "../contract";
+import type { Scene } from "../contract_scene";
 import { Motion } from "./motion";
 import { RobotView } from "./links";
 import type { Shared } from "./run";

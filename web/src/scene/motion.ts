@@ -1,5 +1,5 @@
 // One run at any time: its arrays between two display frames, with what is elastic shown enlarged. No memory is taken.
-import type { Scene, SceneContact } from "../contract";
+import type { Scene, SceneContact } from "../contract_scene";
 import type { Numbers } from "../pack";
 import { turnAlong } from "./turn";
 

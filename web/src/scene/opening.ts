@@ -1,5 +1,6 @@
 // How a picture opens: when the robot is bent most, how many times that is enlarged, and from where it is seen best.
-import type { Page, Scene } from "../contract";
+import type { Page } from "../contract";
+import type { Scene } from "../contract_scene";
 import type { Numbers } from "../pack";
 
 export interface Opening {

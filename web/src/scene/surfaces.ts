@@ -1,6 +1,6 @@
 // How far the surfaces of links reach beyond their lines: their outermost vertices, where they are in a frame.
 import { Quaternion, Vector3 } from "three";
-import type { Scene, SceneMesh } from "../contract";
+import type { Scene, SceneMesh } from "../contract_scene";
 
 const WAYS = [-1, 0, 1].flatMap((x) => [-1, 0, 1].flatMap((y) => [-1, 0, 1].map((z) => [x, y, z])));
 

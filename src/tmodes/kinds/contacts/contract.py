@@ -66,7 +66,7 @@ class Surface(Kind, family="surface", key="type"):
         raise NotImplementedError
 
     def drawing(self) -> dict[str, Any]:
-        """As ``SceneContact.surface`` of ``web/src/contract.ts``: a plane (position, normal) or a ball."""
+        """As ``SceneContact.surface`` of ``web/src/contract_scene.ts``: a plane (position, normal) or a ball."""
         raise NotImplementedError
 
     def moving_numbers(self) -> tuple[float, ...]:
