@@ -22,6 +22,7 @@ from tmodes.analysis.vibration import (
 from tmodes.errors import InputError
 from tmodes.integrate.conditions import BAND, Band
 from tmodes.integrate.registry import integrator
+from tmodes.io.printed import written
 from tmodes.kinds.signals.schedule import MergedSchedule, SignalPieces, merge
 
 if TYPE_CHECKING:
@@ -160,7 +161,8 @@ def settling(
     if move <= STANDS * np.abs(tip).max():
         return info | {"time_s": 0.0, "rest_m": rest.tolist(), "reason": AT_REST}
     if spread > _STEADY * limit:
-        return info | {"reason": f"{whose} still moves by {2 * spread:.3g} m before t = {times[-1]:.4g} s: {unrest}"}
+        size = written(2 * spread, "m", 3).replace("\u00a0", " ")
+        return info | {"reason": f"{whose} still moves by {size} before t = {times[-1]:.4g} s: {unrest}"}
     return info | {"time_s": settled_after(times, tip, rest, limit, end, rates), "rest_m": rest.tolist()}
 
 

@@ -1,7 +1,7 @@
 // When a motion stays near its own rest: as tmodes/result/settling.py and tmodes/analysis/vibration.py, with their
 // constants.
 
-import { digits } from "../format";
+import { digits, info } from "../format";
 import type { VibrationRules } from "./exponentials";
 
 /** The constants of tmodes/result/settling.py, and the band of the sheet: a share of the move, or a length [m]. */
@@ -46,7 +46,7 @@ export function settlingOf(
     );
   if (move <= STANDS * tip.reduce((most, value) => Math.max(most, Math.abs(value)), 0)) return none(AT_REST, 0);
   if (spread > rules.STEADY * limit) {
-    const by = `${digits(2 * spread, 3)} m before t = ${digits(last, 4)} s`;
+    const by = `${info(2 * spread, "m", 3).replace("\u00a0", " ")} before t = ${digits(last, 4)} s`;
     return none(`the tip still moves by ${by}: ${unrest || rules.UNREST}`);
   }
   return none("", settledAfter(path, rest, limit, end));
