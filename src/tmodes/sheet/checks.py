@@ -13,6 +13,7 @@ from tmodes.kinds.noted.functions import regular
 from tmodes.kinds.noted.number import is_noted
 from tmodes.kinds.schema.frames import Convention
 from tmodes.kinds.schema.quantity import SMALLEST, Issue
+from tmodes.sheet.network import control_issues
 from tmodes.sheet.parts import Command, DriveSheet, TipSheet
 from tmodes.sheet.topology import BASE, tree_issues
 
@@ -36,6 +37,7 @@ def sheet_issues(robot: Any) -> list[Issue]:
         or [
             *_points(robot),
             *_drives(robot),
+            *control_issues(robot),
             *_rotors(robot),
             *_couplings(robot),
             *_links(robot),

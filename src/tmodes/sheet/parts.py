@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from enum import StrEnum
 from typing import Annotated, Any, Self, Union
 
@@ -20,12 +21,14 @@ from tmodes.kinds.controllers.registry import Controller
 from tmodes.kinds.links.body import BodySheet
 from tmodes.kinds.links.registry import LINKS, BendingSheet
 from tmodes.kinds.schema.frames import Origin, Vector, list_of_numbers
-from tmodes.kinds.schema.quantity import LARGEST, DataSheet, Issue, positive, quantity, refuse
+from tmodes.kinds.schema.quantity import LARGEST, DataSheet, Issue, not_negative, positive, quantity, refuse
 from tmodes.kinds.signals.registry import Signal
 
 __all__ = [
     "BaseMotion",
     "Command",
+    "ControlSheet",
+    "DriveLimits",
     "DriveSheet",
     "Initial",
     "InitialState",
@@ -156,6 +159,55 @@ class Command(StrEnum):
         return self is Command.POSITION
 
 
+class DriveLimits(DataSheet):
+    """What a drive can give, at the joint's side of the reducer; every law on it is cut there."""
+
+    voltage: float | None = positive("V", "u_max", "largest voltage", default=None)
+    current: float | None = positive("A", "i_max", "largest current", default=None)
+    torque: float | None = positive("N*m|N", "tau_max", "largest effort of the motor", default=None)
+    speed: float | None = positive("rad/s|m/s", "w_max", "largest speed, at which nothing drives on", default=None)
+
+
+def _sample_time() -> Any:
+    return positive("s", "T", "time between samples; none: as the law says", default=None, plausible=(1e-5, 1.0))
+
+
+def _delay() -> Any:
+    return not_negative("s", "t_d", "from a sample to its command", default=0.0, at_most=10.0)
+
+
+class ControlSheet(DataSheet):
+    """A block of a control system: what it commands, and what it is."""
+
+    name: str = Field(min_length=1, max_length=100, description="name of the block, by which others read its signals")
+    drives: tuple[_Name, ...] = several(500, "joints whose drives it commands, in the order of its outputs")
+    of: _Name | None = Field(
+        default=None, description="joint whose setpoint and motor it sees as its own; none: that of its only drive"
+    )
+    sample_time: float | None = _sample_time()
+    delay: float = _delay()
+    block: Controller
+
+    @property
+    def joint(self) -> str:
+        """The joint that it sees as its own; empty for none."""
+        return self.of or (self.drives[0] if len(self.drives) == 1 else "")
+
+    def _issues(self) -> Iterator[Issue]:
+        yield from _lateness(self, self.block)
+
+
+def _lateness(sheet: Any, law: Any) -> Iterator[Issue]:
+    """Delays need samples, and a law with a sample time of its own takes no other."""
+    own = law.period if law else None
+    if own is not None and sheet.sample_time is not None:
+        hint = "remove one of the two"
+        yield Issue("sample_time", f"{sheet.sample_time:g} s", f"left out: the law samples every {own:g} s", hint)
+    if sheet.delay and own is None and sheet.sample_time is None:
+        expected = "a sample time, because `delay` is given"
+        yield Issue("sample_time", "nothing", expected, "add `sample_time: 0.001`")
+
+
 class DriveSheet(DataSheet):
     """What moves a joint in a run."""
 
@@ -166,6 +218,9 @@ class DriveSheet(DataSheet):
     noise: Signal | None = Field(
         default=None, description="error on the wanted position as the controller sees it; of a sensor with other sign"
     )
+    limits: DriveLimits | None = Field(default=None, description="what the drive can give; none: without limits")
+    sample_time: float | None = _sample_time()
+    delay: float = _delay()
 
     @property
     def disturbance(self) -> Any:
@@ -173,16 +228,18 @@ class DriveSheet(DataSheet):
         silent = getattr(self.noise, "deviation", 1.0) == 0.0 and getattr(self.noise, "mean", 1.0) == 0.0
         return None if silent else self.noise
 
-    @model_validator(mode="after")
-    def _is_controlled(self) -> Self:
-        if self.command.is_controlled and self.controller is None:
-            hint = "add `controller: {type: pd, ...}`, or take the command `prescribed`"
-            refuse([Issue("controller", "nothing", "a controller for the command `position`", hint)])
+    def _issues(self) -> Iterator[Issue]:
+        yield from _lateness(self, self.controller)
         for name in ("controller", "noise"):
             if not self.command.is_controlled and getattr(self, name) is not None:
                 got = f"a {name} with the command `{self.command}`"
-                refuse([Issue(name, got, "left out", "remove it, or take the command `position`")])
-        return self
+                yield Issue(name, got, "left out", "remove it, or take the command `position`")
+        if self.controller is None and self.sample_time is not None:
+            hint = "give them to the block in `control` that commands this drive"
+            yield Issue("sample_time", f"{self.sample_time:g} s", "left out: the drive has no controller", hint)
+        if self.limits and self.command is Command.PRESCRIBED:
+            hint = "remove `limits`; `tmodes run` compares what it takes with what there is"
+            yield Issue("limits", "limits", "left out: the motion itself is given", hint)
 
 
 class BaseMotion(DataSheet):

@@ -18,8 +18,10 @@ from tmodes.kinds.contacts.registry import Contact
 from tmodes.kinds.joints.joint import JointSheet
 from tmodes.kinds.schema.frames import Origin, Vector, list_of_numbers
 from tmodes.kinds.schema.quantity import DataSheet, Issue, not_negative, plain_texts, refuse
+from tmodes.kinds.sensors.registry import Sensor
 from tmodes.sheet.parts import (
     BaseMotion,
+    ControlSheet,
     DriveSheet,
     Initial,
     LinkSheet,
@@ -43,6 +45,7 @@ RECURSION = "recursion"
 """Equations of a robot whose sheet names no others."""
 
 MOST_JOINTS = 500
+MOST_BLOCKS = 200
 MOST_NOTICES = 200
 MOST_LETTERS = 2000
 """Longest notice [characters]."""
@@ -87,6 +90,8 @@ class Robot(DataSheet):
     )
     loads: tuple[LoadSheet, ...] = several(MOST_LOADS, "forces and moments on points")
     drives: tuple[DriveSheet, ...] = several(MOST_JOINTS, "what moves the joints in a run")
+    sensors: tuple[Sensor, ...] = several(MOST_BLOCKS, "what is measured, for the blocks of `control`")
+    control: tuple[ControlSheet, ...] = several(MOST_BLOCKS, "blocks that command drives, filter, or estimate")
     base_motion: BaseMotion | None = Field(default=None, description="prescribed motion of the base; none: it stands")
     contact: Contact | None = Field(default=None, description="what a point touches; none: free space")
     contact_off: Contact | None = Field(
@@ -124,7 +129,7 @@ class Robot(DataSheet):
         """Texts go to terminals and pages: letters that steer those are refused."""
         texts = {name: getattr(self, name) for name in ("name", "title", "citation", "assumed")}
         texts |= {f"notices.{index}": notice for index, notice in enumerate(self.notices)}
-        for group in ("joints", "links", "points"):
+        for group in ("joints", "links", "points", "sensors", "control"):
             texts |= {f"{group}.{index}.name": item.name for index, item in enumerate(getattr(self, group))}
         texts |= {f"joints.{index}.child": joint.child for index, joint in enumerate(self.joints)}
         return plain_texts(texts)

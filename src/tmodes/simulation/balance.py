@@ -137,20 +137,20 @@ class Balance:
         sampled = self.model.loop.sampled
         if sampled is None:
             return states
-        count = len(states)
-        blocks = {"time": np.zeros((count, 1)), "state": states, "row": rows, "step": np.zeros((count, 1))}
-        return evaluate(numbers, sampled, blocks, count)["state"]
+        count, plan, rows = len(states), self.model.plan, rows.copy()
+        width = plan.degree + 1
+        for late in (late for _, late in plan.clocks if late >= 0):
+            rows[:, 1 + late * width : 1 + (late + 1) * width] = 0.0  # an output is given with its sample
+        for _ in range(plan.most_kept + 1):  # until the last of the outputs that are kept is this one
+            blocks = {"time": np.zeros((count, 1)), "state": states, "row": rows, "step": np.zeros((count, 1))}
+            states = evaluate(numbers, sampled, blocks, count)["state"]
+            states[:, run] = found[:, own]
+        return states
 
     @cached_property
     def _own(self) -> Places:
         """Where the controllers' own states stand among those of the run, which hold commands too."""
-        places, first = [], 0
-        for drive in self.model.plan.drives:
-            if drive.servo:
-                last = first + drive.servo.states
-                places += range(first + drive.servo.is_sampled, last)
-                first = last
-        return np.array(places, dtype=np.intp)
+        return np.flatnonzero(~np.array(self.model.plan.held_controls, dtype=bool))
 
 
 @dataclass(frozen=True, eq=False)

@@ -12,14 +12,15 @@ from numpy.typing import NDArray
 
 from tmodes.chain.chain import Axis, Chain
 from tmodes.equations.loop.contact_kernels import Touch
-from tmodes.equations.loop.control_kernels import Servo, Winding
-from tmodes.equations.loop.plan import DrivePlan, LoadPlan, LoopPlan, TouchPlan, winding_of
+from tmodes.equations.loop.control_kernels import LIMITS, Servo, Winding
+from tmodes.equations.loop.plan import BlockPlan, DrivePlan, LoadPlan, LoopPlan, TouchPlan, winding_of
 from tmodes.errors import InputError
 from tmodes.kinds.drives.contract import DriveKind
 from tmodes.kinds.drives.registry import drive_kind
 from tmodes.kinds.noted.functions import array, number
-from tmodes.kinds.signals.registry import Clock, Jolts, MergedSchedule, constant_signal, merge
+from tmodes.kinds.signals.registry import Jolts, MergedSchedule, constant_signal, merge
 from tmodes.kinds.signals.schedule import SignalPieces
+from tmodes.simulation.control import Sampling, control_plan, wired_name
 from tmodes.sheet.parts import Command, DriveSheet, InitialState, LoadFrame
 
 if TYPE_CHECKING:
@@ -127,6 +128,11 @@ def planned(
     base = () if follow is Follow.HELD else tuple(_base(robot, signals))
     touch = _touch(robot, chain, names, follow)
     jolts = () if follow is Follow.HELD else tuple(_jolts(robot, chain, drives, base, signals))
+    blocks: tuple[BlockPlan, ...] = ()
+    sources: dict[str, Any] = {}
+    if follow is Follow.SHEET and (robot.sensors or robot.control or any(_reads(drive) for drive in drives)):
+        bare = LoopPlan(chain, tuple(drives), len(signals.schedules), 1, loads, touch, base)
+        blocks, sources = control_plan(robot, bare, signals)
     if jolts:  # a jump at the very end is after the run
         signals.schedules = [
             schedule.until(signals.until) if whole is None else schedule for schedule in signals.schedules
@@ -134,7 +140,9 @@ def planned(
     merged = merge([each.plain() for each in signals.schedules]) if signals.schedules else _nothing(signals.until)
     if any(each.is_noted for each in signals.schedules):
         merged = MergedSchedule(merged.knots, np.full_like(merged.coefficients, np.nan))
-    plan = LoopPlan(chain, tuple(drives), len(signals.schedules), merged.degree, loads, touch, base, jolts)
+    plan = LoopPlan(
+        chain, tuple(drives), len(signals.schedules), merged.degree, loads, touch, base, jolts, blocks, sources
+    )
     return Planned(chain, plan, merged.schedule, merged, tuple(undriven), tuple(signals.info), tuple(loose),
                    tuple(signals.schedules))  # fmt: skip
 
@@ -190,12 +198,21 @@ def _drive(
         return DrivePlan(axis.name, signal, None, winding, numbers)
     noise = signals.add(sheet.disturbance, f"drives.{index}.noise") if sheet.disturbance else -1
     driven = winding is not Winding.NONE and (command.is_controlled or command is Command.VOLTAGE)
-    servo = Servo(sheet.controller, driven=driven, winding=winding, noisy=noise >= 0)
-    clock = -1
-    if sheet.controller and sheet.controller.period is not None:
-        own = Clock(sheet.controller.period, robot.integration.output_step)
-        clock = signals.add(own, f"drives.{index}.controller")
-    return DrivePlan(axis.name, signal, servo, winding, servo.numbers(numbers), noise, clock)
+    sampling = Sampling.of(sheet.controller, sheet.sample_time, sheet.delay) if sheet.controller else Sampling()
+    limits = {name: getattr(sheet.limits, name) for name in LIMITS if getattr(sheet.limits, name, None) is not None}
+    command_of = next((each for each in robot.control if axis.name in each.drives), None)
+    wire = "" if command_of is None else wired_name(command_of, axis.name)
+    servo = Servo(
+        sheet.controller, driven, winding, noisy=noise >= 0, timed=sampling.timed, delay=sampling.delay,
+        limits=tuple(limits), wired=bool(wire),
+    )  # fmt: skip
+    own = servo.numbers(numbers, tuple(limits.values()), sampling.period or 0.0)
+    clocks = sampling.clocks(signals, robot.integration.output_step, f"drives.{index}.controller")
+    return DrivePlan(axis.name, signal, servo, winding, own, noise, *clocks, command=wire)
+
+
+def _reads(drive: DrivePlan) -> bool:
+    return bool(drive.servo and drive.servo.controller and drive.servo.controller.reads)
 
 
 def _kind(axis: Axis, plan: DrivePlan) -> DriveKind:

@@ -7,7 +7,7 @@ B. Wittenmark, Computer-Controlled Systems, 3rd ed., chapter 2).
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from math import gcd, lcm
@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from tmodes.analysis.statics.equilibrium import Equilibrium
 from tmodes.chain.chain import Motor
-from tmodes.equations.loop.control_kernels import OUTPUTS, Servo, View, Winding
+from tmodes.equations.loop.control_kernels import OUTPUTS, Served, Servo, View, Winding
 from tmodes.equations.loop.plan import winding_of
 from tmodes.equations.loop.signals_kernels import SIGNAL
 from tmodes.errors import SimulationError
@@ -186,11 +186,14 @@ class _Linear:
     """Slopes of all servos at a rest, by native code: directions are coordinates, rates, then further states."""
 
     def __init__(self, rest: Equilibrium, drives: list[_Drive]) -> None:
-        self.rest, self.drives, self.n = rest, drives, rest.model.nq
+        self.rest, self.n = rest, rest.model.nq
         currents = [k for k, one in enumerate(drives) if one.servo.has_current]
         self.current = {k: place for place, k in enumerate(currents)}
         self.first, total = {}, len(currents)
-        for k, one in enumerate(drives):
+        names = tuple(each.joint for each in drives)
+        views = [View(tuple(rest.model.coordinates), names, len(currents), one.own) for one in drives]
+        self.drives = [replace(one, servo=one.servo.seeing(view)) for one, view in zip(drives, views, strict=True)]
+        for k, one in enumerate(self.drives):
             self.first[k], total = total, total + one.servo.states
         self.further = total
         self.size = 2 * self.n + total
@@ -204,7 +207,7 @@ class _Linear:
             if k in self.current:
                 by[self.current[k]] = found[3]
             rows = tuple(range(self.first[k], self.first[k] + one.servo.states))
-            if one.law.period is not None:
+            if one.servo.is_sampled:
                 samples.append(_Sample(one.law.period, rows, self._slopes(k, one, sampled=True)))
             elif rows:
                 by[list(rows)] = found[4 + OUTPUTS :]
@@ -213,38 +216,38 @@ class _Linear:
         )
 
     def _slopes(self, k: int, one: _Drive, *, sampled: bool) -> Array:
-        """Of the outputs of a servo's kernel, one after the other, by all directions (outputs, size)."""
-        names = tuple(self.rest.model.coordinates)
-        view = View(names, tuple(each.joint for each in self.drives), len(self.current), one.own)
-        seen = view if one.servo.sees_all else None
-        kernel = one.servo.sample_kernel(seen) if sampled else one.servo.kernel(seen)
-        values, directions = self._inputs(k, one, seen)
-        if sampled:
-            values.append(np.zeros(SIGNAL))
-            directions.append(np.zeros((self.size, SIGNAL)))
+        """Of the outputs of a servo, one after the other, by all directions (outputs, size)."""
         schedule = Schedule(len(one.numbers))
-        given = [schedule.input(f"in{i}", size) for i, size in enumerate(kernel.inputs[1:])]
-        schedule.output("out", *schedule.call(kernel, Slot("parameters", 0, len(one.numbers)), *given))
-        blocks = {f"in{i}": np.tile(value, (self.size, 1)) for i, value in enumerate(values)}
-        along = {f"in{i}": direction for i, direction in enumerate(directions)}
+        blocks: dict[str, Array] = {}
+        along: dict[str, Array] = {}
+
+        def given(values: Array, directions: Array) -> Slot:
+            name = f"in{len(blocks)}"
+            blocks[name], along[name] = np.tile(values, (self.size, 1)), directions
+            return schedule.input(name, len(values))
+
+        served = self._served(k, one, given)
+        if sampled:
+            found = (one.servo.sample(schedule.call, served, given(np.zeros(SIGNAL), np.zeros((self.size, SIGNAL)))),)
+        else:
+            found = one.servo.serve(schedule.call, served)
+        schedule.output("out", *found)
         return derivatives(np.array(one.numbers), schedule, blocks, along, self.size)["out"].T
 
-    def _inputs(self, k: int, one: _Drive, seen: View | None) -> tuple[list[Array], list[Array]]:
-        """Inputs of a kernel but for its numbers, and by how much each changes along all directions."""
+    def _served(self, k: int, one: _Drive, given: Callable[[Array, Array], Slot]) -> Served:
+        """Inputs of a servo but for its numbers, and by how much each changes along all directions."""
         n, whole, q = self.n, np.eye(self.size), self.rest.q
         setpoints = [np.array([q[each.own], 0.0, 0.0]) for each in self.drives]
-        still = np.zeros((self.size, SIGNAL))
-        current = whole[:, [2 * n + self.current[k]]] if k in self.current else np.zeros((self.size, 1))
-        place, own = 2 * n + self.first[k], np.array(one.servo.start)
-        found = [
-            (setpoints[k], still), (q[[one.own]], whole[:, [one.own]]), (np.zeros(1), whole[:, [n + one.own]]),
-            (np.zeros(1), current), (np.zeros(1), np.zeros((self.size, 1))),
-        ]  # fmt: skip
-        if len(own):
-            found.append((own, whole[:, place : place + len(own)]))
-        if seen:
+        still, none, own = np.zeros((self.size, SIGNAL)), np.zeros((self.size, 1)), np.array(one.servo.start)
+        current = whole[:, [2 * n + self.current[k]]] if k in self.current else none
+        place, seen = 2 * n + self.first[k], []
+        if one.servo.view:
             currents = slice(2 * n, 2 * n + len(self.current))
-            found += [(q, whole[:, :n]), (np.zeros(n), whole[:, n : 2 * n])]
-            found.append((np.zeros(len(self.current)), whole[:, currents]))
-            found.append((np.concatenate(setpoints), np.tile(still, len(setpoints))))
-        return [value for value, _ in found], [direction for _, direction in found]
+            seen = [given(q, whole[:, :n]), given(np.zeros(n), whole[:, n : 2 * n])]
+            seen.append(given(np.zeros(len(self.current)), whole[:, currents]))
+            seen.append(given(np.concatenate(setpoints), np.tile(still, len(setpoints))))
+        return Served(
+            Slot("parameters", 0, len(one.numbers)), given(setpoints[k], still), given(q[[one.own]], whole[:, [one.own]]),
+            given(np.zeros(1), whole[:, [n + one.own]]), given(np.zeros(1), current), given(np.zeros(1), none),
+            states=given(own, whole[:, place : place + len(own)]) if len(own) else None, seen=tuple(seen),
+        )  # fmt: skip

@@ -15,8 +15,8 @@ from tmodes.equations.loop.control_kernels import WINDING, needed_kernel
 from tmodes.equations.loop.friction import contact_fold
 from tmodes.equations.loop.instant import Instant
 from tmodes.equations.loop.layout import WORKS, StateLayout
-from tmodes.equations.loop.plan import Driver, LoopParts
-from tmodes.equations.loop.serving import sampled_state
+from tmodes.equations.loop.plan import Driver, LoopParts, Placed
+from tmodes.equations.loop.serving import Serving
 from tmodes.equations.loop.signals_kernels import base_motion, power_kernel
 from tmodes.equations.loop.switching import switched_state
 from tmodes.equations.recursion.hinge import POSE
@@ -196,6 +196,7 @@ class ClosedLoop(LoopParts):
     def _rate(self, instant: Instant) -> Schedule:
         currents = [instant.change[k] for k in sorted(instant.change)]
         controls = [instant.controls[k] for k in sorted(instant.controls)]
+        controls += [self._block_rates(instant, block) for block in self.blocks if block.plan.law.states]
         surface = instant.switching.surface_rate
         works = Powers(instant).works if self.keeps_works else []
         still = [self.parts.none[1]] * self.modes
@@ -206,10 +207,25 @@ class ClosedLoop(LoopParts):
         instant.schedule.output("rate", instant.way.v, *instant.accelerations, *further)
         return instant.schedule
 
+    def _block_rates(self, instant: Instant, block: Placed) -> Slot:
+        """Rates of the own states of a block, zero of what is sampled."""
+        found = instant.block(block)
+        none = [self.parts.none[1]] * block.plan.law.states
+        return found[2] if len(found) > 2 else instant.pack(*none)
+
     @cached_property
     def sampled(self) -> Schedule | None:
         """(time, state, row, step) -> the state after the samples at the row's start; None without a sampled one."""
-        return sampled_state(self) if self.plan.is_sampled else None
+        if not self.plan.is_sampled:
+            return None
+        at = Instant(self, after=True) if self.blocks else Serving(self)
+        q, rates = at.moved(at.state)
+        new = [at.sampled(driver, q, rates) for driver in self.drivers if driver.plan.servo and driver.plan.servo.states]
+        new += [at.block(one)[1] for one in self.blocks if isinstance(at, Instant) and one.plan.law.states]
+        controls = self.layout.controls
+        rest = at.state.part(controls.stop, self.layout.size - controls.stop)
+        at.schedule.output("state", at.state.part(0, controls.start), *new, rest)
+        return at.schedule.only(("state",)) if self.blocks else at.schedule
 
     @cached_property
     def switched(self) -> Schedule | None:
@@ -251,7 +267,10 @@ class ClosedLoop(LoopParts):
             "v": [instant.way.v],
             "a": instant.accelerations,
             "drives": [powers.info[k] for k in drives],
-            "controls": [instant.own[k] for k in sorted(instant.own) if instant.own[k].size],
+            "controls": [
+                *(instant.own[k] for k in sorted(instant.own) if instant.own[k].size),
+                *(instant.block(block)[1] for block in self.blocks if block.plan.law.states),
+            ],
             "gear": [powers.gear[k] for k in drives],
             "contact": [powers.contact],
             "contact_fold": [contact_fold(instant.solution, instant.begin)],

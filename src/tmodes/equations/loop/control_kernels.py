@@ -1,4 +1,4 @@
-"""Kernels of what moves a joint: controller, motor winding, and the effort that a given motion needs.
+"""Kernels of what moves a joint: servo with its limits, motor winding, and the effort that a given motion needs.
 
 DC motor: u = R i + CE th', torque CM i. With an inductance L the current is a
 state: L i' = u - R i - CE th'.
@@ -6,24 +6,30 @@ state: L i' = u - R i - CE th'.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import dataclass, replace
 from enum import StrEnum
 from typing import Any
 
-import casadi as ca
-
+from tmodes.equations.loop.laws import Delay, Law, View
 from tmodes.equations.loop.signals_kernels import SIGNAL
-from tmodes.kinds.controllers.registry import Controller, Measured, OwnState
-from tmodes.kinds.kernel.functions import if_else
-from tmodes.kinds.kernel.schedule import Kernel
+from tmodes.kinds.controllers.registry import Controller, OwnState
+from tmodes.kinds.kernel import functions as f
+from tmodes.kinds.kernel.schedule import Kernel, Slot
 
-__all__ = ["OUTPUTS", "WINDING", "Servo", "View", "Winding", "needed_kernel"]
+__all__ = ["LIMITS", "OUTPUTS", "WINDING", "Servo", "Served", "View", "Winding", "needed_kernel"]
 
 WINDING = 4
 """Numbers of a winding: R, CE, CM, L (1, 0, 1, 0 without one)."""
 
 OUTPUTS = 4
 """What is known of a drive: effort [N*m], voltage [V], current [A], wanted value."""
+
+LIMITS = ("voltage", "current", "torque", "speed")
+"""Limits that a drive may have, in the order of their numbers."""
+
+SPEED_BAND = 0.05
+"""Share of the largest speed below it over which the effort that drives on falls to nothing."""
 
 
 class Winding(StrEnum):
@@ -35,27 +41,33 @@ class Winding(StrEnum):
 
 
 @dataclass(frozen=True)
-class View:
-    """What a controller that sees all sees: names of coordinates and drives, currents, and its own coordinate."""
+class Served:
+    """What a servo is called with: its ``numbers``, setpoint, position, rate, current, length of the step.
 
-    names: tuple[str, ...]
-    drives: tuple[str, ...]
-    currents: int
-    own: int
+    ``noise``, ``states``: None where it has none; ``seen``: the blocks of its view, ``reads``: the signals that its law
+    reads; ``command``: what another block commands.
+    """
 
-    @property
-    def sizes(self) -> tuple[int, ...]:
-        """Sizes of the blocks q, v, currents, setpoints."""
-        return len(self.names), len(self.names), self.currents, SIGNAL * len(self.drives)
+    numbers: Slot
+    signal: Slot
+    position: Slot
+    velocity: Slot
+    current: Slot
+    step: Slot
+    noise: Slot | None = None
+    states: Slot | None = None
+    seen: tuple[Slot, ...] = ()
+    reads: Slot | None = None
+    command: Slot | None = None
 
 
 @dataclass(frozen=True)
 class Servo:
     """Structure of a drive whose motion is not given: under a ``controller``, or ``driven`` by its voltage.
 
-    Without a winding, or where the effort itself is commanded, the command is the effort. ``noisy``: the controller
-    sees a wanted value with an error on it. ``settles``: a sampled controller in continuous time, whose rates are the
-    changes of its own states from sample to sample: zero where a constant wanted value leaves it as it is.
+    Without a winding, or where the effort itself is commanded, the command is the effort. ``noisy``, ``settles``,
+    ``timed``, ``delay``, ``view``: see :class:`tmodes.equations.loop.laws.Law`. ``limits``: which of :data:`LIMITS` it
+    has; ``wired``: its command is the output of a block.
     """
 
     controller: Controller | None
@@ -63,6 +75,11 @@ class Servo:
     winding: Winding
     noisy: bool = False
     settles: bool = False
+    timed: bool = False
+    delay: Delay = Delay()
+    limits: tuple[str, ...] = ()
+    wired: bool = False
+    view: View | None = None
 
     @property
     def has_current(self) -> bool:
@@ -70,153 +87,158 @@ class Servo:
         return self.driven and self.winding is Winding.INDUCTANCE
 
     @property
+    def limit(self) -> str:
+        """The limit of its command itself; empty for none."""
+        name = "voltage" if self.driven else "torque"
+        return name if name in self.limits else ""
+
+    @property
+    def law(self) -> Law | None:
+        """The compiled form of its controller."""
+        if self.controller is None:
+            return None
+        how = {"noisy": self.noisy, "settles": self.settles, "timed": self.timed, "delay": self.delay}
+        return Law(self.controller, view=self.view, limited=bool(self.limit), **how)  # pyright: ignore[reportArgumentType]
+
+    @property
+    def is_controlled(self) -> bool:
+        """Whether a block commands it, its own or another."""
+        return self.controller is not None or self.wired
+
+    @property
     def is_sampled(self) -> bool:
         """Whether the controller holds its command between samples."""
-        return self.controller is not None and self.controller.period is not None and not self.settles
+        return self.law is not None and self.law.is_sampled
 
     @property
     def start(self) -> tuple[float, ...]:
-        """The controller's own states at time 0; the held command, which the first sample sets, before them."""
-        own = self.controller.initial() if self.controller else ()
-        return (0.0, *own) if self.is_sampled else own
+        """The controller's states at time 0; those of its held commands, which the first sample sets, come first."""
+        return self.law.start if self.law else ()
 
     @property
     def states(self) -> int:
-        """Number of the controller's own states, the held command among them."""
+        """Number of the controller's states, the held command among them."""
         return len(self.start)
+
+    @property
+    def held(self) -> int:
+        """How many of the states are commands."""
+        return self.law.held if self.law else 0
 
     @property
     def named_states(self) -> tuple[OwnState, ...]:
         """Names and units of the states."""
-        own = self.controller.states if self.controller else ()
-        unit = "V" if self.driven else "N*m|N"
-        return (OwnState("command", unit), *own) if self.is_sampled else own
+        return self.law.named_states(("V" if self.driven else "N*m|N",)) if self.law else ()
 
     @property
     def sees_all(self) -> bool:
         """Whether the controller sees the whole measured state."""
         return self.controller is not None and self.controller.sees_all
 
-    @property
-    def key(self) -> str:
-        """The structure in words."""
-        law = self.controller.structure if self.controller else "none"
-        return f"servo {law}, {self.driven} {self.winding}{' noisy' * self.noisy}{' settles' * self.settles}"
+    def seeing(self, view: View) -> Servo:
+        """The same with what its controller sees, where it sees all."""
+        return replace(self, view=view) if self.sees_all else self
 
-    def numbers(self, winding: tuple[float, ...]) -> tuple[float, ...]:
-        """Its numbers: those of the winding, then those of the controller."""
-        return (*winding, *(self.controller.numbers() if self.controller else ()))
+    def numbers(self, winding: tuple[float, ...], limits: tuple[float, ...] = (), period: float = 0.0) -> Any:
+        """Its numbers: those of the winding, its limits, then those of the controller, and its period."""
+        law = self.controller.numbers() if self.controller else ()
+        return (*winding, *limits, *law, *((period,) if self.timed else ()))
 
-    def kernel(self, view: View | None = None) -> Kernel:
-        """(numbers, signal, th, th', current, h, ...) -> (effort, feedback (2), rate of the current, info (4), rates).
+    def serve(self, call: Callable[..., tuple[Slot, ...]], given: Served) -> tuple[Slot, ...]:
+        """Call its kernels: (effort, feedback (2), rate of the current, info (4), rates of own states if any).
 
-        ``feedback``: fall of the effort per th and th', for implicit steps; ``rates``: of the controller's own states.
-        More inputs, where the structure has them: noise (3), own states, and the blocks of ``view``.
+        ``feedback``: fall of the effort per th and th', for implicit steps.
         """
-        own = len(self.controller.numbers()) if self.controller else 0
-        more = [*([SIGNAL] * self.noisy), *([self.states] * bool(self.states)), *(view.sizes if view else ())]
+        electric = given.numbers.part(0, WINDING + len(self.limits))
+        motion = given.signal, given.velocity, given.current, given.step
+        if self.law is None:
+            command = given.command or given.signal.part(0, 1)
+            return call(self.actuator(sloped=False), electric, command, *motion)
+        command, slopes, *rates = call(self.law.kernel(), *self._law_inputs(given))
+        return (*call(self.actuator(sloped=True), electric, command, *motion, slopes), *rates)
 
-        def build(p: Any, signal: Any, th: Any, thd: Any, current: Any, step: Any, *rest: Any) -> list[list[Any]]:
-            blocks = list(rest)
-            noise = blocks.pop(0) if self.noisy else [0.0] * SIGNAL
-            x = blocks.pop(0) if self.states else []
-            command, stiff, damp, rates = signal[0], 0.0, 0.0, []
-            if self.is_sampled:
-                command, rates = x[0], [0.0] * self.states
-            elif self.controller:
-                wanted = [signal[k] + noise[k] for k in range(SIGNAL)] if self.noisy else signal
-                numbers, x = [p[WINDING + k] for k in range(own)], [x[k] for k in range(self.states)]
-                law = _Law(self.controller, numbers, x, settles=self.settles)
-                command, stiff, damp, rates = law.at(wanted, th[0], thd[0], current[0], (view, blocks))
-            return [*self._driven(p, (command, stiff, damp), signal, thd, (current, step)), *([rates] if rates else [])]
+    def sample(self, call: Callable[..., tuple[Slot, ...]], given: Served, *clocks: Slot) -> Slot:
+        """The states of the controller, new where a clock is 0."""
+        assert self.law is not None  # noqa: S101
+        return call(self.law.sample_kernel(), *self._law_inputs(given), *clocks)[0]
 
-        inputs = (WINDING + own, SIGNAL, 1, 1, 1, 1, *more)
-        seen = f", {view}" if view else ""
-        return Kernel(f"{self.key}{seen}", inputs, (1, 2, 1, OUTPUTS, *([self.states] if self.states else [])), build)
-
-    def sample_kernel(self, view: View | None = None) -> Kernel:
-        """(numbers, signal, th, th', current, h, ..., clock) -> the held command and the own states.
-
-        They are new where the clock is 0, at a sample; inputs are those of :meth:`kernel`.
-        """
-        law, plain = self.controller, self.kernel(view)
+    def _law_inputs(self, given: Served) -> list[Slot]:
+        law, first = self.law, WINDING + len(self.limits)
         assert law is not None  # noqa: S101
+        limit = given.numbers.part(WINDING + self.limits.index(self.limit), 1) if self.limit else None
+        more = [slot for slot in (given.noise, limit, given.states) if slot is not None]
+        read = [given.reads] if given.reads else []
+        own = given.signal, given.position, given.velocity, given.current
+        return [given.numbers.part(first, law.count), *own, *more, *given.seen, *read]
 
-        def build(p: Any, signal: Any, th: Any, thd: Any, current: Any, step: Any, *rest: Any) -> list[list[Any]]:
-            del step
-            *blocks, clock = rest
-            noise = blocks.pop(0) if self.noisy else [0.0] * SIGNAL
-            x = blocks.pop(0)
-            held = [x[k] for k in range(self.states)]
-            wanted = [signal[k] + noise[k] for k in range(SIGNAL)] if self.noisy else signal
-            numbers = [p[WINDING + k] for k in range(plain.inputs[0] - WINDING)]
-            measured = _measured(wanted, (th[0], thd[0]), current[0], (view, blocks))
-            new = [law.command(numbers, measured, held[1:]), *law.updates(numbers, measured, held[1:])]
-            return [[if_else(clock[0] <= 0, after, before) for after, before in zip(new, held, strict=True)]]
-
-        return Kernel(f"sampling {plain.key}", (*plain.inputs, SIGNAL), (self.states,), build)
-
-    def _driven(
-        self, p: Any, of: tuple[Any, Any, Any], signal: Any, thd: Any, electric: tuple[Any, Any]
-    ) -> list[list[Any]]:
-        """From the command and its slopes to the effort and what is known of the drive.
+    def actuator(self, *, sloped: bool) -> Kernel:
+        """(winding and limits, command, signal, th', current, h, slopes) -> (effort, feedback, current's rate, info).
 
         Eq. (39) [stated]: u = R i + CE theta', so i = (u - CE theta')/R. {test_motor_row_is_in_newton_metres}
         """
-        (command, stiff, damp), (current, step) = of, electric
+
+        def build(p: Any, command: Any, signal: Any, thd: Any, current: Any, step: Any, *more: Any) -> list[list[Any]]:
+            stiff, damp = (more[0][0], more[0][1]) if more else (0.0, 0.0)
+            limits = {name: p[WINDING + k] for k, name in enumerate(self.limits)}
+            cut = _Cut(command[0], (stiff, damp))
+            return self._driven(p, cut, limits, (signal[0], thd[0], current[0], step[0]))
+
+        inputs = (WINDING + len(self.limits), 1, SIGNAL, 1, 1, 1, *((2,) if sloped else ()))
+        key = f"servo {self.driven} {self.winding} {' '.join(self.limits)}{' sloped' * sloped}"
+        return Kernel(key, inputs, (1, 2, 1, OUTPUTS), build)
+
+    def _driven(self, p: Any, cut: _Cut, limits: dict[str, Any], at: tuple[Any, Any, Any, Any]) -> list[list[Any]]:
+        """From the command and its slopes to the effort and what is known of the drive."""
+        wanted, thd, current, step = at
         resistance, back, torque, inductance = (p[i] for i in range(WINDING))
+        most = {"current": limits[name] for name in ("current",) if name in limits}
+        if "torque" in limits and self.driven:  # a motor's torque is its current
+            amperes = limits["torque"] / f.fabs(torque)
+            most = {"current": f.fmin(most["current"], amperes) if most else amperes}
         if not self.driven:
-            amperes = command / torque if self.winding is not Winding.NONE else 0.0
-            volts = resistance * amperes + back * thd[0] if self.winding is not Winding.NONE else 0.0
-            return [[command], [stiff, damp], [0.0], [command, volts, amperes, signal[0]]]
+            winds = self.winding is not Winding.NONE
+            cut = cut.within(limits.get("torque")).within(most["current"] * f.fabs(torque) if most and winds else None)
+            cut = cut.slowed(limits.get("speed"), thd, 0.0)
+            amperes = cut.value / torque if winds else 0.0
+            volts = resistance * amperes + back * thd if winds else 0.0
+            return [[cut.value], [*cut.slopes], [0.0], [cut.value, volts, amperes, wanted]]
+        cut = cut.within(limits.get("voltage"))
+        cut = cut.within(resistance * most["current"] if most else None, back * thd)
+        cut = cut.slowed(limits.get("speed"), thd, back * thd)
+        command, (stiff, damp) = cut.value, cut.slopes
         if self.has_current:
-            change = (command - resistance * current[0] - back * thd[0]) / (inductance + step[0] * resistance)
-            effort = torque * current[0]
-            return [[effort], [0.0, 0.0], [change], [effort, command, current[0], signal[0]]]
-        amperes = (command - back * thd[0]) / resistance
+            change = (command - resistance * current - back * thd) / (inductance + step * resistance)
+            effort = torque * current
+            return [[effort], [0.0, 0.0], [change], [effort, command, current, wanted]]
+        amperes = (command - back * thd) / resistance
         share, effort = torque / resistance, torque * amperes
-        return [[effort], [share * stiff, share * (damp + back)], [0.0], [effort, command, amperes, signal[0]]]
+        return [[effort], [share * stiff, share * (damp + back)], [0.0], [effort, command, amperes, wanted]]
 
 
 @dataclass(frozen=True)
-class _Law:
-    """A controller with the symbols of its numbers and of its own states."""
+class _Cut:
+    """A command with its fall per own position and rate, cut at limits."""
 
-    controller: Controller
-    p: list[Any]
-    x: list[Any]
-    settles: bool
+    value: Any
+    slopes: tuple[Any, Any]
 
-    def at(self, wanted: Any, th: Any, thd: Any, current: Any, seen: tuple[View | None, list[Any]]) -> Any:
-        """Command, its fall per th and th', and the rates of the own states."""
-        own = ca.SX.sym("own", 2)
-        measured = _measured(wanted, (own[0], own[1]), current, seen)
-        command = ca.SX(self.controller.command(self.p, measured, self.x))
-        rates = ca.SX(ca.vertcat(*self._rates(measured)))
-        slopes = -ca.jacobian(command, own)
-        place = ca.vertcat(th, thd)
-        command, slopes, rates = ca.substitute([command, slopes, rates], [own], [place])
-        return command, slopes[0], slopes[1], [rates[k] for k in range(len(self.x))]
+    def within(self, most: Any, middle: Any = 0.0) -> _Cut:
+        """Not farther than ``most`` from ``middle``; None: without a limit."""
+        if most is None:
+            return self
+        inside = f.fabs(self.value - middle) < most
+        value = f.fmax(f.fmin(self.value, middle + most), middle - most)
+        stiff, damp = (f.if_else(inside, slope, 0.0) for slope in self.slopes)
+        return _Cut(value, (stiff, damp))
 
-    def _rates(self, measured: Measured) -> list[Any]:
-        if not self.settles:
-            return self.controller.rates(self.p, measured, self.x)
-        new = self.controller.updates(self.p, measured, self.x)
-        return [after - before for after, before in zip(new, self.x, strict=True)]
-
-
-def _measured(wanted: Any, own: tuple[Any, Any], current: Any, seen: tuple[View | None, list[Any]]) -> Measured:
-    """What a controller sees: the wanted value with two derivatives, its own position and rate, and its view."""
-    view, blocks = seen
-    here = {"wanted": wanted[0], "wanted_rate": wanted[1], "wanted_acceleration": wanted[2], "current": current}
-    if view:
-        q, v = ([block[k] for k in range(len(view.names))] for block in blocks[:2])
-        q[view.own], v[view.own] = own
-        setpoints = [[blocks[3][SIGNAL * k + i] for i in range(SIGNAL)] for k in range(len(view.drives))]
-        setpoints[view.drives.index(view.names[view.own].removesuffix(".motor"))] = [wanted[k] for k in range(3)]
-        here |= {"q": q, "v": v, "names": view.names, "setpoints": setpoints, "drives": view.drives}
-        here["currents"] = [blocks[2][k] for k in range(view.currents)]
-    return Measured(position=own[0], velocity=own[1], **here)
+    def slowed(self, most: Any, rate: Any, idle: Any) -> _Cut:
+        """What drives on beyond the command ``idle`` falls to nothing just below the speed ``most``."""
+        if most is None:
+            return self
+        left = f.fmax(f.fmin((most - f.fabs(rate)) / (SPEED_BAND * most), 1.0), 0.0)
+        over = self.value - idle
+        share = f.if_else(over * rate > 0, left, 1.0)
+        return _Cut(idle + share * over, (share * self.slopes[0], share * self.slopes[1]))
 
 
 def needed_kernel(winding: Winding) -> Kernel:

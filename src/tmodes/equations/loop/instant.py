@@ -6,15 +6,18 @@ The calls of a schedule, in the order in which one thing follows from another.
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import Any
 
+from tmodes.equations.loop.control_kernels import WINDING
 from tmodes.equations.loop.friction import solved
-from tmodes.equations.loop.plan import LoopParts
+from tmodes.equations.loop.plan import LoopParts, Placed
 from tmodes.equations.loop.serving import Serving
 from tmodes.equations.loop.signals_kernels import base_kernel, load_kernel
 from tmodes.equations.loop.switching import Switching
 from tmodes.equations.mechanics import Dynamics, Way
 from tmodes.equations.recursion.driven import Drives
 from tmodes.equations.recursion.passes import Blocks
+from tmodes.errors import InputError
 from tmodes.kinds.kernel.schedule import Divisible, Slot
 from tmodes.kinds.kernel.spatial import FORCE
 
@@ -40,14 +43,18 @@ class Instant(Serving):
         posed: bool = False,
         given: int = 0,
         jolted: bool = False,
+        within: Serving | None = None,
     ) -> None:
         """``apart``: springs, dampers and servos start from an input of their own, ``start`` (coordinates, rates).
 
         ``euler``: the state has the rates of the start, so that a surface can be taken at the end of the step too.
         ``after``: controllers are shown as they are after the samples with which the row begins. ``posed``: poses are
         asked for; ``given``: numbers behind the state that are compared with. ``jolted``: rates may jump here.
+        ``within``: another one of the same instant, whose schedule this one shares.
         """
-        super().__init__(loop, implicit=apart, given=given)
+        super().__init__(loop, implicit=apart, given=given, within=within)
+        samples_late = after and any(getattr(one, "late", False) for one in loop.plan.sources.values())
+        self.before = Instant(loop, posed=posed, within=self) if samples_late else None
         self.posed = posed or bool(self.plan.loads or self.plan.touch)
         self.after = after
         self.way = self.outwards()
@@ -57,6 +64,9 @@ class Instant(Serving):
         self.change: dict[int, Slot] = {}
         self.controls: dict[int, Slot] = {}
         self.own: dict[int, Slot] = {}
+        self.wires: dict[str, Slot] = {}
+        self.blocks: dict[str, tuple[Slot, ...]] = {}
+        self.accelerations: list[Slot] = [self.none[1]] * self.parts.size  # what is read before they are known is at rest
         self.dead: dict[int, Slot] = {}
         self.mass_step = self.none[1]
         self.switching = Switching(self, jolted=jolted)
@@ -66,6 +76,68 @@ class Instant(Serving):
         self.begin = self._drive()
         self.solution = solved(self, self.begin)
         self.recursion, self.accelerations = self.solution.first, self.solution.accelerations
+
+    def wire(self, name: str) -> Slot:
+        """A signal that a block reads, by name.
+
+        Of an output that follows from the commands of its instant a sample reads what was before it.
+        """
+        if name in self.wires:
+            return self.wires[name]
+        block = next((one for one in self.loop.blocks if name in one.plan.signals), None)
+        if block is not None:
+            found = self.block(block)[0]
+            self.wires |= {key: found.part(k, 1) for k, key in enumerate(block.plan.signals)}
+            return self.wires[name]
+        source = self.plan.sources[name]
+        if isinstance(source, int):
+            self.wires[name] = self.signals[source].part(0, 1)
+        elif source.late and self.plan.at_rest:
+            self.wires[name] = self._at_rest(source)
+        else:
+            self.wires[name] = source.slot(self.before if source.late and self.before else self)
+        return self.wires[name]
+
+    def _at_rest(self, source: Any) -> Slot:
+        """An output that follows from accelerations and efforts, where nothing moves."""
+        if source.unit.endswith("/s^2"):
+            return self.none[1]
+        if not source.along:
+            got, expected = f"`{source.name}`", "accelerations, strains and moments along links, or what follows from q, v"
+            hint = "let the run begin with `initial: {state: held}`, or with `zero`"
+            raise InputError("sensors", f"{got} in a control loop that starts at rest", expected, hint)
+        return source.slot(self)
+
+    def block(self, placed: Placed) -> tuple[Slot, ...]:
+        """Outputs of a block, its own states, and their rates where there are any."""
+        plan, law = placed.plan, placed.plan.law
+        if plan.name in self.blocks:
+            return self.blocks[plan.name]
+        own = self.state.part(self.loop.layout.controls.start + placed.controls, law.states)
+        if law.is_sampled:
+            if self.after:
+                clocks = self._clocks(plan.clock, plan.late)
+                own = self.call(law.sample_kernel(), *self._block_inputs(placed, own), *clocks)[0]
+            found: tuple[Slot, ...] = (own.part(0, law.outputs), own)
+        else:
+            outputs, _, *rates = self.call(law.kernel(), *self._block_inputs(placed, own))
+            found = (outputs, own, *rates)
+        self.blocks[plan.name] = found
+        return found
+
+    def _block_inputs(self, placed: Placed, own: Slot) -> list[Slot]:
+        """The inputs of the kernels of a block."""
+        law, driver, q, rates = placed.plan.law, placed.driver, self.way.q, self.way.v
+        blocks = [placed.numbers]
+        if driver:
+            k = driver.coordinate
+            blocks += [self.signals[driver.plan.signal], q.part(k, 1), rates.part(k, 1), self._current(driver)]
+            if law.limited and driver.plan.servo:
+                limits = driver.plan.servo.limits
+                blocks.append(driver.numbers.part(WINDING + limits.index(driver.plan.servo.limit), 1))
+        blocks += [own] if law.states else []
+        blocks += self._seen(law.view, q, rates) if law.view else ()
+        return [*blocks, *([self.pack(*map(self.wire, law.block.reads))] if law.block.reads else [])]
 
     def outwards(self) -> Way:
         """Where all is, and how fast, by the state and the signals."""

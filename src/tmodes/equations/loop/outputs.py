@@ -68,6 +68,20 @@ class Output(NamedTuple):
         """Whether it takes numbers of its own next to those of the loop."""
         return self.of is Seen.along
 
+    @property
+    def along(self) -> bool:
+        """Whether it is a number of the line of a link."""
+        return self.of is Seen.along
+
+    @property
+    def late(self) -> bool:
+        """Whether it follows from the accelerations and efforts of its instant, not from positions and rates alone."""
+        return self.of not in {Seen.moved, Seen.pose, Seen.speed, Seen.angle, Seen.bent, Seen.state}
+
+    def slot(self, instant: Instant) -> Slot:
+        """Where the schedule of an instant has it."""
+        return self.of(Seen(instant), *self.places)
+
 
 class Series(NamedTuple):
     """``schedule``: (time, state and what is given, row, step) -> the outputs that were asked for.

@@ -5,15 +5,18 @@ The numbers of the signals themselves are in the rows of a schedule; here is onl
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.chain.chain import Chain, Motor
 from tmodes.equations.loop.contact_kernels import Touch
-from tmodes.equations.loop.control_kernels import Servo, Winding
+from tmodes.equations.loop.control_kernels import Servo, View, Winding
+from tmodes.equations.loop.laws import Law
 from tmodes.equations.loop.layout import StateLayout
 from tmodes.equations.mechanics import Mechanics, mechanics
 from tmodes.equations.recursion.drive_kernels import DriveKernels, drive_kernels, drive_numbers
@@ -21,11 +24,12 @@ from tmodes.equations.recursion.parts import AxisPart, Parts
 from tmodes.equations.recursion.passes import resting_base
 from tmodes.errors import InputError
 from tmodes.kinds.drives.registry import drive_kind
+from tmodes.kinds.controllers.registry import OwnState, Port
 from tmodes.kinds.kernel.schedule import Slot
 from tmodes.kinds.noted.functions import number
 
 __all__ = [
-    "DrivePlan", "Driver", "LoadPlan", "LoopParts", "LoopPlan", "TouchPlan", "winding_of",
+    "BlockPlan", "DrivePlan", "Driver", "LoadPlan", "LoopParts", "LoopPlan", "TouchPlan", "winding_of",
 ]  # fmt: skip
 
 Array = NDArray[np.float64]
@@ -35,8 +39,9 @@ Array = NDArray[np.float64]
 class DrivePlan:
     """What moves one joint: a servo, or nothing but its signal, which it then follows exactly (``servo`` None).
 
-    ``numbers``: R, CE, CM, L, then those of the controller; ``noise``: the signal of the error with which the
-    controller sees its wanted value, -1 for none; ``clock``: the signal with the time since its last sample.
+    ``numbers``: R, CE, CM, L, limits, then those of the controller; ``noise``: the signal of the error with which the
+    controller sees its wanted value, -1 for none; ``clock``: the signal with the time since its last sample, ``late``:
+    since its last delayed output. ``command``: the signal of a block that is its command; empty for its own.
     """
 
     joint: str
@@ -46,11 +51,41 @@ class DrivePlan:
     numbers: tuple[float, ...]
     noise: int = -1
     clock: int = -1
+    late: int = -1
+    command: str = ""
 
     @property
     def has_current(self) -> bool:
         """Whether the motor's current is a state."""
         return self.servo is not None and self.servo.has_current
+
+
+@dataclass(frozen=True)
+class BlockPlan:
+    """A block of its own: a sensor, a filter, an observer, a controller of several drives.
+
+    ``joint``: the drive of its own that it sees; empty for none. ``ports``: the signals that it gives. ``clock``,
+    ``late``: as those of a drive.
+    """
+
+    name: str
+    law: Law
+    ports: tuple[Port, ...]
+    numbers: tuple[float, ...]
+    joint: str = ""
+    clock: int = -1
+    late: int = -1
+
+    @property
+    def signals(self) -> tuple[str, ...]:
+        """Names of the signals that it gives."""
+        return tuple(f"{self.name}.{port.name}" if port.name else self.name for port in self.ports)
+
+    @property
+    def named_states(self) -> tuple[OwnState, ...]:
+        """Names and units of its states; of the held outputs those of the ports."""
+        names = tuple(port.name or "value" for port in self.ports)
+        return self.law.named_states(tuple(port.unit for port in self.ports), names)
 
 
 @dataclass(frozen=True)
@@ -77,6 +112,9 @@ class LoopPlan:
     """A chain in a run. ``base``: the six signals that move it, or none. Signals are polynomials of ``degree``.
 
     ``jolts``: signals whose rates jump -> the signals of these jumps, see :class:`tmodes.kinds.signals.registry.Jolts`.
+    ``blocks``: in the order in which each comes after those that it reads; ``sources``: what else blocks read, by name:
+    the number of a signal, or an output, which is ``late`` where it follows from the commands of its instant.
+    ``at_rest``: see :attr:`settles`.
     """
 
     chain: Chain
@@ -87,6 +125,9 @@ class LoopPlan:
     touch: TouchPlan | None = None
     base: tuple[int, ...] = ()
     jolts: tuple[tuple[int, int], ...] = ()
+    blocks: tuple[BlockPlan, ...] = ()
+    sources: Mapping[str, Any] = field(default_factory=dict)
+    at_rest: bool = False
 
     @property
     def row_size(self) -> int:
@@ -109,26 +150,55 @@ class LoopPlan:
         return ("contact.surface", "contact.surface_rate") if self.touch and self.touch.touch.lands else ()
 
     @property
+    def _laws(self) -> Iterator[tuple[str, bool, Any]]:
+        """Name of each law's states, whether its joint slides, and the servo or block; in the order of the state."""
+        sliding = self.chain.sliding
+        for drive in self.drives:
+            if drive.servo:
+                yield f"{drive.joint}.controller", drive.joint in sliding, drive.servo
+        for block in self.blocks:
+            yield block.name, block.joint in sliding, block
+
+    @property
     def control_names(self) -> tuple[str, ...]:
-        """Names of the controllers' own states, such as `hub.controller.integral`."""
-        own = [(drive.joint, drive.servo.named_states) for drive in self.drives if drive.servo]
-        return tuple(f"{joint}.controller.{state.name}" for joint, states in own for state in states)
+        """Names of the own states of controllers and other blocks, such as `hub.controller.integral`."""
+        return tuple(f"{name}.{state.name}" for name, _, law in self._laws for state in law.named_states)
 
     @property
     def control_units(self) -> tuple[str, ...]:
-        """Units of the controllers' own states."""
-        own = [(drive.joint in self.chain.sliding, drive.servo.named_states) for drive in self.drives if drive.servo]
-        return tuple(state.unit_of(slides=slides) for slides, states in own for state in states)
+        """Units of these states."""
+        return tuple(state.unit_of(slides=slides) for _, slides, law in self._laws for state in law.named_states)
+
+    @property
+    def clocks(self) -> tuple[tuple[int, int], ...]:
+        """The signals with the time since the last sample, and since the last delayed output, of all that is sampled."""
+        return tuple((one.clock, one.late) for one in (*self.drives, *self.blocks) if one.clock >= 0)
 
     @property
     def aside(self) -> set[int]:
         """Signals that move nothing by themselves: noise on what controllers see, their clocks, and jumps of rates."""
-        return {place for drive in self.drives for place in (drive.noise, drive.clock)} | {k for _, k in self.jolts}
+        read = {k for k in self.sources.values() if isinstance(k, int)} - {drive.signal for drive in self.drives}
+        noise = {drive.noise for drive in self.drives} | read
+        return noise | {place for pair in self.clocks for place in (*pair, -1)} | {k for _, k in self.jolts}
 
     @property
     def is_sampled(self) -> bool:
-        """Whether any controller is."""
-        return any(drive.servo.is_sampled for drive in self.drives if drive.servo)
+        """Whether any controller or other block is."""
+        return any(drive.servo.is_sampled for drive in self.drives if drive.servo) or any(
+            block.law.is_sampled for block in self.blocks
+        )
+
+    @property
+    def most_kept(self) -> int:
+        """How many samples pass at most from one to the last of its delayed outputs, through all blocks in a row."""
+        laws = [drive.servo.delay.kept for drive in self.drives if drive.servo and drive.servo.is_sampled]
+        return sum(block.law.delay.kept for block in self.blocks if block.law.is_sampled) + max(laws, default=0)
+
+    @property
+    def held_controls(self) -> tuple[bool, ...]:
+        """Of each own state whether it is an output that is held, which follows from a sample."""
+        laws = [drive.servo for drive in self.drives if drive.servo] + [block.law for block in self.blocks]
+        return tuple(k < law.held for law in laws for k in range(law.states))
 
     @property
     def settles(self) -> LoopPlan:
@@ -141,16 +211,19 @@ class LoopPlan:
         for drive in self.drives:
             servo = replace(drive.servo, settles=True) if drive.servo and drive.servo.is_sampled else drive.servo
             drives.append(replace(drive, servo=servo))
+        blocks = tuple(replace(one, law=replace(one.law, settles=True)) for one in self.blocks)
         touch = self.touch
         if touch and touch.touch.modes:
             still = Touch(touch.touch.sheet.resting())
             touch = replace(touch, touch=still, numbers=still.numbers(self.chain.gravity))
-        return replace(self, chain=replace(self.chain, nodes=nodes), drives=tuple(drives), touch=touch, jolts=())
+        chain = replace(self.chain, nodes=nodes)
+        return replace(self, chain=chain, drives=tuple(drives), touch=touch, jolts=(), blocks=blocks, at_rest=True)
 
     @property
     def controls(self) -> tuple[float, ...]:
-        """The own states of all controllers at time 0, in the order of the drives."""
-        return tuple(number(value) for drive in self.drives if drive.servo for value in drive.servo.start)
+        """The own states of all controllers at time 0, in the order of the drives, then those of other blocks."""
+        laws = [drive.servo for drive in self.drives if drive.servo] + [block.law for block in self.blocks]
+        return tuple(number(value) for law in laws for value in law.start)
 
 
 def winding_of(motor: Motor | None) -> tuple[Winding, tuple[float, ...]]:
@@ -181,6 +254,16 @@ class Driver:
         return self.part.input
 
 
+@dataclass(frozen=True)
+class Placed:
+    """A block of the plan with its numbers, where its states begin among all, and the drive of its own."""
+
+    plan: BlockPlan
+    numbers: Slot
+    controls: int
+    driver: Driver | None
+
+
 @dataclass(eq=False)
 class LoopParts:
     """What the schedules of a plan have in common: kernels, and the numbers that all of them read."""
@@ -189,6 +272,7 @@ class LoopParts:
     mechanics: Mechanics = field(init=False)
     parts: Parts = field(init=False)
     drivers: tuple[Driver, ...] = field(init=False)
+    blocks: tuple[Placed, ...] = field(init=False)
 
     def __post_init__(self) -> None:
         plan, chain = self.plan, self.plan.chain
@@ -208,6 +292,7 @@ class LoopParts:
         numbers = self.parts.numbers
         begin = [sum(d.servo.states for d in plan.drives[:k] if d.servo) for k in range(len(plan.drives))]
         self.drivers = tuple(self._driver(drive, first) for drive, first in zip(plan.drives, begin, strict=True))
+        self.blocks = tuple(self._placed(sum(d.servo.states for d in plan.drives if d.servo)))
         self.loads = [numbers.block(load.wrench) for load in plan.loads]
         self.always = numbers.block([1.0, 0.0, 0.0])
         self.touch = numbers.block(plan.touch.numbers) if plan.touch else None
@@ -223,7 +308,24 @@ class LoopParts:
             kind, slot = drive_kernels(joint, free), self.parts.numbers.block(drive_numbers(joint, free))
         currents = self.plan.currents
         current = currents.index(plan.joint) if plan.joint in currents else -1
+        if plan.servo:
+            plan = replace(plan, servo=plan.servo.seeing(self._view(part.input)))
         return Driver(plan, part, part.index, self.parts.numbers.block(plan.numbers), kind, slot, current, controls)
+
+    def _view(self, own: int) -> View:
+        """What a block sees that sees all."""
+        names = tuple(drive.joint for drive in self.plan.drives)
+        return View(tuple(self.parts.names), names, len(self.plan.currents), own)
+
+    def _placed(self, first: int) -> Iterator[Placed]:
+        """The blocks of the plan; their states begin at ``first`` among those of all laws."""
+        for block in self.plan.blocks:
+            driver = next((one for one in self.drivers if one.plan.joint == block.joint), None)
+            if block.law.block.sees_all:
+                view = self._view(driver.coordinate if driver else -1)
+                block = replace(block, law=replace(block.law, view=view))  # noqa: PLW2901
+            yield Placed(block, self.parts.numbers.block(block.numbers), first, driver)
+            first += block.law.states
 
     @cached_property
     def slipping(self) -> dict[int, tuple[AxisPart, int]]:

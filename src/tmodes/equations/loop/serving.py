@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from tmodes.equations.loop.control_kernels import Servo, View
+from tmodes.equations.loop.control_kernels import Served, View
 from tmodes.equations.loop.plan import Driver, LoopParts
 from tmodes.equations.loop.signals_kernels import replacing_kernel, signal_kernel
 from tmodes.equations.mechanics import Way
 from tmodes.equations.recursion.driven import packing_kernel
 from tmodes.kinds.kernel.schedule import Divisible, Kernel, Schedule, Slot
 
-__all__ = ["Serving", "sampled_state"]
+__all__ = ["Serving"]
 
 
 class Serving:
@@ -23,8 +23,16 @@ class Serving:
     mass_step: Slot
     mode: Slot
 
-    def __init__(self, loop: LoopParts, *, implicit: bool = False, given: int = 0) -> None:
-        """``implicit``: the input ``step`` may be other than zero; ``given``: how many numbers are behind the state."""
+    def __init__(
+        self, loop: LoopParts, *, implicit: bool = False, given: int = 0, within: Serving | None = None
+    ) -> None:
+        """``implicit``: the input ``step`` may be other than zero; ``given``: how many numbers are behind the state.
+
+        ``within``: the same instant of another one, whose schedule this one shares.
+        """
+        if within is not None:
+            vars(self).update(vars(within))
+            return
         self.loop, self.plan, self.parts = loop, loop.plan, loop.parts
         self.none = loop.parts.none
         self.schedule = Schedule(loop.parts.numbers.size, zeros=loop.mechanics.zeros)
@@ -70,49 +78,46 @@ class Serving:
         return self.state.part(self.loop.layout.controls.start + driver.controls, count)
 
     def serve(self, driver: Driver, q: Divisible, rates: Slot, own: Slot | None = None) -> tuple[Slot, ...]:
-        """The outputs of the servo's kernel at coordinates and rates; ``own``: its controller's states."""
-        servo, view, blocks = self._seen(driver, q, rates, own)
-        return self.call(servo.kernel(view), *blocks)
+        """The outputs of the servo's kernels at coordinates and rates; ``own``: its controller's states."""
+        assert driver.plan.servo is not None  # noqa: S101
+        return driver.plan.servo.serve(self.call, self._served(driver, q, rates, own))
 
     def sampled(self, driver: Driver, q: Divisible, rates: Slot) -> Slot:
         """The states of a driver's controller, new where the row begins with a sample of it."""
-        servo, view, blocks = self._seen(driver, q, rates, None)
-        if not servo.is_sampled:
+        servo, plan = driver.plan.servo, driver.plan
+        if servo is None or not servo.is_sampled:
             return self.own_states(driver)
-        return self.call(servo.sample_kernel(view), *blocks, self.signals[driver.plan.clock])[0]
+        return servo.sample(self.call, self._served(driver, q, rates, None), *self._clocks(plan.clock, plan.late))
 
-    def _seen(
-        self, driver: Driver, q: Divisible, rates: Slot, own: Slot | None
-    ) -> tuple[Servo, View | None, list[Slot]]:
-        """The servo, its view, and the inputs of its kernel."""
-        place, signal, servo = driver.coordinate, self.signals[driver.plan.signal], driver.plan.servo
+    def _clocks(self, *places: int) -> list[Slot]:
+        return [self.signals[place] for place in places if place >= 0]
+
+    def _served(self, driver: Driver, q: Divisible, rates: Slot, own: Slot | None) -> Served:
+        """The inputs of the kernels of a servo."""
+        place, plan, servo = driver.coordinate, driver.plan, driver.plan.servo
         assert servo is not None  # noqa: S101
-        blocks = [driver.numbers, signal, q.part(place, 1), rates.part(place, 1), self._current(driver), self.step]
-        if servo.noisy:
-            blocks.append(self.signals[driver.plan.noise])
-        if servo.states:
-            blocks.append(own or self.own_states(driver))
-        if not servo.sees_all:
-            return servo, None, blocks
-        names = tuple(other.plan.joint for other in self.loop.drivers)
-        view = View(tuple(self.parts.names), names, len(self.plan.currents), place)
+        reads = servo.controller.reads if servo.controller else ()
+        return Served(
+            driver.numbers, self.signals[plan.signal], q.part(place, 1), rates.part(place, 1), self._current(driver),
+            self.step, self.signals[plan.noise] if servo.noisy else None,
+            (own or self.own_states(driver)) if servo.states else None,
+            self._seen(servo.view, q, rates) if servo.view else (),
+            self.pack(*(self.wire(name) for name in reads)) if reads else None,
+            self.wire(plan.command) if plan.command else None,
+        )  # fmt: skip
+
+    def wire(self, name: str) -> Slot:
+        """A signal that a block reads, by name; raises KeyError where there is none here."""
+        return self.signals[self.plan.sources[name]].part(0, 1)
+
+    def _seen(self, view: View, q: Divisible, rates: Slot) -> tuple[Slot, ...]:
+        """What a block that sees all sees."""
         setpoints = self.pack(*(self.signals[other.plan.signal] for other in self.loop.drivers))
         currents = self.state.part(self.loop.layout.currents.start, view.currents)
         size = self.parts.size
-        return servo, view, [*blocks, q.part(0, size), rates.part(0, size), currents, setpoints]
+        return q.part(0, size), rates.part(0, size), currents, setpoints
 
     def _current(self, driver: Driver) -> Slot:
         if driver.current < 0:
             return self.none[1]
         return self.state.part(self.loop.layout.currents.start + driver.current, 1)
-
-
-def sampled_state(loop: LoopParts) -> Schedule:
-    """(time, state, row, step) -> the state after the samples with which the row begins."""
-    serving, controls = Serving(loop), loop.layout.controls
-    q, rates = serving.moved(serving.state)
-    served = [driver for driver in loop.drivers if driver.plan.servo and driver.plan.servo.states]
-    new = [serving.sampled(driver, q, rates) for driver in served]
-    rest = serving.state.part(controls.stop, loop.layout.size - controls.stop)
-    serving.schedule.output("state", serving.state.part(0, controls.start), *new, rest)
-    return serving.schedule

@@ -1,4 +1,4 @@
-"""What a controller is: from what is measured and wanted to the command of one drive, with states of its own.
+"""Controllers: from what is measured and wanted to commands of drives, with states of their own.
 
 A controller of a user's own is a class with the field ``type`` and two methods::
 
@@ -14,12 +14,9 @@ A controller of a user's own is a class with the field ``type`` and two methods:
         def command(self, p, m, x):
             return m.wanted - vectors.total([k * s for k, s in zip(p, [*m.q, *m.v])])
 
-The command is the voltage of a motor that has a resistance, else the effort. Controllers are written in an arithmetic
-that is passed in: sums, products, quotients, and the functions of :mod:`tmodes.kinds.kernel.functions`. They run in
-native code, in batches, in derivatives and in WebAssembly.
-
-A controller with a ``period`` is sampled: at the multiples of its period its command and its own states (``updates``)
-are computed from what is measured there; in between both are held. Steps of all methods end on these instants.
+The command is the voltage of a motor that has a resistance, else the effort. A controller is a block
+(:mod:`tmodes.kinds.controllers.block`): in the section `control` of a sheet it may command several drives, read sensors
+and other blocks by name (``reads``), or give signals that other blocks read (``ports``).
 
 Steps of implicit methods take the feedback of a drive's own position and rate at the end of the step (their slopes are
 derived), all other feedback and the own states explicitly.
@@ -27,117 +24,28 @@ derived), all other feedback and the own states explicitly.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
-from typing import Any, ClassVar
+from tmodes.kinds.controllers.block import Block, LinearPlant, Measured, OwnState, Port
 
-from tmodes.errors import InputError
-from tmodes.kinds.schema.kind import Kind
-
-__all__ = ["CONTROLLERS", "Controller", "Measured", "OwnState"]
+__all__ = ["CONTROLLERS", "Block", "Controller", "LinearPlant", "Measured", "OwnState", "Port"]
 
 
-@dataclass(frozen=True)
-class Measured:
-    """What a controller sees of one instant, as numbers or symbols.
-
-    Of its own drive: ``wanted`` position with two derivatives, ``position`` and ``velocity`` of the motor (of the joint
-    where it has no elastic gear) and its ``current``. Of a controller that sees all: ``q`` and ``v`` of all coordinates
-    in the order of ``names`` (motors, joints, links), ``currents`` that are states, and ``setpoints``: (value, rate,
-    acceleration) of each drive's signal in the order of ``drives``.
-    """
-
-    wanted: Any
-    wanted_rate: Any
-    wanted_acceleration: Any
-    position: Any
-    velocity: Any
-    current: Any = 0.0
-    q: list[Any] = field(default_factory=list)
-    v: list[Any] = field(default_factory=list)
-    names: tuple[str, ...] = ()
-    currents: list[Any] = field(default_factory=list)
-    setpoints: list[list[Any]] = field(default_factory=list)
-    drives: tuple[str, ...] = ()
-
-    def coordinate(self, name: str) -> tuple[Any, Any]:
-        """Position and rate of a coordinate by name; raises :class:`tmodes.errors.InputError` for an unknown one."""
-        if name not in self.names:
-            hint = "name it in `unknown`, which is asked when the sheet is read"
-            raise InputError("controller", f"the unknown coordinate `{name}`", f"one of {', '.join(self.names)}", hint)
-        place = self.names.index(name)
-        return self.q[place], self.v[place]
-
-
-@dataclass(frozen=True)
-class OwnState:
-    """A controller's own state in a result: name and unit, as ``rad*s|m*s`` where that of a sliding joint differs."""
-
-    name: str
-    unit: str = "1"
-
-    def unit_of(self, *, slides: bool) -> str:
-        """The unit on a joint that turns or slides."""
-        return self.unit.split("|")[-1 if slides else 0]
-
-
-class Controller(Kind, family="controller", key="type"):
-    """What keeps a wanted position."""
-
-    sees_all: ClassVar[bool] = False
-    """Whether it sees the whole measured state, not only its own drive."""
-
-    def numbers(self) -> tuple[float, ...]:
-        """Numbers of the law, which its methods read as ``p``."""
-        raise NotImplementedError
-
-    def command(self, p: Any, m: Measured, x: list[Any]) -> Any:
-        """The command [V, or N*m or N], of its numbers, what it sees, and its own states."""
-        raise NotImplementedError
-
-    @property
-    def period(self) -> float | None:
-        """Time between its samples [s]; None where it works in continuous time."""
-        return None
-
-    def initial(self) -> tuple[float, ...]:
-        """Its own states at time 0; as many as there are rates, or updates."""
-        return ()
-
-    @property
-    def states(self) -> tuple[OwnState, ...]:
-        """Names and units of its own states."""
-        return tuple(OwnState(f"state{k + 1}") for k in range(len(self.initial())))
-
-    def rates(self, p: Any, m: Measured, x: list[Any]) -> list[Any]:
-        """Derivatives by time of its own states, in continuous time."""
-        del p, m, x
-        return []
-
-    def updates(self, p: Any, m: Measured, x: list[Any]) -> list[Any]:
-        """Its own states after a sample; the command of that sample is of those before."""
-        del p, m
-        return x
+class Controller(Block, family="controller", key="type"):
+    """What keeps a wanted position, filters a signal, or estimates a state."""
 
     @property
     def is_local(self) -> bool:
         """Whether it is no more to small motions than a spring and a damper of its own drive."""
-        return not (self.sees_all or self.initial() or self.period)
-
-    @property
-    def structure(self) -> str:
-        """The law's compiled form: two controllers of the same structure share their code."""
-        sampled = " sampled" * (self.period is not None)
-        return f"{self.fingerprint()} {len(self.numbers())} {len(self.initial())}{sampled}"
+        return not (self.sees_all or self.initial() or self.period or self.reads)
 
     def local_gains(self) -> tuple[float, float]:
-        """Fall of the command per own position and rate about zero; 0 for a controller that sees the whole state."""
+        """Fall of the command per own position and rate about zero; 0 for a controller that sees more than those."""
+        if self.sees_all or self.reads or self.needs_model:
+            return 0.0, 0.0
         p, x, step = self.numbers(), list(self.initial()), 1e-4
 
         def command(position: float, velocity: float) -> float:
-            return float(self.command(p, Measured(0.0, 0.0, 0.0, position, velocity), x))
+            return float(self.command(p, Measured(position=position, velocity=velocity), x))
 
-        if self.sees_all:
-            return 0.0, 0.0
         stiff = (command(-step, 0.0) - command(step, 0.0)) / (2 * step)
         return stiff, (command(0.0, -step) - command(0.0, step)) / (2 * step)
 

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from tmodes.kinds.controllers.contract import CONTROLLERS, Controller, Measured, OwnState
+from tmodes.kinds.controllers.contract import CONTROLLERS, Block, Controller, LinearPlant, Measured, OwnState, Port
 
-__all__ = ["CONTROLLERS", "Controller", "Measured", "OwnState"]
+__all__ = ["CONTROLLERS", "Block", "Controller", "LinearPlant", "Measured", "OwnState", "Port"]
 
 CONTROLLERS.bring(
     "tmodes.kinds.controllers",
-    {"pd": "pd", "pid": "pid", "sampled_pid": "sampled_pid", "state_feedback": "state_feedback"},
+    {"pd": "pd", "pid": "pid", "sampled_pid": "pid", "state_feedback": "state_feedback"},
 )

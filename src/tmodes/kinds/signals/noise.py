@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import Any, Literal
 
 import numpy as np
@@ -13,9 +14,9 @@ from tmodes.kinds.noted.functions import ceil
 from tmodes.kinds.schema.quantity import any_sign, not_negative, positive
 from tmodes.kinds.signals.contract import SIGNALS, Signal
 from tmodes.kinds.signals.fit import MOST_PIECES
-from tmodes.kinds.signals.schedule import SignalPieces
+from tmodes.kinds.signals.schedule import Clock, SignalPieces
 
-__all__ = ["Noise", "hermite", "normal_numbers"]
+__all__ = ["Noise", "SampledNoise", "hermite", "normal_numbers"]
 
 
 @SIGNALS.register
@@ -47,6 +48,26 @@ class Noise(Signal):
         slopes = np.append(0.0, (values[2:] - values[:-2]) / (2 * spacing))
         pieces = hermite(values[:count], values[1 : count + 1], slopes[:count], slopes[1 : count + 1], spacing)
         return SignalPieces(spacing * np.arange(count + 1, dtype=np.float64), pieces).until(until)
+
+
+@dataclass(frozen=True)
+class SampledNoise:
+    """A random value at each sample of a sensor, held until the next: normally distributed about 0."""
+
+    period: float
+    output_step: float
+    deviation: float
+    seed: int
+
+    def schedule(self, until: float) -> SignalPieces:
+        """A constant piece for each sample, up to ``until`` [s]; a longer run has the same noise at its start."""
+        starts = Clock(self.period, self.output_step).samples(until)
+        values = self.deviation * normal_numbers(self.seed, len(starts))
+        return SignalPieces(np.append(starts, until), values[:, None])
+
+    def move_ends(self, reach: float = 1.0) -> float | None:
+        """Never."""
+        del reach
 
 
 def hermite(

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from tmodes.kinds.signals.contract import SIGNALS, Signal
 from tmodes.kinds.signals.schedule import Clock, Jolts, MergedSchedule, merge
 
@@ -14,6 +16,7 @@ __all__ = [
     "constant_signal",
     "merge",
     "quintic_move",
+    "sampled_noise",
 ]
 
 SIGNALS.bring(
@@ -33,3 +36,10 @@ def constant_signal(value: float) -> Signal:
 def quintic_move(start: float, end: float, duration: float) -> Signal:
     """A smooth move from rest to rest in ``duration`` [s] from time 0 on."""
     return SIGNALS["quintic"](type="quintic", start=start, end=end, duration=duration)
+
+
+def sampled_noise(period: float, output_step: float, deviation: float, seed: int) -> Any:
+    """A random value of a standard ``deviation`` every ``period`` [s], held in between."""
+    from tmodes.kinds.signals.noise import SampledNoise
+
+    return SampledNoise(period, output_step, deviation, seed)

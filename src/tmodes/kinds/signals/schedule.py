@@ -274,26 +274,38 @@ _SAME = 1e-9
 
 @dataclass(frozen=True)
 class Clock:
-    """A saw tooth that is exactly 0 at each sample and rises by 1 s/s; ``output_step`` [s] of the run."""
+    """A saw tooth that is exactly 0 at each sample and rises by 1 s/s; ``output_step`` [s] of the run.
+
+    ``after``: of instants that come so much later than each sample [s]; before the first it is positive.
+    """
 
     period: float
     output_step: float
+    after: float = 0.0
 
     def schedule(self, until: float) -> SignalPieces:
         """A piece from each sample to the next, up to ``until`` [s].
 
         Raises :class:`tmodes.errors.InputError` for more than a million samples.
         """
+        starts = self.samples(until)
+        pieces = np.tile([0.0, 1.0], (len(starts), 1))
+        if self.after > 0:
+            starts, pieces = np.append(0.0, starts), np.vstack([[1.0, 0.0], pieces])
+        return SignalPieces(np.append(starts, until), pieces)
+
+    def samples(self, until: float) -> NDArray[np.float64]:
+        """The instants before ``until`` [s]; raises as :meth:`schedule`."""
         if is_noted(self.period):
             raise Lost("samples on the instants of the output are structure", self.period)
         count = int(np.ceil(until / self.period * (1 - 1e-12)))
         if count > MOST_SAMPLES:
             got, most = f"{self.period:g} s, {count} samples in {until:g} s", f"at most {MOST_SAMPLES} samples"
             raise InputError("sample_time", got, most, "sample less often, or shorten the run")
-        times = self.period * np.arange(count)
+        times = self.period * np.arange(count) + self.after
+        times = times[times < until]
         shown = np.round(times / self.output_step) * self.output_step
-        starts = np.where(np.abs(times - shown) < _SAME * self.output_step, shown, times)
-        return SignalPieces(np.append(starts, until), np.tile([0.0, 1.0], (count, 1)))
+        return np.where(np.abs(times - shown) < _SAME * self.output_step, shown, times)
 
     def move_ends(self, reach: float = 1.0) -> float | None:
         """Never."""

@@ -1,0 +1,176 @@
+"""Blocks with ports: what controllers, filters, observers and sensors have in common.
+
+A block reads named signals (``reads``), gives signals (``ports``), and may have states of its own. It is written in an
+arithmetic that is passed in: sums, products, quotients, and the functions of :mod:`tmodes.kinds.kernel.functions`. It
+runs in native code, in batches, in derivatives and in WebAssembly.
+
+A block with a ``period`` is sampled: at the multiples of its period its outputs and its own states (``updates``) are
+computed from what it reads there; in between both are held. Steps of all methods end on these instants. A drive with a
+`period` of its own samples a block of continuous time, whose states then advance by rates times period (Euler).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from typing import Any, ClassVar, Self
+
+from tmodes.errors import InputError
+from tmodes.kinds.schema.kind import Kind
+
+__all__ = ["Block", "LinearPlant", "Measured", "OwnState", "Port"]
+
+
+@dataclass(frozen=True)
+class Measured:
+    """What a block sees of one instant, as numbers or symbols.
+
+    Of its own drive: ``wanted`` position with two derivatives, ``position`` and ``velocity`` of the motor (of the joint
+    where it has no elastic gear) and its ``current``; ``limit``: largest command of that drive, None without one. Of a
+    controller that sees all: ``q`` and ``v`` of all coordinates in the order of ``names`` (motors, joints, links),
+    ``currents`` that are states, and ``setpoints``: (value, rate, acceleration) of each drive's signal in the order of
+    ``drives``. ``signals``: what it reads by name. ``period``: time between its samples [s], None in continuous time.
+    ``model``: see :attr:`Block.needs_model`.
+    """
+
+    wanted: Any = 0.0
+    wanted_rate: Any = 0.0
+    wanted_acceleration: Any = 0.0
+    position: Any = 0.0
+    velocity: Any = 0.0
+    current: Any = 0.0
+    q: list[Any] = field(default_factory=list)
+    v: list[Any] = field(default_factory=list)
+    names: tuple[str, ...] = ()
+    currents: list[Any] = field(default_factory=list)
+    setpoints: list[list[Any]] = field(default_factory=list)
+    drives: tuple[str, ...] = ()
+    signals: Mapping[str, Any] = field(default_factory=dict)
+    limit: Any = None
+    period: Any = None
+    model: Any = None
+
+    def coordinate(self, name: str) -> tuple[Any, Any]:
+        """Position and rate of a coordinate by name; raises :class:`tmodes.errors.InputError` for an unknown one."""
+        if name not in self.names:
+            hint = "name it in `unknown`, which is asked when the sheet is read"
+            raise InputError("controller", f"the unknown coordinate `{name}`", f"one of {', '.join(self.names)}", hint)
+        place = self.names.index(name)
+        return self.q[place], self.v[place]
+
+    def setpoint(self, joint: str) -> list[Any]:
+        """Value, rate and acceleration of the signal of a joint's drive."""
+        return self.setpoints[self.drives.index(joint)]
+
+
+@dataclass(frozen=True)
+class OwnState:
+    """A block's own state in a result: name and unit, as ``rad*s|m*s`` where that of a sliding joint differs."""
+
+    name: str
+    unit: str = "1"
+
+    def unit_of(self, *, slides: bool) -> str:
+        """The unit on a joint that turns or slides."""
+        return self.unit.split("|")[-1 if slides else 0]
+
+
+@dataclass(frozen=True)
+class Port:
+    """A signal that a block gives: its name behind that of the block (empty: the block's own) and its unit."""
+
+    name: str = ""
+    unit: str = "1"
+
+
+@dataclass(frozen=True)
+class LinearPlant:
+    """The robot about a rest, for the design of a block: x' = A x + B u, y = C x of deviations from ``rest``.
+
+    ``states``: names of x, coordinates then ``NAME'`` for their rates, then currents; ``drives``: those of u, in the
+    order of its columns; ``rest``: x at rest; ``effort``: u that holds it; ``reads``: names of the rows of C, whose
+    values at rest are ``measured``.
+    """
+
+    states: tuple[str, ...]
+    drives: tuple[str, ...]
+    reads: tuple[str, ...]
+    A: Any
+    B: Any
+    C: Any
+    rest: Any
+    effort: Any
+    measured: Any
+
+
+class Block(Kind):
+    """A part of a control system: signals in, signals out, with states of its own."""
+
+    sees_all: ClassVar[bool] = False
+    """Whether it sees the whole state and all setpoints, not only its own drive."""
+
+    needs_model: ClassVar[bool] = False
+    """Whether it computes with the nominal robot: ``m.model.torque(q, v, a)`` gives the motor-side efforts of the rigid
+    joints for angles, rates and accelerations in the order of ``m.drives``."""
+
+    ports: ClassVar[tuple[Port, ...]] = ()
+    """The signals that it gives; none: one for each drive that it commands, named by the joints."""
+
+    @property
+    def reads(self) -> tuple[str, ...]:
+        """Names of the signals that it reads: outputs, sensors, ports of other blocks."""
+        return ()
+
+    def numbers(self) -> tuple[float, ...]:
+        """Numbers of the law, which its methods read as ``p``."""
+        raise NotImplementedError
+
+    def command(self, p: Any, m: Measured, x: list[Any]) -> Any:
+        """Its output of its numbers, what it sees, and its own states; a list where it has several.
+
+        That of a drive is [V] of a motor that has a resistance, else [N*m or N].
+        """
+        raise NotImplementedError
+
+    @property
+    def period(self) -> float | None:
+        """Time between its samples [s]; None where it works in continuous time."""
+        return None
+
+    @property
+    def lag(self) -> float:
+        """How much later than its sample an output is given [s]."""
+        return 0.0
+
+    def initial(self) -> tuple[float, ...]:
+        """Its own states at time 0; as many as there are rates, or updates."""
+        return ()
+
+    @property
+    def states(self) -> tuple[OwnState, ...]:
+        """Names and units of its own states."""
+        return tuple(OwnState(f"state{k + 1}") for k in range(len(self.initial())))
+
+    def rates(self, p: Any, m: Measured, x: list[Any]) -> list[Any]:
+        """Derivatives by time of its own states, in continuous time."""
+        del p, m, x
+        return []
+
+    def updates(self, p: Any, m: Measured, x: list[Any]) -> list[Any]:
+        """Its own states after a sample; the outputs of that sample are of those before."""
+        del p, m
+        return x
+
+    def designed(self, plant: Callable[[tuple[str, ...]], LinearPlant], drives: tuple[str, ...]) -> Self:
+        """The block with what follows from the robot: ``plant`` gives the linear robot with the outputs of some names.
+
+        ``drives``: joints that it commands. It is asked once before a run; the block itself where nothing follows.
+        """
+        del plant, drives
+        return self
+
+    @property
+    def structure(self) -> str:
+        """The law's compiled form: two blocks of the same structure share their code."""
+        sampled = " sampled" * (self.period is not None)
+        return f"{self.fingerprint()} {len(self.numbers())} {len(self.initial())}{sampled}"

@@ -1,0 +1,1 @@
+"""Sensors: what is measured of a robot, with resolution, bias, noise, delay and sample rate."""

@@ -1,0 +1,99 @@
+"""The control system of a sheet: which blocks there are, what each reads and commands, in which order they follow."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from graphlib import CycleError, TopologicalSorter
+from typing import Any, NamedTuple
+
+from tmodes.kinds.controllers.registry import Block, Port
+from tmodes.kinds.schema.quantity import Issue
+from tmodes.sheet.parts import Command
+
+__all__ = ["Node", "control_issues", "network", "node_of"]
+
+
+class Node(NamedTuple):
+    """A block by name: its place in the sheet, its ports, and the joint that it sees as its own."""
+
+    name: str
+    path: str
+    block: Block
+    ports: tuple[Port, ...]
+    joint: str = ""
+    sheet: Any = None
+
+    @property
+    def signals(self) -> tuple[str, ...]:
+        """Names of the signals that it gives."""
+        return tuple(f"{self.name}.{port.name}" if port.name else self.name for port in self.ports)
+
+
+def network(robot: Any) -> list[Node]:
+    """Sensors and blocks, each after those that it reads; raises :class:`graphlib.CycleError` for a ring of them."""
+    nodes = {node.name: node for node in _nodes(robot)}
+    givers = {signal: name for name, node in nodes.items() for signal in node.signals}
+    reads = {name: {givers[one] for one in node.block.reads if one in givers} for name, node in nodes.items()}
+    return [nodes[name] for name in TopologicalSorter(reads).static_order()]
+
+
+def _nodes(robot: Any) -> Iterator[Node]:
+    for index, sensor in enumerate(robot.sensors):
+        yield Node(sensor.name, f"sensors.{index}", sensor, sensor.ports)
+    for index, sheet in enumerate(robot.control):
+        yield node_of(sheet, f"control.{index}")
+
+
+def node_of(sheet: Any, path: str = "") -> Node:
+    """The block of an item of ``control``; without ports of its own it gives a signal for each of its drives."""
+    several = len(sheet.drives) > 1
+    ports = sheet.block.ports or tuple(Port(joint if several else "") for joint in sheet.drives) or (Port(),)
+    return Node(sheet.name, path, sheet.block, ports, sheet.joint, sheet)
+
+
+def control_issues(robot: Any) -> Iterator[Issue]:
+    """What does not fit: names given twice, drives commanded twice or not at all, rings of blocks."""
+    seen: set[str] = {joint.name for joint in robot.joints} | {"tip", *(point.name for point in robot.points)}
+    for node in _nodes(robot):
+        if node.name in seen:
+            got, expected = f"the name `{node.name}` again", "a name that no joint, point or other block has"
+            yield Issue(f"{node.path}.name", got, expected, "rename it")
+        seen.add(node.name)
+    try:
+        network(robot)
+    except CycleError as error:
+        ring = " -> ".join(reversed(error.args[1]))
+        hint = "let one of them be sampled and read its value through a sensor, or remove a wire"
+        yield Issue("control", f"the ring {ring}", "blocks that do not read each other in a ring", hint)
+    yield from _commands(robot)
+
+
+def _commands(robot: Any) -> Iterator[Issue]:
+    """Each drive under position control has one law: its own, or a block's."""
+    drives = {drive.joint: drive for drive in robot.drives}
+    taken: dict[str, str] = {}
+    for index, sheet in enumerate(robot.control):
+        path = f"control.{index}"
+        if sheet.of and sheet.of not in drives:
+            yield Issue(f"{path}.of", f"`{sheet.of}`", f"a joint with a drive: {', '.join(drives) or 'none'}", "add it")
+        for k, joint in enumerate(sheet.drives):
+            where, drive = f"{path}.drives.{k}", drives.get(joint)
+            if drive is None:
+                expected = f"a joint with a drive: {', '.join(drives) or 'none'}"
+                yield Issue(where, f"`{joint}`", expected, "add an item with `command: position` under `drives`")
+            elif drive.command is not Command.POSITION or drive.controller:
+                got = "a controller of its own" if drive.controller else f"the command `{drive.command}`"
+                expected = f"`command: position` without a controller, because `{sheet.name}` commands it"
+                yield Issue(where, f"`{joint}` with {got}", expected, "remove one of the two")
+            elif joint in taken:
+                got, expected = f"`{joint}`, which `{taken[joint]}` commands", "a drive with one law"
+                yield Issue(where, got, expected, "remove one of the two")
+            taken[joint] = sheet.name
+        ports = sheet.block.ports
+        if ports and sheet.drives and len(ports) != len(sheet.drives):
+            got, hint = f"{len(sheet.drives)} drives", "name as many joints as it has outputs"
+            yield Issue(f"{path}.drives", got, f"{len(ports)}, one for each of its outputs", hint)
+    for index, drive in enumerate(robot.drives):
+        if drive.command.is_controlled and drive.controller is None and drive.joint not in taken:
+            hint = "add `controller: {type: pd, ...}`, or take the command `prescribed`"
+            yield Issue(f"drives.{index}.controller", "nothing", "a controller for the command `position`", hint)

@@ -1,0 +1,141 @@
+"""From the control system of a sheet to its blocks in a run: what they read, when they sample, what is designed."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import floor
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from tmodes.equations.loop.laws import Delay, Law
+from tmodes.equations.loop.outputs import Outputs
+from tmodes.equations.loop.plan import BlockPlan, LoopParts, LoopPlan
+from tmodes.errors import InputError
+from tmodes.kinds.noted.functions import number
+from tmodes.kinds.sensors.registry import Sensor
+from tmodes.kinds.signals.registry import Clock, constant_signal, sampled_noise
+from tmodes.sheet.network import Node, network, node_of
+
+if TYPE_CHECKING:
+    from tmodes.kinds.controllers.registry import Block
+    from tmodes.sheet import Robot
+
+__all__ = ["Sampling", "control_plan", "wired_name"]
+
+_WHOLE = 1e-9
+"""A delay nearer to whole periods than this share of one is taken as whole periods."""
+
+
+class Sampling(NamedTuple):
+    """When a law samples: its ``period`` [s], whether that is its drive's, and by how much its output is late."""
+
+    period: float | None = None
+    timed: bool = False
+    delay: Delay = Delay()
+    part: float = 0.0
+
+    @classmethod
+    def of(cls, block: Block, sample_time: float | None, delay: float) -> Sampling:
+        """Of a block; ``sample_time`` and ``delay`` [s] are those of its drive or its item in the sheet."""
+        period, late = block.period if sample_time is None else sample_time, delay + block.lag
+        if period is None:
+            return cls()
+        whole = floor(number(late) / number(period) + _WHOLE)
+        part = late - whole * period
+        is_late = number(part) > _WHOLE * number(period)
+        return cls(period, block.period is None, Delay(whole, is_late), part if is_late else 0.0)
+
+    def clocks(self, signals: Any, output_step: float, path: str) -> tuple[int, int]:
+        """The signals with the time since the last sample, and since the last late output; -1 for none."""
+        if self.period is None:
+            return -1, -1
+        first = signals.add(Clock(self.period, output_step), path)
+        late = signals.add(Clock(self.period, output_step, self.part), path) if self.delay.late else -1
+        return first, late
+
+
+def wired_name(sheet: Any, joint: str) -> str:
+    """The signal of a block that commands a joint's drive."""
+    return node_of(sheet).signals[sheet.drives.index(joint)]
+
+
+@dataclass
+class _Sources:
+    """What blocks read but for the signals of each other: outputs, setpoints, gravity, noise."""
+
+    robot: Robot
+    plan: LoopPlan
+    signals: Any
+    outputs: Outputs
+    found: dict[str, Any]
+
+    def add(self, name: str, node: Node, index: int) -> None:
+        """Make a signal known by its name; raises :class:`tmodes.errors.InputError` for an unknown one."""
+        if name in self.found:
+            return
+        path = f"{node.path}{'.block' if node.sheet else ''}"
+        head, _, last = name.rpartition(".")
+        drive = next((one for one in self.plan.drives if one.joint == head), None)
+        if isinstance(node.block, Sensor) and name in node.block.noises:
+            seed = node.block.seed + node.block.noises.index(name)
+            noise = sampled_noise(node.block.sample_time, self.robot.integration.output_step, node.block.noise, seed)
+            self.found[name] = self.signals.add(noise, path)
+        elif head == "gravity" and last in "xyz":
+            value = self.robot.gravity["xyz".index(last)]
+            self.found[name] = self.signals.add(constant_signal(value), path)
+        elif last == "setpoint" and drive:
+            self.found[name] = drive.signal
+        else:
+            self.found[name] = self._output(name, path)
+
+    def _output(self, name: str, path: str) -> Any:
+        plain = name.replace(".motor.", ".")
+        if name not in self.outputs and ".motor." in name and plain in self.outputs:
+            name = plain  # behind a rigid gear the motor is where the joint is
+        return self.outputs.find(name, path)
+
+
+def control_plan(robot: Robot, plan: LoopPlan, signals: Any) -> tuple[tuple[BlockPlan, ...], dict[str, Any]]:
+    """The blocks of a sheet in their order, and what they read; ``plan``: the rest of the run.
+
+    ``signals`` takes the clocks and noises. Raises :class:`tmodes.errors.InputError` for an unknown name, and for an
+    output that a block of continuous time cannot read because it follows from the commands of its instant.
+    """
+    nodes = network(robot)
+    sources = _Sources(robot, plan, signals, Outputs(LoopParts(plan)), {})
+    given = {name for node in nodes for name in node.signals}
+    blocks: list[BlockPlan] = []
+    for index, node in enumerate(nodes):
+        for name in node.block.reads:
+            if name not in given:
+                sources.add(name, node, index)
+        blocks.append(_block(robot, plan, node, signals))
+    _refuse_late(nodes, blocks, sources.found)
+    return tuple(blocks), sources.found
+
+
+def _block(robot: Robot, plan: LoopPlan, node: Node, signals: Any) -> BlockPlan:
+    sheet, block = node.sheet, node.block
+    sampling = Sampling.of(block, *((sheet.sample_time, sheet.delay) if sheet else (None, 0.0)))
+    own = next((drive for drive in plan.drives if drive.joint == node.joint), None)
+    limited = bool(own and own.servo and own.servo.limit)
+    law = Law(
+        block, bool(own), outputs=len(node.ports), limited=limited, timed=sampling.timed, delay=sampling.delay
+    )
+    numbers = (*block.numbers(), *((sampling.period,) if sampling.timed else ()))
+    clocks = sampling.clocks(signals, robot.integration.output_step, node.path)
+    return BlockPlan(node.name, law, node.ports, numbers, node.joint, *clocks)
+
+
+def _refuse_late(nodes: list[Node], blocks: list[BlockPlan], sources: dict[str, Any]) -> None:
+    """Outputs that follow from the commands of their instant are read at samples alone."""
+    late = {name for name, source in sources.items() if getattr(source, "late", False)}
+    for node, block in zip(nodes, blocks, strict=True):
+        read = [name for name in block.law.block.reads if name in late]
+        if not read or block.law.is_sampled:
+            continue
+        late |= {*node.signals}
+        if node.sheet is not None or block.law.states:
+            got = f"`{read[0]}` in continuous time"
+            expected = "a sampled block: it follows from the commands of the same instant"
+            raise InputError(f"{node.path}.sample_time", got, expected, "add `sample_time: 0.001`")
+
