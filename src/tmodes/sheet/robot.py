@@ -213,7 +213,10 @@ class Robot(DataSheet):
         """
         from tmodes import real_robot
 
-        return RobotPair(nominal=self, real=real_robot(self))
+        real = real_robot(self)
+        if real is not self:
+            vars(real)["nominal"] = self  # by which its laws are designed
+        return RobotPair(nominal=self, real=real)
 
 
 def refuse_other(robot: object, *others: type) -> None:

@@ -20,7 +20,7 @@ from tmodes.kinds.drives.registry import drive_kind
 from tmodes.kinds.noted.functions import array, number
 from tmodes.kinds.signals.registry import Jolts, MergedSchedule, constant_signal, merge
 from tmodes.kinds.signals.schedule import SignalPieces
-from tmodes.simulation.control import Sampling, control_plan, wired_name
+from tmodes.simulation.control import Sampling, control_plan, driven_joints, rigid_model, wired_name
 from tmodes.sheet.parts import Command, DriveSheet, InitialState, LoadFrame
 
 if TYPE_CHECKING:
@@ -202,9 +202,11 @@ def _drive(
     limits = {name: getattr(sheet.limits, name) for name in LIMITS if getattr(sheet.limits, name, None) is not None}
     command_of = next((each for each in robot.control if axis.name in each.drives), None)
     wire = "" if command_of is None else wired_name(command_of, axis.name)
+    needs = sheet.controller and sheet.controller.needs_model
+    model = rigid_model(robot, driven_joints(robot)) if needs else None
     servo = Servo(
         sheet.controller, driven, winding, noisy=noise >= 0, timed=sampling.timed, delay=sampling.delay,
-        limits=tuple(limits), wired=bool(wire),
+        limits=tuple(limits), wired=bool(wire), model=model,
     )  # fmt: skip
     own = servo.numbers(numbers, tuple(limits.values()), sampling.period or 0.0)
     clocks = sampling.clocks(signals, robot.integration.output_step, f"drives.{index}.controller")

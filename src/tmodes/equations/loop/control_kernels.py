@@ -12,6 +12,7 @@ from enum import StrEnum
 from typing import Any
 
 from tmodes.equations.loop.laws import Delay, Law, View
+from tmodes.equations.loop.rigid_terms import RigidModel
 from tmodes.equations.loop.signals_kernels import SIGNAL
 from tmodes.kinds.controllers.registry import Controller, OwnState
 from tmodes.kinds.kernel import functions as f
@@ -66,7 +67,7 @@ class Servo:
     """Structure of a drive whose motion is not given: under a ``controller``, or ``driven`` by its voltage.
 
     Without a winding, or where the effort itself is commanded, the command is the effort. ``noisy``, ``settles``,
-    ``timed``, ``delay``, ``view``: see :class:`tmodes.equations.loop.laws.Law`. ``limits``: which of :data:`LIMITS` it
+    ``timed``, ``delay``, ``view``, ``model``: see :class:`tmodes.equations.loop.laws.Law`. ``limits``: which of :data:`LIMITS` it
     has; ``wired``: its command is the output of a block.
     """
 
@@ -80,6 +81,7 @@ class Servo:
     limits: tuple[str, ...] = ()
     wired: bool = False
     view: View | None = None
+    model: RigidModel | None = None
 
     @property
     def has_current(self) -> bool:
@@ -98,7 +100,7 @@ class Servo:
         if self.controller is None:
             return None
         how = {"noisy": self.noisy, "settles": self.settles, "timed": self.timed, "delay": self.delay}
-        return Law(self.controller, view=self.view, limited=bool(self.limit), **how)  # pyright: ignore[reportArgumentType]
+        return Law(self.controller, view=self.view, limited=bool(self.limit), model=self.model, **how)  # pyright: ignore[reportArgumentType]
 
     @property
     def is_controlled(self) -> bool:
@@ -141,8 +143,7 @@ class Servo:
 
     def numbers(self, winding: tuple[float, ...], limits: tuple[float, ...] = (), period: float = 0.0) -> Any:
         """Its numbers: those of the winding, its limits, then those of the controller, and its period."""
-        law = self.controller.numbers() if self.controller else ()
-        return (*winding, *limits, *law, *((period,) if self.timed else ()))
+        return (*winding, *limits, *(self.law.numbers(period) if self.law else ()))
 
     def serve(self, call: Callable[..., tuple[Slot, ...]], given: Served) -> tuple[Slot, ...]:
         """Call its kernels: (effort, feedback (2), rate of the current, info (4), rates of own states if any).

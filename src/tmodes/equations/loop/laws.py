@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 import casadi as ca
 
+from tmodes.equations.loop.rigid_terms import RigidModel
 from tmodes.equations.loop.signals_kernels import SIGNAL
 from tmodes.kinds.controllers.registry import Block, Measured, OwnState
 from tmodes.kinds.kernel.functions import if_else
@@ -17,17 +17,21 @@ __all__ = ["Delay", "Law", "View"]
 
 
 class View(NamedTuple):
-    """What a block that sees all sees: names of coordinates and drives, currents, its own coordinate (-1: none)."""
+    """What a block that sees all sees: names of coordinates and drives, currents, its own coordinate (-1: none).
+
+    ``orders``: numbers of each setpoint.
+    """
 
     names: tuple[str, ...]
     drives: tuple[str, ...]
     currents: int
     own: int = -1
+    orders: int = SIGNAL
 
     @property
     def sizes(self) -> tuple[int, ...]:
         """Sizes of the blocks q, v, currents, setpoints."""
-        return len(self.names), len(self.names), self.currents, SIGNAL * len(self.drives)
+        return len(self.names), len(self.names), self.currents, self.orders * len(self.drives)
 
 
 class Delay(NamedTuple):
@@ -65,7 +69,7 @@ class Law:
     on that setpoint; ``limited``: the drive has a largest command. ``outputs``: how many it gives. ``timed``: a block of
     continuous time that its drive samples. ``settles``: a sampled block as one in continuous time whose rates are the
     changes of its own states from sample to sample: zero where constant inputs leave it as it is. ``model``: the rigid
-    robot that it computes with, and how many ``model_numbers`` that takes.
+    robot that it computes with.
     """
 
     block: Block
@@ -77,9 +81,7 @@ class Law:
     timed: bool = False
     settles: bool = False
     delay: Delay = Delay()
-    model: Callable[[Any], Any] | None = field(default=None, compare=False)
-    model_key: str = ""
-    model_numbers: int = 0
+    model: RigidModel | None = None
 
     @property
     def is_sampled(self) -> bool:
@@ -109,7 +111,17 @@ class Law:
     @property
     def count(self) -> int:
         """How many numbers it reads: those of the block, of the model, and the period of a timed one."""
-        return self.own_numbers + self.model_numbers + self.timed
+        return self.own_numbers + self.model_count + self.timed
+
+    @property
+    def model_count(self) -> int:
+        """How many numbers the rigid robot has."""
+        return len(self.model.numbers) if self.model else 0
+
+    def numbers(self, period: float | None = None) -> tuple[Any, ...]:
+        """What it reads: numbers of the block, of the rigid robot, and the ``period`` [s] of a timed one."""
+        robot = self.model.numbers if self.model else ()
+        return (*self.block.numbers(), *robot, *((period,) if self.timed else ()))
 
     @property
     def key(self) -> str:
@@ -119,7 +131,7 @@ class Law:
         more += [f"view {self.view}"] if self.view else []
         more += [f"{self.delay}"] if self.delay.kept and self.is_sampled else []
         more += [f"reads {self.block.reads}"] if self.block.reads else []
-        more += [f"model {self.model_key}"] if self.model_key else []
+        more += [f"model {self.model.key} {self.model.drives}"] if self.model else []
         return " ".join([f"{self.block.structure} owned {self.owned} {self.outputs}", *more])
 
     @property
@@ -226,18 +238,20 @@ class Law:
         if self.view:
             here |= self._seen(self.view, given, wanted, (position, velocity))
         if self.model:
-            here["model"] = self.model([p[self.own_numbers + k] for k in range(self.model_numbers)])
+            here["model"] = self.model.terms([p[self.own_numbers + k] for k in range(self.model_count)])
         return Measured(**here)
 
     def _seen(self, view: View, given: _Inputs, wanted: list[Any], own: tuple[Any, Any]) -> dict[str, Any]:
         """What a block that sees all sees: of its own drive as the others' measurements are."""
         q, v = ([block[k] for k in range(len(view.names))] for block in given.view[:2])
-        setpoints = [[given.view[3][SIGNAL * k + i] for i in range(SIGNAL)] for k in range(len(view.drives))]
-        if view.own >= 0:
+        orders = range(view.orders)
+        setpoints = [[given.view[3][view.orders * k + i] for i in orders] for k in range(len(view.drives))]
+        joint = view.names[view.own].removesuffix(".motor") if view.own >= 0 else ""
+        if joint:
             q[view.own], v[view.own] = own
-            setpoints[view.drives.index(view.names[view.own].removesuffix(".motor"))] = wanted
+            setpoints[view.drives.index(joint)][:SIGNAL] = wanted
         currents = [given.view[2][k] for k in range(view.currents)]
-        named = {"names": view.names, "drives": view.drives}
+        named = {"names": view.names, "drives": view.drives, "joint": joint}
         return {"q": q, "v": v, "setpoints": setpoints, "currents": currents, **named}
 
     def named_states(self, units: tuple[str, ...], names: tuple[str, ...] = ("command",)) -> tuple[OwnState, ...]:

@@ -18,6 +18,7 @@ from tmodes.equations.loop.contact_kernels import Touch
 from tmodes.equations.loop.control_kernels import Servo, View, Winding
 from tmodes.equations.loop.laws import Law
 from tmodes.equations.loop.layout import StateLayout
+from tmodes.equations.loop.signals_kernels import SIGNAL
 from tmodes.equations.mechanics import Mechanics, mechanics
 from tmodes.equations.recursion.drive_kernels import DriveKernels, drive_kernels, drive_numbers
 from tmodes.equations.recursion.parts import AxisPart, Parts
@@ -309,20 +310,21 @@ class LoopParts:
         currents = self.plan.currents
         current = currents.index(plan.joint) if plan.joint in currents else -1
         if plan.servo:
-            plan = replace(plan, servo=plan.servo.seeing(self._view(part.input)))
+            orders = plan.servo.controller.setpoint_orders if plan.servo.controller else SIGNAL
+            plan = replace(plan, servo=plan.servo.seeing(self._view(part.input, orders)))
         return Driver(plan, part, part.index, self.parts.numbers.block(plan.numbers), kind, slot, current, controls)
 
-    def _view(self, own: int) -> View:
+    def _view(self, own: int, orders: int) -> View:
         """What a block sees that sees all."""
         names = tuple(drive.joint for drive in self.plan.drives)
-        return View(tuple(self.parts.names), names, len(self.plan.currents), own)
+        return View(tuple(self.parts.names), names, len(self.plan.currents), own, orders)
 
     def _placed(self, first: int) -> Iterator[Placed]:
         """The blocks of the plan; their states begin at ``first`` among those of all laws."""
         for block in self.plan.blocks:
             driver = next((one for one in self.drivers if one.plan.joint == block.joint), None)
             if block.law.block.sees_all:
-                view = self._view(driver.coordinate if driver else -1)
+                view = self._view(driver.coordinate if driver else -1, block.law.block.setpoint_orders)
                 block = replace(block, law=replace(block.law, view=view))  # noqa: PLW2901
             yield Placed(block, self.parts.numbers.block(block.numbers), first, driver)
             first += block.law.states

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from tmodes.equations.loop.control_kernels import Served, View
 from tmodes.equations.loop.plan import Driver, LoopParts
-from tmodes.equations.loop.signals_kernels import replacing_kernel, signal_kernel
+from tmodes.equations.loop.signals_kernels import SIGNAL, replacing_kernel, signal_kernel
 from tmodes.equations.mechanics import Way
 from tmodes.equations.recursion.driven import packing_kernel
 from tmodes.kinds.kernel.schedule import Divisible, Kernel, Schedule, Slot
@@ -55,10 +55,10 @@ class Serving:
             return self.none[1].part(0, 0)
         return self.call(packing_kernel(tuple(block.size for block in blocks)), *blocks)[0]
 
-    def _signal(self, k: int) -> Slot:
+    def _signal(self, k: int, orders: int = SIGNAL) -> Slot:
         count = self.plan.degree + 1
         block = self.row.part(1 + k * count, count)
-        return self.call(signal_kernel(self.plan.degree), self.time, self.row.part(0, 1), block)[0]
+        return self.call(signal_kernel(self.plan.degree, orders), self.time, self.row.part(0, 1), block)[0]
 
     def moved(self, state: Slot) -> tuple[Slot, Slot]:
         """Coordinates and rates of a state; those that follow their signals exactly are where these are."""
@@ -112,7 +112,9 @@ class Serving:
 
     def _seen(self, view: View, q: Divisible, rates: Slot) -> tuple[Slot, ...]:
         """What a block that sees all sees."""
-        setpoints = self.pack(*(self.signals[other.plan.signal] for other in self.loop.drivers))
+        places = [other.plan.signal for other in self.loop.drivers]
+        orders = view.orders
+        setpoints = self.pack(*(self.signals[k] if orders == SIGNAL else self._signal(k, orders) for k in places))
         currents = self.state.part(self.loop.layout.currents.start, view.currents)
         size = self.parts.size
         return q.part(0, size), rates.part(0, size), currents, setpoints

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from math import factorial
 from typing import Any
 
 import casadi as ca
@@ -29,19 +30,19 @@ BASE_NUMBERS = 15
 """Numbers of a moving base: rotation (9) and position (3) of its placement, gravity (3) in the world."""
 
 
-def signal_kernel(degree: int) -> Kernel:
-    """(time, start of the piece, coefficients) -> (value, rate, acceleration) of the piece's polynomial."""
+def signal_kernel(degree: int, orders: int = SIGNAL) -> Kernel:
+    """(time, start of the piece, coefficients) -> (value, rate, acceleration, ...) of the piece's polynomial."""
 
     def build(time: Any, start: Any, coefficients: Any) -> list[list[Any]]:
         tau = time[0] - start[0]
-        value, rate, half = coefficients[degree], 0.0, 0.0
+        found = [coefficients[degree], *([0.0] * (orders - 1))]
         for k in reversed(range(degree)):
-            half = half * tau + rate
-            rate = rate * tau + value
-            value = value * tau + coefficients[k]
-        return [[value, rate, 2 * half]]
+            for order in reversed(range(1, orders)):
+                found[order] = found[order] * tau + found[order - 1]
+            found[0] = found[0] * tau + coefficients[k]
+        return [[factorial(order) * value if order > 1 else value for order, value in enumerate(found)]]
 
-    return Kernel(f"signal {degree}", (1, 1, degree + 1), (SIGNAL,), build)
+    return Kernel(f"signal {degree} {orders}", (1, 1, degree + 1), (orders,), build)
 
 
 def replacing_kernel(size: int, places: tuple[int, ...]) -> Kernel:

@@ -28,8 +28,8 @@ class Measured:
     Of its own drive: ``wanted`` position with two derivatives, ``position`` and ``velocity`` of the motor (of the joint
     where it has no elastic gear) and its ``current``; ``limit``: largest command of that drive, None without one. Of a
     controller that sees all: ``q`` and ``v`` of all coordinates in the order of ``names`` (motors, joints, links),
-    ``currents`` that are states, and ``setpoints``: (value, rate, acceleration) of each drive's signal in the order of
-    ``drives``. ``signals``: what it reads by name. ``period``: time between its samples [s], None in continuous time.
+    ``currents`` that are states, and ``setpoints``: (value, rate, acceleration, or :attr:`Block.setpoint_orders`) of
+    each drive's signal in the order of ``drives``, ``joint``: its own among these. ``signals``: what it reads by name. ``period``: time between its samples [s], None in continuous time.
     ``model``: see :attr:`Block.needs_model`.
     """
 
@@ -45,6 +45,7 @@ class Measured:
     currents: list[Any] = field(default_factory=list)
     setpoints: list[list[Any]] = field(default_factory=list)
     drives: tuple[str, ...] = ()
+    joint: str = ""
     signals: Mapping[str, Any] = field(default_factory=dict)
     limit: Any = None
     period: Any = None
@@ -58,8 +59,18 @@ class Measured:
         place = self.names.index(name)
         return self.q[place], self.v[place]
 
+    def motors(self) -> tuple[list[Any], list[Any]]:
+        """Positions and rates of the motors of all drives, of the joint itself behind a rigid gear."""
+        places = [self.names.index(name if (name := f"{one}.motor") in self.names else one) for one in self.drives]
+        return [self.q[k] for k in places], [self.v[k] for k in places]
+
+    def joints(self) -> tuple[list[Any], list[Any]]:
+        """Positions and rates of the joints of all drives."""
+        places = [self.names.index(one) for one in self.drives]
+        return [self.q[k] for k in places], [self.v[k] for k in places]
+
     def setpoint(self, joint: str) -> list[Any]:
-        """Value, rate and acceleration of the signal of a joint's drive."""
+        """Value, rate, acceleration (...) of the signal of a joint's drive."""
         return self.setpoints[self.drives.index(joint)]
 
 
@@ -109,9 +120,12 @@ class Block(Kind):
     sees_all: ClassVar[bool] = False
     """Whether it sees the whole state and all setpoints, not only its own drive."""
 
+    setpoint_orders: ClassVar[int] = 3
+    """How many numbers of each setpoint a block sees that sees all: value, rate, ..., at most 5 (fourth derivative)."""
+
     needs_model: ClassVar[bool] = False
-    """Whether it computes with the nominal robot: ``m.model.torque(q, v, a)`` gives the motor-side efforts of the rigid
-    joints for angles, rates and accelerations in the order of ``m.drives``."""
+    """Whether it computes with the robot as known, its gears and links rigid: ``m.model.torque(q, v, a)`` and more, see
+    :class:`tmodes.equations.loop.rigid_terms.RigidTerms`; angles in the order of ``m.drives``."""
 
     ports: ClassVar[tuple[Port, ...]] = ()
     """The signals that it gives; none: one for each drive that it commands, named by the joints."""
