@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from tmodes.analysis.error_parts import element_places
 from tmodes.analysis.line.line import elastic_line, line_places
 from tmodes.analysis.quasistatic import elastic_names
+from tmodes.kinds.signals.registry import Clock
 from tmodes.live.functions import ModelFunctions, engine_settings, live_module
 from tmodes.live.knobs import Ahead
 from tmodes.live.map import LiveMap, Progress, live_map
@@ -203,11 +204,8 @@ def _run(setup: RunSetup) -> dict[str, Any]:
         "signals": len(setup.planned.each),
         "balance": _balance(setup),
         "moving": [k for k in range(len(setup.planned.each)) if k not in plan.aside],
-        "noise": [drive.noise for drive in plan.drives if drive.noise >= 0],
-        "clocks": [
-            [drive.clock, drive.servo.controller.period] for drive in plan.drives
-            if drive.clock >= 0 and drive.servo and drive.servo.controller
-        ],
+        "noise": setup.planned.noises,
+        "clocks": [[k, one.period, one.after] for k, one in enumerate(setup.planned.each) if isinstance(one, Clock)],
         "slipping": len(setup.model.loop.slipping),
     }  # fmt: skip
 
@@ -230,7 +228,7 @@ def _balance(setup: RunSetup) -> dict[str, Any] | None:
         "unknown": balance.unknown[counts].tolist(),
         "equations": balance.equations[counts].tolist(),
         "weighs": tangent.weighs[counts],
-        "noise": [drive.noise for drive in setup.planned.plan.drives if drive.noise >= 0],
+        "noise": setup.planned.noises,
     }
 
 

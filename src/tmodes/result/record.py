@@ -17,6 +17,7 @@ from tmodes.kinds.drives.registry import DRIVES
 from tmodes.kinds.joints.registry import JOINTS
 from tmodes.kinds.links.registry import LINKS
 from tmodes.kinds.registry import Registry, UnknownKindError
+from tmodes.kinds.sensors.registry import SENSORS
 from tmodes.kinds.signals.registry import SIGNALS
 from tmodes.result.content import AGAIN, refuse_not_finite, refuse_wrong_content
 from tmodes.sheet.robot import RECURSION
@@ -157,6 +158,8 @@ _PLACES: dict[str, Registry[Any]] = {
     "joints.*.drive": DRIVES,
     "links.*.beam.model": LINKS,
     "drives.*.controller.type": CONTROLLERS,
+    "control.*.block.type": CONTROLLERS,
+    "sensors.*.type": SENSORS,
     "drives.*.signal.type": SIGNALS,
     "drives.*.signal.signals.*.type": SIGNALS,
     "drives.*.noise.type": SIGNALS,

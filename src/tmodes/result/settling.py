@@ -279,7 +279,7 @@ class _Continued:
         fine = step >= run.robot.integration.output_step or not are_coarse(
             found.times[later], found.tip[later], found.rates[later], rest, limit
         )
-        if fine or min(span, self.left) <= 0 or any(drive.noise >= 0 for drive in run.planned.plan.drives):
+        if fine or min(span, self.left) <= 0 or run.planned.noises:
             return found
         done, *motion = self._from(first, span, span / np.ceil(span / step))
         seen = found.joined(first, motion) if len(motion[0]) > FEWEST else found
@@ -326,7 +326,7 @@ def at_rest_from(setup: RunSetup, time: float, state: Array, duration: float) ->
     """The same robot with all signals at their values at a time [s], and the state from which it continues."""
     plan, layout = setup.planned, setup.model.layout
     values = plan.signals.at(time)
-    values[[drive.noise for drive in plan.plan.drives if drive.noise >= 0]] = 0.0
+    values[plan.noises] = 0.0
     knots, clocks = np.array([0.0, duration]), {drive.clock for drive in plan.plan.drives}
     still = np.zeros((len(values), 1, plan.signals.degree + 1))
     still[:, 0, 0] = values

@@ -71,29 +71,37 @@ def control_issues(robot: Any) -> Iterator[Issue]:
 def _commands(robot: Any) -> Iterator[Issue]:
     """Each drive under position control has one law: its own, or a block's."""
     drives = {drive.joint: drive for drive in robot.drives}
+    known = f"a joint with a drive: {', '.join(drives) or 'none'}"
     taken: dict[str, str] = {}
     for index, sheet in enumerate(robot.control):
         path = f"control.{index}"
         if sheet.of and sheet.of not in drives:
-            yield Issue(f"{path}.of", f"`{sheet.of}`", f"a joint with a drive: {', '.join(drives) or 'none'}", "add it")
+            yield Issue(f"{path}.of", f"`{sheet.of}`", known, "correct the name, or add the drive")
         for k, joint in enumerate(sheet.drives):
-            where, drive = f"{path}.drives.{k}", drives.get(joint)
-            if drive is None:
-                expected = f"a joint with a drive: {', '.join(drives) or 'none'}"
-                yield Issue(where, f"`{joint}`", expected, "add an item with `command: position` under `drives`")
-            elif drive.command is not Command.POSITION or drive.controller:
-                got = "a controller of its own" if drive.controller else f"the command `{drive.command}`"
-                expected = f"`command: position` without a controller, because `{sheet.name}` commands it"
-                yield Issue(where, f"`{joint}` with {got}", expected, "remove one of the two")
-            elif joint in taken:
-                got, expected = f"`{joint}`, which `{taken[joint]}` commands", "a drive with one law"
-                yield Issue(where, got, expected, "remove one of the two")
+            yield from _command(f"{path}.drives.{k}", joint, drives.get(joint), known, (sheet.name, taken.get(joint)))
             taken[joint] = sheet.name
         ports = sheet.block.ports
         if ports and sheet.drives and len(ports) != len(sheet.drives):
             got, hint = f"{len(sheet.drives)} drives", "name as many joints as it has outputs"
             yield Issue(f"{path}.drives", got, f"{len(ports)}, one for each of its outputs", hint)
     for index, drive in enumerate(robot.drives):
+        if drive.controller and drive.controller.is_designed:
+            hint = f"write `control: [{{name: law, drives: [{drive.joint}], block: {{...}}}}]`"
+            expected = "such a law in the section `control`"
+            yield Issue(f"drives.{index}.controller.type", "a law that is designed from the robot", expected, hint)
         if drive.command.is_controlled and drive.controller is None and drive.joint not in taken:
             hint = "add `controller: {type: pd, ...}`, or take the command `prescribed`"
             yield Issue(f"drives.{index}.controller", "nothing", "a controller for the command `position`", hint)
+
+
+def _command(path: str, joint: str, drive: Any, known: str, names: tuple[str, str | None]) -> Iterator[Issue]:
+    """What keeps a block from commanding a drive; ``names``: of the block, and of one that commands it already."""
+    name, other = names
+    if drive is None:
+        yield Issue(path, f"`{joint}`", known, "add an item with `command: position` under `drives`")
+    elif drive.command is not Command.POSITION or drive.controller:
+        got = "a controller of its own" if drive.controller else f"the command `{drive.command}`"
+        expected = f"`command: position` without a controller, because `{name}` commands it"
+        yield Issue(path, f"`{joint}` with {got}", expected, "remove one of the two")
+    elif other:
+        yield Issue(path, f"`{joint}`, which `{other}` commands", "a drive with one law", "remove one of the two")

@@ -198,7 +198,7 @@ class Robot(DataSheet):
             hint = "robot.with_({PATH: VALUE}) checks the values, too"
             raise InputError("update", f"a {type(update).__name__}", "a group of fields and their values", hint)
         copied = super().model_copy(update=update, deep=deep)
-        for name in ("_chain", "undriven"):
+        for name in ("_chain", "undriven", "designs"):
             vars(copied).pop(name, None)
         return copied
 

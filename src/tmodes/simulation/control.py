@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import partial
 from math import floor
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -16,6 +17,7 @@ from tmodes.kinds.sensors.registry import Sensor
 from tmodes.kinds.signals.registry import Clock, constant_signal, sampled_noise
 from tmodes.sheet.network import Node, network, node_of
 from tmodes.sheet.robot import RECURSION
+from tmodes.simulation.linear_plant import linear_plant
 
 if TYPE_CHECKING:
     from tmodes.kinds.controllers.registry import Block
@@ -70,7 +72,7 @@ class _Sources:
     outputs: Outputs
     found: dict[str, Any]
 
-    def add(self, name: str, node: Node, index: int) -> None:
+    def add(self, name: str, node: Node) -> None:
         """Make a signal known by its name; raises :class:`tmodes.errors.InputError` for an unknown one."""
         if name in self.found:
             return
@@ -102,14 +104,14 @@ def control_plan(robot: Robot, plan: LoopPlan, signals: Any) -> tuple[tuple[Bloc
     ``signals`` takes the clocks and noises. Raises :class:`tmodes.errors.InputError` for an unknown name, and for an
     output that a block of continuous time cannot read because it follows from the commands of its instant.
     """
-    nodes = network(robot)
+    nodes = [_designed(robot, node) for node in network(robot)]
     sources = _Sources(robot, plan, signals, Outputs(LoopParts(plan)), {})
     given = {name for node in nodes for name in node.signals}
     blocks: list[BlockPlan] = []
-    for index, node in enumerate(nodes):
+    for node in nodes:
         for name in node.block.reads:
             if name not in given:
-                sources.add(name, node, index)
+                sources.add(name, node)
         blocks.append(_block(robot, plan, node, signals))
     _refuse_late(nodes, blocks, sources.found)
     return tuple(blocks), sources.found
@@ -158,6 +160,21 @@ def rigid_model(robot: Robot, drives: tuple[str, ...]) -> RigidModel:
     return RigidModel.of(chain, drives, array(rows))
 
 
+def _designed(robot: Robot, node: Node) -> Node:
+    """The node with its block designed for the robot as known, once for each robot."""
+    if not node.block.is_designed:
+        return node
+    known = nominal_of(robot)
+    designs = vars(known).setdefault("designs", {})
+    if node.name not in designs:
+        try:
+            designs[node.name] = node.block.designed(partial(linear_plant, known), node.sheet.drives)
+        except InputError as error:
+            path = f"{node.path}.block.{error.which}"
+            raise InputError(path, error.got, error.expected, error.hint, error.where) from error
+    return node._replace(block=designs[node.name])
+
+
 def nominal_of(robot: Robot) -> Robot:
     """The robot as it is known, of one as it really is; itself where it is known so."""
     return vars(robot).get("nominal") or robot
@@ -175,4 +192,3 @@ def _refuse_late(nodes: list[Node], blocks: list[BlockPlan], sources: dict[str, 
             got = f"`{read[0]}` in continuous time"
             expected = "a sampled block: it follows from the commands of the same instant"
             raise InputError(f"{node.path}.sample_time", got, expected, "add `sample_time: 0.001`")
-

@@ -20,8 +20,8 @@ from tmodes.kinds.drives.registry import drive_kind
 from tmodes.kinds.noted.functions import array, number
 from tmodes.kinds.signals.registry import Jolts, MergedSchedule, constant_signal, merge
 from tmodes.kinds.signals.schedule import SignalPieces
-from tmodes.simulation.control import Sampling, control_plan, driven_joints, rigid_model, wired_name
 from tmodes.sheet.parts import Command, DriveSheet, InitialState, LoadFrame
+from tmodes.simulation.control import Sampling, control_plan, driven_joints, rigid_model, wired_name
 
 if TYPE_CHECKING:
     from tmodes.sheet import Robot
@@ -56,6 +56,12 @@ class Planned:
     each: tuple[Any, ...] = ()
     loose: tuple[str, ...] = ()
     pieces: tuple[SignalPieces, ...] = ()
+
+    @property
+    def noises(self) -> list[int]:
+        """The signals that are noise: on setpoints, and of sensors."""
+        found = [drive.noise for drive in self.plan.drives if drive.noise >= 0]
+        return found + [k for k, one in enumerate(self.each) if getattr(one, "is_noise", False)]
 
     @property
     def first_row(self) -> NDArray[np.float64]:

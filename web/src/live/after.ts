@@ -211,7 +211,7 @@ function stillAt({ info, schedule }: Regime, time: number, duration: number): Sc
   const { signals, degree } = schedule;
   const each = range(0, signals).map((k) => {
     const clock = info.clocks.find(([own]) => own === k);
-    if (clock) return sawTooth(clock[1], time, duration);
+    if (clock) return sawTooth(clock[1], time - clock[2], duration);
     const value = info.noise.includes(k) ? 0 : valueAt(schedule, k, time);
     return held(Float64Array.of(0, duration), Float64Array.from({ length: degree + 1 }, (_, j) => (j ? 0 : value)));
   });

@@ -72,10 +72,10 @@ export interface RunInfo {
   signals: number;
   /** How the equilibrium of its closed loop is found, from which it starts; null where its motors are held. */
   balance: BalanceInfo | null;
-  /** Those of the signals that move the robot; `noise` and `clocks` of controllers (signal, period) move nothing. */
+  /** Those of the signals that move the robot; `noise` and `clocks` (signal, period, shift) of samples move nothing. */
   moving: number[];
   noise: number[];
-  clocks: [number, number][];
+  clocks: [number, number, number][];
   /** How many of the modes are of dry friction that may stick. */
   slipping: number;
 }

@@ -247,7 +247,8 @@ class _Linear:
             seen.append(given(np.zeros(len(self.current)), whole[:, currents]))
             seen.append(given(np.concatenate(setpoints), np.tile(still, len(setpoints))))
         return Served(
-            Slot("parameters", 0, len(one.numbers)), given(setpoints[k], still), given(q[[one.own]], whole[:, [one.own]]),
-            given(np.zeros(1), whole[:, [n + one.own]]), given(np.zeros(1), current), given(np.zeros(1), none),
+            Slot("parameters", 0, len(one.numbers)), given(setpoints[k], still),
+            given(q[[one.own]], whole[:, [one.own]]), given(np.zeros(1), whole[:, [n + one.own]]),
+            given(np.zeros(1), current), given(np.zeros(1), none),
             states=given(own, whole[:, place : place + len(own)]) if len(own) else None, seen=tuple(seen),
         )  # fmt: skip

@@ -171,6 +171,14 @@ class ClosedLoop(LoopParts):
 
     keeps_works = True
 
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        along = [name for name, one in self.plan.sources.items() if getattr(one, "along", False)]
+        at = Instant(self) if along else None
+        for name in along:  # whose numbers stand among those of every schedule
+            assert at is not None  # noqa: S101
+            at.wire(name)
+
     @cached_property
     def rate(self) -> Schedule:
         """(time, state, row, step) -> derivative of the state."""
@@ -220,7 +228,9 @@ class ClosedLoop(LoopParts):
             return None
         at = Instant(self, after=True) if self.blocks else Serving(self)
         q, rates = at.moved(at.state)
-        new = [at.sampled(driver, q, rates) for driver in self.drivers if driver.plan.servo and driver.plan.servo.states]
+        new = [
+            at.sampled(driver, q, rates) for driver in self.drivers if driver.plan.servo and driver.plan.servo.states
+        ]
         new += [at.block(one)[1] for one in self.blocks if isinstance(at, Instant) and one.plan.law.states]
         controls = self.layout.controls
         rest = at.state.part(controls.stop, self.layout.size - controls.stop)

@@ -7,7 +7,7 @@ state: L i' = u - R i - CE th'.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from enum import StrEnum
 from typing import Any
 
@@ -18,7 +18,7 @@ from tmodes.kinds.controllers.registry import Controller, OwnState
 from tmodes.kinds.kernel import functions as f
 from tmodes.kinds.kernel.schedule import Kernel, Slot
 
-__all__ = ["LIMITS", "OUTPUTS", "WINDING", "Servo", "Served", "View", "Winding", "needed_kernel"]
+__all__ = ["LIMITS", "OUTPUTS", "WINDING", "Served", "Servo", "View", "Winding", "needed_kernel"]
 
 WINDING = 4
 """Numbers of a winding: R, CE, CM, L (1, 0, 1, 0 without one)."""
@@ -67,8 +67,8 @@ class Servo:
     """Structure of a drive whose motion is not given: under a ``controller``, or ``driven`` by its voltage.
 
     Without a winding, or where the effort itself is commanded, the command is the effort. ``noisy``, ``settles``,
-    ``timed``, ``delay``, ``view``, ``model``: see :class:`tmodes.equations.loop.laws.Law`. ``limits``: which of :data:`LIMITS` it
-    has; ``wired``: its command is the output of a block.
+    ``timed``, ``delay``, ``view``, ``model``: see :class:`tmodes.equations.loop.laws.Law`. ``limits``: which of
+    :data:`LIMITS` it has; ``wired``: its command is the output of a block.
     """
 
     controller: Controller | None
@@ -77,7 +77,7 @@ class Servo:
     noisy: bool = False
     settles: bool = False
     timed: bool = False
-    delay: Delay = Delay()
+    delay: Delay = field(default_factory=Delay)
     limits: tuple[str, ...] = ()
     wired: bool = False
     view: View | None = None
@@ -192,19 +192,19 @@ class Servo:
         """From the command and its slopes to the effort and what is known of the drive."""
         wanted, thd, current, step = at
         resistance, back, torque, inductance = (p[i] for i in range(WINDING))
-        most = {"current": limits[name] for name in ("current",) if name in limits}
+        most = limits.get("current")
         if "torque" in limits and self.driven:  # a motor's torque is its current
             amperes = limits["torque"] / f.fabs(torque)
-            most = {"current": f.fmin(most["current"], amperes) if most else amperes}
+            most = amperes if most is None else f.fmin(most, amperes)
         if not self.driven:
             winds = self.winding is not Winding.NONE
-            cut = cut.within(limits.get("torque")).within(most["current"] * f.fabs(torque) if most and winds else None)
+            cut = cut.within(limits.get("torque")).within(most * f.fabs(torque) if most is not None and winds else None)
             cut = cut.slowed(limits.get("speed"), thd, 0.0)
             amperes = cut.value / torque if winds else 0.0
             volts = resistance * amperes + back * thd if winds else 0.0
             return [[cut.value], [*cut.slopes], [0.0], [cut.value, volts, amperes, wanted]]
         cut = cut.within(limits.get("voltage"))
-        cut = cut.within(resistance * most["current"] if most else None, back * thd)
+        cut = cut.within(None if most is None else resistance * most, back * thd)
         cut = cut.slowed(limits.get("speed"), thd, back * thd)
         command, (stiff, damp) = cut.value, cut.slopes
         if self.has_current:

@@ -55,7 +55,8 @@ class Instant(Serving):
         super().__init__(loop, implicit=apart, given=given, within=within)
         samples_late = after and any(getattr(one, "late", False) for one in loop.plan.sources.values())
         self.before = Instant(loop, posed=posed, within=self) if samples_late else None
-        self.posed = posed or bool(self.plan.loads or self.plan.touch)
+        reads = any(not isinstance(source, int) for source in self.plan.sources.values())
+        self.posed = posed or reads or bool(self.plan.loads or self.plan.touch)
         self.after = after
         self.way = self.outwards()
         self.apart, self.euler, self.start = apart, euler, self._start(apart=apart)
@@ -66,7 +67,9 @@ class Instant(Serving):
         self.own: dict[int, Slot] = {}
         self.wires: dict[str, Slot] = {}
         self.blocks: dict[str, tuple[Slot, ...]] = {}
-        self.accelerations: list[Slot] = [self.none[1]] * self.parts.size  # what is read before they are known is at rest
+        self.accelerations: list[Slot] = [
+            self.none[1]
+        ] * self.parts.size  # what is read before they are known is at rest
         self.dead: dict[int, Slot] = {}
         self.mass_step = self.none[1]
         self.switching = Switching(self, jolted=jolted)
@@ -103,7 +106,10 @@ class Instant(Serving):
         if source.unit.endswith("/s^2"):
             return self.none[1]
         if not source.along:
-            got, expected = f"`{source.name}`", "accelerations, strains and moments along links, or what follows from q, v"
+            got, expected = (
+                f"`{source.name}`",
+                "accelerations, strains and moments along links, or what follows from q, v",
+            )
             hint = "let the run begin with `initial: {state: held}`, or with `zero`"
             raise InputError("sensors", f"{got} in a control loop that starts at rest", expected, hint)
         return source.slot(self)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
 import casadi as ca
@@ -66,10 +66,10 @@ class Law:
     """A block with all that is structure around it.
 
     ``owned``: it has a drive of its own, whose setpoint, position, rate and current it sees; ``noisy``: with an error
-    on that setpoint; ``limited``: the drive has a largest command. ``outputs``: how many it gives. ``timed``: a block of
-    continuous time that its drive samples. ``settles``: a sampled block as one in continuous time whose rates are the
-    changes of its own states from sample to sample: zero where constant inputs leave it as it is. ``model``: the rigid
-    robot that it computes with.
+    on that setpoint; ``limited``: the drive has a largest command. ``outputs``: how many it gives. ``timed``: a block
+    of continuous time that its drive samples. ``settles``: a sampled block as one in continuous time whose rates are
+    the changes of its own states from sample to sample: zero where constant inputs leave it as it is. ``model``: the
+    rigid robot that it computes with.
     """
 
     block: Block
@@ -80,7 +80,7 @@ class Law:
     limited: bool = False
     timed: bool = False
     settles: bool = False
-    delay: Delay = Delay()
+    delay: Delay = field(default_factory=Delay)
     model: RigidModel | None = None
 
     @property
@@ -189,7 +189,7 @@ class Law:
         """The inputs by what they are, zeros in the place of those that are not there."""
         left = list(blocks)
 
-        def take(there: bool, otherwise: Any) -> Any:  # noqa: FBT001
+        def take(there: bool, otherwise: Any) -> Any:
             return left.pop(0) if there else otherwise
 
         own = [take(self.owned, [0.0] * size) for size in (SIGNAL, 1, 1, 1)]

@@ -28,10 +28,11 @@ __all__ = ["Seen", "lines_of"]
 class Seen:
     """The slot of each kind of output at one instant."""
 
-    def __init__(self, instant: Instant) -> None:
+    def __init__(self, instant: Instant, numbers: Numbers | None = None) -> None:
+        """``numbers``: where those of stations along links are put; by default behind those of the loop."""
         self.instant, self.schedule, self.loop, self.parts = instant, instant.schedule, instant.loop, instant.parts
         self.layout, self.call, self.way = instant.loop.layout, instant.call, instant.way
-        self.numbers = Numbers(instant.loop.parts.numbers.size)
+        self.numbers = numbers or Numbers(instant.loop.parts.numbers.size)
 
     @cached_property
     def powers(self) -> Powers:
@@ -124,6 +125,10 @@ class Seen:
     def drive(self, drive: int, column: int) -> Slot:
         """Effort, voltage, current and setpoint of a drive."""
         return self.powers.info[drive].part(column, 1)
+
+    def wire(self, name: str) -> Slot:
+        """A signal of a block."""
+        return self.instant.wire(name)
 
     def gear(self, drive: int) -> Slot:
         """Torque of a gear."""

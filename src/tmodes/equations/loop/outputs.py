@@ -79,8 +79,8 @@ class Output(NamedTuple):
         return self.of not in {Seen.moved, Seen.pose, Seen.speed, Seen.angle, Seen.bent, Seen.state}
 
     def slot(self, instant: Instant) -> Slot:
-        """Where the schedule of an instant has it."""
-        return self.of(Seen(instant), *self.places)
+        """Where the schedule of an instant has it; numbers that it takes of its own stand among those of the loop."""
+        return self.of(Seen(instant, instant.loop.numbers_of(self.name)), *self.places)
 
 
 class Series(NamedTuple):
@@ -140,7 +140,7 @@ class Outputs(Mapping[str, Output]):
         self._units, self._sliding = chain.units(names), chain.sliding
         found = (
             *self._coordinates(), *self._drives(), *self._points(), *self._contact(), *self._bent(), *self._energies(),
-            *self._base(), *self._distances(),
+            *self._base(), *self._distances(), *self._signals(),
         )  # fmt: skip
         self._own = {output.name: output for output in found}
 
@@ -252,6 +252,12 @@ class Outputs(Mapping[str, Output]):
         for k, (name, unit) in enumerate(zip(plan.control_names, plan.control_units, strict=True)):
             text = "state of a controller"
             yield Output(name, unit, text, Seen.control, (k,), ("controller_states", name))
+
+    def _signals(self) -> Iterator[Output]:
+        for block in self.loop.plan.blocks:
+            for name, port in zip(block.signals, block.ports, strict=True):
+                unit = port.unit.split("|")[-1 if block.joint in self._sliding else 0]
+                yield Output(name, unit, f"signal of the block {block.name}", Seen.wire, (name,))
 
     def _points(self) -> Iterator[Output]:
         for k, point in enumerate(self.loop.parts.points):

@@ -11,7 +11,7 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from tmodes.chain.chain import Chain, Motor
 from tmodes.equations.loop.contact_kernels import Touch
@@ -24,9 +24,9 @@ from tmodes.equations.recursion.drive_kernels import DriveKernels, drive_kernels
 from tmodes.equations.recursion.parts import AxisPart, Parts
 from tmodes.equations.recursion.passes import resting_base
 from tmodes.errors import InputError
-from tmodes.kinds.drives.registry import drive_kind
 from tmodes.kinds.controllers.registry import OwnState, Port
-from tmodes.kinds.kernel.schedule import Slot
+from tmodes.kinds.drives.registry import drive_kind
+from tmodes.kinds.kernel.schedule import Numbers, Slot
 from tmodes.kinds.noted.functions import number
 
 __all__ = [
@@ -172,7 +172,7 @@ class LoopPlan:
 
     @property
     def clocks(self) -> tuple[tuple[int, int], ...]:
-        """The signals with the time since the last sample, and since the last delayed output, of all that is sampled."""
+        """The signals with the time since the last sample, and since the last delayed output, of what is sampled."""
         return tuple((one.clock, one.late) for one in (*self.drives, *self.blocks) if one.clock >= 0)
 
     @property
@@ -265,6 +265,21 @@ class Placed:
     driver: Driver | None
 
 
+class _Again(Numbers):
+    """Blocks of others' numbers, which are appended once, and found again in the same order."""
+
+    def __init__(self, numbers: Numbers, known: list[Slot]) -> None:
+        super().__init__()
+        self._numbers, self._known, self._next = numbers, known, 0
+
+    def block(self, values: ArrayLike) -> Slot:
+        """The next block; appended where it is not known yet."""
+        if self._next == len(self._known):
+            self._known.append(self._numbers.block(values))
+        self._next += 1
+        return self._known[self._next - 1]
+
+
 @dataclass(eq=False)
 class LoopParts:
     """What the schedules of a plan have in common: kernels, and the numbers that all of them read."""
@@ -274,6 +289,7 @@ class LoopParts:
     parts: Parts = field(init=False)
     drivers: tuple[Driver, ...] = field(init=False)
     blocks: tuple[Placed, ...] = field(init=False)
+    further: dict[str, list[Slot]] = field(init=False, default_factory=dict)
 
     def __post_init__(self) -> None:
         plan, chain = self.plan, self.plan.chain
@@ -300,6 +316,10 @@ class LoopParts:
         placed = chain.base
         moved = [*placed.rotation.ravel(), *placed.position, *chain.gravity]
         self.base = numbers.block(moved if plan.base else resting_base(chain))
+
+    def numbers_of(self, source: str) -> Numbers:
+        """Where an output that blocks read puts numbers of its own: the same blocks each time that it is asked for."""
+        return _Again(self.parts.numbers, self.further.setdefault(source, []))
 
     def _driver(self, plan: DrivePlan, controls: int) -> Driver:
         part = next(axis for axis in self.parts.axes if axis.axis.name == plan.joint)

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from itertools import pairwise
 from typing import Any
 
 import casadi as ca
@@ -115,7 +116,7 @@ class RigidTerms:
         """The efforts with their first and second derivative by time, of q and its first four derivatives."""
         n = len(motion[0])
         symbols = [ca.SX.sym(f"q{k}", n) for k in range(5)]
-        chain = list(zip(symbols[:4], symbols[1:], strict=True))
+        chain = list(pairwise(symbols))
 
         def rate(of: Any) -> Any:
             return sum((ca.jtimes(of, one, after) for one, after in chain), ca.SX.zeros(n))
@@ -145,7 +146,11 @@ def _solved(rows: list[list[Any]]) -> list[Any]:
     for k in range(n):
         for i in range(k + 1, n):
             share = rows[i][k] / rows[k][k]
-            rows[i] = [*rows[i][:k], 0.0, *(x - share * y for x, y in zip(rows[i][k + 1 :], rows[k][k + 1 :], strict=True))]
+            rows[i] = [
+                *rows[i][:k],
+                0.0,
+                *(x - share * y for x, y in zip(rows[i][k + 1 :], rows[k][k + 1 :], strict=True)),
+            ]
     found: list[Any] = [0.0] * n
     for i in reversed(range(n)):
         rest = rows[i][n]

@@ -27,10 +27,10 @@ class Measured:
 
     Of its own drive: ``wanted`` position with two derivatives, ``position`` and ``velocity`` of the motor (of the joint
     where it has no elastic gear) and its ``current``; ``limit``: largest command of that drive, None without one. Of a
-    controller that sees all: ``q`` and ``v`` of all coordinates in the order of ``names`` (motors, joints, links),
+    block that sees all: ``q`` and ``v`` of all coordinates in the order of ``names`` (motors, joints, links),
     ``currents`` that are states, and ``setpoints``: (value, rate, acceleration, or :attr:`Block.setpoint_orders`) of
-    each drive's signal in the order of ``drives``, ``joint``: its own among these. ``signals``: what it reads by name. ``period``: time between its samples [s], None in continuous time.
-    ``model``: see :attr:`Block.needs_model`.
+    each drive's signal in the order of ``drives``; ``joint``: its own among these. ``signals``: what it reads by name.
+    ``period``: time between its samples [s], None in continuous time. ``model``: see :attr:`Block.needs_model`.
     """
 
     wanted: Any = 0.0
@@ -96,11 +96,11 @@ class Port:
 
 @dataclass(frozen=True)
 class LinearPlant:
-    """The robot about a rest, for the design of a block: x' = A x + B u, y = C x of deviations from ``rest``.
+    """The robot about a rest, for the design of a block: x' = A x + B u, y = C x + D u of deviations from ``rest``.
 
     ``states``: names of x, coordinates then ``NAME'`` for their rates, then currents; ``drives``: those of u, in the
-    order of its columns; ``rest``: x at rest; ``effort``: u that holds it; ``reads``: names of the rows of C, whose
-    values at rest are ``measured``.
+    order of its columns; ``rest``: x at rest; ``effort``: u that holds it; ``reads``: names of the rows of C and D,
+    whose values at rest are ``measured``.
     """
 
     states: tuple[str, ...]
@@ -109,6 +109,7 @@ class LinearPlant:
     A: Any
     B: Any
     C: Any
+    D: Any
     rest: Any
     effort: Any
     measured: Any
@@ -119,6 +120,9 @@ class Block(Kind):
 
     sees_all: ClassVar[bool] = False
     """Whether it sees the whole state and all setpoints, not only its own drive."""
+
+    is_designed: ClassVar[bool] = False
+    """Whether something follows from the linear robot (:meth:`designed`); such a block stands in `control`."""
 
     setpoint_orders: ClassVar[int] = 3
     """How many numbers of each setpoint a block sees that sees all: value, rate, ..., at most 5 (fourth derivative)."""
@@ -175,10 +179,11 @@ class Block(Kind):
         del p, m
         return x
 
-    def designed(self, plant: Callable[[tuple[str, ...]], LinearPlant], drives: tuple[str, ...]) -> Self:
-        """The block with what follows from the robot: ``plant`` gives the linear robot with the outputs of some names.
+    def designed(self, plant: Callable[..., LinearPlant], drives: tuple[str, ...]) -> Self:
+        """The block with what follows from the robot as known; itself where nothing does.
 
-        ``drives``: joints that it commands. It is asked once before a run; the block itself where nothing follows.
+        ``plant(reads, drives, start=False)`` gives the linear robot with the outputs of some names; ``drives``: joints
+        that it commands.
         """
         del plant, drives
         return self

@@ -11,6 +11,7 @@ from pydantic import Field
 
 from tmodes.kinds.controllers.contract import CONTROLLERS, Controller, Measured
 from tmodes.kinds.kernel import functions as f
+from tmodes.kinds.kernel import vectors
 from tmodes.kinds.schema.quantity import not_negative, positive
 
 __all__ = ["ComputedTorque", "FeedbackLinearisation", "GravityPD"]
@@ -133,11 +134,14 @@ class FeedbackLinearisation(_AllDrives):
         moved = [model.stiffness[k] * (thd[k] - v[k]) for k in range(n)]
         a = model.acceleration(q, v, wound)
         jerk = model.jerk(q, v, a, moved)
-        references, l = [m.setpoint(joint) for joint in m.drives], p[0]
+        references, rate = [m.setpoint(joint) for joint in m.drives], p[0]
+        gains = 4 * rate, 6 * rate * rate, 4 * rate**3, rate**4
         s = [
-            r[4] + 4 * l * (r[3] - jerk[k]) + 6 * l * l * (r[2] - a[k]) + 4 * l**3 * (r[1] - v[k]) + l**4 * (r[0] - q[k])
-            for k, r in enumerate(references)
+            vectors.total([r[4], *(k * far for k, far in zip(gains, fars, strict=True))])
+            for r, *fars in (
+                (r, r[3] - jerk[k], r[2] - a[k], r[1] - v[k], r[0] - q[k]) for k, r in enumerate(references)
+            )
         ]
         _, _, second = model.torque_rates(q, v, a, jerk, s)
         rows = zip(model.inertia, model.viscous, model.stiffness, a, second, wound, thd, strict=True)
-        return [inertia * (acc + tau / k) + load + b * rate for inertia, b, k, acc, tau, load, rate in rows]
+        return [inertia * (acc + tau / k) + load + b * turns for inertia, b, k, acc, tau, load, turns in rows]

@@ -8,6 +8,16 @@ __all__ = ["CONTROLLERS", "Block", "Controller", "LinearPlant", "Measured", "Own
 
 CONTROLLERS.bring(
     "tmodes.kinds.controllers",
-    {"pd": "pd", "pid": "pid", "sampled_pid": "pid", "state_feedback": "state_feedback",
-     "gravity_pd": "model_based", "computed_torque": "model_based", "feedback_linearisation": "model_based"},
+    {
+        "pd": "pd",
+        "pid": "pid",
+        "sampled_pid": "pid",
+        "state_feedback": "state_feedback",
+        "gravity_pd": "model_based",
+        "computed_torque": "model_based",
+        "feedback_linearisation": "model_based",
+        "lqr": "state_space",
+        "lqg": "state_space",
+        "pole_placement": "state_space",
+    },
 )

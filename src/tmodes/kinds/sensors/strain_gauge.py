@@ -29,7 +29,9 @@ class StrainGauge(Sensor):
         yield from super()._issues()
         if self.y == 0 and self.z == 0:
             hint = "give half the thickness of the section, such as `y: 0.002`"
-            yield Issue("y", "0, with z 0", "a place off the middle of the section, which bending does not strain", hint)
+            yield Issue(
+                "y", "0, with z 0", "a place off the middle of the section, which bending does not strain", hint
+            )
 
     @property
     def _axes(self) -> dict[str, float]:

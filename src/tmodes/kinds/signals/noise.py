@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Literal
+from typing import Any, ClassVar, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -58,6 +58,7 @@ class SampledNoise:
     output_step: float
     deviation: float
     seed: int
+    is_noise: ClassVar[bool] = True
 
     def schedule(self, until: float) -> SignalPieces:
         """A constant piece for each sample, up to ``until`` [s]; a longer run has the same noise at its start."""
