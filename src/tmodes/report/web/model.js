@@ -1,4 +1,4 @@
-/* tmodes, built from f1fb5f016d8a50b6; BSD-3-Clause */
+/* tmodes, built from 80bdfc091ad31936; BSD-3-Clause */
 
 // src/live/engine_error.ts
 var EngineError = class extends Error {
