@@ -87,6 +87,7 @@ def bow(window: Any) -> float:
     picture = np.asarray(Image.open(io.BytesIO(shot)).convert("RGB")).astype(int)
     seen = np.ptp(picture, axis=-1) > 40
     seen[: len(seen) // 3] = False  # the legend, and the path of the tip
+    seen[:, : seen.shape[1] // 5] = False  # the axes
     rows = np.flatnonzero(seen.any(axis=1))
     middles = np.array([np.flatnonzero(seen[row]).mean() for row in rows])[4:-4]
     chord = np.linspace(middles[:5].mean(), middles[-5:].mean(), len(middles))

@@ -215,11 +215,21 @@ def plain_vibration(
         | ({"element": elements[k]} if elements else {}) for k, mode in enumerate(found.modes)
     ]  # fmt: skip
     known = found.amplitude is not None
-    return {
+    plain = {
         "amplitude_m": found.amplitude, "modes": modes, "reason": found.reason,
         "largest_m": found.largest if known else None, "time_of_largest_s": found.time if known else None,
         "along_m": dict(zip("xyz", found.along, strict=False)), "unexplained": found.unexplained,
     } | dict(beyond or {})  # fmt: skip
+    return _rounded(plain)
+
+
+def _rounded(value: Any) -> Any:
+    """Plain data with numbers of ten digits: the last ones of a fit depend on how many threads add it up."""
+    if isinstance(value, dict):
+        return {key: _rounded(one) for key, one in value.items()}
+    if isinstance(value, list):
+        return [_rounded(one) for one in value]
+    return float(f"{value:.10g}") if isinstance(value, float) else value
 
 
 def after_move(run: RunData, end: float | None, progress: Callable[[float], None] = lambda share: None) -> AfterMove:
