@@ -57,7 +57,7 @@ class ModelFunctions:
     def settles(self, name: str) -> Schedule | None:
         """The rates of a plan at rest, where they are not those of its run and a start is found by them."""
         plan, loop = self.plans[name].plan, self.loops[name]
-        controlled = any(drive.servo and drive.servo.controller for drive in plan.drives)
+        controlled = any(drive.servo and drive.servo.is_controlled for drive in plan.drives)
         return ClosedLoop(plan.settles).rate if controlled and (loop.modes or plan.is_sampled) else None
 
     @cached_property

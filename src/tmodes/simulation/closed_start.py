@@ -47,7 +47,7 @@ def closes(robot: Robot, model: LoopModel) -> bool:
 
     Controllers keep positions, the base is moved, or the surface moves along itself and drags.
     """
-    controlled = any(driver.plan.servo and driver.plan.servo.controller for driver in model.loop.drivers)
+    controlled = any(driver.plan.servo and driver.plan.servo.is_controlled for driver in model.loop.drivers)
     drags = robot.contact is not None and any(number(rate) != 0.0 for rate in robot.contact.velocity)
     return (controlled or robot.base_motion is not None or drags) and not placed(robot, model)
 
@@ -61,7 +61,7 @@ def placed(robot: Robot, model: LoopModel) -> list[str]:
             if sheet.joint == driver.plan.joint
         )
         for driver in model.loop.drivers
-        if driver.plan.servo and driver.plan.servo.controller
+        if driver.plan.servo and driver.plan.servo.is_controlled
     }
     given = robot.initial.coordinates.items()
     return [name for name, value in given if not abs(setpoints.get(name, np.inf) - value) <= _SAME]
@@ -69,7 +69,7 @@ def placed(robot: Robot, model: LoopModel) -> list[str]:
 
 def uncontrolled(model: LoopModel) -> list[Driver]:
     """Drives that only give an effort or a voltage."""
-    return [driver for driver in model.loop.drivers if driver.plan.servo and not driver.plan.servo.controller]
+    return [driver for driver in model.loop.drivers if driver.plan.servo and not driver.plan.servo.is_controlled]
 
 
 def balanced(

@@ -7,23 +7,22 @@ from functools import partial
 from math import floor
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from tmodes.analysis.rigid import nominal_of, rigid_model
 from tmodes.equations.loop.laws import Delay, Law
 from tmodes.equations.loop.outputs import Outputs
 from tmodes.equations.loop.plan import BlockPlan, LoopParts, LoopPlan
-from tmodes.equations.loop.rigid_terms import RigidModel
 from tmodes.errors import InputError
-from tmodes.kinds.noted.functions import array, isinf, number
+from tmodes.kinds.noted.functions import number
 from tmodes.kinds.sensors.registry import Sensor
 from tmodes.kinds.signals.registry import Clock, constant_signal, sampled_noise
 from tmodes.sheet.network import Node, network, node_of
-from tmodes.sheet.robot import RECURSION
 from tmodes.simulation.linear_plant import linear_plant
 
 if TYPE_CHECKING:
     from tmodes.kinds.controllers.registry import Block
     from tmodes.sheet import Robot
 
-__all__ = ["Sampling", "control_plan", "driven_joints", "rigid_model", "wired_name"]
+__all__ = ["Sampling", "control_plan", "wired_name"]
 
 _WHOLE = 1e-9
 """A delay nearer to whole periods than this share of one is taken as whole periods."""
@@ -131,35 +130,6 @@ def _block(robot: Robot, plan: LoopPlan, node: Node, signals: Any) -> BlockPlan:
     return BlockPlan(node.name, law, node.ports, law.numbers(sampling.period), node.joint, *clocks)
 
 
-def driven_joints(robot: Robot) -> tuple[str, ...]:
-    """The joints of a plan's drives, in their order."""
-    return tuple(axis.name for axis in robot.undriven.chain().axes if axis.drive.is_driven)
-
-
-def rigid_model(robot: Robot, drives: tuple[str, ...]) -> RigidModel:
-    """The robot as known, with rigid gears and links, as laws compute with it; ``drives``: joints in their order.
-
-    Raises :class:`tmodes.errors.InputError` for a joint that moves and has no drive.
-    """
-    known = nominal_of(robot)
-    links = tuple(
-        link.model_copy(update={"beam": link.beam.variant("rigid", None)}) if link.beam else link
-        for link in known.links
-    )
-    joints = tuple(joint.model_copy(update={"gear": None}) for joint in known.joints)
-    stiff = known.model_copy(update={"links": links, "joints": joints, "drives": (), "equations": RECURSION})
-    chain, axes = stiff.chain(), {axis.name: axis for axis in known.undriven.chain().axes}
-    if left := [axis.name for axis in chain.axes if axis.name not in drives and axis.drive.takes_effort]:
-        expected = "a drive for each joint that moves, because a law computes with the rigid robot"
-        raise InputError("drives", f"no drive for {', '.join(left)}", expected, "add drives, or lock these joints")
-    rows = []
-    for name in drives:
-        motor, gear = axes[name].joint.motor, axes[name].joint.gear
-        stiffness = gear.stiffness[0] if gear and not isinf(gear.stiffness[0]) else 0.0
-        rows.append((motor.inertia if motor else 0.0, motor.friction.viscous if motor else 0.0, stiffness))
-    return RigidModel.of(chain, drives, array(rows))
-
-
 def _designed(robot: Robot, node: Node) -> Node:
     """The node with its block designed for the robot as known, once for each robot."""
     if not node.block.is_designed:
@@ -173,11 +143,6 @@ def _designed(robot: Robot, node: Node) -> Node:
             path = f"{node.path}.block.{error.which}"
             raise InputError(path, error.got, error.expected, error.hint, error.where) from error
     return node._replace(block=designs[node.name])
-
-
-def nominal_of(robot: Robot) -> Robot:
-    """The robot as it is known, of one as it really is; itself where it is known so."""
-    return vars(robot).get("nominal") or robot
 
 
 def _refuse_late(nodes: list[Node], blocks: list[BlockPlan], sources: dict[str, Any]) -> None:

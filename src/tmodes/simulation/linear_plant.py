@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from tmodes.analysis.statics.at_rest import robot_rest
 from tmodes.kinds.controllers.registry import LinearPlant
 from tmodes.kinds.noted.functions import number
+from tmodes.kinds.noted.number import Lost, is_noted
 from tmodes.kinds.signals.registry import constant_signal
 from tmodes.model.passes import derivatives
 from tmodes.sheet.parts import Command
@@ -35,6 +36,9 @@ def linear_plant(robot: Robot, reads: tuple[str, ...], drives: tuple[str, ...], 
     rest = robot_rest(robot, held=_motors(robot, held), contact=robot.contact is not None)
     plan = planned(_open(robot))
     model = LoopModel(plan.plan)
+    if is_noted(model.numbers):
+        noted = next(one for one in model.numbers if is_noted(one))
+        raise Lost("gains that are designed from the robot", noted)
     layout, n, count = model.layout, len(model.coordinates), plan.plan.degree + 1
     state, row = np.zeros(layout.size), plan.first_row.copy()
     state[:n] = [rest.named[name] for name in model.coordinates]

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from tmodes.analysis.rigid import driven_joints, rigid_model
 from tmodes.chain.chain import Axis, Chain
 from tmodes.equations.loop.contact_kernels import Touch
 from tmodes.equations.loop.control_kernels import LIMITS, Servo, Winding
@@ -21,7 +22,7 @@ from tmodes.kinds.noted.functions import array, number
 from tmodes.kinds.signals.registry import Jolts, MergedSchedule, constant_signal, merge
 from tmodes.kinds.signals.schedule import SignalPieces
 from tmodes.sheet.parts import Command, DriveSheet, InitialState, LoadFrame
-from tmodes.simulation.control import Sampling, control_plan, driven_joints, rigid_model, wired_name
+from tmodes.simulation.control import Sampling, control_plan, wired_name
 
 if TYPE_CHECKING:
     from tmodes.sheet import Robot

@@ -15,6 +15,7 @@ from math import gcd, lcm
 import numpy as np
 from numpy.typing import NDArray
 
+from tmodes.analysis.rigid import driven_joints, rigid_model
 from tmodes.analysis.statics.equilibrium import Equilibrium
 from tmodes.chain.chain import Motor
 from tmodes.equations.loop.control_kernels import OUTPUTS, Served, Servo, View, Winding
@@ -178,7 +179,8 @@ def _drives(robot: Robot, rest: Equilibrium) -> Iterator[_Drive]:
         own = next((name for name in (f"{drive.joint}.motor", drive.joint) if name in names), None)
         if drive.controller and own:
             winding, numbers = winding_of(motors.get(drive.joint))
-            servo = Servo(drive.controller, driven=winding is not Winding.NONE, winding=winding)
+            model = rigid_model(robot, driven_joints(robot)) if drive.controller.needs_model else None
+            servo = Servo(drive.controller, driven=winding is not Winding.NONE, winding=winding, model=model)
             yield _Drive(drive.joint, drive.controller, servo, servo.numbers(numbers), names.index(own))
 
 

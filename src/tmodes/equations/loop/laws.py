@@ -233,7 +233,7 @@ class Law:
             "wanted": wanted[0], "wanted_rate": wanted[1], "wanted_acceleration": wanted[2],
             "position": position, "velocity": velocity, "current": given.current[0],
             "signals": {name: given.reads[k] for k, name in enumerate(self.block.reads)},
-            "limit": given.limit[0] if self.limited else None, "period": p[self.count - 1] if self.timed else None,
+            "at_rest": self.settles, "limit": given.limit[0] if self.limited else None, "period": p[self.count - 1] if self.timed else None,
         }  # fmt: skip
         if self.view:
             here |= self._seen(self.view, given, wanted, (position, velocity))

@@ -243,7 +243,7 @@ class Outputs(Mapping[str, Output]):
             for column, (kind, unit) in enumerate(_DRIVEN.items()):
                 text = f"{_DRIVEN_WORDS[kind]} of {joint}"
                 yield Output(f"{joint}.{kind}", unit or effort, text, Seen.drive, (k, column), (kind, joint))
-            moves, volts = not drive.servo or drive.servo.controller, drive.servo and drive.servo.driven
+            moves, volts = not drive.servo or drive.servo.is_controlled, drive.servo and drive.servo.driven
             unit = ("m" if joint in self._sliding else "rad") if moves else "V" if volts else effort
             text = f"setpoint of the drive of {joint}, what its command is"
             yield Output(f"{joint}.setpoint", unit, text, Seen.drive, (k, len(_DRIVEN)), ("wanted", joint))

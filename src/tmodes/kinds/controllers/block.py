@@ -31,6 +31,7 @@ class Measured:
     ``currents`` that are states, and ``setpoints``: (value, rate, acceleration, or :attr:`Block.setpoint_orders`) of
     each drive's signal in the order of ``drives``; ``joint``: its own among these. ``signals``: what it reads by name.
     ``period``: time between its samples [s], None in continuous time. ``model``: see :attr:`Block.needs_model`.
+    ``at_rest``: an equilibrium is looked for, in which there is no noise and nothing is rounded.
     """
 
     wanted: Any = 0.0
@@ -50,6 +51,7 @@ class Measured:
     limit: Any = None
     period: Any = None
     model: Any = None
+    at_rest: bool = False
 
     def coordinate(self, name: str) -> tuple[Any, Any]:
         """Position and rate of a coordinate by name; raises :class:`tmodes.errors.InputError` for an unknown one."""

@@ -105,9 +105,10 @@ class Sensor(Block, family="sensor", key="type"):
         found = []
         for k, exact in enumerate(self.value(m.signals)):
             value = exact + p[0]
-            if self.noise:
+            if self.noise and not m.at_rest:
                 value = value + m.signals[self.noises[k]]
-            found.append(p[1] * rounded(value / p[1], p[2], p[3]) if self.resolution is not None else value)
+            stepped = self.resolution is not None and not m.at_rest
+            found.append(p[1] * rounded(value / p[1], p[2], p[3]) if stepped else value)
         return found
 
     @property

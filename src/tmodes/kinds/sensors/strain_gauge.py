@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from dataclasses import replace
 from typing import Any, ClassVar, Literal
 
 from pydantic import Field
 
+from tmodes.kinds.controllers.block import Measured
 from tmodes.kinds.schema.quantity import Issue, any_sign, quantity
 from tmodes.kinds.sensors.contract import SENSORS, Port, Sensor
 
@@ -48,20 +50,13 @@ class StrainGauge(Sensor):
         """Those of every sensor, then the factors."""
         return (*super().numbers(), *self._axes.values())
 
-    def command(self, p: Any, m: Any, x: list[Any]) -> list[Any]:
+    def command(self, p: Any, m: Measured, x: list[Any]) -> list[Any]:
         """Curvatures times places."""
         first = len(super().numbers())
         seen = {name: p[first + k] * m.signals[name] for k, name in enumerate(self._axes)}
-        return super().command(p, _With(m, seen), x)
+        return super().command(p, replace(m, signals={**m.signals, **seen}), x)
 
     def value(self, seen: Mapping[str, Any]) -> list[Any]:
         """Their sum."""
         first, *rest = (seen[name] for name in self._axes)
         return [first + rest[0] if rest else first]
-
-
-class _With:
-    """What is measured, with other signals."""
-
-    def __init__(self, measured: Any, signals: Mapping[str, Any]) -> None:
-        self.signals = {**measured.signals, **signals}
