@@ -91,8 +91,8 @@ FAULTS = (
     ),
     Fault(
         "equations/loop/control_kernels.py",
-        "amperes = (command - back * thd[0]) / resistance",
-        "amperes = (command + back * thd[0]) / resistance",
+        "amperes = (command - back * thd) / resistance",
+        "amperes = (command + back * thd) / resistance",
         "tests/contracts/test_drives.py tests/simulation tests/paper/test_independent.py",
     ),
     Fault(

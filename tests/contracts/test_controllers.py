@@ -28,7 +28,7 @@ class LQR(Controller):
 
     sees_all: ClassVar[bool] = True
 
-    type: Literal["lqr"] = Field(description="kind of controller")
+    type: Literal["own_lqr"] = Field(description="kind of controller")
     row: tuple[float, ...] = Field(strict=False, description="row of K, of (q, v, integral)")
 
     def numbers(self) -> tuple[float, ...]:
@@ -74,9 +74,11 @@ def gains(sheet: Any = None) -> list[float]:
 
 @pytest.fixture(scope="module")
 def lqr():
-    return {"type": "lqr", "row": gains()}
+    return {"type": "own_lqr", "row": gains()}
 
 
+AT_THE_ROBOT = {"computed_torque", "feedback_linearisation", "lqr", "lqg", "pole_placement"}
+"""Members that stand in the section `control`: see test_blocks.py."""
 PD = {"type": "pd", "position_gain": 80.0, "velocity_gain": 9.0}
 
 
@@ -89,11 +91,15 @@ def examples(lqr):
                            "velocity_gains": {"hub.motor": 9.0, "hub": 1.0}},
         "sampled_pid": {"type": "sampled_pid", "position_gain": 80.0, "integral_gain": 50.0, "velocity_gain": 9.0,
                         "sample_time": 0.004},
-        "lqr": lqr,
+        "gravity_pd": {"type": "gravity_pd", "position_gain": 80.0, "velocity_gain": 9.0},
+        "own_lqr": lqr,
     }  # fmt: skip
 
 
-@pytest.mark.parametrize("name", sorted(CONTROLLERS))
+OF_A_DRIVE = [name for name in sorted(CONTROLLERS) if name not in AT_THE_ROBOT]
+
+
+@pytest.mark.parametrize("name", OF_A_DRIVE)
 def test_member(name, lqr):
     """Runs natively as written, in a batch, by explicit and implicit methods; other numbers take the same code."""
     sheet = robot(examples(lqr)[name])

@@ -29,7 +29,7 @@ MEMBERS: dict[str, dict[str, Any]] = {
     "pid": {"position_gain": 80.0, "integral_gain": 50.0, "velocity_gain": 9.0, "limit": 500.0},
     "sampled_pid": {"position_gain": 80.0, "integral_gain": 50.0, "velocity_gain": 9.0, "sample_time": 0.004},
     "state_feedback": {"position_gains": {"s.motor": 80.0}, "velocity_gains": {"s.motor": 9.0}},
-    "lqr": {"row": [7.0, 0.0, 3.0, 0.0, 2.0]},
+    "own_lqr": {"row": [7.0, 0.0, 3.0, 0.0, 2.0]},
 }
 """Numbers of one of each controller, that of a user among them; one without an entry fails."""
 

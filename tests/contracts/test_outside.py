@@ -28,7 +28,7 @@ from wasm.node import page_states
 KINDS = {
     "screw": (test_joints.ScrewNumbers, test_joints.Screw),
     "table": (test_links.TableStructure, test_links.TableLink, test_links.TableSheet),
-    "lqr": (test_controllers.LQR,),
+    "own_lqr": (test_controllers.LQR,),
     "soil": (test_contacts.Soil,),
     "cosine": (test_signals.Cosine,),
 }
@@ -68,7 +68,7 @@ def sheet(controller: dict[str, Any], **changed: Any) -> Any:
 @pytest.fixture(scope="module")
 def robot() -> Any:
     row = test_controllers.gains(sheet({"type": "pd", "position_gain": 0.0, "velocity_gain": 0.0}))
-    return sheet({"type": "lqr", "row": row})
+    return sheet({"type": "own_lqr", "row": row})
 
 
 @pytest.mark.parametrize("name", KINDS)

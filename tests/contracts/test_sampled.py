@@ -133,7 +133,7 @@ def test_poles_under_full_feedback_with_an_integral() -> None:
     a, b = open_loop()
     n = len(a)
     whole = np.block([[a, np.zeros((n, 1))], [np.eye(1, n), np.zeros((1, 1))]]) - np.vstack([b, [[0.0]]]) @ row
-    sheet = robot({"type": "lqr", "row": row[0].tolist()})
+    sheet = robot({"type": "own_lqr", "row": row[0].tolist()})
     found = poles(sheet)
     assert found == pytest.approx(ordered(np.linalg.eigvals(whole)), rel=1e-8)
     for mode in vibrations(sheet).states["controlled"]:

@@ -80,6 +80,26 @@ CONTROLLERS: dict[str, Sheet] = {
     "state_feedback": {"type": "state_feedback", "position_gains": {"first": 80.0, "link.bend_y1": 3.0},
                        "velocity_gains": {"first": 8.0}, "rest": {"link.bend_y1": 0.1}, "feedforward": 0.5},
 }  # fmt: skip
+BLOCKS: dict[str, Sheet] = {
+    "gravity_pd": {"type": "gravity_pd", "position_gain": 80.0, "velocity_gain": 8.0},
+    "computed_torque": {"type": "computed_torque", "position_gain": 400.0, "velocity_gain": 40.0},
+    "feedback_linearisation": {"type": "feedback_linearisation", "pole": 10.0},
+    "lqr": {"type": "lqr", "state_weights": {"first": 100.0, "second": 100.0}},
+    "pole_placement": {"type": "pole_placement", "poles": [[2.0, 0.7], [3.0, 0.7]]},
+    "lqg": {"type": "lqg", "sample_time": 0.01, "state_weights": {"first": 100.0, "second": 100.0},
+            "measured": ["first.position", "second.position"], "measurement_noise": [1e-6],
+            "process_noise": {"first'": 1e-4, "second'": 1e-4}},
+}  # fmt: skip
+"""Blocks that stand in the section `control`: of two drives, or (gravity_pd) of one each."""
+SAMPLED = {"sample_time": 0.01, "delay": 0.004, "noise": 1e-3, "seed": 3, "bias": 1e-3}
+SENSORS: list[Sheet] = [
+    {"type": "encoder", "name": "teeth", "joint": "first", "resolution": 1e-3} | SAMPLED,
+    {"type": "accelerometer", "name": "felt"} | SAMPLED,
+    {"type": "gyro", "name": "turns"},
+    {"type": "strain_gauge", "name": "gauge", "link": "link", "at": 0.1, "z": 0.01},
+    {"type": "flange", "name": "wrist", "link": "link", "at": 0.5} | SAMPLED,
+    {"type": "output", "name": "seen", "output": "tip.x"},
+]
 PLANE = {"type": "plane", "position": [0.0, 0.0, -0.3], "normal": [0.1, 0.0, 1.0]}
 CONTACTS: dict[str, Sheet] = {
     "unilateral": {"law": "unilateral", "shape": PLANE, "stiffness": 3e3, "damping": 20.0, "friction": 0.2,
@@ -119,12 +139,25 @@ def sheet(
     }  # fmt: skip
 
 
+def controlled(block: Sheet) -> Sheet:
+    """Both joints under the block; behind elastic gears where it needs them."""
+    gear = {"motor": {"inertia": 0.05, "side": "joint"}, "gear": {"stiffness": 300.0, "damping": 0.3}}
+    made = sheet(joint=JOINTS["revolute"] | (gear if block["type"] == "feedback_linearisation" else {}))
+    made["joints"][1] |= gear if block["type"] == "feedback_linearisation" else {}
+    both = [{"joint": one, "command": "position", "signal": MOVE} for one in ("first", "second")]
+    groups = [["first"], ["second"]] if block["type"] == "gravity_pd" else [["first", "second"]]
+    control = [{"name": f"law{k}", "drives": group, "block": block} for k, group in enumerate(groups)]
+    return made | {"drives": both, "control": control}
+
+
 KINDS: dict[str, Sheet] = {
     **{f"beam {name}": sheet(beam=beam) for name, beam in BEAMS.items()},
     **{f"joint {name}": sheet(joint=joint) for name, joint in JOINTS.items()},
     **{f"signal {name}": sheet(signal=signal) for name, signal in SIGNALS.items()},
     **{f"controller {name}": sheet(controller=one, beam=BEAMS["given"]) for name, one in CONTROLLERS.items()},
+    **{f"controller {name}": controlled(one) for name, one in BLOCKS.items()},
     **{f"contact {name}": sheet(contact=contact) for name, contact in CONTACTS.items()},
+    "sensors": sheet(beam=BEAMS["given"], sensors=SENSORS),
     "body inside": sheet(beam=strain(TUBE)) | {"links": [
         {"name": "link", "beam": strain(TUBE), "bodies": [BODY | {"at": 0.4}, BODY | {"name": "end", "at": 1.0}]},
         {"name": "end", "bodies": [BODY]}]},

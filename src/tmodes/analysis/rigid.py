@@ -22,6 +22,10 @@ def rigid_model(robot: Robot, drives: tuple[str, ...]) -> RigidModel:
     Raises :class:`tmodes.errors.InputError` for a joint that moves and has no drive.
     """
     known = nominal_of(robot)
+    for index, drive in enumerate(known.drives):
+        if not drive.command.is_motion:
+            expected = "`position`, or `prescribed`: a law computes with the setpoints of all joints"
+            raise InputError(f"drives.{index}.command", f"`{drive.command}`", expected, "give this joint a motion")
     links = tuple(
         link.model_copy(update={"beam": link.beam.variant("rigid", None)}) if link.beam else link
         for link in known.links

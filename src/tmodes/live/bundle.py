@@ -12,7 +12,6 @@ from numpy.typing import NDArray
 from tmodes.analysis.error_parts import element_places
 from tmodes.analysis.line.line import elastic_line, line_places
 from tmodes.analysis.quasistatic import elastic_names
-from tmodes.kinds.signals.registry import Clock
 from tmodes.live.functions import ModelFunctions, engine_settings, live_module
 from tmodes.live.knobs import Ahead
 from tmodes.live.map import LiveMap, Progress, live_map
@@ -205,7 +204,7 @@ def _run(setup: RunSetup) -> dict[str, Any]:
         "balance": _balance(setup),
         "moving": [k for k in range(len(setup.planned.each)) if k not in plan.aside],
         "noise": setup.planned.noises,
-        "clocks": [[k, one.period, one.after] for k, one in enumerate(setup.planned.each) if isinstance(one, Clock)],
+        "clocks": [[k, one.period, one.after] for k, one in setup.planned.clocks],
         "slipping": len(setup.model.loop.slipping),
     }  # fmt: skip
 

@@ -24,6 +24,11 @@ class Node(NamedTuple):
     sheet: Any = None
 
     @property
+    def drives(self) -> tuple[str, ...]:
+        """The joints whose drives it commands."""
+        return self.sheet.drives if self.sheet else ()
+
+    @property
     def signals(self) -> tuple[str, ...]:
         """Names of the signals that it gives."""
         return tuple(f"{self.name}.{port.name}" if port.name else self.name for port in self.ports)

@@ -13,10 +13,8 @@ from tmodes.equations.loop.outputs import Outputs
 from tmodes.equations.loop.plan import BlockPlan, LoopParts, LoopPlan
 from tmodes.errors import InputError
 from tmodes.kinds.noted.functions import number
-from tmodes.kinds.sensors.registry import Sensor
 from tmodes.kinds.signals.registry import Clock, constant_signal, sampled_noise
 from tmodes.sheet.network import Node, network, node_of
-from tmodes.simulation.linear_plant import linear_plant
 
 if TYPE_CHECKING:
     from tmodes.kinds.controllers.registry import Block
@@ -78,9 +76,9 @@ class _Sources:
         path = f"{node.path}{'.block' if node.sheet else ''}"
         head, _, last = name.rpartition(".")
         drive = next((one for one in self.plan.drives if one.joint == head), None)
-        if isinstance(node.block, Sensor) and name in node.block.noises:
-            seed = node.block.seed + node.block.noises.index(name)
-            noise = sampled_noise(node.block.sample_time, self.robot.integration.output_step, node.block.noise, seed)
+        if name in node.block.noises:
+            seed, deviation = node.block.noise_of(name)
+            noise = sampled_noise(node.block.period or 0.0, self.robot.integration.output_step, deviation, seed)
             self.found[name] = self.signals.add(noise, path)
         elif head == "gravity" and last in "xyz":
             value = self.robot.gravity["xyz".index(last)]
@@ -127,13 +125,15 @@ def _block(robot: Robot, plan: LoopPlan, node: Node, signals: Any) -> BlockPlan:
         model=model,
     )  # fmt: skip
     clocks = sampling.clocks(signals, robot.integration.output_step, node.path)
-    return BlockPlan(node.name, law, node.ports, law.numbers(sampling.period), node.joint, *clocks)
+    return BlockPlan(node.name, law, node.ports, law.numbers(sampling.period), node.joint, *clocks, node.drives)
 
 
 def _designed(robot: Robot, node: Node) -> Node:
     """The node with its block designed for the robot as known, once for each robot."""
     if not node.block.is_designed:
         return node
+    from tmodes import linear_plant
+
     known = nominal_of(robot)
     designs = vars(known).setdefault("designs", {})
     if node.name not in designs:

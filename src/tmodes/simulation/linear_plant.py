@@ -14,6 +14,8 @@ from tmodes.kinds.noted.number import Lost, is_noted
 from tmodes.kinds.signals.registry import constant_signal
 from tmodes.model.passes import derivatives
 from tmodes.sheet.parts import Command
+from tmodes.simulation.loop import LoopModel
+from tmodes.simulation.plan import planned
 
 if TYPE_CHECKING:
     from tmodes.sheet import Robot
@@ -29,9 +31,6 @@ def linear_plant(robot: Robot, reads: tuple[str, ...], drives: tuple[str, ...], 
 
     ``reads``: outputs and sensors by name; sensors without samples and noise. All derivatives are exact.
     """
-    from tmodes.simulation.loop import LoopModel
-    from tmodes.simulation.plan import planned
-
     held = {drive.joint: _setpoint(robot, drive, start=start) for drive in robot.drives if drive.command.is_motion}
     rest = robot_rest(robot, held=_motors(robot, held), contact=robot.contact is not None)
     plan = planned(_open(robot))

@@ -65,6 +65,11 @@ class Planned:
         return found + [k for k, one in enumerate(self.each) if getattr(one, "is_noise", False)]
 
     @property
+    def clocks(self) -> list[tuple[int, Any]]:
+        """The signals with the time since a sample."""
+        return [(k, one) for k, one in enumerate(self.each) if getattr(one, "is_clock", False)]
+
+    @property
     def first_row(self) -> NDArray[np.float64]:
         """The row of the signals at time 0."""
         if not any(piece.is_noted for piece in self.pieces):

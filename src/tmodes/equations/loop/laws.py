@@ -19,7 +19,7 @@ __all__ = ["Delay", "Law", "View"]
 class View(NamedTuple):
     """What a block that sees all sees: names of coordinates and drives, currents, its own coordinate (-1: none).
 
-    ``orders``: numbers of each setpoint.
+    ``orders``: numbers of each setpoint; ``commands``: the joints that it commands.
     """
 
     names: tuple[str, ...]
@@ -27,6 +27,7 @@ class View(NamedTuple):
     currents: int
     own: int = -1
     orders: int = SIGNAL
+    commands: tuple[str, ...] = ()
 
     @property
     def sizes(self) -> tuple[int, ...]:
@@ -233,7 +234,8 @@ class Law:
             "wanted": wanted[0], "wanted_rate": wanted[1], "wanted_acceleration": wanted[2],
             "position": position, "velocity": velocity, "current": given.current[0],
             "signals": {name: given.reads[k] for k, name in enumerate(self.block.reads)},
-            "at_rest": self.settles, "limit": given.limit[0] if self.limited else None, "period": p[self.count - 1] if self.timed else None,
+            "at_rest": self.settles,
+            "limit": given.limit[0] if self.limited else None, "period": p[self.count - 1] if self.timed else None,
         }  # fmt: skip
         if self.view:
             here |= self._seen(self.view, given, wanted, (position, velocity))
@@ -251,7 +253,7 @@ class Law:
             q[view.own], v[view.own] = own
             setpoints[view.drives.index(joint)][:SIGNAL] = wanted
         currents = [given.view[2][k] for k in range(view.currents)]
-        named = {"names": view.names, "drives": view.drives, "joint": joint}
+        named = {"names": view.names, "drives": view.drives, "joint": joint, "commands": view.commands}
         return {"q": q, "v": v, "setpoints": setpoints, "currents": currents, **named}
 
     def named_states(self, units: tuple[str, ...], names: tuple[str, ...] = ("command",)) -> tuple[OwnState, ...]:

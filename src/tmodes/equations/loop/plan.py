@@ -65,8 +65,8 @@ class DrivePlan:
 class BlockPlan:
     """A block of its own: a sensor, a filter, an observer, a controller of several drives.
 
-    ``joint``: the drive of its own that it sees; empty for none. ``ports``: the signals that it gives. ``clock``,
-    ``late``: as those of a drive.
+    ``joint``: the drive of its own that it sees; empty for none. ``ports``: the signals that it gives; ``commands``:
+    the joints that they command. ``clock``, ``late``: as those of a drive.
     """
 
     name: str
@@ -76,6 +76,7 @@ class BlockPlan:
     joint: str = ""
     clock: int = -1
     late: int = -1
+    commands: tuple[str, ...] = ()
 
     @property
     def signals(self) -> tuple[str, ...]:
@@ -331,20 +332,21 @@ class LoopParts:
         current = currents.index(plan.joint) if plan.joint in currents else -1
         if plan.servo:
             orders = plan.servo.controller.setpoint_orders if plan.servo.controller else SIGNAL
-            plan = replace(plan, servo=plan.servo.seeing(self._view(part.input, orders)))
+            plan = replace(plan, servo=plan.servo.seeing(self._view(part.input, orders, (plan.joint,))))
         return Driver(plan, part, part.index, self.parts.numbers.block(plan.numbers), kind, slot, current, controls)
 
-    def _view(self, own: int, orders: int) -> View:
+    def _view(self, own: int, orders: int, commands: tuple[str, ...]) -> View:
         """What a block sees that sees all."""
         names = tuple(drive.joint for drive in self.plan.drives)
-        return View(tuple(self.parts.names), names, len(self.plan.currents), own, orders)
+        return View(tuple(self.parts.names), names, len(self.plan.currents), own, orders, commands)
 
     def _placed(self, first: int) -> Iterator[Placed]:
         """The blocks of the plan; their states begin at ``first`` among those of all laws."""
         for block in self.plan.blocks:
             driver = next((one for one in self.drivers if one.plan.joint == block.joint), None)
             if block.law.block.sees_all:
-                view = self._view(driver.coordinate if driver else -1, block.law.block.setpoint_orders)
+                own, orders = driver.coordinate if driver else -1, block.law.block.setpoint_orders
+                view = self._view(own, orders, block.commands)
                 block = replace(block, law=replace(block.law, view=view))  # noqa: PLW2901
             yield Placed(block, self.parts.numbers.block(block.numbers), first, driver)
             first += block.law.states

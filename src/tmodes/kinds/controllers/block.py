@@ -29,7 +29,8 @@ class Measured:
     where it has no elastic gear) and its ``current``; ``limit``: largest command of that drive, None without one. Of a
     block that sees all: ``q`` and ``v`` of all coordinates in the order of ``names`` (motors, joints, links),
     ``currents`` that are states, and ``setpoints``: (value, rate, acceleration, or :attr:`Block.setpoint_orders`) of
-    each drive's signal in the order of ``drives``; ``joint``: its own among these. ``signals``: what it reads by name.
+    each drive's signal in the order of ``drives``; ``joint``: its own among these; ``commands``: those that it
+    commands, in the order of its outputs. ``signals``: what it reads by name.
     ``period``: time between its samples [s], None in continuous time. ``model``: see :attr:`Block.needs_model`.
     ``at_rest``: an equilibrium is looked for, in which there is no noise and nothing is rounded.
     """
@@ -47,6 +48,7 @@ class Measured:
     setpoints: list[list[Any]] = field(default_factory=list)
     drives: tuple[str, ...] = ()
     joint: str = ""
+    commands: tuple[str, ...] = ()
     signals: Mapping[str, Any] = field(default_factory=dict)
     limit: Any = None
     period: Any = None
@@ -140,6 +142,15 @@ class Block(Kind):
     def reads(self) -> tuple[str, ...]:
         """Names of the signals that it reads: outputs, sensors, ports of other blocks."""
         return ()
+
+    @property
+    def noises(self) -> tuple[str, ...]:
+        """Those of the signals that it reads that are noise of its own, at its samples."""
+        return ()
+
+    def noise_of(self, name: str) -> tuple[int, float]:
+        """Seed and standard deviation of one of these."""
+        raise NotImplementedError
 
     def numbers(self) -> tuple[float, ...]:
         """Numbers of the law, which its methods read as ``p``."""

@@ -77,6 +77,10 @@ class _AllDrives(Controller):
         """T [s]."""
         return self.sample_time
 
+    def _chosen(self, m: Measured, efforts: list[Any]) -> list[Any]:
+        """Those of the drives that it commands."""
+        return [efforts[m.drives.index(joint)] for joint in m.commands]
+
     def _references(self, m: Measured) -> list[list[Any]]:
         """Setpoints of all drives, their rates and accelerations."""
         each = [m.setpoint(joint) for joint in m.drives]
@@ -105,7 +109,8 @@ class ComputedTorque(_AllDrives):
         (q, v), (r, rate, push) = m.motors(), self._references(m)
         a = [push[k] + p[1] * (rate[k] - v[k]) + p[0] * (r[k] - q[k]) for k in range(len(q))]
         torque = m.model.torque(q, v, a)
-        return [torque[k] + m.model.inertia[k] * a[k] + m.model.viscous[k] * v[k] for k in range(len(q))]
+        rows = zip(torque, m.model.inertia, m.model.viscous, a, v, strict=True)
+        return self._chosen(m, [load + inertia * acc + b * turns for load, inertia, b, acc, turns in rows])
 
 
 @CONTROLLERS.register
@@ -144,4 +149,6 @@ class FeedbackLinearisation(_AllDrives):
         ]
         _, _, second = model.torque_rates(q, v, a, jerk, s)
         rows = zip(model.inertia, model.viscous, model.stiffness, a, second, wound, thd, strict=True)
-        return [inertia * (acc + tau / k) + load + b * turns for inertia, b, k, acc, tau, load, turns in rows]
+        return self._chosen(
+            m, [inertia * (acc + tau / k) + load + b * turns for inertia, b, k, acc, tau, load, turns in rows]
+        )

@@ -106,7 +106,7 @@ class _StateSpace(Controller):
     def numbers(self) -> tuple[float, ...]:
         """u_0, x at rest, setpoints there, K row by row."""
         d = self.design
-        own = [float(d.plant.rest[k]) for k in self._own(d.plant)]
+        own = [d.plant.rest[k] for k in self._own(d.plant)]
         return (*d.plant.effort, *d.plant.rest, *own, *np.asarray(d.K).ravel())
 
     def _parts(self, p: Any) -> tuple[Any, Any, Any, Any]:

@@ -79,6 +79,10 @@ class Sensor(Block, family="sensor", key="type"):
         """The signals with the noise of each port; none without noise."""
         return tuple(f"{self.name}.{NOISE}{k + 1}" for k in range(len(self.ports))) if self.noise else ()
 
+    def noise_of(self, name: str) -> tuple[int, float]:
+        """Seed and standard deviation of the noise of a port."""
+        return self.seed + self.noises.index(name), self.noise
+
     @property
     def reads(self) -> tuple[str, ...]:
         """Outputs, and signals of noise."""

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from math import comb
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -282,6 +282,7 @@ class Clock:
     period: float
     output_step: float
     after: float = 0.0
+    is_clock: ClassVar[bool] = True
 
     def schedule(self, until: float) -> SignalPieces:
         """A piece from each sample to the next, up to ``until`` [s].
