@@ -130,7 +130,7 @@ FAULTS = (
     ),
     Fault(
         "result/settling.py",
-        "values[[drive.noise for drive in plan.plan.drives if drive.noise >= 0]] = 0.0",
+        "values[plan.noises] = 0.0",
         "pass",
         "tests/result/test_settling.py",
     ),

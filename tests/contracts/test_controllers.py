@@ -77,8 +77,8 @@ def lqr():
     return {"type": "own_lqr", "row": gains()}
 
 
-AT_THE_ROBOT = {"computed_torque", "feedback_linearisation", "lqr", "lqg", "pole_placement"}
-"""Members that stand in the section `control`: see test_blocks.py."""
+AT_THE_ROBOT = {"gravity_pd", "computed_torque", "feedback_linearisation", "lqr", "lqg", "pole_placement"}
+"""Members that compute with the robot: see test_blocks.py."""
 PD = {"type": "pd", "position_gain": 80.0, "velocity_gain": 9.0}
 
 
@@ -91,7 +91,6 @@ def examples(lqr):
                            "velocity_gains": {"hub.motor": 9.0, "hub": 1.0}},
         "sampled_pid": {"type": "sampled_pid", "position_gain": 80.0, "integral_gain": 50.0, "velocity_gain": 9.0,
                         "sample_time": 0.004},
-        "gravity_pd": {"type": "gravity_pd", "position_gain": 80.0, "velocity_gain": 9.0},
         "own_lqr": lqr,
     }  # fmt: skip
 

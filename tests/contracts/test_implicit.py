@@ -96,7 +96,7 @@ def scaled(value: Any, by: float) -> Any:
     return value * by if isinstance(value, float) else value
 
 
-KINDS = [(name, "euler_rate", False) for name in sorted(CONTROLLERS)]
+KINDS = [(name, "euler_rate", False) for name in sorted({*CONTROLLERS} - of_a_user.AT_THE_ROBOT)]
 KINDS += [("pd", "implicit_rate", False), ("pd", "euler_rate", True)]
 
 

@@ -27,6 +27,7 @@ from tmodes.kinds.noted.program import program_of
 from tmodes.kinds.sensors.registry import SENSORS
 from tmodes.kinds.signals.registry import SIGNALS
 from tmodes.kinds.signals.schedule import SignalPieces, merge, merge_cases
+from tmodes.model.parameters import Structural
 from tmodes.model.passes import derivatives, evaluate_program
 from tmodes.robots.load import load
 from tmodes.sheet import Robot
@@ -46,6 +47,9 @@ NEAR = 20
 HELD = ("integration", "real", "format")
 APART = (".at", "sample_time", "pieces.1.end")
 """Numbers that stand in a place of their own: a station at an end, samples on the output's instants, the last end."""
+
+
+DESIGNED = ("controller lqr", "controller lqg", "controller pole_placement")
 
 
 def numbers_of(robot, held=APART):
@@ -111,9 +115,19 @@ def check_changes(robot, held=APART, seed=0, draws=COUNT):
     assert held == draws
 
 
-@pytest.mark.parametrize("name", list(KINDS))
+@pytest.mark.parametrize("name", [name for name in KINDS if name not in DESIGNED])
 def test_all_numbers_of_a_kind_at_once(name):
-    check_changes(Robot.from_data(KINDS[name]))
+    check_changes(Robot.from_data(KINDS[name]), (*APART, *("delay" for _ in SENSORS if name == "sensors")))
+
+
+@pytest.mark.parametrize("name", DESIGNED)
+def test_gains_that_are_designed_have_no_program(name):
+    """Each case is lowered by itself, with gains of its own; a real robot that differs has those of the known one."""
+    robot = Robot.from_data(KINDS[name])
+    with pytest.raises(Structural):
+        noted(robot, numbers_of(robot))
+    program = noted(robot, {"real.joints.second.friction.viscous": 1.1})
+    assert not program.fixed
 
 
 @pytest.mark.parametrize("seed", range(6 * COUNT))

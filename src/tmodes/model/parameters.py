@@ -172,9 +172,12 @@ def noted_pair(robot: Robot, values: Mapping[str, float], tape: NotedTape) -> tu
             inputs[path] = number
     try:
         known = _changed(robot, leaves)
-        return RobotPair(known, _real(robot, known, leaves, data) if robot.real else known), inputs
+        real = _real(robot, known, leaves, data) if robot.real else known
     except PydanticCustomError as error:
         raise Structural(str(error)) from error
+    if real is not known:
+        vars(real)["nominal"] = known
+    return RobotPair(known, real), inputs
 
 
 def _changed(robot: Robot, leaves: Mapping[Steps, Any]) -> Robot:

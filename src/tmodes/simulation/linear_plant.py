@@ -32,12 +32,11 @@ def linear_plant(robot: Robot, reads: tuple[str, ...], drives: tuple[str, ...], 
     ``reads``: outputs and sensors by name; sensors without samples and noise. All derivatives are exact.
     """
     held = {drive.joint: _setpoint(robot, drive, start=start) for drive in robot.drives if drive.command.is_motion}
+    _refuse_noted(*held.values())
     rest = robot_rest(robot, held=_motors(robot, held), contact=robot.contact is not None)
     plan = planned(_open(robot))
     model = LoopModel(plan.plan)
-    if is_noted(model.numbers):
-        noted = next(one for one in model.numbers if is_noted(one))
-        raise Lost("gains that are designed from the robot", noted)
+    _refuse_noted(*model.numbers)
     layout, n, count = model.layout, len(model.coordinates), plan.plan.degree + 1
     state, row = np.zeros(layout.size), plan.first_row.copy()
     state[:n] = [rest.named[name] for name in model.coordinates]
@@ -76,6 +75,12 @@ def linear_plant(robot: Robot, reads: tuple[str, ...], drives: tuple[str, ...], 
         *(f"{j}.current" for j in plan.plan.currents),
     )
     return LinearPlant(names, drives, reads, A, B, C, D, state[moving], row[places], seen)
+
+
+def _refuse_noted(*values: object) -> None:
+    """Gains follow from an eigenvalue problem, which a program of noted numbers does not hold."""
+    if noted := [one for one in values if is_noted(one)]:
+        raise Lost("gains that are designed from the robot", noted[0])
 
 
 def _plain(name: str, outputs: object) -> str:

@@ -266,7 +266,7 @@ class PolePlacement(_StateSpace):
     """
 
     type: Literal["pole_placement"] = Field(description="kind of controller")
-    poles: tuple[tuple[float, float], ...] = Field(
+    poles: tuple[Annotated[tuple[float, float], Field(strict=False)], ...] = Field(
         strict=False, min_length=1, max_length=400,
         description="natural frequency [Hz] and damping ratio of each pair of poles",
     )  # fmt: skip
