@@ -24,6 +24,11 @@ class Node(NamedTuple):
     sheet: Any = None
 
     @property
+    def place(self) -> str:
+        """Its place in the sheet by its name, as messages say it."""
+        return f"{'control' if self.sheet else 'sensors'}.{self.name}"
+
+    @property
     def drives(self) -> tuple[str, ...]:
         """The joints whose drives it commands."""
         return self.sheet.drives if self.sheet else ()

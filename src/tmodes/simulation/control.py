@@ -73,7 +73,7 @@ class _Sources:
         """Make a signal known by its name; raises :class:`tmodes.errors.InputError` for an unknown one."""
         if name in self.found:
             return
-        path = f"{node.path}{'.block' if node.sheet else ''}"
+        path = f"{node.place}{'.block' if node.sheet else ''}"
         head, _, last = name.rpartition(".")
         drive = next((one for one in self.plan.drives if one.joint == head), None)
         if name in node.block.noises:
@@ -140,7 +140,7 @@ def _designed(robot: Robot, node: Node) -> Node:
         try:
             designs[node.name] = node.block.designed(partial(linear_plant, known), node.sheet.drives)
         except InputError as error:
-            path = f"{node.path}.block.{error.which}"
+            path = f"{node.place}.block.{error.which}"
             raise InputError(path, error.got, error.expected, error.hint, error.where) from error
     return node._replace(block=designs[node.name])
 
@@ -156,4 +156,4 @@ def _refuse_late(nodes: list[Node], blocks: list[BlockPlan], sources: dict[str, 
         if node.sheet is not None or block.law.states:
             got = f"`{read[0]}` in continuous time"
             expected = "a sampled block: it follows from the commands of the same instant"
-            raise InputError(f"{node.path}.sample_time", got, expected, "add `sample_time: 0.001`")
+            raise InputError(f"{node.place}.sample_time", got, expected, "add `sample_time: 0.001`")
