@@ -20,15 +20,16 @@ if TYPE_CHECKING:
     from tmodes.interface.checks import check, evaluate
     from tmodes.interface.description import describe
     from tmodes.interface.hierarchy import hierarchy
+    from tmodes.interface.linear import linearize
     from tmodes.interface.modes import modes
     from tmodes.interface.objects import Result, Robot, load, run
     from tmodes.interface.show import show
-    from tmodes.interface.statics import linearize, static
+    from tmodes.interface.statics import static
     from tmodes.interface.studies import gradient
     from tmodes.io.sheet_check import changed_robot, real_robot, sheet_from_data
     from tmodes.kinds.outside import use
     from tmodes.model.model import Model
-    from tmodes.simulation.linear_plant import linear_plant
+    from tmodes.simulation.linear import linear_plant
     from tmodes.simulation.outputs import robot_outputs as outputs
     from tmodes.simulation.sampled_controller import Measurement
     from tmodes.simulation.vary.parameters import parameters_of as parameters
@@ -98,7 +99,7 @@ _HOMES = {
     "forward_sensitivities": "tmodes.gradients.gradient.forward_sensitivities",
     "gradient": "tmodes.interface.studies.gradient",
     "hierarchy": "tmodes.interface.hierarchy.hierarchy",
-    "linearize": "tmodes.interface.statics.linearize",
+    "linearize": "tmodes.interface.linear.linearize",
     "load": "tmodes.interface.objects.load",
     "load_study": "tmodes.study.result.load_study",
     "modes": "tmodes.interface.modes.modes",
@@ -121,7 +122,7 @@ _UPWARD = {
     "chain_issues": "tmodes.chain.checks.chain_issues",
     "changed_robot": "tmodes.io.sheet_check.changed_robot",
     "evaluated_study": "tmodes.study.evaluate.evaluated",
-    "linear_plant": "tmodes.simulation.linear_plant.linear_plant",
+    "linear_plant": "tmodes.simulation.linear.linear_plant",
     "lowered_chain": "tmodes.chain.lowering.lowered",
     "real_robot": "tmodes.io.sheet_check.real_robot",
     "sheet_from_data": "tmodes.io.sheet_check.sheet_from_data",

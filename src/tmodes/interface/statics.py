@@ -1,4 +1,4 @@
-"""Rest, stiffness and linearization of a robot: what ``tmodes static`` computes and prints."""
+"""Rest and stiffness of a robot: what ``tmodes static`` computes and prints."""
 
 from __future__ import annotations
 
@@ -24,7 +24,6 @@ __all__ = [
     "Linearization",
     "Statics",
     "circumstances",
-    "linearize",
     "link_table",
     "numbers",
     "static",
@@ -269,28 +268,6 @@ def stiffness_table(info: Mapping[str, Any] | None) -> Iterator[Table]:
         shares = ", ".join(f"{name} {share:.1%}" for name, share in largest if abs(share) >= 5e-4)
         rows.append([one["direction"], stiffness, one["unit"], one["why"] or shares])
     yield Table(f"Stiffness at {info['point']}", ["direction", "stiffness", "unit", "share of the compliance"], rows)
-
-
-@checked_arguments
-def linearize(
-    robot: Robot, *, at: Pose | None = None, contact: bool = True, progress: Progress = lambda stage, share: None
-) -> Linearization:
-    """M, D, K about the rest of a robot: M a' + D v' + K q' = f' for small changes of its coordinates and forces.
-
-    At the pose ``at`` [rad, m], else where the first commands of its drives hold it, under weight and loads;
-    ``contact`` with the stiffness of the surface that it touches. Drives and controllers are left out: their efforts
-    are the forces f'. Exact derivatives of the compiled equations. Raises :class:`tmodes.errors.InputError` for an
-    unknown joint, and :class:`tmodes.errors.SimulationError` where it finds no rest.
-
-    >>> linear = tmodes.load("spong1987").linearize()
-    >>> linear.mass.shape, linear.coordinates
-    ((2, 2), ('joint.motor', 'joint'))
-    """
-    from tmodes.analysis.statics.at_rest import robot_rest
-
-    rest = robot_rest(robot, held=pose_of(at, robot), contact=contact, moving=True, progress=progress)
-    where = circumstances(robot, contact=contact, at=pose_words(at))
-    return Linearization(robot.name, where, rest.model.coordinates, rest.q, *rest.matrices)
 
 
 @dataclass(frozen=True, eq=False, repr=False)

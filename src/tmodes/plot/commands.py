@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -10,7 +11,7 @@ from numpy.typing import ArrayLike
 from tmodes.plot.panels import Axes, AxesLike, panels, side_legend
 from tmodes.plot.style import COMPONENTS, INK, house_style
 
-__all__ = ["bars", "points", "shape"]
+__all__ = ["bars", "bode", "points", "shape"]
 
 _MARKERS = ("o", "s", "^")
 
@@ -79,3 +80,24 @@ def shape(lines: Mapping[str, Sequence[ArrayLike]], *, title: str = "", ax: Axes
         panel.set_aspect("equal", adjustable="datalim")
         panel.legend()
         return [panel]
+
+
+def bode(response: Any, *, title: str = "", ax: AxesLike = None) -> list[Axes]:
+    """Gain [dB] over phase [deg] of a complex ``response`` by frequency [Hz], output and input."""
+    with house_style():
+        gain, phase = panels(ax, [["a"], ["b"]], 4.6)
+        at, k = response.frequency.values, 0
+        for source in response.input.values:
+            for output in response.output.values:
+                values = response.sel(output=output, input=source).values
+                look = COMPONENTS[k % len(COMPONENTS)]
+                with np.errstate(divide="ignore"):
+                    gain.plot(at, 20 * np.log10(np.abs(values)), label=f"{source} to {output}", **look)
+                phase.plot(at, np.degrees(np.unwrap(np.angle(values))), **look)
+                k += 1
+        for panel in (gain, phase):
+            panel.set_xscale("log")
+        gain.set(ylabel="gain [dB]", title=title)
+        phase.set(xlabel="frequency [Hz]", ylabel="phase [deg]")
+        side_legend(gain)
+        return [gain, phase]

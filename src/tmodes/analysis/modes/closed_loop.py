@@ -7,7 +7,7 @@ B. Wittenmark, Computer-Controlled Systems, 3rd ed., chapter 2).
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from math import gcd, lcm
@@ -27,7 +27,7 @@ from tmodes.kinds.kernel.schedule import Schedule, Slot
 from tmodes.model.passes import derivatives
 from tmodes.sheet import Robot
 
-__all__ = ["Feedback", "closed_loop_motions", "feedback_of"]
+__all__ = ["Feedback", "closed_loop_motions", "common_period", "feedback_of"]
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -124,18 +124,35 @@ def _sampled_motions(matrix: Array, samples: tuple[_Sample, ...], n: int) -> tup
     return principal + 2j * np.pi * turns / whole, position
 
 
-def _pattern(samples: tuple[_Sample, ...]) -> tuple[float, list[tuple[float, tuple[int, ...]]]]:
-    """The common period [s], and in it each time [s] up to the next sample with the controllers that sample there."""
-    periods = [Fraction(sample.period).limit_denominator(10**7) for sample in samples]
-    common = lcm(*(p.numerator for p in periods))
-    scale = gcd(*(p.denominator for p in periods))
+def common_period(clocks: Sequence[tuple[Fraction, Fraction]]) -> tuple[float, list[tuple[float, tuple[int, ...]]]]:
+    """The common period [s] of clocks (period, shift), and in it each instant: its length to the next, what is due."""
+    whole = _common([period for period, _ in clocks])
+    due: dict[Fraction, list[int]] = {Fraction(0): []}
+    for k, (period, shift) in enumerate(clocks):
+        for j in range(int(whole / period)):
+            due.setdefault((period * j + shift) % whole, []).append(k)
+    times = sorted(due)
+    lengths = [float(b - a) for a, b in zip(times, [*times[1:], whole], strict=True)]
+    return float(whole), [(length, tuple(due[time])) for length, time in zip(lengths, times, strict=True)]
+
+
+def _common(periods: Sequence[Fraction]) -> Fraction:
+    """The least common multiple of periods [s]; raises where it holds too many samples."""
+    common, scale = lcm(*(p.numerator for p in periods)), gcd(*(p.denominator for p in periods))
     whole = Fraction(common, scale)
-    counts = [whole / p for p in periods]
-    if sum(counts) > MOST_SAMPLES:
+    if sum(whole / p for p in periods) > MOST_SAMPLES:
         raise SimulationError(
             f"modes under control: the sample times {', '.join(f'{float(p):g}' for p in periods)} s have no common "
             f"period below {MOST_SAMPLES} samples; choose multiples of one time"
         )
+    return whole
+
+
+def _pattern(samples: tuple[_Sample, ...]) -> tuple[float, list[tuple[float, tuple[int, ...]]]]:
+    """The common period [s], and in it each time [s] up to the next sample with the controllers that sample there."""
+    periods = [Fraction(sample.period).limit_denominator(10**7) for sample in samples]
+    whole = _common(periods)
+    counts = [whole / p for p in periods]
     times = sorted({p * j for p, count in zip(periods, counts, strict=True) for j in range(1, int(count) + 1)})
     lengths = [float(b - a) for a, b in zip([Fraction(0), *times[:-1]], times, strict=True)]
     due = [tuple(k for k, p in enumerate(periods) if (time / p).denominator == 1) for time in times]

@@ -15,6 +15,7 @@ from pydantic import Field
 
 from tmodes.errors import InputError
 from tmodes.kinds.controllers.contract import CONTROLLERS, Controller, LinearPlant, Measured, OwnState
+from tmodes.kinds.controllers.discrete import zero_order_hold
 from tmodes.kinds.kernel import vectors
 from tmodes.kinds.schema.quantity import LARGEST, Issue, not_negative, positive
 
@@ -199,17 +200,6 @@ def _with_integrals(plant: LinearPlant, own: list[int]) -> tuple[Any, Any]:
     A[:n, :n], B[:n] = plant.A, plant.B
     A[n + np.arange(m), own] = 1.0
     return A, B
-
-
-def zero_order_hold(A: Any, B: Any, period: float) -> tuple[Any, Any]:
-    """The sampled system x_k+1 = Ad x_k + Bd u_k of inputs that are held over a ``period`` [s]."""
-    from scipy.linalg import expm
-
-    n, m = B.shape
-    whole = np.zeros((n + m, n + m))
-    whole[:n, :n], whole[:n, n:] = A, B
-    found = expm(whole * period)
-    return found[:n, :n], found[:n, n:]
 
 
 class _Weighted(_StateSpace):

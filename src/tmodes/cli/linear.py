@@ -1,0 +1,57 @@
+"""``tmodes linear``: the robot in small motions, with named inputs and outputs."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from tmodes.cli.options import AsJson, FixInertia, Roots, Settings, SheetArgument, TrustPaths, chosen_sheet
+from tmodes.cli.static import PoseOption
+from tmodes.cli.terminal import print_result, working
+
+__all__ = ["linear"]
+
+
+def linear(
+    robot: SheetArgument,
+    inputs: Annotated[
+        str | None,
+        typer.Option(
+            metavar="NAME,...",
+            help="Commands of drives and loads on points, such as shoulder.torque,tip.force.z; with --closed also "
+            "shoulder.setpoint. Without: all drives.",
+        ),
+    ] = None,
+    outputs: Annotated[
+        str | None,
+        typer.Option(metavar="NAME,...", help="Names of `tmodes outputs`, and sensors. Without: all driven joints."),
+    ] = None,
+    closed: Annotated[bool, typer.Option("--closed", help="Under the controllers of the sheet.")] = False,
+    period: Annotated[float | None, typer.Option(help="Sampled with a zero-order hold every so many seconds.")] = None,
+    delay: Annotated[float, typer.Option(help="From a sample to its input [s], of any length.")] = 0.0,
+    at: PoseOption = None,
+    out: Annotated[Path | None, typer.Option(help="Write it to a file: .mat, .npz or .json.")] = None,
+    settings: Settings = None,
+    root: Roots = None,
+    trust_paths: TrustPaths = False,
+    fix_inertia: FixInertia = False,
+    as_json: AsJson = False,
+) -> None:
+    """Linear model about the rest: poles, zeros, and A, B, C, D for other tools.
+
+    x' = A x + B u, y = C x + D u by exact derivatives of the equations, about the rest at the first commands, or --at a
+    pose; under the controllers of the sheet with --closed. Zeros to the right are named: such an output first moves the
+    wrong way. Example: tmodes linear two_link_arm --inputs elbow.torque --outputs tip.acceleration.z,elbow.position
+    """
+    from tmodes.interface.linear import linearize
+
+    sheet = chosen_sheet(robot, settings, roots=root, trust_paths=trust_paths, fix_inertia=fix_inertia)
+    with working("preparing") as tell:
+        found = linearize(
+            sheet, at=at, inputs=inputs, outputs=outputs or (), closed=closed, period=period, delay=delay, progress=tell
+        )
+        if out is not None:
+            found.save(out)
+    print_result(found, as_json)

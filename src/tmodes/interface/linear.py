@@ -1,0 +1,429 @@
+"""Linear models of a robot: what ``tmodes linear`` computes and prints."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from itertools import pairwise
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from tmodes.errors import InputError
+from tmodes.interface.poses import Pose, pose_of, pose_words
+from tmodes.interface.statics import Linearization, circumstances
+from tmodes.io.arguments import checked_arguments
+from tmodes.io.printed import Table
+
+if TYPE_CHECKING:
+    from xarray import DataArray
+
+    from tmodes.sheet import Robot
+    from tmodes.simulation.linear import StateSpace
+
+__all__ = ["LinearModel", "Margins", "linearize"]
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+Progress = Callable[[str, float], None]
+
+_FAR = 1e6
+"""A zero beyond so many times the fastest pole is one of the rounding of the matrices, at infinity."""
+_NULL = 1e-9
+_POINTS = 400
+
+
+@checked_arguments
+def linearize(
+    robot: Robot,
+    *,
+    at: Pose | None = None,
+    inputs: str | Sequence[str] | None = None,
+    outputs: str | Sequence[str] | None = None,
+    closed: bool = False,
+    period: float | None = None,
+    delay: float = 0.0,
+    contact: bool = True,
+    progress: Progress = lambda stage, share: None,
+) -> LinearModel:
+    """The robot in small motions about its rest: M, D, K, and x' = A x + B u, y = C x + D u with named signals.
+
+    At the pose ``at`` [rad, m], else where the first commands of its drives hold it, under weight and loads;
+    ``contact`` with the surface that it touches. ``inputs``: commands of drives (``shoulder.torque``, ``.voltage``,
+    ``.effort``) and loads on points (``tip.force.z``, ``tip.moment.x``); ``outputs``: any names of ``tmodes outputs``,
+    and sensors. Without names: all drives, and the angles of their joints.
+
+    Open loop, or under the controllers of the sheet about the start of its run (``closed``), with ``JOINT.setpoint`` as
+    inputs. With a ``period`` [s] sampled, with a zero-order hold and a ``delay`` [s] of any length; sampled controllers
+    sample by themselves. Exact derivatives of the compiled equations, no differences. Raises
+    :class:`tmodes.errors.InputError` for an unknown name, and :class:`tmodes.errors.SimulationError` where it finds no
+    rest.
+
+    >>> linear = tmodes.load("spong1987").linearize(inputs="joint.torque", outputs="joint.position")
+    >>> linear.mass.shape, linear.A.shape, linear.B.shape
+    ((2, 2), (4, 4), (4, 1))
+    >>> abs(linear.poles[0]).round(3)
+    2.738
+    """
+    from tmodes.analysis.statics.at_rest import robot_rest
+    from tmodes.simulation.linear import closed_loop, delayed, open_loop
+
+    chosen = _names(inputs), _names(outputs)
+    if closed and at is not None:
+        hint = "leave out `at`: it is the start of the run, see `initial` in the sheet"
+        raise InputError("at", str(pose_words(at)), "left out with `closed`", hint)
+    if (period is None and delay) or (period is not None and not period > 0) or delay < 0:
+        expected = "a period above 0 s, and a delay of 0 s or more"
+        raise InputError("period", f"{period!r} s with a delay of {delay:g} s", expected, "write period=1e-3 for 1 kHz")
+    held = pose_of(at, robot)
+    rest = robot_rest(robot, held=held, contact=contact, moving=True, progress=progress)
+
+    def made() -> StateSpace:
+        own = chosen[0] or _all_inputs(robot, closed=closed), chosen[1] or _all_outputs(robot)
+        if closed:
+            found = closed_loop(robot, *own)
+        else:
+            pose = dict(rest.named) if held is None else held
+            found = open_loop(robot, *own, held=_drives(robot, pose), contact=contact, progress=progress)
+        return delayed(found, period, delay) if period is not None and found.period is None else found
+
+    where = circumstances(robot, contact=contact, at=pose_words(at))
+    matrices = rest.matrices
+    found = LinearModel(robot.name, where, rest.model.coordinates, rest.q, *matrices, made, closed)
+    if inputs is not None or outputs is not None or closed or period is not None:
+        _ = found.system  # wrong names are said at once
+    return found
+
+
+def _names(given: str | Sequence[str] | None) -> tuple[str, ...]:
+    return tuple(name.strip() for name in given.split(",")) if isinstance(given, str) else tuple(given or ())
+
+
+def _drives(robot: Robot, pose: Mapping[str, Any]) -> dict[str, Any]:
+    """Of a pose the coordinates that drives hold."""
+    names = robot.undriven.chain().coordinates
+    motors = [f"{one.joint}.motor" if f"{one.joint}.motor" in names else one.joint for one in robot.drives]
+    return {name: value for name, value in pose.items() if name in motors or name.removesuffix(".motor") in pose}
+
+
+def _all_inputs(robot: Robot, *, closed: bool) -> tuple[str, ...]:
+    from tmodes.simulation.linear import opened
+
+    if closed:
+        return tuple(f"{drive.joint}.setpoint" for drive in robot.drives if drive.command.is_controlled)
+    return tuple(f"{drive.joint}.{drive.command}" for drive in opened(robot).drives if not drive.command.is_motion)
+
+
+def _all_outputs(robot: Robot) -> tuple[str, ...]:
+    return tuple(f"{drive.joint}.position" for drive in robot.drives)
+
+
+class Margins(NamedTuple):
+    """Of a loop that is closed by negative feedback: factors on the gain, phase [rad], delay [s], and disk margin.
+
+    ``gain`` and ``phase`` with their frequencies [Hz]; ``disk``: distance of the loop from -1 as a symmetric disk
+    margin (P. Seiler, A. Packard, P. Gahinet, An introduction to disk margins, IEEE Control Systems 40, 2020).
+    """
+
+    gain: float
+    gain_frequency: float
+    phase: float
+    phase_frequency: float
+    delay: float
+    disk: float
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class LinearModel(Linearization):
+    """A robot in small motions: ``mass``, ``damping``, ``stiffness`` by ``coordinates``, and A, B, C, D by names.
+
+    ``states``: coordinates, ``NAME'`` for their rates, currents, states of controllers, past inputs; ``inputs``,
+    ``outputs``; ``period`` [s] of a sampled one, else None; ``system`` has all of it with the point ``x0, u0, y0``.
+    """
+
+    made: Callable[[], StateSpace] = field(repr=False)
+    closed: bool = False
+
+    @cached_property
+    def system(self) -> StateSpace:
+        """Matrices, names and the point about which they are."""
+        return self.made()
+
+    @property
+    def A(self) -> Array:
+        """(states, states) [SI]."""
+        return self.system.A
+
+    @property
+    def B(self) -> Array:
+        """(states, inputs) [SI]."""
+        return self.system.B
+
+    @property
+    def C(self) -> Array:
+        """(outputs, states) [SI]."""
+        return self.system.C
+
+    @property
+    def D(self) -> Array:
+        """(outputs, inputs) [SI]."""
+        return self.system.D
+
+    @property
+    def states(self) -> tuple[str, ...]:
+        """Names of the rows of A."""
+        return self.system.states
+
+    @property
+    def inputs(self) -> tuple[str, ...]:
+        """Names of the columns of B."""
+        return self.system.inputs
+
+    @property
+    def outputs(self) -> tuple[str, ...]:
+        """Names of the rows of C."""
+        return self.system.outputs
+
+    @property
+    def period(self) -> float | None:
+        """Time between samples [s]; None in continuous time."""
+        return self.system.period
+
+    @property
+    def poles(self) -> Complex:
+        """Eigenvalues of A [1/s], the slowest first; of a sampled one in the z plane, the largest first."""
+        found = np.linalg.eigvals(self.A).astype(complex)
+        return found[np.argsort(np.abs(found) * (-1 if self.period else 1), kind="stable")]
+
+    @property
+    def is_stable(self) -> bool:
+        """Whether all poles decay."""
+        return bool((np.abs(self.poles) < 1).all() if self.period else (self.poles.real < 0).all())
+
+    def zeros(self, output: str | None = None, input: str | None = None) -> Complex:  # noqa: A002
+        """Transmission zeros [1/s] from an input to an output, of all of them together without names.
+
+        Those at infinity are left out. A zero to the right (outside of the unit circle) makes the system non-minimum
+        phase. Method: generalised eigenvalues of the Rosenbrock pencil (A. J. Laub, B. C. Moore, Automatica 14, 1978).
+        Raises :class:`tmodes.errors.InputError` for an unknown name, and where inputs and outputs are not as many.
+
+        >>> linear = tmodes.load("spong1987").linearize(inputs="joint.torque", outputs="joint.motor.position")
+        >>> abs(linear.zeros().imag).round(3).tolist()
+        [10.478, 10.478]
+        """
+        from scipy.linalg import eigvals
+
+        A, B, C, D = self._part(output, input)
+        if len(C) != B.shape[1]:
+            got, expected = f"{B.shape[1]} inputs and {len(C)} outputs", "as many of both"
+            raise InputError("zeros", got, expected, "name one input and one output")
+        n, m = B.shape
+        scale = max(np.abs(np.linalg.eigvals(A)).max(initial=0.0), 1e-12)
+        size = [np.abs(one).max(initial=0.0) or 1.0 for one in (B, C)]
+        left = np.block([[A / scale, B / size[0]], [C / size[1], D / (size[0] * size[1]) * scale]])
+        right = np.zeros((n + m, n + m))
+        right[:n, :n] = np.eye(n)
+        values = eigvals(left, right, homogeneous_eigvals=True)
+        kept = np.abs(values[1]) > np.abs(values[0]) / _FAR
+        found = scale * values[0][kept] / values[1][kept]
+        return found[np.argsort(np.abs(found), kind="stable")]
+
+    def _part(self, output: str | None, input: str | None) -> tuple[Array, Array, Array, Array]:  # noqa: A002
+        rows, columns = self._place("outputs", output), self._place("inputs", input)
+        return self.A, self.B[:, columns], self.C[rows], self.D[np.ix_(rows, columns)]
+
+    def _place(self, kind: str, name: str | None) -> list[int]:
+        names = getattr(self, kind)
+        if name is None:
+            return list(range(len(names)))
+        if name not in names:
+            raise InputError(kind, f"the unknown name `{name}`", f"one of {', '.join(names)}", "correct it")
+        return [names.index(name)]
+
+    def frequencies(self) -> Array:
+        """Frequencies [Hz] (n,) of its response: from below the slowest pole to above the fastest."""
+        sizes = np.abs(np.log(self.poles.astype(complex)) / self.period) if self.period else np.abs(self.poles)
+        sizes = sizes[(sizes > 1e-6) & np.isfinite(sizes)] / (2 * np.pi)
+        low, high = (sizes.min() / 10, sizes.max() * 10) if len(sizes) else (0.01, 100.0)
+        high = min(high, 0.5 / self.period) if self.period else high
+        return np.unique(
+            np.append(np.geomspace(min(low, high / 10), high, _POINTS), sizes[(sizes > low) & (sizes < high)])
+        )
+
+    def frequency_response(self, frequencies: ArrayLike | None = None) -> DataArray:
+        """The response G(2 pi i f), complex, by ``frequency`` [Hz], ``output`` and ``input``.
+
+        >>> linear = tmodes.load("spong1987").linearize(inputs="joint.torque", outputs="joint.position")
+        >>> linear.frequency_response([1.0]).shape
+        (1, 1, 1)
+        """
+        from xarray import DataArray
+
+        at = self.frequencies() if frequencies is None else np.atleast_1d(np.asarray(frequencies, dtype=float))
+        values = _response(self.A, self.B, self.C, self.D, self._points(at))
+        where = {"frequency": at, "output": list(self.outputs), "input": list(self.inputs)}
+        return DataArray(values, where, ("frequency", "output", "input"), "response")
+
+    def _points(self, frequencies: Array) -> Complex:
+        turns = 2j * np.pi * frequencies
+        return np.exp(turns * self.period) if self.period else turns
+
+    def singular_values(self, frequencies: ArrayLike | None = None) -> DataArray:
+        """Singular values of the response, the largest first, by ``frequency`` [Hz]."""
+        from xarray import DataArray
+
+        response = self.frequency_response(frequencies)
+        values = np.linalg.svd(response.values, compute_uv=False)
+        return DataArray(values, {"frequency": response.frequency.values}, ("frequency", "number"), "singular_values")
+
+    def margins(self, output: str | None = None, input: str | None = None) -> Margins:  # noqa: A002
+        """Margins of the loop from an input to an output that negative feedback closes; infinite where there is none.
+
+        Crossings are found on a fine grid of frequencies and sharpened by bisection.
+        """
+        part = self._part(output, input)
+        if part[1].shape[1] != 1 or len(part[2]) != 1:
+            got = f"{part[1].shape[1]} inputs and {len(part[2])} outputs"
+            raise InputError("margins", got, "one of each", "name an input and an output")
+        return _margins(lambda f: _response(*part, self._points(np.atleast_1d(f)))[:, 0, 0], self.frequencies())
+
+    def reduce(self, order: int, method: str = "balanced") -> LinearModel:
+        """A model with ``order`` states; ``method``: ``balanced`` truncation, or ``modal`` (the slowest poles).
+
+        ``error`` of its system bounds the difference of the responses: twice the sum of the Hankel singular values that
+        are left out (K. Glover, Int. J. Control 39, 1984). Balanced truncation needs a stable model in continuous time.
+        """
+        from tmodes.analysis.reduction import balanced, modal
+
+        if method not in {"balanced", "modal"} or not 0 < order <= len(self.A):
+            got, expected = f"{order} by `{method}`", f"1 to {len(self.A)} states, by `balanced` or `modal`"
+            raise InputError("reduce", got, expected, "linear.reduce(4)")
+        how = balanced if method == "balanced" else modal
+        A, B, C, D = how(self.A, self.B, self.C, self.D, order, self.period)
+        names = tuple(f"{method}{k + 1}" for k in range(len(A)))
+        zero = np.zeros(len(A))
+        system = replace(self.system, states=names, A=A, B=B, C=C, D=D, x0=zero, rate=zero)
+        return replace(self, made=lambda: system)
+
+    def to_control(self) -> Any:
+        """The same as a ``StateSpace`` of python-control (``pip install control``)."""
+        try:
+            import control
+        except ImportError as error:
+            hint = "pip install control"
+            raise InputError("to_control", "no python-control here", "that package", hint) from error
+        names = {"states": list(self.states), "inputs": list(self.inputs), "outputs": list(self.outputs)}
+        plain = {key: [one.replace(".", "_") for one in value] for key, value in names.items()}
+        return control.ss(self.A, self.B, self.C, self.D, self.period or 0, **plain)
+
+    def to_scipy(self) -> Any:
+        """The same as a ``StateSpace`` of SciPy's signal package."""
+        from scipy.signal import StateSpace as Plain
+
+        matrices = self.A, self.B, self.C, self.D
+        return Plain(*matrices, dt=self.period) if self.period else Plain(*matrices)
+
+    def save(self, path: str | Path) -> None:
+        """Write it as ``.mat`` (for MATLAB), ``.json`` or ``.npz``; raises :class:`tmodes.errors.InputError` else.
+
+        >>> tmodes.load("spong1987").linearize().save("spong.json")
+        """
+        import json
+
+        file = Path(path)
+        numbers = {"A": self.A, "B": self.B, "C": self.C, "D": self.D, "x0": self.system.x0, "u0": self.system.u0,
+                   "y0": self.system.y0, "period": self.period or 0.0}  # fmt: skip
+        names = {key: list(getattr(self, key)) for key in ("states", "inputs", "outputs")}
+        if file.suffix == ".mat":
+            from scipy.io import savemat
+
+            savemat(file, numbers | {key: np.array(value, dtype=object) for key, value in names.items()})
+        elif file.suffix == ".npz":
+            np.savez(file, **numbers, **{key: np.array(value) for key, value in names.items()})
+        elif file.suffix == ".json":
+            file.write_text(json.dumps(self.info()) + "\n", encoding="utf-8")
+        else:
+            raise InputError(
+                "path", f"`{file.suffix}`", "a name that ends on .mat, .json or .npz", "linear.save('a.mat')"
+            )
+
+    def info(self) -> dict[str, Any]:
+        """Plain data; complex numbers as [real, imaginary]."""
+        s = self.system
+        pairs = [[float(one.real), float(one.imag)] for one in self.poles]
+        more = {key: getattr(s, key).tolist() for key in ("A", "B", "C", "D", "x0", "u0", "y0", "rate")}
+        names = {"states": list(s.states), "inputs": list(s.inputs), "outputs": list(s.outputs)}
+        rest = {"units": dict(s.units), "period": s.period, "closed": self.closed, "poles": pairs}
+        return super().info() | names | more | rest
+
+    def tables(self) -> Iterator[str | Table]:
+        """Poles with what they are, zeros of each input to each output, and the point."""
+        s = self.system
+        kind = "under its controllers" if self.closed else "open loop"
+        sampled = f", sampled every {s.period:g} s" if s.period else ""
+        yield (
+            f"{self.name}: {len(s.states)} states, {len(s.inputs)} inputs, {len(s.outputs)} outputs, {kind}{sampled}, "
+            f"{self.where}: {'stable' if self.is_stable else 'not stable'}"
+        )
+        rates = np.log(self.poles) / s.period if s.period else self.poles
+        rows = [[f"{rate.real:.5g}", f"{rate.imag:.5g}", f"{abs(rate) / (2 * np.pi):.5g}", _ratio(rate)]
+                for rate in rates[np.isfinite(rates)] if rate.imag >= 0]  # fmt: skip
+        yield Table("poles", ["real [1/s]", "imaginary [1/s]", "natural [Hz]", "damping ratio"], rows)
+        if len(s.inputs) * len(s.outputs) <= _MOST_PAIRS:
+            yield Table("zeros", ["from", "to", "zeros [1/s]", "phase"], list(self._zero_rows()))
+        yield Table("inputs", ["name", "value there"], [[n, f"{v:.5g}"] for n, v in zip(s.inputs, s.u0, strict=True)])
+        units = [s.units.get(name, "") for name in s.outputs]
+        rows = [[n, u, f"{v:.5g}"] for n, u, v in zip(s.outputs, units, s.y0, strict=True)]
+        yield Table("outputs", ["name", "unit", "value there"], rows)
+
+    def _zero_rows(self) -> Iterator[list[str]]:
+        for source in self.inputs:
+            for output in self.outputs:
+                found = self.zeros(output, source)
+                outside = np.abs(found) > 1 + _NULL if self.period else found.real > _NULL * np.abs(found)
+                shown = ", ".join(f"{one.real:.4g}{one.imag:+.4g}i" for one in found if one.imag >= 0)
+                yield [source, output, shown or "none", "non-minimum" if outside.any() else "minimum"]
+
+    def plot(self, ax: Any = None) -> list[Any]:
+        """The Bode diagram of every input to every output: gain and phase over frequency."""
+        from tmodes.plot.commands import bode
+
+        return bode(self.frequency_response(), title=f"Frequency response of {self.name}", ax=ax)
+
+
+_MOST_PAIRS = 12
+
+
+def _ratio(rate: complex) -> str:
+    return f"{-rate.real / abs(rate):.4f}" if rate else "-"
+
+
+def _response(A: Array, B: Array, C: Array, D: Array, points: Complex) -> Complex:
+    """C (p - A)^-1 B + D at each point, by the eigenvectors where they are well conditioned, else by solving."""
+    eye = np.eye(len(A))
+    return np.stack([C @ np.linalg.solve(p * eye - A, B) + D for p in points])
+
+
+def _margins(loop: Callable[[Any], Complex], grid: Array) -> Margins:
+    fine = np.unique(np.concatenate([np.linspace(a, b, 9) for a, b in pairwise(grid)]))
+    values = loop(fine)
+    real = _crossings(lambda f: loop(f).imag, fine, values.imag)
+    unit = _crossings(lambda f: np.abs(loop(f)) - 1, fine, np.abs(values) - 1)
+    gains = [(1 / abs(loop(f)[0]), f) for f in real if loop(f)[0].real < 0]
+    phases = [(float(np.angle(-loop(f)[0])), f) for f in unit]
+    gain = min(gains, key=lambda one: abs(np.log(one[0])), default=(np.inf, np.nan))
+    phase = min(phases, key=lambda one: abs(one[0]), default=(np.inf, np.nan))
+    delays = [(angle % (2 * np.pi)) / (2 * np.pi * f) for angle, f in phases if f]
+    # Largest alpha of the disk of gains and phases (skew 0): 1/|S - 1/2| at its least, with S = 1/(1 + L).
+    disk = float((1 / np.abs(1 / (1 + values) - 0.5)).min(initial=np.inf))
+    return Margins(*map(float, gain), *map(float, phase), min(delays, default=np.inf), disk)
+
+
+def _crossings(of: Callable[[Any], Any], grid: Array, values: Array) -> list[float]:
+    from scipy.optimize import brentq
+
+    signs = np.flatnonzero(values[:-1] * values[1:] < 0)
+    return [float(brentq(lambda f: float(of(f)[0]), grid[k], grid[k + 1])) for k in signs]  # pyright: ignore[reportArgumentType]
