@@ -58,7 +58,8 @@ def linearize(
 
     Open loop, or under the controllers of the sheet about the start of its run (``closed``), with ``JOINT.setpoint`` as
     inputs. With a ``period`` [s] sampled, with a zero-order hold and a ``delay`` [s] of any length; sampled controllers
-    sample by themselves. Exact derivatives of the compiled equations, no differences. Raises
+    sample by themselves. Where drives or the base turn at constant speed M, D, K are about that motion, and A, B, C, D
+    about rest. Dry friction that sticks is left out. Exact derivatives of the compiled equations, no differences. Raises
     :class:`tmodes.errors.InputError` for an unknown name, and :class:`tmodes.errors.SimulationError` where it finds no
     rest.
 
@@ -364,9 +365,12 @@ class LinearModel(Linearization):
         s = self.system
         kind = "under its controllers" if self.closed else "open loop"
         sampled = f", sampled every {s.period:g} s" if s.period else ""
+        growing = np.abs(self.poles) - 1 if self.period else self.poles.real / np.maximum(np.abs(self.poles), 1e-300)
+        most = growing.max(initial=-1.0)
+        word = "unstable" if most > _NULL else "stable" if most < -_NULL else "neither stable nor unstable"
         yield (
             f"{self.name}: {len(s.states)} states, {len(s.inputs)} inputs, {len(s.outputs)} outputs, {kind}{sampled}, "
-            f"{self.where}: {'stable' if self.is_stable else 'not stable'}"
+            f"{self.where}: {word}"
         )
         rates = np.log(self.poles) / s.period if s.period else self.poles
         rows = [[f"{rate.real:.5g}", f"{rate.imag:.5g}", f"{abs(rate) / (2 * np.pi):.5g}", _ratio(rate)]

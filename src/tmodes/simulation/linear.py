@@ -1,8 +1,9 @@
 """The robot linear about a rest, or about an instant of a run: x' = A x + B u, y = C x + D u, by exact derivatives.
 
-States are coordinates, their rates, motor currents and the own states of controllers; the matrices are derivatives of
-the compiled right-hand side of a run, and of the outputs of its table. Sampled loops: K. J. Astrom, B. Wittenmark,
-Computer-Controlled Systems, 3rd ed., chapters 2 and 3.
+Dry friction that sticks, and impacts, are left out: they have no derivative. States are coordinates, their rates, motor
+currents and the own states of controllers; the matrices are derivatives of the compiled right-hand side of a run, and
+of the outputs of its table. Sampled loops: K. J. Astrom, B. Wittenmark, Computer-Controlled Systems, 3rd ed., chapters
+2 and 3.
 """
 
 from __future__ import annotations
@@ -66,7 +67,8 @@ class _Instant:
     """Exact derivatives at one state and row of a plan."""
 
     def __init__(self, plan: Planned, state: Array, row: Array, inputs: Sequence[tuple[str, int]]) -> None:
-        self.plan, self.model, self.state, self.row = plan, LoopModel(plan.plan), state, row
+        self.plan, self.model, self.row = plan, LoopModel(plan.plan.unstuck), row
+        self.state = np.resize(np.append(state, np.zeros(self.model.layout.size)), self.model.layout.size)
         self.inputs = tuple(name for name, _ in inputs)
         self.places = [place for _, place in inputs]
         layout = self.model.layout
@@ -135,14 +137,17 @@ def open_loop(
     plan = planned(pushed)
     _refuse_noted(*plan.plan.drives[0].numbers if plan.plan.drives else ())
     at = _Instant(plan, np.zeros(0), plan.first_row.copy(), _columns(pushed, plan, inputs, loads, closed=False))
-    names, layout = at.model.coordinates, at.model.layout
-    at.state = at.model.settled(np.zeros(layout.size), at.row) if at.model.loop.modes else np.zeros(layout.size)
+    names = at.model.coordinates
     at.state[: len(names)] = [rest.named[name] for name in names]
-    _hold(at, pushed)
+    for driver in at.model.loop.drivers:
+        if driver.plan.servo is None:  # a motion that is given stays where it is there
+            place = 1 + driver.plan.signal * (plan.plan.degree + 1)
+            at.row[place] = rest.named.get(names[driver.coordinate], at.row[place])
+    _hold(at)
     return at.found(outputs)
 
 
-def _hold(at: _Instant, robot: Robot) -> None:
+def _hold(at: _Instant) -> None:
     """Set the commands of all drives, and currents, to what holds the robot where it is: rates are affine in them."""
     plan, layout, n = at.plan.plan, at.model.layout, len(at.model.coordinates)
     width = plan.degree + 1
@@ -155,7 +160,6 @@ def _hold(at: _Instant, robot: Robot) -> None:
     found = np.linalg.lstsq(unknown, -every.rates()[rows], rcond=None)[0]
     at.state[currents] += found[: len(currents)]
     at.row[every.places] += found[len(currents) :]
-    del robot
 
 
 def closed_loop(robot: Robot, inputs: Sequence[str], outputs: Sequence[str]) -> StateSpace:

@@ -203,23 +203,27 @@ class LoopPlan:
         return tuple(k < law.held for law in laws for k in range(law.states))
 
     @property
+    def unstuck(self) -> LoopPlan:
+        """The same where nothing sticks, and a surface has no mass; its numbers stand where those of this plan do."""
+        nodes = tuple(replace(node, joint=node.joint.without_sticking()) for node in self.chain.nodes)
+        touch = self.touch
+        if touch and touch.touch.modes:
+            still = Touch(touch.touch.sheet.resting())
+            touch = replace(touch, touch=still, numbers=still.numbers(self.chain.gravity))
+        return replace(self, chain=replace(self.chain, nodes=nodes), touch=touch, jolts=())
+
+    @property
     def settles(self) -> LoopPlan:
         """The same for states at rest: nothing sticks, no surface has a mass, and samples are changes of their states.
 
         Its numbers stand where those of this plan do.
         """
-        nodes = tuple(replace(node, joint=node.joint.without_sticking()) for node in self.chain.nodes)
         drives = []
         for drive in self.drives:
             servo = replace(drive.servo, settles=True) if drive.servo and drive.servo.is_sampled else drive.servo
             drives.append(replace(drive, servo=servo))
         blocks = tuple(replace(one, law=replace(one.law, settles=True)) for one in self.blocks)
-        touch = self.touch
-        if touch and touch.touch.modes:
-            still = Touch(touch.touch.sheet.resting())
-            touch = replace(touch, touch=still, numbers=still.numbers(self.chain.gravity))
-        chain = replace(self.chain, nodes=nodes)
-        return replace(self, chain=chain, drives=tuple(drives), touch=touch, jolts=(), blocks=blocks, at_rest=True)
+        return replace(self.unstuck, drives=tuple(drives), blocks=blocks, at_rest=True)
 
     @property
     def controls(self) -> tuple[float, ...]:

@@ -129,6 +129,10 @@ class SampledPID(_PID):
     """
 
     type: Literal["sampled_pid"] = Field(description="kind of controller")
+    filter_time: float | None = not_negative(
+        "s", "Tf", "time constant of the rate, which is then that of the measured position (0: its last difference); "
+        "none: the rate itself", default=None,
+    )  # fmt: skip
     integral_gain: float = not_negative("gain/s", "Ki", "integral gain", default=0.0)
     sample_time: float = positive("s", "T", "time between samples", plausible=(1e-5, 1.0))
 

@@ -1,0 +1,251 @@
+"""Linear models: exact matrices, poles, zeros, responses; sampled with delays; closed loops; fewer states.
+
+Numbers are "reference values computed with" closed forms and python-control, and those of the beam with the roots of
+its partial differential equation.
+"""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from numpy.typing import ArrayLike
+from scipy.io import loadmat
+from scipy.linalg import expm
+
+import tmodes
+from contracts.test_blocks import LQR, PD, constant, law, spong
+from random_sheets import random_sheet
+from tmodes.errors import InputError
+
+SAGGED = 1.5707963267949
+STATES = ("joint", "joint.motor", "joint'", "joint.motor'")
+FREE = {"drive": {"command": "torque"}}
+
+
+def robot(of: Any) -> Any:
+    return tmodes.Robot.from_data(of.model_dump(mode="json", by_alias=True, exclude_none=True))
+
+
+def joint(**more: Any) -> Any:
+    return robot(spong(constant(0.0), 1.0, 0.1, initial={}, **(more or FREE)))
+
+
+def near(found: ArrayLike, wanted: ArrayLike, share: float = 1e-8) -> bool:
+    """Whether each that is wanted is among those found."""
+    values = np.asarray(found, dtype=complex)
+    return all(np.abs(values - one).min() <= share * abs(one) for one in np.asarray(wanted, dtype=complex))
+
+
+def order(linear: Any) -> list[int]:
+    return [linear.states.index(name) for name in STATES]
+
+
+def sagged(**more: Any) -> Any:
+    return joint().linearize(
+        at={"joint.motor": SAGGED}, inputs="joint.torque", outputs="joint.position,joint.motor.position", **more
+    )
+
+
+def test_an_elastic_joint_that_sags() -> None:
+    """Motor at a right angle: the link sags through its gear, and all is exact."""
+    linear, at = sagged(), order(sagged())
+    truth = np.array([[0, 0, 1, 0], [0, 0, 0, 1],
+                      [-223.52716657826952, 222.89156626506025, -0.42168674698795183, 0.42168674698795183],
+                      [880.952380952381, -880.952380952381, 1.6666666666666667, -2.238095238095238]])  # fmt: skip
+    assert linear.A[np.ix_(at, at)] == pytest.approx(truth, rel=1e-10, abs=1e-9)
+    assert linear.system.u0 == pytest.approx([9.8743976800516], rel=1e-10)
+    assert near(linear.poles, [-0.057748155666241 + 0.70985097507682j, -1.2721428368754 + 33.200919943912j])
+    assert near(linear.zeros("joint.position"), [-528.57142857143])
+    assert near(linear.zeros("joint.motor.position"), [-0.21084337349398 + 14.949338167629j])
+    response = linear.frequency_response(np.array([0.5, 20.0]) / (2 * np.pi)).values[:, :, 0]
+    assert near(response[0], [3.5591714845209 - 0.79982803825783j, 3.5653275033038 - 0.80121755650216j])
+    assert near(response[1], [-0.0037656235529364 + 0.00010758190141381j, 0.0029644769359669 - 0.0003398296664068j])
+    assert len(linear.zeros("joint.position")) == 1
+
+
+def test_a_motor_with_an_inductance() -> None:
+    data = json.loads(joint().model_dump_json(by_alias=True, exclude_none=True))
+    data["joints"][0]["motor"] |= {"resistance": 0.62, "inductance": 0.0011, "torque_constant": 0.052 * 80,
+                                   "back_emf_constant": 0.052 * 80}  # fmt: skip
+    data["drives"][0]["command"] = "voltage"
+    linear = tmodes.Robot.from_data(data).linearize(inputs="joint.voltage", outputs="joint.position,joint.current")
+    poles = [-0.33855676813509, -3.4202978472272 + 15.058452419497j, -209.72623612544, -349.39075703342]
+    assert near(linear.poles, poles)
+    assert near(
+        linear.zeros("joint.current"), [-0.05871821864875 + 3.0796669898621j, -1.2711727738928 + 33.235470533391j]
+    )
+
+
+def slewing(functions: int = 8) -> Any:
+    """A hub with a beam: no gravity, no damping."""
+    beam = {"model": "strain", "functions": {"bend_z": functions}, "length": 0.9, "damping_time": 0.0,
+            "section": {"bending_stiffness": 5.2, "mass_per_length": 0.31}}  # fmt: skip
+    return tmodes.Robot.from_data({
+        "format": 1, "kind": "arm", "name": "hub", "gravity": [0, 0, 0],
+        "joints": [{"name": "hub", "type": "revolute", "child": "arm", "axis": [0, 0, 1],
+                    "motor": {"inertia": 0.04, "side": "joint"}}],
+        "links": [{"name": "arm", "beam": beam,
+                   "bodies": [{"name": "tip", "mass": 0.11, "center": [0, 0, 0], "at": 1.0}]}],
+        "tip": {"link": "arm"}, "drives": [{"joint": "hub", "command": "torque", "signal": constant(0.0)}],
+        "integration": {"duration": 1.0, "output_step": 0.01},
+    })  # fmt: skip
+
+
+def test_a_slewing_beam_against_its_differential_equation() -> None:
+    """Poles, zeros at the hub, and the real pairs at the tip: it is not minimum phase."""
+    linear = slewing().linearize(inputs="hub.torque", outputs="hub.position,tip.y,arm.moment.z@0")
+    assert near(linear.poles, 1j * np.array([23.84558610005, 90.23974850604, 264.4664987427]), 1e-5)
+    assert near(linear.zeros("hub.position"), 1j * np.array([11.01144152098, 86.94457713576]), 1e-5)
+    assert near(linear.zeros("tip.y"), [56.56340874302, -56.56340874302, 305.6640018541], 1e-3)
+    low = linear.frequency_response([1e-3]).sel(output="arm.moment.z@0").values[0, 0]
+    assert abs(low) == pytest.approx(0.80433400185883, rel=1e-6)
+    assert any("non-minimum" in str(part) for part in linear.tables())
+
+
+@pytest.mark.parametrize(("delay", "late"), [(0.0, 0), (1e-3, 1), (2.5e-3, 2.5)])
+def test_a_hold_with_delay(delay: float, late: float) -> None:
+    """The response to a pulse of the sampled system is that of the exact one, sample by sample."""
+    linear, exact, period = sagged(period=1e-3, delay=delay), sagged(), 1e-3
+    n = len(exact.A)
+    half = expm(np.block([[exact.A, exact.B], [np.zeros((1, n + 1))]]) * period / 2)
+    x, y = np.zeros(n), np.zeros(len(linear.A))
+    for k in range(12):
+        assert linear.C @ y == pytest.approx(exact.C @ x, abs=1e-16)
+        y = linear.A @ y + linear.B[:, 0] * (k == 0)
+        for part in (0.0, 0.5):
+            push = float(late <= k + part < late + 1)
+            x = (half @ np.append(x, push))[:n]
+    if delay == 1e-3:
+        K = np.zeros((1, len(linear.A)))
+        K[0, order(linear)] = [0.0, 60.0, 0.0, 6.0]
+        wanted = [0.029307726756689, 0.9855751880709 + 0.032569824940595j, 0.9978912168421 + 0.0069126807294334j]
+        assert near(np.linalg.eigvals(linear.A - linear.B @ K), wanted)
+
+
+def test_a_sampled_loop_that_takes_differences() -> None:
+    law_of = PD | {"type": "sampled_pid", "velocity_gain": 6.0, "sample_time": 1e-3, "filter_time": 0.0}
+    at = constant(SAGGED + 9.8743976800516 / 60)
+    linear = robot(spong(at, 1.0, 0.1, initial={}, drive={"controller": law_of})).linearize(
+        closed=True, inputs="joint.setpoint", outputs="joint.position"
+    )
+    wanted = [0.014720748676817, 0.98568131989532 + 0.032337191421252j, 0.99787019603495 + 0.0069043119189425j]
+    assert near(linear.poles, wanted)
+    assert linear.period == pytest.approx(1e-3)
+
+
+@pytest.mark.parametrize("more", [{}, {"delay": 0.013}])
+def test_a_closed_loop_under_a_sampled_law(more: dict[str, Any]) -> None:
+    """A small step of the setpoint, sample by sample, against the run of the robot itself."""
+    push, period = 1e-5, 0.01
+    control = law(LQR | {"sample_time": period}, **more)
+    made = robot(spong(constant(0.4), 0.5, period, initial={}, control=control))
+    linear = made.linearize(closed=True, inputs="joint.setpoint", outputs="joint.position,joint.velocity")
+    assert linear.is_stable
+    start = dict(zip(linear.states, linear.system.x0, strict=True))
+    runs = []
+    for size in (0.0, push):  # the law is designed where its setpoint ends: both runs have the same end
+        steps = [{"type": "constant", "value": 0.4}, {"type": "step", "start": size, "end": 0.0, "time": 0.4}]
+        data = json.loads(made.model_dump_json(by_alias=True, exclude_none=True))
+        data["drives"][0]["signal"] = {"type": "sum", "signals": steps}
+        data["initial"] = {"state": "zero", "coordinates": {one: start[one] for one in ("joint", "joint.motor")}}
+        runs.append(np.asarray(tmodes.Robot.from_data(data).run().output("joint.position")))
+    x, found = np.zeros(len(linear.A)), []
+    for _ in range(40):
+        found.append((linear.C @ x)[0])
+        x = linear.A @ x + linear.B[:, 0] * push
+    assert (runs[1] - runs[0])[:40] == pytest.approx(found, abs=2e-3 * push)
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_both_statements_of_a_random_robot_agree(seed: int) -> None:
+    """A of the right-hand side of a run is that of M, D, K."""
+    made = tmodes.Robot.from_data(random_sheet(seed, seed))
+    if any(drive.command == "prescribed" for drive in made.drives):
+        pytest.skip("M, D, K are about a motion at constant speed, A about rest")
+    try:
+        linear = made.linearize(contact=False)
+        A = linear.A
+    except tmodes.TmodesError:
+        pytest.skip("no rest of this robot")
+    n = len(linear.coordinates)
+    if linear.states[2 * n :]:
+        pytest.skip("currents")
+    free = np.flatnonzero(A[np.arange(n), n + np.arange(n)])  # joints without a drive are held, as in a run
+    inner = np.ix_(free, free)
+    pull = np.linalg.solve(linear.mass[inner], np.hstack([linear.stiffness[inner], linear.damping[inner]]))
+    own = A[np.ix_(n + free, np.append(free, n + free))]
+    assert np.abs(own + pull).max() < 1e-8 * np.abs(pull).max()
+
+
+def test_fewer_states() -> None:
+    """The bound of balanced truncation holds; modal truncation keeps the slowest poles and the static gain."""
+    damped = json.loads(slewing(4).model_dump_json(by_alias=True, exclude_none=True))
+    damped["links"][0]["beam"]["damping_time"] = 1e-3
+    damped["drives"][0] = {"joint": "hub", "command": "position", "signal": constant(0.0), "controller": PD}
+    linear = tmodes.Robot.from_data(damped).linearize(closed=True, inputs="hub.setpoint", outputs="hub.position,tip.y")
+    from tmodes.analysis.reduction import hankel_values
+
+    sizes = hankel_values(linear.A, linear.B, linear.C, None)
+    at = linear.frequencies()
+    full = linear.frequency_response(at).values
+    small = linear.reduce(4)
+    error = np.linalg.norm(small.frequency_response(at).values - full, axis=(1, 2)).max()
+    assert len(small.A) == 4
+    assert 0 < error <= 2 * sizes[4:].sum() * (1 + 1e-6)
+    slow = linear.reduce(4, "modal")
+    assert near(slow.poles, linear.poles[: len(slow.A)])
+    static = [one.frequency_response([0.0]).values for one in (slow, linear)]
+    assert static[0] == pytest.approx(static[1], rel=1e-8)
+
+
+def test_margins_of_a_double_integrator_with_lead() -> None:
+    """k (s + 1)/s^2: phase margin in closed form, no gain margin; a delay that eats the phase."""
+    from tmodes.interface.linear import _margins
+
+    found = _margins(lambda f: 2 * (2j * np.pi * np.atleast_1d(f) + 1) / (2j * np.pi * np.atleast_1d(f)) ** 2,
+                     np.geomspace(1e-3, 1e3, 400))  # fmt: skip
+    crossing = np.sqrt(2 + np.sqrt(8))
+    assert 2 * np.pi * found.phase_frequency == pytest.approx(crossing, rel=1e-8)
+    assert found.phase == pytest.approx(np.arctan(crossing), rel=1e-8)
+    assert found.delay == pytest.approx(np.arctan(crossing) / crossing, rel=1e-8)
+    assert np.isinf(found.gain)
+    assert 0 < found.disk < 2
+
+
+def test_other_tools_read_it(tmp_path: Path) -> None:
+    linear = sagged()
+    plain = linear.to_scipy()
+    assert np.array_equal(plain.A, linear.A)
+    linear.save(tmp_path / "a.mat")
+    assert np.array_equal(loadmat(tmp_path / "a.mat")["A"], linear.A)
+    linear.save(tmp_path / "a.json")
+    assert json.loads((tmp_path / "a.json").read_text())["A"] == linear.A.tolist()
+    with pytest.raises(InputError):
+        linear.save(tmp_path / "a.txt")
+    control = pytest.importorskip("control")
+    assert control.poles(linear.to_control()) == pytest.approx(np.linalg.eigvals(linear.A))
+
+
+@pytest.mark.parametrize(
+    ("how", "which"),
+    [
+        ({"inputs": "elbow.torque"}, "inputs"), ({"outputs": "tip.q"}, "outputs"),
+        ({"inputs": "joint.setpoint"}, "inputs"), ({"period": -1.0}, "period"), ({"delay": 0.1}, "period"),
+        ({"closed": True, "at": {"joint": 0.1}}, "at"),
+    ],
+)  # fmt: skip
+def test_what_there_is_not(how: dict[str, Any], which: str) -> None:
+    with pytest.raises(InputError) as caught:
+        joint().linearize(**how)
+    assert caught.value.which == which
+
+
+def test_a_picture() -> None:
+    gain, phase = sagged().plot()
+    assert gain.get_ylabel() == "gain [dB]"
+    assert phase.get_xscale() == "log"
+    assert len(gain.lines) == 2
