@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+import yaml
 from numpy.typing import ArrayLike
 from scipy.io import loadmat
 from scipy.linalg import expm
@@ -249,3 +250,33 @@ def test_a_picture() -> None:
     assert gain.get_ylabel() == "gain [dB]"
     assert phase.get_xscale() == "log"
     assert len(gain.lines) == 2
+
+
+def test_the_page_on_linear_models() -> None:
+    """Its program runs as it stands, and tells what the page says."""
+    page = (Path(__file__).resolve().parents[2] / "docs" / "linear-models.md").read_text(encoding="utf-8")
+    space: dict[str, Any] = {}
+    exec(compile(page.split("```python")[1].split("```")[0], "docs/linear-models.md", "exec"), space)  # noqa: S102
+    assert space["loop"].is_stable
+    assert abs(space["loop"].poles[0]) == pytest.approx(0.986, abs=1e-3)
+    assert space["result"].verdict["largest_m"] == pytest.approx(0.032, abs=1e-3)
+    robot_before = space["robot"].run().verdict["largest_m"]
+    assert robot_before == pytest.approx(0.006, abs=1e-3)
+    wild = json.loads(json.dumps(space["sheet"]))
+    wild["control"][0]["block"]["state_weights"] = {f"{one}.motor": 1e7 for one in space["joints"]}
+    wild["control"][0]["block"]["process_noise"] = {f"{one}.motor'": 1e-3 for one in space["joints"]}
+    assert abs(tmodes.Robot.from_data(wild).linearize(closed=True).poles[0]) == pytest.approx(1.0008, abs=2e-4)
+
+
+def test_the_sheet_on_the_page_on_controllers() -> None:
+    """Its sections are taken as they stand, units included, and keep the arm near its path."""
+    page = (Path(__file__).resolve().parents[2] / "docs" / "controllers.md").read_text(encoding="utf-8")
+    given = yaml.safe_load(page.split("```yaml")[1].split("```")[0].replace("signal: {...}", "signal: 0"))
+    data = tmodes.load("two_link_arm").model_dump(mode="json", by_alias=True, exclude_none=True)
+    for drive in data["drives"]:
+        drive.pop("controller")
+    data["drives"][1]["limits"] = given["drives"][0]["limits"]
+    result = tmodes.Robot.from_data(data | {"sensors": given["sensors"], "control": given["control"]}).run()
+    assert result.verdict["largest_m"] < 0.05
+    felt = [np.asarray(result.output(f"wrist.{axis}"))[-1] for axis in "xyz"]
+    assert np.linalg.norm(felt) == pytest.approx(9.81, abs=0.2)

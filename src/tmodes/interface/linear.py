@@ -59,9 +59,10 @@ def linearize(
     Open loop, or under the controllers of the sheet about the start of its run (``closed``), with ``JOINT.setpoint`` as
     inputs. With a ``period`` [s] sampled, with a zero-order hold and a ``delay`` [s] of any length; sampled controllers
     sample by themselves. Where drives or the base turn at constant speed M, D, K are about that motion, and A, B, C, D
-    about rest. Dry friction that sticks is left out. Exact derivatives of the compiled equations, no differences. Raises
-    :class:`tmodes.errors.InputError` for an unknown name, and :class:`tmodes.errors.SimulationError` where it finds no
-    rest.
+    about rest. Dry friction that sticks is left out. The derivatives are exact, of the compiled equations.
+
+    Errors: :class:`tmodes.errors.InputError` for an unknown name, :class:`tmodes.errors.SimulationError` where it finds
+    no rest. Source: K. J. Astrom, B. Wittenmark, Computer-Controlled Systems, 3rd ed., chapters 2 and 3.
 
     >>> linear = tmodes.load("spong1987").linearize(inputs="joint.torque", outputs="joint.position")
     >>> linear.mass.shape, linear.A.shape, linear.B.shape

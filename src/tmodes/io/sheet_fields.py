@@ -14,6 +14,7 @@ from tmodes.io.forms import SHORTHANDS, form_of
 from tmodes.io.sheet_words import ChainPlace, Step, at, fields, is_group, kind_of, members_of, own_unit, types_of
 from tmodes.kinds.joints.registry import JOINTS
 from tmodes.kinds.schema.kind import form_of_field
+from tmodes.kinds.sensors.registry import SENSORS
 
 __all__ = ["ChainPlace", "Step", "chosen", "inside", "keys", "named", "place_of", "quantities", "root_of"]
 
@@ -153,6 +154,11 @@ def _unit_at(unit: str | None, steps: Sequence[Step], data: Any) -> str | None:
             unit = f"V{of_time}/rad|V{of_time}/m" if electric else f"N*m{of_time}/rad|N{of_time}/m"
         case "parameter":
             unit = _parameter_unit(steps, data)
+        case "output":
+            unit = _sensor_unit(steps, data)
+        case "command":
+            electric = at(_joint(steps, data), "motor", "resistance") is not None
+            unit = "V" if electric else "N*m|N"
         case "coordinate" | "coordinate/s":
             unit = "rad/s|m/s" if unit.endswith("/s") else "rad|m"
         case _:
@@ -176,6 +182,13 @@ def _signal_unit(steps: Sequence[Step], data: Any) -> str:
             return "-"
 
 
+def _sensor_unit(steps: Sequence[Step], data: Any) -> str:
+    """Of what a sensor gives first; of any output SI, by no name."""
+    kind = str(at(data, "sensors", steps[1], "type")) if len(steps) > 1 and steps[0] == "sensors" else ""
+    unit = SENSORS[kind].ports[0].unit if kind in SENSORS.names else "-"
+    return "-" if unit == "1" else unit
+
+
 def _parameter_unit(steps: Sequence[Step], data: Any) -> str:
     """Of a parameter of a study: in its own group, or by its name in the plan."""
     match list(steps):
@@ -193,6 +206,10 @@ def _joint(steps: Sequence[Step], data: Any) -> Any:
             return at(data, "joints", index)
         case ["drives", int(index), *_]:
             name = at(data, "drives", index, "joint")
+        case ["sensors", int(index), *_]:
+            name = at(data, "sensors", index, "joint")
+        case ["control", int(index), *_]:
+            name = at(data, "control", index, "of") or at(data, "control", index, "drives", 0)
         case ["initial", _, str(coordinate), *_]:
             name = coordinate.removesuffix(".motor")
         case _:

@@ -17,6 +17,7 @@ from tmodes.errors import InputError
 from tmodes.kinds.controllers.contract import CONTROLLERS, Controller, LinearPlant, Measured, OwnState
 from tmodes.kinds.controllers.discrete import zero_order_hold
 from tmodes.kinds.kernel import vectors
+from tmodes.kinds.schema.frames import list_of_numbers
 from tmodes.kinds.schema.quantity import LARGEST, Issue, not_negative, positive
 
 __all__ = ["LQG", "LQR", "Design", "PolePlacement"]
@@ -301,9 +302,7 @@ class LQG(_Weighted):
         strict=False, min_length=1, max_length=200, description="sensors or outputs that it reads"
     )
     process_noise: dict[str, Number] = _weights("1", "W", "variance by which a state changes in a sample; others 0")
-    measurement_noise: tuple[float, ...] = Field(
-        strict=False, min_length=1, max_length=200, description="variance of each that is measured; one: of all"
-    )
+    measurement_noise: tuple[Number, ...] = list_of_numbers("SI", "V", "variance of each that is measured; one: of all")
     form: Form = Field(default=Form.FILTER, strict=False, description="filter or predictor")
     estimate: dict[str, Number] = _weights("coordinate", "x_p", "first estimate, as deviation from the rest; others 0")
 
