@@ -20,10 +20,11 @@ from tmodes.kinds.joints.registry import JOINTS
 from tmodes.kinds.links.registry import LINKS
 from tmodes.kinds.outside import ENTRY_POINTS, USED
 from tmodes.kinds.registry import REGISTRIES, Registry, UnknownKindError
+from tmodes.kinds.shapers.registry import SHAPERS
 from tmodes.kinds.signals.registry import SIGNALS
 from tmodes.robots import text as text_of_robot
 
-FAMILIES = (CONTACTS, CONTROLLERS, DRIVES, tmodes.plot.FIGURES, INTEGRATORS, JOINTS, LINKS, SIGNALS, SURFACES)
+FAMILIES = (CONTACTS, CONTROLLERS, DRIVES, tmodes.plot.FIGURES, INTEGRATORS, JOINTS, LINKS, SHAPERS, SIGNALS, SURFACES)
 
 MODULE = '''
 from typing import Literal
@@ -35,7 +36,7 @@ import numpy as np
 class Ramp(Signal):
     """Rises by 1/s."""
     type: Literal["offered_ramp"]
-    def schedule(self, until):
+    def pieces(self, until):
         return SignalPieces(np.array([0.0, until]), np.array([[0.0, 1.0]]))
 '''
 

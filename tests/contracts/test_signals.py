@@ -9,6 +9,7 @@ import pytest
 from pydantic import Field
 
 from simulation.sheets import arm
+from tmodes.errors import InputError
 from tmodes.kinds.schema.quantity import any_sign, positive
 from tmodes.kinds.signals.fit import fitted
 from tmodes.kinds.signals.registry import SIGNALS, Signal
@@ -24,7 +25,7 @@ class Cosine(Signal):
     amplitude: float = any_sign("signal", "A", "amplitude")
     frequency: float = positive("Hz", "f", "frequency")
 
-    def schedule(self, until: float) -> SignalPieces:
+    def pieces(self, until: float) -> SignalPieces:
         """Pieces of polynomials, exact to 1e-12."""
         return fitted(lambda t: self.amplitude * np.cos(2 * np.pi * self.frequency * t), until, "frequency")
 
@@ -35,6 +36,10 @@ EXAMPLES = {
     "step": {"start": 0.0, "end": 1.0, "time": 0.4},
     "trapezoid": MOVE | {"ramp_fraction": 0.2, "delay": 0.1},
     "quintic": MOVE,
+    "septic": MOVE | {"delay": 0.2},
+    "sine_squared": MOVE,
+    "s_curve": {"start": 0.1, "end": 0.4, "speed": 1.0, "acceleration": 5.0, "jerk": 60.0},
+    "shaped": {"signal": {"type": "quintic", **MOVE}, "shaper": {"type": "zv", "frequencies": [7.0], "damping": [0.1]}},
     "sine": {"amplitude": 0.2, "frequency": 2.0},
     "table": {"times": [0.0, 0.5, 0.5, 1.0], "values": [0.0, 1.0, 2.0, 0.0], "interpolation": "linear"},
     "expression": {"formula": "0.2*sin(3*t)*exp(-t)"},
@@ -61,10 +66,31 @@ def test_signal(name):
     assert signal.is_steady == (np.abs(np.diff(long.at(times), 2)).max() <= 1e-12 * scale)
     assert Signal.of(signal.model_dump()) == signal
     end = signal.move_ends()
-    if name in {"trapezoid", "quintic"}:
+    if ("end" in EXAMPLES[name] and name != "step") or name == "shaped":
         assert end is not None
         assert long.at([end, 2.5]).tolist() == pytest.approx([0.4, 0.4])
-        assert signal.move_ends(2.0) == pytest.approx(end + 0.5)
+        assert signal.move_ends(2.0) == pytest.approx(end + (signal.length() if name == "s_curve" else 0.5))
+
+
+@pytest.mark.parametrize("name", sorted(SIGNALS))
+def test_any_signal_starts_later(name):
+    """Its first value, then the same; a signal with a jump, or a rate, at its start is steady no more."""
+    signal = Signal.of({"type": name, **EXAMPLES[name]})
+    late = signal.model_copy(update={"delay": signal.delay + 0.37})
+    before, after = signal.schedule(2.0), late.schedule(2.0)
+    times = np.linspace(0.0, 1.6, 321)
+    same = np.abs(before.knots[:, None] - times).min(axis=0) > 1e-9
+    scale = max(1.0, np.abs(before.at(times)).max())
+    assert after.at(times[same] + 0.37) == pytest.approx(before.at(times[same]), abs=1e-11 * scale)
+    assert after.at(np.linspace(0, 0.369, 9)) == pytest.approx(float(before.at(0.0)), abs=1e-15)
+    assert late.move_ends() == (None if signal.move_ends() is None else pytest.approx(signal.move_ends() + 0.37))
+    assert not late.is_steady
+
+
+def test_a_kind_with_its_own_schedule_is_refused():
+    """It would lose the delay."""
+    with pytest.raises(InputError, match="a method `pieces`"):
+        type("Old", (Signal,), {"schedule": Cosine.pieces})
 
 
 def test_sum_is_the_sum():

@@ -71,7 +71,18 @@ SIGNALS: dict[str, Sheet] = {
     "cubic": {"type": "table", "times": [0.05, 0.2, 0.4], "values": [0.1, 0.3, 0.2], "interpolation": "cubic"},
     "noise": {"type": "noise", "deviation": 0.01, "frequency": 30.0, "seed": 3, "mean": 0.1},
     "sum": {"type": "sum", "signals": [MOVE, {"type": "sine", "amplitude": 0.02, "frequency": 3.0}]},
-}
+    "ends": MOVE | {"start_rate": 0.3, "end_rate": -0.2, "start_acceleration": 1.0, "end_acceleration": 2.0},
+    "septic": MOVE | {"type": "septic", "start_rate": 0.3, "end_rate": -0.2, "start_acceleration": 1.0,
+                      "end_acceleration": 2.0, "start_jerk": 3.0, "end_jerk": -5.0},
+    "sine_squared": MOVE | {"type": "sine_squared"},
+    "s_curve": {"type": "s_curve", "start": 0.1, "end": 0.4, "speed": 1.5, "acceleration": 20.0, "jerk": 500.0},
+    "short s_curve": {"type": "s_curve", "start": 0.4, "end": 0.1, "speed": 5.0, "acceleration": 60.0, "jerk": 500.0},
+    "late sine": {"type": "sine", "amplitude": 0.2, "frequency": 3.0, "delay": 0.13},
+    **{f"shaped {name}": {"type": "shaped", "signal": {"type": "trapezoid", "start": 0.1, "end": 0.4, "speed": 3.0,
+                                                      "acceleration": 40.0, "delay": 0.03},
+                          "shaper": {"type": name, "frequencies": [6.1, 17.3][:count], "damping": [0.03, 0.1][:count]}}
+       for name, count in {"zv": 2, "zvd": 1, "zvdd": 1, "ei": 1}.items()},
+}  # fmt: skip
 CONTROLLERS: dict[str, Sheet] = {
     "pd": PD,
     "pid": {"type": "pid", "position_gain": 80.0, "velocity_gain": 8.0, "integral_gain": 20.0},

@@ -25,6 +25,7 @@ from tmodes.kinds.noted import functions
 from tmodes.kinds.noted.number import Lost, NotedTape
 from tmodes.kinds.noted.program import program_of
 from tmodes.kinds.sensors.registry import SENSORS
+from tmodes.kinds.shapers.registry import SHAPERS
 from tmodes.kinds.signals.registry import SIGNALS
 from tmodes.kinds.signals.schedule import SignalPieces, merge, merge_cases
 from tmodes.model.parameters import Structural
@@ -167,7 +168,7 @@ def test_guards_hold_what_decides_alone(name):
 
 def test_every_registered_kind_has_a_sheet():
     words = {value for one in KINDS.values() for value in str(one).replace("'", " ").replace('"', " ").split() if value}
-    families = (SIGNALS, CONTROLLERS, SENSORS, CONTACTS, SURFACES, LINKS, JOINTS)
+    families = (SIGNALS, SHAPERS, CONTROLLERS, SENSORS, CONTACTS, SURFACES, LINKS, JOINTS)
     known = {name for family in families for name in family.names if family[name].__module__.startswith("tmodes.")
              or type(family[name]).__module__.startswith("tmodes.")}  # fmt: skip
     assert known - words - {"expression", "fixed"} == set()
@@ -239,7 +240,7 @@ def test_the_command_lists_all_parameters():
 
 
 LOWERING = ("chain", "sheet", *(f"kinds/{name}" for name in (
-    "contacts", "controllers", "drives", "joints", "links", "schema", "signals")))  # fmt: skip
+    "contacts", "controllers", "drives", "joints", "links", "schema", "shapers", "signals")))  # fmt: skip
 OF_PLAIN_NUMBERS = {
     "chain/mass.py": {"_general"},
     "kinds/controllers/contract.py": {"command"},

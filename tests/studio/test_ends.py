@@ -216,7 +216,7 @@ from tmodes.kinds.signals.schedule import SignalPieces
 class Ramp(Signal):
     """Rises by 1/s."""
     type: Literal["studio_ramp"]
-    def schedule(self, until):
+    def pieces(self, until):
         return SignalPieces(np.array([0.0, until]), np.array([[0.0, 1.0]]))
 '''
 

@@ -21,10 +21,10 @@ class Constant(Signal):
     value: float = signal_value("u", "value")
 
     @property
-    def is_steady(self) -> bool:
+    def keeps_rate(self) -> bool:
         """It is."""
         return True
 
-    def schedule(self, until: float) -> SignalPieces:
+    def pieces(self, until: float) -> SignalPieces:
         """One piece up to ``until`` [s]."""
         return SignalPieces(np.array([0.0, until]), np.array([[self.value]]))

@@ -35,7 +35,7 @@ class Expression(Signal):
             yield Issue("formula", error.got, error.expected, error.hint)
 
     @property
-    def is_steady(self) -> bool:
+    def keeps_rate(self) -> bool:
         """Whether it is a line, by its values from 1 us to 1e6 s."""
         times = np.append(0.0, np.geomspace(1e-6, 1e6, _LOOKS))
         values = parse_formula(self.formula)(times)
@@ -43,7 +43,7 @@ class Expression(Signal):
         line = ways[-1] / times[-1] * times
         return bool((np.abs(ways - line) <= _SAME * (np.abs(line) + np.abs(values[0]))).all())
 
-    def schedule(self, until: float) -> SignalPieces:
+    def pieces(self, until: float) -> SignalPieces:
         """Pieces of degree 7, exact to 1e-12 of the largest value, up to ``until`` [s].
 
         Raises :class:`tmodes.errors.InputError` where the formula has no value.

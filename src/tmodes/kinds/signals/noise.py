@@ -33,7 +33,7 @@ class Noise(Signal):
     seed: int = not_negative("-", "seed", "same seed, same noise", at_most=2**53)
     mean: float = any_sign("signal", "u_0", "value that it swings about", default=0.0)
 
-    def schedule(self, until: float) -> SignalPieces:
+    def pieces(self, until: float) -> SignalPieces:
         """A cubic piece between each two values, up to ``until`` [s]; a longer run has the same noise at its start.
 
         Raises :class:`tmodes.errors.InputError` where it needs too many pieces.

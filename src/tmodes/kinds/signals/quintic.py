@@ -1,36 +1,64 @@
-"""From rest to rest, smooth up to the acceleration."""
+"""From rest to rest, smooth up to the acceleration; or between given rates and accelerations."""
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
 from pydantic import Field
 
+from tmodes.kinds.noted.functions import array
 from tmodes.kinds.schema.quantity import positive
-from tmodes.kinds.signals.contract import SIGNALS, Signal, delayed, signal_time, signal_value
+from tmodes.kinds.signals.contract import SIGNALS, Signal, signal_value
 from tmodes.kinds.signals.schedule import SignalPieces
 
-__all__ = ["Quintic"]
+__all__ = ["Quintic", "between"]
 
 
 @SIGNALS.register
 class Quintic(Signal):
-    """From rest to rest, smooth up to the acceleration: 10 x^3 - 15 x^4 + 6 x^5."""
+    """From rest to rest, smooth up to the acceleration: 10 x^3 - 15 x^4 + 6 x^5; other rates at its ends if given."""
 
     type: Literal["quintic"] = Field(description="kind of signal")
     start: float = signal_value("u_0", "value at the start")
     end: float = signal_value("u_1", "value at the end")
     duration: float = positive("s", "T", "duration of the move", at_most=1e6, smallest=1e-6)
-    delay: float = signal_time("t_0", "time at which it starts", default=0.0)
+    start_rate: float | None = signal_value("v_0", "rate at the start [per s]", default=None)
+    end_rate: float | None = signal_value("v_1", "rate at the end, where it then stands [per s]", default=None)
+    start_acceleration: float | None = signal_value("a_0", "acceleration at the start [per s^2]", default=None)
+    end_acceleration: float | None = signal_value("a_1", "acceleration at the end [per s^2]", default=None)
 
-    def schedule(self, until: float) -> SignalPieces:
-        """The delay, the move, and the last value, up to ``until`` [s]."""
-        shape = (self.end - self.start) * np.array([0.0, 0.0, 0.0, 10.0, -15.0, 6.0])
-        move = shape / self.duration ** np.arange(6)
-        move[0] = self.start
-        return delayed(SignalPieces(np.array([0.0, self.duration]), move[None, :]), self.delay, until)
+    def pieces(self, until: float) -> SignalPieces:
+        """The move."""
+        del until
+        first = self.start, self.start_rate, self.start_acceleration
+        return between(first, (self.end, self.end_rate, self.end_acceleration), self.duration)
 
-    def move_ends(self, reach: float = 1.0) -> float:
-        """Delay and duration."""
-        return self.delay + reach * self.duration
+    def length(self, reach: float = 1.0) -> float:
+        """Its duration."""
+        return reach * self.duration
+
+
+_RISES = {
+    3: ((10.0, -15.0, 6.0), (-4.0, 7.0, -3.0), (0.5, -1.0, 0.5)),
+    4: ((35.0, -84.0, 70.0, -20.0), (-15.0, 39.0, -34.0, 10.0), (2.5, -7.0, 6.5, -2.0), (-1 / 6, 0.5, -0.5, 1 / 6)),
+}
+"""By n: coefficients of x^n, ... whose first n derivatives vanish at 0, and of which one is 1 at x = 1."""
+
+
+def between(start: tuple[Any, ...], end: tuple[Any, ...], duration: Any) -> SignalPieces:
+    """The polynomial of degree 2 n - 1 with n given derivatives (value first) at its start and after ``duration`` [s].
+
+    n = 3 or 4; those that are None are 0. Hermite interpolation.
+    """
+    start, end = (tuple(0.0 if one is None else one for one in side) for side in (start, end))
+    count, factorials = len(start), np.cumprod([1.0, 1.0, 2.0, 3.0])
+    low = [start[k] * duration**k / factorials[k] for k in range(count)]
+    high: Any = 0.0
+    for order in range(count):
+        kept = sum(low[k] * (factorials[k] / factorials[k - order]) for k in range(order, count) if k or order)
+        left = end[0] - start[0] - kept if order == 0 else end[order] * duration**order - kept
+        high = high + left * np.array(_RISES[count][order])
+    powers = array([*low, *high]) / duration ** np.arange(2 * count)
+    powers[0] = start[0]
+    return SignalPieces(array([0.0, duration]), powers[None, :])

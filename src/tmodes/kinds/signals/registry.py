@@ -22,7 +22,8 @@ __all__ = [
 SIGNALS.bring(
     "tmodes.kinds.signals",
     {
-        "constant": "constant", "expression": "expression", "noise": "noise", "quintic": "quintic", "sine": "sine",
+        "constant": "constant", "expression": "expression", "noise": "noise", "quintic": "quintic",
+        "s_curve": "s_curve", "septic": "septic", "shaped": "shaped", "sine": "sine", "sine_squared": "sine_squared",
         "step": "step", "table": "table", "sum": "total", "trapezoid": "trapezoid",
     },
 )  # fmt: skip

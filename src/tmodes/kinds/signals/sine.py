@@ -24,6 +24,6 @@ class Sine(Signal):
     phase: float = any_sign("rad", "phi", "phase at time 0", default=0.0, at_least=-1e3, at_most=1e3)
     offset: float = signal_value("u_0", "value that it swings about", default=0.0)
 
-    def schedule(self, until: float) -> SignalPieces:
+    def pieces(self, until: float) -> SignalPieces:
         """Pieces of degree 7, exact to 1e-12 of the amplitude, up to ``until`` [s]."""
         return fitted_sine(self.amplitude, self.frequency, self.phase, self.offset, until)

@@ -22,7 +22,7 @@ class Step(Signal):
     end: float = signal_value("u_1", "value from the jump on")
     time: float = signal_time("t_1", "time of the jump")
 
-    def schedule(self, until: float) -> SignalPieces:
+    def pieces(self, until: float) -> SignalPieces:
         """Two pieces with the jump on their knot; one where it comes first or after ``until`` [s]."""
         if not 0 < self.time < until:
             return SignalPieces(np.array([0.0, until]), np.array([[self.start if self.time >= until else self.end]]))

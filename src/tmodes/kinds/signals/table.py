@@ -70,7 +70,7 @@ class Table(Signal):
             hint = "give the last row a later time; a jump alone is the signal `step`"
             yield Issue("times", f"{self.times[0]!r} s in every row", "a last time after the first", hint)
 
-    def schedule(self, until: float) -> SignalPieces:
+    def pieces(self, until: float) -> SignalPieces:
         """A piece between each two rows, and the first and last value held, up to ``until`` [s]."""
         times, values = np.array(self.times), np.array(self.values)
         pieces = self._cubic(times, values) if self.interpolation is Interpolation.CUBIC else _straight(times, values)

@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from typing import Literal
 
-import numpy as np
 from pydantic import Field
 
 from tmodes.errors import InputError
 from tmodes.kinds.signals.contract import SIGNALS, Signal
-from tmodes.kinds.signals.schedule import SignalPieces, merge
+from tmodes.kinds.signals.schedule import SignalPieces, summed
 
 __all__ = ["Sum"]
 
@@ -26,11 +25,11 @@ class Sum(Signal):
     )
 
     @property
-    def is_steady(self) -> bool:
+    def keeps_rate(self) -> bool:
         """Whether all of them are."""
         return all(signal.is_steady for signal in self.signals)
 
-    def schedule(self, until: float) -> SignalPieces:
+    def pieces(self, until: float) -> SignalPieces:
         """The pieces of all, on all their knots, up to ``until`` [s]."""
         parts = []
         for index, signal in enumerate(self.signals):
@@ -39,10 +38,9 @@ class Sum(Signal):
             except InputError as error:
                 which = f"signals.{index}.{error.which}"
                 raise InputError(which, error.got, error.expected, error.hint, error.where) from error
-        both = merge(parts)
-        return SignalPieces(both.knots, np.ascontiguousarray(both.coefficients.sum(axis=1)))
+        return summed(parts)
 
-    def move_ends(self, reach: float = 1.0) -> float | None:
+    def length(self, reach: float = 1.0) -> float | None:
         """When the last of the moves in it is at its end."""
         ends = [end for signal in self.signals if (end := signal.move_ends(reach)) is not None]
         return max(ends) if ends else None

@@ -10,7 +10,7 @@ from pydantic import ConfigDict, Field
 
 from tmodes.kinds.noted.functions import number, sqrt
 from tmodes.kinds.schema.quantity import Issue, positive
-from tmodes.kinds.signals.contract import SIGNALS, Signal, delayed, signal_time, signal_value
+from tmodes.kinds.signals.contract import SIGNALS, Signal, signal_value
 from tmodes.kinds.signals.schedule import SignalPieces
 
 __all__ = ["Trapezoid"]
@@ -32,7 +32,6 @@ class Trapezoid(Signal):
     )
     speed: float | None = positive("signal", "v", "speed, with `acceleration` instead of a duration", default=None)
     acceleration: float | None = positive("signal", "a", "acceleration and deceleration", default=None)
-    delay: float = signal_time("t_0", "time at which it starts", default=0.0)
 
     def _issues(self) -> Iterator[Issue]:
         by_time, by_rate = ("duration", "ramp_fraction"), ("speed", "acceleration")
@@ -55,11 +54,11 @@ class Trapezoid(Signal):
         ramp = min(self.speed / self.acceleration, sqrt(way / self.acceleration))
         return (way / (ramp * self.acceleration) + ramp if ramp else 0.0), ramp
 
-    def schedule(self, until: float) -> SignalPieces:
-        """The delay, the three pieces of the move, and the last value, up to ``until`` [s]."""
+    def pieces(self, until: float) -> SignalPieces:
+        """The three pieces of the move."""
         if self._times[0] == 0:
             return SignalPieces(np.array([0.0, until]), np.array([[self.start]]))
-        return delayed(self._move(), self.delay, until)
+        return self._move()
 
     def _move(self) -> SignalPieces:
         """Three pieces of second degree; two pieces when the ramps meet."""
@@ -80,6 +79,6 @@ class Trapezoid(Signal):
             np.array([coefficients for _, coefficients in pieces]),
         )
 
-    def move_ends(self, reach: float = 1.0) -> float:
-        """Delay and duration."""
-        return self.delay + reach * self._times[0]
+    def length(self, reach: float = 1.0) -> float:
+        """Its duration."""
+        return reach * self._times[0]
