@@ -8,7 +8,8 @@ from typing import Any, Literal
 import numpy as np
 from pydantic import Field
 
-from tmodes.kinds.noted.functions import array, exp, log, number, sqrt
+from tmodes.kinds.noted.functions import array, number, sqrt
+from tmodes.kinds.noted.number import plain_value
 from tmodes.kinds.schema.quantity import positive
 from tmodes.kinds.signals.contract import SIGNALS, Signal, signal_value
 from tmodes.kinds.signals.schedule import SAME, SignalPieces
@@ -45,7 +46,7 @@ class SCurve(Signal):
         if way * j * j >= 2 * a**3:
             jerking = a / j
             return jerking, sqrt(jerking * jerking / 4 + way / a) - 3 * jerking / 2, 0.0
-        return (exp(log(way / (2 * j)) / 3) if way > _NONE else 0.0), 0.0, 0.0
+        return (_cubic_root(way / (2 * j)) if way > _NONE else 0.0), 0.0, 0.0
 
     def pieces(self, until: float) -> SignalPieces:
         """Up to seven pieces of third degree."""
@@ -73,3 +74,12 @@ class SCurve(Signal):
         """Its duration."""
         jerking, steady, cruise = self.durations()
         return reach * (4 * jerking + 2 * steady + cruise)
+
+
+def _cubic_root(x: Any) -> Any:
+    """By Halley's method from the root of the value: six steps are enough for a number a hundred times as large."""
+    found: Any = np.cbrt(plain_value(x))
+    for _ in range(6):
+        cube = found * found * found
+        found = found * (cube + 2 * x) / (2 * cube + x)
+    return found

@@ -19,7 +19,6 @@ from tmodes.kinds.noted.number import Lost, is_noted, plain_value
 
 __all__ = [
     "SAME", "Clock", "Jolts", "MergedSchedule", "SignalPieces", "merge", "merge_cases", "on_knots", "shifted",
-    "summed",
 ]  # fmt: skip
 
 
@@ -196,12 +195,6 @@ def merge(schedules: Sequence[SignalPieces]) -> MergedSchedule:
     degree = max(schedule.degree for schedule in whole)
     parts = [on_knots(schedule, knots, degree) for schedule in whole]
     return MergedSchedule(knots, np.stack(parts, axis=1))
-
-
-def summed(parts: Sequence[SignalPieces]) -> SignalPieces:
-    """The sum of schedules, on all their knots."""
-    both = merge(parts)
-    return SignalPieces(both.knots, np.ascontiguousarray(both.coefficients.sum(axis=1)))
 
 
 def merge_cases(parts: Sequence[tuple[NDArray[np.float64], NDArray[np.float64]]]) -> list[SignalPieces]:

@@ -10,7 +10,8 @@ from tmodes.errors import InputError
 from tmodes.kinds.noted.functions import number
 from tmodes.kinds.shapers.registry import Shaper
 from tmodes.kinds.signals.contract import SIGNALS, Signal, delayed
-from tmodes.kinds.signals.schedule import SignalPieces, summed
+from tmodes.kinds.signals.schedule import SignalPieces
+from tmodes.kinds.signals.sums import summed
 
 __all__ = ["Shaped"]
 

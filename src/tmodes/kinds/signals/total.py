@@ -8,7 +8,8 @@ from pydantic import Field
 
 from tmodes.errors import InputError
 from tmodes.kinds.signals.contract import SIGNALS, Signal
-from tmodes.kinds.signals.schedule import SignalPieces, summed
+from tmodes.kinds.signals.schedule import SignalPieces
+from tmodes.kinds.signals.sums import summed
 
 __all__ = ["Sum"]
 
