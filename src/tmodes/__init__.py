@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from tmodes.interface.linear import linearize
     from tmodes.interface.modes import modes
     from tmodes.interface.objects import Result, Robot, load, run
+    from tmodes.interface.shaping import shaper
     from tmodes.interface.show import show
     from tmodes.interface.statics import static
     from tmodes.interface.studies import gradient
@@ -74,6 +75,7 @@ __all__ = [
     "run",
     "run_study",
     "sensitivity",
+    "shaper",
     "show",
     "simulate_batch",
     "static",
@@ -110,6 +112,7 @@ _HOMES = {
     "run": "tmodes.interface.objects.run",
     "run_study": "tmodes.study.runner.run_study",
     "sensitivity": "tmodes.study.sensitivity.sensitivity",
+    "shaper": "tmodes.interface.shaping.shaper",
     "show": "tmodes.interface.show.show",
     "simulate_batch": "tmodes.simulation.vary.simulate.simulate_batch",
     "reduced_output": "tmodes.gradients.quantities.reduced_output",

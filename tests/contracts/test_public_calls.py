@@ -152,6 +152,8 @@ def calls(folder: Path) -> dict[str, tuple[Callable[..., Any], dict[str, Any]]]:
         "kept": (tmodes.load_study("o").kept, {"case": 0}),
         "optimize": (tmodes.optimize, {"study": "s.yaml", "method": "tpe", "trials": 2, "seed": 0, "out": None, "functionals": None}),
         "sensitivity": (tmodes.sensitivity, {"study": "s.yaml", "method": "morris", "samples": 4, "seed": 0, "second_order": False, "out": None}),
+        "shaper": (tmodes.shaper, {"robot": robot, "kind": "zv", "modes": (1,), "where": "start", "frequency": (), "damping": (), "tolerated": None, "out": None, "figure": None, "overwrite": False}),
+        "its frequency": (partial(tmodes.shaper, robot), {"frequency": (2.0,), "damping": (0.1,), "kind": "ei", "tolerated": 0.1}),
         "show": (tmodes.show, {"*": robot, "names": None, "height": 100}),
         "use": (tmodes.use, {"*": "no such module"}),
         "Robot.from_data": (tmodes.Robot.from_data, {"data": {}}),

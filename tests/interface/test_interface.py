@@ -47,6 +47,7 @@ RESULTS = {
     "hierarchy": lambda: Hierarchy(Ladder("link", 1e-2, "a move", 0.01, RUNGS, "strain", converged=False)),
     "run": SHORT.run, "modes": LINK.modes, "static": lambda: FLEXIBLE.static(force=(0, 0, -1)),
     "describe": FLEXIBLE.describe, "linearize": LINK.linearize, "check": LINK.check,
+    "shaper": lambda: FLEXIBLE.shaper(kind="zvd"),
     "eval": lambda: LINK.eval([{"q": [0.1, 0.2], "v": {"joint": 1.0}}]),
     "batch": lambda: SHORT.batch(draw={"gear.stiffness": (80, 120)}, runs=3),
     "study": lambda: SHORT.study(PLAN), "sensitivity": lambda: LINK.sensitivity(FORMULA, samples=64),
@@ -92,7 +93,7 @@ def test_a_result_prints_itself_has_arrays_and_a_figure(name: str) -> None:
     assert not [one for one in names if one.startswith("_")]
 
 
-@pytest.mark.parametrize("name", ["modes", "static", "describe", "check"])
+@pytest.mark.parametrize("name", ["modes", "static", "describe", "check", "shaper"])
 def test_it_says_what_the_command_prints(name: str) -> None:
     """The same plain data as ``--json``."""
     printed = json.loads(command(name, "filipovic2010", "--json").stdout)
@@ -108,7 +109,20 @@ FROM_THE_LINE = {
 
 @pytest.mark.parametrize(
     "name",
-    ["run", "modes", "static", "describe", "hierarchy", "batch", "study", "sensitivity", "optimize", "check", "eval"],
+    [
+        "run",
+        "modes",
+        "static",
+        "describe",
+        "hierarchy",
+        "batch",
+        "study",
+        "sensitivity",
+        "optimize",
+        "check",
+        "eval",
+        "shaper",
+    ],
 )
 def test_every_argument_of_a_command_is_one_of_the_method(name: str) -> None:
     module, _, function = COMMANDS[name].partition(".")

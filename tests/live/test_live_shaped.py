@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -44,7 +45,8 @@ def test_the_frequency_of_a_shaper_is_a_slider(kind: str, tmp_path: Path) -> Non
     for values, run in zip(settings, live_in_node(bundle, settings, tmp_path), strict=True):
         changed = sheet.with_(live.changes(values))
         native = assemble_result(simulate_motion(changed), changed)
-        assert changed.drives[0].signal.shaper.frequencies == (values[place],)
+        signal: Any = changed.drives[0].signal
+        assert signal.shaper.frequencies == (values[place],)
         scales = {"energy_balance": float(np.abs(native.data["work"].values).max())}
         parts = dict.fromkeys(("deformation_stationary", "deformation_oscillatory"),
                               float(np.abs(native.data["deformation"].values).max()))  # fmt: skip

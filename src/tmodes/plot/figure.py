@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import os
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
@@ -12,6 +13,7 @@ from typing import Any, ClassVar
 from tmodes.errors import InputError
 from tmodes.io.arguments import checked_arguments
 from tmodes.io.atomic import atomic_write, check_writable
+from tmodes.io.words import shown
 from tmodes.kinds.registry import Registry
 from tmodes.plot.charts import Chart, Line, in_units
 from tmodes.plot.facts import names_of
@@ -21,7 +23,7 @@ from tmodes.result.result import Result
 
 __all__ = [
     "FIGURES", "FORMATS", "PAPER_FIGURES", "ChartFigure", "Figure", "Rows", "all_figures", "captions", "left_out",
-    "output_figure", "register", "rendered", "save_figures",
+    "output_figure", "picture_file", "register", "rendered", "save_figures",
 ]  # fmt: skip
 
 
@@ -134,6 +136,18 @@ def rendered(figure: Any, kind: str, dpi: int = DPI, *, serif: bool = False) -> 
             figure.set_layout_engine(None)
         figure.savefig(stream, format=kind, dpi=dpi, metadata=FORMATS[kind])
     return stream.getvalue()
+
+
+def picture_file(path: str | os.PathLike[str], draw: Callable[[], Any]) -> bytes:
+    """A figure as the bytes of a file of the kind that its name ends on.
+
+    Raises :class:`tmodes.errors.InputError` for another ending.
+    """
+    kind = Path(path).suffix.removeprefix(".")
+    if kind not in FORMATS:
+        endings = ", ".join(f".{one}" for one in FORMATS)
+        raise InputError("figure", shown(str(path)), f"a file that ends on {endings}", "name it so")
+    return rendered(draw(), kind)
 
 
 def output_figure(result: Result, name: str, ax: AxesLike = None) -> list[Axes]:

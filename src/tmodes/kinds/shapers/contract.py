@@ -58,6 +58,7 @@ def _numbers(unit: str, symbol: str, meaning: str, **more: Any) -> Any:
 class Shaper(Kind, family="shaper", key="type"):
     """Impulses for one mode or several, of given undamped frequencies and damping ratios."""
 
+    type: Any = Field(description="kind of shaper")
     frequencies: tuple[_Frequency, ...] = _numbers("Hz", "f", "undamped frequency of each mode", min_length=1)
     damping: tuple[_Damping, ...] = _numbers("-", "zeta", "damping ratio of each mode; none: undamped", default=())
 
