@@ -32,7 +32,8 @@ UNITS = {
     "damping_ratio": "1",
     "residual": "1, vibration of a mode after the motion over that after the unshaped one, by its detuning",
     "detuning": "1, frequency of the mode over that of the shaper, less 1",
-    "width": "1, detuning down to and up to which the residual stays below 5 %",
+    "width": "1, detuning down to and up to which the residual is at most `allowed`",
+    "allowed": "1, of the vibration without shaper",
 }
 
 DETUNING = 0.3
@@ -42,8 +43,9 @@ _STEPS = 61
 _WIDE, _FINE = 0.95, 20_000
 """Detuning in which the width is looked for, and at how many places."""
 
-TOLERATED = 0.05
-"""Residual that the width is measured at."""
+ALLOWED, _NEAR = 0.05, 1.01
+"""Residual that the width is measured at, or the one at the frequency itself where that is larger; up to this factor:
+with damping EI exceeds what it tolerates by as much close to its frequency."""
 
 _MOST_MODES, _MOST_NUMBER, _MOST_DAMPING = 4, 100, 0.9
 
@@ -221,14 +223,19 @@ class Shaping(CommandResult):
         return np.stack([residual(self.impulses, frequency * np.asarray(ratio), ratio_) for frequency, ratio_ in pairs])
 
     @property
+    def allowed(self) -> float:
+        """The residual at which widths are measured: 5 %, or more where `ei` tolerates more."""
+        return max(ALLOWED, round(float(self.residual().max()), 12))
+
+    @property
     def widths(self) -> list[tuple[float, float]]:
-        """Of each mode, by which share its frequency may be lower and higher with a residual of at most 5 %."""
+        """Of each mode, by which share its frequency may be lower and higher with a residual of at most ``allowed``."""
         import numpy as np
 
         detuning = np.linspace(-_WIDE, _WIDE, 2 * _FINE + 1)
         found = []
         for left in self.residual(1 + detuning):
-            fits = left <= TOLERATED * (1 + 1e-9)
+            fits = left <= _NEAR * self.allowed
             low, high = fits[: _FINE + 1][::-1], fits[_FINE:]
             ends = [int(np.argmin(side)) if not side.all() else len(side) for side in (low, high)]
             found.append((-detuning[_FINE + max(ends[0] - 1, 0)], detuning[_FINE + max(ends[1] - 1, 0)]))
@@ -248,7 +255,7 @@ class Shaping(CommandResult):
                 for one in self.along
             ],
             "detuning": data.detuning.values.tolist(), "residual": data.residual.values.tolist(),
-            "width": [list(one) for one in self.widths],
+            "width": [list(one) for one in self.widths], "allowed": self.allowed,
         }  # fmt: skip
 
     @property
@@ -271,7 +278,7 @@ class Shaping(CommandResult):
         return [one.number for one in self.along] or [*range(1, 1 + len(self.shaper.frequencies))]
 
     def plot(self, ax: Any = None) -> list[Any]:
-        """The residual of each mode over its detuning [%], and the 5 % at which the width is measured."""
+        """The residual of each mode over its detuning [%], and that at which the width is measured."""
         from tmodes.plot.commands import points
 
         data = self.data
@@ -282,7 +289,7 @@ class Shaping(CommandResult):
                 self._numbers, self.shaper.frequencies, data.residual.values, strict=True
             )
         }
-        shown |= {f"{TOLERATED:.0%}": (across[[0, -1]], [100 * TOLERATED] * 2)}
+        shown |= {f"allowed, {self.allowed:.0%}": (across[[0, -1]], [100 * self.allowed] * 2)}
         title = f"{self.given.name}: {self.shaper.name_of_kind()}, {self.delay:.3g} s longer"
         return points(shown, "frequency of the mode off that of the shaper [%]", "vibration left [%]", title=title,
                       ax=ax, line="-")  # fmt: skip
@@ -301,7 +308,8 @@ class Shaping(CommandResult):
             rows.append([str(self._numbers[k]), own.element if own else "given", f"{frequency:.4g}", f"{ratio:.4f}",
                          span, *(f"{100 * one:.1f}" for one in left), f"{low:+.1%} to {high:+.1%}"])  # fmt: skip
         columns = ["mode", "dominant element", "natural [Hz]", "damping", "on the way [Hz]",
-                   *(f"{one:+.0%}" if one else "at it" for one in _DETUNED), "5 % holds"]  # fmt: skip
+                   *(f"{one:+.0%}" if one else "at it" for one in _DETUNED),
+                   f"{self.allowed:.0%} from, to"]  # fmt: skip
         where = {"path": "on the way of the motion", "end": "at its end"}.get(self.where, "at its start")
         yield Table(f"Vibration left [%] where a mode is off in frequency{', modes ' + where if self.along else ''}",
                     columns, rows)  # fmt: skip
