@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from tmodes.interface.batches import batch
     from tmodes.interface.checks import check, evaluate
     from tmodes.interface.description import describe
+    from tmodes.interface.following import follow
     from tmodes.interface.hierarchy import hierarchy
     from tmodes.interface.linear import linearize
     from tmodes.interface.modes import modes
@@ -60,6 +61,7 @@ __all__ = [
     "check",
     "describe",
     "evaluate",
+    "follow",
     "forward_sensitivities",
     "gradient",
     "hierarchy",
@@ -98,6 +100,7 @@ _HOMES = {
     "check": "tmodes.interface.checks.check",
     "describe": "tmodes.interface.description.describe",
     "evaluate": "tmodes.interface.checks.evaluate",
+    "follow": "tmodes.interface.following.follow",
     "forward_sensitivities": "tmodes.gradients.gradient.forward_sensitivities",
     "gradient": "tmodes.interface.studies.gradient",
     "hierarchy": "tmodes.interface.hierarchy.hierarchy",

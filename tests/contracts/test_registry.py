@@ -19,12 +19,25 @@ from tmodes.kinds.drives.registry import DRIVES
 from tmodes.kinds.joints.registry import JOINTS
 from tmodes.kinds.links.registry import LINKS
 from tmodes.kinds.outside import ENTRY_POINTS, USED
+from tmodes.kinds.paths.registry import PATHS
 from tmodes.kinds.registry import REGISTRIES, Registry, UnknownKindError
 from tmodes.kinds.shapers.registry import SHAPERS
 from tmodes.kinds.signals.registry import SIGNALS
 from tmodes.robots import text as text_of_robot
 
-FAMILIES = (CONTACTS, CONTROLLERS, DRIVES, tmodes.plot.FIGURES, INTEGRATORS, JOINTS, LINKS, SHAPERS, SIGNALS, SURFACES)
+FAMILIES = (
+    CONTACTS,
+    CONTROLLERS,
+    DRIVES,
+    tmodes.plot.FIGURES,
+    INTEGRATORS,
+    JOINTS,
+    LINKS,
+    PATHS,
+    SHAPERS,
+    SIGNALS,
+    SURFACES,
+)
 
 MODULE = '''
 from typing import Literal

@@ -36,6 +36,12 @@ EXAMPLES = {
     "step": {"start": 0.0, "end": 1.0, "time": 0.4},
     "trapezoid": MOVE | {"ramp_fraction": 0.2, "delay": 0.1},
     "quintic": MOVE,
+    "trajectory": {
+        "times": [0.0, 0.2, 0.5, 0.5, 0.7],
+        "positions": [0.1, 0.2, 0.3, 0.3, 0.4],
+        "velocities": [0.0, 0.5, 0.4, 0.4, 0.0],
+        "accelerations": [0.0, 1.0, 0.0, 1.0, 0.0],
+    },
     "septic": MOVE | {"delay": 0.2},
     "sine_squared": MOVE,
     "s_curve": {"start": 0.1, "end": 0.4, "speed": 1.0, "acceleration": 5.0, "jerk": 60.0},

@@ -48,6 +48,7 @@ RESULTS = {
     "run": SHORT.run, "modes": LINK.modes, "static": lambda: FLEXIBLE.static(force=(0, 0, -1)),
     "describe": FLEXIBLE.describe, "linearize": LINK.linearize, "check": LINK.check,
     "shaper": lambda: FLEXIBLE.shaper(kind="zvd"),
+    "follow": lambda: tmodes.load("two_link_arm").follow("{type: line, to: [0.7, 0, 0.2]}"),
     "eval": lambda: LINK.eval([{"q": [0.1, 0.2], "v": {"joint": 1.0}}]),
     "batch": lambda: SHORT.batch(draw={"gear.stiffness": (80, 120)}, runs=3),
     "study": lambda: SHORT.study(PLAN), "sensitivity": lambda: LINK.sensitivity(FORMULA, samples=64),

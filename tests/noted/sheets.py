@@ -76,6 +76,8 @@ SIGNALS: dict[str, Sheet] = {
                       "end_acceleration": 2.0, "start_jerk": 3.0, "end_jerk": -5.0},
     "sine_squared": MOVE | {"type": "sine_squared"},
     "s_curve": {"type": "s_curve", "start": 0.1, "end": 0.4, "speed": 1.5, "acceleration": 20.0, "jerk": 500.0},
+    "trajectory": {"type": "trajectory", "times": [0.02, 0.2, 0.4], "positions": [0.1, 0.3, 0.2],
+                   "velocities": [0.2, 0.5, 0.4], "accelerations": [0.3, 1.0, -2.0]},
     "short s_curve": {"type": "s_curve", "start": 0.4, "end": 0.1, "speed": 5.0, "acceleration": 60.0, "jerk": 500.0},
     "late sine": {"type": "sine", "amplitude": 0.2, "frequency": 3.0, "delay": 0.13},
     **{f"shaped {name}": {"type": "shaped", "signal": {"type": "trapezoid", "start": 0.1, "end": 0.4, "speed": 3.0,

@@ -37,6 +37,7 @@ _GROUPS = {
         "robots": ("sheets.robots", "list the published robots, print one to edit"),
         "describe": ("describe.describe", "masses, stiffness, frequencies of the links, sag"),
         "linear": ("linear.linear", "linear model: poles, zeros, A, B, C, D by names"),
+        "follow": ("follow.follow", "joint references of a line, an arc, via points"),
         "shaper": ("shaper.shaper", "a motion that does not ring: copies for the modes"),
         "static": ("static.static", "equilibrium under weight and loads, and its stability"),
         "hierarchy": ("describe.hierarchy", "link models side by side: cost and difference"),

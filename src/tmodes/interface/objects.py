@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Self, cast
 
 from tmodes.errors import InputError
-from tmodes.interface import batches, checks, description, hierarchy, linear, modes, shaping, statics, studies
+from tmodes.interface import batches, checks, description, following, hierarchy, linear, modes, shaping, statics, studies
 from tmodes.interface.integration import prepared, run_changes
 from tmodes.io.arguments import checked_arguments
 from tmodes.io.printed import CommandResult, Table, shortened, table_html
@@ -143,6 +143,7 @@ class Robot(sheet.Robot):
     static = statics.static
     describe = description.describe
     linearize = linear.linearize
+    follow = following.follow
     shaper = shaping.shaper
     hierarchy = hierarchy.hierarchy
     batch = batches.batch

@@ -5,10 +5,10 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
-from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
 from tmodes.errors import InputError
+from tmodes.interface.files import write_files
 from tmodes.io.arguments import checked_arguments
 from tmodes.io.printed import CommandResult, Table
 from tmodes.io.units import finite_number
@@ -93,12 +93,7 @@ def shaper(
         given |= {"frequencies": [_middle(one.frequency) for one in along],
                   "damping": [min(_middle(one.damping), _MOST_DAMPING) for one in along]}  # fmt: skip
     found = Shaping(robot, _shaped(robot, given), _member(given), tuple(along), where)
-    files = {} if out is None else {Path(out): found.sheet.encode()}
-    if figure is not None:
-        from tmodes.plot.figure import picture_file
-
-        files |= {Path(figure): picture_file(figure, lambda: found.plot()[0].figure)}
-    _write(files, overwrite)
+    write_files(out, found, figure, overwrite=overwrite)
     return found
 
 
@@ -161,18 +156,6 @@ def _shaped(robot: Robot, given: dict[str, Any]) -> Robot:
         inner = plain["signal"] if plain["type"] == "shaped" else plain
         changes[f"drives.{k}.signal"] = {"type": "shaped", "signal": inner, "shaper": given}
     return robot.with_(changes) if changes else robot
-
-
-def _write(files: dict[Path, bytes], overwrite: bool) -> None:
-    from tmodes.io.atomic import atomic_write, check_writable, file_error
-
-    for path in files:
-        if os.path.lexists(path) and not overwrite:
-            raise file_error(path, "a file that exists", "a new name", "choose another name, or give --overwrite")
-    for path, content in files.items():
-        check_writable(path.parent, len(content))
-        with atomic_write(path, overwrite=overwrite) as temporary:
-            temporary.write_bytes(content)
 
 
 @dataclass(frozen=True, eq=False, repr=False)

@@ -24,7 +24,7 @@ SIGNALS.bring(
     {
         "constant": "constant", "expression": "expression", "noise": "noise", "quintic": "quintic",
         "s_curve": "s_curve", "septic": "septic", "shaped": "shaped", "sine": "sine", "sine_squared": "sine_squared",
-        "step": "step", "table": "table", "sum": "total", "trapezoid": "trapezoid",
+        "step": "step", "table": "table", "sum": "total", "trajectory": "trajectory", "trapezoid": "trapezoid",
     },
 )  # fmt: skip
 

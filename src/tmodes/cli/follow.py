@@ -1,0 +1,54 @@
+"""``tmodes follow``: joint references of a line, an arc, points with rounded corners."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from tmodes.cli.options import AsJson, FixInertia, Roots, Settings, SheetArgument, TrustPaths, chosen_sheet
+from tmodes.cli.terminal import print_result, working
+from tmodes.interface.following import PROFILE
+
+__all__ = ["follow"]
+
+
+def follow(
+    robot: SheetArgument,
+    path: Annotated[
+        list[str],
+        typer.Option(
+            metavar="GROUP", help="Such as '{type: line, to: [0.6, 0, 0.2]}' [m]; several follow one another."
+        ),
+    ],
+    profile: Annotated[
+        str, typer.Option(metavar="GROUP", help="How the way is gone: a signal without start and end.")
+    ] = PROFILE,
+    tolerance: Annotated[float, typer.Option(help="Of the rigid robot's tip between rows [m, rad].")] = 1e-7,
+    out: Annotated[Path | None, typer.Option(help="A file for the data sheet of the robot that follows.")] = None,
+    figure: Annotated[Path | None, typer.Option(help="A file for the references: .svg, .png or .pdf.")] = None,
+    overwrite: Annotated[bool, typer.Option("--overwrite", help="Replace these files.")] = False,
+    settings: Settings = None,
+    root: Roots = None,
+    trust_paths: TrustPaths = False,
+    fix_inertia: FixInertia = False,
+    as_json: AsJson = False,
+) -> None:
+    """Joint references for a path of the tip: the rigid robot's inverse kinematics, to a printed error.
+
+    Kinds of paths: line (to), arc (through, to), via (points, blend), turn (rpy), joints (points, blend); line, arc and
+    via with rpy turn the tip on the shortest way. It starts where the first commands of the drives put the robot; each
+    path goes from rest to rest by the profile.
+
+    Example: tmodes follow two_link_arm --path '{type: line, to: [0.7, 0, 0.2]}' --out line.yaml; tmodes run line.yaml
+    """
+    from tmodes.interface.following import follow as found_of
+
+    sheet = chosen_sheet(robot, settings, roots=root, trust_paths=trust_paths, fix_inertia=fix_inertia)
+    with working("preparing") as tell:
+        found = found_of(
+            sheet, path, profile=profile, tolerance=tolerance, out=out, figure=figure, overwrite=overwrite,
+            progress=tell,
+        )  # fmt: skip
+    print_result(found, as_json)

@@ -1,0 +1,225 @@
+"""References along paths: what ``tmodes follow`` computes and prints."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+from tmodes.errors import InputError, InputErrors
+from tmodes.interface.files import write_files
+from tmodes.io.arguments import checked_arguments
+from tmodes.io.assignment import parse_assignment
+from tmodes.io.printed import CommandResult, Table
+from tmodes.io.words import shown
+
+if TYPE_CHECKING:
+    from xarray import Dataset
+
+    from tmodes.analysis.follow import Followed
+    from tmodes.sheet import Robot
+
+__all__ = ["Following", "follow"]
+
+UNITS = {
+    "duration_s": "s", "length": "m; rad of a turn, and of a path of the joints", "error_m": "m, the rigid robot's tip",
+    "turned_rad": "rad, the rigid robot's tip; of a path of the joints these themselves", "speed": "rad/s, m/s",
+    "acceleration": "rad/s^2, m/s^2",
+}  # fmt: skip
+
+PROFILE = "{type: s_curve, speed: 0.25, acceleration: 1.0, jerk: 10.0}"
+"""The profile where none is given: what is gentle for a robot of a metre."""
+
+_SAMPLES = 400
+
+Group = str | Mapping[str, Any]
+
+
+@checked_arguments
+def follow(
+    robot: Robot,
+    path: Group | Sequence[Group],
+    *,
+    profile: Group = PROFILE,
+    tolerance: float = 1e-7,
+    out: str | os.PathLike[str] | None = None,
+    figure: str | os.PathLike[str] | None = None,
+    overwrite: bool = False,
+    progress: Callable[[str, float], None] = lambda stage, share: None,
+) -> Following:
+    """Joint references of a ``path`` of the tip, or of the joints, and the robot whose drives follow it.
+
+    ``path``: a group such as ``{"type": "line", "to": [0.6, 0.0, 0.2]}`` [m], or text like it; several follow one
+    another, each from rest to rest. Kinds: line, arc, via (points with rounded corners), turn, joints, or your own;
+    with ``rpy`` the tip turns to there on the shortest way. ``profile``: how the way is gone, a signal without start
+    and end, which become 0 and the length, such as ``{"type": "s_curve", "speed": 0.5, "acceleration": 2.0,
+    "jerk": 40.0}`` [m/s, ...]. It starts where the first commands put the rigid robot, whose inverse kinematics gives
+    the joints; ``tolerance`` [m, rad] of its tip between the rows of the references. ``out``: a file for the sheet;
+    ``figure``: one for the references.
+
+    Raises :class:`tmodes.errors.InputError` for a path that the rigid robot does not reach, or that passes a singular
+    pose, and :class:`tmodes.errors.ResultFileError` where a file cannot be written. Source: B. Siciliano, L. Sciavicco,
+    L. Villani, G. Oriolo, Robotics: Modelling, Planning and Control (2009), ch. 3 and 4.
+
+    >>> found = tmodes.load("two_link_arm").follow({"type": "line", "to": [0.7, 0.0, 0.2]})
+    >>> round(found.length, 4), found.error < 1e-7, found.robot.drives[0].signal.type
+    (0.2065, True, 'trajectory')
+    """
+    from tmodes.analysis.follow import followed
+    from tmodes.kinds.paths.registry import Path
+    from tmodes.kinds.signals.registry import Signal
+
+    groups = [path] if isinstance(path, str | Mapping) else [*path]
+    if not groups or not tolerance > 0:
+        raise InputError("--path", "no path" if not groups else f"tolerance {tolerance!r}",
+                         "a path, and a tolerance > 0 m", "add --path '{type: line, to: [0.6, 0, 0.2]}'")  # fmt: skip
+    paths = [_member(Path, _group("--path", one), "path") for one in groups]
+    law = {key: value for key, value in _group("--profile", profile).items() if key not in ("start", "end")}
+    found = followed(robot, paths, lambda length: _member(Signal, {**law, "start": 0.0, "end": length}, "profile"),
+                     tolerance, progress)  # fmt: skip
+    signals = iter(found.signals())
+    drives = [k for k, drive in enumerate(robot.drives) if drive.joint in found.joints and drive.command.is_motion]
+    order = {robot.drives[k].joint: k for k in drives}
+    changes = {f"drives.{order[joint]}.signal": next(signals) for joint in found.joints}
+    made = Following(robot, robot.with_(changes), found, tuple(str(one.type) for one in paths))
+    write_files(out, made, figure, overwrite=overwrite)
+    return made
+
+
+def _group(which: str, given: Any) -> dict[str, Any]:
+    """Plain data of a group, or of text like ``{type: line, to: [1, 0, 0]}``."""
+    value = parse_assignment(f"{which}={given}")[1] if isinstance(given, str) else given
+    if not isinstance(value, Mapping) or not all(isinstance(key, str) for key in value):
+        raise InputError(
+            which, shown(given), "a group with a `type`", "write it like '{type: line, to: [0.6, 0, 0.2]}'"
+        )
+    return dict(value)
+
+
+def _member(family: Any, data: dict[str, Any], which: str) -> Any:
+    """A member of a family from plain data; raises :class:`tmodes.errors.InputErrors` with all that is wrong."""
+    from pydantic import ValidationError
+
+    if family.kind_named(data) is None:
+        known = ", ".join(family.registry.names)
+        raise InputError(f"{which}.type", shown(data.get("type")), f"one of {known}", "name a kind")
+    try:
+        return family.of(data)
+    except ValidationError as error:
+        raise InputErrors([*_wrong(error, which)]) from None
+
+
+def _wrong(error: Any, which: str) -> Iterator[InputError]:
+    for one in error.errors()[:5]:
+        place = ".".join([which, *map(str, one["loc"])])
+        for issue in one.get("ctx", {}).get("issues", ()):
+            yield InputError(f"{place}.{issue.field}", issue.got, issue.expected, issue.hint)
+        if one["type"] != "issues":
+            got = "nothing" if one["type"] == "missing" else shown(one["input"])
+            expected = {"missing": "a value", "extra_forbidden": "a key that it has"}.get(
+                one["type"], one["msg"].lower()
+            )
+            yield InputError(place, got, expected, "correct it, or leave it out")
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Following(CommandResult):
+    """The ``robot`` whose drives follow a path; ``found``: the rows of their references."""
+
+    given: Robot = field(repr=False)
+    robot: Any = field(repr=False)
+    found: Followed
+    kinds: tuple[str, ...]
+
+    @property
+    def length(self) -> float:
+        """Of all paths [m; rad of a turn, and of a path of the joints]."""
+        return float(sum(leg.course.length for leg in self.found.legs))
+
+    @property
+    def duration(self) -> float:
+        """Until the path is at its end [s]."""
+        return float(self.found.times[-1])
+
+    @property
+    def error(self) -> float:
+        """The largest distance of the rigid robot's tip from the path [m]."""
+        return self.found.error
+
+    @property
+    def sheet(self) -> str:
+        """The data sheet of the robot that follows, as YAML."""
+        from tmodes.io.sheet_write import robot_to_yaml
+
+        return robot_to_yaml(self.robot)
+
+    @property
+    def warnings(self) -> list[str]:
+        """What is to be known about it."""
+        run = self.given.integration.duration
+        late = f"the path ends at {self.duration:.4g} s, after the run of {run:g} s: --set integration.duration=..."
+        return [late] if self.duration > run else []
+
+    def info(self) -> dict[str, Any]:
+        """Plain data, as ``tmodes follow --json`` prints it."""
+        found = self.found
+        return {
+            "robot": self.given.name, "units": UNITS, "paths": list(self.kinds), "length": self.length,
+            "duration_s": self.duration, "rows": len(found.times), "error_m": found.error, "turned_rad": found.turned,
+            "joints": {name: {"start": float(found.values[0, k]), "end": float(found.values[-1, k]),
+                              "speed": float(self._largest[0][k]), "acceleration": float(self._largest[1][k])}
+                       for k, name in enumerate(found.joints)},
+            "warnings": self.warnings,
+        }  # fmt: skip
+
+    @property
+    def _largest(self) -> tuple[Any, Any]:
+        """Largest speed and acceleration of each joint (joints,)."""
+        import numpy as np
+
+        data = self.data
+        return tuple(np.abs(data[name].values).max(axis=0) for name in ("velocity", "acceleration"))  # type: ignore[return-value]
+
+    @property
+    def data(self) -> Dataset:
+        """``position``, ``velocity``, ``acceleration`` (time, joint) [rad, m, s] at even times."""
+        import numpy as np
+        from xarray import Dataset
+
+        times, drives = np.linspace(0.0, self.duration, _SAMPLES), {drive.joint: drive for drive in self.robot.drives}
+        pieces = [drives[joint].signal.schedule(self.duration) for joint in self.found.joints]
+        names = ("position", "rad, m"), ("velocity", "rad/s, m/s"), ("acceleration", "rad/s^2, m/s^2")
+        return Dataset(
+            {name: (("time", "joint"), np.stack([one.at(times, order) for one in pieces], axis=1), {"units": unit})
+             for order, (name, unit) in enumerate(names)},
+            {"time": ("time", times, {"units": "s"}), "joint": list(self.found.joints)},
+        )  # fmt: skip
+
+    def plot(self, ax: Any = None) -> list[Any]:
+        """Positions of the joints over time."""
+        from tmodes.plot.commands import points
+
+        data = self.data
+        shown_ = {name: (data.time.values, data.position.values[:, k]) for k, name in enumerate(self.found.joints)}
+        return points(shown_, "time [s]", "reference [rad, m]", title=f"{self.given.name}: {', '.join(self.kinds)}",
+                      ax=ax, line="-")  # fmt: skip
+
+    def tables(self) -> Iterator[str | Table]:
+        """What the path is, how closely the rigid robot's tip keeps to it, and what each joint does."""
+        found = self.found
+        off = f"its tip within {found.error:.2g} m of it" if found.error else f"within {found.turned:.2g} rad of it"
+        turned = f" and {found.turned:.2g} rad" if found.error and found.turned else ""
+        yield (f"{self.given.name}: {', '.join(self.kinds)} of {self.length:.4g} in {self.duration:.4g} s, "
+               f"{len(found.times)} rows; as a rigid robot {off}{turned}")  # fmt: skip
+        rows = [
+            [
+                name,
+                *(
+                    f"{value:.5g}"
+                    for value in (found.values[0, k], found.values[-1, k], *(one[k] for one in self._largest))
+                ),
+            ]
+            for k, name in enumerate(found.joints)
+        ]
+        yield Table("References [rad, m, s]", ["joint", "from", "to", "largest speed", "largest acceleration"], rows)
