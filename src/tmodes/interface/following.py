@@ -117,9 +117,8 @@ def _wrong(error: Any, which: str) -> Iterator[InputError]:
             yield InputError(f"{place}.{issue.field}", issue.got, issue.expected, issue.hint)
         if one["type"] != "issues":
             got = "nothing" if one["type"] == "missing" else shown(one["input"])
-            expected = {"missing": "a value", "extra_forbidden": "a key that it has"}.get(
-                one["type"], one["msg"].lower()
-            )
+            known: dict[str, str] = {"missing": "a value", "extra_forbidden": "a key that it has"}
+            expected = known.get(str(one["type"])) or str(one["msg"]).lower()
             yield InputError(place, got, expected, "correct it, or leave it out")
 
 
