@@ -202,7 +202,7 @@ class Following(CommandResult):
         data = self.data
         shown_ = {name: (data.time.values, data.position.values[:, k]) for k, name in enumerate(self.found.joints)}
         return points(shown_, "time [s]", "reference [rad, m]", title=f"{self.given.name}: {', '.join(self.kinds)}",
-                      ax=ax, line="-")  # fmt: skip
+                      ax=ax, line="-", marks=False)  # fmt: skip
 
     def tables(self) -> Iterator[str | Table]:
         """What the path is, how closely the rigid robot's tip keeps to it, and what each joint does."""

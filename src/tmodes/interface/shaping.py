@@ -275,7 +275,7 @@ class Shaping(CommandResult):
         shown |= {f"allowed, {self.allowed:.0%}": (across[[0, -1]], [100 * self.allowed] * 2)}
         title = f"{self.given.name}: {self.shaper.name_of_kind()}, {self.delay:.3g} s longer"
         return points(shown, "frequency of the mode off that of the shaper [%]", "vibration left [%]", title=title,
-                      ax=ax, line="-")  # fmt: skip
+                      ax=ax, line="-", marks=False)  # fmt: skip
 
     def tables(self) -> Iterator[str | Table]:
         """The shaper and its delay, the modes it is made for, impulses, and what is left off their frequencies."""

@@ -44,14 +44,21 @@ def bars(
 
 def points(
     shown: Mapping[str, tuple[ArrayLike, ArrayLike]], across: str, up: str, *, title: str = "", ax: AxesLike = None,
-    line: str = "", log: bool = False,
+    line: str = "", log: bool = False, marks: bool = True,
 ) -> list[Axes]:  # fmt: skip
-    """Points of each of ``shown``, x (n,) and y (n,), joined where ``line`` is a style; ``log``: up."""
+    """Points of each of ``shown``, x (n,) and y (n,), joined where ``line`` is a style; ``log``: up.
+
+    ``marks``: each point is marked, as is right for a few.
+    """
     with house_style():
         (panel,) = panels(ax, [["a"]], 3.0)
         for k, (label, (x, y)) in enumerate(shown.items()):
             turn, own = divmod(k, len(COMPONENTS))  # the same colour again has another marker
-            look = {"marker": _MARKERS[turn % len(_MARKERS)], "markersize": 3, "color": COMPONENTS[own]["color"]}
+            look = {
+                "marker": _MARKERS[turn % len(_MARKERS)] if marks else "",
+                "markersize": 3,
+                "color": COMPONENTS[own]["color"],
+            }
             if not line and k < len(shown) - 1:  # a ring around the points of those to come, which may be at its place
                 look |= {"markersize": 3 + _RING * (len(shown) - 1 - k), "fillstyle": "none"}
             panel.plot(x, y, linestyle=line or "none", label=label or None, **look)
