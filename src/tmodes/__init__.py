@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from tmodes.interface.hierarchy import hierarchy
     from tmodes.interface.linear import linearize
     from tmodes.interface.modes import modes
+    from tmodes.interface.motions import motion
     from tmodes.interface.objects import Result, Robot, load, run
     from tmodes.interface.shaping import shaper
     from tmodes.interface.show import show
@@ -69,6 +70,7 @@ __all__ = [
     "load",
     "load_study",
     "modes",
+    "motion",
     "optimize",
     "outputs",
     "parameters",
@@ -108,6 +110,7 @@ _HOMES = {
     "load": "tmodes.interface.objects.load",
     "load_study": "tmodes.study.result.load_study",
     "modes": "tmodes.interface.modes.modes",
+    "motion": "tmodes.interface.motions.motion",
     "optimize": "tmodes.study.optimize.optimize",
     "outputs": "tmodes.simulation.outputs.robot_outputs",
     "parameters": "tmodes.simulation.vary.parameters.parameters_of",

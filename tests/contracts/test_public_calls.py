@@ -124,6 +124,7 @@ def calls(folder: Path) -> dict[str, tuple[Callable[..., Any], dict[str, Any]]]:
         "describe": (tmodes.describe, {"robot": robot, "at": None}),
         "linearize": (tmodes.linearize, {"robot": robot, "at": None, "contact": True}),
         "hierarchy": (tmodes.hierarchy, {"robot": robot, "tolerance": 0.1, "finest": 1}),
+        "motion": (tmodes.motion, {"robot": robot, "goal": {"joint": 0.1}, "start": None, "duration": 0.2, "least_time": False, "torque": None, "speed": None, "modes": 1, "tolerance": 1.0, "out": None, "overwrite": False}),
         "batch": (tmodes.batch, {"robot": robot, "vary": {GEAR: (90, 110, 2)}, "draw": (), "runs": 2, "seed": 0, "threads": 1, "duration": None, "out": None}),
         "its range": (lambda ends: robot.batch(vary={GEAR: ends}), {"ends": (90, 110, 2)}),
         "its drawn range": (lambda ends: robot.batch(draw={GEAR: ends}, runs=2), {"ends": (90, 110)}),

@@ -53,6 +53,7 @@ RESULTS = {
     "batch": lambda: SHORT.batch(draw={"gear.stiffness": (80, 120)}, runs=3),
     "study": lambda: SHORT.study(PLAN), "sensitivity": lambda: LINK.sensitivity(FORMULA, samples=64),
     "optimize": lambda: LINK.optimize(CHOICE),
+    "motion": lambda: LINK.motion(duration=0.5),
     "gradient": lambda: SHORT.gradient(tmodes.tracking_error("tip", [0, 0, -1]), ["gear.stiffness"]),
 }  # fmt: skip
 
@@ -123,6 +124,7 @@ FROM_THE_LINE = {
         "check",
         "eval",
         "shaper",
+        "motion",
     ],
 )
 def test_every_argument_of_a_command_is_one_of_the_method(name: str) -> None:

@@ -50,6 +50,9 @@ _GROUPS = {
         "view": ("show.view", "results in the browser, several side by side"),
         "figures": ("figures.figures", "draw the figures of a result, for print"),
     },
+    "Motion": {
+        "motion": ("motion.motion", "torques from rest to rest after which nothing swings"),
+    },
     "Many runs": {
         "batch": ("batch.batch", "vary numbers of one robot, evenly or at random"),
         "sensitivity": ("sensitivity.sensitivity", "which parameters matter, and how sure that is"),

@@ -8,7 +8,19 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Self, cast
 
 from tmodes.errors import InputError
-from tmodes.interface import batches, checks, description, following, hierarchy, linear, modes, shaping, statics, studies
+from tmodes.interface import (
+    batches,
+    checks,
+    description,
+    following,
+    hierarchy,
+    linear,
+    modes,
+    motions,
+    shaping,
+    statics,
+    studies,
+)
 from tmodes.interface.integration import prepared, run_changes
 from tmodes.io.arguments import checked_arguments
 from tmodes.io.printed import CommandResult, Table, shortened, table_html
@@ -151,6 +163,7 @@ class Robot(sheet.Robot):
     sensitivity = studies.sensitivity
     optimize = studies.optimize
     gradient = studies.gradient
+    motion = motions.motion
     check = checks.check
     eval = checks.evaluate
 

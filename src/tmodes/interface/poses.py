@@ -101,8 +101,13 @@ def pose_of(given: Pose | None, sheet: Robot) -> dict[str, float]:
     return held
 
 
-def held_of(given: Pose | Sequence[str] | None, sheet: Robot, which: str = "--hold") -> dict[str, float]:
-    """Coordinates and values [rad; m of a prismatic joint]: of a group, or of texts such as ``shoulder=45deg``."""
+def held_of(
+    given: Pose | Sequence[str] | None, sheet: Robot, which: str = "--hold", units: tuple[str, str] = ("rad", "m")
+) -> dict[str, float]:
+    """Coordinates and values: of a group, or of texts such as ``shoulder=45deg``.
+
+    ``units``: of values that turn, and of those that slide, as prismatic joints do.
+    """
     if isinstance(given, Mapping):
         pairs = [(str(name), value) for name, value in given.items()]
     else:
@@ -110,8 +115,7 @@ def held_of(given: Pose | Sequence[str] | None, sheet: Robot, which: str = "--ho
         pairs = [_assigned(text, which) for text in texts]
     slides = {joint.name for joint in sheet.joints if joint.type == "prismatic"}
     return {
-        name: finite_number(f"{which} {name}", value, "m" if name.removesuffix(".motor") in slides else "rad",
-                            most=LARGEST)
+        name: finite_number(f"{which} {name}", value, units[name.removesuffix(".motor") in slides], most=LARGEST)
         for name, value in pairs
     }  # fmt: skip
 
