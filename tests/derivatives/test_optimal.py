@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import json
+import re
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -11,11 +14,13 @@ from scipy.integrate import solve_ivp
 from scipy.interpolate import CubicSpline
 
 import tmodes
+from command import called
 from tmodes.errors import InputError, SimulationError
 from tmodes.gradients.optimal import RestToRest, table, under_torques
 from tmodes.gradients.torque_functions import torque_functions
 from tmodes.kinds.signals.registry import SIGNALS
 
+PAGE = (Path(__file__).resolve().parents[2] / "docs" / "motion.md").read_text(encoding="utf-8")
 LENGTH = 0.7
 INERTIA, FREQUENCIES = 1.45733, (3.27812, 17.22507, 48.02358)
 """Of the link below, its motor free: reference values computed from the exact modes of the beam [kg*m^2], [rad/s]."""
@@ -77,14 +82,33 @@ def test_the_linear_plan_does_as_published(
 
 
 def test_a_link_that_swings_through_its_own_length_stops_dead() -> None:
-    """90 degrees in 2 s, where the linear plan leaves 0.09 of the length; also with more functions."""
-    found = flexible(6).motion(goal={"hub": "90deg"}, duration=2.0, torque={"hub": 30}, modes=4, tolerance=1e-7)
+    """90 degrees in 2 s, where the linear plan leaves 0.09 of the length: the example of docs/motion.md, as it says."""
+    space: dict[str, Any] = {}
+    for example in re.findall(r"^```python\n(.*?)^```$", PAGE, re.MULTILINE | re.DOTALL):
+        exec(compile(example, "docs/motion.md", "exec"), space)  # noqa: S102
+    found = space["found"]
     assert found.warnings == []
     assert found.swings["planned"] < 1e-6 * LENGTH
     assert found.swings["finer"] < 1e-6 * LENGTH
-    assert found.swings["quintic"] > 0.5 * LENGTH
-    assert abs(found.data["torque"]).max() < 30
+    assert found.swings["quintic"] == pytest.approx(0.94 * LENGTH, rel=0.01)
+    assert abs(found.data["torque"]).max() < 10
     assert found.found.slopes < 12
+
+
+def test_the_commands_of_the_page_run(tmp_path: Path) -> None:
+    """And what ``--out`` writes is a sheet that stands still after the motion."""
+    lines = [line.split()[1:] for line in re.findall(r"^    (tmodes motion .*)$", PAGE, re.MULTILINE)]
+    assert len(lines) == 2
+    for line in lines:
+        done = called(*line, "--json", "--out", tmp_path / "still.yaml", "--overwrite")
+        assert done.returncode == 0, done.stderr
+    found = json.loads(done.stdout)
+    assert found["joints"][0]["torque"] <= 20
+    assert found["duration"] < 1
+    assert found["swing_m"]["planned"] < 1e-5 * found["way_m"]
+    still = tmodes.load(tmp_path / "still.yaml")
+    assert still.drives[0].command == "torque"
+    assert called(*lines[0], "--out", tmp_path / "still.yaml").returncode == 4
 
 
 def test_limits_are_kept_to() -> None:

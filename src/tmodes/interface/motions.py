@@ -17,8 +17,8 @@ from tmodes.io.words import meant, shown
 if TYPE_CHECKING:
     from xarray import Dataset
 
-    from tmodes.gradients.optimal import Found, RestToRest
     from tmodes import Robot as UsersRobot
+    from tmodes.gradients.optimal import Found, RestToRest
     from tmodes.result.result import Result
     from tmodes.sheet import Robot
 
