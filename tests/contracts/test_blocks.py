@@ -148,7 +148,7 @@ EVERYWHERE = {
     "lqg": {"control": law(LQG | {"measured": ["teeth"]}, delay=0.013),
             "sensors": [{"type": "encoder", "name": "teeth", "joint": "joint", "resolution": 1e-3,
                          "sample_time": 0.01, "noise": 1e-4, "delay": 0.004}]},
-    "timed": {"drive": {"controller": PD, "sample_time": 0.01, "delay": 0.025, "limits": {"torque": 12.0}}},
+    "timed": {"drive": {"controller": PD, "sample_time": 0.01, "delay": 0.025, "saturation": {"torque": 12.0}}},
 }  # fmt: skip
 
 

@@ -275,7 +275,7 @@ def test_the_sheet_on_the_page_on_controllers() -> None:
     data = tmodes.load("two_link_arm").model_dump(mode="json", by_alias=True, exclude_none=True)
     for drive in data["drives"]:
         drive.pop("controller")
-    data["drives"][1]["limits"] = given["drives"][0]["limits"]
+    data["drives"][1]["saturation"] = given["drives"][0]["saturation"]
     result = tmodes.Robot.from_data(data | {"sensors": given["sensors"], "control": given["control"]}).run()
     assert result.verdict["largest_m"] < 0.05
     felt = [np.asarray(result.output(f"wrist.{axis}"))[-1] for axis in "xyz"]

@@ -55,7 +55,7 @@ def points(
         for k, (label, (x, y)) in enumerate(shown.items()):
             turn, own = divmod(k, len(COMPONENTS))  # the same colour again has another marker
             look = {
-                "marker": _MARKERS[turn % len(_MARKERS)] if marks else "",
+                "marker": _MARKERS[turn % len(_MARKERS)] if marks else "None",
                 "markersize": 3,
                 "color": COMPONENTS[own]["color"],
             }

@@ -28,7 +28,6 @@ __all__ = [
     "BaseMotion",
     "Command",
     "ControlSheet",
-    "DriveLimits",
     "DriveSheet",
     "Initial",
     "InitialState",
@@ -37,6 +36,7 @@ __all__ = [
     "LoadSheet",
     "Number",
     "PointSheet",
+    "Saturation",
     "Task",
     "TipSheet",
     "by_name",
@@ -159,7 +159,7 @@ class Command(StrEnum):
         return self is Command.POSITION
 
 
-class DriveLimits(DataSheet):
+class Saturation(DataSheet):
     """What a drive can give, at the joint's side of the reducer; every law on it is cut there."""
 
     voltage: float | None = positive("V", "u_max", "largest voltage", default=None)
@@ -218,7 +218,7 @@ class DriveSheet(DataSheet):
     noise: Signal | None = Field(
         default=None, description="error on the wanted position as the controller sees it; of a sensor with other sign"
     )
-    limits: DriveLimits | None = Field(default=None, description="what the drive can give; none: without limits")
+    saturation: Saturation | None = Field(default=None, description="what the drive can give; none: without limits")
     sample_time: float | None = _sample_time()
     delay: float = _delay()
 
@@ -237,9 +237,9 @@ class DriveSheet(DataSheet):
         if self.controller is None and self.sample_time is not None:
             hint = "give them to the block in `control` that commands this drive"
             yield Issue("sample_time", f"{self.sample_time:g} s", "left out: the drive has no controller", hint)
-        if self.limits and self.command is Command.PRESCRIBED:
-            hint = "remove `limits`; `tmodes run` compares what it takes with what there is"
-            yield Issue("limits", "limits", "left out: the motion itself is given", hint)
+        if self.saturation and self.command is Command.PRESCRIBED:
+            hint = "remove `saturation`; `tmodes run` compares what it takes with what there is"
+            yield Issue("saturation", "limits", "left out: the motion itself is given", hint)
 
 
 class BaseMotion(DataSheet):

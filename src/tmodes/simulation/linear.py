@@ -236,7 +236,7 @@ def opened(robot: Robot) -> Robot:
         motor = axes[drive.joint].joint.motor
         command = Command.EFFORT if motor is None else Command.TORQUE if motor.resistance is None else Command.VOLTAGE
         own = command if drive.command.is_motion else drive.command
-        free = {"command": own, "signal": constant_signal(0.0), "controller": None, "noise": None, "limits": None,
+        free = {"command": own, "signal": constant_signal(0.0), "controller": None, "noise": None, "saturation": None,
                 "sample_time": None, "delay": 0.0}  # fmt: skip
         drives.append(drive.model_copy(update=free))
     ideal = {"sample_time": None, "delay": 0.0, "noise": 0.0}

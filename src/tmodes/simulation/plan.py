@@ -211,7 +211,9 @@ def _drive(
     noise = signals.add(sheet.disturbance, f"drives.{index}.noise") if sheet.disturbance else -1
     driven = winding is not Winding.NONE and (command.is_controlled or command is Command.VOLTAGE)
     sampling = Sampling.of(sheet.controller, sheet.sample_time, sheet.delay) if sheet.controller else Sampling()
-    limits = {name: getattr(sheet.limits, name) for name in LIMITS if getattr(sheet.limits, name, None) is not None}
+    limits = {
+        name: getattr(sheet.saturation, name) for name in LIMITS if getattr(sheet.saturation, name, None) is not None
+    }
     command_of = next((each for each in robot.control if axis.name in each.drives), None)
     wire = "" if command_of is None else wired_name(command_of, axis.name)
     needs = sheet.controller and sheet.controller.needs_model
