@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from tmodes.interface.description import describe
     from tmodes.interface.following import follow
     from tmodes.interface.hierarchy import hierarchy
+    from tmodes.interface.inverse import inverse
     from tmodes.interface.linear import linearize
     from tmodes.interface.modes import modes
     from tmodes.interface.motions import motion
@@ -66,6 +67,7 @@ __all__ = [
     "forward_sensitivities",
     "gradient",
     "hierarchy",
+    "inverse",
     "linearize",
     "load",
     "load_study",
@@ -107,6 +109,7 @@ _HOMES = {
     "gradient": "tmodes.interface.studies.gradient",
     "hierarchy": "tmodes.interface.hierarchy.hierarchy",
     "linearize": "tmodes.interface.linear.linearize",
+    "inverse": "tmodes.interface.inverse.inverse",
     "load": "tmodes.interface.objects.load",
     "load_study": "tmodes.study.result.load_study",
     "modes": "tmodes.interface.modes.modes",

@@ -119,6 +119,7 @@ def calls(folder: Path) -> dict[str, tuple[Callable[..., Any], dict[str, Any]]]:
         "its command": (lambda command: robot.run(controller=lambda m: command, period=0.01), {"command": 0.0}),
         "modes": (tmodes.modes, {"robot": robot, "contact": False, "angle": None, "at": None, "max_frequency": 9.0, "reading": None}),
         "static": (tmodes.static, {"robot": robot, "load": (), "force": None, "moment": None, "point": "tip", "hold": None, "at": None}),
+        "inverse": (tmodes.inverse, {"robot": robot, "tip": ("free", "free", -0.9), "load": (), "point": "tip", "near": None, "starts": 4}),
         "its load": (lambda load: robot.static(load=[load]), {"load": tmodes.Load()}),
         "its force": (lambda force: robot.static(load=[{"force": force}]), {"force": (0, 0, 1)}),
         "describe": (tmodes.describe, {"robot": robot, "at": None}),

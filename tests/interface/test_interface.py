@@ -46,6 +46,7 @@ RUNGS = (
 RESULTS = {
     "hierarchy": lambda: Hierarchy(Ladder("link", 1e-2, "a move", 0.01, RUNGS, "strain", converged=False)),
     "run": SHORT.run, "modes": LINK.modes, "static": lambda: FLEXIBLE.static(force=(0, 0, -1)),
+    "inverse": lambda: tmodes.load("two_link_arm").inverse(tip=(0.7, 0, 0.3)),
     "describe": FLEXIBLE.describe, "linearize": LINK.linearize, "check": LINK.check,
     "shaper": lambda: FLEXIBLE.shaper(kind="zvd"),
     "follow": lambda: tmodes.load("two_link_arm").follow("{type: line, to: [0.7, 0, 0.2]}"),

@@ -40,6 +40,7 @@ _GROUPS = {
         "follow": ("follow.follow", "joint references of a line, an arc, via points"),
         "shaper": ("shaper.shaper", "a motion that does not ring: copies for the modes"),
         "static": ("static.static", "equilibrium under weight and loads, and its stability"),
+        "pose": ("pose.pose", "joint and motor angles that hold the tip where wanted"),
         "hierarchy": ("describe.hierarchy", "link models side by side: cost and difference"),
         "outputs": ("names.outputs", "names of all numbers of an instant, with units"),
         "parameters": ("names.parameters", "numbers of a data sheet that can be varied"),

@@ -14,6 +14,7 @@ from tmodes.interface import (
     description,
     following,
     hierarchy,
+    inverse,
     linear,
     modes,
     motions,
@@ -153,6 +154,7 @@ class Robot(sheet.Robot):
     run = run
     modes = modes.modes
     static = statics.static
+    inverse = inverse.inverse
     describe = description.describe
     linearize = linear.linearize
     follow = following.follow
