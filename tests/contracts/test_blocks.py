@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 from scipy.linalg import expm
+from scipy.signal import bilinear, lfilter, tf2ss
 
 import tmodes
 from lane_runs import simulate_lanes
@@ -24,6 +25,7 @@ from wasm.node import page_states
 Sheet = dict[str, Any]
 LINK = {"I": 0.83, "J": 0.21, "m": 2.4, "l": 0.42, "g": 9.81, "k": 185.0, "d": 0.35, "b": 0.12}
 STATES = ("joint", "joint.motor", "joint'", "joint.motor'")
+NOTCH = {"type": "notch", "input": "raw", "frequency": 5.0, "damping": 0.3, "depth": 0.2}
 LQR = {"type": "lqr", "state_weights": dict(zip(STATES, (400.0, 100.0, 5.0, 1.0), strict=True))}
 PD = {"type": "pd", "position_gain": 60.0, "velocity_gain": 9.0}
 PID = PD | {"type": "sampled_pid", "integral_gain": 70.0, "sample_time": 1e-3, "filter_time": 0.004, "limit": 14.0}
@@ -149,6 +151,14 @@ EVERYWHERE = {
             "sensors": [{"type": "encoder", "name": "teeth", "joint": "joint", "resolution": 1e-3,
                          "sample_time": 0.01, "noise": 1e-4, "delay": 0.004}]},
     "timed": {"drive": {"controller": PD, "sample_time": 0.01, "delay": 0.025, "saturation": {"torque": 12.0}}},
+    "filters": {"control": [{"name": "raw", "of": "joint", "block": PD},
+                            {"name": "lead", "block": {"type": "lead_lag", "input": "raw", "frequency": 8.0,
+                                                       "ratio": 2.0}},
+                            {"name": "low", "block": {"type": "low_pass", "input": "lead", "frequency": 60.0}},
+                            {"name": "low2", "block": {"type": "low_pass", "input": "low", "frequency": 60.0,
+                                                       "damping": 0.7, "sample_time": 1e-3}},
+                            {"name": "law", "drives": ["joint"], "block": NOTCH | {"input": "low2"}}]},
+    "timed": {"drive": {"controller": PD, "sample_time": 0.01, "delay": 0.025, "limits": {"torque": 12.0}}},
 }  # fmt: skip
 
 
@@ -172,18 +182,22 @@ def test_a_law_runs_everywhere_alike(name: str, tmp_path: Path) -> None:
     assert np.abs(page_states(setup, tmp_path)[:, :size] - run.q).max() < 1e-9
 
 
+def matrices(p: Sheet) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """x' = a x + b u of angles and rates of link and motor, without weight."""
+    a, b, mass = np.zeros((4, 4)), np.zeros((4, 1)), np.array([p["I"], p["J"]])
+    a[:2, 2:] = np.eye(2)
+    spring, damper = np.array([[-p["k"], p["k"]], [p["k"], -p["k"]]]), np.array([[-p["d"], p["d"]], [p["d"], -p["d"]]])
+    damper[1, 1] -= p["b"]
+    a[2:, :2], a[2:, 2:], b[3, 0] = spring / mass[:, None], damper / mass[:, None], 1 / p["J"]
+    return a, b
+
+
 def test_a_delay_of_parts_of_a_period() -> None:
     """Torque from 2.5 samples before, by the exponential of the matrices."""
     p, period, n = LINK | {"g": 0.0}, 0.01, 80
     robot = spong(constant(0.4), period * n, period, p, drive={"controller": PD, "sample_time": period,
                                                                "delay": 2.5 * period})  # fmt: skip
-    a, b = np.zeros((4, 4)), np.zeros((4, 1))
-    a[:2, 2:] = np.eye(2)
-    spring, damper = np.array([[-p["k"], p["k"]], [p["k"], -p["k"]]]), np.array([[-p["d"], p["d"]], [p["d"], -p["d"]]])
-    damper[1, 1] -= p["b"]
-    mass = np.array([p["I"], p["J"]])
-    a[2:, :2], a[2:, 2:], b[3, 0] = spring / mass[:, None], damper / mass[:, None], 1 / p["J"]
-    half = expm(np.block([[a, b], [np.zeros((1, 5))]]) * period / 2)
+    half = expm(np.block([[*matrices(p)], [np.zeros((1, 5))]]) * period / 2)
     x, commands, found = np.zeros(4), [0.0, 0.0, 0.0], [np.zeros(2)]
     for _ in range(n):
         commands.append(PD["position_gain"] * (0.4 - x[1]) - PD["velocity_gain"] * x[3])
@@ -192,6 +206,48 @@ def test_a_delay_of_parts_of_a_period() -> None:
         found.append(x[:2])
     times = period * np.arange(n + 1)
     assert angles(robot, times) == pytest.approx(np.array(found), abs=1e-8)
+
+
+RATE = 2 * np.pi * 5.0
+FILTERS: dict[str, tuple[Sheet, list[float], list[float]]] = {
+    "notch": (NOTCH, [1.0, 0.12 * RATE, RATE**2], [1.0, 0.6 * RATE, RATE**2]),
+    "low": ({"type": "low_pass", "frequency": 5.0}, [RATE], [1.0, RATE]),
+    "low2": ({"type": "low_pass", "frequency": 5.0, "damping": 0.7}, [RATE**2], [1.0, 1.4 * RATE, RATE**2]),
+    "lead": ({"type": "lead_lag", "frequency": 5.0, "ratio": 4.0}, [2 / RATE, 1.0], [0.5 / RATE, 1.0]),
+    "lag": ({"type": "lead_lag", "frequency": 5.0, "ratio": 0.25}, [0.5 / RATE, 1.0], [2 / RATE, 1.0]),
+}
+
+
+def filtered(block: Sheet, period: float | None = None) -> list[Sheet]:
+    more = {} if period is None else {"sample_time": period}
+    raw = {"name": "raw", "of": "joint", "block": {**PD, "position_gain": 12.0}} | more
+    return [raw, {"name": "law", "drives": ["joint"], "block": block | {"input": "raw"} | more}]
+
+
+@pytest.mark.parametrize("name", FILTERS)
+def test_filters_in_the_loop(name: str) -> None:
+    """Sampled ones as SciPy's bilinear transform with prewarping, those in continuous time as its matrices."""
+    block, above, below = FILTERS[name]
+    p, period, n, (kp, kv) = LINK | {"g": 0.0}, 0.01, 80, (12.0, PD["velocity_gain"])
+    (a, b), times = matrices(p), period * np.arange(n + 1)
+    whole = expm(np.block([[a, b], [np.zeros((1, 5))]]) * period)
+    numerator, denominator = bilinear(above, below, RATE / (2 * np.tan(RATE * period / 2)))
+    x, kept, found = np.zeros(4), np.zeros(len(denominator) - 1), [np.zeros(2)]
+    for _ in range(n):
+        push, kept = lfilter(numerator, denominator, [kp * (0.4 - x[1]) - kv * x[3]], zi=kept)
+        x = (whole @ np.append(x, push))[:4]
+        found.append(x[:2])
+    sampled = spong(constant(0.4), period * n, period, p, control=filtered(block, period))
+    assert angles(sampled, times) == pytest.approx(np.array(found), abs=1e-8)
+
+    A, B, C, D = tf2ss(above, below)
+    row = np.array([[0.0, -kp, 0.0, -kv]])
+    loop = np.block([[a + b @ D @ row, b @ C, b @ D], [B @ row, A, B], [np.zeros((1, 5 + len(A)))]])
+    start = np.append(np.zeros(4 + len(A)), kp * 0.4)
+    truth = np.array([(expm(loop * t) @ start)[:2] for t in times])
+    exact = {"relative_tolerance": 1e-10, "absolute_tolerance": 1e-11, "method": "dormand_prince"}
+    smooth = spong(constant(0.4), period * n, period, p, control=filtered(block), integration=exact)
+    assert angles(smooth, times) == pytest.approx(truth, abs=1e-7)
 
 
 def test_what_sensors_say() -> None:
@@ -240,6 +296,12 @@ WRONG: dict[str, tuple[Sheet, str]] = {
     "two sample times": ({"drive": {"controller": PID, "sample_time": 0.01}}, "drives.0.sample_time"),
     "noise without samples": ({"drive": {"controller": PD}, "sensors": [
         {"type": "gyro", "name": "a", "noise": 0.1}]}, "sensors.a.sample_time"),
+    "a filter above half the sample rate": ({"control": filtered(NOTCH, 0.1)}, "control.law.block.frequency"),
+    "a filter of two drives": ({"control": [{"name": "a", "drives": ["joint", "joint"], "block": NOTCH}]},
+                               "control.a.drives"),
+    "filters in a ring": ({"control": [
+        {"name": "a", "drives": ["joint"], "block": NOTCH | {"input": "b"}},
+        {"name": "b", "block": NOTCH | {"input": "a"}}]}, "control"),
     "a designed law at a drive": ({"drive": {"controller": LQR}}, "drives.0.controller.type"),
 }  # fmt: skip
 

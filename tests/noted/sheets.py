@@ -102,8 +102,11 @@ BLOCKS: dict[str, Sheet] = {
     "lqg": {"type": "lqg", "sample_time": 0.01, "state_weights": {"first": 100.0, "second": 100.0},
             "measured": ["first.position", "second.position"], "measurement_noise": [1e-6],
             "process_noise": {"first'": 1e-4, "second'": 1e-4}},
+    "notch": {"type": "notch", "input": "raw", "frequency": 9.0, "damping": 0.3, "depth": 0.1, "sample_time": 0.01},
+    "low_pass": {"type": "low_pass", "input": "raw", "frequency": 40.0, "damping": 0.7},
+    "lead_lag": {"type": "lead_lag", "input": "raw", "frequency": 9.0, "ratio": 3.0, "sample_time": 0.01},
 }  # fmt: skip
-"""Blocks that stand in the section `control`: of two drives, or (gravity_pd) of one each."""
+"""Blocks that stand in the section `control`: of two drives, or (gravity_pd, filters) of one each."""
 SAMPLED = {"sample_time": 0.01, "delay": 0.004, "noise": 1e-3, "seed": 3, "bias": 1e-3}
 SENSORS: list[Sheet] = [
     {"type": "encoder", "name": "teeth", "joint": "first", "resolution": 1e-3} | SAMPLED,
@@ -158,8 +161,9 @@ def controlled(block: Sheet) -> Sheet:
     made = sheet(joint=JOINTS["revolute"] | (gear if block["type"] == "feedback_linearisation" else {}))
     made["joints"][1] |= gear if block["type"] == "feedback_linearisation" else {}
     both = [{"joint": one, "command": "position", "signal": MOVE} for one in ("first", "second")]
-    groups = [["first"], ["second"]] if block["type"] == "gravity_pd" else [["first", "second"]]
+    groups = [["first"], ["second"]] if block["type"] == "gravity_pd" or "input" in block else [["first", "second"]]
     control = [{"name": f"law{k}", "drives": group, "block": block} for k, group in enumerate(groups)]
+    control += [{"name": "raw", "of": "first", "block": PD}] if "input" in block else []
     return made | {"drives": both, "control": control}
 
 

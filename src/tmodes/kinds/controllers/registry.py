@@ -19,5 +19,8 @@ CONTROLLERS.bring(
         "lqr": "state_space",
         "lqg": "state_space",
         "pole_placement": "state_space",
+        "notch": "filters",
+        "low_pass": "filters",
+        "lead_lag": "filters",
     },
 )
