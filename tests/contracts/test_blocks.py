@@ -158,7 +158,6 @@ EVERYWHERE = {
                             {"name": "low2", "block": {"type": "low_pass", "input": "low", "frequency": 60.0,
                                                        "damping": 0.7, "sample_time": 1e-3}},
                             {"name": "law", "drives": ["joint"], "block": NOTCH | {"input": "low2"}}]},
-    "timed": {"drive": {"controller": PD, "sample_time": 0.01, "delay": 0.025, "limits": {"torque": 12.0}}},
 }  # fmt: skip
 
 
