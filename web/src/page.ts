@@ -63,7 +63,7 @@ export function mountPage(root: HTMLElement, page: Page): PageView {
   );
 
   const scene = mountScene(stage, page, clock, true);
-  clock.seek(scene.opensAt);
+  clock.seek(page.runs[0].verdict?.time_s ?? scene.opensAt); // the instant of the sentence
   const transportView = mountTransport(transport, clock);
   const verdict = mountVerdict(strip, page, clock, scene);
   const parts: { dispose(): void }[] = [verdict, scene, transportView];

@@ -124,8 +124,10 @@ def _short_notes(summary: dict[str, Any]) -> dict[str, str]:
 def _uncertain(summary: dict[str, Any], fact: Fact) -> str:
     """The error of a number, by integration and link models, where it shows in its first figures."""
     path = _PATHS.get(fact.id)
+    if path is None:
+        return ""
     found = max((summary[kind] or {}).get("figures", {}).get(path, 0.0) for kind in ("error", "model_error"))
-    return f" ± {1e3 * found:.2g} mm" if fact.value and found > _SHOWS * fact.value else ""
+    return f" ± {1e3 * found:.2g} mm" if fact.value and found > _SHOWS * abs(fact.value) else ""
 
 
 _PATHS = {"tip_error.commanded": "tip_error.commanded.max_m", "deviation.max": "deviation.max_m"}

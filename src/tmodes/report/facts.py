@@ -126,10 +126,12 @@ def run_facts(result: Result, summary: dict[str, Any], made: Derives | None = No
     """From a result and its summary; what there is not is left out, and what cannot be computed, noted by ``made``."""
     made = made or Derives()
     data, links, limits = result.record, summary["links"], summary["verdict"]["limits"]
+    # A page computes the loads of links that bend; of those alone, where there are any, so that all say the same.
+    bent = {name: link for name, link in links.items() if (link["deflection"] or {}).get("max_m")} or links
     groups: dict[str, Callable[[], Iterator[Fact]]] = {
         "tip": lambda: tracking_facts(summary),
         "deflections": lambda: _worst(links, "deflection", "max_m", "m", "Largest deflection of a link"),
-        "moments": lambda: _worst(links, "bending_moment", "max_Nm", "N m", "Largest bending moment", "moment.max"),
+        "moments": lambda: _worst(bent, "bending_moment", "max_Nm", "N m", "Largest bending moment", "moment.max"),
         "stresses": lambda: _stress(links, limits),
         "gears": lambda: _gear(summary["deformations"]),
         "drives": lambda: _drives(data),

@@ -40,7 +40,7 @@ const NUMBERS: [string, (keyof Verdict)[], (verdict: Verdict) => string][] = [
     [length(residual.amplitude_m), written(residual.frequency_Hz, "Hz"),
       `${digits(100 * residual.damping, 2)} % damping`].join(", ")],
   ["Nearest limit", ["limits"], ({ limits: [first] }) => first ?
-    `${first.quantity} ${first.element} ${digits(100 * first.share, 2)} % of ${written(first.limit, first.unit)}` : ""],
+    `${first.quantity} ${first.element} ${digits(100 * first.share, 4)} % of ${written(first.limit, first.unit)}` : ""],
 ]; // prettier-ignore
 
 export function mountVerdict(element: HTMLElement, page: Page, clock: Clock, scene: SceneView): VerdictView {
