@@ -196,7 +196,7 @@ def test_a_delay_of_parts_of_a_period() -> None:
     p, period, n = LINK | {"g": 0.0}, 0.01, 80
     robot = spong(constant(0.4), period * n, period, p, drive={"controller": PD, "sample_time": period,
                                                                "delay": 2.5 * period})  # fmt: skip
-    half = expm(np.block([[*matrices(p)], [np.zeros((1, 5))]]) * period / 2)
+    half: Any = expm(np.block([[*matrices(p)], [np.zeros((1, 5))]]) * period / 2)
     x, commands, found = np.zeros(4), [0.0, 0.0, 0.0], [np.zeros(2)]
     for _ in range(n):
         commands.append(PD["position_gain"] * (0.4 - x[1]) - PD["velocity_gain"] * x[3])
@@ -230,7 +230,8 @@ def test_filters_in_the_loop(name: str) -> None:
     p, period, n, (kp, kv) = LINK | {"g": 0.0}, 0.01, 80, (12.0, PD["velocity_gain"])
     (a, b), times = matrices(p), period * np.arange(n + 1)
     whole = expm(np.block([[a, b], [np.zeros((1, 5))]]) * period)
-    numerator, denominator = bilinear(above, below, RATE / (2 * np.tan(RATE * period / 2)))
+    digital: Any = bilinear(above, below, RATE / (2 * np.tan(RATE * period / 2)))
+    numerator, denominator = digital
     x, kept, found = np.zeros(4), np.zeros(len(denominator) - 1), [np.zeros(2)]
     for _ in range(n):
         push, kept = lfilter(numerator, denominator, [kp * (0.4 - x[1]) - kv * x[3]], zi=kept)

@@ -60,7 +60,7 @@ def modal(A: Array, B: Array, C: Array, D: Array, order: int, period: float | No
         size = -np.log(max(np.hypot(real, imaginary), 1e-300)) if period else np.hypot(real, imaginary)
         return bool(size <= limit)
 
-    form, basis, count = schur(A, sort=slow)
+    form, basis, count = schur(A, sort=slow)  # pyright: ignore[reportAssignmentType]
     mix = solve_sylvester(form[:count, :count], -form[count:, count:], -form[:count, count:])
     B, C = basis.T @ B, C @ basis
     Bs, Cf = B[:count] - mix @ B[count:], C[:, :count] @ mix + C[:, count:]

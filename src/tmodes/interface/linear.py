@@ -271,7 +271,7 @@ class LinearModel(Linearization):
 
     def _points(self, frequencies: Array) -> Complex:
         turns = 2j * np.pi * frequencies
-        return np.exp(turns * self.period) if self.period else turns
+        return np.asarray(np.exp(turns * self.period) if self.period else turns, dtype=np.complex128)
 
     def singular_values(self, frequencies: ArrayLike | None = None) -> DataArray:
         """Singular values of the response, the largest first, by ``frequency`` [Hz]."""
@@ -313,7 +313,7 @@ class LinearModel(Linearization):
     def to_control(self) -> Any:
         """The same as a ``StateSpace`` of python-control (``pip install control``)."""
         try:
-            import control
+            import control  # pyright: ignore[reportMissingImports]
         except ImportError as error:
             hint = "pip install control"
             raise InputError("to_control", "no python-control here", "that package", hint) from error
@@ -344,7 +344,7 @@ class LinearModel(Linearization):
 
             savemat(file, numbers | {key: np.array(value, dtype=object) for key, value in names.items()})
         elif file.suffix == ".npz":
-            np.savez(file, **numbers, **{key: np.array(value) for key, value in names.items()})
+            np.savez(file, allow_pickle=False, **numbers, **{key: np.array(value) for key, value in names.items()})
         elif file.suffix == ".json":
             file.write_text(json.dumps(self.info()) + "\n", encoding="utf-8")
         else:
@@ -424,7 +424,8 @@ def _margins(loop: Callable[[Any], Complex], grid: Array) -> Margins:
     delays = [(angle % (2 * np.pi)) / (2 * np.pi * f) for angle, f in phases if f]
     # Largest alpha of the disk of gains and phases (skew 0): 1/|S - 1/2| at its least, with S = 1/(1 + L).
     disk = float((1 / np.abs(1 / (1 + values) - 0.5)).min(initial=np.inf))
-    return Margins(*map(float, gain), *map(float, phase), min(delays, default=np.inf), disk)
+    sizes = [float(one) for one in (*gain, *phase, min(delays, default=np.inf), disk)]
+    return Margins._make(sizes)
 
 
 def _crossings(of: Callable[[Any], Any], grid: Array, values: Array) -> list[float]:

@@ -252,7 +252,7 @@ def _with_loads(robot: Robot, inputs: Sequence[str]) -> tuple[Robot, dict[str, i
         point, _, rest = name.rpartition(".")
         point, _, kind = point.rpartition(".")
         if point in points and kind in _LOADS and rest in _LOADS[kind]:
-            vector = tuple(float(rest == axis) for axis in "xyz")
+            vector: Any = tuple(float(rest == axis) for axis in "xyz")
             places[name] = len(loads)
             loads.append(LoadSheet(point=point, frame=LoadFrame.WORLD, signal=constant_signal(0.0), **{kind: vector}))
     return (robot.model_copy(update={"loads": tuple(loads)}) if places else robot), places

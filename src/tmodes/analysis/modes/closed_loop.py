@@ -227,7 +227,7 @@ class _Linear:
                 by[self.current[k]] = found[3]
             rows = tuple(range(self.first[k], self.first[k] + one.servo.states))
             if one.servo.is_sampled:
-                samples.append(_Sample(one.law.period, rows, self._slopes(k, one, sampled=True)))
+                samples.append(_Sample(one.law.period or 0.0, rows, self._slopes(k, one, sampled=True)))
             elif rows:
                 by[list(rows)] = found[4 + OUTPUTS :]
         return Feedback(

@@ -193,10 +193,11 @@ class Law:
         def take(there: bool, otherwise: Any) -> Any:
             return left.pop(0) if there else otherwise
 
-        own = [take(self.owned, [0.0] * size) for size in (SIGNAL, 1, 1, 1)]
+        signal, position, velocity, current = (take(self.owned, [0.0] * size) for size in (SIGNAL, 1, 1, 1))
         noise, limit, state = take(self.noisy, None), take(self.limited, None), take(bool(self.states), [])
         view = [left.pop(0) for _ in self.view.sizes] if self.view else []
-        return _Inputs(*own, noise, limit, state, view, take(bool(self.block.reads), []), left)
+        reads = take(bool(self.block.reads), [])
+        return _Inputs(signal, position, velocity, current, noise, limit, state, view, reads, left)
 
     def _at(self, p: Any, given: _Inputs) -> tuple[list[Any], list[Any], list[Any]]:
         """Outputs, the fall of the first per own position and rate, and the rates of the own states."""

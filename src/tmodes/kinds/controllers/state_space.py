@@ -276,7 +276,7 @@ class PolePlacement(_StateSpace):
         if self.sample_time is not None:
             wanted = [np.exp(pole * self.sample_time) for pole in wanted]
         try:
-            return place_poles(A, B, wanted).gain_matrix
+            return place_poles(A, B, wanted).gain_matrix  # pyright: ignore[reportAttributeAccessIssue]
         except ValueError as error:
             raise InputError("poles", str(error), "poles that the drives can give", "move them apart") from error
 
@@ -297,7 +297,9 @@ class LQG(_Weighted):
     """
 
     type: Literal["lqg"] = Field(description="kind of controller")
-    sample_time: float = positive("s", "T", "time between samples", plausible=(1e-5, 1.0))
+    sample_time: float = positive(  # pyright: ignore[reportIncompatibleVariableOverride]
+        "s", "T", "time between samples", plausible=(1e-5, 1.0)
+    )
     measured: tuple[str, ...] = Field(
         strict=False, min_length=1, max_length=200, description="sensors or outputs that it reads"
     )
