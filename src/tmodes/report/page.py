@@ -240,7 +240,7 @@ _TABLES: dict[str, tuple[str, str, tuple[str, ...], tuple[int, ...], Callable[[s
     ),
     "deformations": (
         "Elastic coordinates", "Elastic coordinates over the run",
-        ("Coordinate", "Largest", "at", "Quasi-static", "Oscillatory", "Nominal"), (1, 2, 3, 4, 5), _coordinate_row,
+        ("Coordinate", "Largest", "at", "Static part", "Dynamic part", "Nominal"), (1, 2, 3, 4, 5), _coordinate_row,
     ),
 }  # fmt: skip
 """By the part of a summary: title, caption, columns, the numeric ones, and a row from a name and its values."""

@@ -85,7 +85,8 @@ function change(fact: Fact, value: number | null): string {
   if (value === null || fact.value === null || fact.value === 0) return "";
   const share = (100 * (value - fact.value)) / Math.abs(fact.value);
   if (Math.abs(share) < 0.05) return "";
-  const size = Math.abs(share) >= 1000 ? "1000 % and more" : `${Number(Math.abs(share).toPrecision(2))} %`;
+  if (share >= 1000) return `×${Number((value / fact.value).toPrecision(3))},`;
+  const size = `${Number(Math.abs(share).toPrecision(2))} %`;
   return `${share > 0 ? "+" : "−"}${size},`;
 }
 

@@ -1,4 +1,4 @@
-/* tmodes, built from 2902c341fef1733d; BSD-3-Clause */
+/* tmodes, built from 8a468a541dff601d; BSD-3-Clause */
 
 // src/live/engine_error.ts
 var EngineError = class extends Error {
