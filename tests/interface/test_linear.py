@@ -260,12 +260,16 @@ def test_the_page_on_linear_models() -> None:
     assert space["loop"].is_stable
     assert abs(space["loop"].poles[0]) == pytest.approx(0.986, abs=1e-3)
     assert space["result"].verdict["largest_m"] == pytest.approx(0.032, abs=1e-3)
+    assert space["result"].verdict["settling"]["time_s"] is not None  # its samples go on behind the run
+    assert not any("unstable" in text for text in space["result"].warnings)
     robot_before = space["robot"].run().verdict["largest_m"]
     assert robot_before == pytest.approx(0.006, abs=1e-3)
     wild = json.loads(json.dumps(space["sheet"]))
     wild["control"][0]["block"]["state_weights"] = {f"{one}.motor": 1e7 for one in space["joints"]}
     wild["control"][0]["block"]["process_noise"] = {f"{one}.motor'": 1e-3 for one in space["joints"]}
-    assert abs(tmodes.Robot.from_data(wild).linearize(closed=True).poles[0]) == pytest.approx(1.0008, abs=2e-4)
+    unstable = tmodes.Robot.from_data(wild)
+    assert abs(unstable.linearize(closed=True).poles[0]) == pytest.approx(1.0008, abs=2e-4)
+    assert any("unstable under its sampled controllers" in text for text in unstable.run().warnings)
 
 
 def test_the_sheet_on_the_page_on_controllers() -> None:

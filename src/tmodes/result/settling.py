@@ -337,7 +337,7 @@ def at_rest_from(setup: RunSetup, time: float, state: Array, duration: float) ->
     plan, layout = setup.planned, setup.model.layout
     values = plan.signals.at(time)
     values[plan.noises] = 0.0
-    knots, clocks = np.array([0.0, duration]), {drive.clock for drive in plan.plan.drives}
+    knots, clocks = np.array([0.0, duration]), {k for k, _ in plan.clocks}
     still = np.zeros((len(values), 1, plan.signals.degree + 1))
     still[:, 0, 0] = values
     each = [

@@ -26,7 +26,7 @@ from tmodes.kinds.noted.number import Lost, is_noted
 from tmodes.kinds.signals.registry import constant_signal
 from tmodes.model.passes import derivatives
 from tmodes.sheet.parts import Command, LoadFrame, LoadSheet
-from tmodes.simulation.initial_state import run_setup
+from tmodes.simulation.initial_state import RunSetup, run_setup
 from tmodes.simulation.loop import LoopModel
 from tmodes.simulation.plan import Planned, planned
 
@@ -34,9 +34,12 @@ if TYPE_CHECKING:
     from tmodes.sheet import Robot
     from tmodes.sheet.parts import DriveSheet
 
-__all__ = ["StateSpace", "closed_loop", "delayed", "linear_plant", "open_loop"]
+__all__ = ["StateSpace", "closed_loop", "delayed", "growth", "linear_plant", "open_loop"]
 
 Array = NDArray[np.float64]
+
+_GROWS = 1e-8
+"""A sampled pole beyond 1 by less than this is an integrator."""
 
 _LOADS = {"force": ("x", "y", "z"), "moment": ("x", "y", "z")}
 
@@ -174,6 +177,17 @@ def closed_loop(robot: Robot, inputs: Sequence[str], outputs: Sequence[str]) -> 
     at = _Instant(plan, setup.start.copy(), plan.first_row.copy(), _columns(pushed, plan, inputs, loads, closed=True))
     found = at.found(outputs)
     return _sampled(at, found) if plan.plan.is_sampled else found
+
+
+def growth(setup: RunSetup) -> float:
+    """How fast the fastest motion under sampled controllers grows about the start of a run [1/s]; 0 where none does.
+
+    Dry friction that sticks is left out.
+    """
+    at = _Instant(setup.planned, setup.start.copy(), setup.planned.first_row.copy(), ())
+    found = _sampled(at, at.found(()))
+    size = float(np.abs(np.linalg.eigvals(found.A)).max(initial=0.0))
+    return float(np.log(size) / (found.period or 1.0)) if size > 1 + _GROWS else 0.0
 
 
 def _sampled(at: _Instant, found: StateSpace) -> StateSpace:

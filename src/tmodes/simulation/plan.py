@@ -214,7 +214,8 @@ def _drive(
     limits = {
         name: getattr(sheet.saturation, name) for name in LIMITS if getattr(sheet.saturation, name, None) is not None
     }
-    command_of = next((each for each in robot.control if axis.name in each.drives), None)
+    blocks = robot.control if command.is_controlled else ()  # a torque that is given instead is no block's
+    command_of = next((each for each in blocks if axis.name in each.drives), None)
     wire = "" if command_of is None else wired_name(command_of, axis.name)
     needs = sheet.controller and sheet.controller.needs_model
     model = rigid_model(robot, driven_joints(robot)) if needs else None

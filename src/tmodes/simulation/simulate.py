@@ -156,7 +156,16 @@ def _growing(setups: _Setups) -> list[str]:
     """What grows at the start of both robots; of sampled controllers the spectrum has the held command alone."""
     named = (("nominal robot", setups.nominal), ("actual robot", setups.real))
     known = [(name, setup) for name, setup in named if setup and not (setup.planned.plan.is_sampled or setup.callback)]
-    return [warning for name, setup in known for warning in growth_warnings(setup.spectrum, name, _CAUSES)]
+    found = [warning for name, setup in known for warning in growth_warnings(setup.spectrum, name, _CAUSES)]
+    if setups.real.robot.control and setups.real.planned.plan.is_sampled and not setups.real.callback:
+        from tmodes.simulation.linear import growth
+
+        if rate := growth(setups.real):
+            found.append(
+                f"the actual robot is unstable under its sampled controllers about its start: a motion grows at "
+                f"{rate:.4g} 1/s; lower the gains, sample more often, or shorten the delay"
+            )
+    return found
 
 
 def _run(
