@@ -154,6 +154,7 @@ export function mountSliders(
 
   /** What each setting does, and which lessen the error; the most effective first, as long as nobody uses them. */
   async function rank(opened: Live): Promise<void> {
+    if (!rows.length) return options.advise("no number of this robot can be changed in the page");
     const own = asked;
     const wanted = () => asked === own && !busy && !closed;
     const found = wanted() ? await effects(opened, rows, RANKED, wanted) : null;
