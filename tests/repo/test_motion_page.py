@@ -30,7 +30,7 @@ def test_its_commands(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """What stands below a command is part of what it prints, line by line."""
     monkeypatch.chdir(tmp_path)
     blocks = re.findall(r"^((?:    \$ tmodes [^\n]*\n)+)((?:    [^$\n][^\n]*\n)*)", PAGE, re.MULTILINE)
-    assert len(blocks) == 5
+    assert len(blocks) == 6
     for commands, said in blocks:
         done = command("--version")
         for line in commands.splitlines():

@@ -26,6 +26,9 @@ def follow(
         str, typer.Option(metavar="GROUP", help="How the way is gone: a signal without start and end.")
     ] = PROFILE,
     tolerance: Annotated[float, typer.Option(help="Of the rigid robot's tip between rows [m, rad].")] = 1e-7,
+    sag: Annotated[
+        bool, typer.Option("--sag", help="Motors go where the tip of the robot as it bends is on the path, at rest.")
+    ] = False,
     out: Annotated[Path | None, typer.Option(help="A file for the data sheet of the robot that follows.")] = None,
     figure: Annotated[Path | None, typer.Option(help="A file for the references: .svg, .png or .pdf.")] = None,
     overwrite: Annotated[bool, typer.Option("--overwrite", help="Replace these files.")] = False,
@@ -48,7 +51,7 @@ def follow(
     sheet = chosen_sheet(robot, settings, roots=root, trust_paths=trust_paths, fix_inertia=fix_inertia)
     with working("preparing") as tell:
         found = found_of(
-            sheet, path, profile=profile, tolerance=tolerance, out=out, figure=figure, overwrite=overwrite,
+            sheet, path, profile=profile, tolerance=tolerance, sag=sag, out=out, figure=figure, overwrite=overwrite,
             progress=tell,
         )  # fmt: skip
     print_result(found, as_json)

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
+
+import numpy as np
 
 from tmodes.errors import InputError, InputErrors
 from tmodes.interface.files import write_files
@@ -43,6 +45,7 @@ def follow(
     *,
     profile: Group = PROFILE,
     tolerance: float = 1e-7,
+    sag: bool = False,
     out: str | os.PathLike[str] | None = None,
     figure: str | os.PathLike[str] | None = None,
     overwrite: bool = False,
@@ -55,8 +58,10 @@ def follow(
     with ``rpy`` the tip turns to there on the shortest way. ``profile``: how the way is gone, a signal without start
     and end, which become 0 and the length, such as ``{"type": "s_curve", "speed": 0.5, "acceleration": 2.0,
     "jerk": 40.0}`` [m/s, ...]. It starts where the first commands put the rigid robot, whose inverse kinematics gives
-    the joints; ``tolerance`` [m, rad] of its tip between the rows of the references. ``out``: a file for the sheet;
-    ``figure``: one for the references.
+    the joints; ``tolerance`` [m, rad] of its tip between the rows of the references. ``sag``: the motors go where the
+    tip of the robot as it bends is on the path at rest, under weight and loads (quasi-static compensation); runs of the
+    nominal robot, motors exactly on both references, say what that is worth (``checks``). ``out``: a file for the
+    sheet; ``figure``: one for the references.
 
     Raises :class:`tmodes.errors.InputError` for a path that the rigid robot does not reach, or that passes a singular
     pose, and :class:`tmodes.errors.ResultFileError` where a file cannot be written. Source: B. Siciliano, L. Sciavicco,
@@ -78,13 +83,44 @@ def follow(
     law = {key: value for key, value in _group("--profile", profile).items() if key not in ("start", "end")}
     found = followed(robot, paths, lambda length: _member(Signal, {**law, "start": 0.0, "end": length}, "profile"),
                      tolerance, progress)  # fmt: skip
+    rigid = found
+    if sag:
+        from tmodes.analysis.sagging import sagged
+
+        progress("sag", 0.0)
+        found = sagged(robot, rigid)
     signals = iter(found.signals())
     drives = [k for k, drive in enumerate(robot.drives) if drive.joint in found.joints and drive.command.is_motion]
     order = {robot.drives[k].joint: k for k in drives}
     changes = {f"drives.{order[joint]}.signal": next(signals) for joint in found.joints}
     made = Following(robot, robot.with_(changes), found, tuple(str(one.type) for one in paths))
+    if sag:
+        progress("check", 0.0)
+        made = replace(
+            made, checks={name: _checked(robot, one, rigid) for name, one in (("rigid", rigid), ("sag", found))}
+        )
     write_files(out, made, figure, overwrite=overwrite)
     return made
+
+
+def _checked(robot: Robot, found: Followed, path: Followed) -> float:
+    """Largest distance of the nominal robot's tip from the path [m], its motors exactly on the references."""
+    from tmodes.analysis.sagging import rigid_tips
+    from tmodes.kinds.signals.registry import Signal
+    from tmodes.result.run import run
+    from tmodes.sheet.parts import Command, DriveSheet
+
+    other = tuple(drive for drive in robot.drives if drive.joint not in found.joints)
+    moved = tuple(DriveSheet(joint=joint, command=Command.PRESCRIBED, signal=Signal.of(signal))
+                  for joint, signal in zip(found.joints, found.signals(), strict=True))  # fmt: skip
+    end = float(found.times[-1])
+    settings = {"duration": end, "output_step": end / _SAMPLES, "error_estimate": False, "model_error": False}
+    update = {"drives": (*other, *moved), "real": {}, "control": (), "sensors": (), "task": None,
+              "integration": robot.integration.model_copy(update=settings)}  # fmt: skip
+    data = run(robot.model_copy(update=update)).data
+    pieces = [Signal.of(signal).schedule(end) for signal in path.signals()]
+    wanted = rigid_tips(robot, path, np.stack([one.at(data["time"].values) for one in pieces], axis=1))
+    return float(np.linalg.norm(data["tip"].values - wanted, axis=1).max())
 
 
 def _group(which: str, given: Any) -> dict[str, Any]:
@@ -124,12 +160,17 @@ def _wrong(error: Any, which: str) -> Iterator[InputError]:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Following(CommandResult):
-    """The ``robot`` whose drives follow a path; ``found``: the rows of their references."""
+    """The ``robot`` whose drives follow a path; ``found``: the rows of their references.
+
+    ``checks`` [m]: largest distance of the tip of the nominal robot from the path, its motors exactly on the references
+    of the ``rigid`` robot, and on those with the ``sag``; empty where that was not asked for.
+    """
 
     given: Robot = field(repr=False)
     robot: Any = field(repr=False)
     found: Followed
     kinds: tuple[str, ...]
+    checks: Mapping[str, float] = field(default_factory=dict)
 
     @property
     def length(self) -> float:
@@ -169,21 +210,18 @@ class Following(CommandResult):
             "joints": {name: {"start": float(found.values[0, k]), "end": float(found.values[-1, k]),
                               "speed": float(self._largest[0][k]), "acceleration": float(self._largest[1][k])}
                        for k, name in enumerate(found.joints)},
-            "warnings": self.warnings,
+            "tip_error_m": dict(self.checks), "warnings": self.warnings,
         }  # fmt: skip
 
     @property
     def _largest(self) -> tuple[Any, Any]:
         """Largest speed and acceleration of each joint (joints,)."""
-        import numpy as np
-
         data = self.data
         return tuple(np.abs(data[name].values).max(axis=0) for name in ("velocity", "acceleration"))  # type: ignore[return-value]
 
     @property
     def data(self) -> Dataset:
         """``position``, ``velocity``, ``acceleration`` (time, joint) [rad, m, s] at even times."""
-        import numpy as np
         from xarray import Dataset
 
         times, drives = np.linspace(0.0, self.duration, _SAMPLES), {drive.joint: drive for drive in self.robot.drives}
@@ -211,6 +249,9 @@ class Following(CommandResult):
         turned = f" and {found.turned:.2g} rad" if found.error and found.turned else ""
         yield (f"{self.given.name}: {', '.join(self.kinds)} of {self.length:.4g} in {self.duration:.4g} s, "
                f"{len(found.times)} rows; as a rigid robot {off}{turned}")  # fmt: skip
+        if self.checks:
+            plain, own = (f"{self.checks[name]:.3g} m" for name in ("rigid", "sag"))
+            yield f"tip of the robot as it bends, motors exactly on these: up to {own} off, {plain} without the sag"
         rows = [
             [
                 name,
