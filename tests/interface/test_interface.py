@@ -60,14 +60,13 @@ RESULTS = {
 
 
 def test_points_that_belong_to_no_course_are_not_joined() -> None:
-    """Modes and poles are points, each thing that motors may do with a look of its own."""
-    for found in (FLEXIBLE.modes(), LINK.linearize()):
-        drawn = [line for line in found.plot()[0].get_lines() if line.get_marker() != "None"]
-        assert {line.get_linestyle() for line in drawn} == {"None"}
-        assert len({(line.get_color(), line.get_marker()) for line in drawn}) == len(drawn)
-        sizes = [line.get_markersize() for line in drawn]  # points at one place are rings around each other
-        assert sizes == sorted({*sizes}, reverse=True)
-        assert [line.get_fillstyle() for line in drawn[:-1]] == ["none"] * (len(drawn) - 1)
+    """Modes are points, each thing that motors may do with a look of its own."""
+    drawn = [line for line in FLEXIBLE.modes().plot()[0].get_lines() if line.get_marker() != "None"]
+    assert {line.get_linestyle() for line in drawn} == {"None"}
+    assert len({(line.get_color(), line.get_marker()) for line in drawn}) == len(drawn)
+    sizes = [line.get_markersize() for line in drawn]  # points at one place are rings around each other
+    assert sizes == sorted({*sizes}, reverse=True)
+    assert [line.get_fillstyle() for line in drawn[:-1]] == ["none"] * (len(drawn) - 1)
 
 
 def test_the_axis_of_what_is_varied_has_its_unit() -> None:

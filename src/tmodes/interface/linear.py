@@ -67,7 +67,7 @@ def linearize(
     >>> linear = tmodes.load("spong1987").linearize(inputs="joint.torque", outputs="joint.position")
     >>> linear.mass.shape, linear.A.shape, linear.B.shape
     ((2, 2), (4, 4), (4, 1))
-    >>> abs(linear.poles[0]).round(3)
+    >>> round(float(abs(linear.poles[0])), 3)
     2.738
     """
     from tmodes.analysis.statics.at_rest import robot_rest
