@@ -208,7 +208,7 @@ def test_margins_of_a_double_integrator_with_lead() -> None:
     from tmodes.interface.linear import _margins
 
     found = _margins(lambda f: 2 * (2j * np.pi * np.atleast_1d(f) + 1) / (2j * np.pi * np.atleast_1d(f)) ** 2,
-                     np.geomspace(1e-3, 1e3, 400))  # fmt: skip
+                     np.geomspace(1e-3, 1e3, 400), True)  # fmt: skip
     crossing = np.sqrt(2 + np.sqrt(8))
     assert 2 * np.pi * found.phase_frequency == pytest.approx(crossing, rel=1e-8)
     assert found.phase == pytest.approx(np.arctan(crossing), rel=1e-8)

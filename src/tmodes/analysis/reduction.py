@@ -12,6 +12,9 @@ __all__ = ["balanced", "hankel_values", "modal"]
 Array = NDArray[np.float64]
 System = tuple[Array, Array, Array, Array]
 
+_SAME = 1e-6
+"""Sizes of poles that are the same: those of a Schur form differ from the eigenvalues in the last digits."""
+
 
 def _gramians(A: Array, B: Array, C: Array, period: float | None) -> tuple[Array, Array]:
     from scipy.linalg import solve_continuous_lyapunov, solve_discrete_lyapunov
@@ -54,7 +57,7 @@ def modal(A: Array, B: Array, C: Array, D: Array, order: int, period: float | No
 
     poles = np.linalg.eigvals(A)
     sizes = -np.log(np.maximum(np.abs(poles), 1e-300)) if period else np.abs(poles)
-    limit = np.sort(sizes)[order - 1] * (1 + 1e-9) + 1e-12
+    limit = np.sort(sizes)[order - 1] * (1 + _SAME) + 1e-12
 
     def slow(real: float, imaginary: float) -> bool:
         size = -np.log(max(np.hypot(real, imaginary), 1e-300)) if period else np.hypot(real, imaginary)

@@ -56,9 +56,10 @@ def linearize(
     ``.effort``) and loads on points (``tip.force.z``, ``tip.moment.x``); ``outputs``: any names of ``tmodes outputs``,
     and sensors. Without names: all drives, and the angles of their joints.
 
-    Open loop, or under the controllers of the sheet about the start of its run (``closed``), with ``JOINT.setpoint`` as
-    inputs. With a ``period`` [s] sampled, with a zero-order hold and a ``delay`` [s] of any length; sampled controllers
-    sample by themselves. Where drives or the base turn at constant speed M, D, K are about that motion, and A, B, C, D
+    Open loop, or under the controllers of the sheet about the start of its run (``closed``), with ``JOINT.setpoint``
+    and, apart, ``JOINT.setpoint_rate`` as inputs: a law that uses the rate needs both for smooth motions. With a
+    ``period`` [s] sampled, with a zero-order hold and a ``delay`` [s] of any length; sampled controllers sample by
+    themselves. Where drives or the base turn at constant speed M, D, K are about that motion, and A, B, C, D
     about rest. Dry friction that sticks is left out. The derivatives are exact, of the compiled equations.
 
     Errors: :class:`tmodes.errors.InputError` for an unknown name, :class:`tmodes.errors.SimulationError` where it finds
@@ -90,7 +91,10 @@ def linearize(
         else:
             pose = dict(rest.named) if held is None else held
             found = open_loop(robot, *own, held=_drives(robot, pose), contact=contact, progress=progress)
-        return delayed(found, period, delay) if period is not None and found.period is None else found
+        if period is not None and found.period is not None:
+            got, expected = f"{period:g} s", f"left out: the controllers sample by themselves, every {found.period:g} s"
+            raise InputError("period", got, expected, "remove it; delays stand in the sheet")
+        return found if period is None else delayed(found, period, delay)
 
     where = circumstances(robot, contact=contact, at=pose_words(at))
     matrices = rest.matrices
@@ -126,6 +130,7 @@ def _all_outputs(robot: Robot) -> tuple[str, ...]:
 class Margins(NamedTuple):
     """Of a loop that is closed by negative feedback: factors on the gain, phase [rad], delay [s], and disk margin.
 
+    ``stable``: whether the closed loop is so at all; of one that is not the others say how far it is from becoming so.
     ``gain`` and ``phase`` with their frequencies [Hz]; ``disk``: distance of the loop from -1 as a symmetric disk
     margin (P. Seiler, A. Packard, P. Gahinet, An introduction to disk margins, IEEE Control Systems 40, 2020).
     """
@@ -136,6 +141,7 @@ class Margins(NamedTuple):
     phase_frequency: float
     delay: float
     disk: float
+    stable: bool
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -148,6 +154,8 @@ class LinearModel(Linearization):
 
     made: Callable[[], StateSpace] = field(repr=False)
     closed: bool = False
+    error: float | None = None
+    """Of one with fewer states: bound of the difference of the responses, None where none is known."""
 
     @cached_property
     def system(self) -> StateSpace:
@@ -290,15 +298,18 @@ class LinearModel(Linearization):
         if part[1].shape[1] != 1 or len(part[2]) != 1:
             got = f"{part[1].shape[1]} inputs and {len(part[2])} outputs"
             raise InputError("margins", got, "one of each", "name an input and an output")
-        return _margins(lambda f: _response(*part, self._points(np.atleast_1d(f)))[:, 0, 0], self.frequencies())
+        A, B, C, D = part
+        poles = np.linalg.eigvals(A - B @ C / (1 + D[0, 0]))
+        stable = bool((np.abs(poles) < 1).all() if self.period else (poles.real < 0).all())
+        return _margins(lambda f: _response(*part, self._points(np.atleast_1d(f)))[:, 0, 0], self.frequencies(), stable)
 
     def reduce(self, order: int, method: str = "balanced") -> LinearModel:
         """A model with ``order`` states; ``method``: ``balanced`` truncation, or ``modal`` (the slowest poles).
 
-        ``error`` of its system bounds the difference of the responses: twice the sum of the Hankel singular values that
-        are left out (K. Glover, Int. J. Control 39, 1984). Balanced truncation needs a stable model in continuous time.
+        ``error`` of a balanced one bounds the difference of the responses: twice the sum of the Hankel singular values
+        that are left out (K. Glover, Int. J. Control 39, 1984). Balanced truncation needs a stable model.
         """
-        from tmodes.analysis.reduction import balanced, modal
+        from tmodes.analysis.reduction import balanced, hankel_values, modal
 
         if method not in {"balanced", "modal"} or not 0 < order <= len(self.A):
             got, expected = f"{order} by `{method}`", f"1 to {len(self.A)} states, by `balanced` or `modal`"
@@ -308,7 +319,8 @@ class LinearModel(Linearization):
         names = tuple(f"{method}{k + 1}" for k in range(len(A)))
         zero = np.zeros(len(A))
         system = replace(self.system, states=names, A=A, B=B, C=C, D=D, x0=zero, rate=zero)
-        return replace(self, made=lambda: system)
+        left = hankel_values(self.A, self.B, self.C, self.period)[order:] if how is balanced else None
+        return replace(self, made=lambda: system, error=None if left is None else 2 * float(left.sum()))
 
     def to_control(self) -> Any:
         """The same as a ``StateSpace`` of python-control (``pip install control``)."""
@@ -412,7 +424,9 @@ def _response(A: Array, B: Array, C: Array, D: Array, points: Complex) -> Comple
     return np.stack([C @ np.linalg.solve(p * eye - A, B) + D for p in points])
 
 
-def _margins(loop: Callable[[Any], Complex], grid: Array) -> Margins:
+def _margins(loop: Callable[[Any], Complex], grid: Array, stable: bool) -> Margins:
+    from scipy.optimize import minimize_scalar
+
     fine = np.unique(np.concatenate([np.linspace(a, b, 9) for a, b in pairwise(grid)]))
     values = loop(fine)
     real = _crossings(lambda f: loop(f).imag, fine, values.imag)
@@ -422,10 +436,17 @@ def _margins(loop: Callable[[Any], Complex], grid: Array) -> Margins:
     gain = min(gains, key=lambda one: abs(np.log(one[0])), default=(np.inf, np.nan))
     phase = min(phases, key=lambda one: abs(one[0]), default=(np.inf, np.nan))
     delays = [(angle % (2 * np.pi)) / (2 * np.pi * f) for angle, f in phases if f]
+
     # Largest alpha of the disk of gains and phases (skew 0): 1/|S - 1/2| at its least, with S = 1/(1 + L).
-    disk = float((1 / np.abs(1 / (1 + values) - 0.5)).min(initial=np.inf))
+    def far(log: float) -> float:
+        return float(1 / np.abs(1 / (1 + loop(np.exp(log))[0]) - 0.5))
+
+    least = int(np.argmin(1 / np.abs(1 / (1 + values) - 0.5)))
+    around = np.log(fine[[max(least - 1, 0), min(least + 1, len(fine) - 1)]])
+    found: Any = minimize_scalar(far, bounds=tuple(around), method="bounded")
+    disk = min(far(np.log(fine[least])), float(found.fun))
     sizes = [float(one) for one in (*gain, *phase, min(delays, default=np.inf), disk)]
-    return Margins._make(sizes)
+    return Margins._make([*sizes, stable])
 
 
 def _crossings(of: Callable[[Any], Any], grid: Array, values: Array) -> list[float]:

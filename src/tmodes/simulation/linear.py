@@ -277,14 +277,14 @@ def _columns(
 ) -> list[tuple[str, int]]:
     """Each input with its place in the row; raises :class:`tmodes.errors.InputError` for an unknown one."""
     width, known = plan.plan.degree + 1, dict(_known(robot, plan, closed=closed))
-    known |= {name: plan.plan.loads[place].signal for name, place in loads.items()}
+    known |= {name: 1 + plan.plan.loads[place].signal * width for name, place in loads.items()}
     found = []
     for name in inputs:
         if name not in known:
             points = ", ".join(f"{point}.force.x" for point in ("tip", *(one.name for one in robot.points[:2])))
             hint = "add --closed for setpoints" if name.endswith(".setpoint") and not closed else "take one of these"
             raise InputError("inputs", f"the unknown input `{name}`", f"one of {', '.join(known)}, {points}", hint)
-        found.append((name, 1 + known[name] * width))
+        found.append((name, known[name]))
     return found
 
 
@@ -292,7 +292,10 @@ def _known(robot: Robot, plan: Planned, *, closed: bool) -> Iterator[tuple[str, 
     commands = {drive.joint: drive.command for drive in robot.drives}
     for drive in plan.plan.drives:
         if drive.servo and closed == drive.servo.is_controlled and drive.joint in commands:
-            yield f"{drive.joint}.{'setpoint' if closed else commands[drive.joint]}", drive.signal
+            place = 1 + drive.signal * (plan.plan.degree + 1)
+            yield f"{drive.joint}.{'setpoint' if closed else commands[drive.joint]}", place
+            if closed and plan.plan.degree:  # the second number of a piece is its rate
+                yield f"{drive.joint}.setpoint_rate", place + 1
 
 
 def _refuse_noted(*values: object) -> None:
