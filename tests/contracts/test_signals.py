@@ -44,6 +44,7 @@ EXAMPLES = {
     },
     "septic": MOVE | {"delay": 0.2},
     "sine_squared": MOVE,
+    "polynomial": MOVE | {"smooth": 3, "delay": 0.1},
     "s_curve": {"start": 0.1, "end": 0.4, "speed": 1.0, "acceleration": 5.0, "jerk": 60.0},
     "shaped": {"signal": {"type": "quintic", **MOVE}, "shaper": {"type": "zv", "frequencies": [7.0], "damping": [0.1]}},
     "sine": {"amplitude": 0.2, "frequency": 2.0},

@@ -198,7 +198,7 @@ def _run(setup: RunSetup) -> dict[str, Any]:
         "start": first_state(setup.robot, setup.planned, setup.model, setup.rest),
         "info": [names.index(name) for name in info.coordinates],
         "exact": [[one.coordinate, one.plan.signal] for one in drivers if one.plan.servo is None],
-        "commanded": [[one.coordinate, one.plan.signal] for one in drivers if one.plan.joint in motion],
+        "commanded": [[one.coordinate, one.plan.wanted] for one in drivers if one.plan.joint in motion],
         "driven": [one.coordinate for one in drivers],
         "signals": len(setup.planned.each),
         "balance": _balance(setup),

@@ -39,7 +39,12 @@ def held_at(robot: Robot, end: float, place: dict[str, float]) -> Robot:
     def still(signal: Any) -> Any:
         return signal and constant_signal(float(signal.schedule(max(end, robot.integration.duration)).at(end)))
 
-    drives = [one.model_copy(update={"signal": still(one.signal), "noise": None}) for one in robot.drives]
+    drives = [
+        one.model_copy(
+            update={"signal": still(one.signal), "feed_forward": still(one.feed_forward), "noise": None, "motion": None}
+        )
+        for one in robot.drives
+    ]
     loads = [one.model_copy(update={"signal": still(one.signal)}) for one in robot.loads]
     initial = robot.initial.model_copy(update={"coordinates": place})
     return robot.model_copy(update={"drives": tuple(drives), "loads": tuple(loads), "initial": initial})

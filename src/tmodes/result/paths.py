@@ -63,7 +63,7 @@ def _setpoints(run: RunData) -> dict[int, int]:
     """The signal of each coordinate that a drive keeps, or moves, where it should be."""
     motion = {drive.joint for drive in run.robot.drives if drive.command.is_motion}
     return {
-        driver.coordinate: driver.plan.signal
+        driver.coordinate: driver.plan.wanted
         for driver in run.setup.model.loop.drivers
         if driver.plan.servo is None or driver.plan.joint in motion
     } if motion else {}  # fmt: skip

@@ -163,6 +163,8 @@ _PLACES: dict[str, Registry[Any]] = {
     "drives.*.signal.type": SIGNALS,
     "drives.*.signal.signals.*.type": SIGNALS,
     "drives.*.noise.type": SIGNALS,
+    "drives.*.motion.type": SIGNALS,
+    "drives.*.feed_forward.type": SIGNALS,
     "loads.*.signal.type": SIGNALS,
     "base_motion.*.type": SIGNALS,
     "contact.law": CONTACTS,

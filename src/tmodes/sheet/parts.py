@@ -218,6 +218,12 @@ class DriveSheet(DataSheet):
     noise: Signal | None = Field(
         default=None, description="error on the wanted position as the controller sees it; of a sensor with other sign"
     )
+    motion: Signal | None = Field(
+        default=None, description="what the joint shall do, where the setpoint leads it; errors are counted from here"
+    )
+    feed_forward: Signal | None = Field(
+        default=None, description="effort of the motor on top of what the controller commands, joint side [N*m, N]"
+    )
     saturation: Saturation | None = Field(default=None, description="what the drive can give; none: without limits")
     sample_time: float | None = _sample_time()
     delay: float = _delay()
@@ -230,9 +236,11 @@ class DriveSheet(DataSheet):
 
     def _issues(self) -> Iterator[Issue]:
         yield from _lateness(self, self.controller)
-        for name in ("controller", "noise"):
-            if not self.command.is_controlled and getattr(self, name) is not None:
-                got = f"a {name} with the command `{self.command}`"
+        command = self.command
+        for name in ("controller", "noise", "motion", "feed_forward"):
+            taken = command.is_motion if name == "motion" else command.is_controlled
+            if not taken and getattr(self, name) is not None:
+                got = f"{name} with the command `{command}`"
                 yield Issue(name, got, "left out", "remove it, or take the command `position`")
         if self.controller is None and self.sample_time is not None:
             hint = "give them to the block in `control` that commands this drive"

@@ -206,9 +206,13 @@ def _drive(
     command = sheet.command
     exact = command is Command.PRESCRIBED or (follow is Follow.WANTED and command.is_motion)
     signal = signals.add(sheet.signal, f"drives.{index}.signal")
+    motion = signals.add(sheet.motion, f"drives.{index}.motion") if sheet.motion and command.is_motion else -1
     if exact:
-        return DrivePlan(axis.name, signal, None, winding, numbers)
-    noise = signals.add(sheet.disturbance, f"drives.{index}.noise") if sheet.disturbance else -1
+        return DrivePlan(axis.name, signal, None, winding, numbers, motion=motion)
+    noise, feed = (
+        signals.add(one, f"drives.{index}.{name}") if one and command.is_controlled else -1
+        for name, one in (("noise", sheet.disturbance), ("feed_forward", sheet.feed_forward))
+    )
     driven = winding is not Winding.NONE and (command.is_controlled or command is Command.VOLTAGE)
     sampling = Sampling.of(sheet.controller, sheet.sample_time, sheet.delay) if sheet.controller else Sampling()
     limits = {
@@ -221,11 +225,11 @@ def _drive(
     model = rigid_model(robot, driven_joints(robot)) if needs else None
     servo = Servo(
         sheet.controller, driven, winding, noisy=noise >= 0, timed=sampling.timed, delay=sampling.delay,
-        limits=tuple(limits), wired=bool(wire), model=model,
+        limits=tuple(limits), wired=bool(wire), fed=feed >= 0, model=model,
     )  # fmt: skip
     own = servo.numbers(numbers, tuple(limits.values()), sampling.period or 0.0)
     clocks = sampling.clocks(signals, robot.integration.output_step, f"drives.{index}.controller")
-    return DrivePlan(axis.name, signal, servo, winding, own, noise, *clocks, command=wire)
+    return DrivePlan(axis.name, signal, servo, winding, own, noise, *clocks, command=wire, motion=motion, feed=feed)
 
 
 def _reads(drive: DrivePlan) -> bool:

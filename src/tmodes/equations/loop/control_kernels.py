@@ -46,7 +46,7 @@ class Served:
     """What a servo is called with: its ``numbers``, setpoint, position, rate, current, length of the step.
 
     ``noise``, ``states``: None where it has none; ``seen``: the blocks of its view, ``reads``: the signals that its law
-    reads; ``command``: what another block commands.
+    reads; ``command``: what another block commands; ``feed``: the signal of the effort that is added.
     """
 
     numbers: Slot
@@ -60,6 +60,7 @@ class Served:
     seen: tuple[Slot, ...] = ()
     reads: Slot | None = None
     command: Slot | None = None
+    feed: Slot | None = None
 
 
 @dataclass(frozen=True)
@@ -68,7 +69,7 @@ class Servo:
 
     Without a winding, or where the effort itself is commanded, the command is the effort. ``noisy``, ``settles``,
     ``timed``, ``delay``, ``view``, ``model``: see :class:`tmodes.equations.loop.laws.Law`. ``limits``: which of
-    :data:`LIMITS` it has; ``wired``: its command is the output of a block.
+    :data:`LIMITS` it has; ``wired``: its command is the output of a block; ``fed``: an effort is added to it.
     """
 
     controller: Controller | None
@@ -80,6 +81,7 @@ class Servo:
     delay: Delay = field(default_factory=Delay)
     limits: tuple[str, ...] = ()
     wired: bool = False
+    fed: bool = False
     view: View | None = None
     model: RigidModel | None = None
 
@@ -151,7 +153,7 @@ class Servo:
         ``feedback``: fall of the effort per th and th', for implicit steps.
         """
         electric = given.numbers.part(0, WINDING + len(self.limits))
-        motion = given.signal, given.velocity, given.current, given.step
+        motion = given.signal, given.velocity, given.current, given.step, *([given.feed] if given.feed else [])
         if self.law is None:
             command = given.command or given.signal.part(0, 1)
             return call(self.actuator(sloped=False), electric, command, *motion)
@@ -179,14 +181,23 @@ class Servo:
         """
 
         def build(p: Any, command: Any, signal: Any, thd: Any, current: Any, step: Any, *more: Any) -> list[list[Any]]:
-            stiff, damp = (more[0][0], more[0][1]) if more else (0.0, 0.0)
+            stiff, damp = (more[-1][0], more[-1][1]) if sloped else (0.0, 0.0)
             limits = {name: p[WINDING + k] for k, name in enumerate(self.limits)}
-            cut = _Cut(command[0], (stiff, damp))
+            added: Any = self._added(p, signal, more[0]) if self.fed else 0.0
+            cut = _Cut(command[0] + added, (stiff, damp))
             return self._driven(p, cut, limits, (signal[0], thd[0], current[0], step[0]))
 
-        inputs = (WINDING + len(self.limits), 1, SIGNAL, 1, 1, 1, *((2,) if sloped else ()))
-        key = f"servo {self.driven} {self.winding} {' '.join(self.limits)}{' sloped' * sloped}"
+        more = (*((SIGNAL,) if self.fed else ()), *((2,) if sloped else ()))
+        inputs = (WINDING + len(self.limits), 1, SIGNAL, 1, 1, 1, *more)
+        key = f"servo {self.driven} {self.winding} {' '.join(self.limits)}{' sloped' * sloped}{' fed' * self.fed}"
         return Kernel(key, inputs, (1, 2, 1, OUTPUTS), build)
+
+    def _added(self, p: Any, signal: Any, feed: Any) -> Any:
+        """What is added to the command for an effort: itself, or the voltage that gives it at the setpoint's rate."""
+        if not self.driven:
+            return feed[0]
+        resistance, back, torque, inductance = (p[i] for i in range(WINDING))
+        return (resistance * feed[0] + inductance * feed[1]) / torque + back * signal[1]
 
     def _driven(self, p: Any, cut: _Cut, limits: dict[str, Any], at: tuple[Any, Any, Any, Any]) -> list[list[Any]]:
         """From the command and its slopes to the effort and what is known of the drive."""

@@ -43,6 +43,8 @@ class DrivePlan:
     ``numbers``: R, CE, CM, L, limits, then those of the controller; ``noise``: the signal of the error with which the
     controller sees its wanted value, -1 for none; ``clock``: the signal with the time since its last sample, ``late``:
     since its last delayed output. ``command``: the signal of a block that is its command; empty for its own.
+    ``motion``: the signal of what its joint shall do, -1 where that is its setpoint; ``feed``: of the effort that is
+    added to its command, -1 for none.
     """
 
     joint: str
@@ -54,6 +56,13 @@ class DrivePlan:
     clock: int = -1
     late: int = -1
     command: str = ""
+    motion: int = -1
+    feed: int = -1
+
+    @property
+    def wanted(self) -> int:
+        """The signal of what its joint shall do."""
+        return self.signal if self.motion < 0 else self.motion
 
     @property
     def has_current(self) -> bool:

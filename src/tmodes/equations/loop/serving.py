@@ -103,7 +103,7 @@ class Serving:
             (own or self.own_states(driver)) if servo.states else None,
             self._seen(servo.view, q, rates) if servo.view else (),
             self.pack(*(self.wire(name) for name in reads)) if reads else None,
-            self.wire(plan.command) if plan.command else None,
+            self.wire(plan.command) if plan.command else None, self.signals[plan.feed] if servo.fed else None,
         )  # fmt: skip
 
     def wire(self, name: str) -> Slot:

@@ -22,9 +22,10 @@ __all__ = [
 SIGNALS.bring(
     "tmodes.kinds.signals",
     {
-        "constant": "constant", "expression": "expression", "noise": "noise", "quintic": "quintic",
-        "s_curve": "s_curve", "septic": "septic", "shaped": "shaped", "sine": "sine", "sine_squared": "sine_squared",
-        "step": "step", "table": "table", "sum": "total", "trajectory": "trajectory", "trapezoid": "trapezoid",
+        "constant": "constant", "expression": "expression", "noise": "noise", "polynomial": "polynomial",
+        "quintic": "quintic", "s_curve": "s_curve", "septic": "septic", "shaped": "shaped", "sine": "sine",
+        "sine_squared": "sine_squared", "step": "step", "sum": "total", "table": "table",
+        "trajectory": "trajectory", "trapezoid": "trapezoid",
     },
 )  # fmt: skip
 

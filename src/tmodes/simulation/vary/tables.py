@@ -81,7 +81,7 @@ def setpoints(setup: RunSetup) -> dict[int, int] | None:
     """
     motion = {drive.joint for drive in setup.robot.drives if drive.command.is_motion}
     known = {
-        driver.coordinate: driver.plan.signal
+        driver.coordinate: driver.plan.wanted
         for driver in setup.model.loop.drivers
         if driver.plan.servo is None or driver.plan.joint in motion
     }
