@@ -170,6 +170,7 @@ def calls(folder: Path) -> dict[str, tuple[Callable[..., Any], dict[str, Any]]]:
         "Model.at_rest": (model.at_rest, {"gravity": 1.0}),
         "Model.forward_dynamics": (model.forward_dynamics, {**moves, "effort": 0.0, "given": 0.0, "wrenches": None, "step": 0.0}),
         "Model.inverse_dynamics": (model.inverse_dynamics, {**moves, "a": still, "wrenches": None}),
+        "Model.inverse_dynamics_derivatives": (model.inverse_dynamics_derivatives, {**moves, "a": still, "wrenches": None}),
         "Model.bias": (model.bias, moves),
         "Model.points": (model.points, {**moves, "a": still}),
         "Model.linearize": (model.linearize, {**moves, "a": still, "wrenches": None}),

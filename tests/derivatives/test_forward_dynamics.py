@@ -139,6 +139,25 @@ def test_linearisation_is_that_of_the_inverse_dynamics() -> None:
     assert mass == pytest.approx(model.mass_matrix(q), rel=1e-12, abs=1e-13 * np.abs(mass).max())
 
 
+@pytest.mark.parametrize("seed", SEEDS)
+def test_derivatives_of_the_inverse_dynamics_are_those_of_differences(seed: int) -> None:
+    model = model_of(seed)
+    states = [random_state(k, tuple(model.coordinates)) for k in range(3)]
+    state = {name: np.stack([one[k] for one in states]) for k, name in enumerate("qva")}
+    found = model.inverse_dynamics_derivatives(**state)
+    way = np.random.default_rng(seed).normal(size=state["q"].shape)
+    for name, part in found._asdict().items():
+
+        def forces(by: float, name: str = name) -> Array:
+            return model.inverse_dynamics(**state | {name: state[name] + by * way})
+
+        expected = richardson(forces)
+        off = np.einsum("nij,nj->ni", part, way) - expected
+        assert np.abs(off).max() <= 1e-7 * max(1.0, np.abs(expected).max()), name
+    one = model.inverse_dynamics_derivatives(*(state[name][1] for name in "qva"))
+    assert np.array_equal(one.v, found.v[1])
+
+
 def test_a_coordinate_without_mass_is_named() -> None:
     axis = np.array([0.0, 0.0, 1.0])
     joint = Joint("idle", joint_kind("revolute"), Placement(), axis, drive_kind("effort"), motor=Motor(0.0))

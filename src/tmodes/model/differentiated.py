@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from tmodes.model.acceleration_table import AccelerationDerivatives, AccelerationTable
     from tmodes.model.derivatives import Columns, Differentiated
 
-__all__ = ["DifferentiatedModel"]
+__all__ = ["DifferentiatedModel", "InverseDerivatives"]
 
 Array = NDArray[np.float64]
 
@@ -32,6 +32,14 @@ _STILL = np.zeros(1)
 _ALL = ("a", "q", "v")
 
 _INPUTS = ("q", "v", "effort", "given", "wrenches", "base", "parameters")
+
+
+class InverseDerivatives(NamedTuple):
+    """Derivatives (n, nq, nq) or (nq, nq) of the forces by accelerations, coordinates and rates [SI]."""
+
+    a: Array
+    q: Array
+    v: Array
 
 
 @dataclass(frozen=True, eq=False)
@@ -197,21 +205,54 @@ class DifferentiatedModel:
 
         return self._kept((name, loaded, by), make)
 
+    def inverse_dynamics_derivatives(
+        self,
+        q: ArrayLike,
+        v: ArrayLike,
+        a: ArrayLike,
+        *,
+        wrenches: ArrayLike | None = None,
+        base: ArrayLike | None = None,
+    ) -> InverseDerivatives:
+        """Exact derivatives of the forces of :meth:`tmodes.Model.inverse_dynamics` by ``a``, ``q`` and ``v`` [SI].
+
+        States (n, nq) or (nq,), ``wrenches`` (n, points, 6) do not change with them.
+
+        >>> model.inverse_dynamics_derivatives([0, 0], [0, 0], [0, 0]).q.round(9)
+        array([[ 100. , -100. ],
+               [-100. ,  109.8]])
+        """
+        rows, size = self._rows(q, v), self.passes.parts.size
+        still = np.broadcast_to(self._still, (rows.count, len(self._still)))
+        states = {"q": rows.q, "v": rows.v, "a": rows.of(a, size, "a")}
+        states["base"] = still if base is None else rows.of(base, still.shape[1], "base")
+        if wrenches is not None:
+            states["wrenches"] = rows.of(wrenches, 6 * len(self.passes.parts.points), "wrenches")
+        by = self._inverses(states, ("q", "v"), loaded=wrenches is not None)
+        parts = self.mass_matrix(rows.q), *by
+        return InverseDerivatives(*(part[0] for part in parts) if rows.single else parts)
+
     def _inverse(self, state: Blocks, by: tuple[str, ...], *, loaded: bool) -> list[Array]:
         """Derivatives of all forces on the left side by the inputs named, each (nq, nq), along one coordinate a row."""
-        passes, n = self.passes, self.passes.parts.size
-        found = np.zeros((len(by), n, n))
+        return [one[0] for one in self._inverses({name: row[None] for name, row in state.items()}, by, loaded=loaded)]
+
+    def _inverses(self, states: Blocks, by: tuple[str, ...], *, loaded: bool) -> list[Array]:
+        """The same of many states, each (states, nq, nq)."""
+        passes, n, states_ = self.passes, self.passes.parts.size, len(states["q"])
+        found = np.zeros((len(by), states_, n, n))
         for name in ("inertia", "elastic"):
             schedule = passes.schedule(name, loaded=loaded and name == "inertia")
             wanted = [label for label in by if label != "a" or name == "inertia"]
-            count = n * len(wanted)
-            blocks = {label: np.tile(state[label], (count, 1)) for label in schedule.inputs}
-            units = {label: np.zeros((count, n)) for label in wanted}
+            each = n * len(wanted)
+            blocks = {label: np.repeat(states[label], each, axis=0) for label in schedule.inputs}
+            units = {label: np.zeros((states_, each, n)) for label in wanted}
             for k, label in enumerate(wanted):
-                units[label][n * k : n * (k + 1)] = np.eye(n)
-            forces = derivatives(passes.parameters, schedule, blocks, units, count)["forces"]
+                units[label][:, n * k : n * (k + 1)] = np.eye(n)
+            flat = {label: unit.reshape(-1, n) for label, unit in units.items()}
+            forces = derivatives(passes.parameters, schedule, blocks, flat, states_ * each)["forces"]
+            forces = forces.reshape(states_, each, n)
             for k, label in enumerate(wanted):
-                found[by.index(label)] += forces[n * k : n * (k + 1)].T
+                found[by.index(label)] += forces[:, n * k : n * (k + 1)].transpose(0, 2, 1)
         if "a" in by:
             found[by.index("a")] += np.diag(passes.rotor_inertias)
         return [*found]
