@@ -226,13 +226,11 @@ def test_files_of_the_command(tmp_path: Path) -> None:
 def test_with_the_sag_the_bent_tip_is_on_the_path_at_rest() -> None:
     """Motors of three rows, put into the equilibrium of the robot; and runs are nearer by what bends."""
     path = {"type": "line", "to": [0.7, 0.0, 0.2]}
-    rigid, own = ARM.follow(path), ARM.follow(path, sag=True)
-    from tmodes.analysis.sagging import rigid_tips
-
-    wanted = rigid_tips(ARM, rigid.found, rigid.found.values)
-    for row in (0, len(wanted) // 2, -1):
-        motors = dict(zip((f"{one}.motor" for one in own.found.joints), own.found.values[row].tolist(), strict=True))
+    rigid, own = ARM.follow(path), ARM.follow(path, reference="sag")
+    for row in (0, len(rigid.found.times) // 2, -1):
+        motors = dict(zip((f"{one}.motor" for one in own.found.joints), own.motors.positions.values[row].tolist(),
+                          strict=True))  # fmt: skip
         held = ARM.static(hold=motors).data["position"].sel(point="tip").values
-        assert held == pytest.approx(wanted[row], abs=1e-9)
-    assert own.checks["sag"] < own.checks["rigid"] / 3
+        assert held == pytest.approx(tip(ARM, rigid.found.values[[row]])[0][0], abs=1e-9)
+    assert own.checks["this"] < own.checks["rigid"] / 3
     assert not rigid.checks

@@ -19,6 +19,7 @@ from tmodes.analysis.statics.at_rest import first_commands
 from tmodes.errors import InputError
 from tmodes.frame import rotation_vector
 from tmodes.kinds.paths.registry import Course, Path, Place
+from tmodes.kinds.signals.schedule import SignalPieces
 from tmodes.model.model import Model
 from tmodes.sheet import Robot
 
@@ -51,6 +52,25 @@ class Leg(NamedTuple):
     signal: Any
     place: Place
 
+    @property
+    def end(self) -> float:
+        """When its way is at its end, from its beginning [s]; not a number for none."""
+        end = self.signal.move_ends()
+        return float("nan") if end is None else float(end)
+
+    @property
+    def pieces(self) -> SignalPieces:
+        """Its way over time from its beginning."""
+        found: SignalPieces = self.signal.schedule(self.end)
+        return found
+
+    def target(self, way: float) -> tuple[Array, Array | None]:
+        """Place (3,) and turn (3, 3) of the tip there."""
+        course = self.course
+        if course.turn is None:
+            return course.at(way).value, None
+        return course.at(way).value, _turned(course.turn * (way / course.length)) @ self.place.rotation
+
 
 @dataclass(frozen=True, eq=False)
 class Followed:
@@ -68,6 +88,18 @@ class Followed:
     error: float
     turned: float
     legs: tuple[Leg, ...]
+
+    def exact(self, times: Array) -> Iterator[tuple[Array | None, Array | None, Array | None]]:
+        """Of each time [s] the tip's place (3,), its turn (3, 3), and the joints (n,); None: left open by the path."""
+        begins, pieces = np.array([leg.begin for leg in self.legs]), [leg.pieces for leg in self.legs]
+        for time in np.clip(times, 0.0, self.times[-1]).tolist():
+            k = max(int(np.searchsorted(begins, time, "right")) - 1, 0)
+            leg = self.legs[k]
+            way = float(np.clip(pieces[k].at(time - leg.begin), 0.0, leg.course.length))
+            if leg.course.of_joints:
+                yield None, None, leg.course.at(way).value
+            else:
+                yield *leg.target(way), None
 
     def signals(self) -> list[dict[str, Any]]:
         """The references as signals, in the order of the joints, as plain data."""
@@ -173,10 +205,9 @@ class _Following:
 
     def __init__(self, arm: _Arm, leg: Leg, which: str) -> None:
         self.arm, self.leg, self.which = arm, leg, which
-        end = leg.signal.move_ends()
-        if end is None or not end > 0:
+        if not leg.end > 0:
             raise InputError("profile", "a motion without an end", "a move with an end", "take s_curve, or quintic")
-        self.pieces, self.end = leg.signal.schedule(end), float(end)
+        self.pieces, self.end = leg.pieces, leg.end
         self.counts = 6 if leg.course.turn is not None else 3
 
     def rows(self, tolerance: float) -> tuple[list[tuple[float, Array, Array, Array]], tuple[float, float]]:
@@ -223,12 +254,6 @@ class _Following:
             found: Any = brentq(lambda time: float(self.pieces.at(time)) - way, times[k], times[k + 1], xtol=1e-15)
             yield float(found)
 
-    def _target(self, way: float) -> tuple[Array, Array | None]:
-        course, start = self.leg.course, self.leg.place
-        if course.turn is None:
-            return course.at(way).value, None
-        return course.at(way).value, _turned(course.turn * (way / course.length)) @ start.rotation
-
     def _row(self, time: float, guess: Array, *, late: bool) -> tuple[Array, Array, Array]:
         """Values, rates and accelerations at a time; at a knot those ``late`` of it, or before it."""
         at = time if late else np.nextafter(time, 0.0)
@@ -261,7 +286,7 @@ class _Following:
 
     def _reached(self, way: float, guess: Array) -> Array:
         """The joints whose tip is there, by Newton's method from a guess."""
-        wanted, turned = self._target(way)
+        wanted, turned = self.leg.target(way)
         joints, left = guess, np.inf
         for _ in range(_ROUNDS):
             off = _off(self.arm.pose(joints), wanted, turned)
@@ -298,7 +323,7 @@ class _Following:
         positions, rotations = self.arm.pose(joints)
         found = np.zeros(2)
         for way, position, rotation in zip(ways.tolist(), positions, rotations, strict=True):
-            off = _off((position[None], rotation[None]), *self._target(way))
+            off = _off((position[None], rotation[None]), *self.leg.target(way))
             found = np.maximum(found, [np.linalg.norm(off[:3]), np.linalg.norm(off[3:])])
         return found
 

@@ -1,51 +1,182 @@
-"""References that hold the tip on its path where the robot bends: quasi-static compensation along a motion.
+"""The tip of the robot as it bends on the path of the rigid one: the equations, and their solution at rest.
 
-At each row of the references of the rigid robot the tip is where that robot's would be, at rest under weight and loads;
-the motors follow from it (inverse kinematics of the robot as it bends). What accelerations bend is left out.
+The unknowns are all coordinates q. Along those without a motor the equations of motion hold, along the others the tip
+is where that of the rigid robot would be, as far as its joints move it:
+
+    [M(q) q'' + h(q, q') + springs]_passive = 0,    J_rigid^T (x(q) - x_path(t)) = 0
+
+At rest that is the quasi-static compensation of what weight and loads bend; what accelerations bend is left out.
 """
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.analysis.follow import Followed
-from tmodes.analysis.statics.inverse import Target, tip_problem
+from tmodes.analysis.statics.equilibrium import driven
+from tmodes.analysis.statics.inverse import tip_problem
 from tmodes.errors import InputError
+from tmodes.kinds.signals.registry import Signal
 from tmodes.model.model import Model
 from tmodes.sheet import Robot
 
-__all__ = ["rigid_tips", "sagged"]
+__all__ = ["Task", "Wanted", "sagged"]
 
 Array = NDArray[np.float64]
 
 _DEGREE = 5
 """Of the spline through what is added to the references."""
 
-_MOVED = 1e-9
+_STEPS, _HALVINGS, _SETTLED = 60, 12, 1e-12
+"""Newton's method: steps, halvings of one, change over the largest coordinate after which it ends."""
 
-_WHOLE = 6
-"""Joints from which on the tip keeps its attitude, too."""
-
-
-def _rigid(robot: Robot, model: Model, found: Followed, values: Array) -> Array:
-    """Poses (n, nq) of the undeformed robot, its motors where its joints are."""
-    names, q = list(model.coordinates), np.zeros((len(values), model.nq))
-    for name, value in robot.initial.coordinates.items():
-        q[:, names.index(name)] = value
-    for joint, column in zip(found.joints, values.T, strict=True):
-        for name in (joint, f"{joint}.motor"):
-            if name in names:
-                q[:, names.index(name)] = column
-    return q
+_SINGULAR = 1e-9
 
 
-def rigid_tips(robot: Robot, found: Followed, values: Array) -> Array:
-    """Places (n, 3) [m] of the tip of the undeformed robot for ``values`` (n, joints) of its joints."""
-    model = Model(robot.chain())
-    return model.pose(_rigid(robot, model, found, values))[0][:, 0]
+def _motors(model: Model, joints: Sequence[str]) -> list[int]:
+    """Indices of what moves each joint: its motor, or itself behind a rigid gear."""
+    names = list(model.coordinates)
+    return [names.index(name if (name := f"{joint}.motor") in names else joint) for joint in joints]
+
+
+class Wanted(NamedTuple):
+    """Of the rigid robot at n instants: poses ``q`` (n, nq), places (n, 3) [m] and turns (n, 3, 3) of its tip.
+
+    ``ways``: how the joints move the tip (n, 6, joints).
+    """
+
+    q: Array
+    places: Array
+    turns: Array
+    ways: Array
+
+
+class Task:
+    """The equations of a robot that bends and whose tip follows that of the rigid one along ``found``.
+
+    ``rows``: 3 for the tip's place, 6 with its attitude; ``motors``: coordinates that move its joints, ``still``: other
+    driven ones, which stay, ``passive``: all others.
+    """
+
+    def __init__(self, robot: Robot, found: Followed) -> None:
+        self.joints, self.robot, self.found = found.joints, robot, found
+        self.duration = float(found.times[-1])
+        self.pieces = [Signal.of(signal).schedule(self.duration) for signal in found.signals()]
+        self.problem, _ = tip_problem(robot)
+        self.model = self.problem.system.model
+        self.motors = _motors(self.model, self.joints)
+        self.still = np.array([k for k in driven(self.model) if k not in self.motors], dtype=int)
+        self.passive = np.setdiff1d(np.arange(self.model.nq), [*self.motors, *self.still])
+        sizes = np.linalg.svd(self.targets(found.values).ways[:, :3], compute_uv=False).min(axis=0)
+        count = len(self.joints)
+        self.rows = 3 if count <= len(sizes) and sizes[count - 1] > _SINGULAR * sizes[0] else 6
+
+    def targets(self, values: Array) -> Wanted:
+        """What is wanted with the rigid robot's joints at ``values`` (n, joints)."""
+        names, q = list(self.model.coordinates), np.zeros((len(values), self.model.nq))
+        for name, value in self.robot.initial.coordinates.items():
+            q[:, names.index(name)] = value
+        for joint, column in zip(self.joints, values.T, strict=True):
+            for name in (joint, f"{joint}.motor"):
+                if name in names:
+                    q[:, names.index(name)] = column
+        places, turns = (part[:, self.problem.point] for part in self.model.pose(q))
+        jacobian = self.model.jacobian(q)[:, self.problem.point]
+        return Wanted(q, places, turns, jacobian[:, :, [names.index(joint) for joint in self.joints]])
+
+    def along(self, times: Array) -> Wanted:
+        """The same at times [s] from the beginning of the path; place and turn are exactly those of the path."""
+        values = np.stack([one.at(np.clip(times, 0.0, self.duration)) for one in self.pieces], axis=1)
+        exact = [*self.found.exact(times)]
+        for row, (_, _, joints) in enumerate(exact):
+            values[row] = values[row] if joints is None else joints
+        found = self.targets(values)
+        for row, (place, turn, _) in enumerate(exact):
+            found.places[row] = found.places[row] if place is None else place
+            found.turns[row] = found.turns[row] if turn is None else turn
+        return found
+
+    def residual(self, q: Array, v: Array, a: Array, wanted: Wanted) -> Array:
+        """What shall vanish (n, nq)."""
+        found = np.zeros_like(q)
+        found[:, self.passive] = self.efforts(q, v, a)[:, self.passive]
+        found[:, self.motors] = self._off(q, wanted)[0]
+        found[:, self.still] = (q - wanted.q)[:, self.still]
+        return found
+
+    def slopes(self, q: Array, v: Array, a: Array, wanted: Wanted) -> tuple[Array, Array, Array]:
+        """Its derivatives (n, nq, nq) by coordinates, rates and accelerations."""
+        wrenches, added = self.problem.acting(q)
+        by = self.model.inverse_dynamics_derivatives(q, v, a, wrenches=wrenches)
+        found = np.zeros((3, *by.q.shape))
+        for row, part in zip(found, (by.q + added, by.v, by.a), strict=True):
+            row[:, self.passive] = part[:, self.passive]
+        found[0][:, self.motors] = self._off(q, wanted)[1]
+        found[0][:, self.still, self.still] = 1.0
+        return found[0], found[1], found[2]
+
+    def efforts(self, q: Array, v: Array, a: Array) -> Array:
+        """Generalized forces (n, nq) that the motion takes [N*m, N]."""
+        return self.model.inverse_dynamics(q, v, a, wrenches=self.problem.acting(q)[0])
+
+    def _off(self, q: Array, wanted: Wanted) -> tuple[Array, Array]:
+        """The tip off its path (n, joints), as the joints move it, and its slope (n, joints, nq)."""
+        from scipy.spatial.transform import Rotation
+
+        size = self.problem.size
+        positions, rotations = (part[:, self.problem.point] for part in self.model.pose(q))
+        jacobian = self.model.jacobian(q)[:, self.problem.point].copy()
+        turned = Rotation.from_matrix(rotations @ wanted.turns.transpose(0, 2, 1)).as_rotvec() * size
+        off, weights = np.concatenate([positions - wanted.places, turned], axis=1), wanted.ways.copy()
+        for one in (jacobian, weights):
+            one[:, 3:] *= size
+        rows = slice(0, self.rows)
+        across = weights[:, rows].transpose(0, 2, 1)
+        return np.einsum("njk,nk->nj", across, off[:, rows]), across @ jacobian[:, rows]
+
+    def at_rest(self, wanted: Wanted) -> Array:
+        """Coordinates (n, nq) of the robot at rest with its tip there.
+
+        Raises :class:`tmodes.errors.InputError` where Newton's method finds none.
+        """
+        q, open_ = wanted.q.copy(), np.arange(len(wanted.q))
+        for _ in range(_STEPS):
+            here, own = q[open_], Wanted(*(part[open_] for part in wanted))
+            still = np.zeros_like(here)
+            slopes = self.problem.stiffness(here, np.arange(q.shape[1]))
+            slopes[:, self.motors] = self._off(here, own)[1]
+            slopes[:, self.still] = np.eye(q.shape[1])[self.still]
+            scale = np.abs(slopes).max(axis=2)
+            scale[scale == 0] = 1.0
+            off = self.residual(here, still, still, own) / scale
+            try:
+                change = np.linalg.solve(slopes / scale[:, :, None], off[:, :, None])[:, :, 0]
+            except np.linalg.LinAlgError:
+                break
+            size, share = np.abs(change).max(axis=1), np.ones(len(here))
+            if not np.isfinite(size).all():
+                break
+            for _ in range(_HALVINGS):
+                tried = here - share[:, None] * change
+                after = self.residual(tried, still, still, own) / scale
+                worse = np.linalg.norm(after, axis=1) > np.linalg.norm(off, axis=1)
+                worse &= share * size > np.sqrt(_SETTLED)
+                if not worse.any():
+                    break
+                share[worse] /= 2
+            q[open_] = tried
+            open_ = open_[size > _SETTLED * (1.0 + np.abs(tried).max(axis=1))]
+            if not len(open_):
+                return q
+        at = wanted.places[open_[0]]
+        got = f"no pose at rest that holds the tip at {', '.join(f'{one:.4g}' for one in at)} m"
+        hint = "move the path away from singular poses, or take `--reference rigid`"
+        raise InputError("--reference", got, "a path that the robot as it bends reaches", hint)
 
 
 def sagged(robot: Robot, found: Followed) -> Followed:
@@ -53,23 +184,9 @@ def sagged(robot: Robot, found: Followed) -> Followed:
 
     Raises :class:`tmodes.errors.InputError` where the robot as it bends does not reach a row.
     """
-    problem, _ = tip_problem(robot)
-    model = problem.system.model
-    q = _rigid(robot, model, found, found.values)
-    places, turned = model.pose(q)[:2]
-    whole, moves = len(found.joints) >= _WHOLE, np.abs(model.jacobian(q)[:, 0, :3]).max(axis=(0, 2))
-    free = np.where(moves > _MOVED * moves.max(initial=0.0), 0.0, np.nan)  # a direction in which no joint moves it
-    targets = [
-        Target(place[0] + free, rotation[0] if whole else None) for place, rotation in zip(places, turned, strict=True)
-    ]
-    held = problem.solve(q, targets)
-    if not held.reached.all():
-        first = int(np.flatnonzero(~held.reached)[0])
-        got = f"no pose at rest that holds the tip at t = {found.times[first]:.4g} s"
-        raise InputError("--sag", got, "a path that the robot as it bends reaches", "leave out --sag, or move the path")
-    names = list(model.coordinates)
-    motors = [names.index(name if (name := f"{joint}.motor") in names else joint) for joint in found.joints]
-    return _with(found, problem.motors(held.q)[:, motors] - found.values)
+    task = Task(robot, found)
+    held = task.at_rest(task.targets(found.values))
+    return _with(found, held[:, task.motors] - found.values)
 
 
 def _with(found: Followed, added: Array) -> Followed:

@@ -26,9 +26,14 @@ def follow(
         str, typer.Option(metavar="GROUP", help="How the way is gone: a signal without start and end.")
     ] = PROFILE,
     tolerance: Annotated[float, typer.Option(help="Of the rigid robot's tip between rows [m, rad].")] = 1e-7,
-    sag: Annotated[
-        bool, typer.Option("--sag", help="Motors go where the tip of the robot as it bends is on the path, at rest.")
-    ] = False,
+    reference: Annotated[
+        str,
+        typer.Option(
+            metavar="KIND",
+            help="What motors are told: rigid (joints of the rigid robot), motors (with the efforts that this takes), "
+            "sag (tip on the path at rest), inverse (tip on the path as the robot bends and moves).",
+        ),
+    ] = "rigid",
     out: Annotated[Path | None, typer.Option(help="A file for the data sheet of the robot that follows.")] = None,
     figure: Annotated[Path | None, typer.Option(help="A file for the references: .svg, .png or .pdf.")] = None,
     overwrite: Annotated[bool, typer.Option("--overwrite", help="Replace these files.")] = False,
@@ -51,7 +56,7 @@ def follow(
     sheet = chosen_sheet(robot, settings, roots=root, trust_paths=trust_paths, fix_inertia=fix_inertia)
     with working("preparing") as tell:
         found = found_of(
-            sheet, path, profile=profile, tolerance=tolerance, sag=sag, out=out, figure=figure, overwrite=overwrite,
-            progress=tell,
+            sheet, path, profile=profile, tolerance=tolerance, reference=reference, out=out, figure=figure,
+            overwrite=overwrite, progress=tell,
         )  # fmt: skip
     print_result(found, as_json)

@@ -14,18 +14,20 @@ from tmodes.interface.files import write_files
 from tmodes.io.arguments import checked_arguments
 from tmodes.io.assignment import parse_assignment
 from tmodes.io.printed import CommandResult, Table
-from tmodes.io.words import shown
+from tmodes.io.words import meant, shown
 
 if TYPE_CHECKING:
     from xarray import Dataset
 
     from tmodes.analysis.follow import Followed
+    from tmodes.interface.references import Reference
     from tmodes.sheet import Robot
 
 __all__ = ["Following", "follow"]
 
 UNITS = {
-    "duration_s": "s", "length": "m; rad of a turn, and of a path of the joints", "error_m": "m, the rigid robot's tip",
+    "duration_s": "s", "lead_s": "s", "tip_error_m": "m", "length": "m; rad of a turn, and of a path of the joints",
+    "error_m": "m, the rigid robot's tip",
     "turned_rad": "rad, the rigid robot's tip; of a path of the joints these themselves", "speed": "rad/s, m/s",
     "acceleration": "rad/s^2, m/s^2",
 }  # fmt: skip
@@ -45,7 +47,7 @@ def follow(
     *,
     profile: Group = PROFILE,
     tolerance: float = 1e-7,
-    sag: bool = False,
+    reference: str = "rigid",
     out: str | os.PathLike[str] | None = None,
     figure: str | os.PathLike[str] | None = None,
     overwrite: bool = False,
@@ -58,10 +60,14 @@ def follow(
     with ``rpy`` the tip turns to there on the shortest way. ``profile``: how the way is gone, a signal without start
     and end, which become 0 and the length, such as ``{"type": "s_curve", "speed": 0.5, "acceleration": 2.0,
     "jerk": 40.0}`` [m/s, ...]. It starts where the first commands put the rigid robot, whose inverse kinematics gives
-    the joints; ``tolerance`` [m, rad] of its tip between the rows of the references. ``sag``: the motors go where the
-    tip of the robot as it bends is on the path at rest, under weight and loads (quasi-static compensation); runs of the
-    nominal robot, motors exactly on both references, say what that is worth (``checks``). ``out``: a file for the
-    sheet; ``figure``: one for the references.
+    the joints; ``tolerance`` [m, rad] of its tip between the rows of the references.
+
+    ``reference``: what the motors are told. ``rigid``: the joints of the rigid robot. ``motors``: these, and the
+    efforts that keep the motors exactly on them, from a run of the whole robot as known. ``sag``: motors go where the
+    tip of the robot as it bends is on the path at rest, under weight and loads (quasi-static), with their efforts.
+    ``inverse``: motions and efforts with which the tip of the moving robot is on the path, free of contact
+    (:mod:`tmodes.analysis.inversion`); they may begin before the path does. Runs of the nominal robot say what that is
+    worth (``checks``). ``out``: a file for the sheet; ``figure``: one for the references.
 
     Raises :class:`tmodes.errors.InputError` for a path that the rigid robot does not reach, or that passes a singular
     pose, and :class:`tmodes.errors.ResultFileError` where a file cannot be written. Source: B. Siciliano, L. Sciavicco,
@@ -72,6 +78,7 @@ def follow(
     (0.2065, True, 'trajectory')
     """
     from tmodes.analysis.follow import followed
+    from tmodes.interface.references import REFERENCES
     from tmodes.kinds.paths.registry import Path
     from tmodes.kinds.signals.registry import Signal
 
@@ -83,44 +90,22 @@ def follow(
     law = {key: value for key, value in _group("--profile", profile).items() if key not in ("start", "end")}
     found = followed(robot, paths, lambda length: _member(Signal, {**law, "start": 0.0, "end": length}, "profile"),
                      tolerance, progress)  # fmt: skip
-    rigid = found
-    if sag:
-        from tmodes.analysis.sagging import sagged
-
-        progress("sag", 0.0)
-        found = sagged(robot, rigid)
-    signals = iter(found.signals())
-    drives = [k for k, drive in enumerate(robot.drives) if drive.joint in found.joints and drive.command.is_motion]
-    order = {robot.drives[k].joint: k for k in drives}
-    changes = {f"drives.{order[joint]}.signal": next(signals) for joint in found.joints}
-    made = Following(robot, robot.with_(changes), found, tuple(str(one.type) for one in paths))
-    if sag:
+    given = REFERENCES[_known(reference)](robot, found, tolerance, progress)
+    made = Following(robot, given.applied(robot, found), found, tuple(str(one.type) for one in paths), reference, given)
+    if reference != "rigid":
         progress("check", 0.0)
-        made = replace(
-            made, checks={name: _checked(robot, one, rigid) for name, one in (("rigid", rigid), ("sag", found))}
-        )
+        made = replace(made, checks=given.checks(robot, made.robot, found))
     write_files(out, made, figure, overwrite=overwrite)
     return made
 
 
-def _checked(robot: Robot, found: Followed, path: Followed) -> float:
-    """Largest distance of the nominal robot's tip from the path [m], its motors exactly on the references."""
-    from tmodes.analysis.sagging import rigid_tips
-    from tmodes.kinds.signals.registry import Signal
-    from tmodes.result.run import run
-    from tmodes.sheet.parts import Command, DriveSheet
+def _known(reference: str) -> str:
+    from tmodes.interface.references import REFERENCES
 
-    other = tuple(drive for drive in robot.drives if drive.joint not in found.joints)
-    moved = tuple(DriveSheet(joint=joint, command=Command.PRESCRIBED, signal=Signal.of(signal))
-                  for joint, signal in zip(found.joints, found.signals(), strict=True))  # fmt: skip
-    end = float(found.times[-1])
-    settings = {"duration": end, "output_step": end / _SAMPLES, "error_estimate": False, "model_error": False}
-    update = {"drives": (*other, *moved), "real": {}, "control": (), "sensors": (), "task": None,
-              "integration": robot.integration.model_copy(update=settings)}  # fmt: skip
-    data = run(robot.model_copy(update=update)).data
-    pieces = [Signal.of(signal).schedule(end) for signal in path.signals()]
-    wanted = rigid_tips(robot, path, np.stack([one.at(data["time"].values) for one in pieces], axis=1))
-    return float(np.linalg.norm(data["tip"].values - wanted, axis=1).max())
+    if reference not in REFERENCES:
+        hint = meant(reference, [*REFERENCES], "take one of these")
+        raise InputError("--reference", shown(reference), f"one of {', '.join(REFERENCES)}", hint)
+    return reference
 
 
 def _group(which: str, given: Any) -> dict[str, Any]:
@@ -162,14 +147,17 @@ def _wrong(error: Any, which: str) -> Iterator[InputError]:
 class Following(CommandResult):
     """The ``robot`` whose drives follow a path; ``found``: the rows of their references.
 
-    ``checks`` [m]: largest distance of the tip of the nominal robot from the path, its motors exactly on the references
-    of the ``rigid`` robot, and on those with the ``sag``; empty where that was not asked for.
+    ``reference``: its kind, ``motors``: what that is. ``checks`` [m]: largest distance of the tip of the nominal robot
+    from the path, under its controllers with the ``rigid`` reference, with ``this`` one, and in ``open loop`` by the
+    efforts alone; empty for the rigid one; NaN where a run fails.
     """
 
     given: Robot = field(repr=False)
     robot: Any = field(repr=False)
     found: Followed
     kinds: tuple[str, ...]
+    reference: str = "rigid"
+    motors: Reference | None = None
     checks: Mapping[str, float] = field(default_factory=dict)
 
     @property
@@ -179,8 +167,13 @@ class Following(CommandResult):
 
     @property
     def duration(self) -> float:
-        """Until the path is at its end [s]."""
+        """Of the path [s]."""
         return float(self.found.times[-1])
+
+    @property
+    def lead(self) -> float:
+        """How long the motors move before the path begins [s]."""
+        return self.motors.lead if self.motors else 0.0
 
     @property
     def error(self) -> float:
@@ -197,16 +190,15 @@ class Following(CommandResult):
     @property
     def warnings(self) -> list[str]:
         """What is to be known about it."""
-        run = self.given.integration.duration
-        late = f"the path ends at {self.duration:.4g} s, after the run of {run:g} s: --set integration.duration=..."
-        return [late] if self.duration > run else []
+        return [] if self.motors is None else [*self.motors.warnings]
 
     def info(self) -> dict[str, Any]:
         """Plain data, as ``tmodes follow --json`` prints it."""
         found = self.found
         return {
             "robot": self.given.name, "units": UNITS, "paths": list(self.kinds), "length": self.length,
-            "duration_s": self.duration, "rows": len(found.times), "error_m": found.error, "turned_rad": found.turned,
+            "reference": self.reference, "lead_s": self.lead, "duration_s": self.duration, "rows": len(found.times),
+            "error_m": found.error, "turned_rad": found.turned,
             "joints": {name: {"start": float(found.values[0, k]), "end": float(found.values[-1, k]),
                               "speed": float(self._largest[0][k]), "acceleration": float(self._largest[1][k])}
                        for k, name in enumerate(found.joints)},
@@ -224,8 +216,9 @@ class Following(CommandResult):
         """``position``, ``velocity``, ``acceleration`` (time, joint) [rad, m, s] at even times."""
         from xarray import Dataset
 
-        times, drives = np.linspace(0.0, self.duration, _SAMPLES), {drive.joint: drive for drive in self.robot.drives}
-        pieces = [drives[joint].signal.schedule(self.duration) for joint in self.found.joints]
+        end = self.motors.end if self.motors else self.duration
+        times, drives = np.linspace(0.0, end, _SAMPLES), {drive.joint: drive for drive in self.robot.drives}
+        pieces = [drives[joint].signal.schedule(end) for joint in self.found.joints]
         names = ("position", "rad, m"), ("velocity", "rad/s, m/s"), ("acceleration", "rad/s^2, m/s^2")
         return Dataset(
             {name: (("time", "joint"), np.stack([one.at(times, order) for one in pieces], axis=1), {"units": unit})
@@ -234,7 +227,7 @@ class Following(CommandResult):
         )  # fmt: skip
 
     def plot(self, ax: Any = None) -> list[Any]:
-        """Positions of the joints over time."""
+        """Positions of the motors over time."""
         from tmodes.plot.commands import points
 
         data = self.data
@@ -250,8 +243,10 @@ class Following(CommandResult):
         yield (f"{self.given.name}: {', '.join(self.kinds)} of {self.length:.4g} in {self.duration:.4g} s, "
                f"{len(found.times)} rows; as a rigid robot {off}{turned}")  # fmt: skip
         if self.checks:
-            plain, own = (f"{self.checks[name]:.3g} m" for name in ("rigid", "sag"))
-            yield f"tip of the robot as it bends, motors exactly on these: up to {own} off, {plain} without the sag"
+            lead = f", which begins {self.lead:.3g} s before the path" if self.lead else ""
+            rows = [[name, f"{value:.3g}"] for name, value in self.checks.items()]
+            yield Table(f"Tip of the nominal robot, reference `{self.reference}`{lead}",
+                        ["reference", "largest distance from the path [m]"], rows)  # fmt: skip
         rows = [
             [
                 name,

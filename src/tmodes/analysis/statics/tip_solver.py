@@ -148,7 +148,7 @@ class TipProblem:
             turned = Rotation.from_matrix(relative).as_rotvec()
         return np.concatenate([off, turned], axis=1)[:, targets[0].rows]
 
-    def _acting(self, q: Array) -> tuple[Array | None, Array]:
+    def acting(self, q: Array) -> tuple[Array | None, Array]:
         """Wrenches (n, points, 6) and what acts add to the stiffness (n, nq, nq)."""
         system, count = self.system, len(q)
         added = np.zeros((count, q.shape[1], q.shape[1]))
@@ -169,12 +169,12 @@ class TipProblem:
     def forces(self, q: Array) -> Array:
         """Forces (n, nq) that are to be applied in poses (n, nq) at rest [N*m, N]."""
         still = np.zeros_like(q)
-        return self.system.model.inverse_dynamics(q, still, still, wrenches=self._acting(q)[0])
+        return self.system.model.inverse_dynamics(q, still, still, wrenches=self.acting(q)[0])
 
     def stiffness(self, q: Array, along: NDArray[np.intp]) -> Array:
         """Columns (n, nq, along) of the stiffness."""
         passes, count, n = self.system.model.passes, len(q), len(along)
-        wrenches, added = self._acting(q)
+        wrenches, added = self.acting(q)
         found = added[:, :, along]
         units = np.zeros((count * n, q.shape[1]))
         units[np.arange(count * n), np.tile(along, count)] = 1.0

@@ -1,0 +1,281 @@
+"""Inverse dynamics of the robot as it bends: motions of its motors, and efforts, with which the tip keeps to a path.
+
+The equations are those of :class:`tmodes.analysis.sagging.Task`. For rigid links behind elastic gears that is the
+inverse by four derivatives of the path; where links bend the zeros of the tip may be unstable, and the bounded
+solution begins before the path does and ends after it (pre-actuation). It is found as a periodic one: from rest along
+the path to rest, and all the way back, so that no condition at an end has to say which part of it grows and which
+decays. Splines through even instants, all equations at these, Newton's method with exact derivatives.
+
+Source: A. De Luca, Feedforward/feedback laws for the control of flexible robots, IEEE ICRA 2000 (gears); S. Devasia, D.
+Chen, B. Paden, Nonlinear inversion-based output tracking, IEEE Trans. Automatic Control 41, 1996 (links); E. Bayo, A
+finite-element approach to control the end-point motion of a single-link flexible robot, J. Robotic Systems 4, 1987.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tmodes.analysis.follow import Followed
+from tmodes.analysis.sagging import Task, Wanted
+from tmodes.errors import InputError, SimulationError
+from tmodes.sheet import Robot
+
+__all__ = ["Inverse", "inverted"]
+
+Array = NDArray[np.float64]
+
+_DEGREE = 7
+_REACH = _DEGREE // 2
+"""Of the splines; over how many neighbours on each side an equation reaches."""
+
+_FIRST, _MOST = 200, 4000
+"""Instants over the duration of the path: at first, at most."""
+
+_ENTRIES = 30_000_000
+"""Numbers of the linear equations at most."""
+
+_DECAY = 16.0
+"""Time constants of the zeros until what is left of a motion is nothing (1e-7)."""
+
+_LONGEST = 2.0
+"""Lead and tail at most, over the duration of the path."""
+
+_ROUGH, _ROUGHER = 1e-4, 0.25
+"""Difference of the efforts, over the largest one, up to which they are found; where half the step leaves more of it
+than this share, they are not smooth."""
+
+_STEPS, _SETTLED, _HALVINGS, _SLOW = 40, 1e-9, 12, 0.1
+"""Newton's method: steps, change over the largest coordinate with which it ends, halvings of a step, change over the
+last one beyond which the slopes are computed anew."""
+
+
+class Inverse(NamedTuple):
+    """Motions of all coordinates ``q`` (n, nq), their rates and accelerations at ``times`` (n,) [s], from rest to rest.
+
+    The path begins ``lead`` [s] after the motion. ``motors``: indices of the coordinates of the joints that are moved,
+    ``efforts`` (n, joints) [N*m, N] of their motors; ``error``: by how much the tip would differ with half as many
+    instants [m], ``rough``: the efforts, over the largest one; ``left``: largest rate at the ends, which should be 0
+    [rad/s, m/s]; ``zero``: the slowest unstable zero [1/s], 0 where there is none.
+    """
+
+    times: Array
+    q: Array
+    rates: Array
+    accelerations: Array
+    motors: list[int]
+    efforts: Array
+    lead: float
+    error: float
+    rough: float
+    left: float
+    zero: float
+
+
+def inverted(
+    robot: Robot, found: Followed, tolerance: float, progress: Callable[[float], None] = lambda share: None
+) -> Inverse:
+    """The motion with which the tip of the nominal robot keeps to the path of the rigid one, to ``tolerance`` [m].
+
+    Raises :class:`tmodes.errors.InputError` for a robot in contact, or with joints that no motor and no spring moves,
+    and :class:`tmodes.errors.SimulationError` where no such motion is found.
+    """
+    if robot.contact:
+        raise InputError("contact", "a robot in contact", "one in free space", "set `contact: null`, or take `sag`")
+    task = Task(robot, found)
+    before, after, zero = _margins(task)
+    least = 2 * _DEGREE / _FIRST * task.duration
+    before, after = max(before, least), max(after, least)
+    count, last, jagged = int(_FIRST * (1 + (before + after) / task.duration)), None, np.inf
+    most = _MOST * count // _FIRST
+    progress(0.1)
+    while True:
+        here = _Solution(task, before, after, count)
+        ends = 2 * count > most or 2 * here.entries > _ENTRIES
+        try:
+            here = here.solved(last)
+        except SimulationError:
+            if ends:
+                raise
+            count, last = 2 * count, None
+            continue
+        error, rough = (np.inf, np.inf) if last is None else here.off(last)
+        progress(min(0.9, 0.1 + count / most))
+        jumps = rough > _ROUGHER * jagged  # of a path that is not smooth
+        if (error <= tolerance and rough <= _ROUGH) or jumps or ends:
+            return here.inverse(error, rough, zero)
+        count, last, jagged = 2 * count, here, rough
+
+
+def _margins(task: Task) -> tuple[float, float, float]:
+    """How long the motion begins before the path, and ends after it [s], and the slowest unstable zero [1/s].
+
+    By the zeros of the tip about both ends: the finite eigenvalues of the equations with the tip held.
+    """
+    slow, most = [np.inf, np.inf], _LONGEST * task.duration
+    for time in (0.0, task.duration):
+        wanted = task.along(np.array([time]))
+        zeros = _zeros(task, task.at_rest(wanted), wanted)
+        for side, part in enumerate((zeros.real[zeros.real > 0], -zeros.real[zeros.real <= 0])):
+            slow[side] = min(slow[side], float(part.min(initial=np.inf)))
+    before, after = (min(_DECAY / max(one, 1e-9), most) if np.isfinite(one) else 0.0 for one in slow)
+    return before, after, slow[0] if np.isfinite(slow[0]) else 0.0
+
+
+def _zeros(task: Task, q: Array, wanted: Wanted) -> NDArray[np.complex128]:
+    """The finite zeros [1/s] from the efforts of the motors to the tip, about a pose (1, nq) at rest."""
+    from scipy.linalg import eig
+
+    stiffness, damping, mass = (part[0] for part in task.slopes(q, 0 * q, 0 * q, wanted))
+    held = stiffness[[*task.motors, *task.still]]
+    ways = np.linalg.svd(held)[2][len(held) :].T  # motions that leave the tip where it is
+    m, d, k = (part[task.passive] @ ways for part in (mass, damping, stiffness))
+    if not len(m):
+        return np.zeros(0, dtype=complex)
+    n, unit = len(m), max(float(np.sqrt(np.abs(k).max() / max(np.abs(m).max(), 1e-300))), 1.0)
+    one, none = np.eye(n), np.zeros((n, n))
+    left = np.block([[none, one], [-k, -d * unit]])
+    right = np.block([[one, none], [none, m * unit**2]])
+    alpha, beta = eig(left, right, right=False, homogeneous_eigvals=True)
+    finite = np.abs(beta) > 1e-10 * np.abs(alpha)
+    return np.asarray(alpha[finite] / beta[finite] * unit, dtype=complex)
+
+
+class _Solution:
+    """Splines through even instants of the way there and back; ``count``: from the first to the last motion there."""
+
+    def __init__(self, task: Task, before: float, after: float, count: int) -> None:
+        from scipy.interpolate import BSpline
+
+        self.task, self.count = task, count
+        self.step = (before + task.duration + after) / count
+        self.lead, self.tail = before, after
+        rest = self.lead + self.tail
+        self.instants = 2 * round((task.duration + rest) / self.step)
+        self.step = 2 * (task.duration + rest) / self.instants
+        self.way: Array = np.arange(self.instants) * self.step - self.lead
+        self.times = np.where(self.way <= task.duration + rest / 2, self.way, 2 * task.duration + rest - self.way)
+        self.wanted = task.along(self.times)
+        element = BSpline.basis_element(np.arange(_DEGREE + 2.0))
+        at = np.arange(_DEGREE, 0.0, -1.0)
+        self.weights = np.array([element.derivative(k)(at) / self.step**k if k else element(at) for k in range(3)])
+        self.places = (np.arange(self.instants)[:, None] + np.arange(-_REACH, _REACH + 1)) % self.instants
+        self.spline = np.zeros((self.instants, task.model.nq))
+
+    @property
+    def entries(self) -> int:
+        """Numbers of the linear equations."""
+        return self.instants * _DEGREE * self.task.model.nq**2
+
+    def solved(self, last: _Solution | None) -> _Solution:
+        """Itself, with the splines that fulfil all equations; from a coarser solution, else from the pose at rest."""
+        if last is None:
+            times, where = np.unique(self.times.round(12), return_inverse=True)
+            poses = self.task.at_rest(self.task.along(times))[where]
+        else:
+            poses = last.at(self.way)
+        self.spline = self.through(poses)
+        size, moved, shrink, scale = 1.0, np.inf, np.inf, np.ones(())
+        solve: Callable[[Array], Array] = np.asarray
+        for _ in range(_STEPS):
+            residual = self.residual(self.spline)
+            if fresh := shrink > _SLOW:
+                slopes = self.slopes(self.spline)
+                scale = np.abs(slopes).max(axis=(2, 3))
+                scale[scale == 0] = 1.0
+                solve = self.factored(slopes / scale[:, :, None, None])
+            change = solve(residual / scale)
+            off, share = float(np.linalg.norm(residual / scale)), 1.0
+            for _ in range(_HALVINGS):
+                tried = self.spline - share * change
+                there = float(np.linalg.norm(self.residual(tried) / scale))
+                if there <= off * (1 - share / 4) or np.abs(share * change).max() <= _SETTLED * size:
+                    break
+                share /= 2
+            else:
+                if fresh:
+                    break
+                shrink = np.inf
+                continue
+            self.spline, size = tried, 1.0 + float(np.abs(self.spline).max())
+            shrink, moved = float(np.abs(change).max()) / moved, float(np.abs(change).max())
+            if moved <= _SETTLED * size:
+                return self
+        raise SimulationError(
+            "no motion was found with which the tip keeps to the path: take a slower path, or the reference `sag`"
+        )
+
+    def through(self, poses: Array) -> Array:
+        """The splines through poses (instants, nq)."""
+        kernel = np.zeros(self.instants)
+        np.add.at(kernel, np.arange(-_REACH, _REACH + 1) % self.instants, self.weights[0][::-1])
+        return np.fft.irfft(np.fft.rfft(poses, axis=0) / np.fft.rfft(kernel)[:, None], self.instants, axis=0)
+
+    def motion(self, spline: Array) -> tuple[Array, Array, Array]:
+        """Coordinates, rates and accelerations (instants, nq) at the instants."""
+        near = spline[self.places]
+        q, v, a = (np.einsum("o,noq->nq", row, near) for row in self.weights)
+        return q, v, a
+
+    def at(self, times: Array) -> Array:
+        """Coordinates (n, nq) at times [s] from the beginning of the path."""
+        from scipy.interpolate import BSpline
+
+        knots = np.arange(-_DEGREE - 4, self.instants + _DEGREE + 5) * self.step
+        turned = np.arange(len(knots) - _DEGREE - 1) - _DEGREE - 4 + (_DEGREE + 1) // 2
+        return np.asarray(BSpline(knots, self.spline[turned % self.instants], _DEGREE)(times + self.lead))
+
+    def residual(self, spline: Array) -> Array:
+        """What shall vanish (instants, nq)."""
+        return self.task.residual(*self.motion(spline), self.wanted)
+
+    def slopes(self, spline: Array) -> Array:
+        """Its slopes (instants, nq, reach, nq) by the splines nearby."""
+        parts = np.stack(self.task.slopes(*self.motion(spline), self.wanted))
+        return np.einsum("ko,knij->nioj", self.weights, parts)
+
+    def factored(self, slopes: Array) -> Callable[[Array], Array]:
+        """The function that solves the linear equations (instants, nq)."""
+        from scipy.sparse import csr_array
+        from scipy.sparse.linalg import splu
+
+        n, count = self.task.model.nq, self.instants
+        columns = (self.places[:, :, None] * n + np.arange(n)).reshape(count, 1, -1)
+        columns = np.broadcast_to(columns, (count, n, columns.shape[2]))
+        starts = np.arange(count * n + 1) * columns.shape[2]
+        matrix = csr_array((slopes.reshape(-1), columns.reshape(-1), starts), shape=(count * n, count * n)).tocsc()
+        try:
+            parts = splu(matrix)
+        except RuntimeError:
+            raise SimulationError(
+                "the tip does not follow the motors: a singular pose, or a joint that no motor moves"
+            ) from None
+        return lambda residual: np.asarray(parts.solve(residual.reshape(-1))).reshape(count, n)
+
+    def off(self, coarse: _Solution) -> tuple[float, float]:
+        """What differs from a coarser solution: the rigid tip by the motors [m], efforts over the largest one."""
+        from scipy.interpolate import CubicSpline
+
+        joints, own = self.task.motors, self.wanted.ways[:, :3]
+        instants = [one.way for one in (self, coarse)]
+        apart = (self.motion(self.spline)[0] - coarse.at(instants[0]))[:, joints]
+        fine, rough = (one.efforts(*one.motion(one.spline)) for one in (self, coarse))
+        jagged = np.abs(CubicSpline(instants[0], fine)(instants[1]) - rough)[: coarse.instants // 2]
+        off = float(np.linalg.norm(np.einsum("nkj,nj->nk", own, apart), axis=1).max())
+        return off, float(jagged.max() / max(np.abs(fine).max(), 1e-300))
+
+    def efforts(self, q: Array, v: Array, a: Array) -> Array:
+        """Efforts (n, joints) of the motors [N*m, N]."""
+        return self.task.efforts(q, v, a)[:, self.task.motors]
+
+    def inverse(self, error: float, rough: float, zero: float) -> Inverse:
+        """The way there."""
+        task, (q, v, a) = self.task, self.motion(self.spline)
+        there = np.arange(self.instants) * self.step <= self.lead + task.duration + self.tail + 1e-9 * self.step
+        q, v, a = (part[there] for part in (q, v, a))
+        left = float(np.abs(v[[0, -1]]).max(initial=0.0))
+        times, efforts = self.way[there] + self.lead, self.efforts(q, v, a)
+        return Inverse(times, q, v, a, task.motors, efforts, self.lead, error, rough, left, zero)

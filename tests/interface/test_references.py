@@ -1,0 +1,111 @@
+"""References that know what bends: against closed forms, and each against the one that knows less."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+import tmodes
+from tmodes.errors import InputError
+from tmodes.kinds.signals.registry import Signal
+
+LINE = {"type": "line", "to": [0.7, 0.0, 0.2]}
+SMOOTH = {"type": "polynomial", "duration": 1.0}
+
+
+def checks(robot: Any, path: Any, duration: float) -> dict[str, dict[str, float]]:
+    """Largest distance of the tip from the path [m] of all references."""
+    found = {}
+    for reference in ("motors", "sag", "inverse"):
+        profile = SMOOTH | {"duration": duration}
+        found[reference] = dict(robot.follow(path, profile=profile, reference=reference).checks)
+    return found
+
+
+def test_the_inverse_of_an_elastic_joint_is_that_of_its_equations() -> None:
+    """J th'' + k (th - q) = u and I q'' + m g l sin q = k (th - q), with four derivatives of q; u to 2e-4."""
+    robot = tmodes.load("spong1987")
+    own = robot.follow({"type": "joints", "points": [[1.0]]}, profile=SMOOTH, reference="inverse")
+    move = Signal.of(SMOOTH | {"start": 0.0, "end": 1.0}).schedule(2.0)
+    times = np.linspace(0.05, 0.95, 181)
+    q, rate, push, _, fourth = (move.at(times, order) for order in range(5))
+    motor = q + (push + 9.8 * np.sin(q)) / 100
+    turned = push + (fourth + 9.8 * (np.cos(q) * push - np.sin(q) * rate**2)) / 100
+    drive = own.robot.drives[0]
+    assert drive.signal.schedule(2.0).at(times + own.lead) == pytest.approx(motor, abs=1e-8)
+    effort = 0.3 * turned + push + 9.8 * np.sin(q)
+    told = drive.feed_forward.schedule(2.0).at(times + own.lead)
+    assert told == pytest.approx(effort, abs=2e-4 * np.abs(effort).max())
+    assert own.checks["this"] < 1e-9
+    assert own.checks["open loop"] < 1e-8
+    assert own.warnings == []
+
+
+def test_references_of_an_arm_with_a_flexible_link_are_a_hierarchy() -> None:
+    found = checks(tmodes.load("two_link_arm"), LINE, 1.0)
+    rigid = found["motors"]["rigid"]
+    assert found["motors"]["this"] < rigid
+    assert found["sag"]["this"] < rigid / 3
+    assert found["inverse"]["this"] < 1e-8
+    assert found["inverse"]["open loop"] < 1e-6
+
+
+def test_rigid_links_behind_elastic_gears_follow_exactly() -> None:
+    """The six joints of the Manutec r3, 1e-6 of the way of its tip."""
+    robot = tmodes.load("manutec_r3")
+    own = robot.follow({"type": "joints", "points": [[0.5, 0.3, -0.4, 0.5, 0.4, 0.3]]},
+                       profile=SMOOTH | {"duration": 0.8}, reference="inverse")  # fmt: skip
+    assert own.checks["rigid"] > 0.1
+    assert own.checks["this"] < 1e-7
+    assert own.checks["open loop"] < 1e-7
+
+
+def test_what_no_joint_moves_stays_and_the_rest_is_on_the_path() -> None:
+    """A joint about the vertical cannot lift what weight bends, 5 mm; without weight nothing is left but the modes."""
+    robot = tmodes.load("filipovic2010", {"contact": False})
+    path, profile = {"type": "joints", "points": [[0.7]]}, SMOOTH | {"duration": 0.4}
+    own = robot.follow(path, profile=profile, reference="inverse")
+    assert own.checks["this"] < own.checks["rigid"] / 5
+    weightless = robot.with_({"gravity": 0.0}).follow(path, profile=profile, reference="inverse")
+    assert weightless.checks["this"] < weightless.checks["rigid"] / 100
+
+
+def test_efforts_of_a_motor_with_a_winding_are_given_as_a_voltage() -> None:
+    """The 2010 robot commands a voltage: its motor stays on its reference to a hundredth of what it is off without."""
+    robot = tmodes.load("filipovic2010", {"contact": False, "real": {}})
+    path, profile = {"type": "joints", "points": [[0.5]]}, SMOOTH
+    found = {}
+    for reference in ("rigid", "motors"):
+        own = robot.follow(path, profile=profile, reference=reference).robot
+        result = own.run()
+        wanted = own.drives[0].signal.schedule(2.0).at(result.data["time"].values)
+        found[reference] = np.abs(result.data["q"].sel(coordinate="joint.motor").values - wanted).max()
+    assert found["motors"] < found["rigid"] / 100
+
+
+def test_the_run_counts_errors_from_the_path() -> None:
+    own = tmodes.load("two_link_arm", {"real": {}}).follow(LINE, profile=SMOOTH, reference="inverse")
+    drives = own.robot.drives
+    assert own.lead > 0 and drives[0].motion.delay == pytest.approx(own.lead)
+    assert own.robot.run().verdict["largest_m"] < 1e-6
+    again = tmodes.Robot.from_data(own.robot.model_dump(mode="json", exclude_none=True, by_alias=True))
+    assert again.drives == drives
+
+
+def test_what_has_no_inverse_is_said() -> None:
+    robot = tmodes.load("filipovic2010")
+    with pytest.raises(InputError) as caught:
+        robot.follow({"type": "joints", "points": [[0.7]]}, reference="inverse")
+    assert "contact" in str(caught.value)
+    with pytest.raises(InputError) as caught:
+        robot.follow({"type": "joints", "points": [[0.7]]}, reference="inverted")
+    assert "--reference" in str(caught.value)
+
+
+def test_a_profile_that_is_not_smooth_is_warned_of() -> None:
+    own = tmodes.load("spong1987").follow(
+        {"type": "joints", "points": [[0.5]]}, profile={"type": "quintic", "duration": 1.0}, reference="inverse"
+    )
+    assert len(own.warnings) == 1
