@@ -227,6 +227,7 @@ def test_with_the_sag_the_bent_tip_is_on_the_path_at_rest() -> None:
     """Motors of three rows, put into the equilibrium of the robot; and runs are nearer by what bends."""
     path = {"type": "line", "to": [0.7, 0.0, 0.2]}
     rigid, own = ARM.follow(path), ARM.follow(path, reference="sag")
+    assert own.motors is not None
     for row in (0, len(rigid.found.times) // 2, -1):
         motors = dict(zip((f"{one}.motor" for one in own.found.joints), own.motors.positions.values[row].tolist(),
                           strict=True))  # fmt: skip

@@ -205,9 +205,9 @@ def test_fewer_states() -> None:
 
 def test_margins_of_a_double_integrator_with_lead() -> None:
     """k (s + 1)/s^2: phase margin in closed form, no gain margin; a delay that eats the phase."""
-    from tmodes.interface.linear import _margins
+    from tmodes.analysis.margins import margins
 
-    found = _margins(lambda f: 2 * (2j * np.pi * np.atleast_1d(f) + 1) / (2j * np.pi * np.atleast_1d(f)) ** 2,
+    found = margins(lambda f: 2 * (2j * np.pi * np.atleast_1d(f) + 1) / (2j * np.pi * np.atleast_1d(f)) ** 2,
                      np.geomspace(1e-3, 1e3, 400), True)  # fmt: skip
     crossing = np.sqrt(2 + np.sqrt(8))
     assert 2 * np.pi * found.phase_frequency == pytest.approx(crossing, rel=1e-8)

@@ -14,7 +14,7 @@ finite-element approach to control the end-point motion of a single-link flexibl
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -139,7 +139,8 @@ def _zeros(task: Task, q: Array, wanted: Wanted) -> NDArray[np.complex128]:
     one, none = np.eye(n), np.zeros((n, n))
     left = np.block([[none, one], [-k, -d * unit]])
     right = np.block([[one, none], [none, m * unit**2]])
-    alpha, beta = eig(left, right, right=False, homogeneous_eigvals=True)
+    found: Any = eig(left, right, right=False, homogeneous_eigvals=True)
+    alpha, beta = found
     finite = np.abs(beta) > 1e-10 * np.abs(alpha)
     return np.asarray(alpha[finite] / beta[finite] * unit, dtype=complex)
 
@@ -156,7 +157,7 @@ class _Solution:
         rest = self.lead + self.tail
         self.instants = 2 * round((task.duration + rest) / self.step)
         self.step = 2 * (task.duration + rest) / self.instants
-        self.way: Array = np.arange(self.instants) * self.step - self.lead
+        self.way = np.arange(float(self.instants)) * self.step - self.lead
         self.times = np.where(self.way <= task.duration + rest / 2, self.way, 2 * task.duration + rest - self.way)
         self.wanted = task.along(self.times)
         element = BSpline.basis_element(np.arange(_DEGREE + 2.0))

@@ -114,8 +114,8 @@ class Task:
         wrenches, added = self.problem.acting(q)
         by = self.model.inverse_dynamics_derivatives(q, v, a, wrenches=wrenches)
         found = np.zeros((3, *by.q.shape))
-        for row, part in zip(found, (by.q + added, by.v, by.a), strict=True):
-            row[:, self.passive] = part[:, self.passive]
+        for k, part in enumerate((by.q + added, by.v, by.a)):
+            found[k][:, self.passive] = part[:, self.passive]
         found[0][:, self.motors] = self._off(q, wanted)[1]
         found[0][:, self.still, self.still] = 1.0
         return found[0], found[1], found[2]
@@ -158,7 +158,7 @@ class Task:
                 change = np.linalg.solve(slopes / scale[:, :, None], off[:, :, None])[:, :, 0]
             except np.linalg.LinAlgError:
                 break
-            size, share = np.abs(change).max(axis=1), np.ones(len(here))
+            size, share, tried = np.abs(change).max(axis=1), np.ones(len(here)), here
             if not np.isfinite(size).all():
                 break
             for _ in range(_HALVINGS):

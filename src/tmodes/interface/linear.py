@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from itertools import pairwise
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from tmodes.analysis.margins import Margins, margins, response
 from tmodes.errors import InputError
 from tmodes.interface.poses import Pose, pose_of, pose_words
 from tmodes.interface.statics import Linearization, circumstances
@@ -125,23 +125,6 @@ def _all_inputs(robot: Robot, *, closed: bool) -> tuple[str, ...]:
 
 def _all_outputs(robot: Robot) -> tuple[str, ...]:
     return tuple(f"{drive.joint}.position" for drive in robot.drives)
-
-
-class Margins(NamedTuple):
-    """Of a loop that is closed by negative feedback: factors on the gain, phase [rad], delay [s], and disk margin.
-
-    ``stable``: whether the closed loop is so at all; of one that is not the others say how far it is from becoming so.
-    ``gain`` and ``phase`` with their frequencies [Hz]; ``disk``: distance of the loop from -1 as a symmetric disk
-    margin (P. Seiler, A. Packard, P. Gahinet, An introduction to disk margins, IEEE Control Systems 40, 2020).
-    """
-
-    gain: float
-    gain_frequency: float
-    phase: float
-    phase_frequency: float
-    delay: float
-    disk: float
-    stable: bool
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -273,7 +256,7 @@ class LinearModel(Linearization):
         from xarray import DataArray
 
         at = self.frequencies() if frequencies is None else np.atleast_1d(np.asarray(frequencies, dtype=float))
-        values = _response(self.A, self.B, self.C, self.D, self._points(at))
+        values = response(self.A, self.B, self.C, self.D, self._points(at))
         where = {"frequency": at, "output": list(self.outputs), "input": list(self.inputs)}
         return DataArray(values, where, ("frequency", "output", "input"), "response")
 
@@ -285,9 +268,9 @@ class LinearModel(Linearization):
         """Singular values of the response, the largest first, by ``frequency`` [Hz]."""
         from xarray import DataArray
 
-        response = self.frequency_response(frequencies)
-        values = np.linalg.svd(response.values, compute_uv=False)
-        return DataArray(values, {"frequency": response.frequency.values}, ("frequency", "number"), "singular_values")
+        found = self.frequency_response(frequencies)
+        values = np.linalg.svd(found.values, compute_uv=False)
+        return DataArray(values, {"frequency": found.frequency.values}, ("frequency", "number"), "singular_values")
 
     def margins(self, output: str | None = None, input: str | None = None) -> Margins:  # noqa: A002
         """Margins of the loop from an input to an output that negative feedback closes; infinite where there is none.
@@ -301,7 +284,7 @@ class LinearModel(Linearization):
         A, B, C, D = part
         poles = np.linalg.eigvals(A - B @ C / (1 + D[0, 0]))
         stable = bool((np.abs(poles) < 1).all() if self.period else (poles.real < 0).all())
-        return _margins(lambda f: _response(*part, self._points(np.atleast_1d(f)))[:, 0, 0], self.frequencies(), stable)
+        return margins(lambda f: response(*part, self._points(np.atleast_1d(f)))[:, 0, 0], self.frequencies(), stable)
 
     def reduce(self, order: int, method: str = "balanced") -> LinearModel:
         """A model with ``order`` states; ``method``: ``balanced`` truncation, or ``modal`` (the slowest poles).
@@ -416,41 +399,3 @@ _MOST_PAIRS = 12
 
 def _ratio(rate: complex) -> str:
     return f"{-rate.real / abs(rate):.4f}" if rate else "-"
-
-
-def _response(A: Array, B: Array, C: Array, D: Array, points: Complex) -> Complex:
-    """C (p - A)^-1 B + D at each point, by the eigenvectors where they are well conditioned, else by solving."""
-    eye = np.eye(len(A))
-    return np.stack([C @ np.linalg.solve(p * eye - A, B) + D for p in points])
-
-
-def _margins(loop: Callable[[Any], Complex], grid: Array, stable: bool) -> Margins:
-    from scipy.optimize import minimize_scalar
-
-    fine = np.unique(np.concatenate([np.linspace(a, b, 9) for a, b in pairwise(grid)]))
-    values = loop(fine)
-    real = _crossings(lambda f: loop(f).imag, fine, values.imag)
-    unit = _crossings(lambda f: np.abs(loop(f)) - 1, fine, np.abs(values) - 1)
-    gains = [(1 / abs(loop(f)[0]), f) for f in real if loop(f)[0].real < 0]
-    phases = [(float(np.angle(-loop(f)[0])), f) for f in unit]
-    gain = min(gains, key=lambda one: abs(np.log(one[0])), default=(np.inf, np.nan))
-    phase = min(phases, key=lambda one: abs(one[0]), default=(np.inf, np.nan))
-    delays = [(angle % (2 * np.pi)) / (2 * np.pi * f) for angle, f in phases if f]
-
-    # Largest alpha of the disk of gains and phases (skew 0): 1/|S - 1/2| at its least, with S = 1/(1 + L).
-    def far(log: float) -> float:
-        return float(1 / np.abs(1 / (1 + loop(np.exp(log))[0]) - 0.5))
-
-    least = int(np.argmin(1 / np.abs(1 / (1 + values) - 0.5)))
-    around = np.log(fine[[max(least - 1, 0), min(least + 1, len(fine) - 1)]])
-    found: Any = minimize_scalar(far, bounds=tuple(around), method="bounded")
-    disk = min(far(np.log(fine[least])), float(found.fun))
-    sizes = [float(one) for one in (*gain, *phase, min(delays, default=np.inf), disk)]
-    return Margins._make([*sizes, stable])
-
-
-def _crossings(of: Callable[[Any], Any], grid: Array, values: Array) -> list[float]:
-    from scipy.optimize import brentq
-
-    signs = np.flatnonzero(values[:-1] * values[1:] < 0)
-    return [float(brentq(lambda f: float(of(f)[0]), grid[k], grid[k + 1])) for k in signs]  # pyright: ignore[reportArgumentType]

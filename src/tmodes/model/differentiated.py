@@ -228,8 +228,7 @@ class DifferentiatedModel:
         states["base"] = still if base is None else rows.of(base, still.shape[1], "base")
         if wrenches is not None:
             states["wrenches"] = rows.of(wrenches, 6 * len(self.passes.parts.points), "wrenches")
-        by = self._inverses(states, ("q", "v"), loaded=wrenches is not None)
-        parts = self.mass_matrix(rows.q), *by
+        parts = self._inverses(states, _ALL, loaded=wrenches is not None)
         return InverseDerivatives(*(part[0] for part in parts) if rows.single else parts)
 
     def _inverse(self, state: Blocks, by: tuple[str, ...], *, loaded: bool) -> list[Array]:
