@@ -28,6 +28,7 @@ STATES = ("joint", "joint.motor", "joint'", "joint.motor'")
 NOTCH = {"type": "notch", "input": "raw", "frequency": 5.0, "damping": 0.3, "depth": 0.2}
 LQR = {"type": "lqr", "state_weights": dict(zip(STATES, (400.0, 100.0, 5.0, 1.0), strict=True))}
 PD = {"type": "pd", "position_gain": 60.0, "velocity_gain": 9.0}
+OBSERVER = PD | {"type": "disturbance_observer", "bandwidth": 9.0}
 PID = PD | {"type": "sampled_pid", "integral_gain": 70.0, "sample_time": 1e-3, "filter_time": 0.004, "limit": 14.0}
 STEPS = {"type": "sum", "signals": [{"type": "constant", "value": 1.2},
                                     {"type": "step", "start": 0.0, "end": -0.9, "time": 1.5}]}  # fmt: skip
@@ -145,6 +146,10 @@ EVERYWHERE = {
     "online": {"drive": {"controller": {"type": "gravity_pd", "position_gain": 70.0, "velocity_gain": 6.0,
                                         "online": True}}},
     "feedback_linearisation": {"control": law({"type": "feedback_linearisation", "pole": 14.0})},
+    "disturbance_observer": {"drive": {"controller": OBSERVER}},
+    "sampled observer": {"control": [{"name": "raw", "of": "joint", "block": PD},
+                                     *law({"type": "disturbance_observer", "bandwidth": 9.0, "sample_time": 0.01,
+                                           "input": "raw"}, delay=0.01)]},
     "lqr": {"control": law(LQR | {"integral": True})},
     "pole_placement": {"control": law({"type": "pole_placement", "poles": [[2.0, 0.7], [4.0, 0.7]]})},
     "lqg": {"control": law(LQG | {"measured": ["teeth"]}, delay=0.013),

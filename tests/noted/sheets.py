@@ -105,6 +105,7 @@ BLOCKS: dict[str, Sheet] = {
             "process_noise": {"first'": 1e-4, "second'": 1e-4}},
     "notch": {"type": "notch", "input": "raw", "frequency": 9.0, "damping": 0.3, "depth": 0.1, "sample_time": 0.01},
     "low_pass": {"type": "low_pass", "input": "raw", "frequency": 40.0, "damping": 0.7},
+    "disturbance_observer": {"type": "disturbance_observer", "input": "raw", "bandwidth": 9.0, "sample_time": 0.01},
     "lead_lag": {"type": "lead_lag", "input": "raw", "frequency": 9.0, "ratio": 3.0, "sample_time": 0.01},
 }  # fmt: skip
 """Blocks that stand in the section `control`: of two drives, or (gravity_pd, filters) of one each."""

@@ -10,7 +10,7 @@ from tmodes.kinds.controllers.registry import Block, Port
 from tmodes.kinds.schema.quantity import Issue
 from tmodes.sheet.parts import Command
 
-__all__ = ["Node", "control_issues", "network", "node_of"]
+__all__ = ["Node", "commands_effort", "control_issues", "network", "node_of"]
 
 
 class Node(NamedTuple):
@@ -59,6 +59,17 @@ def node_of(sheet: Any, path: str = "") -> Node:
     several = len(sheet.drives) > 1
     ports = sheet.block.ports or tuple(Port(joint if several else "") for joint in sheet.drives) or (Port(),)
     return Node(sheet.name, path, sheet.block, ports, sheet.joint, sheet)
+
+
+def commands_effort(robot: Any, drive: Any) -> bool:
+    """Whether the law of a drive, its own or a block with those that it reads, commands its effort."""
+    blocks = {signal: node.block for node in _nodes(robot) for signal in node.signals}
+
+    def of(block: Block) -> bool:
+        return block.commands_effort or any(of(blocks[name]) for name in block.reads if name in blocks)
+
+    law = drive.controller or next((one.block for one in robot.control if drive.joint in one.drives), None)
+    return law is not None and of(law)
 
 
 def control_issues(robot: Any) -> Iterator[Issue]:

@@ -21,6 +21,7 @@ from tmodes.kinds.drives.registry import drive_kind
 from tmodes.kinds.noted.functions import array, number
 from tmodes.kinds.signals.registry import Jolts, MergedSchedule, constant_signal, merge
 from tmodes.kinds.signals.schedule import SignalPieces
+from tmodes.sheet.network import commands_effort
 from tmodes.sheet.parts import Command, DriveSheet, InitialState, LoadFrame
 from tmodes.simulation.control import Sampling, control_plan, wired_name
 
@@ -213,7 +214,8 @@ def _drive(
         signals.add(one, f"drives.{index}.{name}") if one and command.is_controlled else -1
         for name, one in (("noise", sheet.disturbance), ("feed_forward", sheet.feed_forward))
     )
-    driven = winding is not Winding.NONE and (command.is_controlled or command is Command.VOLTAGE)
+    volts = command is Command.VOLTAGE or (command.is_controlled and not commands_effort(robot, sheet))
+    driven = winding is not Winding.NONE and volts
     sampling = Sampling.of(sheet.controller, sheet.sample_time, sheet.delay) if sheet.controller else Sampling()
     limits = {
         name: getattr(sheet.saturation, name) for name in LIMITS if getattr(sheet.saturation, name, None) is not None

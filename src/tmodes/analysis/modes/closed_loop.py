@@ -197,7 +197,8 @@ def _drives(robot: Robot, rest: Equilibrium) -> Iterator[_Drive]:
         if drive.controller and own:
             winding, numbers = winding_of(motors.get(drive.joint))
             model = rigid_model(robot, driven_joints(robot)) if drive.controller.needs_model else None
-            servo = Servo(drive.controller, driven=winding is not Winding.NONE, winding=winding, model=model)
+            driven = winding is not Winding.NONE and not drive.controller.commands_effort
+            servo = Servo(drive.controller, driven=driven, winding=winding, model=model)
             yield _Drive(drive.joint, drive.controller, servo, servo.numbers(numbers), names.index(own))
 
 

@@ -208,7 +208,9 @@ class Servo:
             amperes = limits["torque"] / f.fabs(torque)
             most = amperes if most is None else f.fmin(most, amperes)
         if not self.driven:
-            winds = self.winding is not Winding.NONE
+            winds, over = self.winding is not Winding.NONE, limits.get("voltage")
+            if winds and over is not None:
+                cut = cut.within(f.fabs(torque) * over / resistance, -torque * back * thd / resistance)
             cut = cut.within(limits.get("torque")).within(most * f.fabs(torque) if most is not None and winds else None)
             cut = cut.slowed(limits.get("speed"), thd, 0.0)
             amperes = cut.value / torque if winds else 0.0

@@ -128,6 +128,9 @@ class Block(Kind):
     is_designed: ClassVar[bool] = False
     """Whether something follows from the linear robot (:meth:`designed`); such a block stands in `control`."""
 
+    commands_effort: ClassVar[bool] = False
+    """Whether its command is an effort [N*m or N] of a motor with a resistance, too: its current is then controlled."""
+
     setpoint_orders: ClassVar[int] = 3
     """How many numbers of each setpoint a block sees that sees all: value, rate, ..., at most 5 (fourth derivative)."""
 
@@ -159,7 +162,7 @@ class Block(Kind):
     def command(self, p: Any, m: Measured, x: list[Any]) -> Any:
         """Its output of its numbers, what it sees, and its own states; a list where it has several.
 
-        That of a drive is [V] of a motor that has a resistance, else [N*m or N].
+        That of a drive is [V] of a motor that has a resistance, else [N*m or N]; see :attr:`commands_effort`.
         """
         raise NotImplementedError
 

@@ -14,7 +14,7 @@ from tmodes.kinds.kernel import functions as f
 from tmodes.kinds.kernel import vectors
 from tmodes.kinds.schema.quantity import not_negative, positive
 
-__all__ = ["ComputedTorque", "FeedbackLinearisation", "GravityPD"]
+__all__ = ["AllDrives", "ComputedTorque", "FeedbackLinearisation", "GravityPD"]
 
 
 @CONTROLLERS.register
@@ -28,6 +28,7 @@ class GravityPD(Controller):
 
     sees_all: ClassVar[bool] = True
     needs_model: ClassVar[bool] = True
+    commands_effort: ClassVar[bool] = True
 
     type: Literal["gravity_pd"] = Field(description="kind of controller")
     position_gain: float = not_negative("gain", "Kp", "position gain")
@@ -62,11 +63,12 @@ def _sag(load: Any, stiffness: Any) -> Any:
     return f.if_else(stiffness > 0, load / f.if_else(stiffness > 0, stiffness, 1.0), 0.0)
 
 
-class _AllDrives(Controller):
+class AllDrives(Controller):
     """Of all drives at once: written in the section `control`."""
 
     sees_all: ClassVar[bool] = True
     needs_model: ClassVar[bool] = True
+    commands_effort: ClassVar[bool] = True
 
     sample_time: float | None = positive(
         "s", "T", "time between samples; none: at every instant", default=None, plausible=(1e-5, 1.0)
@@ -77,18 +79,18 @@ class _AllDrives(Controller):
         """T [s]."""
         return self.sample_time
 
-    def _chosen(self, m: Measured, efforts: list[Any]) -> list[Any]:
+    def chosen(self, m: Measured, efforts: list[Any]) -> list[Any]:
         """Those of the drives that it commands."""
         return [efforts[m.drives.index(joint)] for joint in m.commands]
 
-    def _references(self, m: Measured) -> list[list[Any]]:
+    def references(self, m: Measured) -> list[list[Any]]:
         """Setpoints of all drives, their rates and accelerations."""
         each = [m.setpoint(joint) for joint in m.drives]
         return [[one[k] for one in each] for k in range(3)]
 
 
 @CONTROLLERS.register
-class ComputedTorque(_AllDrives):
+class ComputedTorque(AllDrives):
     """u = M(q) (r'' + Kv (r' - q') + Kp (r - q)) + c(q, q') + g(q) + b q', of the motors' angles.
 
     J. Y. S. Luh, M. W. Walker, R. P. C. Paul, Resolved-acceleration control of mechanical manipulators, IEEE Trans.
@@ -106,15 +108,15 @@ class ComputedTorque(_AllDrives):
     def command(self, p: Any, m: Measured, x: list[Any]) -> list[Any]:
         """As above, with rotors."""
         del x
-        (q, v), (r, rate, push) = m.motors(), self._references(m)
+        (q, v), (r, rate, push) = m.motors(), self.references(m)
         a = [push[k] + p[1] * (rate[k] - v[k]) + p[0] * (r[k] - q[k]) for k in range(len(q))]
         torque = m.model.torque(q, v, a)
         rows = zip(torque, m.model.inertia, m.model.viscous, a, v, strict=True)
-        return self._chosen(m, [load + inertia * acc + b * turns for load, inertia, b, acc, turns in rows])
+        return self.chosen(m, [load + inertia * acc + b * turns for load, inertia, b, acc, turns in rows])
 
 
 @CONTROLLERS.register
-class FeedbackLinearisation(_AllDrives):
+class FeedbackLinearisation(AllDrives):
     """Elastic joints made four integrators: q'''' = s, with all poles of the error at ``pole``.
 
     Of states q, q', th, th' and a rigid model of the links: a = q'' and q''' from the gears' torques, then
@@ -149,6 +151,6 @@ class FeedbackLinearisation(_AllDrives):
         ]
         _, _, second = model.torque_rates(q, v, a, jerk, s)
         rows = zip(model.inertia, model.viscous, model.stiffness, a, second, wound, thd, strict=True)
-        return self._chosen(
+        return self.chosen(
             m, [inertia * (acc + tau / k) + load + b * turns for inertia, b, k, acc, tau, load, turns in rows]
         )

@@ -22,5 +22,6 @@ CONTROLLERS.bring(
         "notch": "filters",
         "low_pass": "filters",
         "lead_lag": "filters",
+        "disturbance_observer": "disturbance_observer",
     },
 )
