@@ -7,9 +7,11 @@ from typing import Any
 import numpy as np
 import pytest
 from scipy.linalg import expm
+from scipy.signal import lsim
 
 import tmodes
 from contracts.test_blocks import LINK, PD, Sheet, angles, constant, law, matrices, spong
+from simulation.sheets import arm
 from tmodes.simulation.simulate import simulate_motion
 
 OBSERVER = PD | {"type": "disturbance_observer", "bandwidth": 6.0}
@@ -36,6 +38,38 @@ def test_an_observer_takes_a_constant_load(period: float | None) -> None:
     assert motor == pytest.approx(0.8, abs=1e-9)
     assert LINK["k"] * (motor - joint) == pytest.approx(weight * np.sin(joint), rel=1e-7)
     assert ends["observer"].controls[-1, -1] == pytest.approx(weight * np.sin(joint), rel=1e-7)
+
+
+def test_an_estimate_is_the_load_through_a_low_pass() -> None:
+    """Of first order, whatever the feedback does: of what the gear takes from the motor, and constant to its limit."""
+    robot = spong(constant(0.8), 1.0, 5e-4, drive={"controller": OBSERVER}, integration=EXACT)
+    run, result = simulate_motion(robot), public(robot).run()
+    load, rate = (np.asarray(result.output(f"joint.{name}")) for name in ("gear_torque", "motor.velocity"))
+    estimate = run.controls[:, -1] - RATE * LINK["J"] * rate
+    _, truth, _ = lsim(([RATE], [1.0, RATE]), load, run.times)
+    assert estimate == pytest.approx(truth, abs=1e-5 * np.abs(load).max())
+
+
+@pytest.mark.parametrize("period", [None, 0.01])
+def test_a_constant_load_is_found_at_the_rate_of_the_filter(period: float | None) -> None:
+    """A rotor alone under a constant moment L: d = -L (1 - exp(-w t)), of whatever gains, sampled too."""
+    own, moment, step = OBSERVER | ({} if period is None else {"sample_time": period}), 3.5, 0.01
+    body = {"name": "bob", "mass": 1e-9, "center": [0, 0, -0.1], "inertia": {"xx": 1e-12, "yy": 1e-12, "zz": 1e-12}}
+    motor = {"inertia": LINK["J"], "side": "joint", "friction": {"viscous": LINK["b"] if period is None else 0.0}}
+    drive = {"joint": "joint", "command": "position", "controller": own, "signal": constant(0.2)}
+    robot = arm(joints=[{"name": "joint", "type": "revolute", "child": "link", "axis": [0, 1, 0], "motor": motor}],
+                links=[{"name": "link", "bodies": [body]}], tip={"link": "link", "position": [0, 0, -0.1]},
+                drives=[drive], loads=[{"moment": [0, moment, 0], "frame": "world"}], initial={"state": "zero"},
+                integration={"duration": 40 * step, "output_step": step, **EXACT})  # fmt: skip
+    run = simulate_motion(robot)
+    rate = run.v[:, 0]
+    share = RATE if period is None else (1 - np.exp(-RATE * period)) / period
+    estimate = run.controls[:, -1] - share * LINK["J"] * rate
+    truth = -moment * (1 - np.exp(-RATE * run.times))
+    if period is not None:  # states after a sample are those of the next
+        estimate = run.controls[:-1, -1] - share * LINK["J"] * rate[1:]
+        truth = truth[1:]
+    assert estimate == pytest.approx(truth, abs=1e-7)
 
 
 def test_poles_of_an_observer() -> None:

@@ -23,7 +23,7 @@ class DisturbanceObserver(Controller):
 
     w = 2 pi ``bandwidth``; J, b: inertia and viscous friction of the motor as known; u: the effort after a limit of it.
     Only th' is measured: d = z - w J th', z' = w (u - b th' + w J th' - z). Sampled: a = exp(-w T), g = (1 - a) J/T,
-    d = z - g th', z+ = a d + (1 - a) (u - b th') + g th', exact where u and the load are constant from sample to sample
+    d = z - g th', z+ = a d + (1 - a) (u - b th') + g th', exact where u - b th' and load are constant between samples
     (K. Ohnishi, M. Shibata, T. Murakami, Motion control for advanced mechatronics, IEEE/ASME Trans. Mechatronics 1,
     1996).
     """
