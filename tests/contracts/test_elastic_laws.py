@@ -9,19 +9,12 @@ import pytest
 from scipy.linalg import expm
 from scipy.signal import lsim
 
-import tmodes
 from contracts.test_blocks import LINK, PD, Sheet, angles, constant, law, matrices, spong
-from simulation.sheets import arm
+from contracts.test_drive_limits import EXACT, INERTIA, public, rotor
 from tmodes.simulation.simulate import simulate_motion
 
 OBSERVER = PD | {"type": "disturbance_observer", "bandwidth": 6.0}
 RATE = 2 * np.pi * OBSERVER["bandwidth"]
-EXACT = {"relative_tolerance": 1e-10, "absolute_tolerance": 1e-11, "method": "dormand_prince"}
-
-
-def public(robot: Any) -> Any:
-    """The robot with the methods that users call."""
-    return tmodes.Robot.from_data(robot.model_dump(mode="json", by_alias=True, exclude_none=True))
 
 
 @pytest.mark.parametrize("period", [None, 0.004])
@@ -54,20 +47,16 @@ def test_an_estimate_is_the_load_through_a_low_pass() -> None:
 def test_a_constant_load_is_found_at_the_rate_of_the_filter(period: float | None) -> None:
     """A rotor alone under a constant moment L: d = -L (1 - exp(-w t)), of whatever gains, sampled too."""
     own, moment, step = OBSERVER | ({} if period is None else {"sample_time": period}), 3.5, 0.01
-    body = {"name": "bob", "mass": 1e-9, "center": [0, 0, -0.1], "inertia": {"xx": 1e-12, "yy": 1e-12, "zz": 1e-12}}
-    motor = {"inertia": LINK["J"], "side": "joint", "friction": {"viscous": LINK["b"] if period is None else 0.0}}
-    drive = {"joint": "joint", "command": "position", "controller": own, "signal": constant(0.2)}
-    robot = arm(joints=[{"name": "joint", "type": "revolute", "child": "link", "axis": [0, 1, 0], "motor": motor}],
-                links=[{"name": "link", "bodies": [body]}], tip={"link": "link", "position": [0, 0, -0.1]},
-                drives=[drive], loads=[{"moment": [0, moment, 0], "frame": "world"}], initial={"state": "zero"},
-                integration={"duration": 40 * step, "output_step": step, **EXACT})  # fmt: skip
+    motor = {"friction": {"viscous": LINK["b"] if period is None else 0.0}}
+    robot = rotor(40 * step, step, {"controller": own, "signal": constant(0.2)}, motor,
+                  loads=[{"moment": [0, moment, 0], "frame": "world"}])  # fmt: skip
     run = simulate_motion(robot)
     rate = run.v[:, 0]
     share = RATE if period is None else (1 - np.exp(-RATE * period)) / period
-    estimate = run.controls[:, -1] - share * LINK["J"] * rate
+    estimate = run.controls[:, -1] - share * INERTIA * rate
     truth = -moment * (1 - np.exp(-RATE * run.times))
     if period is not None:  # states after a sample are those of the next
-        estimate = run.controls[:-1, -1] - share * LINK["J"] * rate[1:]
+        estimate = run.controls[:-1, -1] - share * INERTIA * rate[1:]
         truth = truth[1:]
     assert estimate == pytest.approx(truth, abs=1e-7)
 

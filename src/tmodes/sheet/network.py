@@ -26,7 +26,8 @@ class Node(NamedTuple):
     @property
     def place(self) -> str:
         """Its place in the sheet by its name, as messages say it."""
-        return f"{'control' if self.sheet else 'sensors'}.{self.name}"
+        head = self.path.partition(".")[0]
+        return self.path if head == "drives" else f"{head}.{self.name}"
 
     @property
     def drives(self) -> tuple[str, ...]:
@@ -101,10 +102,7 @@ def _commands(robot: Any) -> Iterator[Issue]:
         for k, joint in enumerate(sheet.drives):
             yield from _command(f"{path}.drives.{k}", joint, drives.get(joint), known, (sheet.name, taken.get(joint)))
             taken[joint] = sheet.name
-        ports = sheet.block.ports
-        if ports and sheet.drives and len(ports) != len(sheet.drives):
-            got, hint = f"{len(sheet.drives)} drives", "name as many joints as it has outputs"
-            yield Issue(f"{path}.drives", got, f"{len(ports)}, one for each of its outputs", hint)
+        yield from _outputs(path, sheet)
     for index, drive in enumerate(robot.drives):
         if drive.controller and drive.controller.is_designed:
             hint = f"write `control: [{{name: law, drives: [{drive.joint}], block: {{...}}}}]`"
@@ -113,6 +111,20 @@ def _commands(robot: Any) -> Iterator[Issue]:
         if drive.command.is_controlled and drive.controller is None and drive.joint not in taken:
             hint = "add `controller: {type: pd, ...}`, or take the command `prescribed`"
             yield Issue(f"drives.{index}.controller", "nothing", "a controller for the command `position`", hint)
+
+
+def _outputs(path: str, sheet: Any) -> Iterator[Issue]:
+    """A block has as many outputs as it commands drives, and a joint where it works on one."""
+    block, count = sheet.block, len(sheet.drives)
+    if block.ports and count not in {0, len(block.ports)}:
+        hint = "name as many joints as it has outputs"
+        yield Issue(f"{path}.drives", f"{count} drives", f"{len(block.ports)}, one for each of its outputs", hint)
+    elif block.needs_drives and not count:
+        hint = "write `drives: [...]`, the joints that it commands"
+        yield Issue(f"{path}.drives", "nothing", "at least one drive, for it has no other outputs", hint)
+    elif block.needs_joint and (count > 1 or not sheet.joint):
+        got, hint = f"{count} drives" if count else "nothing", "write one block for each joint, with `of` or one drive"
+        yield Issue(f"{path}.{'drives' if count else 'of'}", got, "one joint, which it sees as its own", hint)
 
 
 def _command(path: str, joint: str, drive: Any, known: str, names: tuple[str, str | None]) -> Iterator[Issue]:

@@ -104,13 +104,16 @@ def control_plan(robot: Robot, plan: LoopPlan, signals: Any) -> tuple[tuple[Bloc
     nodes = [_designed(robot, node) for node in network(robot)]
     sources = _Sources(robot, plan, signals, Outputs(LoopParts(plan)), {})
     given = {name for node in nodes for name in node.signals}
-    blocks: list[BlockPlan] = []
-    for node in nodes:
+    own = {drive.joint: drive.servo.law for drive in plan.drives if drive.servo and drive.servo.law}
+    sheets = enumerate(robot.drives)
+    at_drives = {f"drives.{k}.controller": own[one.joint] for k, one in sheets if one.controller and one.joint in own}
+    everywhere = [*nodes, *(Node("", path, law.block, ()) for path, law in at_drives.items())]
+    for node in everywhere:
         for name in node.block.reads:
             if name not in given:
                 sources.add(name, node)
-        blocks.append(_block(robot, plan, node, signals))
-    _refuse_late(nodes, blocks, sources.found)
+    blocks = [_block(robot, plan, node, signals) for node in nodes]
+    _refuse_late(everywhere, [*(block.law for block in blocks), *at_drives.values()], sources.found)
     return tuple(blocks), sources.found
 
 
@@ -140,20 +143,22 @@ def _designed(robot: Robot, node: Node) -> Node:
         try:
             designs[node.name] = node.block.designed(partial(linear_plant, known), node.sheet.drives)
         except InputError as error:
-            path = f"{node.place}.block.{error.which}"
+            if error.which.startswith("sensors."):
+                raise
+            path = f"{node.place}.block.{'measured' if error.which == 'outputs' else error.which}"
             raise InputError(path, error.got, error.expected, error.hint, error.where) from error
     return node._replace(block=designs[node.name])
 
 
-def _refuse_late(nodes: list[Node], blocks: list[BlockPlan], sources: dict[str, Any]) -> None:
+def _refuse_late(nodes: list[Node], laws: list[Law], sources: dict[str, Any]) -> None:
     """Outputs that follow from the commands of their instant are read at samples alone."""
     late = {name for name, source in sources.items() if getattr(source, "late", False)}
-    for node, block in zip(nodes, blocks, strict=True):
-        read = [name for name in block.law.block.reads if name in late]
-        if not read or block.law.is_sampled:
+    for node, law in zip(nodes, laws, strict=True):
+        read = [name for name in law.block.reads if name in late]
+        if not read or law.is_sampled:
             continue
         late |= {*node.signals}
-        if node.sheet is not None or block.law.states:
+        if not node.path.startswith("sensors.") or law.states:
             got = f"`{read[0]}` in continuous time"
             expected = "a sampled block: it follows from the commands of the same instant"
             raise InputError(f"{node.place}.sample_time", got, expected, "add `sample_time: 0.001`")

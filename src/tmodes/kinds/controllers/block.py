@@ -138,6 +138,12 @@ class Block(Kind):
     """Whether it computes with the robot as known, its gears and links rigid: ``m.model.torque(q, v, a)`` and more, see
     :class:`tmodes.equations.loop.rigid_terms.RigidTerms`; angles in the order of ``m.drives``."""
 
+    needs_joint: ClassVar[bool] = False
+    """Whether it works on one joint as its own, in `control` too: on its only drive, or the one that `of` names."""
+
+    needs_drives: ClassVar[bool] = False
+    """Whether it has no other outputs than commands of the drives that it names."""
+
     ports: ClassVar[tuple[Port, ...]] = ()
     """The signals that it gives; none: one for each drive that it commands, named by the joints."""
 

@@ -29,6 +29,7 @@ class DisturbanceObserver(Controller):
     """
 
     sees_all: ClassVar[bool] = True
+    needs_joint: ClassVar[bool] = True
     needs_model: ClassVar[bool] = True
     commands_effort: ClassVar[bool] = True
 

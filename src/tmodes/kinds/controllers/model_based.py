@@ -27,6 +27,7 @@ class GravityPD(Controller):
     """
 
     sees_all: ClassVar[bool] = True
+    needs_joint: ClassVar[bool] = True
     needs_model: ClassVar[bool] = True
     commands_effort: ClassVar[bool] = True
 
@@ -67,6 +68,7 @@ class AllDrives(Controller):
     """Of all drives at once: written in the section `control`."""
 
     sees_all: ClassVar[bool] = True
+    needs_drives: ClassVar[bool] = True
     needs_model: ClassVar[bool] = True
     commands_effort: ClassVar[bool] = True
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Literal
+from typing import Any, ClassVar, Literal
 
 from pydantic import Field
 
@@ -21,6 +21,8 @@ class PD(Controller):
 
     Eq. (41) [stated]: u = Klp (theta_o - theta) + Klv (theta_o' - theta'). {test_local_pd}
     """
+
+    needs_joint: ClassVar[bool] = True
 
     type: Literal["pd"] = Field(description="kind of controller")
     position_gain: float = not_negative("gain", "Kp", "position gain")

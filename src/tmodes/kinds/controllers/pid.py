@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from enum import StrEnum
-from typing import Any, Literal
+from typing import Any, ClassVar, Literal
 
 from pydantic import Field
 
@@ -28,6 +28,8 @@ class AntiWindup(StrEnum):
 
 class _PID(Controller):
     """u = Kp e + Ki z + Kv e', z' = e. Numbers: Kp, Ki, Kv, then what there is of limit, tracking and filter time."""
+
+    needs_joint: ClassVar[bool] = True
 
     position_gain: float = not_negative("gain", "Kp", "position gain")
     integral_gain: float = not_negative("gain/s", "Ki", "integral gain")

@@ -56,6 +56,7 @@ class _StateSpace(Controller):
     """u = u_0 - K (x - x_r) - K_i z, z' = th - r."""
 
     sees_all: ClassVar[bool] = True
+    needs_drives: ClassVar[bool] = True
     is_designed: ClassVar[bool] = True
 
     at: At = Field(default=At.END, strict=False, description="rest about which it is designed: end or start of moves")
