@@ -21,6 +21,8 @@ LAWS: dict[str, Sheet] = {
     "gravity_pd": PD | {"type": "gravity_pd"},
     "computed_torque": {"type": "computed_torque", "position_gain": 100.0, "velocity_gain": 20.0},
     "feedback_linearisation": {"type": "feedback_linearisation", "pole": 10.0},
+    "passivity_based": {"type": "passivity_based", "damping": 5.0, "position_gain": 100.0, "velocity_gain": 20.0},
+    "singular_perturbation": {"type": "singular_perturbation", "position_gain": 25.0, "velocity_gain": 10.0},
     "pole_placement": {"type": "pole_placement", "poles": [[2.0, 0.7], [4.0, 0.7]]},
     "low_pass": {"type": "low_pass", "input": "raw", "frequency": 40.0},
     "lead_lag": {"type": "lead_lag", "input": "raw", "frequency": 40.0, "ratio": 2.0},

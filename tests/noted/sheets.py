@@ -98,6 +98,8 @@ BLOCKS: dict[str, Sheet] = {
     "gravity_pd": {"type": "gravity_pd", "position_gain": 80.0, "velocity_gain": 8.0},
     "computed_torque": {"type": "computed_torque", "position_gain": 400.0, "velocity_gain": 40.0},
     "feedback_linearisation": {"type": "feedback_linearisation", "pole": 10.0},
+    "passivity_based": {"type": "passivity_based", "damping": 5.0, "position_gain": 100.0, "velocity_gain": 20.0},
+    "singular_perturbation": {"type": "singular_perturbation", "position_gain": 100.0, "velocity_gain": 20.0},
     "lqr": {"type": "lqr", "state_weights": {"first": 100.0, "second": 100.0}},
     "pole_placement": {"type": "pole_placement", "poles": [[2.0, 0.7], [3.0, 0.7]]},
     "lqg": {"type": "lqg", "sample_time": 0.01, "state_weights": {"first": 100.0, "second": 100.0},
@@ -160,8 +162,9 @@ def sheet(
 def controlled(block: Sheet) -> Sheet:
     """Both joints under the block; behind elastic gears where it needs them."""
     gear = {"motor": {"inertia": 0.05, "side": "joint"}, "gear": {"stiffness": 300.0, "damping": 0.3}}
-    made = sheet(joint=JOINTS["revolute"] | (gear if block["type"] == "feedback_linearisation" else {}))
-    made["joints"][1] |= gear if block["type"] == "feedback_linearisation" else {}
+    winds = block["type"] in {"feedback_linearisation", "passivity_based"}
+    made = sheet(joint=JOINTS["revolute"] | (gear if winds else {}))
+    made["joints"][1] |= gear if winds else {}
     both = [{"joint": one, "command": "position", "signal": MOVE} for one in ("first", "second")]
     groups = [["first"], ["second"]] if block["type"] == "gravity_pd" or "input" in block else [["first", "second"]]
     control = [{"name": f"law{k}", "drives": group, "block": block} for k, group in enumerate(groups)]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from graphlib import CycleError, TopologicalSorter
 from typing import Any, NamedTuple
 
@@ -103,6 +103,7 @@ def _commands(robot: Any) -> Iterator[Issue]:
             yield from _command(f"{path}.drives.{k}", joint, drives.get(joint), known, (sheet.name, taken.get(joint)))
             taken[joint] = sheet.name
         yield from _outputs(path, sheet)
+        yield from _gears(path, robot, sheet.block, drives)
     for index, drive in enumerate(robot.drives):
         if drive.controller and drive.controller.is_designed:
             hint = f"write `control: [{{name: law, drives: [{drive.joint}], block: {{...}}}}]`"
@@ -125,6 +126,15 @@ def _outputs(path: str, sheet: Any) -> Iterator[Issue]:
     elif block.needs_joint and (count > 1 or not sheet.joint):
         got, hint = f"{count} drives" if count else "nothing", "write one block for each joint, with `of` or one drive"
         yield Issue(f"{path}.{'drives' if count else 'of'}", got, "one joint, which it sees as its own", hint)
+
+
+def _gears(path: str, robot: Any, block: Block, drives: Mapping[str, Any]) -> Iterator[Issue]:
+    """A law of elastic joints divides by their stiffness."""
+    each = [(name, joint) for joint in robot.joints for name in joint.coordinates or [joint.name]]
+    rigid = [name for name, joint in each if name in drives and not joint.is_elastic]
+    if block.needs_gears and rigid:
+        got, hint = f"{', '.join(rigid)} with a rigid gear", "give them a `gear`, or take the law `computed_torque`"
+        yield Issue(f"{path}.block.type", got, "drives with elastic gears alone, for this law winds them", hint)
 
 
 def _command(path: str, joint: str, drive: Any, known: str, names: tuple[str, str | None]) -> Iterator[Issue]:

@@ -7,7 +7,7 @@ elastic joint robots, ASME J. Dyn. Sys. Meas. Control 109, 1987).
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
 from typing import Any
@@ -112,20 +112,39 @@ class RigidTerms:
         mass = ca.jacobian(ca.SX(ca.vertcat(*self.torque(q, none, ca.vertsplit(a)))), a)
         return _solved([[*(mass[i, j] for j in range(n)), right[i]] for i in range(n)])
 
+    def torque_along(self, q: list[Any], v: list[Any], along: list[Any], a: list[Any]) -> list[Any]:
+        """M(q) a + C(q, v) along + g(q), where C is that of Christoffel's symbols, with which M' - 2 C is skew.
+
+        c(q, v) = C(q, v) v is a quadratic form of v, so that its differences give C.
+        """
+        ahead = self.torque(q, [x + y for x, y in zip(v, along, strict=True)], [2 * each for each in a])
+        behind = self.torque(q, [x - y for x, y in zip(v, along, strict=True)], [-2 * each for each in a])
+        rows = zip(ahead, behind, self.gravity(q), strict=True)
+        return [(one - other) / 4 + weight for one, other, weight in rows]
+
     def torque_rates(self, *motion: list[Any]) -> tuple[list[Any], list[Any], list[Any]]:
         """The efforts with their first and second derivative by time, of q and its first four derivatives."""
-        n = len(motion[0])
-        symbols = [ca.SX.sym(f"q{k}", n) for k in range(5)]
-        chain = list(pairwise(symbols))
+        return self.time_derivatives(lambda q: self.torque(*q[:3]), motion)
 
-        def rate(of: Any) -> Any:
-            return sum((ca.jtimes(of, one, after) for one, after in chain), ca.SX.zeros(n))
+    @staticmethod
+    def time_derivatives(
+        of: Callable[..., list[Any]], *motions: Sequence[list[Any]]
+    ) -> tuple[list[Any], list[Any], list[Any]]:
+        """What a function gives, with its first and second derivative by time.
 
-        first = ca.SX(ca.vertcat(*self.torque(*(ca.vertsplit(one) for one in symbols[:3]))))
+        ``of(*motions)``; each motion: a list of values, of their rates, and so on, up to what the result depends on.
+        """
+        symbols = [[ca.SX.sym(f"m{j}{k}", len(one)) for k, one in enumerate(each)] for j, each in enumerate(motions)]
+        chain = [pair for each in symbols for pair in pairwise(each)]
+        first = ca.SX(ca.vertcat(*of(*([ca.vertsplit(one) for one in each] for each in symbols))))
+
+        def rate(expression: Any) -> Any:
+            return sum((ca.jtimes(expression, one, after) for one, after in chain), ca.SX.zeros(first.shape[0]))
+
         second = rate(first)
-        values = [ca.SX(ca.vertcat(*one)) for one in motion]
-        found = ca.substitute([first, second, rate(second)], symbols, values)
-        return tuple([one[k] for k in range(n)] for one in found)  # pyright: ignore[reportReturnType]
+        values = [ca.SX(ca.vertcat(*one)) for each in motions for one in each]
+        found = ca.substitute([first, second, rate(second)], [one for each in symbols for one in each], values)
+        return tuple([one[k] for k in range(first.shape[0])] for one in found)  # pyright: ignore[reportReturnType]
 
     def tip(self, q: list[Any]) -> list[Any]:
         """Position of the tip in the world [m]."""

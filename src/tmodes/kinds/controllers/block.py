@@ -144,6 +144,9 @@ class Block(Kind):
     needs_drives: ClassVar[bool] = False
     """Whether it has no other outputs than commands of the drives that it names."""
 
+    needs_gears: ClassVar[bool] = False
+    """Whether all driven joints must have elastic gears."""
+
     ports: ClassVar[tuple[Port, ...]] = ()
     """The signals that it gives; none: one for each drive that it commands, named by the joints."""
 

@@ -23,5 +23,7 @@ CONTROLLERS.bring(
         "low_pass": "filters",
         "lead_lag": "filters",
         "disturbance_observer": "disturbance_observer",
+        "passivity_based": "passivity_based",
+        "singular_perturbation": "singular_perturbation",
     },
 )
