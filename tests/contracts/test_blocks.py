@@ -28,6 +28,8 @@ STATES = ("joint", "joint.motor", "joint'", "joint.motor'")
 NOTCH = {"type": "notch", "input": "raw", "frequency": 5.0, "damping": 0.3, "depth": 0.2}
 LQR = {"type": "lqr", "state_weights": dict(zip(STATES, (400.0, 100.0, 5.0, 1.0), strict=True))}
 PD = {"type": "pd", "position_gain": 60.0, "velocity_gain": 9.0}
+IMPEDANCE = {"type": "impedance", "stiffness": [900.0, 0.0, 900.0], "damping": [90.0, 0.0, 90.0],
+             "joint_damping": 2.0}  # fmt: skip
 OBSERVER = PD | {"type": "disturbance_observer", "bandwidth": 9.0}
 PID = PD | {"type": "sampled_pid", "integral_gain": 70.0, "sample_time": 1e-3, "filter_time": 0.004, "limit": 14.0}
 STEPS = {"type": "sum", "signals": [{"type": "constant", "value": 1.2},
@@ -150,6 +152,9 @@ EVERYWHERE = {
                                         "velocity_gain": 20.0})},
     "singular_perturbation": {"control": law({"type": "singular_perturbation", "position_gain": 25.0,
                                               "velocity_gain": 10.0})},
+    "impedance": {"control": law(IMPEDANCE)},
+    "force": {"control": law(IMPEDANCE | {"type": "force", "direction": [1, 0, 0], "force": 4.0, "integral_gain": 3.0,
+                                          "input": "tip.x", "sample_time": 0.01})},
     "disturbance_observer": {"drive": {"controller": OBSERVER}},
     "sampled observer": {"control": [{"name": "raw", "of": "joint", "block": PD},
                                      *law({"type": "disturbance_observer", "bandwidth": 9.0, "sample_time": 0.01,

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from tmodes.errors import InputError
 from tmodes.simulation.balance import Balance, Search, frozen, rounding
 from tmodes.simulation.initial_state import RunSetup
 
@@ -61,7 +62,10 @@ def departure(setup: RunSetup, row: Array) -> Departure | None:
         slopes = balance.slopes(begun, signals[None], balance.loop.numbers)[0]
         return np.where(np.abs(found) > rounding(slopes, q)[: len(free)], found, 0.0)
 
-    accelerations = unbalanced(setup.start, quiet)
+    try:
+        accelerations = unbalanced(setup.start, quiet)
+    except InputError:  # a block reads what has no value at rest, such as the force of a contact
+        return None
     if not accelerations.any():
         return None
     resting = setup.start.copy()

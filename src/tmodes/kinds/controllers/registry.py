@@ -25,5 +25,7 @@ CONTROLLERS.bring(
         "disturbance_observer": "disturbance_observer",
         "passivity_based": "passivity_based",
         "singular_perturbation": "singular_perturbation",
+        "impedance": "impedance",
+        "force": "force",
     },
 )
