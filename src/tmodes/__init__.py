@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from tmodes.interface.following import follow
     from tmodes.interface.hierarchy import hierarchy
     from tmodes.interface.inverse import inverse
+    from tmodes.interface.learning import learn
     from tmodes.interface.linear import linearize
     from tmodes.interface.modes import modes
     from tmodes.interface.motions import motion
@@ -68,6 +69,7 @@ __all__ = [
     "gradient",
     "hierarchy",
     "inverse",
+    "learn",
     "linearize",
     "load",
     "load_study",
@@ -108,6 +110,7 @@ _HOMES = {
     "forward_sensitivities": "tmodes.gradients.gradient.forward_sensitivities",
     "gradient": "tmodes.interface.studies.gradient",
     "hierarchy": "tmodes.interface.hierarchy.hierarchy",
+    "learn": "tmodes.interface.learning.learn",
     "linearize": "tmodes.interface.linear.linearize",
     "inverse": "tmodes.interface.inverse.inverse",
     "load": "tmodes.interface.objects.load",

@@ -106,9 +106,14 @@ ALONG = [-float(np.sin(0.7)), float(np.cos(0.7)), 0.0]
 
 def across(**more: Any) -> Sheet:
     """The environment of 2010, with its mass and preload, across the path in place of along the radius."""
-    paper = tmodes.load("filipovic2010").contact.model_dump(mode="json")
+    contact = tmodes.load("filipovic2010").contact
+    assert contact is not None
     place = [0.9 * float(np.cos(0.7)), 0.9 * float(np.sin(0.7)), 0.0]
-    return paper | {"shape": {"type": "plane", "position": place, "normal": [-x for x in ALONG]}} | more
+    return (
+        contact.model_dump(mode="json")
+        | {"shape": {"type": "plane", "position": place, "normal": [-x for x in ALONG]}}
+        | more
+    )
 
 
 def test_the_force_of_2010_is_beyond_the_reach_of_its_motor() -> None:

@@ -141,8 +141,8 @@ def test_what_random_sections_have_found(name: str) -> None:
 def test_a_filter_at_a_drive_reads_an_output() -> None:
     """As the same filter in the section `control`."""
     block = LAWS["low_pass"] | {"input": "joint.setpoint"}
-    as_block = {"control": [{"name": "a", "drives": ["joint"], "block": block}]}
-    both = ({"drive": {"controller": block}}, as_block)
+    as_block: Sheet = {"control": [{"name": "a", "drives": ["joint"], "block": block}]}
+    both: tuple[Sheet, Sheet] = ({"drive": {"controller": block}}, as_block)
     found = [simulate_motion(spong(STEPS, 0.5, 0.05, **more)).q for more in both]
-    assert np.array_equal(*found)
+    assert np.array_equal(found[0], found[1])
     assert np.abs(found[0]).max() > 0.01

@@ -14,7 +14,6 @@ from scipy.signal import lsim
 from contracts.test_blocks import LINK, PD, Sheet, angles, constant, law, matrices, spong
 from contracts.test_drive_limits import EXACT, INERTIA, public, rotor
 from simulation.sheets import arm
-from tmodes import Robot
 from tmodes.simulation.simulate import simulate_motion
 
 Array = NDArray[np.float64]
@@ -149,12 +148,12 @@ def integrated(effort: Any, times: Array, p: Sheet) -> Array:
 @pytest.mark.parametrize(("block", "effort"), [(PASSIVE, passive_effort), (COMPOSITE, composite_effort)])
 def test_a_law_of_elastic_joints_as_scipy_integrates_it(block: Sheet, effort: Any) -> None:
     """From rest on a moving setpoint."""
-    times = 0.05 * np.arange(41)
+    times: Array = 0.05 * np.arange(41, dtype=np.float64)
     robot = spong(SWING, 2.0, 0.05, FREE, control=law(block), integration=EXACT)
     assert angles(robot, times) == pytest.approx(integrated(effort, times, FREE), abs=3e-8)
 
 
-def elastic_arm(start: Sheet, signals: Any = None, **more: Any) -> Robot:
+def elastic_arm(start: Sheet, signals: Any = None, **more: Any) -> Any:
     """Two links in the vertical plane behind elastic gears without damping, under the passivity-based law."""
     signals = signals or [{"type": "sine", "amplitude": a, "frequency": f} for a, f in ((0.7, 0.4), (-0.9, 0.6))]
     gears = [{"stiffness": k, "damping": 0.0} for k in (300.0, 140.0)]

@@ -53,6 +53,7 @@ _GROUPS = {
     },
     "Motion": {
         "motion": ("motion.motion", "torques from rest to rest after which nothing swings"),
+        "learn": ("learn.learn", "setpoints that get better from run to run"),
     },
     "Many runs": {
         "batch": ("batch.batch", "vary numbers of one robot, evenly or at random"),

@@ -15,6 +15,7 @@ from tmodes.interface import (
     following,
     hierarchy,
     inverse,
+    learning,
     linear,
     modes,
     motions,
@@ -157,6 +158,7 @@ class Robot(sheet.Robot):
     inverse = inverse.inverse
     describe = description.describe
     linearize = linear.linearize
+    learn = learning.learn
     follow = following.follow
     shaper = shaping.shaper
     hierarchy = hierarchy.hierarchy
