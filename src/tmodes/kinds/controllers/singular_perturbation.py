@@ -19,7 +19,7 @@ class SingularPerturbation(AllDrives):
     """u = (M + J) a + c + g + b q' + 2 D sqrt(k J) (q' - th'), a = r'' + Kv (r' - q') + Kp (r - q), of the joints.
 
     Slow: computed torque of the robot as if its gears were rigid; fast: a damper on what winds the gears, with the
-    ratio D to the rotor on its gear. Its error falls as 1/sqrt(k), the rate of the gears, which must be fast beside
+    ratio D to the rotor on its gear. Its error falls as 1/sqrt(k), the rate of the gears, which must be fast against
     sqrt(Kp): the corrections of an integral manifold are left out (M. W. Spong, Modeling and control of elastic joint
     robots, ASME J. Dyn. Sys. Meas. Control 109, 1987; P. Kokotovic, H. K. Khalil, J. O'Reilly, Singular Perturbation
     Methods in Control, 1986).
