@@ -1,0 +1,98 @@
+"""The four-mass axis of Moberg, Ohr and Gunnarsson: its poles and zeros to all digits that are known of it.
+
+Reference values computed with the matrices of its linear equations by NumPy, from the benchmark's numbers alone.
+"""
+
+from __future__ import annotations
+
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+import pytest
+
+import tmodes
+
+LOW, HIGH, KNEE = 16.7, 100.0, 0.064
+POLES = {
+    LOW: [(8.8157, 0.1153), (14.4407, 0.0657), (41.6126, 0.1413)],
+    HIGH: [(12.4026, 0.0386), (19.1207, 0.0471), (54.6641, 0.1183)],
+}
+LOCKED = {LOW: [2.91097, 14.25002, 41.65449], HIGH: [5.25497, 15.37823, 52.32146]}
+
+
+def axis(**changes: Any) -> tmodes.Robot:
+    """The robot with other entries of its sheet."""
+    sheet = tmodes.load("moberg2009").model_dump(mode="json", by_alias=True, exclude_none=True)
+    return tmodes.Robot.from_data(sheet | {"loads": []} | changes)
+
+
+def pushed(force: float) -> tmodes.Robot:
+    """With a force on the tool, which winds the gear up where the motor is held."""
+    return axis(loads=[{"point": "tip", "force": [0, 0, force], "frame": "world"}])
+
+
+STIFF = 400.0
+"""Force on the tool [N] that winds the gear beyond its knee, against a motor that is held."""
+
+
+def torque(twist: float) -> float:
+    """Of the gear, from the equations of motion."""
+    return float(tmodes.Model(axis()).inverse_dynamics([twist, 0.0, 0.0, 0.0], np.zeros(4), np.zeros(4))[0])
+
+
+@pytest.mark.parametrize(("stiffness", "force"), [(LOW, 0.0), (HIGH, STIFF)])
+def test_poles_and_zeros_are_those_of_the_benchmark(stiffness: float, force: float) -> None:
+    linear = pushed(force).linearize(at={"motor": 0.0}, inputs="motor.effort", outputs="tip.z")
+    ringing = linear.poles[linear.poles.imag > 1e-6]
+    ringing = ringing[np.argsort(np.abs(ringing))]
+    found = [(abs(pole) / (2 * np.pi), -pole.real / abs(pole)) for pole in ringing]
+    assert [(f"{f:.4f}", f"{d:.4f}") for f, d in found] == [(f"{f:.4f}", f"{d:.4f}") for f, d in POLES[stiffness]]
+    real = np.sort(linear.poles[np.abs(linear.poles.imag) < 1e-6].real)
+    assert f"{real[0]:.4f}" == "-0.1915"
+    assert abs(real[1]) < 1e-8
+    zeros = linear.zeros()
+    across = sorted(f"{zero.real:.2f}{zero.imag:+.2f}i" for zero in zeros if abs(zero.imag) > 1e-6)
+    assert across == sorted(f"{re}{sign}{im}i" for re, im in (("-7.37", 119.82), ("-43.18", "402.80")) for sign in "+-")
+    assert [round(float(zero.real), 2) for zero in zeros if abs(zero.imag) < 1e-6] == [-stiffness / 0.08]
+
+
+@pytest.mark.parametrize(("stiffness", "force"), [(LOW, 0.0), (HIGH, STIFF)])
+def test_frequencies_with_the_motor_locked(stiffness: float, force: float) -> None:
+    linear = pushed(force).linearize(at={"motor": 0.0})
+    arms = np.linalg.solve(linear.mass[1:, 1:], linear.stiffness[1:, 1:])
+    found = np.sqrt(np.sort(np.linalg.eigvals(arms).real)) / (2 * np.pi)
+    assert found == pytest.approx(LOCKED[stiffness], abs=6e-6)
+
+
+def test_gear_hardens_from_the_low_to_the_high_stiffness_at_its_knee() -> None:
+    """Torque: low x + (high - low) x^3/(3 knee^2) up to the knee, then a straight line; its energy is its integral."""
+    at_knee = LOW * KNEE + (HIGH - LOW) * KNEE / 3
+    for twist in (0.01, 0.05, KNEE):
+        assert torque(twist) == pytest.approx(LOW * twist + (HIGH - LOW) * twist**3 / (3 * KNEE**2), rel=1e-12)
+        assert torque(-twist) == -torque(twist)
+    assert torque(0.1) == pytest.approx(at_knee + HIGH * (0.1 - KNEE), rel=1e-12)
+    nodes, weights = np.polynomial.legendre.leggauss(4)
+    ends = (0.0, KNEE, 0.1)
+    work = sum(
+        (b - a) / 2 * weight * torque(a + (b - a) / 2 * (1 + node))
+        for a, b in pairwise(ends) for node, weight in zip(nodes, weights, strict=True)
+    )  # fmt: skip
+    energies = tmodes.Model(axis()).energies([0.1, 0.0, 0.0, 0.0], np.zeros(4))
+    assert sum(float(part) for part in energies.values()) == pytest.approx(work, rel=1e-12)
+
+
+def test_all_friction_is_against_the_ground() -> None:
+    """Where all four masses turn as one the motor carries their friction, and no spring or damper acts."""
+    linear = axis().linearize()
+    assert linear.damping @ np.ones(4) == pytest.approx([6e-3, 1e-3, 1e-3, 1e-3], rel=1e-9)
+    assert np.abs(linear.stiffness @ np.ones(4)).max() < 1e-10
+
+
+def test_a_force_on_the_tool_and_a_torque_on_the_shaft_do_what_they_say() -> None:
+    linear = axis().linearize(inputs="motor.effort,shaft.moment.z,tip.force.z", outputs="motor.position,tip.z")
+    masses, lengths = [5e-3, 2e-3, 0.02, 0.02], np.array([0.0, 0.02, 0.6, 1.53]) / 220
+    assert linear.B[4:, 0] == pytest.approx([1 / masses[0], 0, 0, 0])
+    assert linear.B[4:, 1] == pytest.approx(linear.B[4:, 0])
+    assert linear.B[4:, 2] == pytest.approx(lengths / masses)
+    assert linear.C[1, :4] == pytest.approx(lengths)
