@@ -138,6 +138,27 @@ def test_a_sampled_loop_that_takes_differences() -> None:
     assert linear.period == pytest.approx(1e-3)
 
 
+@pytest.mark.parametrize("filter_time", [0.0, 2e-3])
+def test_a_sampled_loop_that_takes_differences_about_a_start_in_balance(filter_time: float) -> None:
+    """Where nothing was measured yet. Ahead of each sample: states, u before it, z, r and the position before it."""
+    T, K, R, gains = 1e-3, 60.0, 6.0, {"type": "sampled_pid", "sample_time": 1e-3, "integral_gain": 20.0}
+    law_of = PD | gains | {"position_gain": K, "velocity_gain": R, "filter_time": filter_time}
+    made = robot(spong(constant(0.0), 1.0, 0.1, initial={}, drive={"controller": law_of}))
+    linear = made.linearize(closed=True, inputs="joint.setpoint", outputs="joint.position")
+    free = joint().linearize(inputs="joint.torque", outputs="joint.motor.position")
+    whole = expm(np.vstack([np.hstack([free.A, free.B]), np.zeros((1, 5))]) * T)
+    A, B, C, share = whole[:4, :4], whole[:4, 4:], free.C, filter_time + T
+    rate = np.hstack([C / share, np.array([[0.0, filter_time, -1.0]]) / share])  # of x, z, r, last
+    command = np.hstack([-K * C, np.array([[20.0, 0.0, 0.0]])]) - R * rate
+    none = np.zeros((1, 3))
+    loop = np.vstack([np.hstack([A, np.zeros((4, 3))]) + B @ command,
+                      np.hstack([-T * C, [[1.0, 0.0, 0.0]]]), rate, np.hstack([C, none])])  # fmt: skip
+    wanted = np.linalg.eigvals(loop)
+    assert near(linear.poles, wanted[np.abs(wanted) > 1e-6])
+    assert linear.is_stable
+    assert not any("unstable" in text for text in made.run().warnings)
+
+
 @pytest.mark.parametrize("more", [{}, {"delay": 0.013}])
 def test_a_closed_loop_under_a_sampled_law(more: dict[str, Any]) -> None:
     """A small step of the setpoint, sample by sample, against the run of the robot itself."""

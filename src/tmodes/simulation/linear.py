@@ -8,7 +8,7 @@ of the outputs of its table. Sampled loops: K. J. Astrom, B. Wittenmark, Compute
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Container, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
@@ -24,7 +24,7 @@ from tmodes.kinds.controllers.registry import LinearPlant
 from tmodes.kinds.noted.functions import number
 from tmodes.kinds.noted.number import Lost, is_noted
 from tmodes.kinds.signals.registry import constant_signal
-from tmodes.model.passes import derivatives
+from tmodes.model.passes import derivatives, evaluate
 from tmodes.sheet.parts import Command, LoadFrame, LoadSheet
 from tmodes.simulation.initial_state import RunSetup, run_setup
 from tmodes.simulation.loop import LoopModel
@@ -102,6 +102,10 @@ class _Instant:
     def rates(self) -> Array:
         """What the states change by."""
         return self.model.rate([self.row[0]], self.state, self.row)[0][self.kept]
+
+    def sample(self, row: Array) -> None:
+        """Go on to the state after the samples of a row: a rate that is a difference needs a position to remember."""
+        self.state = evaluate(self.model.numbers, self.model.loop.sampled, self._blocks(1, row), 1)["state"][0]
 
     def found(self, outputs: Sequence[str]) -> StateSpace:
         """The linear system with these outputs."""
@@ -196,17 +200,24 @@ def _sampled(at: _Instant, found: StateSpace) -> StateSpace:
     whole, steps = common_period([(period, shift) for period, shift in exact])
     n, m, signals = len(found.A), found.B.shape[1], [k for k, _ in at.plan.clocks]
     phi, gamma, first = np.eye(n), np.zeros((n, m)), (np.eye(n), np.zeros((n, m)))
+    at.sample(_due(at, signals, range(len(signals))))
     for k, (length, due) in enumerate(steps):
-        row, width = at.row.copy(), at.plan.plan.degree + 1
-        for index, signal in enumerate(signals):
-            row[1 + signal * width : 1 + (signal + 1) * width] = 0.0
-            row[1 + signal * width] = 0.0 if index in due else 1.0
+        row = _due(at, signals, due)
         by_state, by_input = (one[at.kept] for one in at.slopes(at.model.loop.sampled, "state", np.zeros(0), row))
         first = (by_state, by_input) if k == 0 else first
         Ad, Bd = zero_order_hold(found.A, found.B, length)
         phi, gamma = Ad @ by_state @ phi, Ad @ (by_state @ gamma + by_input) + Bd
     C, D = found.C @ first[0], found.D + found.C @ first[1]
     return replace(found, A=phi, B=gamma, C=C, D=D, period=whole)
+
+
+def _due(at: _Instant, signals: Sequence[int], due: Container[int]) -> Array:
+    """The row at an instant at which some of the samples, whose times are ``signals``, are due."""
+    row, width = at.row.copy(), at.plan.plan.degree + 1
+    for index, signal in enumerate(signals):
+        row[1 + signal * width : 1 + (signal + 1) * width] = 0.0
+        row[1 + signal * width] = 0.0 if index in due else 1.0
+    return row
 
 
 def delayed(system: StateSpace, period: float, delay: float = 0.0) -> StateSpace:
