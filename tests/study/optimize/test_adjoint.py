@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from typing import Any
 
 import numpy as np
@@ -71,6 +72,33 @@ def test_slopes_are_those_of_differences_of_runs(series: str, reduce: str) -> No
     np.testing.assert_allclose(found.slope, expected[0], rtol=2e-3, atol=2e-4 * np.abs(expected[0]).max())
     np.testing.assert_allclose(found.slopes, expected[1:], rtol=2e-3, atol=2e-4 * np.abs(expected[1:]).max())
     assert slopes.runs == 1
+
+
+@pytest.mark.parametrize("more", [{}, {"drives.0.sample_time": 1e-3, "integration.method": "rk4"}])
+def test_slopes_of_the_worst_of_several_cases(more: dict[str, Any]) -> None:
+    """Of the case that decides, whatever its place; those of a sampled controller, which no sweep has, too."""
+    asked = spong(
+        {"error": {"series": "tip_error", "reduce": "rms", "unit": "mm"},
+         "end": {"series": "tip_error", "reduce": "end"}},
+        "error", ["end <= 1"], gain=uniform("drives.0.controller.position_gain", 40.0, 120.0),
+        rate=uniform("drives.0.controller.velocity_gain", 6.0, 20.0), mass=uniform(MASS, 0.5, 2.0),
+    )  # fmt: skip
+    data = json.loads(json.dumps(asked.data["study"]))
+    data["set"].update(more)
+    data["optimize"]["design"] = ["gain", "rate"]
+    trials = trials_of(study_from_data(data))
+    trials.scenarios = np.repeat(trials.scenarios, 3, axis=0)
+    trials.scenarios[:, 2] = [0.8, 1.7, 1.2]
+    slopes, shares, step = Adjoint(trials, {}), np.array([0.4, 0.3]), 1e-3
+    found = slopes.at(shares)
+    assert trials.goals.deciding({name: one[:1] for name, one in trials.values.items()})[0] == 1
+    points = shares + step * np.concatenate([np.zeros((1, 2)), np.eye(2), -np.eye(2)])
+    judged = trials.judged(trials.at(trials.space.at(points)))
+    values = np.column_stack([judged.objectives, judged.excess])
+    expected = (values[1:3] - values[3:]).T / (2 * step)
+    np.testing.assert_allclose([found.objective, *found.excess], values[0], rtol=1e-5)
+    np.testing.assert_allclose([found.slope, *found.slopes], expected, rtol=2e-4, atol=2e-4 * np.abs(expected).max())
+    assert slopes.runs == (0 if more else 2)  # of the two quantities, in the case that decides both
 
 
 def test_gradients_need_a_fifth_of_the_runs_of_a_search() -> None:

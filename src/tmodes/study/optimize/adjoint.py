@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -13,6 +13,7 @@ from tmodes.gradients.gradient import adjoint_gradient
 from tmodes.gradients.quantities import Functional, reduced_output
 from tmodes.sheet import Robot
 from tmodes.simulation.outputs import robot_outputs
+from tmodes.simulation.plan import planned
 from tmodes.simulation.reductions import SMOOTH
 from tmodes.simulation.vary.static_numbers import StaticSlopes, static_unit
 from tmodes.study.mapping import groups_of
@@ -41,9 +42,11 @@ class _Point(NamedTuple):
 class Adjoint:
     """Terms at points of the unit cube: numbers at rest with their slopes, simulated ones by a run and a sweep each.
 
-    Numbers at rest that have no exact slopes (:class:`tmodes.simulation.vary.static_numbers.StaticSlopes`) are
-    differentiated along neighbours. ``functionals``: quantities by name that the study does not have. ``runs``: how
-    many runs with their sweep there were. Raises :class:`tmodes.errors.InputError` for a quantity that has no slope.
+    Of several cases of a design all run side by side, and slopes are those of the cases that decide. Numbers at rest
+    that have no exact slopes (:class:`tmodes.simulation.vary.static_numbers.StaticSlopes`), and runs under sampled
+    controllers, are differentiated along neighbours. ``functionals``: quantities by name that the study does not have.
+    ``runs``: how many runs with their sweep there were. Raises :class:`tmodes.errors.InputError` for a quantity that
+    has no slope.
     """
 
     def __init__(self, trials: Trials, functionals: Mapping[str, Functional]) -> None:
@@ -58,9 +61,12 @@ class Adjoint:
         self._series = [name for name in needs if name not in self._at_rest]
         self._simulated = bool(self._functionals or self._series)
         self._statics = StaticSlopes([one for static in self._at_rest.values() for one in static])
-        if len(trials.scenarios) > 1 and self._simulated:
-            hint = "leave worst_case out, or take --method tpe"
-            raise InputError("--method gradient", "a worst case of simulated quantities", "one case a design", hint)
+        robot = self.study.robot
+        self._sampled = bool(self._series) and robot is not None and planned(robot).plan.is_sampled
+        if self._functionals and (self._sampled or len(trials.scenarios) > 1):
+            got = "a functional under a sampled controller" if self._sampled else "the worst case of a functional"
+            hint = "make it a quantity of the study, a series reduced by rms, mean or end"
+            raise InputError("--method gradient", got, "one run in continuous time for it", hint)
 
     @property
     def start(self) -> Array:
@@ -79,25 +85,49 @@ class Adjoint:
         trials = self.trials
         design = trials.space.at(shares[None])
         cases = trials.cases_of(design)
-        if self._simulated:
-            try:
-                rows = restricted(self.study, self._at_rest).evaluate(0, cases)
-                found = self._resting(shares, 0, rows.quantities) | self._run(self._point(shares, 0))
-                own = dict(zip(self.study.names, cases[0], strict=True))
-                values = own | {name: value for name, (value, _) in found.items()}
-                whole = formulas(self.study, {name: np.array([value]) for name, value in values.items()})
-                trials.add(design[0], {name: float(one[0]) for name, one in whole.items()})
-            except SimulationError as error:
-                trials.add(design[0], {}, str(error))
-                found = dict.fromkeys(self._leaves, (np.nan, np.zeros(len(shares))))
-            return self._terms(shares, cases[0], found)
+        if self._simulated and len(cases) == 1 and not self._sampled:
+            return self._alone(shares, design[0], cases[0])
         number = trials.at(design)[0]
         known = {name: one[number] for name, one in trials.values.items()}
+        if trials.reasons[number]:
+            return self._terms(shares, cases[0], self._lost(shares))
         which = trials.goals.deciding({name: one[None] for name, one in known.items()})
-        each = {k: self._terms(shares, cases[k], self._resting(shares, k, known)) for k in {*which}}
+        each = {k: self._terms(shares, cases[k], self._found(shares, k, known)) for k in {*which}}
         own, limits = each[which[0]], [(each[k].excess[row], each[k].slopes[row]) for row, k in enumerate(which[1:])]
         excess, along = ([one[part] for one in limits] for part in range(2))
         return Terms(own.objective, own.slope, np.array(excess), np.reshape(along, (-1, len(shares))))
+
+    def _lost(self, shares: Array) -> Found:
+        return dict.fromkeys(self._leaves, (np.nan, np.zeros(len(shares))))
+
+    def _alone(self, shares: Array, design: Array, case: Array) -> Terms:
+        """The one case of a design, whose run with its sweep gives its values too."""
+        try:
+            rows = restricted(self.study, self._at_rest).evaluate(0, case[None])
+            found = self._found(shares, 0, rows.quantities)
+            own = dict(zip(self.study.names, case, strict=True))
+            values = own | {name: value for name, (value, _) in found.items()}
+            whole = formulas(self.study, {name: np.array([value]) for name, value in values.items()})
+            self.trials.add(design, {name: float(one[0]) for name, one in whole.items()})
+        except SimulationError as error:
+            self.trials.add(design, {}, str(error))
+            found = self._lost(shares)
+        return self._terms(shares, case, found)
+
+    def _found(self, shares: Array, scenario: int, values: Mapping[str, Array]) -> Found:
+        """All that terms are made of in a scenario, with slopes; ``values`` (s,) of numbers at rest in all."""
+        found = self._resting(shares, scenario, values)
+        if self._sampled:
+            return found | self._beside(shares, scenario, self._series)
+        return found | (self._run(self._point(shares, scenario)) if self._simulated else {})
+
+    def _beside(self, shares: Array, scenario: int, names: Sequence[str]) -> Found:
+        """Quantities in a scenario with slopes along neighbours."""
+        if not names:
+            return {}
+        cases = self.trials.cases_of(self.trials.space.at(neighbours(shares)))
+        rows = restricted(self.study, names).evaluate(0, cases[scenario :: len(self.trials.scenarios)]).quantities
+        return {name: (one[0], slopes(one, shares)) for name, one in rows.items()}
 
     def _point(self, shares: Array, scenario: int) -> _Point:
         """What parameters set follows them linearly: its slopes are those of the whole range."""
@@ -124,11 +154,7 @@ class Adjoint:
             share = factor(static_unit(static), self.study.sheet.quantities[name].unit)
             if not others and np.isclose(value * share, values[name][scenario]):  # the same rest
                 found[name] = values[name][scenario], slope * share
-        if lost := [name for name in self._at_rest if name not in found]:
-            cases = self.trials.cases_of(self.trials.space.at(neighbours(shares)))
-            rows = restricted(self.study, lost).evaluate(0, cases[scenario :: len(self.trials.scenarios)]).quantities
-            found |= {name: (one[0], slopes(one, shares)) for name, one in rows.items()}
-        return found
+        return found | self._beside(shares, scenario, [name for name in self._at_rest if name not in found])
 
     def _run(self, point: _Point) -> Found:
         """Simulated quantities with slopes."""

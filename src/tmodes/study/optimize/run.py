@@ -57,11 +57,12 @@ def optimize(
     """The best design of a study, or of the file of one, by the objectives and limits of its sheet's ``optimize``.
 
     ``method``: ``grid`` tries every design of a finite space, whose optimum is exact; ``gradient`` descends, from the
-    sheet's own design where something is simulated (slopes by the adjoint), else from the best of ``trials`` evenly
-    spread designs, with exact slopes of numbers at rest (by differences those of frequencies under loads, in contact
-    and in steady motion); ``tpe`` and ``nsga2`` try ``trials`` designs; ``auto``: the first of these that fits.
-    ``out``: a folder for finished cases, so that the same call resumes. ``functionals``: further quantities by name,
-    measured on the run, for ``gradient``. ``where``: as of :func:`tmodes.study.run_study`.
+    sheet's own design where something is simulated (slopes by the adjoint, under sampled controllers by differences),
+    else from the best of ``trials`` evenly spread designs, with exact slopes of numbers at rest (by differences those
+    of frequencies under loads, in contact and in steady motion); ``tpe`` and ``nsga2`` try ``trials`` designs;
+    ``auto``: the first of these that fits. ``out``: a folder for finished cases, so that the same call resumes.
+    ``functionals``: further quantities by name, measured on the run, for ``gradient``. ``where``: as of
+    :func:`tmodes.study.run_study`.
 
     Raises :class:`tmodes.errors.InputError` for what is wrong in the sheet, before anything runs.
 
@@ -139,11 +140,10 @@ def _chosen(study: Study, space: DesignSpace, goals: Goals, method: str, functio
 
 def _differentiable(study: Study, goals: Goals, functionals: Mapping[str, Functional]) -> bool:
     """Whether all terms have slopes, without a simulation or by the adjoint."""
-    worst = study.sheet.optimize is not None and study.sheet.optimize.worst_case
     if cheap(study) and not functionals:
         return True
     needs = [study.sheet.quantities[name].needs() for name in leaves(study, goals.names)]
-    return not worst and all(one.static or _has_slope(one.reductions) for one in needs)
+    return all(one.static or _has_slope(one.reductions) for one in needs)
 
 
 def _has_slope(reductions: Sequence[tuple[str, str]]) -> bool:
