@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from scipy.linalg import expm
 
 import tmodes
 
@@ -96,3 +97,49 @@ def test_a_force_on_the_tool_and_a_torque_on_the_shaft_do_what_they_say() -> Non
     assert linear.B[4:, 1] == pytest.approx(linear.B[4:, 0])
     assert linear.B[4:, 2] == pytest.approx(lengths / masses)
     assert linear.C[1, :4] == pytest.approx(lengths)
+
+
+def row_of(stiffness: tuple[float, ...], own: tuple[float, ...]) -> np.ndarray:
+    """Stiffness, or damping, of masses in a row, (4, 4): between neighbours and against the ground."""
+    found = np.diag(own).astype(float)
+    for k, one in enumerate(stiffness):
+        found[k : k + 2, k : k + 2] += one * np.array([[1, -1], [-1, 1]])
+    return found
+
+
+def by_exponentials(gains: tuple[float, ...], times: int) -> tuple[np.ndarray, np.ndarray]:
+    """Tool [m] and torque [N*m] before each sample under the sheet's loads, without the package: held over 0.5 ms.
+
+    The torque of a sample acts one sample later; the gear has its low stiffness throughout.
+    """
+    masses, period, (kp, ki, kv, filter_time) = np.array([5e-3, 2e-3, 0.02, 0.02]), 5e-4, gains
+    K, D = row_of((LOW, 110, 80), (0, 0, 0, 0)), row_of((0.08, 0.06, 0.08), (6e-3, 1e-3, 1e-3, 1e-3))
+    lengths = np.array([0.0, 0.02, 0.6, 1.53]) / 220
+    whole = np.zeros((10, 10))  # q, v, torque on the motor, force on the tool
+    whole[:4, 4:8] = np.eye(4)
+    whole[4:8] = np.column_stack([-K, -D, np.eye(4)[0], lengths]) / masses[:, None]
+    step = expm(whole * period)
+    x, waiting, z, rate, last = np.zeros(8), 0.0, 0.0, 0.0, 0.0
+    tools, torques = [], []
+    for k in range(times):
+        tools.append(lengths @ x[:4])
+        rate, last = (filter_time * rate + x[0] - last) / (filter_time + period), x[0]
+        given, waiting = waiting, -kp * x[0] + ki * z - kv * rate
+        z -= period * x[0]
+        torques.append(given)
+        x = (step @ [*x, given + (k >= 200), 50.0 * (k >= 2200)])[:8]
+    return np.array(tools), np.array(torques)
+
+
+@pytest.mark.parametrize("gains", [(3.9, 9.0, 0.86, 1e-3), (98.0, 630.0, 0.32, 8.7e-3)])
+@pytest.mark.parametrize(("method", "share"), [("auto", 1e-10), ("rk4", 1e-6)])
+def test_closed_loop_is_that_of_matrix_exponentials(gains: tuple[float, ...], method: str, share: float) -> None:
+    """The sampled PID behind its delay, both disturbances, a gear without hardening: 2.1 s, each sample."""
+    sheet = tmodes.load("moberg2009").model_dump(mode="json", by_alias=True, exclude_none=True)
+    sheet["parameters"]["gear_stiffness_high"] = LOW
+    sheet["integration"] |= {"output_step": 5e-4, "method": method} | ({"step": 5e-4} if method == "rk4" else {})
+    names = "position_gain", "integral_gain", "velocity_gain", "filter_time"
+    sheet["drives"][0]["controller"] |= dict(zip(names, gains, strict=True))
+    result = tmodes.Robot.from_data(sheet).run()
+    for name, wanted in zip(("tip.z", "motor.effort"), by_exponentials(gains, 4200), strict=True):
+        assert np.abs(np.asarray(result.output(name))[:4200] - wanted).max() < share * np.abs(wanted).max()
