@@ -88,7 +88,9 @@ def test_slopes_of_the_worst_of_several_cases(more: dict[str, Any]) -> None:
     data["optimize"]["design"] = ["gain", "rate"]
     trials = trials_of(study_from_data(data))
     trials.scenarios = np.repeat(trials.scenarios, 3, axis=0)
-    trials.scenarios[:, 2] = [0.8, 1.7, 1.2]
+    trials.scenarios[:, 2], trials.scenarios[:, 0] = [0.8, 1.7, 1.2], [120.0, 50.0, 80.0]
+    start = Adjoint(trials, {}).start  # of the sheet, whatever its scenarios are
+    assert trials.space.at(start[None])[0] == pytest.approx(trials.study.space.nominal[:2])
     slopes, shares, step = Adjoint(trials, {}), np.array([0.4, 0.3]), 1e-3
     found = slopes.at(shares)
     assert trials.goals.deciding({name: one[:1] for name, one in trials.values.items()})[0] == 1

@@ -72,7 +72,7 @@ class Adjoint:
     def start(self) -> Array:
         """The sheet's own design, within the ranges, (k,) of the unit cube."""
         space = self.trials.space
-        return np.clip(space.shares(self.trials.scenarios[0][list(space.columns)]), 0.0, 1.0)
+        return np.clip(space.shares(self.study.space.nominal[list(space.columns)]), 0.0, 1.0)
 
     def at(self, shares: Array) -> Terms:
         """The terms at shares (k,)."""
