@@ -12,8 +12,10 @@ from typing import Any
 
 import numpy as np
 import pytest
+import yaml
 
 from patience import LONG
+from tmodes.study.read import study_from_data
 
 ROOT = Path(__file__).resolve().parents[2]
 PAGE = (ROOT / "docs" / "uncertain-axis.md").read_text(encoding="utf-8")
@@ -53,6 +55,17 @@ def test_gains_that_are_found_halve_the_worst_cost_of_those_of_the_sheet(answers
     assert 2 * best < start
     assert 2 * others["max"] < start
     assert f"| {others['p50']:.2f}" in re.sub(r"(0\.\d\d)\d", r"\1", PAGE)
+
+
+def test_other_gains_by_hand_cost_what_the_page_says() -> None:
+    study = yaml.safe_load((ROOT / "examples" / "studies" / "axis_plants.yaml").read_text(encoding="utf-8"))
+    gains = {"position_gain": 20.0, "velocity_gain": 1.2, "integral_gain": 60.0, "filter_time": 1e-3}
+    study["set"] |= {f"drives.0.controller.{name}": gain for name, gain in gains.items()}
+    study["quantities"]["noise"]["expression"] = "1e-3*(20 + 1.2/(1e-3 + 5e-4))"
+    read = study_from_data(study)
+    cost = read.evaluate(0, read.design().values[:4000]).quantities["cost"].max()
+    assert cost == pytest.approx(1.24, abs=0.005)
+    assert "Ki 60 with the filter of the sheet costs 1.24 on" in PAGE
 
 
 def test_the_regulator_of_the_page() -> None:
