@@ -18,6 +18,7 @@ from tmodes.io.sheet_check import sheet_data
 from tmodes.live.bundle import live_bundle
 from tmodes.live.map import live_map
 from tmodes.report.data import page_data
+from tmodes.result import settling
 from tmodes.sheet import Robot
 
 from .chain import chain
@@ -114,3 +115,32 @@ def extremes(own: dict[str, Any], native: dict[str, Any]) -> None:
             ours = [mark for mark in own["vibration"]["marks"] if mark["at"] <= last]
             assert [mark["label"] for mark in ours] == [mark["label"] for mark in chart["marks"]]
             assert all(near(one["at"], two["at"]) for one, two in zip(ours, chart["marks"], strict=True))
+
+
+def test_page_and_run_look_on_equally_far(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Where the steps of a continuation are used up, which rounding moves, both keep what is before the same time."""
+    for name, value in {"_MOST_WORK": 0.0, "_NEGLIGIBLE": 1500}.items():
+        monkeypatch.setattr(settling, name, value)
+    robot = load("filipovic2010")
+    original = run(robot)
+    bundle = live_bundle(original)
+    assert bundle is not None
+    live = live_map(robot.pair())
+    job = [one.value * (1.1 if one.path.endswith("payload.mass") else 1.0) for one in live.sliders]
+    (own,) = live_in_node(bundle, [job], tmp_path)
+    summary = run(robot.with_(live.changes(job))).summary()
+    vibration = summary["vibration"]["actual"]
+    assert vibration["cut"] == settling._COSTLY
+    assert vibration["continued_s"] == pytest.approx(settling._evened(vibration["continued_s"]), rel=1e-9)
+    assert own["facts"]["vibration.residual"]["note"].endswith(settling._COSTLY)
+    assert near(own["facts"]["vibration.residual"]["value"], vibration["amplitude_m"])
+    assert near(own["verdict"]["settling"]["time_s"], summary["settling"]["time_s"])
+
+
+def test_what_the_steps_leave_out_is_said_of_a_tip_that_does_not_settle(monkeypatch: pytest.MonkeyPatch) -> None:
+    for name, value in {"_MOST_WORK": 0.0, "_NEGLIGIBLE": 40}.items():
+        monkeypatch.setattr(settling, name, value)
+    found = run(load("spong1987").with_({"integration.duration": 1.2})).verdict
+    assert found["settling"]["time_s"] is None
+    assert found["sentence"].endswith(f"{settling._COSTLY}.")
+    assert "too short" not in found["sentence"]

@@ -18,7 +18,6 @@ from tmodes.live.map import LiveMap, Progress, live_map
 from tmodes.live.numbers import follow_of
 from tmodes.live.places import (
     after_rules,
-    continuing,
     evenly,
     joint_limits,
     lines_info,
@@ -30,6 +29,7 @@ from tmodes.live.template import sheet_template
 from tmodes.model.model import Model
 from tmodes.result import Result
 from tmodes.result.end_modes import held_at
+from tmodes.result.settling import continuing
 from tmodes.result.verdict import PHRASES
 from tmodes.sheet import Robot, RobotPair
 from tmodes.simulation.balance import frozen

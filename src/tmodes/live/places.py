@@ -24,7 +24,6 @@ from tmodes.equations.loop.plan import LoopPlan
 from tmodes.equations.recursion.parts import Parts
 from tmodes.errors import SimulationError
 from tmodes.integrate.conditions import Band
-from tmodes.integrate.registry import integrator
 from tmodes.kinds.contacts.registry import Contact
 from tmodes.kinds.drives.contract import FRICTION
 from tmodes.kinds.joints.joint import Limits
@@ -36,7 +35,7 @@ from tmodes.sheet import Robot
 from tmodes.sheet.robot import yield_strength
 
 __all__ = [
-    "after_rules", "continuing", "evenly", "joint_limits", "line_lengths", "line_names", "lines_info", "load_places",
+    "after_rules", "evenly", "joint_limits", "line_lengths", "line_names", "lines_info", "load_places",
     "vibration_numbers", "vibrations_info", "yield_strengths",
 ]  # fmt: skip
 
@@ -234,17 +233,12 @@ def _surface(sheet: Contact, point: int) -> dict[str, Any] | None:
     return info | {"axis": normal.tolist(), "distance": -float(normal @ np.array(drawn["position"]))}
 
 
-def continuing(method: str) -> str:
-    """The method by which a run is continued: its own where that chooses its steps."""
-    return method if integrator(method).adaptive else "dormand_prince"
-
-
 def after_rules(robot: Robot, method: str) -> dict[str, Any]:
     """By which constants a page finds settling and vibration of a run, continued beyond its end."""
     band, own = Band.parsed(robot.integration.settling_band), _constants(settling)
     return {
         "vibration": _constants(vibration), "settling": own | band._asdict() | {"within": band.words},
-        "method": continuing(method), "outputStep": robot.integration.output_step,
+        "method": settling.continuing(method), "outputStep": robot.integration.output_step,
     }  # fmt: skip
 
 

@@ -32,8 +32,8 @@ if TYPE_CHECKING:
     from tmodes.simulation.plan import Planned
 
 __all__ = [
-    "AfterMove", "after_move", "move_end", "not_settled", "plain_vibration", "settling", "unknown_vibration",
-    "vibration",
+    "AfterMove", "after_move", "continuing", "move_end", "not_settled", "plain_vibration", "settling",
+    "unknown_vibration", "vibration",
 ]  # fmt: skip
 
 Array = NDArray[np.float64]
@@ -65,6 +65,7 @@ _CREEPS = 0.9
 """Ratio of two changes, one fifth of that time apart, up to which a motion creeps to a rest that is known by them."""
 
 _UNREST = "a motion that does not decay, or a run that is too short"
+_COSTLY = "what follows takes more than half of the run's own steps: simulate longer to see it"
 
 _AT_REST = 1e-4
 """Share of the largest distance from its end, after the move, within which the tip no longer shows its vibration."""
@@ -104,7 +105,8 @@ class AfterMove:
 
     def settling(self, band: Band = USUAL) -> dict[str, Any]:
         """When the tip stays near its own rest, see :func:`settling`; and how far the run was continued for it."""
-        words = self.whose, self.unrest[0] or _UNREST
+        (found, alone), cut = self.unrest, self.cut
+        words = self.whose, (found if alone or not cut else cut) or _UNREST
         return settling(self.times, self.tip, self.rates, self.end, self.finished, band, *words) | self.beyond
 
     def vibration(self) -> Residual:
@@ -237,9 +239,10 @@ def after_move(run: RunData, end: float | None, progress: Callable[[float], None
 
     All signals keep their last value, noise ends. Only the samples are looked at where a run did not reach its end,
     where its signals change up to its end, where a Python function controls it, and where a vibration does not decay.
-    Where samples are too far apart for its motion, it is integrated once more from the end of the move on. Both take at
-    most half of the steps of the run itself, or about a second of computing; ``progress`` is given the share that is
-    done. Raises KeyboardInterrupt where it is interrupted.
+    Where samples are too far apart for its motion, it is integrated once more from the end of the move on. Both go on
+    by the method by which the run ended, and take at most half of its own steps, or about a second of computing; what
+    ends then is kept up to an even time, so that a page sees as much. ``progress`` is given the share that is done.
+    Raises KeyboardInterrupt where it is interrupted.
     """
     setup, decays = run.setup, _decays(run)
     motion, last = (run.points.position[:, 0], run.points.velocity[:, 0], run.q), len(run.times)
@@ -270,9 +273,7 @@ class _Continued:
             found = alone.joined(last, motion, stride)
             best = found if found.times[-1] >= best.times[-1] else best
             if done.status == "stopped" or self.left <= 0:
-                return replace(
-                    best, cut=f"not looked at beyond t = {best.times[-1]:.4g} s: half of the run's own steps"
-                )
+                return replace(best, cut=_COSTLY)
             if done.status != "finished":
                 return replace(alone, cut=f"continued beyond its end, the run was lost: {done.message}")
             if horizon >= _HORIZON or found.settling(self.band)["time_s"] is not None:
@@ -282,7 +283,7 @@ class _Continued:
     def finer(self, found: AfterMove) -> AfterMove:
         """With samples as near as the steps of the integration, where its own are too far apart after the move."""
         run, first = self.run, int(np.searchsorted(self.run.times[:-1], self.end * (1 - 1e-12)))
-        step = run.statistics.get("mean_step_s") or np.inf
+        step = _evened(run.statistics.get("mean_step_s") or np.inf)
         span = min(float(found.times[-1] - run.times[first]), _SAMPLES * step)
         later = found.times >= run.times[first]
         rest, limit = _rest(found.times, found.tip, self.end)[0], found.settling(self.band)["limit_m"]
@@ -303,17 +304,29 @@ class _Continued:
         begin = float(self.run.times[sample])
         setup, state = at_rest_from(self.run.setup, begin, self.run.states[sample], duration)
         some = {"duration": duration, "max_steps": self.left}
-        settings = setup.robot.integration.model_copy(update=some | {"output_step": step})
-        if not integrator(settings.method).adaptive:
-            settings = settings.chosen("dormand_prince")
-        later = setup.otherwise and setup.otherwise.model_copy(update=some)
-        problem = replace(setup, start=state, otherwise=later).problem(settings)
-        done = solve(problem, progress=self.progress)
+        method = self.run.statistics.get("method", setup.robot.integration.method)
+        settings = setup.robot.integration.chosen(continuing(method))
+        settings = settings.model_copy(update=some | {"output_step": step})
+        done = solve(replace(setup, start=state, otherwise=None).problem(settings), progress=self.progress)
         if done.status == "interrupted":
             raise KeyboardInterrupt
         self.left -= done.statistics["steps"] + done.statistics["rejected"]
+        if done.status == "stopped":
+            kept = done.times <= _evened(done.times[-1]) * (1 + 1e-9)
+            done = replace(done, times=done.times[kept], states=done.states[kept])
         motion = tip_motion(setup, done.times, done.states)
         return done, begin + done.times, *motion, done.states[:, setup.model.layout.q]
+
+
+def continuing(method: str) -> str:
+    """The method by which a run is continued: its own where that chooses its steps."""
+    return method if integrator(method).adaptive else "dormand_prince"
+
+
+def _evened(time: float) -> float:
+    """A time [s] rounded down to halves of a power of ten, the same where rounding decides on some of many steps."""
+    half = 10.0 ** np.floor(np.log10(time)) / 2 if 0 < time < np.inf else 1.0
+    return float(half * np.floor(time / half * (1 + 1e-12)))
 
 
 def _last_even(times: Array, end: float) -> int:

@@ -101,7 +101,8 @@ def vibrations(data: Record) -> dict[str, Any]:
 def settling_words(known: dict[str, Any], length: Callable[[float], str]) -> str:
     """The band of a settling, or why none is seen: by what was looked at, and what ended that; ``length`` in words."""
     if known["time_s"] is None:
-        return f"not seen: {'; '.join(filter(None, [known['reason'], known.get('cut', '')]))}"
+        cut = known.get("cut", "")
+        return f"not seen: {'; '.join(filter(None, [known['reason'], cut * (cut not in known['reason'])]))}"
     band = known.get("within") or Band(known["band"]).words  # an earlier version had shares alone
     return known["reason"] or f"within {length(known['limit_m'])} of its rest, {band}"
 

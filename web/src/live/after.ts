@@ -1,7 +1,6 @@
 // A run and its continuation with all signals at rest, until its tip is: as tmodes/result/settling.py continues it.
 
 import { EigenvalueDecomposition, Matrix } from "ml-matrix";
-import { digits } from "../format";
 import type { Bundle } from "./bundle";
 import type { Engine } from "./engine";
 import { integrate, sampleTimes, type RunResult, type Watch } from "./engine_run";
@@ -51,7 +50,7 @@ export async function afterMove(
 export function settledOf({ after }: Bundle, found: AfterMove, unrest = "", usual = false): Settled {
   const [share, length] = after!.settling.USUAL;
   const rules = usual ? { ...after!.settling, share, length } : after!.settling;
-  return settlingOf(rules, after!.vibration, found, found.end, found.finished, unrest);
+  return settlingOf(rules, after!.vibration, found, found.end, found.finished, unrest || found.cut);
 }
 
 /** Times after the end of the move, and the coordinates and the tip then. */
@@ -157,9 +156,8 @@ class Continued {
       const { done, motion } = await this.from(last, horizon, stride * step);
       const found = joined(alone, last, motion, stride);
       if (found.times[found.times.length - 1] >= best.times[best.times.length - 1]) best = found;
-      const until = digits(best.times[best.times.length - 1], 4);
       if (done.status === "stopped" || this.left <= 0)
-        return { ...best, cut: `not looked at beyond t = ${until} s: half of the run's own steps` };
+        return { ...best, cut: this.bundle.after!.settling.COSTLY };
       if (done.status !== "finished")
         return { ...alone, cut: `continued beyond its end, the run was lost: ${done.message}` };
       if (horizon >= HORIZON || settledOf(this.bundle, found).time !== null) return found;
@@ -173,7 +171,7 @@ class Continued {
     const { times, statistics } = this.regime.run;
     const wanted = times.subarray(0, -1).findIndex((time) => time >= this.end * (1 - 1e-12));
     const first = wanted < 0 ? times.length - 1 : wanted;
-    const step = Number(statistics.mean_step_s) || Infinity;
+    const step = evened(Number(statistics.mean_step_s)) || Infinity;
     const span = Math.min(found.times[found.times.length - 1] - times[first], after!.settling.SAMPLES * step);
     const { rest } = restOf(after!.settling, found, this.end);
     const from = found.times.findIndex((time) => time >= times[first]);
@@ -201,9 +199,17 @@ class Continued {
       times: sampleTimes(duration, step), settings: { ...settings, duration, maxSteps: this.left },
     }, { ...this.watch, progress: undefined });
     this.left -= stepsOf(done);
-    const motion = motionOf(this.engine, this.regime, done.times, done.states);
-    return { done, motion: { ...motion, times: done.times.map((time) => begin + time) } };
+    const until = evened(done.times[done.times.length - 1]) * (1 + 1e-9);
+    const kept = done.times.filter((time) => done.status !== "stopped" || time <= until);
+    const motion = motionOf(this.engine, this.regime, kept, done.states.subarray(0, kept.length * size));
+    return { done, motion: { ...motion, times: kept.map((time) => begin + time) } };
   }
+}
+
+/** A time [s] rounded down to halves of a power of ten, the same where rounding decides on some of many steps. */
+function evened(time: number): number {
+  const half = time > 0 && Number.isFinite(time) ? 10 ** Math.floor(Math.log10(time)) / 2 : 1;
+  return half * Math.floor((time / half) * (1 + 1e-12));
 }
 
 /** All signals at their values at a time; clocks of controllers go on, noise is none. */

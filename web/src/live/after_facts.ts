@@ -14,7 +14,7 @@ const joined = (parts: string[], by = "; ") => parts.filter(Boolean).join(by);
 const percent = (share: number) => `${Math.round(100 * share)}%`;
 
 export function settlingFact({ time, limit, reason }: Settled, { cut }: AfterMove, within: string): Facts[string] {
-  if (time === null) return { value: null, note: `not seen: ${joined([reason, cut])}` };
+  if (time === null) return { value: null, note: `not seen: ${joined([reason, reason.includes(cut) ? "" : cut])}` };
   return { value: time, note: reason || `within ${info(limit, "m")} of its rest, ${within}` };
 }
 

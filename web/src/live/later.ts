@@ -72,7 +72,7 @@ async function settled(
     await pause();
     const elements = elementsOf(engine, bundle, regime.blocks, since, later.q, vibration);
     facts[name] = vibrationFact(vibration, found, elements);
-    return { found, unrest, vibration, seen: vibration.modes.map((mode, k) => (
+    return { found, unrest: still || !found.cut ? unrest : "", vibration, seen: vibration.modes.map((mode, k) => (
       { frequency: naturalOf(mode), damping: mode.damping, element: elements[k] ?? "" }
     )) };
   };

@@ -16,12 +16,7 @@ export const SHORTEST = 1 / 128; // step on the way from the unchanged numbers
 
 /** Accelerations of the free coordinates and their derivatives by them, by differences: Newton needs no better. */
 function slopes(
-  engine: Engine,
-  blocks: Blocks,
-  state: Float64Array,
-  free: number[],
-  matrix: Float64Array,
-  right: Float64Array,
+  engine: Engine, blocks: Blocks, state: Float64Array, free: number[], matrix: Float64Array, right: Float64Array,
 ): void {
   const [rows, size, n] = [free.length + 1, state.length, blocks.rotors.length];
   const states = new Float64Array(rows * size);
@@ -87,10 +82,7 @@ export function isSmall(size: number, before: number): boolean {
  * far, step by step.
  */
 export function restFor(
-  bundle: Bundle,
-  values: readonly number[],
-  run: string,
-  near: Float64Array,
+  bundle: Bundle, values: readonly number[], run: string, near: Float64Array,
   at: (set: readonly number[], from: Float64Array) => Float64Array | null,
 ): Float64Array {
   const first = bundle.sliders.map((slider) => slider.value);
@@ -113,11 +105,7 @@ export function restFor(
 
 /** The first state of a run. */
 export function firstState(
-  engine: Engine,
-  bundle: Bundle,
-  values: readonly number[],
-  run: "reference" | "real",
-  blocks: Blocks,
+  engine: Engine, bundle: Bundle, values: readonly number[], run: "reference" | "real", blocks: Blocks,
 ): Float64Array {
   const info = bundle.runs[run]!;
   const state = blocks.start.slice();

@@ -7,7 +7,7 @@ import type { VibrationRules } from "./exponentials";
 /** The constants of tmodes/result/settling.py, and the band of the sheet: a share of the move, or a length [m]. */
 export interface SettlingRules {
   NO_MOVE: number; HORIZON: number; SHORTEST: number; DECAYS: number; SAMPLES: number; MOST_WORK: number;
-  NEGLIGIBLE: number; LAST: number; STEADY: number; CREEPS: number; UNREST: string; AT_REST: number;
+  NEGLIGIBLE: number; LAST: number; STEADY: number; CREEPS: number; UNREST: string; COSTLY: string; AT_REST: number;
   share: number | null; length: number | null; within: string;
 }
 
