@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from simulation.sheets import arm
-from tmodes import run
+from tmodes import load, run
 from tmodes.live.bundle import live_bundle
 from tmodes.live.map import live_map
 from tmodes.sheet import Robot
@@ -49,3 +49,32 @@ def test_a_page_starts_in_the_equilibrium_of_the_closed_loop(tmp_path: Path) -> 
         q, true = page["series"]["q"], native.data["q"].values
         assert np.abs(true - true[0]).max() < 1e-11
         assert np.abs(q - true).max() < 1e-10
+
+
+def test_a_page_starts_in_equilibrium_as_soon_as_the_drive_carries_the_arm(tmp_path: Path) -> None:
+    """The drive is too weak for the arm as it stands, which falls: that is warned of. A lighter arm is carried."""
+    sheet = loaded().with_({"drives.j.saturation": {"torque": 2.0}})
+    result = run(sheet)
+    assert any("no equilibrium" in warning for warning in result.warnings)
+    bundle: Any = live_bundle(result)
+    live = live_map(sheet.pair(), (0.0, 1.0))
+    values = [slider.value for slider in live.sliders]
+    light = [0.5 * slider.value if slider.path.endswith("mass") else slider.value for slider in live.sliders]
+    native = run(sheet.with_(live.changes(light)))
+    assert not any("no equilibrium" in warning for warning in native.warnings)
+    for page, true in zip(live_in_node(bundle, [values, light], tmp_path), [result, native], strict=True):
+        assert np.abs(page["series"]["q"] - true.data["q"].values).max() < 1e-7
+
+
+def test_a_page_of_a_start_in_balance_is_not_green_where_the_drive_no_longer_holds(tmp_path: Path) -> None:
+    changes = {"drives.0.saturation": {"torque": 50.0}, "task.tolerance": 0.9, "integration.duration": 0.2}
+    sheet = load("two_link_arm").with_(changes)
+    bundle: Any = live_bundle(run(sheet))
+    live = live_map(sheet.pair(), tuple(bundle["stations"].tolist()))
+    heavy = [5.0 if slider.path.endswith("payload.mass") else slider.value for slider in live.sliders]
+    native = run(sheet.with_(live.changes(heavy)))
+    own, other = live_in_node(bundle, [live.start, heavy], tmp_path)
+    assert any("no equilibrium" in warning for warning in native.warnings)
+    assert own["verdict"]["level"] == "good"
+    assert other["verdict"]["level"] == native.verdict["level"] == "neutral"
+    assert other["facts"]["frequency.first"]["value"] is None  # of PIDs it is found natively: no old number stays

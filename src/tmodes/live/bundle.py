@@ -33,6 +33,7 @@ from tmodes.result.settling import continuing
 from tmodes.result.verdict import PHRASES
 from tmodes.sheet import Robot, RobotPair
 from tmodes.simulation.balance import frozen
+from tmodes.simulation.closed_start import uncontrolled
 from tmodes.simulation.initial_state import RunSetup, closed_balance, first_state, run_setup
 from tmodes.simulation.loop import LoopModel
 from tmodes.simulation.plan import Follow, planned, starts_at_rest
@@ -84,7 +85,7 @@ def live_bundle(
     task, by_tip = pair.nominal.task, json.loads(result.record.attrs.get("headline", "null")) is None
     own["judged"] = {
         "phrases": PHRASES["sentence" if by_tip else "elsewhere"], "tolerance": task and task.tolerance,
-        "warned": bool(result.warnings),
+        "energy": settings.energy_tolerance, "warned": bool(result.warnings),
     }  # fmt: skip
     own["after"] = after_rules(pair.real, method) if by_tip else None
     own["errorParts"] = [*map(str, result.record["error_part"].values)] if "tip_error" in result.record else None
@@ -215,7 +216,7 @@ def _balance(setup: RunSetup) -> dict[str, Any] | None:
     ``places``: pairs of where the states of that function and those of the run hold the same.
     """
     balance = closed_balance(setup)
-    if balance is None or setup.off:
+    if balance is None or (setup.off and uncontrolled(setup.model)):
         return None
     row = frozen(setup.model, setup.first_row[None])
     tangent = balance.tangent(balance.at_rest(setup.start[None]), row, balance.loop.numbers)

@@ -87,11 +87,11 @@ class ClosedLoop {
 
 /**
  * A state of a run, whose motors are held, in the equilibrium of its closed loop, as simulation/balance.py: at once, or
- * by letting go of the motors in steps. Itself where it is one, and where there is none.
+ * by letting go of the motors in steps. Itself where it is one; null where there is none.
  */
 export function balanced(
   engine: Engine, info: BalanceInfo | null, blocks: Blocks, run: string, signals: Schedule, state: Float64Array,
-): Float64Array {
+): Float64Array | null {
   if (!info) return state;
   const loop = new ClosedLoop(engine, info, run, blocks.parameters, signals);
   const reach = 1 + info.places.reduce((most, [, place]) => Math.max(most, Math.abs(state[place])), 0);
@@ -104,7 +104,7 @@ export function balanced(
     const there = loop.near(here, (i) => (1 - next) * held[i]);
     if (there) [here, share, step] = [there, next, 2 * step];
     else if (step > SHORTEST) step /= 2;
-    else return state;
+    else return null;
   }
   const found = state.slice();
   for (const [own, place] of info.places) found[place] = here[own];

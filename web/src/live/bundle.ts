@@ -110,8 +110,8 @@ export interface Bundle extends LiveBundle {
   /** Coordinates of the links' own deformations, and all elements of such a part with theirs, by the chain. */
   bends: number[];
   elements: { cause: string; name: string; own: number[] }[];
-  /** The words of a verdict, the tolerance of the task [m], and whether the run as it was had warnings. */
-  judged: { phrases: string[][]; tolerance: number | null; warned: boolean };
+  /** Words of a verdict, tolerance of the task [m] and of the energy balance, whether the run had other warnings. */
+  judged: { phrases: string[][]; tolerance: number | null; energy: number; warned: boolean };
   links: { name: string; bends: boolean }[];
   carried: LoadsInfo;
   contactPoint: number;

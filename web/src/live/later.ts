@@ -22,6 +22,8 @@ const QUIET = 100; // ms without a newer run before what takes longer begins
 /** What comes later of a run, by the ids of facts. */
 export const LATER = ["settling", "residual", "vibration.residual", "vibration.nominal", "frequency.first"];
 
+const UNKNOWN = { value: null, note: "of this robot it is found natively: tmodes modes with the changed sheet" };
+
 /** The same run with all of it, `early` when it is known how it settles. Raises Cancelled. */
 export async function completed(
   engine: Engine, bundle: Bundle, values: readonly number[], run: LiveRun, curves: Curves, watch: Watch,
@@ -49,7 +51,7 @@ export async function completed(
   await pause(true);
   const parts = await splitOf(engine, bundle, real.blocks, real.schedule, run.times, run.series, pause);
   return {
-    ...rested, vibration, facts: { ...rested.facts, ...facts }, series: { ...run.series, ...parts }, pending: undefined,
+    ...rested, vibration, facts: { ...rested.facts, "frequency.first": UNKNOWN, ...facts }, series: { ...run.series, ...parts }, pending: undefined,
   };
 }
 

@@ -28,10 +28,7 @@ const RINGS = 1e-9;
 
 /** What the page shows of the modes of each case about `rest` [nq], of those `marked`, and the headline number. */
 export function info(
-  cases: Record<string, Found[]>,
-  marked: readonly Found[],
-  rest: Float64Array,
-  lines: Lines,
+  cases: Record<string, Found[]>, marked: readonly Found[], rest: Float64Array, lines: Lines,
 ): { vibration: Vibration; facts: Facts } {
   const vibrating = Object.entries(cases).flatMap(([name, found]) =>
     found

@@ -20,6 +20,8 @@ export interface Regime {
   each: signals.Schedule[];
   schedule: signals.Schedule;
   run: RunResult;
+  /** It starts with held motors, which its drives do not hold: that is no equilibrium. */
+  off: boolean;
 }
 
 const MOST_SWITCHES = 100;
@@ -48,6 +50,7 @@ export async function moved(
   const schedule = signals.merged(each.map((one) => signals.until(one, settings.duration)));
   if (!each.length) schedule.knots[1] = settings.duration;
   const held = firstState(engine, bundle, values, name, blocks);
+  const begun = balanced(engine, info.balance, blocks, name, schedule, held);
   const run = await integrate(
     engine,
     {
@@ -55,13 +58,11 @@ export async function moved(
       parameters: blocks.parameters,
       knots: schedule.knots,
       rows: signals.rowsOf(schedule),
-      state: settled(
-        engine, bundle, name, blocks, schedule, balanced(engine, info.balance, blocks, name, schedule, held),
-      ),
+      state: settled(engine, bundle, name, blocks, schedule, begun ?? held),
       times: doubles(bundle.times),
       settings,
     },
     watch,
   );
-  return { name, info, blocks, each, schedule, run };
+  return { name, info, blocks, each, schedule, run, off: !begun };
 }

@@ -64,7 +64,10 @@ export async function curvesOf(
     span: spanOf(times, end, setpointsOf(bundle, series)),
     facts: reported(facts),
   };
-  const judge = (found: Judged) => verdictOf(bundle, bundle.after ? found : unjudged(found), run.status, run.message);
+  const lost = Number(facts["energy.residual"]?.value) > bundle.judged.energy;
+  const warned = bundle.judged.warned || real.off || lost;
+  const judge = (found: Judged) =>
+    verdictOf(bundle, bundle.after ? found : unjudged(found), run.status, run.message, warned);
   run.verdict = judge(judged);
   return { run, judged, judge, real, nominal, end, facts, reported };
 }

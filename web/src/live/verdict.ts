@@ -106,7 +106,7 @@ export function unjudged(judged: Judged): Judged {
 
 /** The verdict, with its level and its sentence. */
 export function verdictOf(
-  { judged: { phrases, warned } }: Bundle, found: Judged, status: string, message: string,
+  { judged: { phrases } }: Bundle, found: Judged, status: string, message: string, warned: boolean,
 ): Verdict {
   const { tolerance_m: tolerance, largest_m: largest } = found;
   const within = !warned && found.limits.every(({ share }) => share <= PASSED);

@@ -44,12 +44,7 @@ export function vibrationOf(
 }
 
 function aboutRest(
-  engine: Engine,
-  bundle: Bundle,
-  values: readonly number[],
-  schedule: Schedule,
-  near: Float64Array,
-  time = 0,
+  engine: Engine, bundle: Bundle, values: readonly number[], schedule: Schedule, near: Float64Array, time = 0,
 ): { rest: Float64Array; linear: Linear } {
   let last: ReturnType<typeof linearAtRest> = null;
   const { state: { q: [start] } } = bundle.runs.real;
@@ -120,11 +115,7 @@ function modesOf(bundle: Bundle, blocks: Blocks, linear: Linear, name: string, m
 
 /** Twice the energy of a shape in each spring, and in the controllers. */
 export function storedIn(
-  bundle: Bundle,
-  blocks: Blocks,
-  elastic: Float64Array,
-  shape: Float64Array,
-  controlled: boolean,
+  bundle: Bundle, blocks: Blocks, elastic: Float64Array, shape: Float64Array, controlled: boolean,
 ): { element: string; energy: number }[] {
   const n = shape.length;
   const force = (row: number) => {

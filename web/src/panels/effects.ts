@@ -100,13 +100,19 @@ function designed({ slider }: SliderRow): number {
   return Number(slider.design === true);
 }
 
-/** The facts that a run gives first, if one of those named is among them, else those that come with its picture. */
+/**
+ * The facts that a run gives first, if one of those named is among them, else those that come with its picture; none of
+ * one that is refused. Rejects where somebody else wants a run.
+ */
 async function early(live: Live, values: number[], named: string[]): Promise<LiveRun["facts"]> {
   return new Promise((resolve, reject) => {
     const heard = (run: LiveRun) => {
       if (run.scene || named.some((id) => run.facts[id]?.value)) resolve(run.facts);
     };
-    live.run(values, undefined, heard).then((run) => resolve(run.facts), reject);
+    live.run(values, undefined, heard).then((run) => resolve(run.facts), (problem: Error) => {
+      if (problem.name === "Superseded") reject(problem);
+      else resolve({});
+    });
   });
 }
 

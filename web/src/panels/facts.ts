@@ -53,7 +53,7 @@ function row(fact: Fact, rest: boolean, known: Info[], clock: Clock): HTMLElemen
   known.push((live) => {
     const fresh = live?.facts[fact.id];
     const waits = isPending(fact.id, live);
-    element.classList.toggle("computing", waits);
+    element.classList.toggle("computing", waits || (live !== null && !fresh));
     if (waits) {
       put(was, "computing");
       was.hidden = false;

@@ -73,6 +73,7 @@ export function makeSlider(slider: Slider, changed: () => void): SliderRow {
 
   range.addEventListener("input", () => give(Number(digits(valueOf(slider, Number(range.value) / STEPS), 4))));
   number.addEventListener("input", () => {
+    refuse("");
     if (number.value !== "" && Number.isFinite(number.valueAsNumber)) give(number.valueAsNumber / factor, true);
   });
   number.addEventListener("change", () => {

@@ -25,6 +25,7 @@ type Culprit = Verdict["culprits"][number];
 
 const LESSENS = "Lessens the largest error most:";
 const NONE = "No setting within its range lessens the largest error by 1 % or more.";
+const NO_ERROR = 1e-9; // m, of rounding: nothing is to be lessened
 const MOST = 6; // causes that are named
 const FIGURES = 3;
 const AFTER: (keyof Verdict)[] = ["settling", "residual"]; // of a run that reached its end
@@ -51,7 +52,10 @@ export function mountVerdict(element: HTMLElement, page: Page, clock: Clock, sce
   const advice = make("div", { class: "advice computing", hidden: !page.live }, leads);
   rows[0].element.append(advice);
   element.append(...rows.map((row) => row.element));
-  const fold = () => { element.hidden = rows.every((row) => row.verdict === null); };
+  const fold = () => {
+    element.hidden = rows.every((row) => row.verdict === null);
+    advice.hidden = !page.live || !(Number(rows[0].verdict?.largest_m) > NO_ERROR);
+  };
   fold();
 
   function choose(run: number, culprit: Culprit | null): void {
@@ -100,7 +104,7 @@ export function mountVerdict(element: HTMLElement, page: Page, clock: Clock, sce
     },
     advise(found) {
       advice.classList.toggle("computing", found === null);
-      if (found === null) return;
+      if (found === null) return advice.querySelectorAll("button").forEach((one) => { one.disabled = true; });
       const known = typeof found !== "string";
       put(leads, known ? (found.length ? LESSENS : NONE) : `Which setting lessens the error is not known: ${found}.`);
       advice.replaceChildren(leads, ...(known ? found.map(({ text, apply }) => button(text, apply)) : []));

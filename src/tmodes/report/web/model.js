@@ -1,4 +1,4 @@
-/* tmodes, built from 120dbc8e8ac7b2e0; BSD-3-Clause */
+/* tmodes, built from 3606474a00e27650; BSD-3-Clause */
 
 // src/live/engine_error.ts
 var EngineError = class extends Error {
