@@ -145,7 +145,9 @@ def test_a_run_that_fails_says_so_first() -> None:
     assert found["level"] == "bad"
     assert found["sentence"].startswith("The run did not finish: ")
     stopped = judged("spong1987", integration__stop=["joint.position > 0.5 rad"])
-    assert stopped.message in stopped.verdict["sentence"]
+    ending = stopped.message.partition(" (")[0].replace("`", "")  # without why the method was chosen
+    assert stopped.verdict["sentence"].endswith(f"The run was {ending}.")
+    assert "simulate longer" not in stopped.verdict["sentence"]
 
 
 def test_another_point_than_the_tip_is_named() -> None:
@@ -216,3 +218,18 @@ def test_a_phrase_takes_the_first_alternative_that_is_known() -> None:
 
 def test_a_file_gives_the_same_verdict(spong: Result, tmp_path: Any) -> None:
     assert Result.load(spong.save(tmp_path / "run.nc")).verdict == spong.verdict
+
+
+def test_a_gear_bends_where_the_links_are_rigid() -> None:
+    """Of a run whose errors are not known: a deflection of zero is not named before one of a gear."""
+    found = judged("spong1987", drives=[], initial={"coordinates": {"joint": 0.3}})
+    assert {one["deflection"]["max_m"] for one in found.summary()["links"].values()} <= {0.0}
+    assert found.verdict["bends"]["cause"] == "gear"
+    assert "Gear joint is deflected by up to " in found.verdict["sentence"]
+
+
+def test_every_limit_that_is_passed_is_named() -> None:
+    limits = {"joints.joint.limits": {"speed": 0.01, "effort": 0.01}}
+    sentence = run(tmodes.load("spong1987").with_(SHORT | limits)).verdict["sentence"]
+    assert " of joint passes its limit: " in sentence
+    assert sentence.endswith(("; so do speed of joint.", "; so do effort of joint."))

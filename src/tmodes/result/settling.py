@@ -32,7 +32,7 @@ if TYPE_CHECKING:
     from tmodes.simulation.plan import Planned
 
 __all__ = [
-    "AfterMove", "after_move", "continuing", "move_end", "not_settled", "plain_vibration", "settling",
+    "LONGER", "AfterMove", "after_move", "continuing", "move_end", "not_settled", "plain_vibration", "settling",
     "unknown_vibration", "vibration",
 ]  # fmt: skip
 
@@ -65,6 +65,9 @@ _CREEPS = 0.9
 """Ratio of two changes, one fifth of that time apart, up to which a motion creeps to a rest that is known by them."""
 
 _UNREST = "a motion that does not decay, or a run that is too short"
+LONGER = ": simulate longer to see it settle"
+"""What helps where a run ends before its move; not where a stop condition ended it."""
+
 _COSTLY = "what follows takes more than half of the run's own steps: simulate longer to see it"
 
 _AT_REST = 1e-4
@@ -159,7 +162,7 @@ def settling(
         return info | {"reason": "what moves the robot changes up to the end of the run"}
     if times[-1] <= end * (1 + 1e-9):
         when = f"the run ends at {times[-1]:g} s, the move at {end:g} s"
-        return info | {"reason": f"{when}: simulate longer to see it settle"}
+        return info | {"reason": f"{when}{LONGER}"}
     if move <= STANDS * np.abs(tip).max():
         return info | {"time_s": 0.0, "rest_m": rest.tolist(), "reason": AT_REST}
     if spread > _STEADY * limit:

@@ -13,6 +13,7 @@ import numpy as np
 
 from tmodes.io.printed import written
 from tmodes.kinds.joints.joint import Limits
+from tmodes.result.settling import LONGER
 from tmodes.result.summary import TIP
 from tmodes.sheet import Robot
 from tmodes.sheet.robot import yield_strength
@@ -44,8 +45,11 @@ PHRASES: dict[str, Phrases] = {
             "; {it} is not seen to settle: {reason}",
         ),
         (".",),
-        (" {quantity} of {element} passes its limit: {value} of {limit}.",),
-        (" The run was ended by a stop condition: {condition}.",),
+        (
+            " {quantity} of {element} passes its limit: {value} of {limit}; so do {others}.",
+            " {quantity} of {element} passes its limit: {value} of {limit}.",
+        ),
+        (" The run was {condition}.",),
     ),
     "elsewhere": (
         ("The run did not finish: {failure}. ",),
@@ -58,6 +62,9 @@ PHRASES: dict[str, Phrases] = {
 
 _PASSED = 1 + 1e-6
 """Share of a limit from which on it is passed: a motion planned to its limit keeps it."""
+
+_METHOD = re.compile(r" \(\w+ chosen: [^()]*\)$")
+"""Why a method was chosen, which a message ends with: no reason of the end."""
 
 _FIELDS = re.compile(r"\{(\w+)\}")
 
@@ -118,15 +125,17 @@ def unjudged(sentence: str) -> dict[str, Any]:
 
 
 def _bends(summary: Mapping[str, Any]) -> dict[str, Any] | None:
-    """The link whose end is deflected most, else the gear: of a run whose errors are not known."""
-    found = [
+    """The link whose end is deflected most, else the gear, of those that turn if any: where no errors are known."""
+    links = [
         {"cause": "link", "element": name, "value": one["deflection"]["max_m"], "unit": "m",
          "time_s": one["deflection"]["time_s"]} for name, one in summary["links"].items()
-    ] or [
+    ]  # fmt: skip
+    gears = [
         {"cause": "gear", "element": name.removesuffix(".gear"), "value": one["max"], "unit": one["unit"],
          "time_s": one["time_of_max_s"]} for name, one in summary["deformations"].items() if name.endswith(".gear")
     ]  # fmt: skip
-    return max(found, key=lambda one: one["value"], default=None)
+    bent, turning = ([one for one in links if one["value"]], [one for one in gears if one["unit"] == "rad"])
+    return max(bent or turning or gears or links, key=lambda one: one["value"], default=None)
 
 
 def culprits(error: Mapping[str, Any]) -> Iterator[dict[str, Any]]:
@@ -165,10 +174,11 @@ def said(found: Mapping[str, Any], status: str, message: str) -> dict[str, str]:
     settling, residual, bends, failed = found["settling"], found["residual"], found["bends"], status not in _ENDED
     off, within, settled = largest is not None and largest > _EXACT, settling["within_m"] or 0.0, settling["time_s"]
     seen = residual and (settled is None or residual["amplitude_m"] > within)
-    worst = next((one for one in found["limits"] if one["share"] > _PASSED), None)
+    worst, *others = [one for one in found["limits"] if one["share"] > _PASSED] or [None]
+    said_why = _METHOD.sub("", message).replace("`", "")
     known = {
-        "failure": message if failed else None,
-        "condition": message if status == _ENDED[1] else None,
+        "failure": said_why if failed else None,
+        "condition": said_why if status == _ENDED[1] else None,
         "subject": found["point"][:1].upper() + found["point"][1:] if against else None,
         "it": "it" if against else f"the {(found['point'] or TIP).removeprefix('the ')}",
         "nowhere": None if found["point"] else f"the {TIP}",
@@ -184,13 +194,14 @@ def said(found: Mapping[str, Any], status: str, message: str) -> dict[str, str]:
         "missed": tolerance and largest is not None and largest > tolerance and _written(tolerance, "m"),
         "within": not failed and settled is not None and not settling["reason"] and _written(within, "m"),
         "settled": settled and _written(settled, "s"),
-        "reason": not failed and settled is None and settling["reason"],
+        "reason": not failed and settled is None and settling["reason"].removesuffix(LONGER * (status == _ENDED[1])),
         "frequency": seen and _written(residual["frequency_Hz"], "Hz"),
         "damping": seen and _written(round(100 * residual["damping"], residual["damping"] < _TENTHS) + 0.0, "%", 2),
         "quantity": worst and worst["quantity"].capitalize(),
         "element": worst and worst["element"],
         "value": worst and _written(worst["value"], worst["unit"]),
         "limit": worst and _written(worst["limit"], worst["unit"]),
+        "others": ", ".join(f"{one['quantity']} of {one['element']}" for one in others if one),
     }
     return {name: text for name, text in known.items() if text}
 

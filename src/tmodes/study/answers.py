@@ -23,6 +23,9 @@ _SI = ("m", "rad", "s", "N", "N m", "N*m", "Pa", "W", "J")
 SURE = f"{100 * CONFIDENCE:.0f} % confidence"
 _MOST_NAMED = 3
 
+_FEWEST = 20
+"""Cases of which one is 5 %; of fewer the outer percentiles are but the ends."""
+
 
 def amount(value: float, unit: str) -> str:
     """A value with its unit: ``12.41 mm``."""
@@ -40,8 +43,8 @@ def study_sentence(answers: Sequence[str], rows: Rows) -> str:
 def quantity_answers(study: Study, rows: Rows) -> dict[str, str]:
     """A sentence for each quantity that any case has.
 
-    Of cases that come as often as their distributions say: what 95 % stay below and above, with the confidence
-    interval where cases are independent; else its least and largest value, and where these are.
+    Of cases that come as often as their distributions say, and are not few: what 95 % stay below and above, with the
+    confidence interval where cases are independent; else its least and largest value, and where these are.
     """
     plan = type(study.sheet.plan)
     found = {}
@@ -54,7 +57,11 @@ def quantity_answers(study: Study, rows: Rows) -> dict[str, str]:
 
 
 def _shares(values: np.ndarray, unit: str, *, certain: bool) -> str:
-    low, middle, high = statistics(values, (5.0, 50.0, 95.0)).percentiles.values()
+    found = statistics(values, (5.0, 50.0, 95.0))
+    if found.count < _FEWEST:
+        ends = dict.fromkeys(amount(one, unit) for one in (found.least, found.largest))
+        return f"{' to '.join(ends)} in {count_of(found.count, 'case')}, too few for percentiles"
+    low, middle, high = found.percentiles.values()
     below, above, half = (amount(one.value, unit) for one in (high, low, middle))
     sure = f" ({between(high, unit)} at {SURE})" if certain and np.isfinite([high.low, high.high]).all() else ""
     return f"95 % of cases stay below {below}{sure}, 95 % above {above}, half below {half}"

@@ -8,6 +8,7 @@ import scipy.stats
 
 from study.core.studies import study
 from tmodes.errors import InputError
+from tmodes.study.answers import quantity_answers
 from tmodes.study.statistics import correlations, percentile, share_beyond, statistics, tolerance_stack
 
 
@@ -85,3 +86,12 @@ def test_the_stack_up_of_a_linear_quantity_is_exact():
 def test_a_percentile_out_of_range():
     with pytest.raises(InputError, match="from 0 to 100"):
         percentile([1.0], 120.0)
+
+
+def test_of_few_cases_the_ends_are_said_and_no_percentiles() -> None:
+    few, many = ({"type": "monte_carlo", "runs": count} for count in (6, 60))
+    found = [study(plan=plan) for plan in (few, many)]
+    columns = [np.linspace(0.0, 1.0, count)[:, None] for count in (6, 60)]
+    said = [quantity_answers(one, one.evaluate(0, own))["y"] for one, own in zip(found, columns, strict=True)]
+    assert said[0].endswith("in 6 cases, too few for percentiles.")
+    assert "95 % of cases stay below" in said[1]

@@ -92,6 +92,15 @@ def test_nothing_feasible_gives_the_design_that_is_nearest() -> None:
     assert found.lost_to == {"sag <= 0.5 mm": found.designs}
 
 
+def test_nothing_computed_gives_no_design() -> None:
+    """Of designs that all fail none is nearest, and the answer is why they do."""
+    failing = {"sag": {"expression": "log(-a)", "unit": "mm"}, "mass": {"expression": "b", "unit": "kg"}}
+    found = optimize(design_study(failing, RANGES, [{"minimize": "mass"}], ["sag <= 1 mm"]), "tpe", trials=6)
+    assert (found.best, found.nearest, found.designs, found.failed) == (None, None, 6, 6)
+    assert found.sentence.startswith("None of the 6 designs finished: ")
+    assert "nan" not in found.sentence
+
+
 def test_the_command_shows_the_optimum_and_the_limits(tmp_path: Any) -> None:
     done = called("optimize", str(EXAMPLES / "lightest_rod.yaml"))
     assert done.returncode == 0

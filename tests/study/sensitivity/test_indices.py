@@ -105,6 +105,8 @@ def test_the_answer_is_which_parameter_decides() -> None:
     assert found.answers["y"] == f"b decides y: {share}, a {100 * found.total[0, 0]:.0f} %."
     assert found.sentence == found.info()["sentence"] == next(iter(found.tables())) == found.answers["y"]
     assert "seems to matter most" in sensitivity(study_of("a + b", both), samples=64).sentence
+    alone = sensitivity(study_of("(a - 0.5)**2", {"a": uniform(0.0, 1.0)}), samples=64).sentence
+    assert "interactions" not in alone  # a share that is missing of one parameter is the sampling's error
     assert "come from interactions" in sensitivity(study_of("(a - 0.5)*(b - 0.5)", both)).sentence
     swing = sensitivity(study_of("a + 2*b", both), "morris", samples=8).sentence
     assert swing.startswith("b matters most for y: 2 over its range")

@@ -91,11 +91,7 @@ function sorted(root: Float64Array, { re, vectors }: Eigen, n: number): Omit<Und
  * The damped motions: eigenvalues and shapes of the equations of first order, in coordinates in which they are even.
  */
 export function damped(
-  mass: Float64Array,
-  damping: Float64Array,
-  stiffness: Float64Array,
-  n: number,
-  still: Undamped,
+  mass: Float64Array, damping: Float64Array, stiffness: Float64Array, n: number, still: Undamped,
 ): Motions {
   const basis = still.symmetric ? still.shapes : unitMasses(mass, n);
   const info = (matrix: Float64Array) => product(basis, product(matrix, basis, n, n, n), n, n, n, true);
@@ -119,11 +115,7 @@ export function damped(
 
 /** Complex shapes [n, 2 n] of the columns of real and imaginary parts, pair by pair. */
 function shapesOf(
-  vectors: Matrix,
-  im: Float64Array,
-  basis: Float64Array,
-  scale: number[],
-  n: number,
+  vectors: Matrix, im: Float64Array, basis: Float64Array, scale: number[], n: number,
 ): Motions["shapes"] {
   const parts = { re: new Float64Array(2 * n * n), im: new Float64Array(2 * n * n) };
   for (let k = 0; k < 2 * n; k += 1) {

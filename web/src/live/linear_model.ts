@@ -99,10 +99,7 @@ export function linearAtRest(
 
 /** Slopes of the forces of weight and dead wrenches by the coordinates [n, n]. */
 function weightSlopes(
-  engine: Engine,
-  blocks: Blocks,
-  q: Float64Array,
-  wrenches: Float64Array,
+  engine: Engine, blocks: Blocks, q: Float64Array, wrenches: Float64Array,
 ): Float64Array {
   const n = q.length;
   const steps = [STEP, -STEP, 2 * STEP, -2 * STEP];

@@ -62,7 +62,9 @@ function ordered(limits: Limit[]): Limit[] {
 }
 
 function gearOf({ deformations, turning }: Bundle, times: Float64Array, series: SeriesOf): Judged["bends"] {
-  const gears = deformations.flatMap((name, k) => (name.endsWith(".gear") ? [k] : []));
+  const all = deformations.flatMap((name, k) => (name.endsWith(".gear") ? [k] : []));
+  const turned = all.filter((k) => turning.includes(deformations[k].slice(0, -".gear".length)));
+  const gears = turned.length ? turned : all; // radians and meters are not compared
   if (!gears.length) return null;
   const angles = columns(series.deformation.data, deformations.length, gears);
   const k = worst(angles);
@@ -80,7 +82,7 @@ export function withLoads(
       share: stress.value / strengths[name] }]
     : []));
   const bent = links.flatMap(({ largest: { deflection } }) => deflection ?? []).sort((a, b) => b.value - a.value)[0];
-  const bends = judged.against || !bent ? judged.bends : {
+  const bends = judged.against || !bent?.value ? judged.bends : {
     cause: "link" as const, element: bent.link, value: bent.value, unit: "m", time_s: times[bent.sample],
   };
   return { ...judged, bends, limits: ordered([...stresses, ...judged.limits]) };
@@ -113,7 +115,7 @@ export function verdictOf(
   const level = status !== "finished" ? "bad"
     : tolerance === null || largest === null ? "neutral"
     : largest > tolerance ? "bad" : within ? "good" : "neutral";
-  const known = said(found, status === "finished" ? "" : message);
+  const known = said(found, status === "finished" ? "" : message.replaceAll("`", ""));
   const has = (text: string) => [...text.matchAll(/\{(\w+)\}/g)].every(([, name]) => known[name]);
   const words = phrases.map((part) => part.find(has) ?? "").join("");
   return { ...found, level, sentence: words.replace(/\{(\w+)\}/g, (_, name: string) => String(known[name])) };
@@ -126,7 +128,7 @@ function said(found: Judged, failure: string): Record<string, string | false | n
   const off = largest !== null && largest > EXACT;
   const [within, settled] = [settling.within_m ?? 0, settling.time_s];
   const seen = residual && (settled === null || residual.amplitude_m > within);
-  const passed = found.limits.find(({ share }) => share > PASSED);
+  const [passed, ...others] = found.limits.filter(({ share }) => share > PASSED);
   const judged = tolerance !== null && largest !== null;
   return {
     failure,
@@ -148,5 +150,6 @@ function said(found: Judged, failure: string): Record<string, string | false | n
     element: passed?.element ?? false,
     value: passed ? written(passed.value, passed.unit) : false,
     limit: passed ? written(passed.limit, passed.unit) : false,
+    others: others.map(({ quantity, element }) => `${quantity} of ${element}`).join(", "),
   };
 }

@@ -1,4 +1,4 @@
-/* tmodes, built from 3606474a00e27650; BSD-3-Clause */
+/* tmodes, built from 8f3c50163184afe1; BSD-3-Clause */
 
 // src/live/engine_error.ts
 var EngineError = class extends Error {

@@ -8,6 +8,7 @@ from math import isfinite, nan
 from typing import TYPE_CHECKING, Any
 
 from tmodes.io.printed import CommandResult, Table, changed_by
+from tmodes.io.words import count_of
 from tmodes.study.answers import amount
 from tmodes.study.optimize.goals import ROUNDING
 from tmodes.study.plain import plain
@@ -84,9 +85,10 @@ class Optimum(CommandResult):
     """What :func:`tmodes.study.optimize.optimize` has found.
 
     ``best``: the feasible design with the best (first) objective, or None; ``nearest``: where none is feasible, the
-    one that exceeds its limits least. ``ranked``: feasible designs, the best one first; ``front``: of several
-    objectives the designs of which none is better in all. ``exact``: every design was tried. ``designs``, ``feasible``
-    and ``failed``: how many; ``cases`` that were computed for them, ``gradients``: runs with their adjoint sweep.
+    one that exceeds its limits least of those that finished. ``ranked``: feasible designs, the best one first;
+    ``front``: of several objectives the designs of which none is better in all. ``exact``: every design was tried.
+    ``designs``, ``feasible`` and ``failed``: how many; ``cases`` that were computed for them, ``gradients``: runs with
+    their adjoint sweep.
     ``lost_to``: how many designs exceed each limit; ``history``: number of a trial and its objective, where it was the
     best so far; ``prices``: change of the objective by each active limit's bound, where a gradient method knows it.
     ``start``: the design of the sheet itself, the middle of a range of which the sheet has no number; ``trials``: every
@@ -240,7 +242,8 @@ def _best_design(found: Optimum) -> str:
     """The best design with its objective against the start, and its limits; or why there is none."""
     one = found.best or found.nearest
     if one is None:
-        return "No design could be computed."
+        reason = next(filter(None, found.trials.reasons if found.trials else ()), "")
+        return f"None of the {count_of(found.designs, 'design')} finished{reason and ': '}{reason.rstrip('.')}."
     values = chosen_values(found, one).items()
     chosen = ", ".join(value if value.startswith(name) else f"{name} {value}" for name, value in values)
     counts = f"{found.feasible:,} of {found.designs:,} designs keep all limits" if one.limits else ""

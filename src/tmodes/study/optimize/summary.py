@@ -53,7 +53,7 @@ def found(
     return Optimum(
         trials.study.sheet.name, method, exact, tuple(aim.text for aim in trials.goals.aims), units,
         best=candidate(trials, judged, ranked[0]) if len(ranked) else None,
-        nearest=None if len(ranked) or not len(trials) else candidate(trials, judged, _nearest(judged)),
+        nearest=None if len(ranked) or _failed(judged).all() else candidate(trials, judged, _nearest(judged)),
         ranked=tuple(candidate(trials, judged, k) for k in _apart(trials, order)),
         front=tuple(candidate(trials, judged, k) for k in front),
         designs=len(trials), feasible=len(feasible), failed=int(_failed(judged).sum()), cases=trials.cases,
@@ -81,7 +81,7 @@ def _failed(judged: Judged) -> NDArray[np.bool_]:
 
 
 def _nearest(judged: Judged) -> int:
-    """The design that exceeds its limits least; one that failed only where all did."""
+    """The design that exceeds its limits least, of those that did not fail."""
     return int(np.argmin(np.where(_failed(judged), np.inf, judged.violation)))
 
 

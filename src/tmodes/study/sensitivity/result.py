@@ -215,7 +215,7 @@ def _what_matters(found: Sensitivity, quantity: str) -> str:
     named = [j for j in others if size[j] > _LITTLE * (1.0 if shares else size[first])]
     rest = [f"{found.names[j]} {texts[j]}" for j in named[:_MOST_NAMED]]
     rest += [f"each other at most {texts[named[_MOST_NAMED]]}"] if len(named) > _MOST_NAMED else []
-    joint = 1.0 - float(found.first[k].sum()) if shares else 0.0
+    joint = 1.0 - float(found.first[k].sum()) if shares and others else 0.0
     more = f"; {_percent(joint)} come from interactions, which these shares count more than once"
     return (
         f"{lead}: {texts[first]} {what} ({wide} at {SURE}){', ' if rest else ''}{', '.join(rest)}"
