@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from tmodes.gradients.quantities import Functional, reduced_output, tracking_error
     from tmodes.interface.batches import batch
     from tmodes.interface.checks import check, evaluate
+    from tmodes.interface.comparing import compare
     from tmodes.interface.description import describe
     from tmodes.interface.following import follow
     from tmodes.interface.hierarchy import hierarchy
@@ -62,6 +63,7 @@ __all__ = [
     "adjoint_gradient",
     "batch",
     "check",
+    "compare",
     "describe",
     "evaluate",
     "follow",
@@ -104,6 +106,7 @@ _HOMES = {
     "adjoint_gradient": "tmodes.gradients.gradient.adjoint_gradient",
     "batch": "tmodes.interface.batches.batch",
     "check": "tmodes.interface.checks.check",
+    "compare": "tmodes.interface.comparing.compare",
     "describe": "tmodes.interface.description.describe",
     "evaluate": "tmodes.interface.checks.evaluate",
     "follow": "tmodes.interface.following.follow",

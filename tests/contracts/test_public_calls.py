@@ -46,6 +46,7 @@ FORMULA = {
     "optimize": {"objectives": [{"minimize": "y"}]},
 }
 GEAR = "joints.joint.gear.stiffness"
+UNIFORM = {"relative": True, "distribution": {"type": "uniform", "low": 0.8, "high": 1.2}}
 
 
 def deep() -> list[Any]:
@@ -129,6 +130,10 @@ def calls(folder: Path) -> dict[str, tuple[Callable[..., Any], dict[str, Any]]]:
         "batch": (tmodes.batch, {"robot": robot, "vary": {GEAR: (90, 110, 2)}, "draw": (), "runs": 2, "seed": 0, "threads": 1, "duration": None, "out": None}),
         "its range": (lambda ends: robot.batch(vary={GEAR: ends}), {"ends": (90, 110, 2)}),
         "its drawn range": (lambda ends: robot.batch(draw={GEAR: ends}, runs=2), {"ends": (90, 110)}),
+        "compare": (tmodes.compare, {"robot": robot, "variants": {"own": {}}, "sheets": None, "uncertain": {"k": {"path": GEAR, **UNIFORM}}, "plan": {"type": "sobol"}, "runs": 2, "tolerance": 0.1, "threads": 1, "out": None, "figure": None, "overwrite": True}),
+        "its variant": (lambda given: robot.compare({"own": given}), {"given": {}}),
+        "its shaper": (lambda given: robot.compare({"own": {"shaper": given}}), {"given": {"kind": "zv"}}),
+        "its uncertainty": (lambda given: robot.compare({"own": {}}, uncertain={"k": {**UNIFORM, "path": given}}, runs=2), {"given": GEAR}),
         "gradient": (tmodes.gradient, {"robot": robot, "functional": squared, "paths": [GEAR], "most_bytes": None}),
         "check": (tmodes.check, {"robot": robot}),
         "evaluate": (tmodes.evaluate, {"robot": robot, "states": [{"q": still}], "contact": False, "nominal": False, "reading": None}),

@@ -56,6 +56,7 @@ _GROUPS = {
         "learn": ("learn.learn", "setpoints that get better from run to run"),
     },
     "Many runs": {
+        "compare": ("compare.compare", "a league of controllers and references on one task"),
         "batch": ("batch.batch", "vary numbers of one robot, evenly or at random"),
         "sensitivity": ("sensitivity.sensitivity", "which parameters matter, and how sure that is"),
         "optimize": ("optimize.optimize", "the best design within limits"),

@@ -11,6 +11,7 @@ from tmodes.errors import InputError
 from tmodes.interface import (
     batches,
     checks,
+    comparing,
     description,
     following,
     hierarchy,
@@ -163,6 +164,7 @@ class Robot(sheet.Robot):
     shaper = shaping.shaper
     hierarchy = hierarchy.hierarchy
     batch = batches.batch
+    compare = comparing.compare
     study = studies.study
     sensitivity = studies.sensitivity
     optimize = studies.optimize

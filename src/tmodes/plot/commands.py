@@ -9,9 +9,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from tmodes.plot.panels import Axes, AxesLike, panels, side_legend
-from tmodes.plot.style import COMPONENTS, INK, house_style
+from tmodes.plot.style import COMPONENTS, GRID, INK, house_style
 
-__all__ = ["bars", "bode", "points", "shape"]
+__all__ = ["bars", "bode", "points", "shape", "spans"]
 
 _MARKERS = ("o", "s", "^")
 
@@ -71,6 +71,43 @@ def points(
         if len(shown) > 1:
             side_legend(panel)
         return [panel]
+
+
+def spans(
+    names: Sequence[str], marks: Mapping[str, ArrayLike], what: str, *,
+    between: tuple[str, ArrayLike, ArrayLike] | None = None, limit: tuple[str, float] | None = None, title: str = "",
+    ax: AxesLike = None,
+) -> list[Axes]:  # fmt: skip
+    """A row for each of n ``names``: its ``marks`` (n,), a bar ``between`` two ends (n,), and a ``limit`` for all."""
+    with house_style():
+        (panel,) = panels(ax, [["a"]], 1.3 + 0.3 * max(len(names), 1))
+        places = np.arange(len(names), dtype=float)
+        if between is not None:
+            label, low, high = between
+            panel.hlines(places, np.asarray(low), np.asarray(high), color=GRID, linewidth=7, label=label, zorder=1)
+        every = [np.asarray(values, dtype=float) for values in marks.values()]
+        for k, (label, values) in enumerate(zip(marks, every, strict=True)):
+            look = {"marker": _MARKERS[k % len(_MARKERS)], "color": COMPONENTS[k % len(COMPONENTS)]["color"]}
+            panel.plot(values, places, linestyle="none", markersize=5, label=label, zorder=3, **look)
+        if limit is not None:
+            panel.axvline(limit[1], color=INK, linewidth=0.9, linestyle="--", label=limit[0], zorder=2)
+        panel.set_yticks(places, names)
+        panel.set_ylim(len(names) - 0.5, -0.5)
+        known = np.concatenate([one[np.isfinite(one) & (one > 0)] for one in every])
+        if len(known) and known.max() > _DECADES * known.min():
+            panel.set_xscale("log")
+        elif len(known):
+            panel.set_xlim(0.0, 1.05 * max(known.max(), limit[1] if limit else 0.0))
+        panel.set(xlabel=what, title=title)
+        side_legend(panel)
+        engine: Any = panel.figure.get_layout_engine()
+        if ax is None and engine:
+            engine.set(w_pad=0.1)  # names are wider on paper than where they are measured
+        return [panel]
+
+
+_DECADES = 30.0
+"""Largest over smallest number beyond which an axis is logarithmic."""
 
 
 def shape(lines: Mapping[str, Sequence[ArrayLike]], *, title: str = "", ax: AxesLike = None) -> list[Axes]:

@@ -16,8 +16,8 @@ from tmodes.errors import InputError
 from tmodes.study.rows import Rows
 
 __all__ = [
-    "CONFIDENCE", "PERCENTILES", "CorrelationEstimate", "Interval", "Stack", "Statistics", "correlations", "percentile",
-    "share_beyond", "statistics", "tolerance_stack",
+    "CONFIDENCE", "PERCENTILES", "CorrelationEstimate", "Interval", "Stack", "Statistics", "correlations",
+    "exact_share", "percentile", "share_beyond", "statistics", "tolerance_stack",
 ]  # fmt: skip
 
 Array = NDArray[np.float64]
@@ -125,6 +125,21 @@ def share_beyond(values: ArrayLike, limit: float, *, above: bool = True, confide
     middle = (share + square / (2 * count)) / (1 + square / count)
     half = np.sqrt(square * (share * (1 - share) / count + square / (4 * count**2))) / (1 + square / count)
     return Interval(share, max(0.0, float(middle - half)), min(1.0, float(middle + half)))
+
+
+def exact_share(count: int, cases: int, confidence: float = CONFIDENCE) -> Interval:
+    """Share [-] of ``count`` among independent ``cases``, with an interval that covers it at least so often.
+
+    C. J. Clopper, E. S. Pearson, Biometrika 26, 1934: quantiles of the beta distribution. No cases give not-a-number.
+    """
+    from scipy.special import betaincinv
+
+    if not cases:
+        return Interval(np.nan, 0.0, 1.0)
+    half, others = (1 - confidence) / 2, cases - count
+    low = float(betaincinv(count, others + 1, half)) if count else 0.0
+    high = float(betaincinv(count + 1, others, 1 - half)) if others else 1.0
+    return Interval(count / cases, low, high)
 
 
 @dataclass(frozen=True)

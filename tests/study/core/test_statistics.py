@@ -9,7 +9,7 @@ import scipy.stats
 from study.core.studies import study
 from tmodes.errors import InputError
 from tmodes.study.answers import quantity_answers
-from tmodes.study.statistics import correlations, percentile, share_beyond, statistics, tolerance_stack
+from tmodes.study.statistics import correlations, exact_share, percentile, share_beyond, statistics, tolerance_stack
 
 
 def test_a_column_with_failed_cases():
@@ -52,6 +52,15 @@ def test_wilsons_interval():
     assert found.value == 3 / 40
     assert (found.low, found.high) == (pytest.approx(known.low), pytest.approx(known.high))
     assert share_beyond(values, 0.5, above=False).value == 37 / 40
+
+
+@pytest.mark.parametrize(("count", "cases"), [(3, 40), (0, 200), (200, 200), (1, 1)])
+def test_the_interval_of_clopper_and_pearson(count, cases):
+    """Against the one of scipy; without a count the rule of three, 3.7/n at 97.5 %."""
+    found = exact_share(count, cases)
+    known = scipy.stats.binomtest(count, cases).proportion_ci(method="exact")
+    assert (found.value, found.low, found.high) == pytest.approx((count / cases, known.low, known.high), abs=1e-12)
+    assert (exact_share(0, 0).low, exact_share(0, 0).high) == (0.0, 1.0)
 
 
 def test_correlations_of_parameters_with_quantities():
