@@ -18,10 +18,10 @@ NOTHING_FEASIBLE = 3
 def optimize(
     study: StudyArgument,
     method: Annotated[
-        str, typer.Option(help="auto, grid (all designs of a catalogue), gradient, tpe, or nsga2 (several objectives).")
+        str, typer.Option(help="auto, grid (all of a catalogue), gradient, cobyqa, tpe, or nsga2 (several objectives).")
     ] = "auto",
     trials: Annotated[
-        int | None, typer.Option(min=1, help="Designs that tpe (else 200) or nsga2 (else 1000) tries.")
+        int | None, typer.Option(min=1, help="Designs that tpe or cobyqa (else 200) or nsga2 (else 1000) tries.")
     ] = None,
     seed: Seed = 0,
     out: CasesFolder = None,

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+import tmodes
 from study.optimize.tubes import EXAMPLES
 from tmodes.errors import InputError
 from tmodes.gradients.quantities import tracking_error
@@ -57,7 +58,8 @@ def test_slopes_are_those_of_differences_of_runs(series: str, reduce: str) -> No
         {"error": {"series": series, "reduce": reduce, "unit": None}, "both": {"expression": "error**2 + 1e-3*gear"}},
         "both + error", ["error <= 1"],
         gear=uniform(GEAR, 0.6, 1.4, relative=True), mass=uniform(MASS, 0.5, 2.0),
-        gain=uniform("drives.0.controller.position_gain", 40.0, 120.0),
+        gain={"path": "drives.0.controller.position_gain",
+              "distribution": {"type": "loguniform", "low": 40.0, "high": 120.0}},
         reach=uniform("links.link.bodies.0.center.2", -1.2, -0.8),
     )  # fmt: skip
     slopes = Adjoint(trials_of(asked), {})
@@ -89,7 +91,7 @@ def test_slopes_of_the_worst_of_several_cases(more: dict[str, Any]) -> None:
     trials = trials_of(study_from_data(data))
     trials.scenarios = np.repeat(trials.scenarios, 3, axis=0)
     trials.scenarios[:, 2], trials.scenarios[:, 0] = [0.8, 1.7, 1.2], [120.0, 50.0, 80.0]
-    start = Adjoint(trials, {}).start  # of the sheet, whatever its scenarios are
+    start = trials.start  # of the sheet, whatever its scenarios are
     assert trials.space.at(start[None])[0] == pytest.approx(trials.study.space.nominal[:2])
     slopes, shares, step = Adjoint(trials, {}), np.array([0.4, 0.3]), 1e-3
     found = slopes.at(shares)
@@ -101,6 +103,36 @@ def test_slopes_of_the_worst_of_several_cases(more: dict[str, Any]) -> None:
     np.testing.assert_allclose([found.objective, *found.excess], values[0], rtol=1e-5)
     np.testing.assert_allclose([found.slope, *found.slopes], expected, rtol=2e-4, atol=2e-4 * np.abs(expected).max())
     assert slopes.runs == (0 if more else 2)  # of the two quantities, in the case that decides both
+def test_the_worst_case_of_a_run_along_gradients() -> None:
+    """Gains for the worst of 9 stiffnesses: as good as what is found without slopes, which needs more designs."""
+    gains = {"kp": (20.0, 600.0), "kv": (2.0, 80.0)}
+    parameters = {
+        name: {"path": f"drives.0.controller.{long}_gain",
+               "distribution": {"type": "loguniform", "low": gains[name][0], "high": gains[name][1]}}
+        for name, long in {"kp": "position", "kv": "velocity"}.items()
+    }  # fmt: skip
+    parameters["k"] = uniform(f"real:{GEAR}", 0.6, 1.2)
+    data = spong({"error": {"series": "tip_error", "reduce": "rms", "unit": "mm"}}, "error", [], **parameters).data
+    aim = {"objectives": [{"minimize": "error"}], "design": ["kp", "kv"], "worst_case": 9}
+    asked = study_from_data({**data, "study": {**data["study"], "optimize": aim}})
+    found, other = optimize(asked), optimize(asked, "cobyqa", trials=60)
+    assert found.method == "gradient"
+    assert found.best
+    assert other.best
+    assert found.start
+    assert found.best.objectives[0] == pytest.approx(other.best.objectives[0], rel=2e-3)
+    assert found.best.objectives[0] < 0.9 * found.start.objectives[0]
+    low, high = found.best.quantities["error"]
+    assert low < high == pytest.approx(found.best.objectives[0])  # of 9 cases
+    robot = load("spong1987").with_(data["study"]["set"])
+    best = {f"drives.0.controller.{name}_gain": found.best.values[key]
+            for key, name in {"kp": "position", "kv": "velocity"}.items()}  # fmt: skip
+    assert found.trials
+    worst = [
+        1e3 * tmodes.Robot.of(robot).with_({**best, "real": {GEAR: float(case[2])}}).run().reduce("tip_error", "rms")
+        for case in found.trials.scenarios
+    ]
+    assert max(worst) == pytest.approx(found.best.objectives[0], rel=1e-4)
 
 
 def test_gradients_need_a_fifth_of_the_runs_of_a_search() -> None:

@@ -50,7 +50,7 @@ def test_limits_in_other_units_and_on_both_sides() -> None:
     ("method", "more", "words"),
     [
         ("grid", {}, "a continuous range"),
-        ("fast", {}, "auto, grid, gradient, tpe, nsga2"),
+        ("fast", {}, "auto, grid, gradient, cobyqa, tpe, nsga2"),
         ("auto", {"worst_case": 8}, "all parameters are chosen"),
         ("auto", {"objectives": [{"minimize": "masss"}]}, "Did you mean `mass`?"),
         ("tpe", {"objectives": [{"minimize": "mass"}, {"minimize": "sag"}]}, "2 objectives"),
@@ -64,8 +64,9 @@ def test_what_does_not_fit_the_study(method: str, more: dict[str, Any], words: s
 
 def test_gradients_need_ranges() -> None:
     asked = design_study({"n": "a"}, {"a": ["one", "two"]}, [{"minimize": "n"}])
-    with pytest.raises(InputError, match="a choice among 2 entries"):
-        optimize(asked, "gradient")
+    for method in ("gradient", "cobyqa"):
+        with pytest.raises(InputError, match="a choice among 2 entries"):
+            optimize(asked, method)
 
 
 def test_something_must_be_chosen() -> None:

@@ -13,6 +13,7 @@ import pytest
 from study.optimize.forms import design_study
 from study.optimize.tubes import EXAMPLES
 from tmodes.study.optimize import optimize
+from tmodes.study.optimize.space import design_space
 from tmodes.study.optimize.summary import pareto_front
 from tmodes.study.read import read_study
 from tmodes.study.rows import Rows
@@ -43,6 +44,33 @@ def test_several_parameters_and_limits_along_gradients() -> None:
     np.testing.assert_allclose([found.best.values[name] for name in "abcd"], [0.0, 1.0, 2.0, -1.0], atol=1e-5)
     np.testing.assert_allclose(found.best.objectives[0], -44.0, rtol=1e-8)
     np.testing.assert_allclose(found.prices["g3 <= 5"], -2.0, rtol=1e-4)
+
+
+def test_quadratic_models_descend_without_slopes() -> None:
+    """Problem 24 of the same book, f = -1 at (3, sqrt(3)), from the middle of the ranges."""
+    asked = design_study({"f": "((a - 3)**2 - 9)*b**3/(27*3**0.5)", "one": "a/3**0.5 - b", "two": "a + 3**0.5*b"},
+                         {"a": (0.0, 6.0), "b": (0.0, 4.0)}, [{"minimize": "f"}],
+                         ["one >= 0", "0 <= two <= 6"])  # fmt: skip
+    found = optimize(asked, "cobyqa")
+    assert found.best
+    np.testing.assert_allclose([found.best.values[name] for name in "ab"], [3.0, 3**0.5], rtol=2e-3)
+    np.testing.assert_allclose(found.best.objectives[0], -1.0, rtol=2e-3)
+    assert found.designs <= 200
+    assert optimize(asked, "cobyqa", trials=20).designs <= 21
+
+
+def test_ranges_of_a_logarithm() -> None:
+    """Half of the way from 0.01 to 100 is 1; an optimum on the way is found along gradients of the logarithm."""
+    ranges = {"a": {"distribution": {"type": "loguniform", "low": 0.01, "high": 100.0}}}
+    asked = design_study({"f": "(log(a) - log(7))**2"}, ranges, [{"minimize": "f"}])
+    space = design_space(asked, [])
+    np.testing.assert_allclose(space.at(np.array([[0.0], [0.5], [1.0]])), [[0.01], [1.0], [100.0]])
+    np.testing.assert_allclose(space.shares(np.array([[7.0]])), [[np.log(700) / np.log(1e4)]])
+    np.testing.assert_allclose(space.slopes(np.array([0.5])), [np.log(1e4)])
+    for method in ("gradient", "cobyqa"):
+        best = optimize(asked, method).best
+        assert best
+        np.testing.assert_allclose(best.values["a"], 7.0, rtol=1e-3)
 
 
 def test_what_is_maximized_and_has_no_limit() -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from functools import cached_property
-from typing import Literal
+from typing import ClassVar, Literal
 
 import numpy as np
 from pydantic import Field
@@ -41,6 +41,7 @@ class Uniform(Distribution):
 class LogUniform(Distribution):
     """A number whose logarithm is equally likely from that of ``low`` to that of ``high``."""
 
+    logarithmic: ClassVar[bool] = True
     type: Literal["loguniform"] = Field(description="kind of distribution")
     low: float = size("a", "least value")
     high: float = size("b", "largest value")

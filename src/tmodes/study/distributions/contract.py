@@ -15,7 +15,7 @@ A distribution of a user's own is a class with the field ``type`` and one method
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -34,6 +34,9 @@ EDGE = 0.0013498980316300946
 
 class Distribution(Kind, family="distribution", key="type"):
     """How likely each value of a parameter is [the unit of the parameter]."""
+
+    logarithmic: ClassVar[bool] = False
+    """Whether ratios of its values count, not differences: a search goes by their logarithms."""
 
     def at(self, share: Array) -> Array:
         """The values (...) below which these shares (...) of all lie, 0 < share < 1: the quantile function."""

@@ -68,12 +68,6 @@ class Adjoint:
             hint = "make it a quantity of the study, a series reduced by rms, mean or end"
             raise InputError("--method gradient", got, "one run in continuous time for it", hint)
 
-    @property
-    def start(self) -> Array:
-        """The sheet's own design, within the ranges, (k,) of the unit cube."""
-        space = self.trials.space
-        return np.clip(space.shares(self.study.space.nominal[list(space.columns)]), 0.0, 1.0)
-
     def at(self, shares: Array) -> Terms:
         """The terms at shares (k,)."""
         key = shares.tobytes()
@@ -131,7 +125,7 @@ class Adjoint:
 
     def _point(self, shares: Array, scenario: int) -> _Point:
         """What parameters set follows them linearly: its slopes are those of the whole range."""
-        robot, k, study = self.study.robot, len(shares), self.study
+        robot, k, study, space = self.study.robot, len(shares), self.study, self.trials.space
         assert robot is not None  # noqa: S101
         ends = [np.where(np.eye(k, dtype=bool), end, shares) for end in (0.0, 1.0)]
         cases = self.trials.cases_of(self.trials.space.at(np.concatenate([shares[None], *ends])))
@@ -141,7 +135,8 @@ class Adjoint:
             got = "parameters that change more than numbers of the robot" if len(groups) > 1 else groups[0].wrong
             raise InputError("--method gradient", got, "parameters that are numbers of the robot", "take --method tpe")
         vary = groups[0].vary.items()
-        along = {path: numbers[k + 1 :] - numbers[1 : k + 1] for path, numbers in vary}
+        share = space.slopes(shares) / (space.high - space.low)
+        along = {path: (numbers[k + 1 :] - numbers[1 : k + 1]) * share for path, numbers in vary}
         return _Point(groups[0].robot, {path: float(numbers[0]) for path, numbers in vary}, along)
 
     def _resting(self, shares: Array, scenario: int, values: Mapping[str, Array]) -> Found:
@@ -188,7 +183,7 @@ class Adjoint:
         """Objective and limits of a case (d,) with their slopes: formulas by differences along each direction."""
         goals, space = self.trials.goals, self.trials.space
         own = dict(zip(self.study.names, case, strict=True))
-        along = dict(zip(space.names, np.diag(space.high - space.low), strict=True))
+        along = dict(zip(space.names, np.diag(space.slopes(shares)), strict=True))
         along |= {name: slope for name, (_, slope) in found.items()}
         values = own | {name: value for name, (value, _) in found.items()}
         steps, none = neighbours(shares, _STEP) - shares, np.zeros(len(shares))

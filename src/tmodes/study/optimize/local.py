@@ -1,4 +1,4 @@
-"""Local optima by gradients, from one or several starts, as an optimum that is reported."""
+"""Local optima, by gradients from one or several starts, or without, as an optimum that is reported."""
 
 from __future__ import annotations
 
@@ -9,14 +9,14 @@ from numpy.typing import NDArray
 
 from tmodes.gradients.quantities import Functional
 from tmodes.study.optimize.adjoint import Adjoint
-from tmodes.study.optimize.goals import Goals
+from tmodes.study.optimize.goals import Goals, Judged
 from tmodes.study.optimize.gradient import Descent, descend
 from tmodes.study.optimize.leaves import cheap
 from tmodes.study.optimize.result import Optimum
 from tmodes.study.optimize.summary import found
 from tmodes.study.optimize.trials import Trials
 
-__all__ = ["by_gradient"]
+__all__ = ["by_gradient", "without_gradient"]
 
 Array = NDArray[np.float64]
 
@@ -29,11 +29,44 @@ def by_gradient(
 ) -> Optimum:  # fmt: skip
     """The best of the local optima."""
     slopes, simulated = Adjoint(trials, functionals), bool(functionals) or not cheap(trials.study)
-    starts = [slopes.start] if simulated else _starts(trials, count, seed)
+    starts = [trials.start] if simulated else _starts(trials, count, seed)
     stage = "runs with gradients" if simulated else "steps"
     ends = [descend(slopes.at, start, lambda steps: progress(stage, 0.0)) for start in starts]
     best = min(ends, key=lambda end: (end.terms.excess.max(initial=0.0) > 0, end.terms.objective))
     return found(trials, "gradient", units, gradients=slopes.runs, prices=_prices(trials.goals, best))
+
+
+def without_gradient(
+    trials: Trials, count: int, units: dict[str, str], progress: Callable[[str, float], None]
+) -> Optimum:
+    """A local optimum from the sheet's own design in at most ``count`` trials, by quadratic models of what they give.
+
+    COBYQA (T. M. Ragonneau, Z. Zhang, arXiv:2311.16812), with limits; what fails counts as ten times the start.
+    """
+    from scipy.optimize import Bounds, NonlinearConstraint, minimize
+
+    space, sign = trials.space, trials.goals.signs[0]
+    first = trials.judged(trials.at(space.at(trials.start[None])))
+    scale = abs(float(first.objectives[0, 0])) if np.isfinite(first.objectives[0, 0]) else 1.0
+
+    def judged(x: Array) -> Judged:
+        progress("designs", min(1.0, len(trials) / count))
+        return trials.judged(trials.at(space.at(np.clip(x, 0.0, 1.0)[None])))
+
+    def objective(x: Array) -> float:
+        value = sign * float(judged(x).objectives[0, 0]) / (scale or 1.0)
+        return value if np.isfinite(value) else _FAILED
+
+    def excess(x: Array) -> Array:
+        return np.nan_to_num(judged(x).excess[0], nan=_FAILED, posinf=_FAILED)
+
+    limits = [NonlinearConstraint(excess, -np.inf, 0.0)] if trials.goals.limits else []
+    options = {"maxfev": count, "initial_tr_radius": 0.1, "final_tr_radius": 1e-4}
+    minimize(objective, trials.start, method="COBYQA", bounds=Bounds(0.0, 1.0), constraints=limits, options=options)
+    return found(trials, "cobyqa", units)
+
+
+_FAILED = 10.0
 
 
 def _starts(trials: Trials, count: int, seed: int) -> list[Array]:

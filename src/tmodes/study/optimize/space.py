@@ -27,7 +27,7 @@ class DesignSpace:
     """k parameters that are chosen: ``names``, their ``columns`` in the study, and ``low`` and ``high`` (k,) values.
 
     ``levels``: how many entries a parameter has that is chosen from a list, whose values are 0, 1, 2 ...; 0: one that
-    may have any value from low to high.
+    may have any value from low to high. ``logarithmic`` (k,): shares of such a one are of the logarithm of its value.
     """
 
     names: tuple[str, ...]
@@ -35,6 +35,7 @@ class DesignSpace:
     levels: tuple[int, ...]
     low: Array
     high: Array
+    logarithmic: NDArray[np.bool_]
 
     @property
     def continuous(self) -> bool:
@@ -54,11 +55,23 @@ class DesignSpace:
         """Designs (m, k) at shares (m, k) of the way from the least to the largest value."""
         levels = np.array(self.levels)
         entries = np.minimum(np.floor(shares * levels), levels - 1)
-        return np.where(levels > 0, entries, self.low + np.clip(shares, 0.0, 1.0) * (self.high - self.low))
+        shares = np.clip(shares, 0.0, 1.0)
+        values = np.where(self.logarithmic, self.low * self._ratios**shares, self.low + shares * (self.high - self.low))
+        return np.where(levels > 0, entries, values)
 
     def shares(self, designs: Array) -> Array:
         """The other way round; entries of a list are apart by more than 0."""
-        return (designs - self.low) / np.where(self.high > self.low, self.high - self.low, 1.0)
+        linear = (designs - self.low) / np.where(self.high > self.low, self.high - self.low, 1.0)
+        with np.errstate(invalid="ignore", divide="ignore"):
+            return np.where(self.logarithmic, np.log(designs / self.low) / np.log(self._ratios), linear)
+
+    def slopes(self, shares: Array) -> Array:
+        """Derivatives (k,) of the values at shares (k,), each by its own."""
+        return np.where(self.logarithmic, self.at(shares) * np.log(self._ratios), self.high - self.low)
+
+    @cached_property
+    def _ratios(self) -> Array:
+        return np.divide(self.high, self.low, out=np.full(len(self.low), np.e), where=self.logarithmic)
 
 
 def design_space(study: Study, names: Sequence[str]) -> DesignSpace:
@@ -71,7 +84,10 @@ def design_space(study: Study, names: Sequence[str]) -> DesignSpace:
     levels = [_levels(study.sheet.parameters[name]) for name in chosen]
     ends = [_ends(study.sheet.parameters[name], count) for name, count in zip(chosen, levels, strict=True)]
     low, high = np.array(ends, dtype=float).T
-    return DesignSpace(chosen, tuple(study.names.index(name) for name in chosen), tuple(levels), low, high)
+    known = [study.sheet.parameters[name].distribution for name in chosen]
+    logarithmic = np.array([one is not None and one.logarithmic for one in known])
+    columns = tuple(study.names.index(name) for name in chosen)
+    return DesignSpace(chosen, columns, tuple(levels), low, high, logarithmic)
 
 
 def _levels(parameter: Parameter) -> int:

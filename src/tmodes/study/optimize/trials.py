@@ -74,6 +74,12 @@ class Trials:
         self.values: dict[str, Array] = {}
         self.reasons: list[str] = []
 
+    @property
+    def start(self) -> Array:
+        """The sheet's own design, within the ranges, (k,) of the unit cube."""
+        own = self.study.space.nominal[list(self.space.columns)]
+        return np.clip(self.space.shares(own), 0.0, 1.0)
+
     def __len__(self) -> int:
         return len(self.designs)
 
