@@ -32,6 +32,7 @@ if TYPE_CHECKING:
     from tmodes.interface.show import show
     from tmodes.interface.statics import static
     from tmodes.interface.studies import gradient
+    from tmodes.interface.tuning import tune
     from tmodes.io.sheet_check import changed_robot, real_robot, sheet_from_data
     from tmodes.kinds.outside import use
     from tmodes.model.model import Model
@@ -90,6 +91,7 @@ __all__ = [
     "simulate_batch",
     "static",
     "tracking_error",
+    "tune",
     "use",
 ]
 
@@ -133,6 +135,7 @@ _HOMES = {
     "reduced_output": "tmodes.gradients.quantities.reduced_output",
     "static": "tmodes.interface.statics.static",
     "tracking_error": "tmodes.gradients.quantities.tracking_error",
+    "tune": "tmodes.interface.tuning.tune",
     "use": "tmodes.kinds.outside.use",
 }
 

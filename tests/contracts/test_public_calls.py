@@ -46,6 +46,7 @@ FORMULA = {
     "optimize": {"objectives": [{"minimize": "y"}]},
 }
 GEAR = "joints.joint.gear.stiffness"
+TUNED = "drives.0.controller.position_gain"
 UNIFORM = {"relative": True, "distribution": {"type": "uniform", "low": 0.8, "high": 1.2}}
 
 
@@ -131,6 +132,8 @@ def calls(folder: Path) -> dict[str, tuple[Callable[..., Any], dict[str, Any]]]:
         "its range": (lambda ends: robot.batch(vary={GEAR: ends}), {"ends": (90, 110, 2)}),
         "its drawn range": (lambda ends: robot.batch(draw={GEAR: ends}, runs=2), {"ends": (90, 110)}),
         "compare": (tmodes.compare, {"robot": robot, "variants": {"own": {}}, "sheets": None, "uncertain": {"k": {"path": GEAR, **UNIFORM}}, "plan": {"type": "sobol"}, "runs": 2, "tolerance": 0.1, "threads": 1, "out": None, "figure": None, "overwrite": True}),
+        "tune": (tmodes.tune, {"robot": robot, "gains": (TUNED,), "minimize": "tip_error", "reduce": "max", "uncertain": {"k": {"path": GEAR, **UNIFORM}}, "worst_case": 2, "within": 2.0, "method": "cobyqa", "trials": 4, "seed": 0, "out": None, "figure": None, "overwrite": True}),
+        "its range of a gain": (lambda ends: robot.tune({TUNED: ends}, method="cobyqa", trials=3), {"ends": (40, 100)}),
         "its variant": (lambda given: robot.compare({"own": given}), {"given": {}}),
         "its shaper": (lambda given: robot.compare({"own": {"shaper": given}}), {"given": {"kind": "zv"}}),
         "its uncertainty": (lambda given: robot.compare({"own": {}}, uncertain={"k": {**UNIFORM, "path": given}}, runs=2), {"given": GEAR}),

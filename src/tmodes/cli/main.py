@@ -57,6 +57,7 @@ _GROUPS = {
     },
     "Many runs": {
         "compare": ("compare.compare", "a league of controllers and references on one task"),
+        "tune": ("tune.tune", "gains of any law, for the robot as known or the worst case"),
         "batch": ("batch.batch", "vary numbers of one robot, evenly or at random"),
         "sensitivity": ("sensitivity.sensitivity", "which parameters matter, and how sure that is"),
         "optimize": ("optimize.optimize", "the best design within limits"),

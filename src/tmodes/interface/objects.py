@@ -23,6 +23,7 @@ from tmodes.interface import (
     shaping,
     statics,
     studies,
+    tuning,
 )
 from tmodes.interface.integration import prepared, run_changes
 from tmodes.io.arguments import checked_arguments
@@ -165,6 +166,7 @@ class Robot(sheet.Robot):
     hierarchy = hierarchy.hierarchy
     batch = batches.batch
     compare = comparing.compare
+    tune = tuning.tune
     study = studies.study
     sensitivity = studies.sensitivity
     optimize = studies.optimize

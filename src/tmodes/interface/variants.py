@@ -18,7 +18,10 @@ if TYPE_CHECKING:
     from tmodes.sheet import Robot
     from tmodes.study.study import Study
 
-__all__ = ["Task", "differences", "effort_limits", "effort_quantities", "read_task", "uncertain_study", "varied"]
+__all__ = [
+    "Task", "differences", "effort_limits", "effort_quantities", "read_task", "uncertain_of", "uncertain_parameters",
+    "uncertain_study", "varied",
+]  # fmt: skip
 
 KEYS = ("variants", "uncertain", "plan", "tolerance")
 _SHAPER, _CONTROL = "shaper", "control"
@@ -151,7 +154,7 @@ def uncertain_study(robot: Robot, task: Task, cases: int, runs: int | None) -> S
     efforts = effort_quantities(robot).items()
     quantities |= {name: {"series": f"{joint}.effort", "reduce": "max_abs"} for name, (joint, _) in efforts}
     try:
-        parameters = {str(name): _of_actual(str(name), one, data) for name, one in task.uncertain.items()}
+        parameters = uncertain_parameters(task.uncertain, data)
         plan = {"type": "monte_carlo", **task.plan}
         if (kind := str(plan["type"])) in PLANS and "runs" in PLANS[kind].model_fields:
             plan = {"runs": cases} | plan
@@ -161,6 +164,24 @@ def uncertain_study(robot: Robot, task: Task, cases: int, runs: int | None) -> S
         raise task.located(error, _written(error.which)) from None
     except InputErrors as errors:
         raise InputErrors([task.located(one, _written(one.which)) for one in errors.errors]) from None
+
+
+def uncertain_of(given: Mapping[str, Any] | str | os.PathLike[str] | None) -> Mapping[str, Any]:
+    """Uncertain parameters by name: as they are given, or of a file with a comparison."""
+    if given is None or isinstance(given, Mapping):
+        return given or {}
+    found = read_yaml(given)[0].get("uncertain")
+    if not isinstance(found, Mapping) or not found:
+        raise InputError("uncertain", f"{shown_path(given)} without it", "a file with `uncertain`", _AS_UNCERTAIN)
+    return found
+
+
+_AS_UNCERTAIN = "write `uncertain: {k: {path: gear.stiffness, relative: true, distribution: {...}}}`"
+
+
+def uncertain_parameters(uncertain: Mapping[str, Any], data: Mapping[str, Any]) -> dict[str, Any]:
+    """Parameters of a study for them: what is relative to a number of the robot varies the actual robot alone."""
+    return {str(name): _of_actual(str(name), one, data) for name, one in uncertain.items()}
 
 
 def _written(which: str) -> str:

@@ -24,6 +24,8 @@ derived), all other feedback and the own states explicitly.
 
 from __future__ import annotations
 
+from typing import ClassVar
+
 from tmodes.kinds.controllers.block import Block, LinearPlant, Measured, OwnState, Port
 
 __all__ = ["CONTROLLERS", "Block", "Controller", "LinearPlant", "Measured", "OwnState", "Port"]
@@ -31,6 +33,9 @@ __all__ = ["CONTROLLERS", "Block", "Controller", "LinearPlant", "Measured", "Own
 
 class Controller(Block, family="controller", key="type"):
     """What keeps a wanted position, filters a signal, or estimates a state."""
+
+    tuned: ClassVar[tuple[str, ...]] = ("position_gain", "integral_gain", "velocity_gain")
+    """Its numbers, or groups of numbers by name, that ``tmodes tune`` changes, as far as it has them."""
 
     @property
     def is_local(self) -> bool:

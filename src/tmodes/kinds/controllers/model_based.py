@@ -128,6 +128,7 @@ class FeedbackLinearisation(AllDrives):
 
     setpoint_orders: ClassVar[int] = 5
     needs_gears: ClassVar[bool] = True
+    tuned: ClassVar[tuple[str, ...]] = ("pole",)
 
     type: Literal["feedback_linearisation"] = Field(description="kind of controller")
     pole: float = positive("1/s", "l", "where the four poles of each joint's error are, to the left", at_most=1e5)

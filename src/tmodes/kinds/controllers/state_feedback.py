@@ -29,6 +29,7 @@ class StateFeedback(Controller):
     """
 
     sees_all: ClassVar[bool] = True
+    tuned: ClassVar[tuple[str, ...]] = ("position_gains", "velocity_gains")
 
     type: Literal["state_feedback"] = Field(description="kind of controller")
     position_gains: dict[str, _Gain] = _gains("gain", "Kq", "coordinate -> gain on its position")

@@ -207,6 +207,8 @@ def _with_integrals(plant: LinearPlant, own: list[int]) -> tuple[Any, Any]:
 class _Weighted(_StateSpace):
     """Gains that minimise the integral (or sum) of x' Q x + u' R u."""
 
+    tuned: ClassVar[tuple[str, ...]] = ("state_weights", "integral_weight")
+
     state_weights: dict[str, Number] = _weights(
         "1", "Q", "weight on the square of a coordinate, or of its rate as `NAME'`; others 0"
     )

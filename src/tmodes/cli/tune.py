@@ -1,0 +1,61 @@
+"""``tmodes tune``: gains of a robot's laws for a small error, of the robot as known or in the worst case."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from tmodes.cli.options import AsJson, FixInertia, Roots, Settings, SheetArgument, TrustPaths, chosen_sheet
+from tmodes.cli.terminal import print_result, working
+
+__all__ = ["tune"]
+
+
+def tune(
+    robot: SheetArgument,
+    gains: Annotated[
+        list[str] | None,
+        typer.Option("--gain", metavar="PATH", help="A gain that is tuned; may be given often. [all of all laws]"),
+    ] = None,
+    minimize: Annotated[str, typer.Option(help="What is made small: a name of `tmodes outputs`.")] = "tip_error",
+    reduce: Annotated[str, typer.Option(help="Its number of a run: rms, mean, end, max, max_abs ...")] = "rms",
+    uncertain: Annotated[
+        Path | None, typer.Option(help="A YAML file with `uncertain`, as of tmodes compare: tune for the worst case.")
+    ] = None,
+    worst_case: Annotated[int, typer.Option(min=2, help="Uncertain robots of which the worst counts.")] = 16,
+    within: Annotated[float, typer.Option(help="Gains from a so-manieth to so many times what they are.")] = 10.0,
+    method: Annotated[str, typer.Option(help="auto, gradient, cobyqa or tpe.")] = "auto",
+    trials: Annotated[int | None, typer.Option(min=1, help="Designs that cobyqa or tpe tries. [200]")] = None,
+    seed: Annotated[int, typer.Option(min=0, help="Same seed, same uncertain robots.")] = 0,
+    out: Annotated[Path | None, typer.Option(help="A file for the data sheet with the gains.")] = None,
+    figure: Annotated[Path | None, typer.Option(help="A file for the figure: .svg, .png or .pdf.")] = None,
+    overwrite: Annotated[bool, typer.Option("--overwrite", help="Replace these files.")] = False,
+    settings: Settings = None,
+    root: Roots = None,
+    trust_paths: TrustPaths = False,
+    fix_inertia: FixInertia = False,
+    as_json: AsJson = False,
+) -> None:
+    """Tune the gains of any law: before and after, and what keeps it from being better.
+
+    Gains are those of controllers and of blocks in `control`; of LQR and LQG the weights. They go along exact gradients
+    of the run (its adjoint) where there are some: laws in continuous time, `rms`, `mean` or `end` of an output.
+    Otherwise, and where the best gains would ask more of the drives than they can, by `cobyqa`, which needs no slopes
+    and keeps the limits of the drives. It is what `tmodes optimize` does with a study of these gains.
+
+    Example: tmodes tune spong1987 --out tuned.yaml
+
+    Example, for the worst of 32 robots: tmodes tune two_link_arm --uncertain laws.yaml --worst-case 32
+    """
+    from tmodes.interface.tuning import tune as found_of
+
+    sheet = chosen_sheet(robot, settings, roots=root, trust_paths=trust_paths, fix_inertia=fix_inertia)
+    with working("preparing") as tell:
+        found = found_of(
+            sheet, gains or (), minimize=minimize, reduce=reduce, uncertain=uncertain, worst_case=worst_case,
+            within=within, method=method, trials=trials, seed=seed, out=out, figure=figure, overwrite=overwrite,
+            progress=tell,
+        )  # fmt: skip
+    print_result(found, as_json)

@@ -1,0 +1,342 @@
+"""Gains of a robot's laws, tuned for the nominal plant or for the worst of an uncertain family."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import asdict, dataclass, field, replace
+from typing import TYPE_CHECKING, Any
+
+from tmodes.errors import InputError, InputErrors
+from tmodes.interface.variants import effort_quantities, uncertain_of, uncertain_parameters
+from tmodes.io.arguments import checked_arguments, numbers_of
+from tmodes.io.files import FilePath
+from tmodes.io.printed import CommandResult, Table, changed_by, known_columns, written
+from tmodes.io.sheet_check import sheet_data
+from tmodes.io.words import count_of
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+    from xarray import Dataset
+
+    from tmodes import Robot as UsersRobot
+    from tmodes.sheet import Robot
+    from tmodes.study.optimize import Optimum
+    from tmodes.study.study import Study
+
+__all__ = ["Gain", "Tuning", "tune"]
+
+Gains = Sequence[str] | Mapping[str, Sequence[float]]
+Progress = Callable[[str, float], None]
+
+AIM = "error"
+"""Name of what is made small, as a quantity of the study."""
+
+_AT_END, _AT_LIMIT, _LIMIT_PASSED = 1e-3, 0.99, 1 + 1e-6
+
+
+@checked_arguments
+def tune(
+    robot: Robot,
+    gains: Gains = (),
+    *,
+    minimize: str = "tip_error",
+    reduce: str = "rms",
+    uncertain: Mapping[str, Any] | FilePath | None = None,
+    worst_case: int = 16,
+    within: float = 10.0,
+    method: str = "auto",
+    trials: int | None = None,
+    seed: int = 0,
+    out: FilePath | None = None,
+    figure: FilePath | None = None,
+    overwrite: bool = False,
+    progress: Progress = lambda stage, share: None,
+) -> Tuning:
+    """Gains of any law such that an output of the run becomes small, on the robot as known or in the worst case.
+
+    ``gains``: their paths, or ranges (low, high) by path; all that the laws of the robot name as ``tuned`` if left out,
+    from a ``within``-th of what they are to ``within`` times it. ``minimize``: an output of ``robot.outputs``,
+    ``reduce`` d to one number. ``uncertain``: as of :func:`tmodes.compare`, or its file: then for the worst of
+    ``worst_case`` robots. ``method``, ``trials``, ``seed``: of :func:`tmodes.optimize`, which does it; ``auto`` goes
+    along exact gradients (the adjoint of the run, ``reduce`` one of ``rms``, ``mean``, ``end``), and where there are
+    none, or the drives would pass their limits, by ``cobyqa``, which keeps them. ``out``: a file for the sheet with the
+    gains, ``figure`` for the plot, which may ``overwrite`` others.
+
+    Raises :class:`tmodes.errors.InputError` or :class:`tmodes.errors.InputErrors` for what is wrong in the arguments,
+    and :class:`tmodes.errors.SimulationError` where no design could be computed.
+
+    >>> robot = tmodes.load("spong1987").with_({"integration.duration": 1.0})
+    >>> found = robot.tune()
+    >>> found.after.max() < 0.8 * found.before.max()
+    True
+    >>> found.robot.drives[0].controller.velocity_gain != robot.drives[0].controller.velocity_gain
+    True
+    """
+    from tmodes import Robot as Whole
+    from tmodes.interface.files import write_files
+
+    whole = Whole.of(robot)
+    plant = whole.with_({"real": {}})
+    if not (within > 1.0):
+        raise InputError("within", f"{within:g}", "a number > 1", "write 10: from a tenth to ten times the gain")
+    ranges = _ranges(plant, gains, within)
+    family = uncertain_parameters(uncertain_of(uncertain), sheet_data(plant))
+
+    def study(limits: Sequence[str]) -> Study:
+        return _study(plant, ranges, family, {AIM: {"series": minimize, "reduce": reduce}}, worst_case, limits)
+
+    optimum = _searched(plant, study, method, trials, seed, progress)
+    found = _tuning(whole, plant, ranges, f"{reduce} of {minimize}", optimum, tuple(family))
+    write_files(out, found, figure, overwrite=overwrite)
+    return found
+
+
+@dataclass(frozen=True)
+class Gain:
+    """One gain by its ``path`` [``unit``]: what it was and is, and between what it was searched."""
+
+    path: str
+    unit: str
+    before: float
+    after: float
+    low: float
+    high: float
+
+    @property
+    def end(self) -> str:
+        """At which end of its range it is; empty inside."""
+        near = _AT_END * (self.high - self.low)
+        ends = {"lower": abs(self.after - self.low) <= _AT_END * abs(self.low), "upper": self.high - self.after <= near}
+        return next((name for name, there in ends.items() if there), "")
+
+
+def _ranges(robot: Robot, gains: Gains, within: float) -> dict[str, Gain]:
+    """The gains by names of parameters, each as it is now."""
+    from tmodes.study.mapping import target_of
+    from tmodes.study.resolve import words_of_path
+
+    data, found = sheet_data(robot), dict[str, Gain]()
+    given = gains if isinstance(gains, Mapping) else {}
+    for path in gains or [*_tuned(robot)]:
+        try:
+            target = target_of(path, data, relative=False)
+        except InputError as error:
+            raise InputError("gains", *words_of_path(error)) from None
+        own, now = target.paths[0], target.nominal
+        if now is None or (path not in given and now == 0.0):
+            hint = f"give its range: {{{path!r}: (low, high)}}" if now == 0.0 else "write a number there first"
+            raise InputError(f"gains: {path}", "nothing" if now is None else "0", "a number that can be scaled", hint)
+        ends = given[path] if path in given else sorted((now / within, now * within))
+        low, high = numbers_of(ends, f"gains: {path}", ((2,),), "(low, high)").tolist()
+        name = re.sub(r"\W+", "_", own.removeprefix("drives.").removeprefix("control."))
+        found[f"gain_{len(found)}_{name}"] = Gain(own, target.unit, now, now, low, high)
+    if not found:
+        hint = "name numbers of the sheet: robot.tune(['drives.0.controller.position_gain'])"
+        raise InputError("gains", "no law with gains", "gains to be tuned", hint)
+    return found
+
+
+def _tuned(robot: Robot) -> Iterator[str]:
+    """Paths of all numbers that the laws of a robot name as tuned, and that are not 0."""
+    laws = [(f"drives.{one.joint}.controller", one.controller) for one in robot.drives if one.controller]
+    for place, law in laws + [(f"control.{one.name}.block", one.block) for one in robot.control]:
+        for name in law.tuned:
+            value = getattr(law, name, None)
+            each = value.items() if isinstance(value, Mapping) else [("", value)]
+            known = [key for key, number in each if isinstance(number, float) and number]
+            yield from (f"{place}.{name}.{key}".rstrip(".") for key in known)
+
+
+def _study(
+    robot: Robot, ranges: Mapping[str, Gain], family: Mapping[str, Any], aim: Mapping[str, Any], cases: int,
+    limits: Sequence[str],
+) -> Study:  # fmt: skip
+    from tmodes.study.read import study_of_robot
+
+    def parameter(one: Gain) -> dict[str, Any]:
+        kind = "loguniform" if one.low > 0 else "uniform"
+        return {"path": one.path, "distribution": {"type": kind, "low": one.low, "high": one.high}}
+
+    efforts = effort_quantities(robot).items()
+    asked = {"objectives": [{"minimize": AIM}], "design": [*ranges], "worst_case": cases if family else 0}
+    data = {
+        "parameters": {name: parameter(one) for name, one in ranges.items()} | dict(family),
+        "quantities": dict(aim) | {name: {"series": f"{joint}.effort", "reduce": "max_abs"}
+                                   for name, (joint, _) in efforts},
+        "optimize": asked | {"limits": [*limits]},
+    }  # fmt: skip
+    try:
+        return study_of_robot(robot, data)
+    except InputErrors as errors:
+        raise InputErrors([replace(one, which=_as_given(one.which, ranges)) for one in errors.errors]) from None
+
+
+def _as_given(which: str, ranges: Mapping[str, Gain]) -> str:
+    """A path of the study as the arguments have it."""
+    group, _, rest = which.partition(".")
+    if group != "parameters":
+        return which
+    name = rest.partition(".")[0]
+    return f"gains: {ranges[name].path}" if name in ranges else f"uncertain.{rest}"
+
+
+def _searched(
+    robot: Robot, study: Callable[[Sequence[str]], Study], method: str, trials: int | None, seed: int,
+    progress: Progress,
+) -> Optimum:  # fmt: skip
+    """The optimum, within the limits of the drives; along gradients, which they do not have, where it keeps them."""
+    from tmodes.study.optimize import optimize
+
+    free, how = study(()), {"trials": trials, "seed": seed, "progress": progress}
+    limits = [f"{name} <= {limit!r}" for name, (_, limit) in effort_quantities(robot).items()]
+    if method in ("auto", "gradient"):
+        try:
+            found = optimize(free, "gradient", **how)
+        except InputError:
+            if method == "gradient":
+                raise
+        else:
+            if method == "gradient" or not found.best or _keeps(robot, found, free):
+                return found
+    return optimize(study(limits), "cobyqa" if method == "auto" else method, **how)
+
+
+def _keeps(robot: Robot, found: Optimum, study: Study) -> bool:
+    """Whether the drives keep their limits with the best gains."""
+    after = _in_all_cases(found, study)[1]
+    return all((after[name] <= _LIMIT_PASSED * limit).all() for name, (_, limit) in effort_quantities(robot).items())
+
+
+def _in_all_cases(found: Optimum, study: Study) -> list[dict[str, NDArray[np.float64]]]:
+    """Quantities (cases,) by name with the gains of the sheet, and with the best ones, in all cases."""
+    import numpy as np
+
+    trials, best = found.trials, found.best or found.nearest
+    assert trials  # noqa: S101
+    assert best  # noqa: S101
+    own = study.space.nominal[list(trials.space.columns)]
+    designs = np.array([own, [*best.values.values()]])
+    quantities = study.evaluate(0, trials.cases_of(designs)).quantities
+    return [{name: one.reshape(2, -1)[k] for name, one in quantities.items()} for k in (0, 1)]
+
+
+def _tuning(
+    whole: UsersRobot, plant: UsersRobot, ranges: Mapping[str, Gain], what: str, optimum: Optimum,
+    family: tuple[str, ...],
+) -> Tuning:  # fmt: skip
+    best, trials = optimum.best or optimum.nearest, optimum.trials
+    assert best  # noqa: S101
+    assert trials  # noqa: S101
+    gains = tuple(replace(one, after=best.values[name]) for name, one in ranges.items())
+    before, after = _in_all_cases(optimum, trials.study)
+    changed = {one.path: one.after for one in gains}
+    unit = trials.study.evaluate(0, trials.study.space.nominal[None]).units[AIM] or "-"
+    efforts = {
+        joint: float(after[name].max() / limit) for name, (joint, limit) in effort_quantities(plant).items()
+    }  # fmt: skip
+    verdicts = [
+        one.run(error_estimate=False, model_error=False).summary()["verdict"] for one in (plant, plant.with_(changed))
+    ]
+    return Tuning(
+        whole.name, whole.with_(changed), gains, what, unit, before[AIM], after[AIM], family, efforts,
+        (verdicts[0], verdicts[1]), optimum,
+    )  # fmt: skip
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Tuning(CommandResult):
+    """A ``robot`` with tuned ``gains``, and what that has changed.
+
+    ``what`` [``unit``] was made small; ``before`` and ``after`` (cases,): in each case, the only one is the robot as
+    known where nothing is ``uncertain``. ``efforts``: the largest effort of each drive over its limit [-], of all
+    cases; ``verdicts``: on the run of the robot as known before and after; ``optimum``: how the gains were found.
+    """
+
+    name: str
+    robot: UsersRobot = field(repr=False)
+    gains: tuple[Gain, ...]
+    what: str
+    unit: str
+    before: NDArray[np.float64]
+    after: NDArray[np.float64]
+    uncertain: tuple[str, ...]
+    efforts: Mapping[str, float]
+    verdicts: tuple[Mapping[str, Any], Mapping[str, Any]]
+    optimum: Optimum
+
+    @property
+    def sheet(self) -> str:
+        """The data sheet of the tuned robot, as YAML."""
+        from tmodes.io.sheet_write import robot_to_yaml
+
+        return robot_to_yaml(self.robot)
+
+    @property
+    def limited(self) -> tuple[str, ...]:
+        """What keeps it from being better: ends of ranges, limits of drives, and what the error that is left is of."""
+        from tmodes.result.verdict import culprit_words
+
+        said = [f"{one.path} is at the {one.end} end of its range" for one in self.gains if one.end]
+        said += [f"{name} needs {100 * share:.3g} % of its largest effort" for name, share in self.efforts.items()
+                 if share >= _AT_LIMIT]  # fmt: skip
+        if words := culprit_words(self.verdicts[1]):
+            said.append(f"the largest error that is left is of {words}".replace("\u00a0", " "))
+        return tuple(said)
+
+    def info(self) -> dict[str, Any]:
+        """Plain data, as ``tmodes tune --json`` prints it."""
+        return {
+            "robot": self.name, "minimized": self.what, "unit": self.unit, "uncertain": list(self.uncertain),
+            "cases": len(self.before), "before": float(self.before.max()), "after": float(self.after.max()),
+            "gains": [asdict(one) for one in self.gains], "efforts": dict(self.efforts), "limited": list(self.limited),
+            "verdicts": [dict(one) for one in self.verdicts], "optimum": self.optimum.info(),
+        }  # fmt: skip
+
+    @property
+    def data(self) -> Dataset:
+        """``before`` and ``after`` (case); ``gain_before``, ``gain_after`` (gain)."""
+        from xarray import Dataset
+
+        gains = {f"gain_{when}": ("gain", [getattr(one, when) for one in self.gains]) for when in ("before", "after")}
+        cases = {when: ("case", getattr(self, when), {"units": self.unit}) for when in ("before", "after")}
+        return Dataset({**cases, **gains}, {"gain": [one.path for one in self.gains]})
+
+    def plot(self, ax: Any = None) -> list[Any]:
+        """What was made small over the designs that were tried, the best so far, and where it was before."""
+        from tmodes.plot.commands import points
+        from tmodes.plot.units import readable
+
+        rows = self.optimum.history
+        best = [self.before.max(), *(min(self.before.max(), value) for _, value in rows), self.after.max()]
+        tried = [0, *(k + 1 for k, _ in rows), self.optimum.designs]
+        unit = readable(self.unit, best)
+        what = f"{self.what} [{unit.name}]" + (f", worst of {len(self.before)}" if self.uncertain else "")
+        return points({"": (tried, unit.of(best))}, "designs tried", what, title=self.name, ax=ax, line="-")
+
+    def tables(self) -> Iterator[str | Table]:
+        """Before and after, the gains, and what limits."""
+        before, after = float(self.before.max()), float(self.after.max())
+        where = f" in the worst of {len(self.before)} cases" if self.uncertain else ""
+        yield f"{self.name}: {self.what} {self._said(before)} before, {self._said(after)} after{where}."
+        columns = ["gain", "unit", "before", "after", "", "range"]
+        rows = [
+            [one.path, one.unit, f"{one.before:.5g}", f"{one.after:.5g}", changed_by(one.after, one.before),
+             f"{one.low:.4g} to {one.high:.4g}"]
+            for one in self.gains
+        ]  # fmt: skip
+        how = "along exact gradients" if self.optimum.method == "gradient" else f"by {self.optimum.method}"
+        title = f"{count_of(len(self.gains), 'gain')}, {count_of(self.optimum.designs, 'design')} tried {how}"
+        yield known_columns(title, columns, rows)
+        yield "\n".join(f"Limited: {one}." for one in self.limited)
+
+    def _said(self, value: float) -> str:
+        return written(value, self.unit, 4).replace("\u00a0", " ")
+
+    @property
+    def warnings(self) -> list[str]:
+        """Where the gains are no better, or drives pass their limits."""
+        said = [f"{name} needs {100 * share:.3g} % of its largest effort" for name, share in self.efforts.items()
+                if share > _LIMIT_PASSED]  # fmt: skip
+        return [*said, "no better gains were found"] if self.after.max() >= self.before.max() else said
