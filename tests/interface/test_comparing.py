@@ -66,6 +66,28 @@ def test_shares_have_their_bounds_and_failures_their_reason() -> None:
     assert late["cases"]["fails"]["interval"] == pytest.approx([0.025 ** (1 / 20), 1.0])
 
 
+def test_the_error_by_what_is_uncertain() -> None:
+    """Each parameter alone at its worse end, and the rest of the worst corner, are those of single runs."""
+    heavy = {"path": "links.link.bodies.bob.mass", "relative": True,
+             "distribution": {"type": "uniform", "low": 0.8, "high": 1.2}}  # fmt: skip
+    own = robot().with_({"real": {"gear.stiffness": 0.9}})  # for which the uncertain number stands
+    found = own.compare({"own": {}}, uncertain={"k": SOFT, "m": heavy}, plan={"type": "tolerance"})
+
+    def largest(k: float = 1.0, m: float = 1.0) -> float:
+        real = {"gear.stiffness": k, "links.link.bodies.bob.mass": m}
+        return robot().with_({"real": real}).run().reduce("tip_error", "max")
+
+    known, (one,) = largest(), found.contenders
+    soft, other = (max(0.0, *(largest(**{name: end}) - known for end in ends)) for name, ends in
+                   {"k": (0.7, 1.1), "m": (0.8, 1.2)}.items())  # fmt: skip
+    worst = max(largest(k, m) for k in (0.7, 1.1) for m in (0.8, 1.2))
+    assert [*one.attribution.values()] == pytest.approx([soft, other, worst - known - soft - other], abs=1e-7)
+    assert known + sum(one.attribution.values()) == pytest.approx(worst, abs=1e-7)
+    assert found.info()["variants"][0]["attribution_m"] == one.attribution
+    assert any("worst corner" in part.columns for part in found.tables() if not isinstance(part, str))
+    assert robot().compare({"own": {}}, uncertain={"k": SOFT}, runs=2).contenders[0].attribution == {}
+
+
 def test_the_actual_robot_of_a_sheet_is_its_only_case() -> None:
     found = robot().with_({"real": {"gear.stiffness": 0.8}}).compare({"as it is": {}})
     (one,) = found.contenders

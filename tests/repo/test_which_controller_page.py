@@ -25,10 +25,12 @@ def lines(said: str) -> list[str]:
 
 @pytest.fixture
 def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """With the file of the page."""
+    """With the file of the page, and the same with another plan."""
     monkeypatch.chdir(tmp_path)
     (text,) = re.findall(r"`(\w+\.yaml)`, for.*?```yaml\n(.*?)```", PAGE, re.DOTALL)
     (tmp_path / text[0]).write_text(text[1], encoding="utf-8")
+    (plan,) = re.findall(r"`(plan: {type: tolerance})`", PAGE)
+    (tmp_path / "corners.yaml").write_text(f"{text[1]}{plan}\n", encoding="utf-8")
     return tmp_path
 
 

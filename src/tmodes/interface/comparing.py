@@ -33,7 +33,7 @@ if TYPE_CHECKING:
     from tmodes import Robot as UsersRobot
     from tmodes.sheet import Robot
     from tmodes.study.rows import Rows
-    from tmodes.study.statistics import Interval
+    from tmodes.study.statistics import Interval, Stack
     from tmodes.study.study import Study
 
 __all__ = ["Comparison", "Contender", "RunNumbers", "compare"]
@@ -157,18 +157,27 @@ def _contender(
     name: str, robot: UsersRobot, study: Study | None, threads: int | None, out: FilePath | None, number: int,
     overwrite: bool, progress: Progress,
 ) -> Contender:  # fmt: skip
+    import numpy as np
+
+    from tmodes.study.plans.systematic import Tolerance
+    from tmodes.study.statistics import tolerance_stack
+
     nominal = _run_numbers(robot.with_({"real": {}}), lambda stage, share: progress("nominal run", share))
     if study is None:
         actual = _run_numbers(robot, lambda stage, share: progress("actual robot", share)) if robot.real else None
         return Contender(name, robot, nominal, actual)
+    design = study.design()
     if out is None:
-        rows = study.evaluate(0, study.design().values, progress, threads=threads)
+        rows = study.evaluate(0, design.values, progress, threads=threads)
     else:
         from tmodes.study.runner import run_study
 
         folder = Path(out) / f"{number + 1}-{re.sub(r'[^A-Za-z0-9]+', '-', name).strip('-')}"
         rows = run_study(study, folder, threads=threads, overwrite=overwrite, progress=progress).rows
-    return Contender(name, robot, nominal, None, rows)
+    stack = None
+    if isinstance(study.sheet.plan, Tolerance):
+        stack = tolerance_stack(np.where(rows.good, rows.quantities[LARGEST], np.nan), design.info)
+    return Contender(name, robot, nominal, None, rows, stack)
 
 
 @dataclass(frozen=True, eq=False)
@@ -180,6 +189,20 @@ class Contender:
     nominal: RunNumbers
     actual: RunNumbers | None = None
     rows: Rows | None = field(default=None, repr=False)
+    stack: Stack | None = field(default=None, repr=False)
+
+    @property
+    def attribution(self) -> dict[str, float]:
+        """By uncertain parameter how much it alone adds to the largest error [m]; ``remainder``: only together.
+
+        Of the plan ``tolerance``, at the worse end of each; with the error of the nominal case they add up to that of
+        the worst corner. Empty for another plan.
+        """
+        if self.stack is None:
+            return {}
+        parts = {name: max(0.0, *ends) for name, ends in self.stack.parts.items()}
+        whole = (self.stack.corners or self.stack.worst)[1] - self.stack.nominal
+        return parts | {"remainder": whole - sum(parts.values())}
 
     @property
     def errors(self) -> NDArray[np.float64]:
@@ -310,7 +333,8 @@ class Comparison(CommandResult):
             cases["percentile_95_interval_m"] = [_known(below.low), _known(below.high)]
         else:
             del cases["fails"]["interval"]
-        return found | {"cases": cases if len(one.errors) else None, "seconds": one.seconds, "reason": one.reason}
+        more = {"seconds": one.seconds, "reason": one.reason, "attribution_m": one.attribution or None}
+        return found | {"cases": cases if len(one.errors) else None} | more
 
     @property
     def data(self) -> Dataset:
@@ -365,6 +389,11 @@ class Comparison(CommandResult):
         judged = "" if self.tolerance is None else f", tolerance {_mm(self.tolerance)}"
         title = f"{self.name}: {count_of(len(self.contenders), 'variant')}{judged}; errors of the tip [mm]"
         yield known_columns(title, columns, [self._row(one) for one in self.ranked])
+        if best.stack:
+            title = "Largest error by what is uncertain, each alone at its worse end [mm]"
+            shown = [(one, one.stack.nominal) for one in self.ranked if one.stack]
+            rows = [[one.name, *map(_number, (own, *one.attribution.values(), one.worst))] for one, own in shown]
+            yield Table(title, ["variant", "all as known", *best.attribution, "worst corner"], rows)
 
     def _row(self, one: Contender) -> list[str]:
         own, share = one.nominal, one.share(self.tolerance)
@@ -375,7 +404,7 @@ class Comparison(CommandResult):
         effort = max((size for size in (own.effort_share, _largest(one.efforts)) if size is not None), default=None)
         lengths = (one.worst, below, own.largest_m, own.final_m, own.residual_m)
         return [
-            one.name, fails, *("-" if size is None else f"{1e3 * size:.3g}" for size in lengths),
+            one.name, fails, *map(_number, lengths),
             "-" if own.rest_s is None else f"{own.rest_s:.3f}", "-" if effort is None else f"{100 * effort:.3g} %",
             "-" if one.seconds is None else f"{1e3 * one.seconds:.3g}",
         ]  # fmt: skip
@@ -405,6 +434,10 @@ def _largest(values: NDArray[np.float64]) -> float | None:
 def _scaled(values: Sequence[float | None]) -> list[float]:
     """Lengths [mm], not-a-number where there is none."""
     return [nan if one is None else 1e3 * one for one in values]
+
+
+def _number(length: float | None) -> str:
+    return "-" if length is None or not isfinite(length) else f"{1e3 * length:.3g}"
 
 
 def _mm(length: float | None) -> str:

@@ -158,7 +158,12 @@ def uncertain_study(robot: Robot, task: Task, cases: int, runs: int | None) -> S
         plan = {"type": "monte_carlo", **task.plan}
         if (kind := str(plan["type"])) in PLANS and "runs" in PLANS[kind].model_fields:
             plan = {"runs": cases} | plan
-        found = study_of_robot(robot, {"parameters": parameters, "plan": plan, "quantities": quantities})
+        asked = {"parameters": parameters, "plan": plan, "quantities": quantities}
+        found = study_of_robot(robot, asked)
+        drawn = {path.removeprefix("real.") for target in found.targets.values() for path in target.paths}
+        kept = {path: factor for path, factor in robot.real.items() if path not in drawn}
+        if kept.keys() != robot.real.keys():  # a number that is not drawn in a case is as known
+            found = study_of_robot(robot.with_({"real": kept}), asked)
         return changed_study(found, {}, runs)
     except InputError as error:
         raise task.located(error, _written(error.which)) from None
