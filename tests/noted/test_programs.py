@@ -230,6 +230,16 @@ def test_every_number_of_a_published_robot_can_be_varied(name):
         assert one.low <= one.value
 
 
+def test_numbers_of_a_robot_with_designed_gains_are_structure():
+    robot = tmodes.load("spong1987")
+    drive = {"joint": "joint", "command": "position", "signal": {"type": "constant", "value": 0.0}}
+    block = {"type": "lqr", "state_weights": {"joint": 100.0}, "effort_weight": 1.0}
+    law = robot.with_({"drives": [drive], "control": [{"name": "law", "drives": ["joint"], "block": block}]})
+    found = {one.path: one for one in tmodes.parameters(law)}
+    assert all(one.is_structure for one in found.values())
+    assert found["control.law.block.state_weights.joint"].value == 100.0
+
+
 def test_the_command_lists_all_parameters():
     found = parameters_of(load("spong1987"))
     listed = json.loads(called("parameters", "spong1987", "--json").stdout)

@@ -24,7 +24,8 @@ class RobotParameter(NamedTuple):
 
     ``enters``: the blocks of numbers of a run that depend on it: ``parameters`` (of the closed loop), ``rest`` (of its
     rest with held motors), ``chain`` (of the robot without drives), ``base``, ``held``, ``start``, and ``signal k``.
-    ``is_structure``: another value needs other code (a count, a rigid stiffness, a sample time, settings).
+    ``is_structure``: another value needs other code (a count, a rigid stiffness, a sample time, settings); where
+    gains are designed, as of ``lqr``, every number is: they are computed anew for each value.
     """
 
     path: str
@@ -80,15 +81,25 @@ def parameters_of(robot: Robot) -> Parameters:
     }
     free = {path: value for path, (value, _, _) in known.items() if math.isfinite(value)}
     enters: dict[str, list[str]] = {}
-    program = case_program(robot, free, lambda pair: pair.real, lambda one: run_blocks(one, Follow.SHEET))
-    for name in program.places:
+    designed = any(one.block.is_designed for one in robot.control)
+    made = (
+        []
+        if designed
+        else [case_program(robot, free, lambda pair: pair.real, lambda one: run_blocks(one, Follow.SHEET))]
+    )
+    for program, name in ((one, name) for one in made for name in one.places):
         block = f"signal {name.split()[1]}" if " " in name else "rest" if name == "rest_row" else name
         for path in program.acting(name):
             if block not in enters.setdefault(path, []):
                 enters[path].append(block)
     return Parameters(
         RobotParameter(
-            path, value, unit, *bounds_of(robot, steps), tuple(enters.get(path, ())), path not in program.paths
+            path,
+            value,
+            unit,
+            *bounds_of(robot, steps),
+            tuple(enters.get(path, ())),
+            not any(path in one.paths for one in made),
         )
         for path, (value, steps, unit) in known.items()
     )
