@@ -172,3 +172,14 @@ def test_a_map_is_found_once(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) ->
     monkeypatch.setattr(map_module, "outside_digest", lambda: "another kind")
     live_map(sheet.pair())
     assert asked
+
+
+def test_samples_of_a_planner_are_no_sliders() -> None:
+    """Columns of a hundred rows would be hundreds of sliders; the list itself is said to be left out."""
+    rows = np.linspace(0.0, 1.0, 100)
+    columns = {"times": rows, "positions": rows**2, "velocities": 2 * rows, "accelerations": np.full(100, 2.0)}
+    signal = {"type": "trajectory", **{name: column.tolist() for name, column in columns.items()}}
+    live = live_map(load("spong1987").with_({"drives.joint.signal": signal}).pair())
+    assert {name for name in columns if f"drives.0.signal.{name}" in live.left_out} == {*columns}
+    assert not [path for path in live.targets if ".signal." in path]
+    assert [one.path for one in live.sliders if one.path.endswith("position_gain")]

@@ -185,7 +185,7 @@ DRIVES = [
     (
         {"signal": 5},
         "drives.0.signal must be a group of the kind constant, expression, noise, "
-        "quintic, s_curve, septic, shaped, sine, sine_squared, step, table, sum, trajectory, trapezoid",
+        "polynomial, quintic, s_curve, septic, shaped, sine, sine_squared, step, sum, table, trajectory, trapezoid",
     ),
 ]
 

@@ -189,7 +189,8 @@ def _names(items: Sequence[Any]) -> list[Any]:
 def _step(value: Any, words: list[str], place: ChainPlace | None) -> tuple[Step, int]:
     """The next step, and how many words it takes: a name may hold dots itself."""
     if isinstance(value, (list, tuple)):
-        names = _names(value)
+        plain = bool(value) and isinstance(value[0], (int, float))  # as the samples of a signal, which may be many
+        names = [] if plain else _names(value)
         for count in range(len(words), 0, -1):
             if (name := ".".join(words[:count])) in names:
                 return names.index(name), count

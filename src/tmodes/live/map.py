@@ -23,6 +23,7 @@ from tmodes.kinds.noted.program import Program
 from tmodes.kinds.registry import outside_digest
 from tmodes.live.knobs import Ahead, knobs_of
 from tmodes.live.numbers import follow_of, has_reference, run_numbers, whole_moves
+from tmodes.live.sheet_numbers import sample_lists
 from tmodes.live.sliders import Slider, sliders_of
 from tmodes.model.parameters import Structural
 from tmodes.sheet import Robot, RobotPair
@@ -44,6 +45,7 @@ _NOT_COMPARED = (
 )
 _DRAGS = "of a surface that stands still: a robot that a moving one drags starts otherwise; change it by --set"
 _FOLLOWS = "it follows from other numbers, as in the format that the robot is imported from"
+_SAMPLES = "samples of a signal; change them in the data sheet"
 _STRUCTURE = "structure: another value takes other equations; change it by --set"
 
 
@@ -289,6 +291,7 @@ def _offered(pair: RobotPair, ahead: Ahead | None) -> LiveMap:
         one.path: (knobs[one.knob].together and not one.real, one.changes(knobs[one.knob], one.value))
         for one in sliders
     }
+    left_out |= dict.fromkeys(sample_lists(pair.nominal), _SAMPLES)
     every = LiveMap(tuple(sliders), moved, _fixed({}), {}, left_out)
     if pair.nominal.contact and not any(pair.nominal.contact.velocity):
         every = every.without({path: _DRAGS for path in moved if path.startswith("contact.velocity.")})

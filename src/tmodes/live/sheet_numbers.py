@@ -14,7 +14,10 @@ from tmodes.kinds.links.material import LIBRARY
 from tmodes.kinds.schema.quantity import LARGEST
 from tmodes.sheet import Robot
 
-__all__ = ["SheetNumber", "sheet_numbers"]
+__all__ = ["SheetNumber", "sample_lists", "sheet_numbers"]
+
+_SAMPLES = 64
+"""Numbers of a list beyond which they are samples, as of a planner's motion, and no numbers of a designer."""
 
 
 @dataclass(frozen=True)
@@ -36,7 +39,7 @@ class SheetNumber:
 
 
 def sheet_numbers(sheet: Robot) -> Iterator[SheetNumber]:
-    """All finite numbers of a sheet, in its order; a material of the library counts as if it were written out."""
+    """All finite numbers of a sheet, in its order, but for samples; a material of the library counts as written out."""
     data = sheet_data(sheet)
     for link in data.get("links", ()):
         beam = link.get("beam") or {}
@@ -44,8 +47,18 @@ def sheet_numbers(sheet: Robot) -> Iterator[SheetNumber]:
             beam["material"] = LIBRARY[beam["material"]].model_dump(mode="json", exclude_none=True)
     for container, key, steps, place in quantities(data):
         value = container[key]
+        if isinstance(container, list) and len(container) > _SAMPLES:
+            continue
         if _finite(value) and place.unit is not None and steps[0] != "real":
             yield _number(data, steps, place, float(value))
+
+
+def sample_lists(sheet: Robot) -> list[str]:
+    """Paths of the lists of samples, whose numbers are not of :func:`sheet_numbers`."""
+    data = sheet_data(sheet)
+    found = {steps[:-1]: None for inner, _, steps, _ in quantities(data)
+             if isinstance(inner, list) and len(inner) > _SAMPLES}  # fmt: skip
+    return [path_of(steps, data) for steps in found]
 
 
 def _number(data: Any, steps: tuple[Step, ...], place: ChainPlace, value: float) -> SheetNumber:

@@ -240,7 +240,7 @@ class DriveSheet(DataSheet):
         for name in ("controller", "noise", "motion", "feed_forward"):
             taken = command.is_motion if name == "motion" else command.is_controlled
             if not taken and getattr(self, name) is not None:
-                got = f"{name} with the command `{command}`"
+                got = f"a {name} with the command `{command}`"
                 yield Issue(name, got, "left out", "remove it, or take the command `position`")
         if self.controller is None and self.sample_time is not None:
             hint = "give them to the block in `control` that commands this drive"

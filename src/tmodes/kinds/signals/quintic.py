@@ -12,7 +12,7 @@ from tmodes.kinds.schema.quantity import positive
 from tmodes.kinds.signals.contract import SIGNALS, Signal, signal_value
 from tmodes.kinds.signals.schedule import SignalPieces
 
-__all__ = ["Quintic", "between"]
+__all__ = ["Quintic", "between", "hermite"]
 
 
 @SIGNALS.register
@@ -52,13 +52,19 @@ def between(start: tuple[Any, ...], end: tuple[Any, ...], duration: Any) -> Sign
     n = 3 or 4; those that are None are 0. Hermite interpolation.
     """
     start, end = (tuple(0.0 if one is None else one for one in side) for side in (start, end))
+    return SignalPieces(array([0.0, duration]), hermite(start, end, duration)[None, :])
+
+
+def hermite(start: tuple[Any, ...], end: tuple[Any, ...], duration: Any) -> Any:
+    """Powers (..., 2 n) of the polynomial of :func:`between`, or of many: each number may be an array (...)."""
     count, factorials = len(start), np.cumprod([1.0, 1.0, 2.0, 3.0])
     low = [start[k] * duration**k / factorials[k] for k in range(count)]
     high: Any = 0.0
     for order in range(count):
         kept = sum(low[k] * (factorials[k] / factorials[k - order]) for k in range(order, count) if k or order)
         left = end[0] - start[0] - kept if order == 0 else end[order] * duration**order - kept
-        high = high + left * np.array(_RISES[count][order])
-    powers = array([*low, *high]) / duration ** np.arange(2 * count)
-    powers[0] = start[0]
-    return SignalPieces(array([0.0, duration]), powers[None, :])
+        high = high + np.multiply.outer(left, np.array(_RISES[count][order]))
+    powers = array([*low, *np.moveaxis(high, -1, 0)])
+    powers = np.moveaxis(powers, 0, -1) / np.power.outer(duration, np.arange(2 * count))
+    powers[..., 0] = start[0]
+    return powers

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import pairwise
 from typing import Annotated, Any, Literal
 
+import numpy as np
 from pydantic import Field
 
 from tmodes.kinds.noted.functions import array, number
 from tmodes.kinds.schema.quantity import LARGEST, Issue
 from tmodes.kinds.signals.contract import SIGNALS, Signal, delayed
-from tmodes.kinds.signals.quintic import between
+from tmodes.kinds.signals.quintic import hermite
 from tmodes.kinds.signals.schedule import SignalPieces
 
 __all__ = ["Trajectory"]
@@ -53,14 +55,15 @@ class Trajectory(Signal):
 
     def pieces(self, until: float) -> SignalPieces:
         """A piece between each two rows."""
-        rows = list(zip(self.positions, self.velocities, self.accelerations, strict=True))
-        moves = [
-            (begin, end, between(first, last, end - begin).coefficients[0])
-            for begin, end, first, last in zip(self.times, self.times[1:], rows, rows[1:], strict=False)
-            if end > begin
-        ]
-        knots = [0.0, *(end - self.times[0] for _, end, _ in moves)]
-        move = SignalPieces(array(knots), array([powers for *_, powers in moves]))
+        times, *columns = (array(one) for one in (self.times, self.positions, self.velocities, self.accelerations))
+        last = np.array([number(later) > number(earlier) for earlier, later in pairwise(self.times)])
+        powers = hermite(
+            tuple(one[:-1][last] for one in columns),
+            tuple(one[1:][last] for one in columns),
+            (times[1:] - times[:-1])[last],
+        )
+        knots = array([0.0, *(times[1:][last] - times[0])])
+        move = SignalPieces(knots, powers)
         return delayed(move, number(self.times[0]), until)
 
     def length(self, reach: float = 1.0) -> float:
