@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -46,7 +47,8 @@ def test_the_command(tmp_path: Path) -> None:
 
 
 def test_what_can_not_be_learnt() -> None:
-    for wrong in ({"iterations": 0}, {"samples": 5}, {"caution": 0.0}):
+    wrongs: list[dict[str, Any]] = [{"iterations": 0}, {"samples": 5}, {"caution": 0.0}]
+    for wrong in wrongs:
         with pytest.raises(InputError):
             ARM.learn(**wrong)
     torque = {"joint": "joint", "command": "torque", "signal": {"type": "constant", "value": 1.0}}

@@ -102,7 +102,8 @@ def _lifted(robot: Robot, joints: list[str], times: Array) -> Array:
     fine = np.linspace(0.0, times[-1], _FINE * (len(times) - 1) + 1)
     inputs = [f"{joint}.{kind}" for joint in joints for kind in ("setpoint", "setpoint_rate")]
     plant = linearize(robot, closed=True, inputs=inputs, outputs=[f"{joint}.position" for joint in joints])
-    A, B, C, D, _ = cont2discrete((plant.A, plant.B, plant.C, plant.D), fine[1], "foh")
+    found: Any = cont2discrete((plant.A, plant.B, plant.C, plant.D), fine[1], "foh")
+    A, B, C, D, _ = found
     free, answers = B, [D]
     for _ in fine[1:]:
         answers.append(C @ free)
