@@ -76,3 +76,9 @@ def test_parameters_without_end_are_listed() -> None:
     listed = {one["path"]: one for one in json.loads(tmodes("parameters", "flexarm1990", "--json").stdout)}
     assert None in {one["value"] for one in listed.values()}
     assert listed["gravity.0"]["unit"] == "m/s^2"
+
+
+def test_a_study_is_no_robot(tmp_path):
+    (tmp_path / "one.yaml").write_text("format: 1\nkind: study\nname: one\nrobot: spong1987\n", encoding="utf-8")
+    ended = tmodes("check", "one.yaml", cwd=tmp_path, code=2)
+    assert "kind must be arm, got 'study'; a study is checked and run by `tmodes study FILE`" in ended.stderr

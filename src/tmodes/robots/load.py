@@ -115,7 +115,9 @@ def _checked(data: dict[str, Any], positions: dict[str, int], source: str, chang
 
     if data.get("kind", "arm") != "arm":
         where = f"{source}:{positions.get('kind', 1)}"
-        raise InputError("kind", shown(data["kind"]), "arm", "write `kind: arm`", where)
+        study = "a study is checked and run by `tmodes study FILE`; its robot by `tmodes check`"
+        hint = study if data["kind"] == "study" else "write `kind: arm`"
+        raise InputError("kind", shown(data["kind"]), "arm", hint, where)
     later = later_changes(data, changes)
     changed, places = changed_places(data, {path: changes[path] for path in changes if path not in later})
     robot = sheet_from_data(changed, _kept_lines(positions, places), source)
