@@ -173,6 +173,7 @@ def test_highest_functions_are_not_converged():
     assert "not converged" in found.warnings[0]
 
 
+@pytest.mark.nightly
 def test_the_error_of_a_frequency_at_the_most_functions():
     """Each direction is compared with more functions of its own, also than a sheet may ask for."""
     beam = {"functions": {"bend_y": 12, "bend_z": 3}, "basis": "tip_weighted", "rotary_inertia": "none"}

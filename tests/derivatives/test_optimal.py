@@ -113,6 +113,7 @@ def test_the_commands_of_the_page_run(tmp_path: Path) -> None:
     assert called(*lines[0], "--out", tmp_path / "still.yaml").returncode == 4
 
 
+@pytest.mark.nightly
 def test_limits_are_kept_to() -> None:
     """A torque and a speed of the motor below those of the free motion, 7.8 N*m and 2.01 rad/s."""
     found = flexible(5).motion(goal="hub=90deg", duration=2.0, torque="hub=7", speed="hub=1.9 rad/s", modes=4)
@@ -179,6 +180,7 @@ def test_an_elastic_joint_under_gravity_stops_by_its_own_equations() -> None:
     assert rows.values[-1] == pytest.approx(9.8 * np.sin(end[1]), abs=1e-4)
 
 
+@pytest.mark.nightly
 def test_two_flexible_links_with_elastic_gears_swing_far_less_than_after_a_quintic() -> None:
     """Under gravity, within the limits of torque and speed of the sheet."""
     found = two_flexible_links(1).motion(duration=0.6, modes=2, tolerance=2e-6)

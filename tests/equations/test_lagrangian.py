@@ -33,7 +33,7 @@ def random_pair(seed: int, springs: bool) -> Pair:
     return Pair(chain if springs else without_springs(chain))
 
 
-@pytest.mark.parametrize("springs", [True, False], ids=["springs", "free"])
+@pytest.mark.parametrize("springs", [True, pytest.param(False, marks=pytest.mark.nightly)], ids=["springs", "free"])
 @pytest.mark.parametrize("name", list(arms()))
 def test_forward_and_inverse_dynamics(name: str, springs: bool) -> None:
     for seed in range(STATES):

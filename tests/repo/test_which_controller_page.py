@@ -34,7 +34,14 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return tmp_path
 
 
-@pytest.mark.parametrize(("line", "said"), COMMANDS)
+LONG = "--variants corners.yaml", "tune "
+"""Of commands that take a minute."""
+
+
+@pytest.mark.parametrize(("line", "said"), [
+    pytest.param(line, said, marks=[pytest.mark.nightly] if any(word in line for word in LONG) else [])
+    for line, said in COMMANDS
+])  # fmt: skip
 @pytest.mark.usefixtures("folder")
 def test_command(line: str, said: str) -> None:
     done = lines(command(*shlex.split(line)).stdout)

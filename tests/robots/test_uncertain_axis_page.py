@@ -57,6 +57,7 @@ def test_gains_that_are_found_halve_the_worst_cost_of_those_of_the_sheet(answers
     assert f"| {others['p50']:.2f}" in re.sub(r"(0\.\d\d)\d", r"\1", PAGE)
 
 
+@pytest.mark.nightly
 def test_other_gains_by_hand_cost_what_the_page_says() -> None:
     study = yaml.safe_load((ROOT / "examples" / "studies" / "axis_plants.yaml").read_text(encoding="utf-8"))
     gains = {"position_gain": 20.0, "velocity_gain": 1.2, "integral_gain": 60.0, "filter_time": 1e-3}

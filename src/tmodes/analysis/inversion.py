@@ -50,7 +50,7 @@ than this share, they are not smooth."""
 
 _STEPS, _SETTLED, _HALVINGS, _SLOW = 40, 1e-9, 12, 0.1
 """Newton's method: steps, change over the largest coordinate with which it ends, halvings of a step, change over the
-last one beyond which the slopes are computed anew."""
+last one beyond which the slopes are computed again."""
 
 
 class Inverse(NamedTuple):

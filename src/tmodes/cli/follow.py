@@ -30,7 +30,7 @@ def follow(
         str,
         typer.Option(
             metavar="KIND",
-            help="What motors are told: rigid (joints of the rigid robot), motors (with the efforts that this takes), "
+            help="Setpoints of motors: rigid (joints of the rigid robot), motors (with the efforts that this takes), "
             "sag (tip on the path at rest), inverse (tip on the path as the robot bends and moves).",
         ),
     ] = "rigid",

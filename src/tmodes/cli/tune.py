@@ -40,7 +40,7 @@ def tune(
 ) -> None:
     """Tune the gains of any law: before and after, and what keeps it from being better.
 
-    Gains are those of controllers and of blocks in `control`; of LQR and LQG the weights. They go along exact gradients
+    Gains are those of controllers and of blocks in `control`; of LQR and LQG the weights. They go along gradients
     of the run (its adjoint) where there are some: laws in continuous time, `rms`, `mean` or `end` of an output.
     Otherwise, and where the best gains would ask more of the drives than they can, by `cobyqa`, which needs no slopes
     and keeps the limits of the drives. It is what `tmodes optimize` does with a study of these gains.

@@ -62,7 +62,7 @@ def follow(
     "jerk": 40.0}`` [m/s, ...]. It starts where the first commands put the rigid robot, whose inverse kinematics gives
     the joints; ``tolerance`` [m, rad] of its tip between the rows of the references.
 
-    ``reference``: what the motors are told. ``rigid``: the joints of the rigid robot. ``motors``: these, and the
+    ``reference``: setpoints of the motors. ``rigid``: the joints of the rigid robot. ``motors``: these, and the
     efforts that keep the motors exactly on them, from a run of the whole robot as known. ``sag``: motors go where the
     tip of the robot as it bends is on the path at rest, under weight and loads (quasi-static), with their efforts.
     ``inverse``: motions and efforts with which the tip of the moving robot is on the path, free of contact
@@ -243,10 +243,10 @@ class Following(CommandResult):
         yield (f"{self.given.name}: {', '.join(self.kinds)} of {self.length:.4g} in {self.duration:.4g} s, "
                f"{len(found.times)} rows; as a rigid robot {off}{turned}")  # fmt: skip
         if self.checks:
-            lead = f", which begins {self.lead:.3g} s before the path" if self.lead else ""
+            lead = f"; it begins {self.lead:.3g} s before the path" if self.lead else ""
+            yield f"reference {self.reference}{lead}"
             rows = [[name, f"{value:.3g}"] for name, value in self.checks.items()]
-            yield Table(f"Tip of the nominal robot, reference `{self.reference}`{lead}",
-                        ["reference", "largest distance from the path [m]"], rows)  # fmt: skip
+            yield Table("nominal robot", ["reference", "tip off the path [m]"], rows)
         rows = [
             [
                 name,

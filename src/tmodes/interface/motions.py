@@ -96,16 +96,16 @@ def motion(
     def move(seconds: float) -> RestToRest:
         return RestToRest(robot, first, last, seconds, modes=modes, **limits)
 
-    def told(share: float) -> None:
+    def tell(share: float) -> None:
         progress("motion", share)
 
     trial = move(time)
     allowed = _ACCEPTED * float((trial.tips**2).sum(axis=1).max() ** 0.5) if tolerance is None else tolerance
     if not allowed > 0:
         raise InputError("--tolerance", f"{allowed:g}", "a swing above 0 m", "leave it out for 5e-7 of the reach")
-    found = trial.solve(allowed, progress=told)
+    found = trial.solve(allowed, progress=tell)
     if least_time:
-        trial, found = shortest(move, time, allowed, told)
+        trial, found = shortest(move, time, allowed, tell)
     progress("check", 0.0)
     made = _checked(robot, trial, found, allowed, limits)
     if out is not None:

@@ -1,4 +1,4 @@
-"""References of a path: what motors are told, from the rigid robot's joints to the inverse of all that bends.
+"""References of a path: setpoints of motors, from the rigid robot's joints to the inverse of all that bends.
 
 A reference gives each motor a position, and an effort that is added to what its controller commands. Each is checked on
 the nominal robot, under its controllers and by the efforts alone.
@@ -31,7 +31,7 @@ _ROWS, _SAMPLES, _DEGREE = 800, 1000, 5
 """Rows of efforts that a run gives; samples of a check; degree of the splines through efforts."""
 
 _SMOOTH, _STILL = 1e-2, 1e-5
-"""Difference of efforts over the largest one, and rate at the ends over the largest one, beyond which one is told."""
+"""Difference of efforts, and rate at the ends, over the largest ones, beyond which there is a warning."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -52,7 +52,7 @@ class Reference:
         return float(self.positions.times[-1])
 
     def applied(self, robot: Robot, path: Followed) -> Robot:
-        """The robot whose drives are told this, and whose errors count from the path; its run is long enough."""
+        """The robot whose drives have this reference, and whose errors count from the path; its run is long enough."""
         drives, places = list(robot.drives), {drive.joint: k for k, drive in enumerate(robot.drives)}
         parts = [self.positions.signals(), path.signals(), self.efforts.signals() if self.efforts else []]
         for k, joint in enumerate(path.joints):
@@ -69,7 +69,7 @@ class Reference:
         return robot.model_copy(update={"drives": tuple(drives), "integration": settings})
 
     def checks(self, robot: Robot, made: Robot, path: Followed) -> dict[str, float]:
-        """Largest distance of the tip of the nominal robot from the path [m], by what its drives are told."""
+        """Largest distance of the tip of the nominal robot from the path [m], by reference."""
         plain, task, found = Reference(path).applied(robot, path), Task(robot, path), {}
         tried: dict[str, Callable[[], Robot]] = {"rigid": lambda: plain, "this": lambda: made}
         if self.efforts is not None and all(d.feed_forward for d in made.drives if d.joint in path.joints):
@@ -160,18 +160,18 @@ def _inverse(robot: Robot, path: Followed, tolerance: float, progress: Progress)
     found = inverted(known, path, max(tolerance, 1e-9), lambda share: progress("inverse", share))
     own = replace(path, times=found.times, values=found.q[:, found.motors], rates=found.rates[:, found.motors],
                   accelerations=found.accelerations[:, found.motors])  # fmt: skip
-    told = []
+    warnings = []
     if found.rough > _SMOOTH:
-        told.append(
+        warnings.append(
             f"the efforts are not smooth ({found.rough:.0%} differ with half as many instants), as the profile is not: "
             "take --profile '{type: polynomial, duration: ...}'"
         )
     if found.left > _STILL * np.abs(found.rates).max():
-        told.append(
+        warnings.append(
             f"the robot still moves by {found.left:.2g} rad/s, m/s where the motion is cut: what bends is hardly "
             "damped where the tip is held"
         )
-    return Reference(own, _rows(path, found.times, found.efforts), found.lead, tuple(told))
+    return Reference(own, _rows(path, found.times, found.efforts), found.lead, tuple(warnings))
 
 
 REFERENCES: Mapping[str, Callable[[Robot, Followed, float, Progress], Reference]] = {

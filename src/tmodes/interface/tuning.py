@@ -60,9 +60,9 @@ def tune(
     from a ``within``-th of what they are to ``within`` times it. ``minimize``: an output of ``robot.outputs``,
     ``reduce`` d to one number. ``uncertain``: as of :func:`tmodes.compare`, or its file: then for the worst of
     ``worst_case`` robots. ``method``, ``trials``, ``seed``: of :func:`tmodes.optimize`, which does it; ``auto`` goes
-    along exact gradients (the adjoint of the run, ``reduce`` one of ``rms``, ``mean``, ``end``), and where there are
-    none, or the drives would pass their limits, by ``cobyqa``, which keeps them. ``out``: a file for the sheet with the
-    gains, ``figure`` for the plot, which may ``overwrite`` others.
+    along gradients (the adjoint of the run, along neighbours for a sampled law; ``reduce`` one of ``rms``, ``mean``,
+    ``end``), and where there are none, or the drives would pass their limits, by ``cobyqa``, which keeps them. ``out``:
+    a file for the sheet with the gains, ``figure`` for the plot, which may ``overwrite`` others.
 
     Raises :class:`tmodes.errors.InputError` or :class:`tmodes.errors.InputErrors` for what is wrong in the arguments,
     and :class:`tmodes.errors.SimulationError` where no design could be computed.
@@ -326,7 +326,7 @@ class Tuning(CommandResult):
              f"{one.low:.4g} to {one.high:.4g}"]
             for one in self.gains
         ]  # fmt: skip
-        how = "along exact gradients" if self.optimum.method == "gradient" else f"by {self.optimum.method}"
+        how = "along gradients" if self.optimum.method == "gradient" else f"by {self.optimum.method}"
         title = f"{count_of(len(self.gains), 'gain')}, {count_of(self.optimum.designs, 'design')} tried {how}"
         yield known_columns(title, columns, rows)
         yield "\n".join(f"Limited: {one}." for one in self.limited)

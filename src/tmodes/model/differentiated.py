@@ -247,7 +247,7 @@ class DifferentiatedModel:
             units = {label: np.zeros((states_, each, n)) for label in wanted}
             for k, label in enumerate(wanted):
                 units[label][:, n * k : n * (k + 1)] = np.eye(n)
-            flat = {label: unit.reshape(-1, n) for label, unit in units.items()}
+            flat = {label: unit.reshape(states_ * each, n) for label, unit in units.items()}
             forces = derivatives(passes.parameters, schedule, blocks, flat, states_ * each)["forces"]
             forces = forces.reshape(states_, each, n)
             for k, label in enumerate(wanted):

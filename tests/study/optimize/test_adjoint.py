@@ -105,6 +105,7 @@ def test_slopes_of_the_worst_of_several_cases(more: dict[str, Any]) -> None:
     assert slopes.runs == (0 if more else 2)  # of the two quantities, in the case that decides both
 
 
+@pytest.mark.nightly
 def test_the_worst_case_of_a_run_along_gradients() -> None:
     """Gains for the worst of 9 stiffnesses: as good as what is found without slopes, which needs more designs."""
     gains = {"kp": (20.0, 600.0), "kv": (2.0, 80.0)}

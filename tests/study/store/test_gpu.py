@@ -131,7 +131,8 @@ SPEED = {"series": "tip.speed", "reduce": "end"}
 
 @pytest.mark.parametrize(("quantity", "settings", "words"), [
     (SPEED, {"integration.method": "extrapolation"}, "200 of 200 runs were on the processor: their method"),
-    (SPEED, {"integration.energy_stop": True, "integration.method": "rk4"}, "nothing ran on the GPU"),
+    pytest.param(SPEED, {"integration.energy_stop": True, "integration.method": "rk4"}, "nothing ran on the GPU",
+                 marks=pytest.mark.nightly),
     ({"static": "mass"}, {}, "nothing ran on the GPU"),
 ])  # fmt: skip
 def test_what_does_not_run_there_is_said(quantity, settings, words, gpu, tmp_path):

@@ -30,9 +30,8 @@ export interface AfterMove extends Motion {
 export async function afterMove(
   engine: Engine, bundle: Bundle, regime: Regime, end: number | null, watch: Watch,
 ): Promise<AfterMove> {
-  const { run } = regime;
   const { HORIZON, SHORTEST, DECAYS, MOST_WORK, NEGLIGIBLE } = bundle.after!.settling;
-  const n = run.times.length;
+  const [{ run }, n] = [regime, regime.run.times.length];
   const own = motionOf(engine, regime, run.times, run.states);
   const found: AfterMove = { ...own, end, finished: run.times[n - 1], even: range(0, n), cut: "" };
   if (end === null || end > found.finished * (1 + 1e-9) || run.status !== "finished") return found;
@@ -40,10 +39,8 @@ export async function afterMove(
   const slowest = decays.reduce((least, rate) => Math.min(least, rate), decays.length ? Infinity : 1);
   const most = Math.floor(NEGLIGIBLE / Math.max(engine.layout.coordinates.length, 1));
   const more = new Continued(engine, bundle, regime, end, Math.max(Math.floor(MOST_WORK * stepsOf(run)), most), watch);
-  const beyond = slowest > 0
-    ? await more.beyond(found, Math.max(Math.min(HORIZON, DECAYS / slowest), SHORTEST))
-    : found;
-  return more.finer(beyond);
+  const first = Math.max(Math.min(HORIZON, DECAYS / slowest), SHORTEST);
+  return more.finer(slowest > 0 ? await more.beyond(found, first) : found);
 }
 
 /** When it has settled, by the band of the sheet. */
@@ -141,8 +138,8 @@ function decaysOf(engine: Engine, { after }: Bundle, { name, info, blocks, sched
 /** A run whose move is over, and how many steps may be taken to see what follows. */
 class Continued {
   constructor(
-    private engine: Engine, private bundle: Bundle, private regime: Regime, private end: number, private left: number,
-    private watch: Watch,
+    private engine: Engine, private bundle: Bundle, private regime: Regime,
+    private end: number, private left: number, private watch: Watch,
   ) {}
 
   /** With what follows its last sample, for a time or up to the longest where it is not at rest then. */
@@ -156,8 +153,7 @@ class Continued {
       const { done, motion } = await this.from(last, horizon, stride * step);
       const found = joined(alone, last, motion, stride);
       if (found.times[found.times.length - 1] >= best.times[best.times.length - 1]) best = found;
-      if (done.status === "stopped" || this.left <= 0)
-        return { ...best, cut: this.bundle.after!.settling.COSTLY };
+      if (done.status === "stopped" || this.left <= 0) return { ...best, cut: this.bundle.after!.settling.COSTLY };
       if (done.status !== "finished")
         return { ...alone, cut: `continued beyond its end, the run was lost: ${done.message}` };
       if (horizon >= HORIZON || settledOf(this.bundle, found).time !== null) return found;
@@ -167,8 +163,7 @@ class Continued {
 
   /** With samples as near as the steps of the integration, where its own are too far apart after the move. */
   async finer(found: AfterMove): Promise<AfterMove> {
-    const { after } = this.bundle;
-    const { times, statistics } = this.regime.run;
+    const [{ after }, { times, statistics }] = [this.bundle, this.regime.run];
     const wanted = times.subarray(0, -1).findIndex((time) => time >= this.end * (1 - 1e-12));
     const first = wanted < 0 ? times.length - 1 : wanted;
     const step = evened(Number(statistics.mean_step_s)) || Infinity;
@@ -185,9 +180,8 @@ class Continued {
 
   private async from(sample: number, duration: number, step: number): Promise<{ done: RunResult; motion: Motion }> {
     const { name, info, run, blocks, schedule } = this.regime;
-    const begin = run.times[sample];
+    const [begin, size] = [run.times[sample], run.states.length / run.times.length];
     const still = stillAt(this.regime, begin, duration);
-    const size = run.states.length / run.times.length;
     const state = run.states.slice(sample * size, (sample + 1) * size);
     for (const [coordinate, signal] of info.exact) {
       state[info.state.q[0] + coordinate] = valueAt(schedule, signal, begin);

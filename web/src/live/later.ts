@@ -51,7 +51,8 @@ export async function completed(
   await pause(true);
   const parts = await splitOf(engine, bundle, real.blocks, real.schedule, run.times, run.series, pause);
   return {
-    ...rested, vibration, facts: { ...rested.facts, "frequency.first": UNKNOWN, ...facts }, series: { ...run.series, ...parts }, pending: undefined,
+    ...rested, vibration, facts: { ...rested.facts, "frequency.first": UNKNOWN, ...facts },
+    series: { ...run.series, ...parts }, pending: undefined,
   };
 }
 

@@ -25,7 +25,7 @@ class RobotParameter(NamedTuple):
     ``enters``: the blocks of numbers of a run that depend on it: ``parameters`` (of the closed loop), ``rest`` (of its
     rest with held motors), ``chain`` (of the robot without drives), ``base``, ``held``, ``start``, and ``signal k``.
     ``is_structure``: another value needs other code (a count, a rigid stiffness, a sample time, settings); where
-    gains are designed, as of ``lqr``, every number is: they are computed anew for each value.
+    gains are designed, as of ``lqr``, every number is: they are designed again for each value.
     """
 
     path: str
