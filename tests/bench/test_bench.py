@@ -20,6 +20,8 @@ from typer.testing import CliRunner
 
 from tmodes.errors import InputError
 
+pytestmark = pytest.mark.nightly
+
 APP = typer.Typer()
 APP.command()(bench)
 

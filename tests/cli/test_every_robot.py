@@ -65,6 +65,7 @@ class TestEveryRobot:
         done = called(command, run[0], "--json")
         assert accepted(done), done.stderr
 
+    @pytest.mark.nightly
     def test_has_a_hierarchy_of_models(self, run: tuple[str, Path]) -> None:
         done = called("hierarchy", run[0], "--finest", 1, *SHORT, "--json")
         assert accepted(done), done.stderr

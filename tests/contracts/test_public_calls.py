@@ -235,6 +235,7 @@ SLOW = {
 """Arguments that are tried with a few values: each call that succeeds draws."""
 
 
+@pytest.mark.nightly
 def test_no_argument_makes_another_error(calls, capfd) -> None:
     wrong: list[str] = []
     for name, (function, arguments) in calls.items():

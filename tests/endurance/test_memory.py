@@ -26,6 +26,8 @@ from tmodes.simulation.solve import solve
 
 from .scale import memory, often
 
+pytestmark = pytest.mark.nightly
+
 
 class Oscillator:
     """x'' = -p x: the smallest thing that moves."""

@@ -15,6 +15,8 @@ from tmodes.compile.cache import entries, trim
 
 from .scale import often
 
+pytestmark = pytest.mark.nightly
+
 COMPILE = """
 import sys
 import numpy as np

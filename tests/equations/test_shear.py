@@ -103,6 +103,7 @@ def test_sections_without_inertia_leave_the_low_frequencies_exact(inertia: float
     assert max(abs(mode.damping_ratio) for mode in modes[: len(free) + 4]) < 1e-8
 
 
+@pytest.mark.nightly
 def test_modes_need_no_rotary_inertia_and_runs_do() -> None:
     """Eight functions of shear on a sheet: the reference's frequencies, and a run that names what it lacks."""
     section = {"bending_stiffness": 1.0, "shear_stiffness": 50.0, "mass_per_length": 1.0}

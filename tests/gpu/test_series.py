@@ -16,6 +16,8 @@ from tmodes.simulation.vary.reduce import Reduction, reduced
 
 from .conftest import NIGHTLY
 
+pytestmark = pytest.mark.nightly
+
 HOWS = ("max", "min", "max_abs", "mean", "rms", "end", "range", "time_of_max")
 
 ROBOTS = {

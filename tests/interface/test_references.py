@@ -62,6 +62,7 @@ def test_rigid_links_behind_elastic_gears_follow_exactly() -> None:
     assert own.checks["open loop"] < 1e-7
 
 
+@pytest.mark.nightly
 def test_what_no_joint_moves_stays_and_the_rest_is_on_the_path() -> None:
     """A joint about the vertical cannot lift what weight bends, 5 mm."""
     robot = tmodes.load("filipovic2010", {"contact": False})

@@ -86,6 +86,7 @@ def test_gains_of_any_law(law: dict[str, Any]) -> None:
     assert found.after[0] < found.before[0]
 
 
+@pytest.mark.nightly
 def test_what_has_no_slope_is_tuned_without() -> None:
     """A largest value; a sampled law has slopes along neighbours."""
     assert spong().tune(reduce="max", trials=12).optimum.method == "cobyqa"

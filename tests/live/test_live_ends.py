@@ -19,6 +19,8 @@ from tmodes.simulation.simulate import simulate_motion
 from .chain import chain
 from .node import live_in_node, worst_difference
 
+pytestmark = pytest.mark.nightly
+
 
 def result_of(arm: Robot) -> Result:
     return assemble_result(simulate_motion(arm), arm)

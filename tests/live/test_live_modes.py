@@ -89,6 +89,7 @@ def test_parts_of_the_deformations_are_the_native_ones(pairs: list[tuple[dict[st
 _SPRING = {"stiffness": 200.0, "rest": 0.3, "damping": 0.4}
 
 
+@pytest.mark.nightly
 def test_what_acts_on_the_points_is_in_modes_and_parts(tmp_path: Path) -> None:
     """Loads that follow their point (their stiffness is not symmetric) or not, a hollow ball, a spring by a gear."""
     changes = {"loads": _LOADS, "contact": _BALL, "joints.j1.spring": _SPRING}

@@ -17,6 +17,7 @@ from tmodes.io.yaml_file import parse_yaml
 PAGE = (Path(__file__).parents[2] / "docs" / "motion-without-ringing.md").read_text(encoding="utf-8")
 
 
+@pytest.mark.nightly
 def test_its_example() -> None:
     ((code, said),) = re.findall(r"```python\n(.*?)```\n\n((?:    [^\n]*\n)+)", PAGE, re.DOTALL)
     assert len(code.splitlines()) <= 15

@@ -34,7 +34,7 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return tmp_path
 
 
-LONG = "--variants corners.yaml", "tune "
+LONG = "compare ", "tune "
 """Of commands that take a minute."""
 
 

@@ -98,6 +98,7 @@ def test_h5py_and_netcdf4_read_it(data: xr.Dataset, good: bytes, tmp_path: Path)
         assert file["tip"].units == "m"
 
 
+@pytest.mark.nightly
 def test_the_same_bytes_in_other_surroundings(good: bytes, tmp_path: Path) -> None:
     surroundings = (
         {"PYTHONHASHSEED": "1", "TZ": "Asia/Kathmandu", "LC_ALL": "C", "OPENBLAS_NUM_THREADS": "1"},

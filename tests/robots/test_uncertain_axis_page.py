@@ -17,6 +17,8 @@ import yaml
 from patience import LONG
 from tmodes.study.read import study_from_data
 
+pytestmark = pytest.mark.nightly
+
 ROOT = Path(__file__).resolve().parents[2]
 PAGE = (ROOT / "docs" / "uncertain-axis.md").read_text(encoding="utf-8")
 COMMANDS = re.findall(r"^    tmodes (.*)$", PAGE, re.MULTILINE)

@@ -16,6 +16,8 @@ from tmodes import plot
 from tmodes.plot import drawing, figure
 from tmodes.result import Result
 
+pytestmark = pytest.mark.nightly
+
 NAMES = ("joint_efforts", "tip_errors", "energies")
 
 FILES = [f"{name}.{kind}" for name in NAMES for kind in ("svg", "png")]

@@ -13,6 +13,8 @@ import pytest
 from patience import until
 from see.scene_window import Picture, Window, differing, look
 
+pytestmark = pytest.mark.nightly
+
 FORCE = (0xB3, 0x26, 0x1E)
 """Colour of the arrow of the contact force on white."""
 LOSE = "window.lost = document.querySelector('canvas').getContext('webgl2').getExtension('WEBGL_lose_context')"

@@ -10,6 +10,8 @@ import pytest
 from patience import until
 from see.looking import look
 
+pytestmark = pytest.mark.nightly
+
 SIZES = ((1280, 800), (1280, 1000), (390, 844))
 
 MOVED = """(parts) => [...document.querySelectorAll(parts)].filter((one) => {

@@ -17,6 +17,8 @@ from tmodes.report.parts import viewer_document
 from tmodes.result import assemble_result
 from tmodes.simulation.simulate import simulate_motion
 
+pytestmark = pytest.mark.nightly
+
 STATUS = ".sliders-panel [role=status]"
 PANEL = ".lower section[aria-label='Modes of vibration']"
 

@@ -10,6 +10,8 @@ import pytest
 from see.looking import look
 from see.test_modes_follow import KINDS, PANEL, STATUS, report_of
 
+pytestmark = pytest.mark.nightly
+
 FREQUENCY = "[data-fact='frequency.first'] strong"
 NOTE = f"{PANEL} .note"
 BUTTON = f"{PANEL} tbody button"

@@ -17,6 +17,8 @@ from tmodes import plot
 from tmodes.plot import ranges
 from tmodes.result import Result
 
+pytestmark = pytest.mark.nightly
+
 UNIT = re.compile(r"\[(?P<prefix>n|µ|m|k|M)?(?P<base>m|rad|N·m|N|J|V|A|–|Pa)\]$")
 
 

@@ -11,6 +11,8 @@ from patience import until
 from see.looking import look
 from see.test_page import seek, shown
 
+pytestmark = pytest.mark.nightly
+
 
 @pytest.fixture(scope="module")
 def window(browser: Any, reports: dict[str, Path]) -> Any:

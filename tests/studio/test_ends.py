@@ -30,7 +30,7 @@ from tmodes.studio.folders import make_within, own_folder
 from tmodes.studio.looks import MOST_KEPT, Shelf
 from tmodes.studio.pool import Pool
 
-pytestmark = pytest.mark.skipif(os.name == "nt", reason="sends the signals of POSIX")
+pytestmark = [pytest.mark.skipif(os.name == "nt", reason="sends the signals of POSIX"), pytest.mark.nightly]
 
 FILES: dict[str, bytes | str] = {
     "arm.stl": stl(0.25),

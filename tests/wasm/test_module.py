@@ -157,6 +157,7 @@ def test_rest_is_where_nothing_accelerates(module: LiveModule, tmp_path: Path) -
     _same(slope, native, 1e-10)
 
 
+@pytest.mark.nightly
 def test_random_chains(tmp_path: Path) -> None:
     chains = [random_chain(seed, 2) for seed in (3, 9)]
     made, jobs, expected = LiveFunctions(), [], []
@@ -183,6 +184,7 @@ def test_random_chains(tmp_path: Path) -> None:
         np.testing.assert_allclose(points["points"].reshape(-1, 24)[:, 9:12], positions, atol=1e-12)
 
 
+@pytest.mark.nightly
 def test_long_kernels_in_pieces(tmp_path: Path) -> None:
     model = Model(random_chain(3, 2))
     schedule, (q, v, a) = model.passes.schedule("inertia"), random_state(2, model.coordinates)

@@ -23,8 +23,13 @@ def follow(
         ),
     ],
     profile: Annotated[
-        str, typer.Option(metavar="GROUP", help="How the way is gone: a signal without start and end.")
-    ] = PROFILE,
+        str | None,
+        typer.Option(
+            metavar="GROUP",
+            help="How the way is gone, a signal without start and end: s_curve, quintic, septic, polynomial, ... "
+            f"Left out: {PROFILE}, for `inverse` a polynomial as gentle.",
+        ),
+    ] = None,
     tolerance: Annotated[float, typer.Option(help="Of the rigid robot's tip between rows [m, rad].")] = 1e-7,
     reference: Annotated[
         str,
@@ -43,7 +48,7 @@ def follow(
     fix_inertia: FixInertia = False,
     as_json: AsJson = False,
 ) -> None:
-    """Joint references for a path of the tip: the rigid robot's inverse kinematics, to a printed error.
+    """Motor references for a path of the tip, of the rigid robot or with what bends, each with its printed error.
 
     Kinds of paths: line (to), arc (through, to), via (points, blend), turn (rpy), joints (points, blend); line, arc and
     via with rpy turn the tip on the shortest way. It starts where the first commands of the drives put the robot; each

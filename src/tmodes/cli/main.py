@@ -37,8 +37,6 @@ _GROUPS = {
         "robots": ("sheets.robots", "list the published robots, print one to edit"),
         "describe": ("describe.describe", "masses, stiffness, frequencies of the links, sag"),
         "linear": ("linear.linear", "linear model: poles, zeros, A, B, C, D by names"),
-        "follow": ("follow.follow", "joint references of a line, an arc, via points"),
-        "shaper": ("shaper.shaper", "a motion that does not ring: copies for the modes"),
         "static": ("static.static", "equilibrium under weight and loads, and its stability"),
         "pose": ("pose.pose", "joint and motor angles that hold the tip where wanted"),
         "hierarchy": ("describe.hierarchy", "link models side by side: cost and difference"),
@@ -46,14 +44,16 @@ _GROUPS = {
         "parameters": ("names.parameters", "numbers of a data sheet that can be varied"),
         "schema": ("sheets.schema", "the JSON Schema of data sheets, for editors"),
     },
+    "Motion": {
+        "follow": ("follow.follow", "references of a line, an arc, via points; with what bends"),
+        "shaper": ("shaper.shaper", "a motion that does not ring: copies for the modes"),
+        "motion": ("motion.motion", "torques from rest to rest after which nothing swings"),
+        "learn": ("learn.learn", "setpoints that get better from run to run"),
+    },
     "Results": {
         "show": ("show.show", "a stored result, or study, in the terminal"),
         "view": ("show.view", "results in the browser, several side by side"),
         "figures": ("figures.figures", "draw the figures of a result, for print"),
-    },
-    "Motion": {
-        "motion": ("motion.motion", "torques from rest to rest after which nothing swings"),
-        "learn": ("learn.learn", "setpoints that get better from run to run"),
     },
     "Many runs": {
         "compare": ("compare.compare", "a league of controllers and references on one task"),

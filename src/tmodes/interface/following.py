@@ -45,7 +45,7 @@ def follow(
     robot: Robot,
     path: Group | Sequence[Group],
     *,
-    profile: Group = PROFILE,
+    profile: Group | None = None,
     tolerance: float = 1e-7,
     reference: str = "rigid",
     out: str | os.PathLike[str] | None = None,
@@ -59,8 +59,9 @@ def follow(
     another, each from rest to rest. Kinds: line, arc, via (points with rounded corners), turn, joints, or your own;
     with ``rpy`` the tip turns to there on the shortest way. ``profile``: how the way is gone, a signal without start
     and end, which become 0 and the length, such as ``{"type": "s_curve", "speed": 0.5, "acceleration": 2.0,
-    "jerk": 40.0}`` [m/s, ...]. It starts where the first commands put the rigid robot, whose inverse kinematics gives
-    the joints; ``tolerance`` [m, rad] of its tip between the rows of the references.
+    "jerk": 40.0}`` [m/s, ...]; gentle for a robot of a metre if left out. It starts where the first commands put the
+    rigid robot, whose inverse kinematics gives the joints; ``tolerance`` [m, rad] of its tip between the rows of the
+    references.
 
     ``reference``: setpoints of the motors. ``rigid``: the joints of the rigid robot. ``motors``: these, and the
     efforts that keep the motors exactly on them, from a run of the whole robot as known. ``sag``: motors go where the
@@ -87,9 +88,16 @@ def follow(
         raise InputError("--path", "no path" if not groups else f"tolerance {tolerance!r}",
                          "a path, and a tolerance > 0 m", "add --path '{type: line, to: [0.6, 0, 0.2]}'")  # fmt: skip
     paths = [_member(Path, _group("--path", one), "path") for one in groups]
-    law = {key: value for key, value in _group("--profile", profile).items() if key not in ("start", "end")}
-    found = followed(robot, paths, lambda length: _member(Signal, {**law, "start": 0.0, "end": length}, "profile"),
-                     tolerance, progress)  # fmt: skip
+    smooth = profile is None and reference == "inverse"
+    law = {key: value for key, value in _group("--profile", PROFILE if profile is None else profile).items()
+           if key not in ("start", "end")}  # fmt: skip
+
+    def signal(length: float) -> Signal:
+        if smooth:
+            return _member(Signal, _smooth(length), "profile")
+        return _member(Signal, {**law, "start": 0.0, "end": length}, "profile")
+
+    found = followed(robot, paths, signal, tolerance, progress)
     given = REFERENCES[_known(reference)](robot, found, tolerance, progress)
     made = Following(robot, given.applied(robot, found), found, tuple(str(one.type) for one in paths), reference, given)
     if reference != "rigid":
@@ -97,6 +105,12 @@ def follow(
         made = replace(made, checks=given.checks(robot, made.robot, found))
     write_files(out, made, figure, overwrite=overwrite)
     return made
+
+
+def _smooth(length: float) -> dict[str, Any]:
+    """A move about as fast as :data:`PROFILE` with four smooth derivatives, as the inverse needs them."""
+    duration = max(10.0 * length, 3.1 * length**0.5, 0.1)  # speed and acceleration of the polynomial at most 0.25, 1
+    return {"type": "polynomial", "start": 0.0, "end": length, "duration": duration}
 
 
 def _known(reference: str) -> str:
@@ -245,8 +259,9 @@ class Following(CommandResult):
         if self.checks:
             lead = f"; it begins {self.lead:.3g} s before the path" if self.lead else ""
             yield f"reference {self.reference}{lead}"
-            rows = [[name, f"{value:.3g}"] for name, value in self.checks.items()]
-            yield Table("nominal robot", ["reference", "tip off the path [m]"], rows)
+            names = {"this": f"{self.reference}, under control", "open loop": f"{self.reference}, efforts alone"}
+            rows = [[names.get(name, name), f"{value:.3g}"] for name, value in self.checks.items()]
+            yield Table("Nominal robot", ["reference", "largest distance of the tip [m]"], rows)
         rows = [
             [
                 name,

@@ -195,6 +195,7 @@ def test_a_function_that_never_ends_is_stopped():
     assert rows.reason[0] == "a: TimeoutError: took longer than 0.2 s"
 
 
+@pytest.mark.nightly
 def test_results_are_computed_in_processes():
     """Functions that can be sent there, and those that are registered, run in processes of their own."""
     one = short({"a": {"function": "lower"}, "b": {"summary": "deviation.max_m"}}, functions={"lower": lower})

@@ -69,6 +69,7 @@ def evaluated(threads, seconds=60.0, **functions):
     return short(asked, functions={**functions, "height": height}).evaluate(0, VALUES, threads=threads)
 
 
+@pytest.mark.nightly
 @ALARMS
 @pytest.mark.parametrize("threads", [1, 2])
 def test_what_one_changes_no_other_number_sees_and_one_that_hides_the_alarm_is_stopped(threads):
@@ -80,6 +81,7 @@ def test_what_one_changes_no_other_number_sees_and_one_that_hides_the_alarm_is_s
     assert rows.quantities["replaces"].tolist() == [0.0, 0.0]
 
 
+@pytest.mark.nightly
 @ALARMS
 @pytest.mark.parametrize("function", [stuck, ends])
 def test_one_that_takes_its_process_with_it_is_an_error_in_words(function, monkeypatch):

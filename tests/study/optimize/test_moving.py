@@ -21,6 +21,7 @@ def here(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(results.os, "cpu_count", lambda: 1)
 
 
+@pytest.mark.nightly
 @pytest.mark.usefixtures("here")
 def test_a_search_finds_the_optimum_of_all_pairs_and_settling_decides() -> None:
     pytest.importorskip("optuna")
