@@ -59,7 +59,7 @@ class Inverse(NamedTuple):
     The path begins ``lead`` [s] after the motion. ``motors``: indices of the coordinates of the joints that are moved,
     ``efforts`` (n, joints) [N*m, N] of their motors; ``error``: by how much the tip would differ with half as many
     instants [m], ``rough``: the efforts, over the largest one; ``left``: largest rate at the ends, which should be 0
-    [rad/s, m/s]; ``zero``: the slowest unstable zero [1/s], 0 where there is none.
+    [rad/s, m/s].
     """
 
     times: Array
@@ -72,7 +72,6 @@ class Inverse(NamedTuple):
     error: float
     rough: float
     left: float
-    zero: float
 
 
 def inverted(
@@ -86,7 +85,7 @@ def inverted(
     if robot.contact:
         raise InputError("contact", "a robot in contact", "one in free space", "set `contact: null`, or take `sag`")
     task = Task(robot, found)
-    before, after, zero = _margins(task)
+    before, after = _margins(task)
     least = 2 * _DEGREE / _FIRST * task.duration
     before, after = max(before, least), max(after, least)
     count, last, jagged = int(_FIRST * (1 + (before + after) / task.duration)), None, np.inf
@@ -106,12 +105,12 @@ def inverted(
         progress(min(0.9, 0.1 + count / most))
         jumps = rough > _ROUGHER * jagged  # of a path that is not smooth
         if (error <= tolerance and rough <= _ROUGH) or jumps or ends:
-            return here.inverse(error, rough, zero)
+            return here.inverse(error, rough)
         count, last, jagged = 2 * count, here, rough
 
 
-def _margins(task: Task) -> tuple[float, float, float]:
-    """How long the motion begins before the path, and ends after it [s], and the slowest unstable zero [1/s].
+def _margins(task: Task) -> tuple[float, float]:
+    """How long the motion begins before the path, and ends after it [s].
 
     By the zeros of the tip about both ends: the finite eigenvalues of the equations with the tip held.
     """
@@ -122,7 +121,7 @@ def _margins(task: Task) -> tuple[float, float, float]:
         for side, part in enumerate((zeros.real[zeros.real > 0], -zeros.real[zeros.real <= 0])):
             slow[side] = min(slow[side], float(part.min(initial=np.inf)))
     before, after = (min(_DECAY / max(one, 1e-9), most) if np.isfinite(one) else 0.0 for one in slow)
-    return before, after, slow[0] if np.isfinite(slow[0]) else 0.0
+    return before, after
 
 
 def _zeros(task: Task, q: Array, wanted: Wanted) -> NDArray[np.complex128]:
@@ -272,11 +271,11 @@ class _Solution:
         """Efforts (n, joints) of the motors [N*m, N]."""
         return self.task.efforts(q, v, a)[:, self.task.motors]
 
-    def inverse(self, error: float, rough: float, zero: float) -> Inverse:
+    def inverse(self, error: float, rough: float) -> Inverse:
         """The way there."""
         task, (q, v, a) = self.task, self.motion(self.spline)
         there = np.arange(self.instants) * self.step <= self.lead + task.duration + self.tail + 1e-9 * self.step
         q, v, a = (part[there] for part in (q, v, a))
         left = float(np.abs(v[[0, -1]]).max(initial=0.0))
         times, efforts = self.way[there] + self.lead, self.efforts(q, v, a)
-        return Inverse(times, q, v, a, task.motors, efforts, self.lead, error, rough, left, zero)
+        return Inverse(times, q, v, a, task.motors, efforts, self.lead, error, rough, left)

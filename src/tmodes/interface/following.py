@@ -152,7 +152,11 @@ def _wrong(error: Any, which: str) -> Iterator[InputError]:
             yield InputError(f"{place}.{issue.field}", issue.got, issue.expected, issue.hint)
         if one["type"] != "issues":
             got = "nothing" if one["type"] == "missing" else shown(one["input"])
-            known: dict[str, str] = {"missing": "a value", "extra_forbidden": "a key that it has"}
+            size = one.get("ctx", {}).get("min_length", one.get("ctx", {}).get("max_length"))
+            known: dict[str, str] = {
+                "missing": "a value", "extra_forbidden": "a key that it has",
+                "too_short": f"{size} values or more", "too_long": f"{size} values or fewer",
+            }  # fmt: skip
             expected = known.get(str(one["type"])) or str(one["msg"]).lower()
             yield InputError(place, got, expected, "correct it, or leave it out")
 

@@ -30,8 +30,9 @@ Progress = Callable[[str, float], None]
 _ROWS, _SAMPLES, _DEGREE = 800, 1000, 5
 """Rows of efforts that a run gives; samples of a check; degree of the splines through efforts."""
 
-_SMOOTH, _STILL = 1e-2, 1e-5
-"""Difference of efforts, and rate at the ends, over the largest ones, beyond which there is a warning."""
+_SMOOTH, _STILL, _CREEPS = 1e-2, 1e-5, 1e-3
+"""Difference of efforts, and rate at the ends, over the largest ones, beyond which there is a warning; rates
+[rad/s, m/s] below which a motion is none."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -73,13 +74,16 @@ class Reference:
         plain, task, found = Reference(path).applied(robot, path), Task(robot, path), {}
         tried: dict[str, Callable[[], Robot]] = {"rigid": lambda: plain, "this": lambda: made}
         if self.efforts is not None and all(d.feed_forward for d in made.drives if d.joint in path.joints):
-            tried["open loop"] = lambda: _open_loop(made, path.joints)
+            tried["open loop"] = lambda: _open_loop(made, path.joints, data)
+        data: Any = None
         for name, one in tried.items():
             lead, end = (0.0, float(path.times[-1])) if name == "rigid" else (self.lead, self.end)
             try:
                 data = _nominal(one(), end, _SAMPLES).data
             except TmodesError:
                 found[name] = float("nan")
+                if name == "this":  # then it is not known from where the open loop begins
+                    break
                 continue
             wanted = task.along(data["time"].values - lead).places
             found[name] = float(np.linalg.norm(data["tip"].values - wanted, axis=1).max())
@@ -92,14 +96,13 @@ def _replaced(robot: Robot, drives: Sequence[DriveSheet]) -> Robot:
     return robot.model_copy(update={"drives": tuple(own.get(drive.joint, drive) for drive in robot.drives)})
 
 
-def _open_loop(robot: Robot, joints: Sequence[str]) -> Robot:
-    """The robot whose drives of ``joints`` give their efforts and nothing else, from where it starts under control."""
+def _open_loop(robot: Robot, joints: Sequence[str], data: Any) -> Robot:
+    """The robot whose drives of ``joints`` give their efforts and nothing else, from where a run began."""
     motors, drives = {joint.name for joint in robot.joints if joint.motor}, []
     for drive in robot.drives:
         if drive.joint in joints and drive.feed_forward is not None:
             command = Command.TORQUE if drive.joint in motors else Command.EFFORT
             drives.append(DriveSheet(joint=drive.joint, command=command, signal=drive.feed_forward))
-    data = _nominal(robot, robot.integration.duration / _SAMPLES, 1).data
     start = dict(zip(data["coordinate"].values.tolist(), data["q"].values[0].tolist(), strict=True))
     initial = Initial(state=InitialState.ZERO, coordinates=start)
     return _replaced(robot, drives).model_copy(update={"initial": initial})
@@ -166,7 +169,7 @@ def _inverse(robot: Robot, path: Followed, tolerance: float, progress: Progress)
             f"the efforts are not smooth ({found.rough:.0%} differ with half as many instants), as the profile is not: "
             "take --profile '{type: polynomial, duration: ...}'"
         )
-    if found.left > _STILL * np.abs(found.rates).max():
+    if found.left > _STILL * max(float(np.abs(found.rates).max()), _CREEPS):
         warnings.append(
             f"the robot still moves by {found.left:.2g} rad/s, m/s where the motion is cut: what bends is hardly "
             "damped where the tip is held"
