@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from tmodes.analysis.error_parts import PARTS, element_steps, substitutions, tips
 from tmodes.simulation.motion_run import RunData
+from tmodes.simulation.vary.tables import commanded_signals
 
 __all__ = ["ErrorParts", "error_parts", "part_names", "shapes_of"]
 
@@ -35,7 +36,7 @@ class ErrorParts(NamedTuple):
 
 def part_names(run: RunData) -> list[str]:
     """The names of the parts of a run's error; none where no drive has a setpoint."""
-    if not _setpoints(run):
+    if not commanded_signals(run.setup):
         return []
     first = slice(1)
     gears = {part for part, _ in element_steps(run.model, run.q[:1], run.q[:1])[0]} - {"links"}
@@ -59,16 +60,6 @@ def error_parts(run: RunData, count: int) -> ErrorParts | None:
     return ErrorParts(commanded, actual, actual - nominal if run.reference else None)
 
 
-def _setpoints(run: RunData) -> dict[int, int]:
-    """The signal of each coordinate that a drive keeps, or moves, where it should be."""
-    motion = {drive.joint for drive in run.robot.drives if drive.command.is_motion}
-    return {
-        driver.coordinate: driver.plan.wanted
-        for driver in run.setup.model.loop.drivers
-        if driver.plan.servo is None or driver.plan.joint in motion
-    } if motion else {}  # fmt: skip
-
-
 def _steps(mover: RunData, run: RunData, part: slice) -> Array:
     """The tip of ``mover`` (the actual robot or the nominal one) in its four shapes, (4, n, 3) [m]."""
     return tips(mover.model, shapes_of(mover, run, part), mover.base[part])
@@ -78,7 +69,7 @@ def shapes_of(mover: RunData, run: RunData, part: slice) -> list[Array]:
     """The four shapes (n, nq) of the actual robot, or of the nominal one."""
     order = [(run.reference or run).coordinates.index(name) for name in mover.coordinates]
     commanded = (run.reference or run).q[part][:, order].copy()
-    drivers = {run.coordinates[k]: signal for k, signal in _setpoints(run).items()}
+    drivers = {run.coordinates[k]: signal for k, signal in commanded_signals(run.setup).items()}
     signals = run.planned.signals.at(run.times[part])
     for name, signal in drivers.items():
         commanded[:, mover.coordinates.index(name)] = signals[:, signal]

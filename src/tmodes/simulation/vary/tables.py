@@ -25,7 +25,16 @@ from tmodes.simulation.vary.simulate import Prepared, prepared, run_prepared
 from tmodes.simulation.vary.values import RobotVariant, Whole
 from tmodes.simulation.warnings import jumps
 
-__all__ = ["GivenTable", "Nominal", "at_setpoints", "commanded_states", "nominal_variant", "own_tip", "setpoints"]
+__all__ = [
+    "GivenTable",
+    "Nominal",
+    "at_setpoints",
+    "commanded_signals",
+    "commanded_states",
+    "nominal_variant",
+    "own_tip",
+    "setpoints",
+]
 
 Array = NDArray[np.float64]
 Progress = Callable[[str, float], None]
@@ -74,20 +83,25 @@ def own_tip(sheet: Robot, threads: int) -> Array:
     return own.tips
 
 
-def setpoints(setup: RunSetup) -> dict[int, int] | None:
-    """The signal of each coordinate that a drive keeps, or moves, where it should be; None where some joint has none.
-
-    Then the commanded path depends on how the other joints move.
-    """
+def commanded_signals(setup: RunSetup) -> dict[int, int]:
+    """The signal of each coordinate that a drive keeps, or moves, where it should be; empty without a motion."""
     motion = {drive.joint for drive in setup.robot.drives if drive.command.is_motion}
-    known = {
+    return {
         driver.coordinate: driver.plan.wanted
         for driver in setup.model.loop.drivers
         if driver.plan.servo is None or driver.plan.joint in motion
-    }
+    } if motion else {}  # fmt: skip
+
+
+def setpoints(setup: RunSetup) -> dict[int, int] | None:
+    """Those of :func:`commanded_signals`; None where some joint has none.
+
+    Then the commanded path depends on how the other joints move.
+    """
+    known = commanded_signals(setup)
     moved = {axis.angle: axis.motor for axis in setup.mechanics.parts.axes}
     apart = [place for place, motor in moved.items() if (motor if motor >= 0 else place) not in known]
-    return None if apart or not motion else known
+    return None if apart or not known else known
 
 
 def at_setpoints(setup: RunSetup, known: Mapping[int, int], rows: Array, times: Array) -> Array:
