@@ -1,4 +1,4 @@
-"""Responses and stability margins of linear loops."""
+"""Responses over frequency and time, and stability margins of linear loops."""
 
 from __future__ import annotations
 
@@ -8,11 +8,16 @@ from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.linalg import expm
 
-__all__ = ["Margins", "margins", "response"]
+__all__ = ["Margins", "margins", "response", "step_duration", "step_values"]
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
+
+
+_NULL = 1e-6
+"""Rate [1/s] of a motion that neither grows nor decays."""
 
 
 class Margins(NamedTuple):
@@ -36,6 +41,29 @@ def response(A: Array, B: Array, C: Array, D: Array, points: Complex) -> Complex
     """C (p - A)^-1 B + D at each point, by the eigenvectors where they are well conditioned, else by solving."""
     eye = np.eye(len(A))
     return np.stack([C @ np.linalg.solve(p * eye - A, B) + D for p in points])
+
+
+def step_duration(poles: Complex, period: float | None) -> float:
+    """Until the slowest motion that decays is down to 1 %, or one that grows is 20 times as large [s]."""
+    rates = np.log(poles[poles != 0]) / period if period else poles
+    if len(growing := rates.real[rates.real > _NULL]):
+        return float(np.log(20) / growing.max())
+    decays = np.maximum(-rates.real, 0.1 * np.abs(rates))  # what rings on for long is seen to ring
+    return float(np.log(100) / decays[decays > _NULL].min(initial=np.inf)) or 1.0
+
+
+def step_values(A: Array, B: Array, C: Array, D: Array, count: int, step: float, period: float | None) -> Array:
+    """Outputs (count, outputs, inputs) every ``step`` [s] after steps of 1 of the inputs, exact there."""
+    n, m = B.shape
+    whole = np.block([[A, B], [np.zeros((m, n + m))]])
+    if period:
+        whole[n:, n:] = np.eye(m)
+    on = np.linalg.matrix_power(whole, round(step / period)) if period else expm(whole * step)
+    state, values = np.vstack([np.zeros((n, m)), np.eye(m)]), np.zeros((count, len(C), m))
+    for k in range(count):
+        values[k] = C @ state[:n] + D
+        state = on @ state
+    return values
 
 
 def margins(loop: Callable[[Any], Complex], grid: Array, stable: bool) -> Margins:

@@ -32,7 +32,16 @@ def linear(
     period: Annotated[float | None, typer.Option(help="Sampled with a zero-order hold every so many seconds.")] = None,
     delay: Annotated[float, typer.Option(help="From a sample to its input [s], of any length.")] = 0.0,
     at: PoseOption = None,
+    time: Annotated[float | None, typer.Option(help="About this time of the run [s], in place of the rest.")] = None,
+    uncertain: Annotated[
+        Path | None, typer.Option(help="A YAML file with `uncertain`, as of tmodes compare: a family about this model.")
+    ] = None,
+    cases: Annotated[int, typer.Option(min=2, help="Robots of that family.")] = 50,
+    seed: Annotated[int, typer.Option(min=0, help="Same seed, same robots.")] = 0,
     out: Annotated[Path | None, typer.Option(help="Write it to a file: .mat, .npz or .json.")] = None,
+    figure: Annotated[Path | None, typer.Option(help="A file for the figure: .svg, .png or .pdf.")] = None,
+    chart: Annotated[str, typer.Option(help="What the figure shows: bode, nyquist or step.")] = "bode",
+    overwrite: Annotated[bool, typer.Option("--overwrite", help="Replace that figure.")] = False,
     settings: Settings = None,
     root: Roots = None,
     trust_paths: TrustPaths = False,
@@ -45,13 +54,17 @@ def linear(
     pose; under the controllers of the sheet with --closed. Zeros to the right are named: such an output first moves the
     wrong way. Example: tmodes linear two_link_arm --inputs elbow.torque --outputs tip.acceleration.z,elbow.position
     """
+    from tmodes.interface.files import write_files
     from tmodes.interface.linear import linearize
 
     sheet = chosen_sheet(robot, settings, roots=root, trust_paths=trust_paths, fix_inertia=fix_inertia)
     with working("preparing") as tell:
         found = linearize(
-            sheet, at=at, inputs=inputs, outputs=outputs or (), closed=closed, period=period, delay=delay, progress=tell
-        )
+            sheet, at=at, time=time, inputs=inputs, outputs=outputs or (), closed=closed, period=period, delay=delay,
+            uncertain=uncertain, cases=cases, seed=seed, progress=tell,
+        )  # fmt: skip
+        if figure is not None:
+            write_files(None, found, figure, overwrite=overwrite, chart=chart)
         if out is not None:
             found.save(out)
     print_result(found, as_json)

@@ -11,8 +11,8 @@ __all__ = ["write_files"]
 Name = str | os.PathLike[str] | None
 
 
-def write_files(out: Name, found: Any, figure: Name, *, overwrite: bool) -> None:
-    """The ``sheet`` of what was found to ``out``, its plot to ``figure``; None: not.
+def write_files(out: Name, found: Any, figure: Name, *, overwrite: bool, **plot: Any) -> None:
+    """The ``sheet`` of what was found to ``out``, its ``plot`` with these arguments to ``figure``; None: not.
 
     Raises :class:`tmodes.errors.ResultFileError` where a file is there, or cannot be written, and
     :class:`tmodes.errors.InputError` for a figure of an unknown kind.
@@ -26,7 +26,7 @@ def write_files(out: Name, found: Any, figure: Name, *, overwrite: bool) -> None
     if figure is not None:
         from tmodes.plot.figure import picture_file
 
-        files |= {Path(figure): picture_file(figure, lambda: found.plot()[0].figure)}
+        files |= {Path(figure): picture_file(figure, lambda: found.plot(**plot)[0].figure)}
     for path, content in files.items():
         check_writable(path.parent, len(content))
         with atomic_write(path, overwrite=overwrite) as temporary:

@@ -4,18 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from functools import cached_property
+from functools import cached_property, partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tmodes.analysis.margins import Margins, margins, response
+from tmodes.analysis.margins import Margins, margins, response, step_duration, step_values
 from tmodes.errors import InputError
 from tmodes.interface.poses import Pose, pose_of, pose_words
 from tmodes.interface.statics import Linearization, circumstances
+from tmodes.interface.variants import uncertain_of, uncertain_robots
 from tmodes.io.arguments import checked_arguments
+from tmodes.io.files import FilePath
 from tmodes.io.printed import Table
 
 if TYPE_CHECKING:
@@ -41,17 +43,22 @@ def linearize(
     robot: Robot,
     *,
     at: Pose | None = None,
+    time: float | None = None,
     inputs: str | Sequence[str] | None = None,
     outputs: str | Sequence[str] | None = None,
     closed: bool = False,
     period: float | None = None,
     delay: float = 0.0,
     contact: bool = True,
+    uncertain: Mapping[str, Any] | FilePath | None = None,
+    cases: int = 50,
+    seed: int = 0,
     progress: Progress = lambda stage, share: None,
 ) -> LinearModel:
     """The robot in small motions about its rest: M, D, K, and x' = A x + B u, y = C x + D u with named signals.
 
-    At the pose ``at`` [rad, m], else where the first commands of its drives hold it, under weight and loads;
+    At the pose ``at`` [rad, m], or the ``time`` [s] of its run (where ``system.rate`` is how the states change, and
+    M, D, K are of its start), else where the first commands of its drives hold it, under weight and loads;
     ``contact`` with the surface that it touches. ``inputs``: commands of drives (``shoulder.torque``, ``.voltage``,
     ``.effort``) and loads on points (``tip.force.z``, ``tip.moment.x``); ``outputs``: any names of ``tmodes outputs``,
     and sensors. Without names: all drives, and the angles of their joints.
@@ -61,6 +68,8 @@ def linearize(
     ``period`` [s] sampled, with a zero-order hold and a ``delay`` [s] of any length; sampled controllers sample by
     themselves. Where drives or the base turn at constant speed M, D, K are about that motion, and A, B, C, D
     about rest. Dry friction that sticks is left out. The derivatives are exact, of the compiled equations.
+
+    ``uncertain``: as of :func:`tmodes.compare`, or its file: then ``family`` has the models of so many ``cases``.
 
     Errors: :class:`tmodes.errors.InputError` for an unknown name, :class:`tmodes.errors.SimulationError` where it finds
     no rest. Source: K. J. Astrom, B. Wittenmark, Computer-Controlled Systems, 3rd ed., chapters 2 and 3.
@@ -72,12 +81,15 @@ def linearize(
     2.738
     """
     from tmodes.analysis.statics.at_rest import robot_rest
-    from tmodes.simulation.linear import closed_loop, delayed, open_loop
+    from tmodes.simulation.linear import all_inputs, closed_loop, delayed, open_loop
 
-    chosen = _names(inputs), _names(outputs)
+    chosen, outs = (_names(inputs), _names(outputs)), tuple(f"{drive.joint}.position" for drive in robot.drives)
     if closed and at is not None:
         hint = "leave out `at`: it is the start of the run, see `initial` in the sheet"
         raise InputError("at", str(pose_words(at)), "left out with `closed`", hint)
+    if time is not None and (at is not None or not 0 <= time <= robot.integration.duration):
+        expected = f"a time within the run of {robot.integration.duration:g} s, without `at`"
+        raise InputError("time", f"{time:g} s", expected, "write time=0.5, or at={'shoulder': 0.4}")
     if (period is None and delay) or (period is not None and not period > 0) or delay < 0:
         expected = "a period above 0 s, and a delay of 0 s or more"
         raise InputError("period", f"{period!r} s with a delay of {delay:g} s", expected, "write period=1e-3 for 1 kHz")
@@ -85,21 +97,27 @@ def linearize(
     rest = robot_rest(robot, held=held, contact=contact, moving=True, progress=progress)
 
     def made() -> StateSpace:
-        own = chosen[0] or _all_inputs(robot, closed=closed), chosen[1] or _all_outputs(robot)
+        own = chosen[0] or all_inputs(robot, closed=closed), chosen[1] or outs
         if closed:
-            found = closed_loop(robot, *own)
+            found = closed_loop(robot, *own, time)
         else:
             pose = dict(rest.named) if held is None else held
-            found = open_loop(robot, *own, held=_drives(robot, pose), contact=contact, progress=progress)
+            found = open_loop(robot, *own, held=_drives(robot, pose), time=time, contact=contact, progress=progress)
         if period is not None and found.period is not None:
             got, expected = f"{period:g} s", f"left out: the controllers sample by themselves, every {found.period:g} s"
             raise InputError("period", got, expected, "remove it; delays stand in the sheet")
         return found if period is None else delayed(found, period, delay)
 
     where = circumstances(robot, contact=contact, at=pose_words(at))
+    where = where if time is None else f"at {time:g} s of its run"
     matrices = rest.matrices
-    found = LinearModel(robot.name, where, rest.model.coordinates, rest.q, *matrices, made, closed)
-    if inputs is not None or outputs is not None or closed or period is not None:
+    family = []
+    for k, one in enumerate(uncertain_robots(robot, uncertain_of(uncertain), cases, seed)):
+        progress("uncertain robots", k / cases)
+        same = {"at": at, "time": time, "inputs": inputs, "outputs": outputs, "closed": closed, "period": period}
+        family.append(linearize(one, **same, delay=delay, contact=contact).system)
+    found = LinearModel(robot.name, where, rest.model.coordinates, rest.q, *matrices, made, closed, tuple(family))
+    if inputs is not None or outputs is not None or closed or period is not None or time is not None:
         _ = found.system  # wrong names are said at once
     return found
 
@@ -115,18 +133,6 @@ def _drives(robot: Robot, pose: Mapping[str, Any]) -> dict[str, Any]:
     return {name: value for name, value in pose.items() if name in motors or name.removesuffix(".motor") in pose}
 
 
-def _all_inputs(robot: Robot, *, closed: bool) -> tuple[str, ...]:
-    from tmodes.simulation.linear import opened
-
-    if closed:
-        return tuple(f"{drive.joint}.setpoint" for drive in robot.drives if drive.command.is_controlled)
-    return tuple(f"{drive.joint}.{drive.command}" for drive in opened(robot).drives if not drive.command.is_motion)
-
-
-def _all_outputs(robot: Robot) -> tuple[str, ...]:
-    return tuple(f"{drive.joint}.position" for drive in robot.drives)
-
-
 @dataclass(frozen=True, eq=False, repr=False)
 class LinearModel(Linearization):
     """A robot in small motions: ``mass``, ``damping``, ``stiffness`` by ``coordinates``, and A, B, C, D by names.
@@ -137,6 +143,8 @@ class LinearModel(Linearization):
 
     made: Callable[[], StateSpace] = field(repr=False)
     closed: bool = False
+    family: tuple[StateSpace, ...] = field(default=(), repr=False)
+    """Models of uncertain robots, where they were asked for."""
     error: float | None = None
     """Of one with fewer states: bound of the difference of the responses, None where none is known."""
 
@@ -260,6 +268,21 @@ class LinearModel(Linearization):
         where = {"frequency": at, "output": list(self.outputs), "input": list(self.inputs)}
         return DataArray(values, where, ("frequency", "output", "input"), "response")
 
+    def family_response(self, frequencies: ArrayLike | None = None) -> DataArray:
+        """The same of its ``family``, along ``case`` first.
+
+        >>> k = {"k": {"path": "joints.0.gear.stiffness", "relative": True,
+        ...            "distribution": {"type": "uniform", "low": 0.9, "high": 1.1}}}
+        >>> linear = tmodes.load("spong1987").linearize(inputs="joint.torque", uncertain=k, cases=3)
+        >>> linear.family_response([1.0, 2.0]).shape
+        (3, 2, 1, 1)
+        """
+        from xarray import concat
+
+        at = self.frequencies() if frequencies is None else frequencies
+        each = [replace(self, made=partial(_itself, one)).frequency_response(at) for one in self.family]
+        return concat(each, "case")
+
     def _points(self, frequencies: Array) -> Complex:
         turns = 2j * np.pi * frequencies
         return np.asarray(np.exp(turns * self.period) if self.period else turns, dtype=np.complex128)
@@ -303,7 +326,7 @@ class LinearModel(Linearization):
         zero = np.zeros(len(A))
         system = replace(self.system, states=names, A=A, B=B, C=C, D=D, x0=zero, rate=zero)
         left = hankel_values(self.A, self.B, self.C, self.period)[order:] if how is balanced else None
-        return replace(self, made=lambda: system, error=None if left is None else 2 * float(left.sum()))
+        return replace(self, family=(), made=lambda: system, error=None if left is None else 2 * float(left.sum()))
 
     def to_control(self) -> Any:
         """The same as a ``StateSpace`` of python-control (``pip install control``)."""
@@ -328,24 +351,12 @@ class LinearModel(Linearization):
 
         >>> tmodes.load("spong1987").linearize().save("spong.json")
         """
-        import json
+        from tmodes.io.matrices import save_matrices
 
-        file = Path(path)
         numbers = {"A": self.A, "B": self.B, "C": self.C, "D": self.D, "x0": self.system.x0, "u0": self.system.u0,
                    "y0": self.system.y0, "period": self.period or 0.0}  # fmt: skip
         names = {key: list(getattr(self, key)) for key in ("states", "inputs", "outputs")}
-        if file.suffix == ".mat":
-            from scipy.io import savemat
-
-            savemat(file, numbers | {key: np.array(value, dtype=object) for key, value in names.items()})
-        elif file.suffix == ".npz":
-            np.savez(file, allow_pickle=False, **numbers, **{key: np.array(value) for key, value in names.items()})
-        elif file.suffix == ".json":
-            file.write_text(json.dumps(self.info()) + "\n", encoding="utf-8")
-        else:
-            raise InputError(
-                "path", f"`{file.suffix}`", "a name that ends on .mat, .json or .npz", "linear.save('a.mat')"
-            )
+        save_matrices(Path(path), numbers, names, self.info())
 
     def info(self) -> dict[str, Any]:
         """Plain data; complex numbers as [real, imaginary]."""
@@ -368,7 +379,8 @@ class LinearModel(Linearization):
             f"{self.name}: {len(s.states)} states, {len(s.inputs)} inputs, {len(s.outputs)} outputs, {kind}{sampled}, "
             f"{self.where}: {word}"
         )
-        rates = np.log(self.poles) / s.period if s.period else self.poles
+        with np.errstate(divide="ignore", invalid="ignore"):  # a pole at 0 of a delay
+            rates = np.log(self.poles) / s.period if s.period else self.poles
         rows = [[f"{rate.real:.5g}", f"{rate.imag:.5g}", f"{abs(rate) / (2 * np.pi):.5g}", _ratio(rate)]
                 for rate in rates[np.isfinite(rates)] if rate.imag >= 0]  # fmt: skip
         yield Table("poles", ["real [1/s]", "imaginary [1/s]", "natural [Hz]", "damping ratio"], rows)
@@ -387,11 +399,48 @@ class LinearModel(Linearization):
                 shown = ", ".join(f"{one.real:.4g}{one.imag:+.4g}i" for one in found if one.imag >= 0)
                 yield [source, output, shown or "none", "non-minimum" if outside.any() else "minimum"]
 
-    def plot(self, ax: Any = None) -> list[Any]:
-        """The Bode diagram of every input to every output: gain and phase over frequency."""
-        from tmodes.plot.commands import bode
+    def step_response(self, duration: float | None = None) -> DataArray:
+        """Outputs after a step of 1 of each input, by ``time`` [s], ``output`` and ``input``; exact at its times.
 
-        return bode(self.frequency_response(), title=f"Frequency response of {self.name}", ax=ax)
+        ``duration`` [s]: until the slowest motion is down to 1 %, or one that grows is 20 times as large.
+
+        >>> linear = tmodes.load("spong1987").linearize(inputs="joint.torque", outputs="joint.position")
+        >>> round(float(linear.step_response(1.0)[-1, 0, 0]), 3)
+        0.142
+        """
+        from xarray import DataArray
+
+        matrices = self.A, self.B, self.C, self.D
+        length = step_duration(self.poles, self.period) if duration is None else duration
+        step = self.period * max(int(length / self.period / _POINTS), 1) if self.period else length / _POINTS
+        times = np.arange(0.0, length * (1 + 1e-9), step)
+        values = step_values(*matrices, len(times), step, self.period)
+        where = {"time": times, "output": list(self.outputs), "input": list(self.inputs)}
+        return DataArray(values, where, ("time", "output", "input"), "step_response")
+
+    def plot(self, ax: Any = None, *, chart: str = "bode") -> list[Any]:
+        """Every input to every output as a ``chart``: ``bode`` (with its ``family``, shaded), ``nyquist`` or ``step``.
+
+        Raises :class:`tmodes.errors.InputError` for another name.
+        """
+        from tmodes.plot import commands
+
+        if chart == "bode":
+            family = self.family_response() if self.family else None
+            return commands.bode(self.frequency_response(), family=family, title=self.name, ax=ax)
+        if chart == "nyquist":
+            return commands.nyquist(self.frequency_response(), title=self.name, ax=ax)
+        if chart != "step":
+            hint = "tmodes linear FILE --chart nyquist"
+            raise InputError("chart", f"`{chart}`", "bode, nyquist or step", hint)
+        found, units = self.step_response(), self.system.units
+        lines = {f"{source} to {name} [{units.get(name, '')}]": (found.time, found.sel(input=source, output=name))
+                 for source in self.inputs for name in self.outputs}  # fmt: skip
+        return commands.points(lines, "time [s]", "after a step of 1", title=self.name, ax=ax, line="-", marks=False)
+
+
+def _itself(system: StateSpace) -> StateSpace:
+    return system
 
 
 _MOST_PAIRS = 12

@@ -102,7 +102,10 @@ class Modes(CommandResult):
     @property
     def warnings(self) -> list[str]:
         """What is to be known about these numbers."""
-        return list(dict.fromkeys(warning for one in self.found.values() for warning in one.warnings))
+        found = [warning for one in self.found.values() for warning in one.warnings]
+        if self.robots["real"].control:
+            found.append("blocks of `control` are not in these modes: `tmodes linear --closed` gives the loop's poles")
+        return list(dict.fromkeys(found))
 
     def info(self) -> dict[str, Any]:
         """Plain data, as ``tmodes modes --json`` prints it."""

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 __all__ = [
     "Task", "differences", "effort_limits", "effort_quantities", "read_task", "uncertain_of", "uncertain_parameters",
-    "uncertain_study", "varied",
+    "uncertain_robots", "uncertain_study", "varied",
 ]  # fmt: skip
 
 KEYS = ("variants", "uncertain", "plan", "tolerance")
@@ -169,6 +169,20 @@ def uncertain_study(robot: Robot, task: Task, cases: int, runs: int | None) -> S
         raise task.located(error, _written(error.which)) from None
     except InputErrors as errors:
         raise InputErrors([task.located(one, _written(one.which)) for one in errors.errors]) from None
+
+
+def uncertain_robots(robot: Robot, uncertain: Mapping[str, Any], cases: int, seed: int) -> Iterator[Robot]:
+    """Actual robots, drawn; their laws are designed for the one that is known."""
+    from tmodes.study.mapping import groups_of
+
+    study = uncertain_study(robot, Task({}, uncertain, {"seed": seed}, None), cases, None)
+    if study is None:
+        return
+    for group in groups_of(robot, study.names, study.targets, study.choices, study.design().values):
+        if group.robot is None:
+            raise InputError("uncertain", group.wrong, "numbers that a robot can have", "narrow the distributions")
+        for k in range(len(group.places)):
+            yield group.robot.with_({path: float(values[k]) for path, values in group.vary.items()}).pair().real
 
 
 def uncertain_of(given: Mapping[str, Any] | str | os.PathLike[str] | None) -> Mapping[str, Any]:

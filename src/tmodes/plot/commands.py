@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import product
 from typing import Any
 
 import numpy as np
@@ -11,7 +12,7 @@ from numpy.typing import ArrayLike
 from tmodes.plot.panels import Axes, AxesLike, panels, side_legend
 from tmodes.plot.style import COMPONENTS, GRID, INK, house_style
 
-__all__ = ["bars", "bode", "points", "shape", "spans"]
+__all__ = ["bars", "bode", "nyquist", "points", "shape", "spans"]
 
 _MARKERS = ("o", "s", "^")
 
@@ -69,7 +70,7 @@ def points(
         else:
             panel.axhline(0.0, color=INK, linewidth=0.4)
         if len(shown) > 1:
-            side_legend(panel)
+            _beside(panel, ax)
         return [panel]
 
 
@@ -99,11 +100,16 @@ def spans(
         elif len(known):
             panel.set_xlim(0.0, 1.05 * max(known.max(), limit[1] if limit else 0.0))
         panel.set(xlabel=what, title=title)
-        side_legend(panel)
-        engine: Any = panel.figure.get_layout_engine()
-        if ax is None and engine:
-            engine.set(w_pad=0.1)  # names are wider on paper than where they are measured
+        _beside(panel, ax)
         return [panel]
+
+
+def _beside(panel: Axes, ax: AxesLike) -> None:
+    """A legend beside a panel, with room in a figure of its own: names are wider on paper than where measured."""
+    side_legend(panel)
+    engine: Any = panel.figure.get_layout_engine()
+    if ax is None and engine:
+        engine.set(w_pad=0.1)
 
 
 _DECADES = 30.0
@@ -126,22 +132,57 @@ def shape(lines: Mapping[str, Sequence[ArrayLike]], *, title: str = "", ax: Axes
         return [panel]
 
 
-def bode(response: Any, *, title: str = "", ax: AxesLike = None) -> list[Axes]:
-    """Gain [dB] over phase [deg] of a complex ``response`` by frequency [Hz], output and input."""
-    with house_style():
+def _pairs(response: Any) -> Iterator[tuple[str, Any, Any]]:
+    """Each input and output in words, its values, and how it looks."""
+    for k, (source, output) in enumerate(product(response.input.values, response.output.values)):
+        values = response.sel(output=output, input=source).values
+        yield f"{source} to {output}", values, COMPONENTS[k % len(COMPONENTS)]
+
+
+def bode(response: Any, *, family: Any = None, title: str = "", ax: AxesLike = None) -> list[Axes]:
+    """Gain [dB] over phase [deg] of a complex ``response`` by frequency [Hz], output and input.
+
+    ``family``: responses along ``case``, too, whose range is shaded.
+    """
+    with house_style(), np.errstate(divide="ignore"):
         gain, phase = panels(ax, [["a"], ["b"]], 4.6)
-        at, k = response.frequency.values, 0
-        for source in response.input.values:
-            for output in response.output.values:
-                values = response.sel(output=output, input=source).values
-                look = COMPONENTS[k % len(COMPONENTS)]
-                with np.errstate(divide="ignore"):
-                    gain.plot(at, 20 * np.log10(np.abs(values)), label=f"{source} to {output}", **look)
-                phase.plot(at, np.degrees(np.unwrap(np.angle(values))), **look)
-                k += 1
+        at = response.frequency.values
+        for k, (label, values, look) in enumerate(_pairs(response)):
+            gain.plot(at, 20 * np.log10(np.abs(values)), label=label, **look)
+            phase.plot(at, np.degrees(np.unwrap(np.angle(values))), **look)
+            if family is not None:
+                every = list(_pairs(family))[k][1]
+                levels, turns = 20 * np.log10(np.abs(every)), np.degrees(np.unwrap(np.angle(every), axis=-1))
+                for panel, some in ((gain, levels), (phase, turns)):
+                    shade = {"color": look["color"], "alpha": 0.18, "linewidth": 0, "zorder": 1}
+                    panel.fill_between(at, some.min(axis=0), some.max(axis=0), **shade)
         for panel in (gain, phase):
             panel.set_xscale("log")
         gain.set(ylabel="gain [dB]", title=title)
         phase.set(xlabel="frequency [Hz]", ylabel="phase [deg]")
-        side_legend(gain)
+        _beside(gain, ax)
         return [gain, phase]
+
+
+_NEAR, _LOOP = 4.0, 0.3
+"""Radius of a Nyquist diagram of a response that is larger, so that the point -1 is seen; from which on it is shown."""
+
+
+def nyquist(response: Any, *, title: str = "", ax: AxesLike = None) -> list[Axes]:
+    """The complex ``response`` as a curve for growing frequency, its mirror image thin, and the point -1 of loops."""
+    with house_style():
+        (panel,) = panels(ax, [["a"]], 4.0)
+        largest = 0.0
+        for label, values, look in _pairs(response):
+            panel.plot(values.real, values.imag, label=label, **look)
+            panel.plot(values.real, -values.imag, color=look["color"], linewidth=0.5, linestyle=":")
+            largest = max(largest, float(np.abs(values).max(initial=0.0)))
+        if loops := largest > _LOOP:
+            panel.plot(-1.0, 0.0, marker="+", color=INK, linestyle="none", label="-1")
+        reach = 1.1 * min(max(largest, float(loops)) or 1.0, _NEAR)
+        panel.axhline(0.0, color=GRID, linewidth=0.6, zorder=0)
+        panel.axvline(0.0, color=GRID, linewidth=0.6, zorder=0)
+        panel.set(xlabel="real part", ylabel="imaginary part", title=title, xlim=(-reach, reach), ylim=(-reach, reach))
+        panel.set_aspect("equal")
+        panel.legend()
+        return [panel]

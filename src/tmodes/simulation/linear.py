@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Container, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from math import comb
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -18,6 +19,7 @@ from numpy.typing import NDArray
 
 from tmodes.analysis.modes.closed_loop import common_period
 from tmodes.analysis.statics.at_rest import robot_rest
+from tmodes.equations.loop.control_kernels import Winding
 from tmodes.errors import InputError
 from tmodes.kinds.controllers.discrete import zero_order_hold
 from tmodes.kinds.controllers.registry import LinearPlant
@@ -26,7 +28,7 @@ from tmodes.kinds.noted.number import Lost, is_noted
 from tmodes.kinds.signals.registry import constant_signal
 from tmodes.model.passes import derivatives, evaluate
 from tmodes.sheet.parts import Command, LoadFrame, LoadSheet
-from tmodes.simulation.initial_state import RunSetup, run_setup
+from tmodes.simulation.initial_state import RunSetup, run_setup, run_trajectory
 from tmodes.simulation.loop import LoopModel
 from tmodes.simulation.plan import Planned, planned
 
@@ -34,7 +36,7 @@ if TYPE_CHECKING:
     from tmodes.sheet import Robot
     from tmodes.sheet.parts import DriveSheet
 
-__all__ = ["StateSpace", "closed_loop", "delayed", "growth", "linear_plant", "open_loop"]
+__all__ = ["StateSpace", "all_inputs", "closed_loop", "delayed", "growth", "linear_plant", "open_loop"]
 
 Array = NDArray[np.float64]
 
@@ -131,27 +133,74 @@ def plain_name(name: str, outputs: Any) -> str:
 
 def open_loop(
     robot: Robot, inputs: Sequence[str], outputs: Sequence[str], *,
-    held: Mapping[str, float | str] | None = None, contact: bool = True, progress: Any = lambda stage, share: None,
+    held: Mapping[str, float | str] | None = None, time: float | None = None, contact: bool = True,
+    progress: Any = lambda stage, share: None,
 ) -> StateSpace:  # fmt: skip
-    """The robot without its controllers about the rest at the coordinates ``held`` [rad, m].
+    """The robot without its controllers about the rest at the coordinates ``held`` [rad, m], or at a ``time`` [s].
 
     ``inputs``: ``JOINT.torque``, ``JOINT.effort`` or ``JOINT.voltage``, ``POINT.force.x`` and ``POINT.moment.x``.
-    Efforts hold it there. Raises :class:`tmodes.errors.InputError` for unknown names.
+    Efforts hold it there; at a time of its run they are those of its controllers. Raises
+    :class:`tmodes.errors.InputError` for unknown names.
     """
-    rest = robot_rest(robot, held=held, contact=contact and robot.contact is not None, progress=progress)
+    setup, moving = run_setup(robot).chosen() if time is not None else None, {}
+    if setup is not None:
+        moving, named = _moving(setup, time or 0.0)
+    else:
+        named = robot_rest(robot, held=held, contact=contact and robot.contact is not None, progress=progress).named
     bare = robot if contact else robot.model_copy(update={"contact": None})
     pushed, loads = _with_loads(opened(bare), inputs)
     plan = planned(pushed)
     _refuse_noted(*plan.plan.drives[0].numbers if plan.plan.drives else ())
-    at = _Instant(plan, np.zeros(0), plan.first_row.copy(), _columns(pushed, plan, inputs, loads, closed=False))
+    row = plan.first_row.copy() if time is None else _row_at(plan, time)
+    at = _Instant(plan, np.zeros(0), row, _columns(pushed, plan, inputs, loads, closed=False))
     names = at.model.coordinates
-    at.state[: len(names)] = [rest.named[name] for name in names]
+    at.state[: len(names)] = [named[name] for name in names]
     for driver in at.model.loop.drivers:
         if driver.plan.servo is None:  # a motion that is given stays where it is there
             place = 1 + driver.plan.signal * (plan.plan.degree + 1)
-            at.row[place] = rest.named.get(names[driver.coordinate], at.row[place])
-    _hold(at)
+            at.row[place] = named.get(names[driver.coordinate], at.row[place])
+    if setup is None:
+        _hold(at)
+    else:
+        _push(at, moving)
     return at.found(outputs)
+
+
+def _moving(setup: RunSetup, time: float) -> tuple[dict[str, float], dict[str, float]]:
+    """Rates, currents and commands by name at a time [s] of a run; and the coordinates [rad, m]."""
+    state, row = _state_at(setup, time), _row_at(setup.planned, time)
+    model, layout, names = setup.model, setup.model.layout, setup.model.coordinates
+    pushed = model.observe([time], state, row)["drives"][0]
+    found = {f"{name}'": value for name, value in zip(names, state[layout.v], strict=True)}
+    found |= {f"{name}.current": value for name, value in zip(model.plan.currents, state[layout.currents], strict=True)}
+    for driver, (effort, voltage, *_) in zip(model.loop.drivers, pushed, strict=True):
+        found |= {driver.plan.joint: voltage if driver.plan.winding is not Winding.NONE else effort}
+    return found, dict(zip(names, state[layout.q], strict=True))
+
+
+def _push(at: _Instant, moving: Mapping[str, float]) -> None:
+    """Set rates, currents and commands to those of an instant."""
+    layout, plan = at.model.layout, at.plan.plan
+    at.state[layout.v] = [moving[f"{name}'"] for name in at.model.coordinates]
+    at.state[layout.currents] = [moving[f"{name}.current"] for name in plan.currents]
+    for drive in plan.drives:
+        if drive.servo:
+            at.row[1 + drive.signal * (plan.degree + 1)] = moving[drive.joint]
+
+
+def _state_at(setup: RunSetup, time: float) -> Array:
+    """The state (size,) at a time [s] of a run, before the samples there."""
+    return run_trajectory(setup, until=time).states[-1] if time > 0 else setup.start.copy()
+
+
+def _row_at(plan: Planned, time: float) -> Array:
+    """The row of the signals at a time [s], as polynomials about it."""
+    row, width = plan.schedule.rows_at(np.array([time]))[0].copy(), plan.plan.degree + 1
+    pieces, late = row[1:].reshape(-1, width), time - row[0]
+    for k in range(width):
+        pieces[:, k] = sum(comb(j, k) * late ** (j - k) * pieces[:, j] for j in range(k, width))
+    row[0] = time
+    return row
 
 
 def _hold(at: _Instant) -> None:
@@ -169,16 +218,20 @@ def _hold(at: _Instant) -> None:
     at.row[every.places] += found[len(currents) :]
 
 
-def closed_loop(robot: Robot, inputs: Sequence[str], outputs: Sequence[str]) -> StateSpace:
-    """The robot under its controllers about the start of its run; ``inputs``: ``JOINT.setpoint``, loads on points.
+def closed_loop(robot: Robot, inputs: Sequence[str], outputs: Sequence[str], time: float | None = None) -> StateSpace:
+    """The robot under its controllers about the start of its run, or a ``time`` [s] of it.
+
+    ``inputs``: ``JOINT.setpoint``, loads on points.
 
     Sampled controllers make it a sampled system of their common period, whose inputs are held over it; the state is the
     one before the samples. Raises :class:`tmodes.errors.InputError` for unknown names.
     """
     pushed, loads = _with_loads(robot, inputs)
     setup = run_setup(pushed)
-    plan = setup.planned
-    at = _Instant(plan, setup.start.copy(), plan.first_row.copy(), _columns(pushed, plan, inputs, loads, closed=True))
+    plan, state, row = setup.planned, setup.start.copy(), setup.planned.first_row.copy()
+    if time is not None:
+        state, row = _state_at(setup.chosen(), time), _row_at(plan, time)
+    at = _Instant(plan, state, row, _columns(pushed, plan, inputs, loads, closed=True))
     found = at.found(outputs)
     return _sampled(at, found) if plan.plan.is_sampled else found
 
@@ -268,6 +321,13 @@ def opened(robot: Robot) -> Robot:
     sensors = tuple(sensor.model_copy(update=ideal) for sensor in robot.sensors)
     still = {"base_motion": None, "control": (), "sensors": sensors, "drives": tuple(drives)}
     return robot.model_copy(update=still)
+
+
+def all_inputs(robot: Robot, *, closed: bool) -> tuple[str, ...]:
+    """Names of the commands of all drives; under control of their setpoints."""
+    if closed:
+        return tuple(f"{drive.joint}.setpoint" for drive in robot.drives if drive.command.is_controlled)
+    return tuple(f"{drive.joint}.{drive.command}" for drive in opened(robot).drives if not drive.command.is_motion)
 
 
 def _with_loads(robot: Robot, inputs: Sequence[str]) -> tuple[Robot, dict[str, int]]:

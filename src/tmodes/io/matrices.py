@@ -1,0 +1,34 @@
+"""Matrices with names of their rows and columns, as files of other tools."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from tmodes.errors import InputError
+
+__all__ = ["save_matrices"]
+
+
+def save_matrices(
+    file: Path, numbers: Mapping[str, Any], names: Mapping[str, Sequence[str]], plain: Mapping[str, Any]
+) -> None:
+    """Write ``numbers`` and ``names`` as ``.mat`` (for MATLAB) or ``.npz``, or ``plain`` data as ``.json``.
+
+    Raises :class:`tmodes.errors.InputError` for another ending.
+    """
+    if file.suffix == ".mat":
+        from scipy.io import savemat
+
+        savemat(file, {**numbers, **{key: np.array(value, dtype=object) for key, value in names.items()}})
+    elif file.suffix == ".npz":
+        np.savez(file, allow_pickle=False, **numbers, **{key: np.array(value) for key, value in names.items()})
+    elif file.suffix == ".json":
+        file.write_text(json.dumps(plain) + "\n", encoding="utf-8")
+    else:
+        expected = "a name that ends on .mat, .json or .npz"
+        raise InputError("path", f"`{file.suffix}`", expected, "linear.save('a.mat')")
