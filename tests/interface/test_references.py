@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 from typing import Any
 
 import numpy as np
@@ -63,6 +64,24 @@ def test_rigid_links_behind_elastic_gears_follow_exactly() -> None:
 
 
 @pytest.mark.nightly
+def test_a_redundant_arm_that_bends_follows() -> None:
+    """Three joints move the tip in a plane: as the inverse of the rigid one, with what bends."""
+    sheet = tmodes.load("two_link_arm").data
+    wrist, tool = copy.deepcopy(sheet["joints"][1]), copy.deepcopy(sheet["links"][0])
+    wrist |= {"name": "wrist", "parent": "forearm", "child": "hand"}
+    tool |= {"name": "hand", "bodies": []}
+    tool["beam"]["length"] = 0.15
+    drive = copy.deepcopy(sheet["drives"][1]) | {"joint": "wrist"}
+    sheet["links"][1]["bodies"][1]["mass"] = 0.5
+    sheet |= {"joints": [*sheet["joints"], wrist], "links": [*sheet["links"], tool],
+              "drives": [*sheet["drives"], drive]}  # fmt: skip
+    found = checks(tmodes.Robot.from_data(sheet), {"type": "line", "to": [0.65, 0.0, 0.4]}, 1.0)
+    rigid = found["motors"]["rigid"]
+    assert found["sag"]["this"] < rigid / 3
+    assert found["inverse"]["this"] < 1e-7
+    assert found["inverse"]["open loop"] < 1e-5
+
+
 def test_what_no_joint_moves_stays_and_the_rest_is_on_the_path() -> None:
     """A joint about the vertical cannot lift what weight bends, 5 mm."""
     robot = tmodes.load("filipovic2010", {"contact": False})
