@@ -17,6 +17,7 @@ from tmodes.interface.poses import Pose, pose_of, pose_words
 from tmodes.interface.statics import Linearization, circumstances
 from tmodes.io.arguments import checked_arguments
 from tmodes.io.printed import Table
+from tmodes.kinds.controllers.discrete import Mode, lost_modes
 
 if TYPE_CHECKING:
     from xarray import DataArray
@@ -192,6 +193,16 @@ class LinearModel(Linearization):
         return found[np.argsort(np.abs(found) * (-1 if self.period else 1), kind="stable")]
 
     @property
+    def uncontrollable(self) -> list[Mode]:
+        """Modes (``pole``, ``state`` that has most of it) that no input reaches."""
+        return lost_modes(self.A, self.B, self.states)
+
+    @property
+    def unobservable(self) -> list[Mode]:
+        """Modes that no output shows."""
+        return lost_modes(self.A.T, self.C.T, self.states)
+
+    @property
     def is_stable(self) -> bool:
         """Whether all poles decay."""
         return bool((np.abs(self.poles) < 1).all() if self.period else (self.poles.real < 0).all())
@@ -353,7 +364,9 @@ class LinearModel(Linearization):
         pairs = [[float(one.real), float(one.imag)] for one in self.poles]
         more = {key: getattr(s, key).tolist() for key in ("A", "B", "C", "D", "x0", "u0", "y0", "rate")}
         names = {"states": list(s.states), "inputs": list(s.inputs), "outputs": list(s.outputs)}
-        rest = {"units": dict(s.units), "period": s.period, "closed": self.closed, "poles": pairs}
+        lost = {key: [[mode.pole.real, mode.pole.imag, mode.state] for mode in getattr(self, key)]
+                for key in ("uncontrollable", "unobservable")}  # fmt: skip
+        rest = {"units": dict(s.units), "period": s.period, "closed": self.closed, "poles": pairs} | lost
         return super().info() | names | more | rest
 
     def tables(self) -> Iterator[str | Table]:
@@ -372,6 +385,9 @@ class LinearModel(Linearization):
         rows = [[f"{rate.real:.5g}", f"{rate.imag:.5g}", f"{abs(rate) / (2 * np.pi):.5g}", _ratio(rate)]
                 for rate in rates[np.isfinite(rates)] if rate.imag >= 0]  # fmt: skip
         yield Table("poles", ["real [1/s]", "imaginary [1/s]", "natural [Hz]", "damping ratio"], rows)
+        for what, modes in (("No input reaches", self.uncontrollable), ("No output shows", self.unobservable)):
+            if modes:
+                yield f"{what} the mode {', '.join(map(str, modes))}."
         if len(s.inputs) * len(s.outputs) <= _MOST_PAIRS:
             yield Table("zeros", ["from", "to", "zeros [1/s]", "phase"], list(self._zero_rows()))
         yield Table("inputs", ["name", "value there"], [[n, f"{v:.5g}"] for n, v in zip(s.inputs, s.u0, strict=True)])
