@@ -26,7 +26,7 @@ def follow(
         str | None,
         typer.Option(
             metavar="GROUP",
-            help="How the way is gone, a signal without start and end: s_curve, quintic, septic, polynomial, ... "
+            help="Speed profile along the path, a signal without start and end: s_curve, quintic, polynomial, ... "
             f"Left out: {PROFILE}, for `inverse` a polynomial as gentle.",
         ),
     ] = None,

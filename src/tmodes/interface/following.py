@@ -57,8 +57,8 @@ def follow(
 
     ``path``: a group such as ``{"type": "line", "to": [0.6, 0.0, 0.2]}`` [m], or text like it; several follow one
     another, each from rest to rest. Kinds: line, arc, via (points with rounded corners), turn, joints, or your own;
-    with ``rpy`` the tip turns to there on the shortest way. ``profile``: how the way is gone, a signal without start
-    and end, which become 0 and the length, such as ``{"type": "s_curve", "speed": 0.5, "acceleration": 2.0,
+    with ``rpy`` the tip turns to there on the shortest way. ``profile``: speed profile along the path, a signal without
+    start and end, which become 0 and the length, such as ``{"type": "s_curve", "speed": 0.5, "acceleration": 2.0,
     "jerk": 40.0}`` [m/s, ...]; gentle for a robot of a metre if left out. It starts where the first commands put the
     rigid robot, whose inverse kinematics gives the joints; ``tolerance`` [m, rad] of its tip between the rows of the
     references.
