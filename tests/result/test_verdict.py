@@ -5,6 +5,7 @@ from __future__ import annotations
 import html
 import json
 import os
+from dataclasses import replace
 from typing import Any
 
 import pytest
@@ -15,6 +16,7 @@ from tmodes.cli.terminal import print_parts
 from tmodes.report.data import page_data
 from tmodes.report.rest import rest_page
 from tmodes.result import Result
+from tmodes.result.assemble import ending
 from tmodes.result.early import early_result
 from tmodes.result.run import run
 from tmodes.result.verdict import PHRASES, culprit_words, filled, verdict
@@ -148,6 +150,21 @@ def test_a_run_that_fails_says_so_first() -> None:
     ending = stopped.message.partition(" (")[0].replace("`", "")  # without why the method was chosen
     assert stopped.verdict["sentence"].endswith(f"The run was {ending}.")
     assert "simulate longer" not in stopped.verdict["sentence"]
+    assert stopped.settling["reason"].startswith("the run ends at ")
+    assert "simulate longer" not in stopped.settling["reason"]
+
+
+def test_of_two_runs_that_fail_the_one_that_ended_first_is_named() -> None:
+    """The result ends with it: the nominal run fails where it wants too much, the actual one before."""
+    whole = judged("spong1987", integration__duration=1.0).assembly
+    assert whole
+    run, last = whole.run, float(whole.run.times[-1])
+    assert run.reference
+    early = replace(run.reference, status="stopped", message="steps are used up")
+    assert ending(replace(run, reference=early)) == ("stopped", "nominal run: steps are used up")
+    cut = replace(run, times=run.times[:100], status="stopped", message="time is used up")
+    assert cut.times[-1] < last
+    assert ending(replace(cut, reference=early)) == ("stopped", "actual robot: time is used up")
 
 
 def test_another_point_than_the_tip_is_named() -> None:
