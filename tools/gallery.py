@@ -114,7 +114,7 @@ LOOKED_AT: dict[str, tuple[str, ...]] = {
     **{name: (f"run {name} --out {name}", f"{name}/report.html") for name in _ROBOTS},
     "study": ("study gear_sweep.yaml --out sweep", "sweep/study.html"),
     "sensitivity": ("sensitivity elastic_arm.yaml --out sensitive", "sensitive/study.html"),
-    "optimize": ("optimize tube.yaml --out best", "best/study.html"),
+    "optimize": ("optimize tube.yaml --out best", "best/designs.html"),
     "viewer": (*SHOTS["gallery-compare"].commands, "compare.html"),
 }
 """By the name of a page the commands that make it, and its file: robots of all kinds, studies and the viewer."""

@@ -14,9 +14,11 @@ from patience import until
 from see.looking import Window, look
 from see.test_page import shown
 from tmodes import load, run
+from tmodes.io.printed import written
 from tmodes.live.knobs import knobs_of
 from tmodes.live.sliders import Slider, sliders_of
 from tmodes.result import Result
+from tmodes.result.verdict import damping_words
 
 WIDTHS = ((1280, 800), (1440, 900), (1920, 1080), (390, 844))
 
@@ -51,6 +53,19 @@ def test_it_has_the_verdict_of_the_run(window: Window, good: Result) -> None:
     verdict, strip = good.verdict, window.page.locator(".verdict")
     assert strip.locator(".verdict-sentence").text_content() == verdict["sentence"]
     assert strip.get_attribute("data-level") == verdict["level"]
+    settling, residual = verdict["settling"], verdict["residual"]
+    wanted = {
+        "Largest error": f"{written(verdict['largest_m'], 'm', 3)} at {written(verdict['time_s'], 's', 3)}",
+        "Final error": written(verdict["final_m"], "m", 3),
+        "Settling after the move":
+            f"{written(settling['time_s'], 's', 3)} (within {written(settling['within_m'], 'm', 3)})",
+        "Residual vibration": f"{written(residual['amplitude_m'], 'm', 3)}, "
+            f"{written(residual['frequency_Hz'], 'Hz', 3)}, {damping_words(residual['damping'])} damping",
+    }  # fmt: skip
+    terms, numbers = (strip.locator(f".verdict-numbers {part}").all_text_contents() for part in ("dt", "dd"))
+    assert dict(zip(terms, (text.replace("\u00a0", " ") for text in numbers), strict=True)) == {
+        name: text.replace("\u00a0", " ") for name, text in wanted.items()
+    }
     names = strip.locator(".culprits button")
     assert [one.get_attribute("data-key") for one in names.all()] == [
         f"{one['cause']} {one['element'] or ''}" for one in verdict["culprits"]

@@ -108,10 +108,17 @@ export async function lessening<Row extends Setting>(
       const change = (Number(facts[number]?.value ?? whole) - whole) / Math.abs(whole);
       if (change < -STEP) found.push({ row: rows[k], value, change });
     }
-    best.push(...found.sort((one, other) => one.change - other.change));
+    for (const one of found.sort((a, b) => a.change - b.change))
+      if (best.every(({ row }) => !overlap(row, one.row))) best.push(one);
     if (best.length >= NAMED) break;
   }
   return best.slice(0, NAMED);
+}
+
+/** Whether one of two settings moves the other's number, among all of its kind. */
+function overlap(...[one, other]: [Setting, Setting]): boolean {
+  const [some, own] = [one.slider.path, other.slider.path].map((path) => path.split("."));
+  return some.length === own.length && some.every((step, k) => [step, own[k]].includes("*") || step === own[k]);
 }
 
 function designed({ slider }: Setting): boolean {
@@ -125,7 +132,8 @@ function ofTask({ slider }: Setting): boolean {
 /** `gear stiffness ×2: −21 %`, and what applies it. */
 export function adviceOf({ row, value, change }: Change, apply: () => void): Advice {
   const times = value > row.value ? `×${digits(value / row.value, 2)}` : `÷${digits(row.value / value, 2)}`;
-  return { text: `${row.slider.label} ${times}: −${digits(-100 * change, 2)} %`, apply };
+  const name = row.slider.label.replace(/: times the sheet's$/, "");
+  return { text: `${name} ${times}: −${digits(-100 * change, 2)} %`, apply };
 }
 
 /**

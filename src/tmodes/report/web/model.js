@@ -1,4 +1,4 @@
-/* tmodes, built from a438dc6c2b574e62; BSD-3-Clause */
+/* tmodes, built from 59f08c4fab351ed5; BSD-3-Clause */
 
 // src/live/engine_error.ts
 var EngineError = class extends Error {
