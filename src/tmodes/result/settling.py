@@ -377,13 +377,14 @@ def at_rest_from(setup: RunSetup, time: float, state: Array, duration: float) ->
 def move_end(planned: Planned) -> float | None:
     """When the last signal of a drive, a load or the base stops changing [s]; None where one never does.
 
-    Signals are looked at beyond the end of the run, so that a move that ends there is known to end; noise on what a
-    controller receives is no move.
+    Signals are looked at beyond the end of the run and of their moves, so that a move that ends there, or later, is
+    known to end; noise on what a controller receives is no move.
     """
     own = [k for k in range(len(planned.each)) if k not in planned.plan.aside]
     if not own:
         return 0.0
-    until = float(planned.signals.knots[-1])
+    ends = [planned.each[k].move_ends(_BEYOND) for k in own]
+    until = max([float(planned.signals.knots[-1]), *(float(end) for end in ends if end is not None)])
     try:
         longer = merge([planned.each[k].schedule(_BEYOND * until) for k in own])
     except InputError:  # a signal without a value there

@@ -21,6 +21,7 @@ const LEADING = ["tip_error.commanded", "deviation.max", "deflection.max", "gear
 const FIRST = LEADING.slice(0, 2); // those that come with the curves, before which none counts
 const STEP = 0.01;
 const PATIENCE = 6000; // ms that all runs may take
+const NOTHING = 1e-6; // a share that is rounding
 const FEWEST = 4; // settings that are worth the trouble
 
 /** The leading number's fact, its value, and its changes by the settings; none where they are not measured. */
@@ -66,7 +67,8 @@ export async function effects(
     const step = more <= slider.max && more >= slider.min ? STEP : -STEP;
     const values = own.map((value, j) => (j === k ? value * (1 + step) : value));
     const found = own[k] === 0 ? whole : ((await early(live, values, [id]))[id]?.value ?? whole);
-    shares[k] = (Math.sign(step) * (found - whole)) / Math.abs(whole);
+    const share = (Math.sign(step) * (found - whole)) / Math.abs(whole);
+    shares[k] = Math.abs(share) > NOTHING ? share : 0;
   }
   return { number: id, whole, shares };
 }
