@@ -237,3 +237,18 @@ def test_a_surface_that_moves_drags_the_nominal_robot_into_its_equilibrium_too()
     accelerations = setup.model.observe([0.0], setup.start, setup.first_row)["a"][0]
     given = [driver.coordinate for driver in setup.model.loop.drivers]
     assert np.abs(np.delete(accelerations, given)).max() < 1e-9
+
+
+def test_an_estimator_that_begins_far_from_its_rest_settles_first() -> None:
+    """An LQG about the end of a move of 1 rad: its first estimate alone would ask for more than the drive gives."""
+    law = {"type": "lqg", "sample_time": 1e-3, "measured": ["joint.motor.position"], "measurement_noise": [1e-9],
+           "state_weights": {"joint.motor": 1e6, "joint.motor'": 1e3},
+           "process_noise": {"joint'": 1e-3, "joint.motor'": 1e-3}}  # fmt: skip
+    sheet = load("spong1987").model_dump(mode="json", by_alias=True, exclude_none=True)
+    sheet["drives"][0].pop("controller")
+    sheet["drives"][0] |= {"saturation": {"torque": 20.0}}
+    sheet |= {"control": [{"name": "law", "drives": ["joint"], "block": law}]}
+    setup = run_setup(load("spong1987").from_data(sheet))
+    rates = setup.model.rate([0.0], setup.model.settled(setup.start, setup.planned.first_row), setup.planned.first_row)
+    assert setup.off is None
+    assert np.abs(rates[0]).max() < STILL

@@ -74,7 +74,7 @@ class LoopModel:
         """Names of the coordinates."""
         return tuple(self.loop.parts.names)
 
-    @property
+    @cached_property
     def layout(self) -> StateLayout:
         """Where a state holds what."""
         return self.loop.layout
