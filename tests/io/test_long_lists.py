@@ -22,11 +22,11 @@ def test_long_lists_of_numbers_are_read_as_the_parser_reads_them() -> None:
     assert lines["a.first.40"] == 43
     assert lines["a.mixed.39"] == 85
     assert lines["a.last"] == 87
-    told = "\n".join(f"  - {number}" for number in numbers)
+    block = "\n".join(f"  - {number}" for number in numbers)
     assert (
-        parse_yaml(f"title: |\n{told}\n", "sheet")[0]["title"] == "\n".join(f"- {number}" for number in numbers) + "\n"
+        parse_yaml(f"title: |\n{block}\n", "sheet")[0]["title"] == "\n".join(f"- {number}" for number in numbers) + "\n"
     )
-    assert parse_yaml(f"title: \ue0000\nb:\n{told}\n", "sheet")[0] == {"title": "\ue0000", "b": values}
+    assert parse_yaml(f"title: \ue0000\nb:\n{block}\n", "sheet")[0] == {"title": "\ue0000", "b": values}
 
 
 def test_long_lists_are_bounded() -> None:

@@ -62,7 +62,7 @@ class SliderRule(NamedTuple):
 
     ``reach``: the largest value over the present one (the least is its inverse); ``room``: how far a number that
     may be zero goes at least; ``span``: how far one goes both ways, as a share of the robot's length. ``words``: its
-    label where the sheet's own words do not say whose it is. ``design``: whoever designs the robot chooses it, other
+    label where the sheet's own words do not say whose it is. ``design``: chosen by the designer of the robot, other
     than the constants of a material, damping and friction.
     """
 
