@@ -16,13 +16,13 @@ from numpy.typing import NDArray
 from tmodes.analysis.follow import Followed
 from tmodes.analysis.inversion import inverted
 from tmodes.analysis.sagging import Task, sagged
-from tmodes.errors import TmodesError
+from tmodes.errors import InputError, TmodesError
 from tmodes.kinds.signals.registry import Signal
 from tmodes.result.run import run
 from tmodes.sheet import Robot
 from tmodes.sheet.parts import Command, DriveSheet, Initial, InitialState
 
-__all__ = ["REFERENCES", "Reference"]
+__all__ = ["REFERENCES", "Reference", "largest_load"]
 
 Array = NDArray[np.float64]
 Progress = Callable[[str, float], None]
@@ -88,6 +88,25 @@ class Reference:
             wanted = task.along(data["time"].values - lead).places
             found[name] = float(np.linalg.norm(data["tip"].values - wanted, axis=1).max())
         return found
+
+
+def largest_load(robot: Robot, reference: Reference) -> float:
+    """The largest speed or effort of a motor on a reference over its limit.
+
+    Raises :class:`tmodes.errors.InputError` where no joint of it has a limit.
+    """
+    bounds, own = {joint.name: joint.limits for joint in robot.joints}, reference.positions
+    shares = []
+    for k, joint in enumerate(own.joints):
+        limits = bounds[joint]
+        if limits and limits.speed:
+            shares.append(float(np.abs(own.rates[:, k]).max()) / limits.speed)
+        if limits and limits.effort and reference.efforts is not None:
+            shares.append(float(np.abs(reference.efforts.values[:, k]).max()) / limits.effort)
+    if not shares:
+        hint = "add `limits: {speed: 3.0, effort: 100.0}` to its joints"
+        raise InputError("--least-time", "no limit of speed or effort", "a limit of a joint that moves", hint)
+    return max(shares)
 
 
 def _replaced(robot: Robot, drives: Sequence[DriveSheet]) -> Robot:
