@@ -1,5 +1,8 @@
 """Takes the pictures of the pages in docs/: ``python tools/gallery.py [NAME…]``.
 
+``python tools/gallery.py --look FOLDER [PAGE…]`` takes those to judge the pages by: the first screen of each of
+``LOOKED_AT``, at four widths, light and dark; they are in no repository.
+
 Needs a Chromium browser and playwright (``pip install -e ".[test]"``). Each picture's command is next to it in
 docs/gallery.md, docs/how-stiff.md or docs/paper.md; this runs it in a folder with the files of examples/studies, opens
 what it wrote, does what the caption says, and takes the picture. A figure for print is copied.
@@ -18,14 +21,14 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-__all__ = ["SHOTS", "Shot", "main"]
+__all__ = ["LOOKED_AT", "SHOTS", "Shot", "main"]
 
 ROOT = Path(__file__).resolve().parents[1]
 TARGET = ROOT / "docs" / "images"
 BROWSERS = ("chromium", "chromium-browser", "google-chrome")
 FLAGS = ["--no-sandbox", "--enable-unsafe-swiftshader", "--use-gl=angle", "--use-angle=swiftshader"]
 TMODES = (sys.executable, "-m", "tmodes.cli.main")
-WIDTH, WAIT = 1280, 60_000
+WAIT = 60_000
 DRAWN = ".scene-view canvas, .study-area > svg:not(:empty)"
 
 
@@ -41,6 +44,7 @@ class Shot:
     act: Callable[[Any], None] = lambda page: None
     scheme: str = "light"
     height: int = 800
+    width: int = 1280
 
 
 def _mode(page: Any) -> None:
@@ -102,20 +106,56 @@ SHOTS: dict[str, Shot] = {
 }
 
 
+_ROBOTS = (
+    "two_link_arm", "filipovic2010", "filipovic2010_vibrating", "deluca_siciliano1991", "flexarm1990", "manutec_r3",
+    "quanser_2dsfl", "spong1987",
+)  # fmt: skip
+LOOKED_AT: dict[str, tuple[str, ...]] = {
+    **{name: (f"run {name} --out {name}", f"{name}/report.html") for name in _ROBOTS},
+    "study": ("study gear_sweep.yaml --out sweep", "sweep/study.html"),
+    "sensitivity": ("sensitivity elastic_arm.yaml --out sensitive", "sensitive/study.html"),
+    "optimize": ("optimize tube.yaml --out best", "best/designs.html"),
+    "viewer": (*SHOTS["gallery-compare"].commands, "compare.html"),
+}
+"""By the name of a page the commands that make it, and its file: robots of all kinds, studies and the viewer."""
+
+_SIZES = ((1280, 800), (1440, 900), (1920, 1080), (390, 844))
+
+
+def _looks(pages: list[str]) -> dict[str, Shot]:
+    """The pictures by which some pages, or all, are judged."""
+    return {
+        f"{name}-{width}-{scheme}": Shot(LOOKED_AT[name][:-1], LOOKED_AT[name][-1], _settled, scheme, height, width)
+        for name in pages or LOOKED_AT
+        for width, height in _SIZES
+        for scheme in ("light", "dark")
+    }
+
+
+def _settled(page: Any) -> None:
+    """Nothing is being computed any more."""
+    page.locator(".advice.computing").wait_for(state="hidden", timeout=WAIT)
+
+
 def main(wanted: list[str]) -> int:
     """Take the wanted pictures, or all; the exit code."""
-    unknown = [name for name in wanted if name not in SHOTS]
+    target, shots = TARGET, SHOTS
+    if wanted[:1] == ["--look"]:
+        target, pages = Path(wanted[1]), wanted[2:]
+        target.mkdir(parents=True, exist_ok=True)
+        shots, wanted = _looks(pages), []
+    unknown = [name for name in wanted if name not in shots]
     browser = next(filter(None, map(shutil.which, BROWSERS)), None)
     if unknown or browser is None:
-        info = f"{unknown}; expected {', '.join(SHOTS)}" if unknown else "no browser; expected Chromium"
+        info = f"{unknown}; expected {', '.join(shots)}" if unknown else "no browser; expected Chromium"
         print(f"gallery: got {info}", file=sys.stderr)
         return 2
     from playwright.sync_api import sync_playwright
 
     with tempfile.TemporaryDirectory() as folder, sync_playwright() as engine:
         opened = engine.chromium.launch(executable_path=browser, args=FLAGS)
-        for name in wanted or SHOTS:
-            _take(opened, name, SHOTS[name], _made(Path(folder), SHOTS[name].commands))
+        for name in wanted or shots:
+            _take(opened, target / name, shots[name], _made(Path(folder), shots[name].commands))
         opened.close()
     return 0
 
@@ -130,11 +170,11 @@ def _made(place: Path, commands: tuple[str, ...]) -> Path:
     return work
 
 
-def _take(browser: Any, name: str, shot: Shot, work: Path) -> None:
+def _take(browser: Any, place: Path, shot: Shot, work: Path) -> None:
     if shot.page.endswith(".svg"):
-        shutil.copy(work / shot.page, TARGET / f"{name}.svg")
+        shutil.copy(work / shot.page, place.with_suffix(".svg"))
         return
-    size = {"width": WIDTH, "height": shot.height}
+    size = {"width": shot.width, "height": shot.height}
     context = browser.new_context(viewport=size, color_scheme=shot.scheme, reduced_motion="reduce")
     with _address(shot.page, work) as address:
         page = context.new_page()
@@ -142,7 +182,7 @@ def _take(browser: Any, name: str, shot: Shot, work: Path) -> None:
         page.wait_for_selector(DRAWN, timeout=WAIT)
         shot.act(page)
         page.wait_for_timeout(3000)  # software rendering takes its time
-        target = TARGET / f"{name}.png"
+        target = place.with_suffix(".png")
         page.screenshot(path=target)
         context.close()
     print(f"{target.name}: {target.stat().st_size / 1e3:.0f} kB")

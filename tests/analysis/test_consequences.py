@@ -75,6 +75,17 @@ def test_each_slip_is_named_with_its_likely_cause(path: str, value: Any, words: 
     assert any(words in sentence for sentence in found)
 
 
+@pytest.mark.parametrize(("limits", "words"), [
+    ({"speed": 1.8}, "for 1.875, beyond joints.shoulder.limits.speed = 1.8"), ({"speed": 1.9}, ""),
+    ({"upper": 0.3}, "for 0.4, beyond joints.shoulder.limits.upper"), ({"upper": 0.4, "lower": -0.4}, ""),
+    ({"lower": -0.2}, "for -0.4, beyond joints.shoulder.limits.lower"),
+])  # fmt: skip
+def test_a_setpoint_beyond_a_limit_is_named(limits: dict[str, float], words: str) -> None:
+    """A quintic over 0.8 rad in 0.8 s: its speed is 15/8 of its way over its time at most."""
+    found = consequences(load("two_link_arm").with_({"joints.shoulder.limits": limits}))
+    assert (words in " ".join(found)) if words else not found
+
+
 @pytest.mark.parametrize("name", ["base_turn", "shoulder", "elbow"])
 @pytest.mark.parametrize("factor", [1e-3, 1e3])
 def test_the_cause_is_on_the_gear_that_is_wrong(name: str, factor: float) -> None:

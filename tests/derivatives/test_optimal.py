@@ -226,6 +226,20 @@ def test_what_is_no_motion_is_refused(given: dict[str, Any], message: str) -> No
         flexible(1).motion(**dict[str, Any]({"duration": 2.0} | given))
 
 
+def test_disturbances_are_not_planned_for() -> None:
+    """A load that begins later leaves torques and swing as they are; one from 0 on counts."""
+    robot, how = tmodes.load("spong1987"), {"goal": {"joint": 0.5}, "start": {"joint": 0}, "duration": 1.0}
+    push = {"point": "tip", "moment": [0.0, 0.0, 1.0], "frame": "world"}
+    step = {"type": "step", "start": 0.0, "end": 1.0, "time": 0.3}
+    calm, late, always = (robot.with_(one).motion(**how) for one in (
+        {}, {"loads": [push | {"signal": step}]}, {"loads": [push]}))  # fmt: skip
+    assert late.data["torque"].values == pytest.approx(calm.data["torque"].values, abs=1e-9)
+    assert late.swing < 1e-6
+    assert "as at time 0" in late.warnings[0]
+    assert calm.warnings == always.warnings == []
+    assert getattr(late.robot.loads[0].signal, "type", None) == "step"
+
+
 def test_a_robot_in_contact_is_refused() -> None:
     with pytest.raises(InputError, match="contact"):
         tmodes.load("filipovic2010").motion(duration=1.0)

@@ -8,11 +8,12 @@ from typing import Any, Literal
 import numpy as np
 import pytest
 from pydantic import Field
+from scipy.integrate import solve_ivp
 from scipy.spatial.transform import Rotation
 
 import tmodes
 from command import tmodes as command
-from tmodes.errors import InputError, TmodesError
+from tmodes.errors import TmodesError
 from tmodes.kinds.paths.registry import PATHS, Course, Place, Way
 from tmodes.kinds.paths.registry import Path as TipPath
 from tmodes.kinds.schema.quantity import positive
@@ -206,12 +207,32 @@ def test_what_is_wrong_is_said(path: Any, more: dict, words: str) -> None:
     assert words in str(caught.value)
 
 
-def test_more_joints_than_directions() -> None:
+def test_a_redundant_robot_moves_with_the_least_rates() -> None:
+    """Six joints, three directions: q' = J^+ x' by SciPy, where each row is, how fast and with which acceleration."""
     robot = six_axes()
-    with pytest.raises(InputError, match="6 joints for 3 directions"):
-        robot.follow(
-            {"type": "line", "to": (tip(robot, np.array([[0.3, 0.4, 0.5, 0.2, 0.7, 0.1]]))[0][0] + 0.05).tolist()}
-        )
+    start = np.array([drive.signal.value for drive in robot.drives])
+    aim = tip(robot, start[None])[0][0] + [0.1, -0.15, 0.1]
+    found = robot.follow({"type": "line", "to": aim.tolist()}, profile=S_CURVE, tolerance=1e-8)
+    assert found.error <= 1e-8
+    (leg,) = found.found.legs
+
+    def rates(time: float, joints: Any) -> Any:
+        """Of the joints, by differences of the tip's place."""
+        near = np.concatenate([joints + 1e-5 * np.eye(6), joints - 1e-5 * np.eye(6)])
+        places = tip(robot, near)[0]
+        slopes = (places[:6] - places[6:]).T / 2e-5
+        speed = float(leg.pieces.at(time, 1)) * (aim - leg.course.at(0.0).value) / leg.course.length
+        return np.linalg.pinv(slopes, rcond=1e-6) @ speed
+
+    times, step = np.linspace(0.1, found.duration - 0.1, 9), 1e-3
+    around = np.sort(np.concatenate([times - step, times, times + step]))
+    exact = solve_ivp(rates, (0, found.duration), start, t_eval=around, rtol=1e-9, atol=1e-11).y.T.reshape(9, 3, 6)
+    wanted = np.array([[rates(t, q) for t, q in zip(ts, qs, strict=True)]
+                       for ts, qs in zip(around.reshape(9, 3), exact, strict=True)])  # fmt: skip
+    assert references(found.robot, times) == pytest.approx(exact[:, 1], abs=1e-7)
+    assert references(found.robot, times, 1) == pytest.approx(wanted[:, 1], abs=1e-6)
+    gain = (wanted[:, 2] - wanted[:, 0]) / (2 * step)
+    assert references(found.robot, times, 2) == pytest.approx(gain, abs=1e-3 * np.abs(gain).max())
 
 
 def test_files_of_the_command(tmp_path: Path) -> None:

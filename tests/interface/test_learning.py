@@ -29,6 +29,17 @@ def test_the_error_falls_from_run_to_run(real: dict) -> None:
     assert learnt.data.error.shape == (6, 1, 201)
 
 
+def test_a_correction_that_makes_it_worse_is_undone() -> None:
+    """A gear far softer than known, and bold steps: the setpoints of the best run are kept."""
+    learnt = ARM.with_({"real": {"gear.stiffness": 0.4}}).learn(iterations=8, caution=0.003)
+    assert (np.diff(learnt.rms) > 0).any()
+    assert learnt.cautions[-1] > 0.003
+    assert learnt.best == learnt.rms.argmin() > 0
+    assert learnt.rms[learnt.best] < 0.72 * learnt.rms[0]
+    far = np.asarray(learnt.robot.run().output("joint.position"))
+    assert len(far) > 100
+
+
 def _signal(times: np.ndarray) -> np.ndarray:
     """The quintic of the sheet, by hand."""
     s = np.minimum(times, 1.0)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 from typing import Any
 
 import numpy as np
@@ -9,6 +10,7 @@ import pytest
 
 import tmodes
 from tmodes.errors import InputError
+from tmodes.io.sheet_check import sheet_data
 from tmodes.kinds.signals.registry import Signal
 
 LINE = {"type": "line", "to": [0.7, 0.0, 0.2]}
@@ -60,6 +62,50 @@ def test_rigid_links_behind_elastic_gears_follow_exactly() -> None:
     assert own.checks["rigid"] > 0.1
     assert own.checks["this"] < 1e-7
     assert own.checks["open loop"] < 1e-7
+
+
+def limited(limits: Any) -> Any:
+    """The arm with limits of both joints."""
+    return tmodes.load("two_link_arm").with_({f"joints.{joint}.limits": limits for joint in ("shoulder", "elbow")})
+
+
+def test_the_least_time_is_that_of_the_limits() -> None:
+    """A speed by hand: the way of a septic times 35/16 over its duration."""
+    turn = {"type": "joints", "points": [[0.2, 0.8]]}
+    found = limited({"speed": 0.5}).follow(turn, profile={"type": "septic", "duration": 1.0}, least_time=True)
+    assert found.length == pytest.approx(float(np.hypot(0.6, 0.2)))
+    assert found.duration == pytest.approx(0.6 * 35 / 16 / 0.5, rel=0.01)
+    assert np.abs(found.data["velocity"].values).max() <= 0.5 * (1 + 1e-6)
+    with pytest.raises(InputError, match="no limit of speed or effort"):
+        limited(None).follow(turn, least_time=True)
+
+
+@pytest.mark.nightly
+def test_the_least_time_keeps_efforts() -> None:
+    found = limited({"effort": 60.0}).follow(LINE, reference="sag", least_time=True)
+    assert found.motors is not None
+    assert found.motors.efforts is not None
+    assert 0.98 * 60 < np.abs(found.motors.efforts.values).max() <= 60
+    with pytest.raises(InputError, match="however slow"):
+        limited({"effort": 5.0}).follow(LINE, reference="sag", least_time=True)
+
+
+def test_a_redundant_arm_that_bends_follows() -> None:
+    """Three joints move the tip in a plane: as the inverse of the rigid one, with what bends."""
+    sheet = sheet_data(tmodes.load("two_link_arm"))
+    wrist, tool = copy.deepcopy(sheet["joints"][1]), copy.deepcopy(sheet["links"][0])
+    wrist |= {"name": "wrist", "parent": "forearm", "child": "hand"}
+    tool |= {"name": "hand", "bodies": []}
+    tool["beam"]["length"] = 0.15
+    drive = copy.deepcopy(sheet["drives"][1]) | {"joint": "wrist"}
+    sheet["links"][1]["bodies"][1]["mass"] = 0.5
+    sheet |= {"joints": [*sheet["joints"], wrist], "links": [*sheet["links"], tool],
+              "drives": [*sheet["drives"], drive]}  # fmt: skip
+    line = {"type": "line", "to": [0.65, 0.0, 0.4]}
+    found = tmodes.Robot.from_data(sheet).follow(line, profile=SMOOTH, reference="inverse").checks
+    assert found["rigid"] > 1e-3
+    assert found["this"] < 1e-7
+    assert found["open loop"] < 1e-5
 
 
 @pytest.mark.nightly

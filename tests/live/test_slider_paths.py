@@ -32,8 +32,8 @@ def test_the_path_of_a_slider_sets_it(name: str) -> None:
     robot = loaded(name)
     knobs = knobs_of(robot)
     sliders = sliders_of(robot, knobs, most=1000)
-    assert [one["path"] for one in slider_records(robot, plain_sheet(robot))] == [
-        slider.path for slider in sliders_of(robot, knobs)
+    assert [(one["path"], one["design"]) for one in slider_records(robot, plain_sheet(robot))] == [
+        (slider.path, slider.design) for slider in sliders_of(robot, knobs)
     ]
     for slider in sliders:
         value = slider.low + 0.37 * (slider.high - slider.low)
@@ -50,6 +50,17 @@ def test_design_variables_are_none_of_the_surroundings_and_of_the_task() -> None
     assert {"payload", "move", "environment", "gravity"} <= given
     assert not any(slider["path"].startswith("real:") or "friction" in slider["path"]
                    for slider in sliders if slider["design"])  # fmt: skip
+
+
+def test_constants_of_a_material_and_damping_are_no_design_variables_but_sections_are() -> None:
+    """Whoever designs an arm chooses the tube, the gear and the gains; the sixteen settings that lead have them."""
+    robot = tmodes.load("two_link_arm")
+    design = {one.path: one.design for one in sliders_of(robot, knobs_of(robot)) if not one.real}
+    wanted = ("shoulder.gear.stiffness.0", "section.outer_diameter", "section.thickness", "controller.position_gain")
+    assert all(any(chosen and path.endswith(name) for path, chosen in design.items()) for name in wanted)
+    assert not any(
+        chosen and path.endswith(("young", "damping", "mass", "duration")) for path, chosen in design.items()
+    )
 
 
 ALL = "joints.*.gear.stiffness"

@@ -57,6 +57,7 @@ def test_captions_are_the_papers():
         "Figure 8: The elastic deformations.",
     ):
         assert words in captions
+    assert captions.count("those of the run that is drawn are assumed.") == len(plot.PAPER_FIGURES)
 
 
 def test_panels_are_lettered_and_a_missing_font_is_no_warning(result, caplog):

@@ -187,5 +187,15 @@ def test_rounding_of_a_steady_motion_is_no_lost_energy() -> None:
     residual = np.array([0.0, 8e-12])
     moved = largest_flow(np.array([[23.5, 1.0], [23.5 + 8e-12, 1.0]]), np.zeros((2, 3)))
     assert moved == pytest.approx(23.5)
-    assert energy_lost(residual, moved, 1e-6) is None
-    assert energy_lost(residual * 1e7, moved, 1e-6) == 1
+    assert energy_lost(residual, moved, 23.5, 1e-6) is None
+    assert energy_lost(residual * 1e7, moved, 23.5, 1e-6) == 1
+
+
+def test_rounding_of_a_robot_at_rest_is_no_lost_energy() -> None:
+    """A setpoint of a million rad, known to 1e-10 rad: all that moves is that, and nothing of the energy is lost."""
+    held = {"drives.0.signal": {"type": "constant", "value": 1e6}, "integration.duration": 0.5}
+    found = tmodes.run(tmodes.load("spong1987").with_(held))
+    assert not any("energy" in warning for warning in found.warnings)
+    assert found.summary()["energy"]["worst_residual_over_moved"] is None
+    assert energy_lost(np.array([0.0, 6.6e-10]), 6.6e-10, 9.4, 1e-6) is None
+    assert energy_lost(np.array([0.0, 6.6e-10]), 6.6e-10, 1e-2, 1e-6) == 1

@@ -169,6 +169,8 @@ def test_a_run_that_ends_within_the_move():
     result = tmodes.run(ringing(0.008, output_step=1e-3))
     assert result.settling["time_s"] is None
     assert "simulate longer" in result.settling["reason"]
+    short = tmodes.run(tmodes.load("spong1987").with_({"integration.duration": 0.003}))
+    assert short.settling["reason"].startswith("the run ends at 0.003 s, the move at 1 s")  # however short
     assert json.loads(result.data.attrs["settling"]) == result.settling
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import html
 import json
 import os
+from dataclasses import replace
 from typing import Any
 
 import pytest
@@ -12,12 +13,14 @@ import pytest
 import tmodes
 from random_sheets import random_sheet
 from tmodes.cli.terminal import print_parts
+from tmodes.io.printed import written
 from tmodes.report.data import page_data
 from tmodes.report.rest import rest_page
 from tmodes.result import Result
+from tmodes.result.assemble import ending
 from tmodes.result.early import early_result
 from tmodes.result.run import run
-from tmodes.result.verdict import PHRASES, culprit_words, filled, verdict
+from tmodes.result.verdict import PHRASES, culprit_words, damping_words, filled, verdict
 from tmodes.sheet import Robot
 
 SEEDS = [18, 24, *range(int(os.environ.get("TMODES_VERDICTS", "0")))]
@@ -148,6 +151,21 @@ def test_a_run_that_fails_says_so_first() -> None:
     ending = stopped.message.partition(" (")[0].replace("`", "")  # without why the method was chosen
     assert stopped.verdict["sentence"].endswith(f"The run was {ending}.")
     assert "simulate longer" not in stopped.verdict["sentence"]
+    assert stopped.settling["reason"].startswith("the run ends at ")
+    assert "simulate longer" not in stopped.settling["reason"]
+
+
+def test_of_two_runs_that_fail_the_one_that_ended_first_is_named() -> None:
+    """The result ends with it: the nominal run fails where it wants too much, the actual one before."""
+    whole = judged("spong1987", integration__duration=1.0).assembly
+    assert whole
+    run, last = whole.run, float(whole.run.times[-1])
+    assert run.reference
+    early = replace(run.reference, status="stopped", message="steps are used up")
+    assert ending(replace(run, reference=early)) == ("stopped", "nominal run: steps are used up")
+    cut = replace(run, times=run.times[:100], status="stopped", message="time is used up")
+    assert cut.times[-1] < last
+    assert ending(replace(cut, reference=early)) == ("stopped", "actual robot: time is used up")
 
 
 def test_another_point_than_the_tip_is_named() -> None:
@@ -198,6 +216,31 @@ def test_terminal_repr_notebook_json_and_page_give_the_same(spong: Result, capsy
         assert f"{culprit_words(spong.verdict)}." in words
     assert json.loads(json.dumps(shown.info()))["summary"]["verdict"] == spong.verdict
     assert page_data([shown])["runs"][0]["verdict"] == spong.verdict
+
+
+def test_every_number_of_a_verdict_is_printed_and_in_notebooks(capsys: Any) -> None:
+    """Largest and final error, their time, settling, residual vibration, what limits, tolerance, and every cause."""
+    limits = {"joints.joint.limits": {"speed": 1.0}, "task": {"tolerance": "1 mm"}}
+    shown = tmodes.Result.like(run(tmodes.load("spong1987").with_(SHORT | limits)))
+    found = shown.verdict
+    residual, (limit, *_), largest = found["residual"], found["limits"], written(found["largest_m"], "m", 3)
+    wanted = [
+        f"{largest} off its commanded path ({written(found['time_s'], 's', 3)})",
+        f"ends {written(found['final_m'], 'm', 3)} off, beyond its tolerance of {written(found['tolerance_m'], 'm')}",
+        f"from {written(found['settling']['time_s'], 's', 3)} after the move",
+        f"within {written(found['settling']['within_m'], 'm', 3)} of its rest",
+        f"{residual['frequency_Hz']:.3g} Hz, {damping_words(residual['damping'])} damping",
+        written(residual["amplitude_m"], "m"),
+        f"Speed of {limit['element']} passes its limit: {written(limit['value'], 'rad/s', 3)}",
+        written(100 * limit["share"], "%"),
+        *(f"{' '.join(filter(None, (one['cause'], one['element'])))} {written(one['value_m'], 'm', 3)}"
+          for one in found["culprits"]),
+    ]  # fmt: skip
+    print_parts(shown.tables())
+    for text in (capsys.readouterr().out, html.unescape(shown._repr_html_())):
+        words = " ".join(text.split())
+        assert [one for one in wanted if one.replace("\u00a0", " ") not in words] == []
+    assert str(shown) == repr(shown)
 
 
 def test_a_number_that_is_not_exact_says_so(spong: Result, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -10,6 +10,8 @@ import pytest
 from patience import until
 from see.looking import look
 from see.test_page import seek, shown
+from tmodes import load, run
+from tmodes.report import write_report
 
 pytestmark = pytest.mark.nightly
 
@@ -44,6 +46,17 @@ def test_a_film_of_the_run(window: Any) -> None:
     film = saved(window, page.get_by_role("button", name="Stop recording").click)
     assert film.startswith(b"\x1a\x45\xdf\xa3")
     page.locator(".save-menu .menu-button").click()
+
+
+def test_a_run_too_short_for_a_film_says_so(browser: Any, tmp_path: Path) -> None:
+    short = run(load("spong1987").with_({"integration.duration": 0.002}))
+    page = look(browser, write_report(short, tmp_path / "short.html")).page
+    page.locator(".save-menu .menu-button").click()
+    film = page.get_by_role("button", name="Record the run (WebM)")
+    film.click()
+    page.get_by_role("button", name="Too short for a film").wait_for()
+    assert page.locator(".save-menu [aria-pressed=true]").count() == 0
+    page.context.close()
 
 
 def test_an_address_leads_back(window: Any, browser: Any) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import re
 from pathlib import Path
 from typing import Any
 
@@ -12,8 +13,12 @@ import pytest
 from patience import until
 from see.looking import Window, look
 from see.test_page import shown
-from tmodes import run
+from tmodes import load, run
+from tmodes.io.printed import written
+from tmodes.live.knobs import knobs_of
+from tmodes.live.sliders import Slider, sliders_of
 from tmodes.result import Result
+from tmodes.result.verdict import damping_words
 
 WIDTHS = ((1280, 800), (1440, 900), (1920, 1080), (390, 844))
 
@@ -36,6 +41,10 @@ def window(browser: Any, reports: dict[str, Path]) -> Window:
     return look(browser, reports["good"])
 
 
+def page_sliders(name: str) -> list[Slider]:
+    return sliders_of(load(name), knobs_of(load(name)))
+
+
 def factor(window: Window) -> str:
     return str(window.page.locator(".scene-factor-row output").text_content())
 
@@ -44,6 +53,19 @@ def test_it_has_the_verdict_of_the_run(window: Window, good: Result) -> None:
     verdict, strip = good.verdict, window.page.locator(".verdict")
     assert strip.locator(".verdict-sentence").text_content() == verdict["sentence"]
     assert strip.get_attribute("data-level") == verdict["level"]
+    settling, residual = verdict["settling"], verdict["residual"]
+    wanted = {
+        "Largest error": f"{written(verdict['largest_m'], 'm', 3)} at {written(verdict['time_s'], 's', 3)}",
+        "Final error": written(verdict["final_m"], "m", 3),
+        "Settling after the move":
+            f"{written(settling['time_s'], 's', 3)} (within {written(settling['within_m'], 'm', 3)})",
+        "Residual vibration": f"{written(residual['amplitude_m'], 'm', 3)}, "
+            f"{written(residual['frequency_Hz'], 'Hz', 3)}, {damping_words(residual['damping'])} damping",
+    }  # fmt: skip
+    terms, numbers = (strip.locator(f".verdict-numbers {part}").all_text_contents() for part in ("dt", "dd"))
+    assert dict(zip(terms, (text.replace("\u00a0", " ") for text in numbers), strict=True)) == {
+        name: text.replace("\u00a0", " ") for name, text in wanted.items()
+    }
     names = strip.locator(".culprits button")
     assert [one.get_attribute("data-key") for one in names.all()] == [
         f"{one['cause']} {one['element'] or ''}" for one in verdict["culprits"]
@@ -111,11 +133,24 @@ def test_menus_and_tabs_are_inside_the_window(browser: Any, reports: dict[str, P
     page.context.close()
 
 
+def test_on_a_phone_the_robot_is_in_the_first_screen(browser: Any, reports: dict[str, Path]) -> None:
+    """What the strip has too much scrolls sideways."""
+    page = look(browser, reports["good"], WIDTHS[-1]).page
+    stage = page.locator(".scene-view").bounding_box()
+    assert stage["y"] + 0.6 * stage["height"] < WIDTHS[-1][1]
+    assert page.evaluate(OUTSIDE, ".verdict") == []
+    assert page.evaluate("document.documentElement.scrollWidth") <= WIDTHS[-1][0]
+    page.context.close()
+
+
 def test_what_lessens_the_error_is_true_and_applied(browser: Any, reports: dict[str, Path]) -> None:
     page = look(browser, reports["good"], idle=True).page
     first = page.locator(".advice button").first
     first.wait_for()
     words = str(first.text_content())
+    names = [str(one.text_content()).partition(",")[0] for one in page.locator(".advice button").all()]
+    design = {slider.label.partition(",")[0] for slider in page_sliders("filipovic2010") if slider.design}
+    assert {re.sub(r" [×÷].*", "", name) for name in names} <= design  # what nobody chooses is not proposed
     error = page.locator("[data-fact='tip_error.commanded']")
     first.click()
     until(lambda: "%" in str(error.locator(".was").text_content()))

@@ -56,6 +56,24 @@ def test_status_and_errors_stay_in_sight(tab: Any, size: tuple[int, int]) -> Non
     assert tab.page.locator(".errors p").first.evaluate(IN_SIGHT)
 
 
+def test_the_verdict_is_marked_until_it_is_whole_and_what_lessens_the_error_is_proposed(tab: Any) -> None:
+    """As in a report, by runs of the server; a click applies it."""
+    page, sentence = tab.page, tab.page.locator(".verdict-sentence")
+    page.add_init_script("window.requestIdleCallback = queueMicrotask.bind(window)")  # after all, there is time
+    page.reload()
+    page.locator(".verdict-numbers .computing").first.wait_for()
+    assert sentence.get_attribute("data-state") == " computing …"
+    page.locator(".verdict-sentence[data-state='']").wait_for()
+    assert page.locator(".verdict-numbers .computing").count() == 0
+    assert sentence.text_content() == run(load("filipovic2010")).verdict["sentence"]
+    first = page.locator(".advice button").first
+    first.wait_for()
+    share = str(first.text_content()).rpartition("−")[2]
+    tab.fresh(first.click)
+    was = page.locator("[data-fact='tip_error.commanded'] .was").text_content()
+    assert share.replace(" %", "") in str(was)
+
+
 def drag_to(tab: Any, value: str) -> None:
     """Type next to the slider, without the focus that would scroll there."""
     tab.page.locator(f"[data-slider='{MASS}'] input.number").evaluate(

@@ -27,6 +27,8 @@ export interface Run {
   success: boolean;
   message: string;
   verdict: Verdict;
+  /** Names of fields of the verdict that are still being computed. */
+  pending?: string[];
   warnings: string[];
   duration: number;
   /** The numbers that matter, most important first. */
@@ -175,7 +177,7 @@ export interface Slider {
   /** What the data sheet takes, where that has an end. */
   least?: number;
   most?: number;
-  /** Whoever designs the robot chooses it; else it is of the surroundings or of the task. */
+  /** Whoever designs the robot chooses it; else it is of a material, of the surroundings or of the task. */
   design?: boolean;
 }
 

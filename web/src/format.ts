@@ -9,9 +9,10 @@ const PREFIXES: [number, number, string][] = [
   [1e-7, 1e6, "µ"],
   [1e-11, 1e9, "n"],
 ];
+const [LEAST, LARGE] = [1e-11, 1e7]; // sizes with a prefix from; powers of ten from
 const NEVER_LARGE = ["m", "rad", "s"];
 const PLAIN = ["Hz", "%", "rad/s"];
-/** One unit for what is compared: below this size the factor on the SI value and its name. */
+/** One unit for what is compared, but for tiny sizes: below this size the factor on the SI value and its name. */
 const FIXED: Record<string, [number, number, string]> = { m: [10, 1e3, "mm"], rad: [1, 1e3, "mrad"], s: [1, 1, "s"] };
 const SUPERSCRIPT = "⁰¹²³⁴⁵⁶⁷⁸⁹";
 
@@ -41,18 +42,28 @@ export function readable(unit: string, size: number): { factor: number; name: st
   if (!name || PLAIN.includes(unit) || !(size > 0)) return { factor: 1, name };
   const fixed = FIXED[unit];
   if (fixed) return size < fixed[0] ? { factor: fixed[1], name: fixed[2] } : { factor: 1, name };
-  const never = NEVER_LARGE.includes(unit.split("/")[0]);
+  return prefixed(name, size, NEVER_LARGE.includes(unit.split("/")[0]));
+}
+
+function prefixed(name: string, size: number, never = true): { factor: number; name: string } {
   const found = PREFIXES.find(([least, factor]) => size >= least && (factor >= 1 || !never));
   return found ? { factor: found[1], name: found[2] + name } : { factor: 1, name };
+}
+
+/** A damping ratio in per cent: tenths where it is small, and no more of what is rounding. */
+export function damping(ratio: number): string {
+  return info(Number((100 * ratio).toFixed(ratio < 0.0995 ? 1 : 0)) + 0, "%", 2);
 }
 
 /** `4.041 mm`. */
 export function info(value: number | null, unit: string, count = 4): string {
   if (value === null || !Number.isFinite(value)) return "–";
   const size = Math.abs(value);
-  const { factor, name } = readable(unit, size);
-  const tiny = size > 0 && (factor === 1 || unit in FIXED ? size * factor < 1e-3 : size < 1e-11);
-  const written = tiny ? powerOfTen(unit in FIXED ? value * factor : value) : digits(value * factor, count);
+  const small = unit in FIXED && size >= LEAST && size * FIXED[unit][1] < 1e-3;
+  const { factor, name } = small ? prefixed(pretty(unit), size) : readable(unit, size);
+  const shown = size * factor;
+  const power = size > 0 && !small && (factor === 1 || unit in FIXED ? shown < 1e-3 || shown >= LARGE : size < LEAST);
+  const written = power ? powerOfTen(unit in FIXED ? value * factor : value) : digits(value * factor, count);
   return `${written}\u00a0${name}`.trimEnd();
 }
 

@@ -13,7 +13,7 @@ import { follow, fragmentOf } from "./panels/address";
 import { fileName, mountSave, saveMenu } from "./panels/save";
 import { mountSliders } from "./panels/sliders";
 import { mountTransport } from "./panels/transport";
-import { mountVerdict } from "./panels/verdict";
+import { mountVerdict, type Advice } from "./panels/verdict";
 import { mountScene } from "./scene/scene";
 
 /** What stands outside of the program, in words that no slider changes. */
@@ -29,6 +29,8 @@ export interface PageView {
   show(live: LiveRun | null): void;
   /** Tell other modes of the first run's robot in place of the page's own. */
   showModes(found: Mode[]): void;
+  /** Tell what lessens the error of the first run most, or why that is not known; null: it is being computed. */
+  advise(found: Advice[] | string | null): void;
   /** What takes longer of the page's own first run: its other numbers, its modes and their marks. */
   complete(run: Run): void;
   dispose(): void;
@@ -134,9 +136,10 @@ export function mountPage(root: HTMLElement, page: Page): PageView {
     scene,
     show,
     showModes,
+    advise: verdict.advise,
     complete(run) {
       const [first] = page.runs;
-      [first.facts, first.modes, first.verdict] = [run.facts, run.modes, run.verdict];
+      [first.facts, first.modes, first.verdict, first.pending] = [run.facts, run.modes, run.verdict, undefined];
       verdict.show(null);
       for (const chart of first.charts) chart.marks = run.charts.find(({ id }) => id === chart.id)?.marks ?? [];
       facts.replaceChildren();

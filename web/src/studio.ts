@@ -2,6 +2,7 @@
 
 import { button, make, ownId } from "./dom";
 import { forPaper } from "./paper";
+import { adviser } from "./studio/advice";
 import { watch } from "./studio/alive";
 import { api, type Job, type SheetInfo, type StudioChange, type StudioPage, type Wrong } from "./studio/api";
 import { attempt, exportControls, studyControls, type FilesHost } from "./studio/files";
@@ -15,6 +16,7 @@ import { Tree, type Node } from "./studio/tree";
 import { uploadControl } from "./studio/upload";
 
 const WAIT = 300;
+const NOT_MADE = "this run was not made";
 
 async function main(): Promise<void> {
   if (location.search) history.replaceState(null, "", location.pathname); // the token is in a cookie now
@@ -55,6 +57,7 @@ async function main(): Promise<void> {
 
   const runner = new Runner({
     begun() {
+      advice.forget();
       clearTimeout(slow);
       slow = window.setTimeout(() => info.progress("waiting", 0), WAIT);
     },
@@ -68,13 +71,22 @@ async function main(): Promise<void> {
       ended(change, job, milliseconds);
       shown.change(change, job);
     },
-    whole: (page) => shown.complete(page),
+    whole(page) {
+      shown.complete(page);
+      if (current) advice.ask(current);
+    },
     wrong,
     cancelled() {
       clearTimeout(slow);
       info.say(shown.empty ? "Cancelled: nothing is shown yet." : "Cancelled: what is shown is the run before.");
       view.classList.add("stale");
+      shown.advise(NOT_MADE);
     },
+  });
+  const advice = adviser(runner.client, (found) => shown.advise(found), () => {
+    sliders?.refresh();
+    form?.refresh();
+    if (current) runner.want(current);
   });
 
   function ended(page: StudioPage | StudioChange, job: Job, milliseconds: number): void {
@@ -98,6 +110,7 @@ async function main(): Promise<void> {
     info.wrong(errors, go);
     mark(errors);
     view.classList.add("stale");
+    shown.advise(NOT_MADE);
     const first = errors.find((one) => one.steps)?.steps;
     const typing = document.activeElement?.getAttribute("aria-invalid") === "true";
     if (first && !typing) form?.reveal(first);

@@ -9,6 +9,9 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
 
 from tmodes.analysis.describe.links import link_rows
 from tmodes.analysis.headline_point import headline_point
@@ -43,6 +46,9 @@ HELD = 3.0
 FACTORS = (0.01, 100.0)
 """Usual range of a factor of the actual robot on the nominal one [-]."""
 
+_INSTANTS, _CLOSE = 17, 1e-6
+"""Instants of a piece of a setpoint; share of a limit within which it keeps it."""
+
 
 @dataclass(frozen=True)
 class _GearRow:
@@ -75,7 +81,7 @@ def consequences(robot: Robot) -> list[str]:
     chain = robot.chain()
     gears = _gears(robot, chain)
     checks = (_sagging(gears), _slow(gears), _damped(gears), _viscous(robot, chain), _links(robot, chain),
-              _efforts(robot, chain), _factors(robot))  # fmt: skip
+              _efforts(robot, chain), _factors(robot), _signals(robot))  # fmt: skip
     blind = headline_point(robot, chain)
     return [*(sentence for check in checks for sentence in check), *([blind.reason] if blind else [])]
 
@@ -186,6 +192,25 @@ def _efforts(robot: Robot, chain: Chain) -> Iterator[str]:
                 f"joints.{joint.name}.limits.effort = {limit:g}: the {got.mass:.4g} kg that the joint carries ask for "
                 f"about {got.weight:.3g} to be held against their weight; is a mass in g?"
             )
+
+
+def _signals(robot: Robot) -> Iterator[str]:
+    """Setpoints beyond the limits of their joint, as far as the run goes; of pieces of polynomials at many instants."""
+    bounds = {joint.name: joint.limits for joint in robot.joints}
+    for k, drive in enumerate(robot.drives):
+        limits = bounds[drive.joint]
+        if limits is None or not drive.command.is_motion:
+            continue
+        pieces = drive.signal.schedule(robot.integration.duration)
+        times = np.unique(np.concatenate([np.linspace(a, b, _INSTANTS)[:-1] for a, b in pairwise(pieces.knots)]))
+        way, speed = pieces.at(times), np.abs(pieces.at(times, 1))
+        found = (("lower", way.min(), -1), ("upper", way.max(), 1), ("speed", speed.max(), 1))
+        for name, value, sign in found:
+            limit = getattr(limits, name)
+            if limit is not None and sign * (value - limit) > _CLOSE * max(abs(limit), 1e-3):
+                slower = "; a longer `duration` is slower" if name == "speed" else ""
+                asked = f"drives.{k}.signal asks {drive.joint} for {value:.4g}"
+                yield f"{asked}, beyond joints.{drive.joint}.limits.{name} = {limit:g}{slower}"
 
 
 def _factors(robot: Robot) -> Iterator[str]:

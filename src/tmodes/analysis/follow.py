@@ -1,7 +1,8 @@
 """Joint references of a path: the rigid robot's inverse kinematics along it, joined by polynomials to a known error.
 
-Rates and accelerations are exact at the rows: J q' = x' and J q'' = x'' - J' q', of the compiled model.
-Source: B. Siciliano, L. Sciavicco, L. Villani, G. Oriolo, Robotics: Modelling, Planning and Control (2009), 3.7.
+Rates and accelerations are exact at the rows: J q' = x' and J q'' = x'' - J' q', of the compiled model. A redundant
+robot moves with the least rates, q' = J^T l with J J^T l = x', integrated along the path.
+Source: B. Siciliano, L. Sciavicco, L. Villani, G. Oriolo, Robotics: Modelling, Planning and Control (2009), 3.5, 3.7.
 """
 
 from __future__ import annotations
@@ -38,6 +39,9 @@ _SINGULAR = 1e-9
 
 _CHECKS = (0.15, 0.35, 0.5, 0.65, 0.85)
 """Shares of an interval at which the tip is compared with the path."""
+
+_STRIDE = 1e-5
+"""Motion of a joint for differences of the Jacobian [rad, m]."""
 
 MOST_ROWS = 5000
 _FIRST = 8
@@ -136,6 +140,12 @@ class _Arm:
             units[1 + k, place] = 1.0
         whole = straight(self.model, units)
         self.offset, self.basis = whole[0], (whole[1:] - whole[0]).T
+        ways = [self.jacobian(values) for values in np.random.default_rng(0).uniform(-2.0, 2.0, (3, len(self.start)))]
+        self.ranks = {
+            rows: max(int(np.linalg.matrix_rank(one[:rows], tol=_SINGULAR * np.abs(one).max())) for one in ways)
+            for rows in (3, 6)
+        }
+        """Directions in which the joints move the tip's place, and place and turn, of all poses."""
 
     def whole(self, joints: Array) -> Array:
         """All coordinates."""
@@ -164,8 +174,7 @@ def followed(
 
     From where the first commands put the undeformed robot; ``tolerance`` [m, rad] of the tip between the rows.
 
-    Raises :class:`tmodes.errors.InputError` for a place that the robot does not reach or passes in a singular pose, and
-    for a robot with more joints than the path gives directions.
+    Raises :class:`tmodes.errors.InputError` for a place that the robot does not reach or passes in a singular pose.
     """
     arm = _Arm(robot)
     joints = np.array([*arm.start.values()])
@@ -209,17 +218,19 @@ class _Following:
             raise InputError("profile", "a motion without an end", "a move with an end", "take s_curve, or quintic")
         self.pieces, self.end = leg.pieces, leg.end
         self.counts = 6 if leg.course.turn is not None else 3
+        self.rank = arm.ranks[self.counts]
+        self.redundant = len(arm.start) > self.rank
 
     def rows(self, tolerance: float) -> tuple[list[tuple[float, Array, Array, Array]], tuple[float, float]]:
         """Rows (time, values, rates, accelerations), halved until the tip is on the path; errors in place and angle."""
         starts, begin = self._knots(), self.leg.begin
         found, worst, guess = [], np.zeros(2), self.leg.place.joints
         for low, high in pairwise(starts):
-            first = self._row(low, guess, late=True)
+            first = self._row(low, guess, low, late=True)
             found.append((begin + low, *first))
             stack = [high]
             while stack:
-                last = self._row(stack[-1], first[0], late=False)
+                last = self._row(stack[-1], first[0], low, late=False)
                 error = self._error(low, stack[-1], first, last)
                 middle = (low + stack[-1]) / 2
                 if error.max() > tolerance and stack[-1] - low > 1e-9 * self.end:
@@ -254,35 +265,55 @@ class _Following:
             found: Any = brentq(lambda time: float(self.pieces.at(time)) - way, times[k], times[k + 1], xtol=1e-15)
             yield float(found)
 
-    def _row(self, time: float, guess: Array, *, late: bool) -> tuple[Array, Array, Array]:
-        """Values, rates and accelerations at a time; at a knot those ``late`` of it, or before it."""
+    def _row(self, time: float, guess: Array, before: float, *, late: bool) -> tuple[Array, Array, Array]:
+        """Values, rates and accelerations at a time; at a knot those ``late`` of it, or before it.
+
+        ``guess``: the joints at the time ``before``.
+        """
         at = time if late else np.nextafter(time, 0.0)
         way, speed, gain = (float(self.pieces.at(at, order)) for order in range(3))
-        course = self.leg.course
-        place = course.at(min(max(way, 0.0), course.length) + (1e-13 if late else -1e-13) * course.length)
+        course, length = self.leg.course, self.leg.course.length
+        there = min(max(way, 0.0), length) + (1e-13 if late else -1e-13) * length
+        place = course.at(there)
         if course.of_joints:
             return place.value, place.slope * speed, place.slope * gain + place.bend * speed**2
-        joints = self._reached(min(max(way, 0.0), course.length), guess)
+        if self.redundant:
+            guess = self._carried(guess, float(np.clip(self.pieces.at(before), 0.0, length)), there)
+        joints = self._reached(min(max(way, 0.0), length), guess)
+        inverse, by_way = self._ways(joints, there)
         jacobian = self.arm.jacobian(joints)[: self.counts]
-        turn = np.zeros(3) if course.turn is None else course.turn / course.length
-        slope = np.concatenate([place.slope, turn])[: self.counts]
         bend = np.concatenate([place.bend, np.zeros(3)])[: self.counts]
-        self._refuse(jacobian, joints)
-        inverse = np.asarray(np.linalg.pinv(jacobian), dtype=np.float64)
-        by_way = inverse @ slope
         left = inverse @ (bend - self.arm.bend(joints, by_way)[: self.counts])
+        if self.redundant:  # the part that leaves the tip in place: that of J'^T l
+            step = _STRIDE / max(float(np.abs(by_way).max()), 1e-300)
+            ends = [self.arm.jacobian(joints + sign * step * by_way)[: self.counts] for sign in (1.0, -1.0)]
+            free = (ends[0] - ends[1]).T @ (inverse.T @ by_way) / (2 * step)
+            left += free - inverse @ (jacobian @ free)
         return joints, by_way * speed, by_way * gain + left * speed**2
 
-    def _refuse(self, jacobian: Array, joints: Array) -> None:
+    def _ways(self, joints: Array, way: float) -> tuple[Array, Array]:
+        """The inverse of the Jacobian (joints, directions), and the least rates of the joints per way."""
+        course = self.leg.course
+        jacobian = self.arm.jacobian(joints)[: self.counts]
         sizes = np.linalg.svd(jacobian, compute_uv=False)
-        if len(joints) > self.counts:
-            got, expected = f"{len(joints)} joints for {self.counts} directions", "as many directions as joints"
-            hint = "give `rpy` too, or prescribe the other joints by a torque or not at all"
-            raise InputError(self.which, got, expected, hint)
-        if sizes[len(joints) - 1] <= _SINGULAR * sizes[0]:
+        if sizes[self.rank - 1] <= _SINGULAR * sizes[0]:
             pose = ", ".join(f"{value:.4g}" for value in joints)
             hint = "move the path, or start in another pose"
             raise InputError(self.which, f"a singular pose at {pose}", "joints that follow the tip", hint)
+        turn = np.zeros(3) if course.turn is None else course.turn / course.length
+        inverse = np.asarray(np.linalg.pinv(jacobian, rcond=_SINGULAR), dtype=np.float64)
+        return inverse, inverse @ np.concatenate([course.at(way).slope, turn])[: self.counts]
+
+    def _carried(self, joints: Array, start: float, way: float) -> Array:
+        """The joints of a redundant robot, brought from one way to another by the least rates."""
+        from scipy.integrate import solve_ivp
+
+        if abs(way - start) < _CLOSE:
+            return joints
+        found: Any = solve_ivp(
+            lambda at, now: self._ways(now, at)[1], (start, way), joints, method="DOP853", rtol=1e-10, atol=1e-12
+        )
+        return np.asarray(found.y[:, -1])
 
     def _reached(self, way: float, guess: Array) -> Array:
         """The joints whose tip is there, by Newton's method from a guess."""

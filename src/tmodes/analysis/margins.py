@@ -1,4 +1,4 @@
-"""Responses over frequency and time, and stability margins of linear loops."""
+"""Zeros, responses over frequency and time, and stability margins of linear systems."""
 
 from __future__ import annotations
 
@@ -10,11 +10,14 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.linalg import expm
 
-__all__ = ["Margins", "margins", "response", "step_duration", "step_values"]
+__all__ = ["Margins", "margins", "response", "step_duration", "step_values", "transmission_zeros"]
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
+
+_FAR = 1e6
+"""A zero beyond so many times the fastest pole is one of the rounding of the matrices, at infinity."""
 
 _NULL = 1e-6
 """Rate [1/s] of a motion that neither grows nor decays."""
@@ -41,6 +44,22 @@ def response(A: Array, B: Array, C: Array, D: Array, points: Complex) -> Complex
     """C (p - A)^-1 B + D at each point, by the eigenvectors where they are well conditioned, else by solving."""
     eye = np.eye(len(A))
     return np.stack([C @ np.linalg.solve(p * eye - A, B) + D for p in points])
+
+
+def transmission_zeros(A: Array, B: Array, C: Array, D: Array) -> Complex:
+    """Finite zeros [1/s] from all inputs to as many outputs, the smallest first: of the Rosenbrock pencil."""
+    from scipy.linalg import eigvals
+
+    n, m = B.shape
+    scale = max(np.abs(np.linalg.eigvals(A)).max(initial=0.0), 1e-12)
+    size = [np.abs(one).max(initial=0.0) or 1.0 for one in (B, C)]
+    left = np.block([[A / scale, B / size[0]], [C / size[1], D / (size[0] * size[1]) * scale]])
+    right = np.zeros((n + m, n + m))
+    right[:n, :n] = np.eye(n)
+    values: Any = eigvals(left, right, homogeneous_eigvals=True)
+    kept = np.abs(values[1]) > np.abs(values[0]) / _FAR
+    found = scale * values[0][kept] / values[1][kept]
+    return found[np.argsort(np.abs(found), kind="stable")]
 
 
 def step_duration(poles: Complex, period: float | None) -> float:

@@ -1,9 +1,10 @@
 """The tip of the robot as it bends on the path of the rigid one: the equations, and their solution at rest.
 
 The unknowns are all coordinates q. Along those without a motor the equations of motion hold, along the others the tip
-is where that of the rigid robot would be, as far as its joints move it:
+is where that of the rigid robot would be, as far as its joints move it, and motors of a redundant robot are where those
+of the rigid one would be, as far as that leaves the tip in place (N: the null space of J_rigid):
 
-    [M(q) q'' + h(q, q') + springs]_passive = 0,    J_rigid^T (x(q) - x_path(t)) = 0
+    [M(q) q'' + h(q, q') + springs]_passive = 0,    J_rigid^T (x(q) - x_path(t)) + N N^T (q_motors - q_rigid(t)) = 0
 
 At rest that is the quasi-static compensation of what weight and loads bend; what accelerations bend is left out.
 """
@@ -44,6 +45,12 @@ def _motors(model: Model, joints: Sequence[str]) -> list[int]:
     return [names.index(name if (name := f"{joint}.motor") in names else joint) for joint in joints]
 
 
+def _rank(ways: Array) -> int:
+    """Directions in which the joints move the tip everywhere, of matrices (n, rows, joints)."""
+    sizes = np.linalg.svd(ways, compute_uv=False).min(axis=0)
+    return int(np.sum(sizes > _SINGULAR * sizes[0]))
+
+
 class Wanted(NamedTuple):
     """Of the rigid robot at n instants: poses ``q`` (n, nq), places (n, 3) [m] and turns (n, 3, 3) of its tip.
 
@@ -72,9 +79,10 @@ class Task:
         self.motors = _motors(self.model, self.joints)
         self.still = np.array([k for k in driven(self.model) if k not in self.motors], dtype=int)
         self.passive = np.setdiff1d(np.arange(self.model.nq), [*self.motors, *self.still])
-        sizes = np.linalg.svd(self.targets(found.values).ways[:, :3], compute_uv=False).min(axis=0)
-        count = len(self.joints)
-        self.rows = 3 if count <= len(sizes) and sizes[count - 1] > _SINGULAR * sizes[0] else 6
+        ways, count = self.targets(found.values).ways, len(self.joints)
+        placed = all(leg.course.turn is None and not leg.course.of_joints for leg in found.legs)
+        self.rows = 3 if placed or _rank(ways[:, :3]) == count else 6
+        self.redundant = _rank(ways[:, : self.rows]) < count
 
     def targets(self, values: Array) -> Wanted:
         """What is wanted with the rigid robot's joints at ``values`` (n, joints)."""
@@ -136,8 +144,14 @@ class Task:
         for one in (jacobian, weights):
             one[:, 3:] *= size
         rows = slice(0, self.rows)
-        across = weights[:, rows].transpose(0, 2, 1)
-        return np.einsum("njk,nk->nj", across, off[:, rows]), across @ jacobian[:, rows]
+        across, slope = weights[:, rows].transpose(0, 2, 1), np.zeros((len(q), len(self.motors), q.shape[1]))
+        slope += across @ jacobian[:, rows]
+        found = np.einsum("njk,nk->nj", across, off[:, rows])
+        if self.redundant:
+            free = np.eye(len(self.motors)) - np.linalg.pinv(weights[:, rows], rcond=_SINGULAR) @ weights[:, rows]
+            found += np.einsum("njk,nk->nj", free, (q - wanted.q)[:, self.motors])
+            slope[:, :, self.motors] += free
+        return found, slope
 
     def at_rest(self, wanted: Wanted) -> Array:
         """Coordinates (n, nq) of the robot at rest with its tip there.

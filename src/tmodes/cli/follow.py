@@ -26,7 +26,7 @@ def follow(
         str | None,
         typer.Option(
             metavar="GROUP",
-            help="How the way is gone, a signal without start and end: s_curve, quintic, septic, polynomial, ... "
+            help="Speed profile along the path, a signal without start and end: s_curve, quintic, polynomial, ... "
             f"Left out: {PROFILE}, for `inverse` a polynomial as gentle.",
         ),
     ] = None,
@@ -39,6 +39,9 @@ def follow(
             "sag (tip on the path at rest), inverse (tip on the path as the robot bends and moves).",
         ),
     ] = "rigid",
+    least_time: Annotated[
+        bool, typer.Option("--least-time", help="As fast as limits of speed and effort allow, with this profile.")
+    ] = False,
     out: Annotated[Path | None, typer.Option(help="A file for the data sheet of the robot that follows.")] = None,
     figure: Annotated[Path | None, typer.Option(help="A file for the references: .svg, .png or .pdf.")] = None,
     overwrite: Annotated[bool, typer.Option("--overwrite", help="Replace these files.")] = False,
@@ -61,7 +64,7 @@ def follow(
     sheet = chosen_sheet(robot, settings, roots=root, trust_paths=trust_paths, fix_inertia=fix_inertia)
     with working("preparing") as tell:
         found = found_of(
-            sheet, path, profile=profile, tolerance=tolerance, reference=reference, out=out, figure=figure,
-            overwrite=overwrite, progress=tell,
+            sheet, path, profile=profile, tolerance=tolerance, reference=reference, least_time=least_time,
+            out=out, figure=figure, overwrite=overwrite, progress=tell,
         )  # fmt: skip
     print_result(found, as_json)

@@ -10,7 +10,7 @@ import typer
 
 from tmodes.cli import options
 from tmodes.cli.options import chosen_robot
-from tmodes.cli.terminal import TIMES, notice, print_json, print_parts, print_table, warn, working
+from tmodes.cli.terminal import TIMES, notice, print_json, print_parts, print_table, terminal_columns, warn, working
 from tmodes.errors import SimulationError
 
 if TYPE_CHECKING:
@@ -129,7 +129,8 @@ def _say(result: Any, folder: RunFolder, as_json: bool, spent: Mapping[str, list
         print_json(result_record(result) | timing)
     else:
         more = f"tmodes show {folder.path} --all"
-        print_parts(run_tables(result, everything=everything, more=more), None if everything else COLUMNS)
+        parts = run_tables(result, everything=everything, more=more, columns=terminal_columns() or COLUMNS)
+        print_parts(parts, None if everything else COLUMNS)
         print(f"open    {folder.report_file}" if folder.report_file.exists() else "no report was written")
         print(f"data    {folder.result_file}")
         if spent:
@@ -137,7 +138,9 @@ def _say(result: Any, folder: RunFolder, as_json: bool, spent: Mapping[str, list
             print_table("where the time went", ["stage", *(f"{name} [s]" for name in TIMES)], rows)
     warn(result.warnings)
     if result.status != "finished":
-        notice(f"tmodes: {result.message}")
+        from tmodes.result.verdict import end_words
+
+        notice(f"tmodes: {end_words(result.message)}")
 
 
 def folder_name(name: str) -> str:

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from tmodes.cli.options import AsJson, SettlingBand, stored_result
-from tmodes.cli.terminal import print_json, print_parts, print_result, print_table, warn, working
+from tmodes.cli.terminal import print_json, print_parts, print_result, print_table, terminal_columns, warn, working
 from tmodes.errors import InputError
 from tmodes.io.atomic import atomic_write, file_error
 from tmodes.io.printed import Table, plain
@@ -106,7 +106,7 @@ def _show(stored: Result, file: Path, chosen: list[StoredSeries], band: str | No
     from tmodes.interface.summary import COLUMNS, run_tables
 
     more = "all numbers with their errors, frequencies, every series: --all"
-    parts = run_tables(stored, band, everything=bool(chosen), more=more)
+    parts = run_tables(stored, band, everything=bool(chosen), more=more, columns=terminal_columns() or COLUMNS)
     print_parts(parts, None if chosen else COLUMNS)
     if chosen:
         modes = list(_modes(stored.frequencies))

@@ -26,6 +26,7 @@ __all__ = [
     "print_parts",
     "print_result",
     "print_table",
+    "terminal_columns",
     "warn",
     "working",
 ]
@@ -65,7 +66,7 @@ def print_table(title: str, columns: Sequence[str], rows: Sequence[Sequence[str]
     where there is no terminal; None: whatever the table needs.
     """
     title, columns, rows = letters(title), [*map(letters, columns)], [[*map(letters, row)] for row in rows]
-    room = shutil.get_terminal_size().columns if sys.stdout.isatty() else piped
+    room = terminal_columns() or piped
     frame = 3 * len(columns) + 1
     longest = [_widths(cells) for cells in zip(columns, *rows, strict=True)]
     whole, words = [one[0] for one in longest], [one[1] for one in longest]
@@ -75,6 +76,11 @@ def print_table(title: str, columns: Sequence[str], rows: Sequence[Sequence[str]
         _print_grid(title, columns, rows, _shared(whole, words, room - frame), room)
     else:
         _print_blocks(title, columns, rows, room)
+
+
+def terminal_columns() -> int | None:
+    """Columns of the terminal; None where there is none."""
+    return shutil.get_terminal_size().columns if sys.stdout.isatty() else None
 
 
 def print_result(found: CommandResult, as_json: bool, **more: Any) -> None:

@@ -25,7 +25,7 @@ def tune(
         Path | None, typer.Option(help="A YAML file with `uncertain`, as of tmodes compare: tune for the worst case.")
     ] = None,
     worst_case: Annotated[int, typer.Option(min=2, help="Uncertain robots of which the worst counts.")] = 16,
-    within: Annotated[float, typer.Option(help="Gains from a so-manieth to so many times what they are.")] = 10.0,
+    within: Annotated[float, typer.Option(help="Search range: each gain over, and times, this factor.")] = 10.0,
     method: Annotated[str, typer.Option(help="auto, gradient, cobyqa or tpe.")] = "auto",
     trials: Annotated[int | None, typer.Option(min=1, help="Designs that cobyqa or tpe tries. [200]")] = None,
     seed: Annotated[int, typer.Option(min=0, help="Same seed, same uncertain robots.")] = 0,

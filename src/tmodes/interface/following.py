@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
@@ -37,6 +38,12 @@ PROFILE = "{type: s_curve, speed: 0.25, acceleration: 1.0, jerk: 10.0}"
 
 _SAMPLES = 400
 
+_BY_TIME = {"duration": 1, "speed": -1, "acceleration": -2, "jerk": -3}
+"""Numbers of profiles, and with which power of a factor on the time they grow."""
+
+_TRIALS, _DOUBLINGS, _CLOSE = 14, 7, 0.01
+"""Of the search for the least time: how many there usually are, doublings at most, within which share it is found."""
+
 Group = str | Mapping[str, Any]
 
 
@@ -48,6 +55,7 @@ def follow(
     profile: Group | None = None,
     tolerance: float = 1e-7,
     reference: str = "rigid",
+    least_time: bool = False,
     out: str | os.PathLike[str] | None = None,
     figure: str | os.PathLike[str] | None = None,
     overwrite: bool = False,
@@ -57,8 +65,8 @@ def follow(
 
     ``path``: a group such as ``{"type": "line", "to": [0.6, 0.0, 0.2]}`` [m], or text like it; several follow one
     another, each from rest to rest. Kinds: line, arc, via (points with rounded corners), turn, joints, or your own;
-    with ``rpy`` the tip turns to there on the shortest way. ``profile``: how the way is gone, a signal without start
-    and end, which become 0 and the length, such as ``{"type": "s_curve", "speed": 0.5, "acceleration": 2.0,
+    with ``rpy`` the tip turns to there on the shortest way. ``profile``: speed profile along the path, a signal without
+    start and end, which become 0 and the length, such as ``{"type": "s_curve", "speed": 0.5, "acceleration": 2.0,
     "jerk": 40.0}`` [m/s, ...]; gentle for a robot of a metre if left out. It starts where the first commands put the
     rigid robot, whose inverse kinematics gives the joints; ``tolerance`` [m, rad] of its tip between the rows of the
     references.
@@ -68,7 +76,8 @@ def follow(
     tip of the robot as it bends is on the path at rest, under weight and loads (quasi-static), with their efforts.
     ``inverse``: motions and efforts with which the tip of the moving robot is on the path, free of contact
     (:mod:`tmodes.analysis.inversion`); they may begin before the path does. Runs of the nominal robot say what that is
-    worth (``checks``). ``out``: a file for the sheet; ``figure``: one for the references.
+    worth (``checks``). ``least_time``: the profile made faster or slower, to 1 %, until a motor is at its limit of
+    speed or effort (``limits`` of the sheet). ``out``: a file for the sheet; ``figure``: one for the references.
 
     Raises :class:`tmodes.errors.InputError` for a path that the rigid robot does not reach, or that passes a singular
     pose, and :class:`tmodes.errors.ResultFileError` where a file cannot be written. Source: B. Siciliano, L. Sciavicco,
@@ -92,19 +101,57 @@ def follow(
     law = {key: value for key, value in _group("--profile", PROFILE if profile is None else profile).items()
            if key not in ("start", "end")}  # fmt: skip
 
-    def signal(length: float) -> Signal:
-        if smooth:
-            return _member(Signal, _smooth(length), "profile")
-        return _member(Signal, {**law, "start": 0.0, "end": length}, "profile")
+    def signal(length: float, factor: float) -> Signal:
+        own = _smooth(length) if smooth else {**law, "start": 0.0, "end": length}
+        known = {key: own[key] * factor**power for key, power in _BY_TIME.items() if key in own} if factor != 1 else {}
+        return _member(Signal, own | known, "profile")
 
-    found = followed(robot, paths, signal, tolerance, progress)
-    given = REFERENCES[_known(reference)](robot, found, tolerance, progress)
+    def tried(factor: float) -> tuple[Followed, Reference]:
+        timed = followed(robot, paths, lambda length: signal(length, factor), tolerance, tell)
+        return timed, REFERENCES[_known(reference)](robot, timed, tolerance, tell)
+
+    tell = (lambda stage, share: None) if least_time else progress
+    found, given = _least_time(robot, tried, progress) if least_time else tried(1.0)
     made = Following(robot, given.applied(robot, found), found, tuple(str(one.type) for one in paths), reference, given)
     if reference != "rigid":
         progress("check", 0.0)
         made = replace(made, checks=given.checks(robot, made.robot, found))
     write_files(out, made, figure, overwrite=overwrite)
     return made
+
+
+def _least_time(
+    robot: Robot, tried: Callable[[float], tuple[Followed, Reference]], progress: Callable[[str, float], None]
+) -> tuple[Followed, Reference]:
+    """What is ``tried`` with the time of the profile times a factor, with the least one that the limits allow."""
+    from scipy.optimize import brentq
+
+    from tmodes.interface.references import REFERENCES, largest_load
+
+    done: dict[float, tuple[float, Followed, Reference]] = {}
+
+    def load(log: float) -> float:
+        """Logarithm of the largest share of a limit, with the logarithm of a factor."""
+        progress("least time", min(0.9, len(done) / _TRIALS))
+        found, given = tried(math.exp(log))
+        if given.efforts is None and any(joint.limits and joint.limits.effort for joint in robot.joints):
+            needed = REFERENCES["motors"](robot, given.positions, 0.0, lambda stage, share: None)
+        else:
+            needed = given
+        done[log] = largest_load(robot, needed), found, given
+        return math.log(done[log][0])
+
+    logs, here = [0.0], load(0.0)
+    while here and math.log(done[logs[-1]][0]) * here > 0:
+        logs.append(logs[-1] + math.copysign(math.log(2.0), here))
+        if abs(load(logs[-1]) - math.log(done[logs[-2]][0])) < _CLOSE or len(logs) > _DOUBLINGS:
+            share = done[logs[-1]][0]
+            got = f"{share:.3g} of a limit however slow" if here > 0 else f"{share:.3g} of all limits however fast"
+            raise InputError("--least-time", got, "limits that a time just keeps", "correct `limits` of the joints")
+    if here:
+        brentq(load, *sorted(logs[-2:]), xtol=_CLOSE / 2)
+    _, found, given = done[min(log for log, (share, *_) in done.items() if share <= 1.0)]
+    return found, given
 
 
 def _smooth(length: float) -> dict[str, Any]:

@@ -26,6 +26,12 @@ __all__ = ["Learning", "learn"]
 _FINE = 4
 """Steps of the response between two corrections."""
 
+_BACK = 3.0
+"""By how much the caution grows where a correction made the error larger."""
+
+_START = 0.1
+"""Share of the run that counts as its start."""
+
 _MOST = {"iterations": (1, 100), "samples": (10, 1000)}
 
 
@@ -47,8 +53,9 @@ def learn(
     control at ``samples`` instants, all but the first, where the run starts, by the inverse of the closed loop of the
     robot as known, linear about its start: r + (G'G + s)^-1 G' e, e: signal less position of the joint, behind its
     gear. s is the square of ``caution`` times the largest gain of G: the larger, the slower, and the more the robot may
-    differ from the one known. ``out``: a file for the sheet with the learnt setpoints; ``figure``: one for the errors,
-    .svg, .png or .pdf.
+    differ from the one known. A correction with which the error grows is undone, and ``caution`` tripled; the setpoints
+    of the best run are kept. ``out``: a file for the sheet with them; ``figure``: one for the errors, .svg, .png or
+    .pdf.
 
     Raises :class:`tmodes.errors.InputError` for numbers out of bounds and robots without such drives,
     :class:`tmodes.errors.SimulationError` where a run does not end, and :class:`tmodes.errors.ResultFileError` where a
@@ -74,16 +81,21 @@ def learn(
     times = np.linspace(0.0, robot.integration.duration, samples + 1)
     progress("linear model", 0.0)
     gain = _lifted(robot, [robot.drives[k].joint for k in places], times)
-    level = (caution * np.linalg.norm(gain, 2)) ** 2
-    inverse = np.linalg.solve(gain.T @ gain + level * np.eye(gain.shape[1]), gain.T)
-    added, found, tried = np.zeros((len(places), samples + 1)), [], robot
-    for k in range(iterations + 1):
-        progress("runs", k / (iterations + 1))
+    left, sizes, right = np.linalg.svd(gain, full_matrices=False)
+    added, tried, found = np.zeros((len(places), samples + 1)), robot, [_errors(robot, robot, places, times)]
+    kept, cautions = [(added, robot, found[0])], [caution]
+    for k in range(iterations):
+        progress("runs", (k + 1) / (iterations + 1))
+        change = right.T @ (sizes / (sizes**2 + (cautions[-1] * sizes[0]) ** 2) * (left.T @ kept[-1][2].ravel()))
+        added = kept[-1][0].copy()
+        added[:, 1:] += change.reshape(len(places), samples)
+        tried = _corrected(robot, places, times, added)
         found.append(_errors(tried, robot, places, times))
-        if k < iterations:
-            added[:, 1:] += (inverse @ found[-1].ravel()).reshape(len(places), samples)
-            tried = _corrected(robot, places, times, added)
-    learnt = Learning(robot, tried, tuple(robot.drives[k].joint for k in places), times, added, np.stack(found))
+        better = bool(np.linalg.norm(found[-1]) < np.linalg.norm(kept[-1][2]))
+        kept += [(added, tried, found[-1])] if better else []
+        cautions.append(cautions[-1] * (1 if better else _BACK))
+    learnt = Learning(robot, kept[-1][1], tuple(robot.drives[k].joint for k in places), times, kept[-1][0],
+                      np.stack(found), np.array([caution, *cautions[:-1]]))  # fmt: skip
     write_files(out, learnt, figure, overwrite=overwrite)
     return learnt
 
@@ -149,7 +161,10 @@ def _corrected(robot: Robot, places: list[int], times: Array, added: Array) -> R
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Learning(CommandResult):
-    """The ``robot`` with learnt setpoints: ``added`` (joints, times) [rad, m]; ``errors`` (runs, joints, times)."""
+    """The ``robot`` with the setpoints of the best run: ``added`` (joints, times) [rad, m].
+
+    ``errors`` (runs, joints, times) of all runs; ``cautions`` (runs,) with which their setpoints were found.
+    """
 
     given: Robot = field(repr=False)
     robot: Any = field(repr=False)
@@ -157,6 +172,12 @@ class Learning(CommandResult):
     times: Array
     added: Array
     errors: Array
+    cautions: Array
+
+    @property
+    def best(self) -> int:
+        """The run whose setpoints are kept."""
+        return int(self.rms.argmin())
 
     @property
     def rms(self) -> Array:
@@ -189,7 +210,9 @@ class Learning(CommandResult):
         largest = abs(self.errors).max(axis=2)
         return {
             "robot": self.given.name, "joints": list(self.joints), "rms": self.rms.tolist(),
-            "largest": largest.tolist(), "time_s": self.times.tolist(), "correction": self.added.tolist(),
+            "best": self.best,
+            "caution": self.cautions.tolist(), "largest": largest.tolist(), "time_s": self.times.tolist(),
+            "correction": self.added.tolist(),
             "units": {"rms": "rad or m, of all joints, by run", "largest": "rad or m, by run and joint",
                       "correction": "rad or m, added to the setpoint of each joint"},
         }  # fmt: skip
@@ -207,11 +230,16 @@ class Learning(CommandResult):
 
     def tables(self) -> Iterator[str | Table]:
         """The errors of each run."""
-        import numpy as np
-
-        first, last = self.rms[[0, -1]]
-        yield f"{self.given.name}: error {last / first:.3g} of the first after {len(self.errors) - 1} corrections"
-        rows = [[str(k), f"{rms:.4g}", *(f"{np.abs(one).max():.4g}" for one in errors)]
-                for k, (rms, errors) in enumerate(zip(self.rms, self.errors, strict=True))]  # fmt: skip
-        yield Table("Signal less position of the joints [rad or m]",
-                    ["run", "rms of all", *(f"largest, {joint}" for joint in self.joints)], rows)  # fmt: skip
+        share, count = self.rms[self.best] / self.rms[0], len(self.errors)
+        yield f"{self.given.name}: rms error {share:.3g} of the first by setpoints of run {self.best} of {count - 1}"
+        if self.cautions[-1] > self.cautions[0]:
+            yield "Corrections that made the error larger were undone: this robot differs much from the one known."
+        largest = abs(self.errors).max(axis=2)
+        when = float(self.times[abs(self.errors[self.best]).max(axis=0).argmax()])
+        if when < _START * self.times[-1]:
+            yield f"The largest error is that of the start, where the robot sags at rest (at {when:.3g} s)."
+        columns = zip(self.cautions, self.rms, largest, strict=True)
+        rows = [[str(k), f"{caution:.2g}", f"{rms:.4g}", *(f"{one:.4g}" for one in most)]
+                for k, (caution, rms, most) in enumerate(columns)]  # fmt: skip
+        heads = ["run", "caution", "rms of all", *(f"largest, {joint}" for joint in self.joints)]
+        yield Table("Signal less position of the joints [rad or m]", heads, rows)

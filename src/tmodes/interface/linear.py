@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tmodes.analysis.margins import Margins, margins, response, step_duration, step_values
+from tmodes.analysis.margins import Margins, margins, response, step_duration, step_values, transmission_zeros
 from tmodes.errors import InputError
 from tmodes.interface.poses import Pose, pose_of, pose_words
 from tmodes.interface.statics import Linearization, circumstances
@@ -19,6 +19,7 @@ from tmodes.interface.variants import uncertain_of, uncertain_robots
 from tmodes.io.arguments import checked_arguments
 from tmodes.io.files import FilePath
 from tmodes.io.printed import Table
+from tmodes.kinds.controllers.discrete import Mode, lost_modes
 
 if TYPE_CHECKING:
     from xarray import DataArray
@@ -32,10 +33,9 @@ Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 Progress = Callable[[str, float], None]
 
-_FAR = 1e6
-"""A zero beyond so many times the fastest pole is one of the rounding of the matrices, at infinity."""
-_NULL = 1e-9
-_POINTS = 400
+_NULL, _ROUNDING = 1e-9, 1e-9
+"""Growth that is none; size of a pole, over the largest, that is 0."""
+_POINTS, _MOST_PAIRS = 400, 12
 
 
 @checked_arguments
@@ -200,6 +200,16 @@ class LinearModel(Linearization):
         return found[np.argsort(np.abs(found) * (-1 if self.period else 1), kind="stable")]
 
     @property
+    def uncontrollable(self) -> list[Mode]:
+        """Modes (``pole``, ``state`` that has most of it) that no input reaches."""
+        return lost_modes(self.A, self.B, self.states)
+
+    @property
+    def unobservable(self) -> list[Mode]:
+        """Modes that no output shows."""
+        return lost_modes(self.A.T, self.C.T, self.states)
+
+    @property
     def is_stable(self) -> bool:
         """Whether all poles decay."""
         return bool((np.abs(self.poles) < 1).all() if self.period else (self.poles.real < 0).all())
@@ -215,22 +225,11 @@ class LinearModel(Linearization):
         >>> abs(linear.zeros().imag).round(3).tolist()
         [10.478, 10.478]
         """
-        from scipy.linalg import eigvals
-
         A, B, C, D = self._part(output, input)
         if len(C) != B.shape[1]:
             got, expected = f"{B.shape[1]} inputs and {len(C)} outputs", "as many of both"
             raise InputError("zeros", got, expected, "name one input and one output")
-        n, m = B.shape
-        scale = max(np.abs(np.linalg.eigvals(A)).max(initial=0.0), 1e-12)
-        size = [np.abs(one).max(initial=0.0) or 1.0 for one in (B, C)]
-        left = np.block([[A / scale, B / size[0]], [C / size[1], D / (size[0] * size[1]) * scale]])
-        right = np.zeros((n + m, n + m))
-        right[:n, :n] = np.eye(n)
-        values = eigvals(left, right, homogeneous_eigvals=True)
-        kept = np.abs(values[1]) > np.abs(values[0]) / _FAR
-        found = scale * values[0][kept] / values[1][kept]
-        return found[np.argsort(np.abs(found), kind="stable")]
+        return transmission_zeros(A, B, C, D)
 
     def _part(self, output: str | None, input: str | None) -> tuple[Array, Array, Array, Array]:  # noqa: A002
         rows, columns = self._place("outputs", output), self._place("inputs", input)
@@ -280,7 +279,7 @@ class LinearModel(Linearization):
         from xarray import concat
 
         at = self.frequencies() if frequencies is None else frequencies
-        each = [replace(self, made=partial(_itself, one)).frequency_response(at) for one in self.family]
+        each = [replace(self, made=partial(replace, one)).frequency_response(at) for one in self.family]
         return concat(each, "case")
 
     def _points(self, frequencies: Array) -> Complex:
@@ -364,7 +363,9 @@ class LinearModel(Linearization):
         pairs = [[float(one.real), float(one.imag)] for one in self.poles]
         more = {key: getattr(s, key).tolist() for key in ("A", "B", "C", "D", "x0", "u0", "y0", "rate")}
         names = {"states": list(s.states), "inputs": list(s.inputs), "outputs": list(s.outputs)}
-        rest = {"units": dict(s.units), "period": s.period, "closed": self.closed, "poles": pairs}
+        lost = {key: [[mode.pole.real, mode.pole.imag, mode.state] for mode in getattr(self, key)]
+                for key in ("uncontrollable", "unobservable")}  # fmt: skip
+        rest = {"units": dict(s.units), "period": s.period, "closed": self.closed, "poles": pairs} | lost
         return super().info() | names | more | rest
 
     def tables(self) -> Iterator[str | Table]:
@@ -372,9 +373,10 @@ class LinearModel(Linearization):
         s = self.system
         kind = "under its controllers" if self.closed else "open loop"
         sampled = f", sampled every {s.period:g} s" if s.period else ""
-        growing = np.abs(self.poles) - 1 if self.period else self.poles.real / np.maximum(np.abs(self.poles), 1e-300)
-        most = growing.max(initial=-1.0)
-        word = "unstable" if most > _NULL else "stable" if most < -_NULL else "neither stable nor unstable"
+        sizes = np.abs(self.poles)
+        growing = sizes - 1 if self.period else self.poles.real[sizes > _ROUNDING * sizes.max(initial=0.0)]
+        most, free = growing.max(initial=-1.0), not self.period and len(growing) < len(sizes)
+        word = "unstable" if most > _NULL else "stable" if most < -_NULL and not free else "neither stable nor unstable"
         yield (
             f"{self.name}: {len(s.states)} states, {len(s.inputs)} inputs, {len(s.outputs)} outputs, {kind}{sampled}, "
             f"{self.where}: {word}"
@@ -384,6 +386,9 @@ class LinearModel(Linearization):
         rows = [[f"{rate.real:.5g}", f"{rate.imag:.5g}", f"{abs(rate) / (2 * np.pi):.5g}", _ratio(rate)]
                 for rate in rates[np.isfinite(rates)] if rate.imag >= 0]  # fmt: skip
         yield Table("poles", ["real [1/s]", "imaginary [1/s]", "natural [Hz]", "damping ratio"], rows)
+        for what, modes in (("No input reaches", self.uncontrollable), ("No output shows", self.unobservable)):
+            if modes:
+                yield f"{what} the mode {', '.join(map(str, modes))}."
         if len(s.inputs) * len(s.outputs) <= _MOST_PAIRS:
             yield Table("zeros", ["from", "to", "zeros [1/s]", "phase"], list(self._zero_rows()))
         yield Table("inputs", ["name", "value there"], [[n, f"{v:.5g}"] for n, v in zip(s.inputs, s.u0, strict=True)])
@@ -437,13 +442,6 @@ class LinearModel(Linearization):
         lines = {f"{source} to {name} [{units.get(name, '')}]": (found.time, found.sel(input=source, output=name))
                  for source in self.inputs for name in self.outputs}  # fmt: skip
         return commands.points(lines, "time [s]", "after a step of 1", title=self.name, ax=ax, line="-", marks=False)
-
-
-def _itself(system: StateSpace) -> StateSpace:
-    return system
-
-
-_MOST_PAIRS = 12
 
 
 def _ratio(rate: complex) -> str:

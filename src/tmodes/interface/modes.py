@@ -52,7 +52,7 @@ def modes(
     reading: str | None = None,
     progress: Callable[[str, float], None] = lambda stage, share: None,
 ) -> Modes:
-    """Frequencies and damping about the sagged rest, of the actual robot and of the nominal one.
+    """Frequencies and damping about the static equilibrium, of the actual robot and of the nominal one.
 
     Under its loads, its motors at their first command, at a pose ``at`` [rad, m], or the first drive's motor at
     ``angle`` [rad]; ``contact``: with the tip on the environment; ``max_frequency`` [Hz]: the highest one that is kept;

@@ -67,6 +67,8 @@ def motion(
     accepted [m], by default 5e-7 of its distance from the base. ``out``: a file for the robot with these torques, as a
     data sheet; ``overwrite`` what is there.
 
+    Loads act as at time 0 all along: how they change later is a disturbance, which no torque plans for.
+
     Of the nominal robot, with all its elasticity, by exact derivatives of its runs (:mod:`tmodes.gradients.optimal`);
     checked by a run in open loop, and by one with more functions of the links. Where nothing is within the tolerance
     and the limits, what comes nearest is returned with a warning. The problem: A. De Luca, G. Di Giovanni, Rest-to-rest
@@ -93,8 +95,10 @@ def motion(
         "speed": _limits(robot, speed, "--speed", "speed", [*last]),
     }
 
+    calm = _steady(robot)
+
     def move(seconds: float) -> RestToRest:
-        return RestToRest(robot, first, last, seconds, modes=modes, **limits)
+        return RestToRest(calm, first, last, seconds, modes=modes, **limits)
 
     def tell(share: float) -> None:
         progress("motion", share)
@@ -107,7 +111,7 @@ def motion(
     if least_time:
         trial, found = shortest(move, time, allowed, tell)
     progress("check", 0.0)
-    made = _checked(robot, trial, found, allowed, limits)
+    made = _checked(calm, robot, trial, found, allowed, limits)
     if out is not None:
         from tmodes.io.atomic import atomic_write
         from tmodes.io.sheet_write import robot_to_yaml
@@ -169,7 +173,19 @@ def _limits(robot: Robot, given: Pose | None, which: str, name: str, joints: Seq
     return found
 
 
-def _checked(robot: Robot, move: RestToRest, found: Found, accepted: float, limits: Limits) -> Motion:
+def _steady(robot: Robot) -> Robot:
+    """The robot whose loads stay as they are at time 0."""
+    from tmodes.kinds.signals.registry import constant_signal
+
+    end, loads = robot.integration.duration, list(robot.loads)
+    for k, load in enumerate(loads):
+        if load.signal is not None:
+            first = constant_signal(float(load.signal.schedule(end).at(0.0)))
+            loads[k] = load.model_copy(update={"signal": first})
+    return robot.model_copy(update={"loads": tuple(loads)})
+
+
+def _checked(robot: Robot, sheet: Robot, move: RestToRest, found: Found, accepted: float, limits: Limits) -> Motion:
     """Runs in open loop of what was found: as it is, with more functions of the links; and with motors on a quintic."""
     from tmodes.analysis.modes.of_sheet import finer
     from tmodes.gradients.optimal import table, under_torques
@@ -202,8 +218,8 @@ def _checked(robot: Robot, move: RestToRest, found: Found, accepted: float, limi
     if more := finer(robot):
         swings["finer"] = ran(more)[2]
     swings["quintic"] = ran(robot, given)[2]
-    made = cast("UsersRobot", driven.model_copy(update={"real": robot.real}))
-    return Motion(made, robot, move, found, result, swings, accepted, limits)
+    made = cast("UsersRobot", driven.model_copy(update={"real": sheet.real, "loads": sheet.loads}))
+    return Motion(made, sheet, move, found, result, swings, accepted, limits)
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -257,7 +273,9 @@ class Motion(CommandResult):
     def warnings(self) -> list[str]:
         """What is to be known about this motion."""
         found, more = list[str](), "give more time, higher limits or more modes"
-        if self.found.swing > self.accepted:
+        if any(load.signal is not None and load.signal.type != "constant" for load in self.sheet.loads):
+            found.append("loads of the sheet that change over time are planned for as at time 0")
+        if max(self.found.swing, self.swing / _FAR) > self.accepted:
             swing, accepted = written(self.swing, "m"), written(self.accepted, "m")
             found.append(
                 f"the tip swings by {swing}, {accepted} is accepted: no motion was found that does better; {more}"

@@ -16,13 +16,15 @@ from numpy.typing import NDArray
 from tmodes.analysis.follow import Followed
 from tmodes.analysis.inversion import inverted
 from tmodes.analysis.sagging import Task, sagged
-from tmodes.errors import TmodesError
+from tmodes.errors import InputError, TmodesError
 from tmodes.kinds.signals.registry import Signal
-from tmodes.result.run import run
+from tmodes.result.run import ready_to_run
 from tmodes.sheet import Robot
 from tmodes.sheet.parts import Command, DriveSheet, Initial, InitialState
+from tmodes.simulation.motion_run import RunData
+from tmodes.simulation.simulate import simulate_motion
 
-__all__ = ["REFERENCES", "Reference"]
+__all__ = ["REFERENCES", "Reference", "largest_load"]
 
 Array = NDArray[np.float64]
 Progress = Callable[[str, float], None]
@@ -74,20 +76,39 @@ class Reference:
         plain, task, found = Reference(path).applied(robot, path), Task(robot, path), {}
         tried: dict[str, Callable[[], Robot]] = {"rigid": lambda: plain, "this": lambda: made}
         if self.efforts is not None and all(d.feed_forward for d in made.drives if d.joint in path.joints):
-            tried["open loop"] = lambda: _open_loop(made, path.joints, data)
-        data: Any = None
+            tried["open loop"] = lambda: _open_loop(made, path.joints, done)
+        done: Any = None
         for name, one in tried.items():
             lead, end = (0.0, float(path.times[-1])) if name == "rigid" else (self.lead, self.end)
             try:
-                data = _nominal(one(), end, _SAMPLES).data
+                done = _nominal(one(), end, _SAMPLES)
             except TmodesError:
                 found[name] = float("nan")
                 if name == "this":  # then it is not known from where the open loop begins
                     break
                 continue
-            wanted = task.along(data["time"].values - lead).places
-            found[name] = float(np.linalg.norm(data["tip"].values - wanted, axis=1).max())
+            tip = done.points.position[:, [point.name for point in done.chain.points].index("tip")]
+            found[name] = float(np.linalg.norm(tip - task.along(done.times - lead).places, axis=1).max())
         return found
+
+
+def largest_load(robot: Robot, reference: Reference) -> float:
+    """The largest speed or effort of a motor on a reference over its limit.
+
+    Raises :class:`tmodes.errors.InputError` where no joint of it has a limit.
+    """
+    bounds, own = {joint.name: joint.limits for joint in robot.joints}, reference.positions
+    shares = []
+    for k, joint in enumerate(own.joints):
+        limits = bounds[joint]
+        if limits and limits.speed:
+            shares.append(float(np.abs(own.rates[:, k]).max()) / limits.speed)
+        if limits and limits.effort and reference.efforts is not None:
+            shares.append(float(np.abs(reference.efforts.values[:, k]).max()) / limits.effort)
+    if not shares:
+        hint = "add `limits: {speed: 3.0, effort: 100.0}` to its joints"
+        raise InputError("--least-time", "no limit of speed or effort", "a limit of a joint that moves", hint)
+    return max(shares)
 
 
 def _replaced(robot: Robot, drives: Sequence[DriveSheet]) -> Robot:
@@ -96,19 +117,19 @@ def _replaced(robot: Robot, drives: Sequence[DriveSheet]) -> Robot:
     return robot.model_copy(update={"drives": tuple(own.get(drive.joint, drive) for drive in robot.drives)})
 
 
-def _open_loop(robot: Robot, joints: Sequence[str], data: Any) -> Robot:
+def _open_loop(robot: Robot, joints: Sequence[str], done: RunData) -> Robot:
     """The robot whose drives of ``joints`` give their efforts and nothing else, from where a run began."""
     motors, drives = {joint.name for joint in robot.joints if joint.motor}, []
     for drive in robot.drives:
         if drive.joint in joints and drive.feed_forward is not None:
             command = Command.TORQUE if drive.joint in motors else Command.EFFORT
             drives.append(DriveSheet(joint=drive.joint, command=command, signal=drive.feed_forward))
-    start = dict(zip(data["coordinate"].values.tolist(), data["q"].values[0].tolist(), strict=True))
+    start = dict(zip(done.coordinates, done.q[0].tolist(), strict=True))
     initial = Initial(state=InitialState.ZERO, coordinates=start)
     return _replaced(robot, drives).model_copy(update={"initial": initial})
 
 
-def _nominal(robot: Robot, end: float, samples: int) -> Any:
+def _nominal(robot: Robot, end: float, samples: int) -> RunData:
     """The run of the robot as known up to ``end`` [s], without noise."""
     settings = {
         "duration": end,
@@ -119,7 +140,7 @@ def _nominal(robot: Robot, end: float, samples: int) -> Any:
     }
     drives = tuple(drive.model_copy(update={"noise": None}) for drive in robot.drives)
     update = {"real": {}, "task": None, "drives": drives, "integration": robot.integration.model_copy(update=settings)}
-    return run(robot.model_copy(update=update))
+    return simulate_motion(ready_to_run(robot.model_copy(update=update)).pair())
 
 
 def _needed(robot: Robot, positions: Followed) -> Reference:
@@ -127,9 +148,9 @@ def _needed(robot: Robot, positions: Followed) -> Reference:
     moved = [DriveSheet(joint=joint, command=Command.PRESCRIBED, signal=Signal.of(signal))
              for joint, signal in zip(positions.joints, positions.signals(), strict=True)]  # fmt: skip
     exact = _replaced(robot, moved).model_copy(update={"control": (), "sensors": ()})
-    result = _nominal(exact, float(positions.times[-1]), _ROWS)
-    efforts = np.stack([np.asarray(result.output(f"{joint}.effort")) for joint in positions.joints], axis=1)
-    return Reference(positions, _rows(positions, result.data["time"].values, efforts))
+    done = _nominal(exact, float(positions.times[-1]), _ROWS)
+    efforts = done.effort[:, [done.drives.index(joint) for joint in positions.joints]]
+    return Reference(positions, _rows(positions, done.times, efforts))
 
 
 def _rows(like: Followed, times: Array, values: Array) -> Followed:

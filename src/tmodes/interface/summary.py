@@ -25,6 +25,10 @@ __all__ = [
 ]
 
 
+COLUMNS = 80
+"""Columns of the first lines on a run, at most."""
+
+
 def result_record(result: Result, band: str | float | None = None) -> dict[str, Any]:
     """What a result says, for machines."""
     return {
@@ -48,21 +52,21 @@ def events_table(result: Result) -> str | Table:
 
 
 def run_tables(
-    result: Result, band: str | float | None = None, *, everything: bool = False, more: str = ""
+    result: Result, band: str | float | None = None, *, everything: bool = False, more: str = "", columns: int = COLUMNS
 ) -> Iterator[str | Table]:
     """What a run comes to in words, its numbers, at most a dozen, and its events.
 
     ``everything``: all numbers with their errors, how the run ended, its steps; ``band``: within which the tip counts
-    as settled; ``more``: where the rest is.
+    as settled; ``more``: where the rest is; ``columns``: in which the words are broken, at most ``COLUMNS``.
     """
     from tmodes.result.events import counted
     from tmodes.result.verdict import culprit_words
 
-    summary = result.summary(band)
+    summary, columns = result.summary(band), min(columns, COLUMNS)
     found = summary["verdict"]
-    yield fill(plain(found["sentence"]), COLUMNS)
+    yield fill(plain(found["sentence"]), columns)
     if words := culprit_words(found):
-        yield fill(plain(f"Causes: {words}."), COLUMNS)
+        yield fill(plain(f"Causes: {words}."), columns)
     yield _every_number(result, summary) if everything else _first_numbers(result, summary)
     if everything:
         yield f"end     {plain(result.message)}"
@@ -102,20 +106,18 @@ _FIRST = (
 )  # fmt: skip
 """Facts by their stable names."""
 
-COLUMNS = 80
-"""Columns of the first lines on a run."""
-
 
 def _short_notes(summary: dict[str, Any]) -> dict[str, str]:
     """Of what says more in a report."""
     from tmodes.io.printed import written
+    from tmodes.result.verdict import damping_words
 
     settling, residual, energy = summary["settling"], summary["verdict"]["residual"], summary["energy"]
     notes = {"settling": "not seen to settle"} if settling["time_s"] is None else {}
     if settling["time_s"] is not None and not settling["reason"]:
         notes["settling"] = f"within {written(settling['limit_m'], 'm', 3)} of its rest"
     if residual:
-        notes["vibration.residual"] = f"{residual['frequency_Hz']:.3g} Hz, {100 * residual['damping']:.2g} % damping"
+        notes["vibration.residual"] = f"{residual['frequency_Hz']:.3g} Hz, {damping_words(residual['damping'])} damping"
     if energy and energy["worst_residual_over_moved"] is not None:
         notes["energy.residual"] = f"of {written(energy['moved_J'], 'J')} moved"
     return notes

@@ -135,7 +135,10 @@ _PREFIXES = (
     (1e-11, 1e9, "n"),
 )  # fmt: skip
 _FIXED = {"m": (10.0, 1e3, "mm"), "rad": (1.0, 1e3, "mrad"), "s": (1.0, 1.0, "s")}
-"""One unit for what is compared: below this size the factor on the SI value and its name."""
+"""One unit for what is compared, but for tiny sizes: below this size the factor on the SI value and its name."""
+
+_LEAST, _LARGE = 1e-11, 1e7
+"""Least size with a prefix, also of what has one unit, where it is below a thousandth of that; powers of ten from."""
 
 _PLAIN = ("Hz", "%", "rad/s")
 """Units that take no prefix."""
@@ -155,10 +158,12 @@ def written(value: float, unit: str, digits: int = 4) -> str:
     size = abs(value)
     if not math.isfinite(value):
         return f"{value:g}\u00a0{name}".rstrip()
-    if (fixed := _FIXED.get(unit)) and 0.0 < size < fixed[0]:
-        value, name = value * fixed[1], fixed[2]
-    if not name or unit in _PLAIN or unit in _FIXED or size == 0.0:
-        text = power_of_ten(value) if 0.0 < abs(value) < 1e-3 else _rounded(value, digits)
+    own = _FIXED.get(unit)
+    tiny = own is not None and _LEAST <= size < 1e-3 / own[1]
+    if own and 0.0 < size < own[0] and not tiny:
+        value, name = value * own[1], own[2]
+    if not name or unit in _PLAIN or (own and not tiny) or size == 0.0:
+        text = power_of_ten(value) if size and not 1e-3 <= abs(value) < _LARGE else _rounded(value, digits)
         return f"{text}\u00a0{name}".rstrip("\u00a0")
     for least, factor, prefix in _PREFIXES:
         if size >= least and (factor >= 1.0 or unit.split("/", maxsplit=1)[0] not in NEVER_LARGE):

@@ -2,12 +2,14 @@
 
 A data sheet needs maps, lists and scalars; anchors (&), aliases (*) and merge keys (<<) repeat them. What an alias
 stands for counts like what is written out, and everything else that YAML can do (tags, many documents) is refused, so a
-hostile file costs a bounded time and memory: the data is built here, from the parser's events.
+hostile file costs a bounded time and memory: the data is built here, from the parser's events. Long lists of numbers, a
+line for each, do not go through the parser, which would take a second for 10,000 of them.
 """
 
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
@@ -46,9 +48,17 @@ def yaml_events(text: str, source: str) -> Iterator[Any]:
 Positions = dict[str, int]
 """Line of every key and list item, by its dotted path; the path of the whole file is empty."""
 
-MOST_BYTES = 256 * 1024
+MOST_BYTES = 4 * 2**20
 MOST_EVENTS = 40_000
 """Keys, values and brackets of a file: a robot of 500 joints has some 34,000, which are read in a second."""
+
+MOST_NUMBERS = 400_000
+"""Numbers in long lists of a file, such as the samples of a trajectory."""
+
+_MARK = "\ue000"
+_NUMBER = r"-?[0-9]+\.[0-9]+(?:[eE][-+]?[0-9]+)?"
+_NUMBERS = re.compile(rf"^( *)- {_NUMBER}\n(?:\1- {_NUMBER}\n){{15,}}", re.MULTILINE)
+"""A list of at least 16 numbers, a line for each, and the letter that stands for one in the text that is parsed."""
 
 MOST_EVENTS_2010 = 5_000
 """The same for a sheet without ``kind`` and ``urdf``: that of the 2010 robot has some 200."""
@@ -71,8 +81,12 @@ def parse_yaml(text: str, source: str) -> tuple[dict[str, Any], Positions]:
         if len(line) > LONGEST_LINE:
             got, most = f"a line of {len(line)} characters", f"at most {LONGEST_LINE} characters"
             raise InputError("the file", got, most, "break the line", f"{source}:{number}")
-    builder = _YamlBuilder(source)
-    data = builder.document(yaml_events(text, source))
+    try:
+        builder = _YamlBuilder(source, text)
+        data = builder.document(yaml_events(builder.text, source))
+    except _MarkedTextError:
+        builder = _YamlBuilder(source, text, lists=False)
+        data = builder.document(yaml_events(text, source))
     if not isinstance(data, dict):
         raise builder.error(1, "the file", shown(data), "keys and values, such as `gravity: 9.81`", "see the examples")
     if builder.count > MOST_EVENTS_2010 and not {"kind", "urdf"} & data.keys():
@@ -99,15 +113,30 @@ def _decoded(content: bytes, source: str) -> str:
         raise InputError("the file", got, "text in UTF-8", hint, f"{source}:{line}") from None
 
 
-class _YamlBuilder:
-    """Builds plain data from events and keeps the lines."""
+class _MarkedTextError(Exception):
+    """The lines of what looked like a list of numbers are part of a text."""
 
-    def __init__(self, source: str) -> None:
+
+class _YamlBuilder:
+    """Builds plain data from events and keeps the lines.
+
+    In ``text`` a mark stands for each long list of numbers, and empty lines, so that all others keep their number.
+    """
+
+    def __init__(self, source: str, text: str, *, lists: bool = True) -> None:
         self.source = source
+        self.lists: dict[str, list[Any]] = {}
+        self.text = _NUMBERS.sub(self._marked, text) if lists and _MARK not in text else text
+        self.numbers = 0
         self.positions: Positions = {"": 1}
         self.count = 0
         self._anchors: dict[str, list[Any]] = {}
         self._recorded: list[list[Any]] = []
+
+    def _marked(self, found: re.Match[str]) -> str:
+        mark, lines = f"{_MARK}{len(self.lists)}", found[0].splitlines()
+        self.lists[mark] = [scalar(line.partition("- ")[2]) for line in lines]
+        return f"{found[1]}- {mark}" + "\n" * len(lines)
 
     def too_many(self, line: int, most: int, hint: str) -> InputError:
         return self.error(line, "the file", f"more than {most} items", f"at most {most}", hint)
@@ -178,6 +207,8 @@ class _YamlBuilder:
     def _value(self, event: Any, events: Iterator[Any], path: str, depth: int) -> Any:
         match type(event).__name__:
             case "ScalarEvent":
+                if self.lists and _MARK in event.value:
+                    raise _MarkedTextError
                 return scalar(event.value) if event.style in (None, "") else event.value
             case "SequenceStartEvent":
                 return self._list(events, path, depth)
@@ -200,10 +231,22 @@ class _YamlBuilder:
         for event in events:
             if type(event).__name__ == "SequenceEndEvent":
                 break
+            if type(event).__name__ == "ScalarEvent" and event.value in self.lists and event.anchor is None:
+                items += self._long(event, path, len(items))
+                continue
             here = _join(path, str(len(items)))
             self.positions[here] = _line(event)
             items.append(self._node(event, events, here, depth + 1))
         return items
+
+    def _long(self, event: Any, path: str, first: int) -> list[Any]:
+        """The long list of numbers at a mark."""
+        found, line = self.lists[event.value], _line(event)
+        self.numbers += len(found)
+        if self.numbers > MOST_NUMBERS:
+            raise self.too_many(line, MOST_NUMBERS, "check that this is a data sheet")
+        self.positions |= {_join(path, str(first + k)): line + k for k in range(len(found))}
+        return found
 
     def _map(self, events: Iterator[Any], path: str, depth: int) -> dict[str, Any]:
         pairs: dict[str, Any] = {}

@@ -62,7 +62,8 @@ class SliderRule(NamedTuple):
 
     ``reach``: the largest value over the present one (the least is its inverse); ``room``: how far a number that
     may be zero goes at least; ``span``: how far one goes both ways, as a share of the robot's length. ``words``: its
-    label where the sheet's own words do not say whose it is.
+    label where the sheet's own words do not say whose it is. ``design``: chosen by the designer of the robot, other
+    than the constants of a material, damping and friction.
     """
 
     pattern: str
@@ -73,16 +74,20 @@ class SliderRule(NamedTuple):
     log: bool = True
     span: float = 0.0
     words: str = ""
+    design: bool = False
 
 
 _RULES = (
     SliderRule(r"links\.\*\.bodies\.\*\.mass", "payload", 3.0, log=False),
-    SliderRule(r"joints\.\*\.gear\.stiffness(\.0)?(\.\*)?", "gear", real=True),
-    SliderRule(r"links\.\*\.beam\.modes\.\*\.bending_stiffness", "links", real=True),
-    SliderRule(r"links\.\*\.beam\.(section\.bending_stiffness(\.\*)?|material\.young)", "links", real=True),
+    SliderRule(r"joints\.\*\.gear\.stiffness(\.0)?(\.\*)?", "gear", real=True, design=True),
+    SliderRule(r"links\.\*\.beam\.(modes\.\*|section)\.bending_stiffness(\.\*)?", "links", real=True, design=True),
+    SliderRule(
+        r"links\.\*\.beam\.section\.(\w*diameter|\w*thickness|width|height)", "links", 2.0, log=False, design=True
+    ),
     SliderRule(r"drives\.\*\.signal\.duration", "move", 2.0),
-    SliderRule(r"drives\.\*\.controller\.position_gain", "controller"),
-    SliderRule(r"drives\.\*\.controller\.velocity_gain", "controller"),
+    SliderRule(r"drives\.\*\.controller\.position_gain", "controller", design=True),
+    SliderRule(r"drives\.\*\.controller\.velocity_gain", "controller", design=True),
+    SliderRule(r"links\.\*\.beam\.material\.young", "links", real=True),
     SliderRule(r"contact\.stiffness", "environment"),
     SliderRule(r"contact\.shape\.distance", "environment", span=0.03, log=False, words="distance of the wall"),
     SliderRule(r"contact\.shape\.radius", "environment", span=0.03, log=False, words="radius of the surface touched"),
@@ -93,9 +98,11 @@ _RULES = (
     SliderRule(r"contact\.friction", "environment", 3.0, log=False),
     SliderRule(r"contact\.preload", "environment", 3.0, room=20.0, log=False),
     SliderRule(r"joints\.\*\.gear\.damping", "gear", real=True),
-    SliderRule(r"joints\.\*\.spring\.(stiffness|damping)", "gear", real=True),
+    SliderRule(r"joints\.\*\.spring\.stiffness", "gear", real=True, design=True),
+    SliderRule(r"joints\.\*\.spring\.damping", "gear", real=True),
     SliderRule(r"links\.\*\.beam\.(modes\.\*\.)?damping_time", "links"),
-    SliderRule(r"joints\.\*\.motor\.(inertia|friction\.viscous)", "motor"),
+    SliderRule(r"joints\.\*\.motor\.inertia", "motor", design=True),
+    SliderRule(r"joints\.\*\.motor\.friction\.viscous", "motor"),
     SliderRule(r"joints\.\*\.friction\.viscous", "motor"),
 )
 _ALONE = 2

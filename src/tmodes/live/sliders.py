@@ -23,7 +23,7 @@ MOST = 16
 class Slider:
     """A knob that a page shows, as it is known (``real`` False) or as the factor of the actual robot on it.
 
-    ``design``: a design variable; else it is of the surroundings, of the task, or what is known of the actual robot.
+    ``design``: a design variable; else it is of a material, the surroundings or the task, or known of the actual robot.
     ``least``, ``most``: what the sheet takes, None: any number.
     """
 
@@ -57,9 +57,6 @@ class Slider:
             **{name: end for name, end in (("least", self.least), ("most", self.most)) if end is not None},
         }  # fmt: skip
 
-
-_DESIGN = ("gear", "links", "motor", "controller")
-"""Groups of design variables, but for their friction; others are of the surroundings or of the task."""
 
 _VECTORS = ("position", "center", "axis", "gravity", "normal", "velocity", "force", "moment")
 
@@ -107,12 +104,9 @@ def sliders_of(sheet: Any, knobs: Sequence[Knob], most: int = MOST, *, ahead: Ah
             path, unit = group_path(knob.pattern, [own for own, _ in knob.targets], data), "-"
         shown = f"{label}: times the sheet's" if knob.together else label
         own = (path, shown, number.symbol, unit, group, knob.start, knob.low, knob.high, knob.log)
-        design, whole = (
-            rule.group in _DESIGN and ".friction." not in number.pattern,
-            number.value if knob.together else 1.0,
-        )
+        whole = number.value if knob.together else 1.0
         ends = (end / whole if abs(end) < LARGEST else None for end in (number.least, number.most))
-        found.append(Slider(index, False, *own, design, *ends))
+        found.append(Slider(index, False, *own, rule.design, *ends))
         span = ahead.get(REAL + path)
         if (rule.real or span) and knob.factor and knob.reals:
             low, high = min(knob.factor, 0.2) / 2, 2 * max(knob.factor, 1.0)

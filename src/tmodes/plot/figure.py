@@ -42,6 +42,9 @@ class Figure(ABC):
     caption: ClassVar[str] = ""
     """What to look at, in one or two sentences."""
 
+    source: ClassVar[str] = ""
+    """A sentence on where the numbers come from, after the caption; empty where that needs no word."""
+
     serif: ClassVar[bool] = False
     """Whether it is drawn in a journal's font."""
 
@@ -181,7 +184,7 @@ ROOM = 10_000_000
 def captions(names: Sequence[str]) -> str:
     """What stands below each of these figures, a paragraph for each."""
     shown = ((name.capitalize().replace("_", " "), _figure(name)) for name in names)
-    return "\n\n".join(f"{label}: {one.title}. {one.caption}" for label, one in shown) + "\n"
+    return "\n\n".join(f"{label}: {one.title}. {one.caption} {one.source}".rstrip() for label, one in shown) + "\n"
 
 
 def _say_nothing(done: int, total: int, name: str) -> None:

@@ -62,7 +62,7 @@ def _header(result: Result, robot: Robot) -> Markup:
     data = result.record
     space = "in contact with a surface" if "contact_force" in data else "in free space"
     bending = sum(link.beam is not None and link.beam.coordinate_count > 0 for link in robot.links)
-    driven = len(data["drive"]) if "drive" in data.dims else 0
+    driven = len(robot.drives)
     counts = ", ".join(_count(*one) for one in ((driven, "driven joint"), (bending, "elastic link")))
     size, end = _count(len(data["coordinate"]), "coordinate"), float(data["time"][-1])
     info = f"{counts}, {size}; {space}, {end:g} s simulated"

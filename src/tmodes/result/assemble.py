@@ -83,7 +83,7 @@ class ResultAssembly(Derives):
         run, settings, count = self.run, self.run.robot.integration, self._whole
         if not settings.energy_stop:
             return None
-        return energy_lost(run.energy_balance[:count], run.energy_moved, settings.energy_tolerance)
+        return energy_lost(run.energy_balance[:count], run.energy_moved, run.energy_there, settings.energy_tolerance)
 
     @property
     def count(self) -> int:
@@ -345,9 +345,10 @@ def _finite(variables: Variables) -> Variables:
 
 
 def ending(run: RunData) -> tuple[str, str]:
-    """Status and sentence of the whole run: its own, or that of the nominal run where that ended early."""
+    """Status and sentence of the whole run: its own, or that of the nominal run where that ended first."""
     planned_run = run.reference
-    if planned_run is not None and planned_run.status != "finished":
+    last = planned_run is not None and (run.status == "finished" or planned_run.times[-1] <= run.times[-1])
+    if planned_run is not None and planned_run.status != "finished" and last:
         return planned_run.status, f"nominal run: {planned_run.message}"
     return run.status, run.message if run.status in STATUSES[:2] else f"actual robot: {run.message}"
 

@@ -32,7 +32,7 @@ if TYPE_CHECKING:
     from tmodes.simulation.plan import Planned
 
 __all__ = [
-    "LONGER", "AfterMove", "after_move", "continuing", "move_end", "not_settled", "plain_vibration", "settling",
+    "AfterMove", "after_move", "continuing", "move_end", "not_settled", "plain_vibration", "settling",
     "unknown_vibration", "vibration",
 ]  # fmt: skip
 
@@ -65,8 +65,8 @@ _CREEPS = 0.9
 """Ratio of two changes, one fifth of that time apart, up to which a motion creeps to a rest that is known by them."""
 
 _UNREST = "a motion that does not decay, or a run that is too short"
-LONGER = ": simulate longer to see it settle"
-"""What helps where a run ends before its move; not where a stop condition ended it."""
+_LONGER = ": simulate longer to see it settle"
+"""What helps where a run that reached its end ends before its move."""
 
 _COSTLY = "what follows takes more than half of the run's own steps: simulate longer to see it"
 
@@ -87,7 +87,7 @@ class AfterMove:
     ``tip`` (n, 3) [m] and ``rates`` (n, 3) [m/s]; ``end``: of the move [s], None where it has none; ``finished`` [s]:
     where the run itself ends; ``even``: samples at equal times, in which vibrations are looked for; ``cut``: what ended
     the continuation before all was seen; ``whose``: motion ``tip`` is; ``unrest``: what keeps it from its rest, in
-    words, and whether that is no vibration.
+    words, and whether that is no vibration; ``longer``: what helps where the run ends before the move.
     """
 
     times: Array
@@ -100,6 +100,7 @@ class AfterMove:
     cut: str = ""
     whose: str = "the tip"
     unrest: tuple[str, bool] = "", False
+    longer: str = _LONGER
 
     @property
     def beyond(self) -> dict[str, Any]:
@@ -109,7 +110,7 @@ class AfterMove:
     def settling(self, band: Band = USUAL) -> dict[str, Any]:
         """When the tip stays near its own rest, see :func:`settling`; and how far the run was continued for it."""
         (found, alone), cut = self.unrest, self.cut
-        words = self.whose, (found if alone or not cut else cut) or _UNREST
+        words = self.whose, (found if alone or not cut else cut) or _UNREST, self.longer
         return settling(self.times, self.tip, self.rates, self.end, self.finished, band, *words) | self.beyond
 
     def vibration(self) -> Residual:
@@ -145,6 +146,7 @@ def settling(
     band: Band = USUAL,
     whose: str = "the tip",
     unrest: str = _UNREST,
+    longer: str = _LONGER,
 ) -> dict[str, Any]:
     """Time from the end of the move after which the actual tip stays within ``limit_m`` of its own rest.
 
@@ -152,7 +154,8 @@ def settling(
     away than a share of the band, and what creeping adds to that. ``limit_m`` is the ``band``, of ``move_m``, its
     farthest distance from rest in the run. Between samples the tip moves by cubics of its positions and ``rates``.
     ``time_s`` is None, with a ``reason``, where the tip is not seen to come to rest, and stay there; ``whose`` motion
-    it is, and what keeps it from its rest (``unrest``), are words of it. Where nothing moves that is the reason, too.
+    it is, what keeps it from its rest (``unrest``), and what helps (``longer``), are words of it. Where nothing moves
+    that is the reason, too.
     """
     (rest, spread), run = _rest(times, tip, end), times <= finished * (1 + 1e-9)
     move = farthest(times[run], tip[run], rates if rates is None else rates[run], rest)
@@ -162,7 +165,7 @@ def settling(
         return info | {"reason": "what moves the robot changes up to the end of the run"}
     if times[-1] <= end * (1 + 1e-9):
         when = f"the run ends at {times[-1]:g} s, the move at {end:g} s"
-        return info | {"reason": f"{when}{LONGER}"}
+        return info | {"reason": f"{when}{longer}"}
     if move <= STANDS * np.abs(tip).max():
         return info | {"time_s": 0.0, "rest_m": rest.tolist(), "reason": AT_REST}
     if spread > _STEADY * limit:
@@ -249,7 +252,8 @@ def after_move(run: RunData, end: float | None, progress: Callable[[float], None
     """
     setup, decays = run.setup, _decays(run)
     motion, last = (run.points.position[:, 0], run.points.velocity[:, 0], run.q), len(run.times)
-    found = AfterMove(run.times, *motion, end, float(run.times[-1]), np.arange(last))
+    longer = _LONGER if run.status == "finished" else ""
+    found = AfterMove(run.times, *motion, end, float(run.times[-1]), np.arange(last), longer=longer)
     stops = end is not None and end <= run.times[-1] * (1 + 1e-9)
     if end is None or not stops or run.status != "finished" or setup.callback:
         return found
@@ -373,13 +377,14 @@ def at_rest_from(setup: RunSetup, time: float, state: Array, duration: float) ->
 def move_end(planned: Planned) -> float | None:
     """When the last signal of a drive, a load or the base stops changing [s]; None where one never does.
 
-    Signals are looked at beyond the end of the run, so that a move that ends there is known to end; noise on what a
-    controller receives is no move.
+    Signals are looked at beyond the end of the run and of their moves, so that a move that ends there, or later, is
+    known to end; noise on what a controller receives is no move.
     """
     own = [k for k in range(len(planned.each)) if k not in planned.plan.aside]
     if not own:
         return 0.0
-    until = float(planned.signals.knots[-1])
+    ends = [planned.each[k].move_ends(_BEYOND) for k in own]
+    until = max([float(planned.signals.knots[-1]), *(float(end) for end in ends if end is not None)])
     try:
         longer = merge([planned.each[k].schedule(_BEYOND * until) for k in own])
     except InputError:  # a signal without a value there

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.analysis.energy import STILL, largest_flow
+from tmodes.analysis.energy import largest_flow, stands
 from tmodes.chain.chain import joint_of_element
 from tmodes.frame import along
 from tmodes.integrate.conditions import Band
@@ -259,7 +259,7 @@ def _energy(data: Record) -> dict[str, float | None]:
     """Energy moved (see :func:`largest_flow`), and the worst residual of the balance over it; None of rounding."""
     moved, there = largest_flow(data["energy"].values, data["work"].values), np.abs(data["energy"].values).max()
     worst = float(np.abs(data["energy_balance"].values).max())
-    share = worst / moved if moved > STILL * there else None
+    share = None if stands(moved, float(there)) else worst / moved
     return {"moved_J": moved, "worst_residual_J": worst, "worst_residual_over_moved": share}
 
 

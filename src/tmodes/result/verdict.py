@@ -13,12 +13,22 @@ import numpy as np
 
 from tmodes.io.printed import written
 from tmodes.kinds.joints.joint import Limits
-from tmodes.result.settling import LONGER
 from tmodes.result.summary import TIP
 from tmodes.sheet import Robot
 from tmodes.sheet.robot import yield_strength
 
-__all__ = ["PHRASES", "culprit_words", "culprits", "filled", "limits_of", "said", "unjudged", "verdict"]
+__all__ = [
+    "PHRASES",
+    "culprit_words",
+    "culprits",
+    "damping_words",
+    "end_words",
+    "filled",
+    "limits_of",
+    "said",
+    "unjudged",
+    "verdict",
+]
 
 Phrases = Sequence[Sequence[str]]
 """The parts of a text, each with its alternatives."""
@@ -175,7 +185,7 @@ def said(found: Mapping[str, Any], status: str, message: str) -> dict[str, str]:
     off, within, settled = largest is not None and largest > _EXACT, settling["within_m"] or 0.0, settling["time_s"]
     seen = residual and (settled is None or residual["amplitude_m"] > within)
     worst, *others = [one for one in found["limits"] if one["share"] > _PASSED] or [None]
-    said_why = _METHOD.sub("", message).replace("`", "")
+    said_why = end_words(message)
     known = {
         "failure": said_why if failed else None,
         "condition": said_why if status == _ENDED[1] else None,
@@ -194,9 +204,9 @@ def said(found: Mapping[str, Any], status: str, message: str) -> dict[str, str]:
         "missed": tolerance and largest is not None and largest > tolerance and _written(tolerance, "m"),
         "within": not failed and settled is not None and not settling["reason"] and _written(within, "m"),
         "settled": settled and _written(settled, "s"),
-        "reason": not failed and settled is None and settling["reason"].removesuffix(LONGER * (status == _ENDED[1])),
+        "reason": not failed and settled is None and settling["reason"],
         "frequency": seen and _written(residual["frequency_Hz"], "Hz"),
-        "damping": seen and _written(round(100 * residual["damping"], residual["damping"] < _TENTHS) + 0.0, "%", 2),
+        "damping": seen and damping_words(residual["damping"]),
         "quantity": worst and worst["quantity"].capitalize(),
         "element": worst and worst["element"],
         "value": worst and _written(worst["value"], worst["unit"]),
@@ -204,6 +214,16 @@ def said(found: Mapping[str, Any], status: str, message: str) -> dict[str, str]:
         "others": ", ".join(f"{one['quantity']} of {one['element']}" for one in others if one),
     }
     return {name: text for name, text in known.items() if text}
+
+
+def end_words(message: str) -> str:
+    """How a run ended, without the method that it chose, and without marks of code."""
+    return _METHOD.sub("", message).replace("`", "")
+
+
+def damping_words(ratio: float) -> str:
+    """A damping ratio in per cent: tenths where it is small, and no more of what is rounding."""
+    return _written(round(100 * ratio, ratio < _TENTHS) + 0.0, "%", 2)
 
 
 _TENTHS = 0.0995

@@ -282,8 +282,8 @@ class Initial(DataSheet):
     """The state at time 0."""
 
     state: InitialState = Field(default=InitialState.REST, strict=False, description="rest, held or zero")
-    coordinates: dict[str, Number] = by_name("coordinate", "q", "coordinate -> value [coordinate]")
-    rates: dict[str, Number] = by_name("coordinate/s", "v", "coordinate -> rate [coordinate/s]")
+    coordinates: dict[str, Number] = by_name("coordinate", "q", "initial value of a coordinate, by its name")
+    rates: dict[str, Number] = by_name("coordinate/s", "v", "initial rate of a coordinate, by its name")
 
     @property
     def names(self) -> tuple[str, ...]:

@@ -108,6 +108,11 @@ class RunData(Trajectory):
         """The largest change of any kind of energy, work of any kind, or kinetic energy, within the run [J]."""
         return largest_flow(np.column_stack([*self.energies.values()]), np.column_stack([*self.works.values()]))
 
+    @property
+    def energy_there(self) -> float:
+        """The largest energy of any kind [J]."""
+        return float(max(np.abs(values).max() for values in self.energies.values()))
+
 
 def bytes_per_sample(model: LoopModel) -> int:
     """Memory that one sample takes while a run is gathered [bytes]."""

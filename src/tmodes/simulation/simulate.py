@@ -157,6 +157,8 @@ def _growing(setups: _Setups) -> list[str]:
     named = (("nominal robot", setups.nominal), ("actual robot", setups.real))
     known = [(name, setup) for name, setup in named if setup and not (setup.planned.plan.is_sampled or setup.callback)]
     found = [warning for name, setup in known for warning in growth_warnings(setup.spectrum, name, _CAUSES)]
+    for block in setups.real.planned.plan.blocks:
+        found += [f"control block `{block.name}`: {remark}" for remark in block.law.block.remarks()]
     if setups.real.robot.control and setups.real.planned.plan.is_sampled and not setups.real.callback:
         from tmodes.simulation.linear import growth
 

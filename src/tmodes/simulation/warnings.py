@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.analysis.energy import STILL, energy_sentence
+from tmodes.analysis.energy import energy_sentence
 from tmodes.kinds.contacts.registry import Contact
 from tmodes.kinds.signals.registry import MergedSchedule
 from tmodes.sheet.robot import RECURSION
@@ -122,8 +122,8 @@ def no_motion(run: RunData) -> str:
 
 def run_warnings(run: RunData) -> list[str]:
     """Limits passed, a contact that jams, energy that does not add up; with the first time and the worst value."""
-    tolerance, still = run.robot.integration.energy_tolerance, _stands(run)
-    energy = "" if still else energy_sentence(run.times, run.energy_balance, run.energy_moved, tolerance, _cause(run))
+    flow = run.energy_moved, run.energy_there, run.robot.integration.energy_tolerance
+    energy = energy_sentence(run.times, run.energy_balance, *flow, _cause(run))
     jammed = [] if run.contact_fold is None else jam_warnings(run.times, run.contact_fold)
     return [*([energy] if energy else []), *jammed, *_limits(run)]
 
@@ -143,12 +143,6 @@ def _cause(run: RunData) -> str:
                 "to its gear's spring and damper is not counted; move it in a short time"
             )
     return "the integration is too coarse; lower integration.relative_tolerance or integration.step"
-
-
-def _stands(run: RunData) -> bool:
-    """Whether what moves is the error of the integration alone, of a robot that stands still and holds a load."""
-    stored = max(float(np.abs(values).max()) for name, values in run.energies.items() if "elastic" in name)
-    return run.energy_moved <= STILL * stored
 
 
 def jam_warnings(time: Array, fold: Array) -> list[str]:

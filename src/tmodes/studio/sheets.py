@@ -74,7 +74,7 @@ def _slider_record(slider: Slider, knob: Knob, data: dict[str, Any]) -> dict[str
         targets = [{"steps": ["real", path], "base": 1.0} for path in knob.reals]
     else:
         targets = [{"steps": list(steps_of(path, data)), "base": base} for path, base in knob.targets]
-    names = ("path", "label", "symbol", "unit", "group", "log")
+    names = ("path", "label", "symbol", "unit", "group", "log", "design")
     info: dict[str, Any] = {name: getattr(slider, name) for name in names}
     together = knob.together and not slider.real
     return info | {"min": slider.low, "max": slider.high, "together": together, "targets": targets}

@@ -2,7 +2,7 @@
 
 import { alongSum } from "../along";
 import type { Verdict } from "../contract";
-import { info } from "../format";
+import { damping, info } from "../format";
 import type { Bundle } from "./bundle";
 import { elementSteps } from "./causes";
 import type { Engine } from "./engine";
@@ -145,7 +145,7 @@ function said(found: Judged, failure: string): Record<string, string | false | n
     settled: settled ? written(settled, "s") : false,
     reason: !failure && settled === null && settling.reason,
     frequency: seen && written(residual.frequency_Hz, "Hz"),
-    damping: seen && written(Number((100 * residual.damping).toFixed(residual.damping < 0.0995 ? 1 : 0)) + 0, "%", 2),
+    damping: seen && damping(residual.damping).replace(/\u00a0/g, " "),
     quantity: passed ? passed.quantity[0].toUpperCase() + passed.quantity.slice(1) : false,
     element: passed?.element ?? false,
     value: passed ? written(passed.value, passed.unit) : false,

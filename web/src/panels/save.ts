@@ -22,7 +22,8 @@ export function saveMenu(name: string, scene: SceneView, clock: Clock, address: 
     const copied = navigator.clipboard?.writeText(location.href) ?? Promise.reject(new Error("no clipboard"));
     copied.then(() => put(link, "Link copied"), () => put(link, "The link is in the address bar"));
   }, { class: "copy-link" });
-  const film = button("Record the run (WebM)", () => record(name, scene, clock, film), {
+  const film = button("Record the run (WebM)", () => clock.duration / clock.speed > LEAST
+    ? record(name, scene, clock, film) : put(film, "Too short for a film: choose a lower speed"), {
     hidden: typeof MediaRecorder === "undefined",
   });
   const found = menu("Save", button("Save the picture (PNG)", () => savePicture(scene.picture(), name)), film, link);
@@ -31,6 +32,7 @@ export function saveMenu(name: string, scene: SceneView, clock: Clock, address: 
 }
 
 const FRAMES = 30; // a second
+const LEAST = 2 / FRAMES; // s, of a film
 
 /** Play the run once from its start, and save what was seen; pressed again it ends earlier. */
 function record(name: string, scene: SceneView, clock: Clock, control: HTMLButtonElement): void {

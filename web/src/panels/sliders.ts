@@ -6,7 +6,7 @@ import { button, make, put, save } from "../dom";
 import { digits, info } from "../format";
 import { spare } from "../spare";
 import type { Settings } from "./address";
-import { byKind, effects, lessening, nameOf } from "./effects";
+import { adviceOf, byKind, effects, lessening, nameOf } from "./effects";
 import { makeSlider, type SliderRow } from "./slider";
 import type { Advice } from "./verdict";
 
@@ -176,7 +176,10 @@ export function mountSliders(
       place([...rows].sort((one, other) => size(other) - size(one)).slice(0, LEADING));
     }
     const less = await lessening(opened, rows, found, wanted);
-    if (less && wanted()) options.advise(less.map(({ row, value, change }) => adviceOf(row, value, change, changed)));
+    if (less && wanted()) options.advise(less.map((one) => adviceOf(one, () => {
+      one.row.value = one.value;
+      changed();
+    })));
   }
 
   const ranking = spare(() => live && rank(live).catch(() => undefined)); // it fails where somebody wants a run
@@ -213,16 +216,6 @@ export function mountSliders(
       element.replaceChildren();
     },
   };
-}
-
-/** `gear stiffness ×2: −21 %`. */
-function adviceOf(row: SliderRow, value: number, change: number, changed: () => void): Advice {
-  const times = value > row.value ? `×${digits(value / row.value, 2)}` : `÷${digits(row.value / value, 2)}`;
-  const apply = () => {
-    row.value = value;
-    changed();
-  };
-  return { text: `${row.slider.label} ${times}: −${digits(-100 * change, 2)} %`, apply };
 }
 
 function grouped(rows: SliderRow[]): HTMLElement[] {

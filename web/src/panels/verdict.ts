@@ -5,7 +5,7 @@ import type { Clock } from "../clock";
 import type { Page, Run, Verdict } from "../contract";
 import type { LiveRun, SceneView } from "../contract_parts";
 import { button, make, put } from "../dom";
-import { digits, info } from "../format";
+import { damping, digits, info } from "../format";
 import { isEarly } from "./early";
 
 export interface VerdictView {
@@ -36,10 +36,10 @@ const NUMBERS: [string, (keyof Verdict)[], (verdict: Verdict) => string][] = [
     largest_m === null ? "" : `${length(largest_m)} at ${written(time_s, "s")}`],
   ["Final error", ["final_m"], ({ final_m }) => (final_m === null ? "" : length(final_m))],
   ["Settling after the move", ["settling"], ({ settling: { time_s, within_m, reason } }) =>
-    time_s === null ? reason && "not seen" : `${written(time_s, "s")} (within ${length(within_m)})`],
+    time_s === null ? reason && "not seen" : `${written(time_s, "s")} (${reason || `within ${length(within_m)}`})`],
   ["Residual vibration", ["residual"], ({ residual }) => residual === null ? "" :
     [length(residual.amplitude_m), written(residual.frequency_Hz, "Hz"),
-      `${digits(100 * residual.damping, 2)} % damping`].join(", ")],
+      `${damping(residual.damping)} damping`].join(", ")],
   ["Nearest limit", ["limits"], ({ limits: [first] }) => first ?
     `${first.quantity} ${first.element} ${digits(100 * first.share, 4)} % of ${written(first.limit, first.unit)}` : ""],
 ]; // prettier-ignore
@@ -47,14 +47,15 @@ const NUMBERS: [string, (keyof Verdict)[], (verdict: Verdict) => string][] = [
 export function mountVerdict(element: HTMLElement, page: Page, clock: Clock, scene: SceneView): VerdictView {
   let chosen: { run: number; key: string } | null = null;
   let before = 0; // s, where the clock was
+  let advised = Boolean(page.live);
   const rows = page.runs.map((run, k) => rowOf(run, page.runs.length > 1, (culprit) => choose(k, culprit)));
   const leads = make("span", { text: LESSENS });
-  const advice = make("div", { class: "advice computing", hidden: !page.live }, leads);
+  const advice = make("div", { class: "advice computing", hidden: true }, leads);
   rows[0].element.append(advice);
   element.append(...rows.map((row) => row.element));
   const fold = () => {
     element.hidden = rows.every((row) => row.verdict === null);
-    advice.hidden = !page.live || !(Number(rows[0].verdict?.largest_m) > NO_ERROR);
+    advice.hidden = !advised || !(Number(rows[0].verdict?.largest_m) > NO_ERROR);
   };
   fold();
 
@@ -103,6 +104,8 @@ export function mountVerdict(element: HTMLElement, page: Page, clock: Clock, sce
       if (chosen?.run === 0 && rows[0].verdict) explain();
     },
     advise(found) {
+      advised = true;
+      fold();
       advice.classList.toggle("computing", found === null);
       if (found === null) return advice.querySelectorAll("button").forEach((one) => { one.disabled = true; });
       const known = typeof found !== "string";
@@ -142,7 +145,7 @@ function rowOf(run: Run, several: boolean, choose: (culprit: Culprit) => void): 
     if (!verdict) return;
     element.classList.toggle("computing", state !== "");
     element.dataset.level = state ? "neutral" : verdict.level;
-    sentence.dataset.state = state;
+    sentence.dataset.state = state || (pending.includes("settling") ? " computing …" : "");
     put(sentence, verdict.sentence);
     numbers.replaceChildren(...NUMBERS.flatMap(([name, fields, text]) => {
       if (!run.success && AFTER.some((field) => fields.includes(field))) return [];
@@ -183,7 +186,7 @@ function rowOf(run: Run, several: boolean, choose: (culprit: Culprit) => void): 
     (names.children[focus] as HTMLElement | undefined)?.focus();
   }
 
-  fill([], "");
+  fill(run.pending ?? [], "");
   return {
     element,
     get verdict() {
@@ -192,7 +195,7 @@ function rowOf(run: Run, several: boolean, choose: (culprit: Culprit) => void): 
     show(live) {
       if (live?.verdict ?? !live) verdict = live?.verdict ?? run.verdict ?? null;
       const known = live === null || live.verdict !== undefined;
-      fill(live?.pending ?? [], known ? "" : isEarly(live) ? " computing …" : " (of the run as it was)");
+      fill((live ?? run).pending ?? [], known ? "" : isEarly(live) ? " computing …" : " (of the run as it was)");
     },
     press(key) {
       for (const one of names.querySelectorAll<HTMLElement>("[data-key]"))

@@ -28,6 +28,8 @@ export interface Knob {
   symbol: string;
   unit: string;
   group: string;
+  /** Whoever designs the robot chooses it. */
+  design: boolean;
   min: number;
   max: number;
   log: boolean;

@@ -24,7 +24,7 @@ export interface Listener {
 }
 
 export class Runner {
-  private readonly client = crypto.randomUUID();
+  readonly client = crypto.randomUUID();
   private wanted: Wish | null = null;
   private calm = 0;
   private running: { job: string | null; since: number; unwanted: boolean } | null = null;

@@ -3,7 +3,9 @@
 import type { Page } from "../contract";
 import { make } from "../dom";
 import type { LiveRun } from "../contract_parts";
+import { LATER } from "../live/later";
 import { mountPage, type PageView } from "../page";
+import type { Advice } from "../panels/verdict";
 import type { Job, StudioChange, StudioPage, Upon } from "./api";
 
 export class Shown {
@@ -38,6 +40,7 @@ export class Shown {
     if (upon) this.draw(upon, page, job);
     else {
       [this.last, this.job] = [page, job];
+      if (page.runs[0].charts.length) page.runs[0].pending = LATER; // not of a robot at rest
       this.mount(page);
     }
   }
@@ -59,8 +62,13 @@ export class Shown {
     if (this.last === this.base) return this.view.complete(page.runs[0]);
     this.last = page;
     if (!alike(this.base, page)) return this.mount(page);
-    this.view.show({ ...asLive(page, this.job), vibration: "they are shown here" });
+    this.view.show({ ...asLive(page, this.job), vibration: "they are shown here", pending: undefined });
     this.view.showModes(page.runs[0].modes);
+  }
+
+  /** Tell what lessens the error most, or why that is not known; null: it is being computed. */
+  advise(found: Advice[] | string | null): void {
+    this.view?.advise(found);
   }
 
   /** Whether anything is shown. */
@@ -133,6 +141,7 @@ function asLive(page: StudioPage | StudioChange, job: Job): LiveRun {
     scene: run.scene,
     line: run.line,
     verdict: run.verdict,
+    pending: LATER,
     facts: Object.fromEntries(
       run.facts.map(({ id, value, note, time }) => [id, { value, note, time: time ?? undefined }]),
     ),

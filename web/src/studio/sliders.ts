@@ -89,7 +89,8 @@ export function valueOf(knob: Knob, sheet: Sheet): number | null {
   return knob.together ? value / first.base : value;
 }
 
-function apply(knob: Knob, sheet: Sheet, value: number): void {
+/** Puts a value where a slider's numbers are. */
+export function apply(knob: Knob, sheet: Sheet, value: number): void {
   for (const target of knob.targets) put(sheet, target.steps, knob.together ? target.base * value : value);
 }
 

@@ -213,6 +213,10 @@ class Block(Kind):
         del plant, drives
         return self
 
+    def remarks(self) -> list[str]:
+        """What a user should know of the block as it is designed, before a run."""
+        return []
+
     @property
     def structure(self) -> str:
         """The law's compiled form: two blocks of the same structure share their code."""

@@ -1,12 +1,19 @@
-"""Sampled systems whose inputs are held."""
+"""Linear systems: sampled ones whose inputs are held, and modes that inputs do not reach or outputs do not see."""
 
 from __future__ import annotations
 
-from typing import Any
+from collections.abc import Sequence
+from typing import Any, NamedTuple
 
 import numpy as np
 
-__all__ = ["zero_order_hold"]
+__all__ = ["Mode", "lost_modes", "zero_order_hold"]
+
+_LOST = 1e-9
+"""Share of an input in a mode below which it does not reach it."""
+
+_SAME = 1e-8
+"""Difference of poles over the largest one within which they are one."""
 
 
 def zero_order_hold(A: Any, B: Any, period: float) -> tuple[Any, Any]:
@@ -18,3 +25,45 @@ def zero_order_hold(A: Any, B: Any, period: float) -> tuple[Any, Any]:
     whole[:n, :n], whole[:n, n:] = A, B
     found = expm(whole * period)
     return found[:n, :n], found[:n, n:]
+
+
+class Mode(NamedTuple):
+    """A pole [1/s] and the state that has most of it."""
+
+    pole: complex
+    state: str
+
+    def __str__(self) -> str:
+        """As messages name it."""
+        rings, rate = abs(self.pole.imag) > _SAME * abs(self.pole), self.pole.real
+        what = (
+            f"of {abs(self.pole) / (2 * np.pi):.4g} Hz" if rings else f"at {rate if abs(rate) > _SAME else 0:.4g} 1/s"
+        )
+        return f"{what} (mostly `{self.state}`)"
+
+
+def lost_modes(A: Any, B: Any, states: Sequence[str]) -> list[Mode]:
+    """Modes of x' = A x + B u that no input reaches; of (A', C') those that no output sees. One of each pair.
+
+    Poles that are equal are one subspace of left eigenvectors W, of which W' B reaches as many modes as it has rank
+    (W. Popov, V. Belevitch, M. Hautus); the states are scaled first.
+    """
+    from scipy.linalg import eig, matrix_balance
+
+    if not len(A):
+        return []
+    scaled, (sizes, _) = matrix_balance(A, permute=False, separate=True)
+    inputs = np.asarray(B) / sizes[:, None]
+    inputs = inputs / np.maximum(np.linalg.norm(inputs, axis=0), 1e-300)
+    poles, left, right = eig(scaled, left=True, right=True)  # pyright: ignore[reportAssignmentType]
+    found, open_ = [], list(range(len(poles)))
+    while open_:
+        same = [k for k in open_ if abs(poles[k] - poles[open_[0]]) <= _SAME * np.abs(poles).max()]
+        open_ = [k for k in open_ if k not in same]
+        ways, weights, _ = np.linalg.svd(left[:, same], full_matrices=False)
+        ways = ways[:, weights > 1e-6]
+        reached = int(np.sum(np.linalg.svd(ways.conj().T @ inputs, compute_uv=False) > _LOST)) if inputs.size else 0
+        if ways.shape[1] > reached and poles[same[0]].imag >= 0:
+            share = np.abs(left[:, same] * right[:, same].conj()).sum(axis=1)
+            found += [Mode(complex(poles[same[0]]), states[int(share.argmax())])] * (ways.shape[1] - reached)
+    return found

@@ -32,9 +32,9 @@ class StateFeedback(Controller):
     tuned: ClassVar[tuple[str, ...]] = ("position_gains", "velocity_gains")
 
     type: Literal["state_feedback"] = Field(description="kind of controller")
-    position_gains: dict[str, _Gain] = _gains("gain", "Kq", "coordinate -> gain on its position")
-    velocity_gains: dict[str, _Gain] = _gains("gain*s", "Kv", "coordinate -> gain on its rate")
-    rest: dict[str, _Gain] = _gains("coordinate", "q_r", "coordinate -> its value at rest")
+    position_gains: dict[str, _Gain] = _gains("gain", "Kq", "gain on the position of a coordinate, by its name")
+    velocity_gains: dict[str, _Gain] = _gains("gain*s", "Kv", "gain on the rate of a coordinate, by its name")
+    rest: dict[str, _Gain] = _gains("coordinate", "q_r", "value of a coordinate at rest, by its name")
     feedforward: _Gain = Field(
         default=0.0,
         description="constant command [command]",

@@ -15,7 +15,7 @@ from pydantic import Field
 
 from tmodes.errors import InputError
 from tmodes.kinds.controllers.contract import CONTROLLERS, Controller, LinearPlant, Measured, OwnState
-from tmodes.kinds.controllers.discrete import zero_order_hold
+from tmodes.kinds.controllers.discrete import Mode, lost_modes, zero_order_hold
 from tmodes.kinds.kernel import vectors
 from tmodes.kinds.schema.frames import list_of_numbers
 from tmodes.kinds.schema.quantity import LARGEST, Issue, not_negative, positive
@@ -95,6 +95,13 @@ class _StateSpace(Controller):
         n = len(linear.A)
         vars(found)["found"] = Design(linear, A[:n, :n], B[:n], self._feedback(A, B, linear), self._observer(linear))
         return found
+
+    def remarks(self) -> list[str]:
+        """Modes that no drive reaches, or that nothing measured shows."""
+        plant = self.design.plant
+        unseen = lost_modes(plant.A.T, plant.C.T, plant.states) if self.reads else []
+        return [*_said("the drives do not reach", lost_modes(plant.A, plant.B, plant.states)),
+                *_said("nothing measured shows", unseen)]  # fmt: skip
 
     def _own(self, plant: LinearPlant) -> list[int]:
         """Places of the positions that the drives keep."""
@@ -191,6 +198,10 @@ class _StateSpace(Controller):
         return f"{super().structure} {d.plant.states} {d.plant.drives} {self._sums} {self.sample_time}"
 
 
+def _said(what: str, modes: list[Mode]) -> list[str]:
+    return [f"{what} the mode {', '.join(map(str, modes))}: no gain changes its damping"] if modes else []
+
+
 def _place(plant: LinearPlant, joint: str) -> int:
     name = f"{joint}.motor" if f"{joint}.motor" in plant.states else joint
     return plant.states.index(name)
@@ -218,7 +229,9 @@ class _Weighted(_StateSpace):
     def _feedback(self, A: Any, B: Any, plant: LinearPlant) -> Any:
         Q = diagonal(self.state_weights, plant, "state_weights")
         Q = np.diag([*Q, *[self.integral_weight] * (len(A) - len(Q))])
-        return _riccati(A, B, Q, self.effort_weight * np.eye(B.shape[1]), sampled=self.sample_time is not None)[0]
+        lost = lost_modes(plant.A, plant.B, plant.states)
+        R = self.effort_weight * np.eye(B.shape[1])
+        return _riccati(A, B, Q, R, sampled=self.sample_time is not None, why=_said("the drives do not reach", lost))[0]
 
 
 def diagonal(weights: dict[str, float], plant: LinearPlant, which: str) -> list[float]:
@@ -229,7 +242,7 @@ def diagonal(weights: dict[str, float], plant: LinearPlant, which: str) -> list[
     return [weights.get(name, 0.0) for name in plant.states]
 
 
-def _riccati(A: Any, B: Any, Q: Any, R: Any, *, sampled: bool) -> tuple[Any, Any]:
+def _riccati(A: Any, B: Any, Q: Any, R: Any, *, sampled: bool, why: list[str]) -> tuple[Any, Any]:
     """Gain and solution of the Riccati equation; raises :class:`tmodes.errors.InputError` where there is none."""
     from scipy.linalg import solve_continuous_are, solve_discrete_are
 
@@ -241,7 +254,8 @@ def _riccati(A: Any, B: Any, Q: Any, R: Any, *, sampled: bool) -> tuple[Any, Any
         return np.linalg.solve(R, B.T @ X), X
     except (np.linalg.LinAlgError, ValueError) as error:
         hint = "give a weight to each motion that does not decay by itself, or leave out what no drive moves"
-        raise InputError("control", f"no solution ({error})", "a robot that the drives can stabilise", hint) from error
+        got = f"no solution ({'; '.join(why) or error})"
+        raise InputError("control", got, "a robot that the drives can stabilise", hint) from error
 
 
 @CONTROLLERS.register
@@ -329,7 +343,8 @@ class LQG(_Weighted):
             got, expected = f"{list(given)}", f"1 or {len(self.measured)} variances above 0"
             raise InputError("measurement_noise", got, expected, "write the variance of each that is measured")
         V = np.diag(given if len(given) > 1 else given * len(self.measured))
-        P = _riccati(Ad.T, plant.C.T, W, V, sampled=True)[1]
+        unseen = _said("nothing measured shows", lost_modes(plant.A.T, plant.C.T, plant.states))
+        P = _riccati(Ad.T, plant.C.T, W, V, sampled=True, why=unseen)[1]
         return P @ plant.C.T @ np.linalg.inv(plant.C @ P @ plant.C.T + V)
 
     def numbers(self) -> tuple[float, ...]:

@@ -40,6 +40,7 @@ class PaperFigure(Figure):
     ``ax``: one axes for each panel, or None.
     """
 
+    source = "The paper prints no values of the robot's parameters: those of the run that is drawn are assumed."
     serif = True
 
     @abstractmethod

@@ -1,4 +1,4 @@
-/* tmodes, built from 9e3e3348157ac8e3; BSD-3-Clause */
+/* tmodes, built from c2093bfce04f1d5d; BSD-3-Clause */
 
 // src/live/engine_error.ts
 var EngineError = class extends Error {

@@ -52,7 +52,7 @@ def _ending(run: RunData) -> tuple[str, str, int]:
     """Status, message and samples; where the sheet asks for it, the run ends where its energy balance is lost."""
     settings = run.robot.integration
     if settings.energy_stop:
-        lost = energy_lost(run.energy_balance, run.energy_moved, settings.energy_tolerance)
+        lost = energy_lost(run.energy_balance, run.energy_moved, run.energy_there, settings.energy_tolerance)
         if lost is not None:
             return "stopped", f"the energy balance was lost at t = {run.times[lost]:.4g} s", max(lost, 1)
     return run.status, run.message, len(run.times)

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from tmodes.gradients.quantities import Functional
 from tmodes.study.optimize.adjoint import Adjoint
 from tmodes.study.optimize.goals import Goals, Judged
-from tmodes.study.optimize.gradient import Descent, descend
+from tmodes.study.optimize.gradient import MOST_STEPS, Descent, descend
 from tmodes.study.optimize.leaves import cheap
 from tmodes.study.optimize.result import Optimum
 from tmodes.study.optimize.summary import found
@@ -31,7 +31,7 @@ def by_gradient(
     slopes, simulated = Adjoint(trials, functionals), bool(functionals) or not cheap(trials.study)
     starts = [trials.start] if simulated else _starts(trials, count, seed)
     stage = "runs with gradients" if simulated else "steps"
-    ends = [descend(slopes.at, start, lambda steps: progress(stage, 0.0)) for start in starts]
+    ends = [descend(slopes.at, start, lambda steps: progress(stage, steps / MOST_STEPS)) for start in starts]
     best = min(ends, key=lambda end: (end.terms.excess.max(initial=0.0) > 0, end.terms.objective))
     return found(trials, "gradient", units, gradients=slopes.runs, prices=_prices(trials.goals, best))
 

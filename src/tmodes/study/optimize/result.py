@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from math import isfinite, nan
 from typing import TYPE_CHECKING, Any
 
-from tmodes.io.printed import CommandResult, Table, changed_by
+from tmodes.io.printed import CommandResult, Table, changed_by, written
 from tmodes.io.words import count_of
 from tmodes.study.answers import amount
 from tmodes.study.optimize.goals import ROUNDING
@@ -198,7 +198,7 @@ class Optimum(CommandResult):
         """How far the best design is from its limits, and what each limit costs."""
         for limit in best.limits:
             lost = self.lost_to[limit.text]
-            state = "is active" if limit.active else f"has {limit.margin:.1%} left"
+            state = "is active" if limit.active else f"has {_percent(limit.margin)} left"
             price, unit = self.prices.get(limit.text), "unit" if limit.unit == "-" else limit.unit
             cost = "" if price is None else f"; the objective changes by {price:.4g} for each {unit} of it"
             yield f"{limit.text} {state}{cost}; {lost:,} designs exceed it"
@@ -212,7 +212,7 @@ class Optimum(CommandResult):
         shown = ", ".join(f"{name} = {one.choices.get(name, f'{value:.6g}')}" for name, value in one.values.items())
         exceeded = [
             f"  {limit.text}: {limit.value:.5g}{'' if limit.unit == '-' else f' {limit.unit}'}, exceeded by "
-            f"{-limit.margin:.2%}"
+            f"{_percent(-limit.margin)}"
             for limit in one.limits
             if limit.margin < 0
         ]
@@ -232,6 +232,10 @@ _METHODS = {
     "tpe": "tree-structured Parzen estimators: a better design may exist",
     "nsga2": "NSGA-II: better designs may exist",
 }
+
+
+def _percent(share: float) -> str:
+    return written(100 * share, "%", 3).replace("\u00a0", " ")
 
 
 def design_name(one: Candidate) -> str:
