@@ -125,16 +125,13 @@ _SIZES = ((1280, 800), (1440, 900), (1920, 1080), (390, 844))
 def _looks(pages: list[str]) -> dict[str, Shot]:
     """The pictures by which some pages, or all, are judged."""
     return {
-        f"{name}-{width}-{scheme}": Shot(LOOKED_AT[name][:-1], LOOKED_AT[name][-1], _settled, scheme, height, width)
+        f"{name}-{width}-{scheme}": Shot(
+            LOOKED_AT[name][:-1], LOOKED_AT[name][-1], scheme=scheme, height=height, width=width
+        )
         for name in pages or LOOKED_AT
         for width, height in _SIZES
         for scheme in ("light", "dark")
     }
-
-
-def _settled(page: Any) -> None:
-    """Nothing is being computed any more."""
-    page.locator(".advice.computing").wait_for(state="hidden", timeout=WAIT)
 
 
 def main(wanted: list[str]) -> int:
@@ -181,6 +178,9 @@ def _take(browser: Any, place: Path, shot: Shot, work: Path) -> None:
         page.goto(address)
         page.wait_for_selector(DRAWN, timeout=WAIT)
         shot.act(page)
+        page.locator(".advice.computing, .verdict-sentence[data-state=' computing …']").first.wait_for(
+            state="hidden", timeout=WAIT
+        )
         page.wait_for_timeout(3000)  # software rendering takes its time
         target = place.with_suffix(".png")
         page.screenshot(path=target)
