@@ -22,7 +22,7 @@ from .chain import chain
 from .node import drawn
 
 SHEETS = ("filipovic2010", "spong1987", "quanser_2dsfl", "flexarm1990", "deluca_siciliano1991", "manutec_r3")
-REACH = 2.5
+REACH = 1e4
 PLACES = (0.0, 0.5, 1.0)
 
 

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from patience import until
 from see.looking import Window, look
 from tmodes.report.data import page_data
 from tmodes.report.parts import viewer_document
@@ -119,4 +120,33 @@ def test_after_the_end_of_a_shorter_run_the_longer_one_goes_on(window: Window) -
     assert [one.strip("–") != "" for one in values] == [False, True, False]
     window.page.get_by_label("View", exact=True).select_option("side")
     assert len(window.page.locator(".scene-view").screenshot()) > 3000
+    assert window.said == []
+
+
+FILLED = """(canvas) => { const { width, height } = canvas
+  const all = canvas.getContext("2d").getImageData(0, 0, width, height)
+  let coloured = 0
+  for (let k = 0; k < all.data.length; k += 4) {
+    const [r, g, b, a] = all.data.subarray(k, k + 4)
+    coloured += a > 128 && Math.max(r, g, b) - Math.min(r, g, b) > 40 }
+  return coloured / (width * height) }"""
+"""Share of a chart that is in colour."""
+
+
+def test_parts_of_several_runs_are_curves_not_areas(window: Window) -> None:
+    """They do not add up: the total of each run at first, and the parts as curves."""
+    window.page.get_by_role("tab", name="Error", exact=True).click()
+    chart = window.page.locator("[data-chart=tip_error]")
+    chart.scroll_into_view_if_needed()
+    window.page.wait_for_selector("[data-chart=tip_error] canvas")
+    curves = chart.get_by_role("group", name="Curves").locator(".toggle")
+    names = {one.inner_text().split("\n")[0].strip(): one.get_attribute("aria-pressed") for one in curves.all()}
+    assert {name for name, pressed in names.items() if pressed == "true"} == {"total"}
+    assert len(names) > 2
+    for one in curves.all():
+        if one.get_attribute("aria-pressed") == "false":
+            one.click()
+    until(lambda: chart.locator("canvas").evaluate(FILLED) > 0, "curves")
+    assert chart.locator("canvas").evaluate(FILLED) < 0.1
+    window.page.get_by_role("tab", name="Overview").click()
     assert window.said == []

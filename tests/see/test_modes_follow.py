@@ -58,7 +58,7 @@ def opened(request: Any, browser: Any, tmp_path_factory: pytest.TempPathFactory)
 
 
 def give(window: Any, slider: str, value: float) -> None:
-    window.page.locator(f'[data-path="{slider}"] input[type=number]').fill(str(value))
+    window.page.locator(f'[data-path="{slider}"] input.number').fill(str(value))
     window.page.wait_for_selector(f"{PANEL} .note:text('under each number')")
 
 

@@ -73,7 +73,7 @@ def fresh(opened: tuple[Any, str, float]) -> tuple[Any, str, float]:
 
 def move(page: Any, slider: str, value: float) -> None:
     """Give a slider's number without touching the keyboard's place."""
-    page.locator(f'[data-path="{slider}"] input[type=number]').evaluate(
+    page.locator(f'[data-path="{slider}"] input.number').evaluate(
         "(field, value) => { field.value = value; field.dispatchEvent(new Event('input')); }", str(value)
     )
 

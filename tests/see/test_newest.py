@@ -13,7 +13,7 @@ from see.looking import look
 from see.scenes import short_report, short_robot
 from tmodes import run
 
-PAYLOAD = '[data-path="links.link.bodies.payload.mass"] input[type=number]'
+PAYLOAD = '[data-path="links.link.bodies.payload.mass"] input.number'
 STATUS = ".sliders-panel [role=status]"
 LOW = (1280, 420)
 """A window so low that the last charts of the overview and the elastic line are far below it."""

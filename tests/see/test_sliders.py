@@ -16,13 +16,13 @@ from see.test_page import ink
 from tmodes import load, run
 from tmodes.frame import along
 
-PAYLOAD = '[data-path="links.link.bodies.payload.mass"] input[type=number]'
+PAYLOAD = '[data-path="links.link.bodies.payload.mass"] input.number'
 REASON = '[data-path="links.link.bodies.payload.mass"] .refused'
 STATUS = ".sliders-panel [role=status]"
 WORST = "[data-fact='deviation.max'] strong"
 EFFECTS = """[...document.querySelectorAll('.sliders-panel .slider')].map((one) => [one.dataset.path,
   one.querySelector('.effect').textContent, Boolean(one.closest('.leading')),
-  one.querySelector('input[type=number]').valueAsNumber])"""
+  one.querySelector('input.number').value * 1])"""
 """Path of each slider, what one per cent of it does, whether it is among the first, and its number."""
 VALUE = "[data-chart=tip_deviation] .toggle .value"
 
@@ -138,6 +138,65 @@ def test_a_number_beyond_the_slider_is_taken_and_one_that_the_sheet_refuses_is_r
     assert field.input_value() == "3.5"
     assert not reason.is_visible()
     window.page.get_by_role("button", name="reset all").click()
+
+
+@pytest.mark.parametrize(
+    ("typed", "wanted"),
+    [("0,9", "a decimal point: 0.9"), ("0.9 kg", "a number, such as"), ("1e999", "a finite number"),
+     ("-0.5", "at least 0"), ("NaN", "a number"), ("0x10", "a number")],
+)  # fmt: skip
+def test_what_is_no_number_that_the_sheet_takes_is_refused_with_the_reason(
+    window: Any, typed: str, wanted: str
+) -> None:
+    """It says at the field what was got and what is expected; an emptied field says nothing."""
+    field, reason = window.page.locator(PAYLOAD), window.page.locator(REASON)
+    before = field.input_value()
+    field.fill(typed)
+    field.blur()
+    assert wanted in reason.inner_text()
+    assert f"Got {typed}" in reason.inner_text()
+    assert field.get_attribute("aria-invalid") == "true"
+    field.fill("")
+    assert not reason.is_visible()
+    field.blur()
+    assert field.input_value() == before
+
+
+def test_what_the_sheet_takes_is_taken_as_natively(window: Any, robot: Any) -> None:
+    """A move far longer than the slider goes, and no damping by the controller."""
+    for path, value in (("drives.0.signal.duration", 15.0), ("drives.0.controller.velocity_gain", 0.0)):
+        window.page.locator(f'[data-path="{path}"] input.number').fill(f"{value:g}")
+        wanted = run(robot.with_({path: value})).summary()["deviation"]["max_m"]
+        until(lambda wanted=wanted: abs(shown_error(window) / wanted - 1) < 1e-3, f"{path} = {value}: {wanted}")
+        window.page.get_by_role("button", name="reset all").click()
+        window.page.wait_for_selector(f"{STATUS}:text('as it was.')")
+
+
+def shown_error(window: Any) -> float:
+    """The error from the nominal path that the page shows [m]."""
+    value, unit = window.page.locator(WORST).inner_text().replace("\u00a0", " ").split(" ")
+    return float(value) * {"m": 1.0, "mm": 1e-3, "µm": 1e-6}[unit]
+
+
+def test_no_text_breaks_the_page(window: Any) -> None:
+    """Two hundred odd texts: each is taken or refused with a reason, none stops the page."""
+    random = np.random.default_rng(12)
+    letters = list("0123456789.,-+eE xX_/*'\"<>%µ−∞٣½\u00a0")
+    texts = ["".join(random.choice(letters, random.integers(1, 9))) for _ in range(190)]
+    texts += ["", " ", "1e400", "-1e400", "1e-400", "Infinity", "null", "1.5.2", "--1", "9" * 400]
+    odd = window.page.locator(PAYLOAD).evaluate(
+        """(field, texts) => texts.flatMap((text) => {
+      field.value = text
+      for (const name of ["input", "change"]) field.dispatchEvent(new Event(name))
+      const reason = field.closest(".slider").querySelector(".refused")
+      const isNumber = text.trim() !== "" && field.value !== text && reason.hidden || !Number.isNaN(Number(text))
+      return reason.hidden && !isNumber && text.trim() ? [text] : [] })""",
+        texts,
+    )
+    assert odd == []
+    window.page.get_by_role("button", name="reset all").click()
+    window.page.wait_for_selector(f"{STATUS}:text('as it was.')")
+    assert window.said == []
 
 
 def test_nothing_of_the_original_run_stays_without_a_word(window: Any) -> None:

@@ -64,7 +64,7 @@ def test_an_address_leads_back(window: Any, browser: Any) -> None:
     page.wait_for_selector(".sliders-panel [role=status]:text('Move a slider')")
     seek(window, 0.25)
     place = page.locator(".leading [data-path]").first.get_attribute("data-path")  # by effect, once that is known
-    number = f"[data-path='{place}'] input[type=number]"
+    number = f"[data-path='{place}'] input.number"
     wanted = f"{1.2 * float(page.locator(number).input_value()):.4g}"
     page.locator(number).fill(wanted)
     page.get_by_label("View", exact=True).select_option("top")

@@ -164,7 +164,7 @@ def test_it_follows_a_slider(browser: Any, reports: dict[str, Path], good: Resul
     page = look(browser, reports["good"]).page
     page.wait_for_selector(".sliders-panel [role=status]:text('Move a slider')")
     path = page.locator(".leading [data-path]").first.get_attribute("data-path")
-    number = page.locator(f"[data-path='{path}'] input[type=number]")
+    number = page.locator(f"[data-path='{path}'] input.number")
     page.locator(".culprits button").first.click()
     value = float(f"{1.1 * float(number.input_value()):.4g}")
     number.fill(str(value))

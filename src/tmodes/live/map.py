@@ -35,8 +35,8 @@ __all__ = ["LiveMap", "Progress", "live_map"]
 Array = NDArray[np.float64]
 Progress = Callable[[str, float], None]
 
-_LONGEST_MOVE = 2.5
-"""How many times as long a move may become, and a little more."""
+_LONGEST_MOVE = 1e4
+"""How many times as long a move may become."""
 
 _NO_EFFECT = "it changes nothing in this run"
 _NOT_COMPARED = (

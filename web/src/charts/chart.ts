@@ -13,7 +13,7 @@ import { makePlot, type PlotLine } from "./plot";
 import { aligned, entriesOf, extremes, valueAt, type ChartSet, type Entry, type Values } from "./series";
 import type { Look } from "./look";
 import { saveButtons, type Drawn } from "./saving";
-import { narrow, shapes } from "./stack";
+import { narrow, shapes, stacks } from "./stack";
 import type { Zoom } from "./zoom";
 
 export interface ChartView {
@@ -114,7 +114,7 @@ export function mountChart(set: ChartSet, clock: Clock, zoom: Zoom): ChartView {
     stale = false;
     const shown = chosen();
     const [axis, ...columns] = aligned(shown, log);
-    const drawing = shapes(shown, columns, chart.stacked === true);
+    const drawing = shapes(shown, columns, stacks(set));
     pieces = drawing.map(({ entry, filled }) => ({
       ...legend.look(entry),
       width: filled ? 0 : entry.ghost ? 1 : entry.role === "real" ? 1.6 : 1.3,

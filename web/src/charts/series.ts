@@ -58,9 +58,9 @@ function drawnAs({ label, role, part, colour, dash }: Curve): Drawn {
   return { label, role, part, colour, dash };
 }
 
-/** Of several runs side by side only the first curve is shown at first, as it really was: the rest is a click away. */
+/** Of several runs only the first curve, of parts their total, is shown at first: the rest is a click away. */
 function leading(curve: Curve, chart: Chart): boolean {
-  return curve.role === "real" && curve.label === chart.curves[0].label;
+  return curve.role === "real" && curve.label === chart.curves[chart.stacked ? chart.curves.length - 1 : 0].label;
 }
 
 function liveEntry(curve: Curve, chart: Chart, runName: string, live: LiveRun): Entry[] {

@@ -1,6 +1,6 @@
 // The shapes of a chart: curves, or areas on each other that add up to the last curve; and what its axis leaves out.
 
-import { extremes, type Entry } from "./series";
+import { extremes, type ChartSet, type Entry } from "./series";
 
 export interface Shape {
   entry: Entry;
@@ -10,6 +10,11 @@ export interface Shape {
 
 const TOTAL = "total";
 const NARROW = 0.05;
+
+/** Whether its curves are drawn as areas: parts of several runs do not add up, these are curves. */
+export function stacks({ chart, runs }: ChartSet): boolean {
+  return chart.stacked === true && runs.length < 2;
+}
 
 /** Areas are above zero upwards, below it downwards; the largest come first, as the later ones are drawn over them. */
 export function shapes(entries: Entry[], columns: ArrayLike<number | null>[], stacked: boolean): Shape[] {

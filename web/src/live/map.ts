@@ -3,6 +3,8 @@
 import { doubles, type MapInfo } from "./bundle";
 import { EngineError } from "./engine_error";
 
+const NOTHING = 1e-60; // for a zero that would take other equations: next to any number it is none
+
 /** The numbers of a run by the names of their blocks. */
 export type Blocks = Record<string, Float64Array>;
 
@@ -29,7 +31,7 @@ function computed(map: MapInfo, values: readonly number[]): Float64Array {
   const { data: code, shape: [, count] } = map.code;
   const first = values.length + map.constants.data.length;
   const registers = new Float64Array(first + count);
-  registers.set(values);
+  registers.set(values.map((value, k) => (value === 0 && map.start[k] !== 0 ? NOTHING : value)));
   registers.set(map.constants.data, values.length);
   const operations = map.operations.map((name) => OPERATIONS[name]);
   for (let k = 0, r = first; k < count; k += 1, r += 1) {
@@ -54,7 +56,7 @@ function refuse(map: MapInfo, values: readonly number[], ...registers: number[])
   const moved = [...acting].filter((r) => r < values.length && values[r] !== map.start[r]).sort((a, b) => a - b);
   if (moved.length)
     throw new EngineError(
-      `${moved.map((k) => `${map.paths[k]} = ${values[k]}`).join(", ")}: ` +
-        "the data sheet refuses that, or it takes other equations; move it back, or set it by --set and run again",
+      `${moved.map((k) => `${map.paths[k]} = ${values[k]}`).join(", ")}: expected numbers that the data sheet takes ` +
+        "and that leave the equations as they are; move it back, or run it natively, by `tmodes run --set PATH=VALUE`",
     );
 }

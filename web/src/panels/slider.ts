@@ -18,16 +18,18 @@ const STEPS = 1000;
 const LARGE = 1e7;
 const TINY = 1e-300; // that is next to zero, which is refused
 const [SMALL, BIG] = [1e-3, 1e5]; // numbers that read better with a prefix
+const NUMBER = /^[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?$/i;
+const BEGUN = /^[-+]?\d*\.?\d*(e[-+]?)?$/i; // what may become a number as it is typed
+const SHOWN = 40; // letters of what was typed that a refusal repeats
 
 /** `changed` is called whenever the user gave another value: within the slider's ends, typed within the sheet's. */
 export function makeSlider(slider: Slider, changed: () => void): SliderRow {
   const name = ownId("slider");
   const { factor, name: unit } = unitOf(slider);
   const range = make("input", { type: "range", id: name, min: "0", max: String(STEPS), step: "1" });
-  const number = make("input", {
-    type: "number",
+  const number = make("input", { // no field of numbers: such a one drops what it does not know, and 1,5 becomes 15
+    type: "text", inputmode: "decimal", class: "number", autocomplete: "off", spellcheck: "false",
     "aria-label": `${slider.label}${unit ? `, in ${unit}` : ""}`,
-    step: "any",
   });
   const reason = make("p", { class: "note refused", role: "alert", hidden: true });
   const back = button("↺", undo, {
@@ -50,13 +52,22 @@ export function makeSlider(slider: Slider, changed: () => void): SliderRow {
     const { least = -Infinity, most = Infinity } = slider;
     const beyond = wanted < least ? ["at least", least] as const : wanted > most ? ["at most", most] as const : null;
     const above = beyond?.[1] && beyond[1] < TINY;
-    const end = beyond && (above ? "numbers above 0" : `${beyond[0]} ${digits(factor * beyond[1])} ${unit}`.trim());
-    refuse(end ? `The data sheet takes ${end}.` : "");
+    const end = beyond && (above ? "a number above 0" : `${beyond[0]} ${digits(factor * beyond[1])} ${unit}`.trim());
+    refuse(end ? `Got ${`${digits(factor * wanted)} ${unit}`.trim()}; the data sheet takes ${end}.` : "");
     if (beyond) return;
     const moved = wanted !== value;
     value = wanted;
     tell(typing);
     if (moved) changed();
+  }
+
+  /** Takes what is typed as far as it is a number; `whole`: no more of it follows. */
+  function read(whole: boolean): void {
+    const text = number.value.trim().replace("\u2212", "-");
+    const wanted = NUMBER.test(text) ? Number(text) / factor : NaN;
+    refuse("");
+    if (Number.isFinite(wanted)) give(wanted, true);
+    else if (text && (whole || !BEGUN.test(text))) refuse(`Got ${text.slice(0, SHOWN)}; expected ${expected(text)}.`);
   }
 
   function refuse(why: string): void {
@@ -72,12 +83,9 @@ export function makeSlider(slider: Slider, changed: () => void): SliderRow {
   }
 
   range.addEventListener("input", () => give(Number(digits(valueOf(slider, Number(range.value) / STEPS), 4))));
-  number.addEventListener("input", () => {
-    refuse("");
-    if (number.value !== "" && Number.isFinite(number.valueAsNumber)) give(number.valueAsNumber / factor, true);
-  });
+  number.addEventListener("input", () => read(false));
   number.addEventListener("change", () => {
-    if (number.value === "") refuse("");
+    read(true);
     if (reason.hidden) tell();
   });
   const words = make(
@@ -105,6 +113,13 @@ export function makeSlider(slider: Slider, changed: () => void): SliderRow {
       tell();
     },
   };
+}
+
+/** What stands for a text that is no number. */
+function expected(text: string): string {
+  if (NUMBER.test(text)) return "a finite number";
+  const pointed = text.replace(",", ".");
+  return NUMBER.test(pointed) ? `a decimal point: ${pointed}` : "a number, such as 0.25 or 1e-3";
 }
 
 /** Its unit, with a prefix where its numbers would be long: GPa. */

@@ -109,7 +109,7 @@ export function mountSliders(
       status.classList.add("warned");
       for (const row of rows.filter(({ slider }) => why.includes(`${slider.path} = `))) {
         row.element.classList.add("warned");
-        row.refuse(`${why.slice(why.indexOf(": ") + 2)}.`);
+        row.refuse(`Got ${row.value}; ${why.slice(why.indexOf(": ") + 2)}.`);
       }
     }
   }
