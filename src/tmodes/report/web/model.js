@@ -1,4 +1,4 @@
-/* tmodes, built from c2093bfce04f1d5d; BSD-3-Clause */
+/* tmodes, built from df3f2b574a2d07e2; BSD-3-Clause */
 
 // src/live/engine_error.ts
 var EngineError = class extends Error {
@@ -398,6 +398,7 @@ function doubles(info) {
 }
 
 // src/live/map.ts
+var NOTHING = 1e-60;
 var OPERATIONS = {
   add: (a, b) => a + b,
   sub: (a, b) => a - b,
@@ -434,7 +435,7 @@ function computed(map, values) {
   const { data: code, shape: [, count] } = map.code;
   const first = values.length + map.constants.data.length;
   const registers = new Float64Array(first + count);
-  registers.set(values);
+  registers.set(values.map((value, k) => value === 0 && map.start[k] !== 0 ? NOTHING : value));
   registers.set(map.constants.data, values.length);
   const operations = map.operations.map((name) => OPERATIONS[name]);
   for (let k = 0, r = first; k < count; k += 1, r += 1) {
@@ -457,7 +458,7 @@ function refuse(map, values, ...registers) {
   const moved = [...acting].filter((r) => r < values.length && values[r] !== map.start[r]).sort((a, b) => a - b);
   if (moved.length)
     throw new EngineError(
-      `${moved.map((k) => `${map.paths[k]} = ${values[k]}`).join(", ")}: the data sheet refuses that, or it takes other equations; move it back, or set it by --set and run again`
+      `${moved.map((k) => `${map.paths[k]} = ${values[k]}`).join(", ")}: expected numbers that the data sheet takes and that leave the equations as they are; move it back, or run it natively, by \`tmodes run --set PATH=VALUE\``
     );
 }
 
