@@ -9,7 +9,7 @@ from tmodes.io.yaml_file import parse_yaml
 
 
 def test_long_lists_of_numbers_are_read_as_the_parser_reads_them() -> None:
-    """Values, lines, anchors, what stands beside them, and lines of a text that only look like such a list."""
+    """Values, lines, anchors, neighbours, and lines of a text that only look like such a list."""
     numbers = [f"{k / 7!r}" for k in range(40)]
     rows = "\n".join(f"    - {number}" for number in numbers)
     text = f"a:\n  first: &kept\n{rows}\n    - -1.5e-3\n  again: *kept\n  mixed:\n{rows}\n    - word\n  last: 1\n"

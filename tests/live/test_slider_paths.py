@@ -53,7 +53,7 @@ def test_design_variables_are_none_of_the_surroundings_and_of_the_task() -> None
 
 
 def test_constants_of_a_material_and_damping_are_no_design_variables_but_sections_are() -> None:
-    """Whoever designs an arm chooses the tube, the gear and the gains; the sixteen settings that lead have them."""
+    """The designer of an arm chooses tube, gear and gains; the sixteen settings that lead have them."""
     robot = tmodes.load("two_link_arm")
     design = {one.path: one.design for one in sliders_of(robot, knobs_of(robot)) if not one.real}
     wanted = ("shoulder.gear.stiffness.0", "section.outer_diameter", "section.thickness", "controller.position_gain")

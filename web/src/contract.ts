@@ -177,7 +177,7 @@ export interface Slider {
   /** What the data sheet takes, where that has an end. */
   least?: number;
   most?: number;
-  /** Whoever designs the robot chooses it; else it is of a material, of the surroundings or of the task. */
+  /** The designer of the robot chooses it; else it is of a material, of the surroundings or of the task. */
   design?: boolean;
 }
 

@@ -70,7 +70,7 @@ def points(
         else:
             panel.axhline(0.0, color=INK, linewidth=0.4)
         if len(shown) > 1:
-            _beside(panel, ax)
+            _outer_legend(panel, ax)
         return [panel]
 
 
@@ -100,12 +100,12 @@ def spans(
         elif len(known):
             panel.set_xlim(0.0, 1.05 * max(known.max(), limit[1] if limit else 0.0))
         panel.set(xlabel=what, title=title)
-        _beside(panel, ax)
+        _outer_legend(panel, ax)
         return [panel]
 
 
-def _beside(panel: Axes, ax: AxesLike) -> None:
-    """A legend beside a panel, with room in a figure of its own: names are wider on paper than where measured."""
+def _outer_legend(panel: Axes, ax: AxesLike) -> None:
+    """A legend right of a panel, with room in a figure of its own: names are wider on paper than where measured."""
     side_legend(panel)
     engine: Any = panel.figure.get_layout_engine()
     if ax is None and engine:
@@ -160,7 +160,7 @@ def bode(response: Any, *, family: Any = None, title: str = "", ax: AxesLike = N
             panel.set_xscale("log")
         gain.set(ylabel="gain [dB]", title=title)
         phase.set(xlabel="frequency [Hz]", ylabel="phase [deg]")
-        _beside(gain, ax)
+        _outer_legend(gain, ax)
         return [gain, phase]
 
 

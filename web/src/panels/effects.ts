@@ -77,7 +77,7 @@ const TIMES = 2; // as much a setting is changed to lessen the error
 const LEAST = 1.1; // as much it can at least be changed to be worth a word
 const TRIED = 4; // settings of a kind
 const NAMED = 2;
-const TASK = ["move", "payload"]; // groups of what whoever uses the robot chooses
+const TASK = ["move", "payload"]; // groups of what the user of the robot chooses
 
 export interface Change<Row extends Setting = Setting> {
   row: Row;

@@ -27,7 +27,7 @@ export function makeSlider(slider: Slider, changed: () => void): SliderRow {
   const name = ownId("slider");
   const { factor, name: unit } = unitOf(slider);
   const range = make("input", { type: "range", id: name, min: "0", max: String(STEPS), step: "1" });
-  const number = make("input", { // no field of numbers: such a one drops what it does not know, and 1,5 becomes 15
+  const number = make("input", { // a number field drops what it does not know: 1,5 becomes 15
     type: "text", inputmode: "decimal", class: "number", autocomplete: "off", spellcheck: "false",
     "aria-label": `${slider.label}${unit ? `, in ${unit}` : ""}`,
   });

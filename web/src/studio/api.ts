@@ -28,7 +28,7 @@ export interface Knob {
   symbol: string;
   unit: string;
   group: string;
-  /** Whoever designs the robot chooses it. */
+  /** The designer of the robot chooses it. */
   design: boolean;
   min: number;
   max: number;
