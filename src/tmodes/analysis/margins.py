@@ -8,7 +8,6 @@ from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.linalg import expm
 
 __all__ = ["Margins", "margins", "response", "step_duration", "step_values", "transmission_zeros"]
 
@@ -73,6 +72,8 @@ def step_duration(poles: Complex, period: float | None) -> float:
 
 def step_values(A: Array, B: Array, C: Array, D: Array, count: int, step: float, period: float | None) -> Array:
     """Outputs (count, outputs, inputs) every ``step`` [s] after steps of 1 of the inputs, exact there."""
+    from scipy.linalg import expm
+
     n, m = B.shape
     whole = np.block([[A, B], [np.zeros((m, n + m))]])
     if period:

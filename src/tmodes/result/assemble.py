@@ -347,8 +347,13 @@ def _finite(variables: Variables) -> Variables:
 def ending(run: RunData) -> tuple[str, str]:
     """Status and sentence of the whole run: its own, or that of the nominal run where that ended first."""
     planned_run = run.reference
-    last = planned_run is not None and (run.status == "finished" or planned_run.times[-1] <= run.times[-1])
-    if planned_run is not None and planned_run.status != "finished" and last:
+    if planned_run is None or planned_run.status == "finished":
+        first = False
+    else:  # the actual run does not begin where the nominal one was interrupted
+        first = (
+            run.status == "finished" or planned_run.times[-1] <= run.times[-1] or planned_run.status == "interrupted"
+        )
+    if planned_run is not None and first:
         return planned_run.status, f"nominal run: {planned_run.message}"
     return run.status, run.message if run.status in STATUSES[:2] else f"actual robot: {run.message}"
 
