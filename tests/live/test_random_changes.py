@@ -1,0 +1,58 @@
+"""Ten random changes on six robots: all numbers of the page are those of a native run of the changed sheet."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from tmodes import load, run
+from tmodes.live.bundle import live_bundle
+from tmodes.report.data import page_data
+
+from .node import live_in_node
+
+ROBOTS = ("spong1987", "filipovic2010", "two_link_arm", "manutec_r3", "flexarm1990", "quanser_2dsfl")
+CHANGES = 10
+ROUNDING = {"energy.residual"}
+LATER = {"frequency.first"}
+"""What a page fills in later, with its table of modes."""
+
+
+def changes(sliders: Any, random: np.random.Generator) -> dict[str, float]:
+    """One to three sliders, anywhere within their ends."""
+    chosen = random.choice(len(sliders), int(random.integers(1, 4)), replace=False)
+    found = {}
+    for slider in (sliders[k] for k in chosen):
+        low, high, share = slider["min"], slider["max"], random.random()
+        value = low * (high / low) ** share if slider["log"] and low > 0 else low + (high - low) * share
+        found[slider["path"]] = float(f"{value:.4g}")
+    return found
+
+
+@pytest.mark.parametrize("name", [ROBOTS[0], *(pytest.param(one, marks=pytest.mark.nightly) for one in ROBOTS[1:])])
+def test_all_numbers_are_those_of_the_native_run(name: str, tmp_path: Path) -> None:
+    robot, random = load(name), np.random.default_rng(len(name))
+    bundle = live_bundle(run(robot))
+    assert bundle is not None
+    sliders = bundle["sliders"]
+    given = [changes(sliders, random) for _ in range(CHANGES)]
+    jobs = [[one.get(slider["path"], slider["value"]) for slider in sliders] for one in given]
+    wrong = []
+    for one, live in zip(given, live_in_node(bundle, jobs, tmp_path), strict=True):
+        for fact in page_data([run(robot.with_(one))])["runs"][0]["facts"]:
+            own = live["facts"][fact["id"]]
+            if fact["id"] in ROUNDING or (fact["id"] in LATER and own["value"] is None):
+                continue
+            if not same(own["value"], fact["value"]):
+                wrong.append((one, fact["id"], own["value"], fact["value"]))
+    assert not wrong, "\n".join(map(str, wrong))
+
+
+def same(page: float | None, native: float | None) -> bool:
+    """To 1e-6, and both where one is; a length of rounding is none."""
+    if page is None or native is None:
+        return page is native
+    return abs(page - native) <= 1e-6 * abs(native) + 1e-12
