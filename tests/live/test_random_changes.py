@@ -37,9 +37,9 @@ def test_all_numbers_are_those_of_the_native_run(name: str, tmp_path: Path) -> N
     robot, random = load(name), np.random.default_rng(len(name))
     bundle = live_bundle(run(robot))
     assert bundle is not None
-    sliders = bundle["sliders"]
+    sliders: list[dict[str, Any]] = bundle["sliders"]
     given = [changes(sliders, random) for _ in range(CHANGES)]
-    jobs = [[one.get(slider["path"], slider["value"]) for slider in sliders] for one in given]
+    jobs: list[list[float]] = [[one.get(slider["path"], float(slider["value"])) for slider in sliders] for one in given]
     wrong = []
     for one, live in zip(given, live_in_node(bundle, jobs, tmp_path), strict=True):
         for fact in page_data([run(robot.with_(one))])["runs"][0]["facts"]:
