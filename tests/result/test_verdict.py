@@ -151,6 +151,7 @@ def test_a_run_that_fails_says_so_first() -> None:
     ending = stopped.message.partition(" (")[0].replace("`", "")  # without why the method was chosen
     assert stopped.verdict["sentence"].endswith(f"The run was {ending}.")
     assert "simulate longer" not in stopped.verdict["sentence"]
+    assert stopped.settling is not None
     assert stopped.settling["reason"].startswith("the run ends at ")
     assert "simulate longer" not in stopped.settling["reason"]
 
