@@ -184,5 +184,5 @@ def nyquist(response: Any, *, title: str = "", ax: AxesLike = None) -> list[Axes
         panel.axvline(0.0, color=GRID, linewidth=0.6, zorder=0)
         panel.set(xlabel="real part", ylabel="imaginary part", title=title, xlim=(-reach, reach), ylim=(-reach, reach))
         panel.set_aspect("equal")
-        panel.legend()
+        panel.legend(loc="upper center", bbox_to_anchor=(0.5, -0.13))
         return [panel]
