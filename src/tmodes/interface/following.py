@@ -132,6 +132,8 @@ def _least_time(
 
     def load(log: float) -> float:
         """Logarithm of the largest share of a limit, with the logarithm of a factor."""
+        if log in done:  # an end of the bracket
+            return math.log(done[log][0])
         progress("least time", min(0.9, len(done) / _TRIALS))
         found, given = tried(math.exp(log))
         if given.efforts is None and any(joint.limits and joint.limits.effort for joint in robot.joints):
