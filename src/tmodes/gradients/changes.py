@@ -14,12 +14,15 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from tmodes.analysis.rigid import nominal_of
 from tmodes.equations.loop.outputs import Output
 from tmodes.errors import InputError, InputErrors
 from tmodes.gradients.lowering import Lowered, rows_of
 from tmodes.io.sheet_check import sheet_data
 from tmodes.io.sheet_paths import entered, steps_of
 from tmodes.io.sheet_words import at
+from tmodes.kinds.controllers.registry import Block
+from tmodes.kinds.noted.number import Noted
 from tmodes.kinds.signals.schedule import SAME, on_knots, shifted
 from tmodes.model.derivatives import differentiated
 from tmodes.model.parameters import Structural
@@ -124,8 +127,11 @@ class _Noted:
         raise _structural(path, f"at {value:g} it is at an edge: other values have another structure")
 
     def _program(self, values: Mapping[str, float]) -> CaseProgram:
+        def designs(robot: Robot, inputs: Mapping[str, Noted]) -> None:
+            vars(nominal_of(robot))["designs"] = self._designs(values, inputs)
+
         try:
-            found = case_program(self.sheet, values, self.here.variant.of, self._blocks)
+            found = case_program(self.sheet, values, self.here.variant.of, self._blocks, designs=designs)
         except Structural as why:
             for path, value in values.items() if len(values) > 1 else ():
                 self._program({path: value})
@@ -133,6 +139,30 @@ class _Noted:
         for path in found.fixed:
             raise _structural(path, "what is compiled depends on it")
         return found
+
+    def _designs(self, values: Mapping[str, float], inputs: Mapping[str, Noted]) -> dict[str, Block]:
+        """Laws that are designed from the robot, whose numbers follow those that are noted by their slopes.
+
+        A program holds no eigenvalue problem: slopes are differences of fourth order of whole designs.
+        """
+        found = {name: (one, np.array(one.numbers(), dtype=float)) for name, one in self._designed(values).items()}
+        changes: dict[str, Any] = {name: numbers for name, (_, numbers) in found.items()}
+        for path, number in inputs.items() if found else ():
+            step = _DESIGN * (abs(values[path]) or 0.1)
+            near = [self._designed({**values, path: values[path] + k * step}) for k in (-2, -1, 1, 2)]
+            for name in found:
+                a, b, c, d = (np.array(one[name].numbers(), dtype=float) for one in near)
+                slope = (8 * (c - b) - (d - a)) / (12 * step)
+                changes[name] = changes[name] + slope * (number - values[path])
+        return {name: one.with_numbers(changes[name]) for name, (one, _) in found.items()}
+
+    def _designed(self, values: Mapping[str, float]) -> dict[str, Block]:
+        """Those laws of the sheet with other numbers."""
+        if not vars(nominal_of(self.here.setup.robot)).get("designs"):
+            return {}
+        robot = self.here.variant.of(self.sheet.with_(values).pair())
+        planned(robot, self.here.variant.follow)
+        return vars(nominal_of(robot))["designs"]
 
     def _blocks(self, robot: Robot) -> Blocks:
         return run_blocks(robot, self.here.variant.follow, [output.name for output in self.shown])
@@ -169,7 +199,10 @@ class _Changes:
 
     def along(self, path: str) -> Change:
         """By one quantity."""
-        of = self._of(path)
+        of, plan = self._of(path), self.here.setup.planned.plan
+        if any(of(f"{what} {place}").any() for pair in plan.clocks for place in pair if place >= 0
+               for what in ("knots", "powers")):  # fmt: skip
+            raise _structural(path, "the instants of samples depend on it")
         rows, moving = self._signals(of)
         parameters = of("parameters")
         start = self._start(of, parameters, rows)
@@ -234,7 +267,7 @@ class _Changes:
             still = frozen(here.model, np.stack([setup.first_row, rows[0]]))
             states = closed.at_rest(np.stack([here.start, along]))
             found = _moved_rest(closed, (here.parameters, parameters), still, states)
-            start[closed.unknown] = found[closed.unknown]
+            start = self._held(closed, found, start, still, parameters)
         else:
             balance, rest = Balance(self._standing), setup.rest
             places = [setup.mechanics.coordinates.index(name) for name in self._standing.coordinates]
@@ -246,6 +279,19 @@ class _Changes:
             found[own] = _moved_rest(balance, numbers, np.stack(both), states)[self._standing.layout.q]
         start[q] = np.where(free, found[: len(free)], start[q])
         return start
+
+    def _held(self, closed: Balance, found: Array, start: Array, rows: Array, parameters: Array) -> Array:
+        """The derivative of the first state where that of the equations of rest is ``found``: with held commands."""
+        (own, run), here = closed.places, self.here
+        moved, known = start.copy(), np.isin(own, closed.unknown)
+        moved[run[known]] = found[own[known]]
+        for step, row in closed.samplings(rows):
+            blocks = {"time": np.zeros((1, 1)), "state": here.start[None], "row": row[:1], "step": np.zeros((1, 1))}
+            along = {"state": moved[None], "row": row[1:]}
+            after = differentiated(step, ["state"]).along(here.parameters, blocks, along, change=parameters)["state"][0]
+            after[run] = moved[run]
+            moved = after
+        return moved
 
     @cached_property
     def _standing(self) -> LoopModel:
@@ -286,6 +332,9 @@ def _before(rows: Array, segment: int, degree: int) -> Array:
 
 _ROUNDING = 1e-12
 """Share of the rates by which they jump where they are continuous."""
+
+_DESIGN = 3e-3
+"""Relative step of the differences of a design."""
 
 _NEAR = 1e-6
 """Relative step to a neighbour of a value, by which edges of the structure are seen."""

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.equations.recursion.parts import AxisPart
-from tmodes.errors import InputError, SimulationError
+from tmodes.errors import SimulationError
 from tmodes.integrate.method import EULER
 from tmodes.integrate.registry import integrator
 from tmodes.integrate.settings import Integration
@@ -44,14 +44,10 @@ class Lowered:
     def recorded(self, most_bytes: float = MOST_BYTES) -> Replay:
         """The run, with its steps.
 
-        Raises :class:`tmodes.errors.InputError` for a sampled controller, for given motions whose rates jump and for
-        dry friction that sticks, which are not differentiated, and :class:`tmodes.errors.SimulationError` where a
-        force jumped on the way: how the time of the jump moves with the numbers is part of the derivative, and not
-        seen.
+        Raises :class:`tmodes.errors.InputError` for given motions whose rates jump and for dry friction that sticks,
+        which are not differentiated, and :class:`tmodes.errors.SimulationError` where a force jumped on the way: how
+        the time of the jump moves with the numbers is part of the derivative, and not seen.
         """
-        if self.model.plan.is_sampled:
-            hint = "take a controller in continuous time, or vary the numbers in a batch"
-            raise InputError("drives", "a sampled controller", "controllers in continuous time for derivatives", hint)
         refuse_switches(self.model, "derivatives of a run", "vary the numbers in a batch")
         done = solve(self.setup.problem(), adjoint=most_bytes)
         contact, loop = self.setup.robot.contact, self.model.loop

@@ -59,7 +59,9 @@ class Quantities:
         outputs = Outputs(here.model.loop, self.given)
         groups = {name: outputs.group(name, "quantities") for name in self.names}
         self.outputs = [output for group in groups.values() for output in group]
-        wanted = output_schedule(here.model.loop, groups, 3 * len(self.given), after=False, often=False)
+        wanted = output_schedule(
+            here.model.loop, groups, 3 * len(self.given), after=here.model.plan.is_sampled, often=False
+        )
         self.parameters = np.concatenate([here.parameters, wanted.further])
         self._of = differentiated(wanted.schedule, self.names) if self.names else None
 

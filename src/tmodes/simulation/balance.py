@@ -8,9 +8,10 @@ them is let go in steps, so that the equilibrium is the one on the same branch.
 
 from __future__ import annotations
 
-from collections.abc import Container
+from collections.abc import Container, Iterator
 from dataclasses import dataclass, field
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -132,20 +133,22 @@ class Balance:
     def outside(self, found: Array, states: Array, rows: Array, numbers: Array) -> Array:
         """States of the run with what was found, (k, size): commands that are held between samples included."""
         own, run = self.places
-        states = states.copy()
+        states, count = states.copy(), len(states)
         states[:, run] = found[:, own]
-        sampled = self.model.loop.sampled
-        if sampled is None:
-            return states
-        count, plan, rows = len(states), self.model.plan, rows.copy()
-        width = plan.degree + 1
-        for late in (late for _, late in plan.clocks if late >= 0):
-            rows[:, 1 + late * width : 1 + (late + 1) * width] = 0.0  # an output is given with its sample
-        for _ in range(plan.most_kept + 1):  # until the last of the outputs that are kept is this one
-            blocks = {"time": np.zeros((count, 1)), "state": states, "row": rows, "step": np.zeros((count, 1))}
+        for sampled, row in self.samplings(rows):
+            blocks = {"time": np.zeros((count, 1)), "state": states, "row": row, "step": np.zeros((count, 1))}
             states = evaluate(numbers, sampled, blocks, count)["state"]
             states[:, run] = found[:, own]
         return states
+
+    def samplings(self, rows: Array) -> Iterator[tuple[Any, Array]]:
+        """The samples, and their rows (k, row), after which all outputs that are held are those of a rest."""
+        sampled, plan, rows = self.model.loop.sampled, self.model.plan, rows.copy()
+        width = plan.degree + 1
+        for late in (late for _, late in plan.clocks if late >= 0):
+            rows[:, 1 + late * width : 1 + (late + 1) * width] = 0.0  # an output is given with its sample
+        for _ in range(plan.most_kept + 1 if sampled else 0):  # until the last of those that are kept is this one
+            yield sampled, rows
 
     @cached_property
     def _own(self) -> Places:

@@ -26,6 +26,7 @@ from tmodes.kinds.controllers.registry import LinearPlant
 from tmodes.kinds.noted.functions import number
 from tmodes.kinds.noted.number import Lost, is_noted
 from tmodes.kinds.signals.registry import constant_signal
+from tmodes.model.model import Model
 from tmodes.model.passes import derivatives, evaluate
 from tmodes.sheet.parts import Command, LoadFrame, LoadSheet
 from tmodes.simulation.initial_state import RunSetup, run_setup, run_trajectory
@@ -381,8 +382,9 @@ def linear_plant(robot: Robot, reads: tuple[str, ...], drives: tuple[str, ...], 
     ``reads``: outputs and sensors by name; sensors without samples and noise.
     """
     held = {drive.joint: _setpoint(robot, drive, start=start) for drive in robot.drives if drive.command.is_motion}
-    _refuse_noted(*held.values(), *robot.undriven.chain().gravity)
-    names = robot.undriven.chain().coordinates
+    chain = robot.undriven.chain()
+    _refuse_noted(*held.values(), *chain.gravity, *Model(chain).parameters)
+    names = chain.coordinates
     motors = {f"{joint}.motor" if f"{joint}.motor" in names else joint: value for joint, value in held.items()}
     commands = {drive.joint: drive.command for drive in opened(robot).drives}
     found = open_loop(robot, [f"{joint}.{commands[joint]}" for joint in drives], reads, held=motors)

@@ -1,12 +1,13 @@
 """The recorded steps of a run once more: with other numbers, along directions, and in reverse.
 
-The steps stay as they were: their lengths are constants, so derivatives are those of the discrete solution.
+The steps stay as they were: their lengths are constants, so derivatives are those of the discrete solution. Samples of
+controllers at the start of a step change the state there: ``states`` are those after it.
 """
 
 from __future__ import annotations
 
 import itertools
-from collections.abc import Callable, Collection, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -19,6 +20,7 @@ from tmodes.compile.replay.replay_frame import ARRAYS, COUNTS
 from tmodes.compile.replay.tables import loops_of, table_of
 from tmodes.integrate.registry import integrator
 from tmodes.model.derivatives import differentiated
+from tmodes.model.passes import Blocks
 from tmodes.simulation.recording import Recording
 
 __all__ = ["Gradients", "Replay"]
@@ -40,16 +42,46 @@ class Gradients(NamedTuple):
 
 
 class _Piece(NamedTuple):
-    """Steps that follow one another, their first sample, and the state at the start of each and after the last."""
+    """Steps that follow one another, and the state at the start of each and after the last.
+
+    ``before``: by step, the state before the samples with which it begins.
+    """
 
     steps: slice
     states: Array
+    before: dict[int, Array]
 
     def cut(self, starts: Collection[int]) -> list[_Piece]:
         """The pieces that some steps begin."""
         first, stop = self.steps.start, self.steps.stop
-        ends = [first, *sorted(step for step in starts if first < step < stop), stop]
-        return [_Piece(slice(a, b), self.states[a - first :]) for a, b in itertools.pairwise(ends)]
+        ends = [first, *sorted(step for step in {*starts, *self.before} if first < step < stop), stop]
+        return [_Piece(slice(a, b), self.states[a - first :], self.before) for a, b in itertools.pairwise(ends)]
+
+
+class _Samples:
+    """What samples at the start of steps do to the state, and its derivatives; ``due``: which steps."""
+
+    def __init__(self, schedule: Any, recording: Recording) -> None:
+        self._of, self._done = differentiated(schedule, ["state"]), recording
+        self.due = frozenset(np.flatnonzero(np.diff(recording.segments, prepend=-1)).tolist())
+
+    def after(self, parameters: Array, steps: Sequence[int], states: Array) -> Array:
+        """The states (k, size) after the samples at the start of steps, from those before."""
+        return self._of.values(parameters, self._blocks(steps, states))["state"]
+
+    def along(
+        self, parameters: Array, steps: Sequence[int], states: Array, slopes: Blocks, change: Any = None
+    ) -> Array:
+        """Their slopes (k, size) along directions of the ``state`` and of the ``row``, and of the parameters."""
+        return self._of.along(parameters, self._blocks(steps, states), slopes, change=change)["state"]
+
+    def back(self, parameters: Array, steps: Sequence[int], states: Array, weights: Array, *names: str) -> Blocks:
+        """Derivatives of the sum of ``weights`` (k, size) times the states after."""
+        return self._of.back(parameters, self._blocks(steps, states), {"state": weights}, names)
+
+    def _blocks(self, steps: Sequence[int], states: Array) -> dict[str, Array]:
+        rows = self._done.rows[self._done.segments[list(steps)]]
+        return {"time": rows[:, :1], "state": states, "row": rows, "step": np.zeros((len(rows), 1))}
 
 
 class Replay:
@@ -68,6 +100,7 @@ class Replay:
             for settled in (False, True)
         )
         self._tableau, self._pairs = table_of(integrator(recording.method)), pairs
+        self._sampling = _Samples(schedule.sampled, recording) if schedule.sampled else None
         self._moved = [name for name in ("state", "row", "start") if name in ("state", "row", *self._tableau.inputs)]
 
     def samples(self, parameters: Array | None = None, start: Array | None = None) -> Array:
@@ -75,10 +108,7 @@ class Replay:
         done = self.recording
         samples, state = np.empty_like(done.samples), done.samples[0] if start is None else np.asarray(start)
         samples[0] = state
-        values = self._values(self.parameters if parameters is None else parameters)
-        states = np.empty((len(done.t) + 1, len(state)))
-        states[0] = state
-        self._call("again", _Piece(slice(0, len(done.t)), states), values, samples=samples)
+        self._again(slice(0, len(done.t)), state, self.parameters if parameters is None else parameters, samples)
         return samples
 
     def starts(self, steps: Collection[int]) -> dict[int, Array]:
@@ -108,14 +138,25 @@ class Replay:
         table, last = self._tables("back", lambda marks, own, settled: tape.back(marks | own, own, settled=settled))
         values, slopes = self._values(self.parameters), aligned(tape.size)
         moved, rows = np.zeros(done.samples.shape[1]), np.zeros_like(done.rows)
+        jumped: dict[int, tuple[Array, Array]] = {}
         samples = np.ascontiguousarray(weights, dtype=float)
         stages, at = np.zeros((self._tableau.stages, len(moved))), dict[int, Array]()
         for piece in (part for whole in self._pieces(backwards=True) for part in whole.cut(inner)[::-1]):
             more = {"moved": moved, "row_slopes": rows, "stage_slopes": stages, "slopes": slopes}
             self._call("back", piece, values, other=table, samples=samples, **more)
-            at[piece.steps.start] = moved.copy()
+            step = piece.steps.start
+            at[step] = moved.copy()
+            if self._sampling and step in piece.before:
+                before = piece.before[step]
+                jumped[step] = before, at[step]
+                moved[:] = self._sampling.back(self.parameters, [step], before[None], moved[None], "state")["state"][0]
         _run(last, values[0], slopes)
         own = slopes[: len(self.parameters)].copy()
+        if self._sampling and jumped:
+            steps, (states, pulls) = [*jumped], (np.array(part) for part in zip(*jumped.values(), strict=True))
+            found = self._sampling.back(self.parameters, steps, states, pulls, "row", "parameters")
+            own += found["parameters"]
+            np.add.at(rows, done.segments[steps], found["row"])
         return Gradients(moved + samples[0], own, rows, {step: at[step] for step in inner})
 
     def _along_lanes(self, start: Array, parameters: Array, rows: Array, jumps: Mapping[int, Array]) -> Array:
@@ -133,10 +174,30 @@ class Replay:
         samples[0] = start
         more = {"moved": np.ascontiguousarray(start), "row_slopes": np.ascontiguousarray(rows), "slopes": slopes}
         stages = np.zeros((self._tableau.stages, size, LANES))
-        for piece in (part for whole in self._pieces() for part in whole.cut(jumps)):
-            more["moved"] += jumps.get(piece.steps.start, 0.0)
-            self._call("along", piece, values, LANES, other=table, samples=samples, stage_slopes=stages, **more)
+        for whole in self._pieces():
+            pushed = self._pushed(whole.before, parameters, rows)
+            for piece in whole.cut(jumps):
+                step = piece.steps.start
+                if self._sampling and step in piece.before:
+                    state = np.tile(piece.before[step], (LANES, 1))
+                    along = {"state": more["moved"].T}
+                    slope = self._sampling.along(self.parameters, [step] * LANES, state, along)
+                    more["moved"][:] = slope.T + pushed[step]
+                more["moved"] += jumps.get(step, 0.0)
+                self._call("along", piece, values, LANES, other=table, samples=samples, stage_slopes=stages, **more)
         return samples.transpose(2, 0, 1)
+
+    def _pushed(self, before: Mapping[int, Array], parameters: Array, rows: Array) -> dict[int, Array]:
+        """By step, the slopes (size, 8) of its state along changes of parameters and rows in its samples alone."""
+        if not (self._sampling and before):
+            return {}
+        steps, states = [*before], np.array([*before.values()])
+        own = rows[self.recording.segments[steps]]
+        lanes = [
+            self._sampling.along(self.parameters, steps, states, {"row": own[..., k]}, parameters[:, k])
+            for k in range(LANES)
+        ]
+        return dict(zip(steps, np.stack(lanes, axis=-1), strict=True))
 
     def _tables(self, kind: str, make: Callable[[Any, Any, bool], RowTable]) -> list[RowTable]:
         """The tables of what changes in a run, and of what does not, from marks of inputs and of the parameters."""
@@ -159,16 +220,32 @@ class Replay:
         """Steps between two kept states, with all states, one piece at a time."""
         done = self.recording
         if done.every == 1:
-            yield _Piece(slice(0, len(done.t)), done.kept)
+            states, before = done.kept, dict[int, Array]()
+            if self._sampling:
+                due, states = sorted(self._sampling.due), states.copy()
+                before = dict(zip(due, done.kept[due], strict=True))
+                states[due] = self._sampling.after(self.parameters, due, done.kept[due])
+            yield _Piece(slice(0, len(done.t)), states, before)
             return
-        values, samples = self._values(self.parameters), np.empty_like(done.samples)
+        samples = np.empty_like(done.samples)
         for k in range(len(done.kept))[:: -1 if backwards else 1]:
             steps = slice(k * done.every, min((k + 1) * done.every, len(done.t)))
-            states = np.empty((steps.stop - steps.start + 1, samples.shape[1]))
-            states[0] = done.kept[k]
-            piece = _Piece(steps, states)
+            yield self._again(steps, done.kept[k], self.parameters, samples)
+
+    def _again(self, steps: slice, state: Array, parameters: Array, samples: Array) -> _Piece:
+        """Steps with all states, from the one before the first; fills ``samples``."""
+        first, stop, values = steps.start, steps.stop, self._values(parameters)
+        states = np.empty((stop - first + 1, len(state)))
+        states[0] = state
+        whole = _Piece(steps, states, {})
+        due = self._sampling.due if self._sampling else ()
+        for piece in whole.cut(due):
+            step = piece.steps.start
+            if self._sampling and step in due:
+                whole.before[step] = piece.states[0].copy()
+                piece.states[0] = self._sampling.after(parameters, [step], piece.states[:1])[0]
             self._call("again", piece, values, samples=samples)
-            yield piece
+        return whole
 
     def _call(
         self, loop: str, piece: _Piece, values: Array, lanes: int = 1, *, other: RowTable | None = None, **arrays: Array

@@ -72,6 +72,8 @@ def _write() -> Any:
     kind = ir.FunctionType(VOID, [I64] * len(ARGUMENTS))
     loop = b.inttoptr(given["loop"], kind.as_pointer())
     passed = [_word(b, given["arguments"], whole(k)) for k in range(len(ARGUMENTS))]
+    fresh = b.alloca(I64, name="fresh")
+    b.store(whole(1), fresh)
     head, body, after = (function.append_basic_block(name) for name in ("head", "body", "after"))
     b.branch(head)
     b.position_at_end(head)
@@ -79,21 +81,22 @@ def _write() -> Any:
     going = b.fcmp_ordered("==", _cell(b, given, "status"), running)
     b.cbranch(b.and_(going, b.icmp_signed("<", taken, given["capacity"])), body, after)
     b.position_at_end(body)
-    _step(b, given, taken, lambda: b.call(loop, passed))
+    _step(b, given, taken, fresh, lambda: b.call(loop, passed))
     b.branch(head)
     b.position_at_end(after)
     b.ret_void()
     return module
 
 
-def _step(b: Any, given: dict[str, Any], taken: Any, advance: Any) -> None:
-    """One attempt of a step; where it is not taken, the next one overwrites what was kept."""
+def _step(b: Any, given: dict[str, Any], taken: Any, fresh: Any, advance: Any) -> None:
+    """One attempt of a step; ``fresh``: the first one, before samples at its start; others keep the state of that."""
     steps, segment = _cell(b, given, "steps"), b.fptosi(_cell(b, given, "segment"), I64)
     evaluations = _cell(b, given, "evaluations")
     store(b, _cell(b, given, "t"), given["t"], taken)
     b.store(segment, b.gep(given["segments"], [taken], source_etype=I64))
     whole_run = b.add(given["total"], taken)
-    with b.if_then(b.icmp_signed("==", b.srem(whole_run, given["every"]), whole(0))):
+    wanted = b.icmp_signed("==", b.srem(whole_run, given["every"]), whole(0))
+    with b.if_then(b.and_(wanted, b.icmp_signed(">", b.load(fresh, typ=I64), whole(0)))):
         up = b.sub(given["every"], whole(1))
         before = b.sdiv(b.add(given["total"], up), given["every"])
         slot = b.sub(b.sdiv(whole_run, given["every"]), before)
@@ -103,6 +106,7 @@ def _step(b: Any, given: dict[str, Any], taken: Any, advance: Any) -> None:
     advance()
     store(b, b.fsub(_cell(b, given, "evaluations"), evaluations), given["evaluations"], taken)
     more = b.fcmp_ordered(">", _cell(b, given, "steps"), steps)
+    b.store(b.zext(more, I64), fresh)
     b.store(b.add(taken, b.zext(more, I64)), given["taken"])
 
 

@@ -11,7 +11,7 @@ computed from what it reads there; in between both are held. Steps of all method
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, ClassVar, Self
 
@@ -212,6 +212,12 @@ class Block(Kind):
         """
         del plant, drives
         return self
+
+    def with_numbers(self, numbers: Sequence[Any]) -> Self:
+        """The same block with other :meth:`numbers`, whatever its fields say."""
+        made = self.model_copy()
+        vars(made)["numbers"] = lambda: tuple(numbers)
+        return made
 
     def remarks(self) -> list[str]:
         """What a user should know of the block as it is designed, before a run."""

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.errors import InputError, InputErrors, SimulationError
-from tmodes.kinds.noted.number import Lost, NotedTape, is_noted
+from tmodes.kinds.noted.number import Lost, Noted, NotedTape, is_noted
 from tmodes.kinds.noted.program import Program, program_of
 from tmodes.model.parameters import Structural, noted_pair
 from tmodes.model.passes import evaluate_program
@@ -108,10 +108,11 @@ def _evaluated(program: Program, rows: Array, cases: int) -> tuple[Array, NDArra
 
 def case_program(
     sheet: Robot, case: Mapping[str, float], robot_of: Callable[[RobotPair], Any], blocks: Callable[[Any], Blocks],
-    cases: int = 1,
+    cases: int = 1, *, designs: Callable[[Any, Mapping[str, Noted]], None] = lambda robot, inputs: None,
 ) -> CaseProgram:  # fmt: skip
     """The program of the ``blocks`` of numbers of a robot, noted at one ``case`` of the sheet: its value by path.
 
+    ``designs``: gives the noted robot its laws that are designed from it, by the numbers that are noted.
     Paths that lowering asks for as plain numbers are structure, too. Raises
     :class:`tmodes.model.parameters.Structural` where the lowering of the robot cannot be followed.
     """
@@ -120,7 +121,9 @@ def case_program(
         tape = NotedTape()
         try:
             noted, inputs = noted_pair(robot, free, tape)
-            vector, places = whole(blocks(robot_of(noted)))
+            made = robot_of(noted)
+            designs(made, inputs)
+            vector, places = whole(blocks(made))
             program = program_of(tape, [*inputs.values()], [*vector])
         except Lost as lost:
             acting = tape.inputs_of(lost.number.node) if is_noted(lost.number) else set()

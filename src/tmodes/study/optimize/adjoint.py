@@ -13,7 +13,6 @@ from tmodes.gradients.gradient import adjoint_gradient
 from tmodes.gradients.quantities import Functional, reduced_output
 from tmodes.sheet import Robot
 from tmodes.simulation.outputs import robot_outputs
-from tmodes.simulation.plan import planned
 from tmodes.simulation.reductions import SMOOTH
 from tmodes.simulation.vary.static_numbers import StaticSlopes, static_unit
 from tmodes.study.mapping import groups_of
@@ -43,8 +42,8 @@ class Adjoint:
     """Terms at points of the unit cube: numbers at rest with their slopes, simulated ones by a run and a sweep each.
 
     Of several cases of a design all run side by side, and slopes are those of the cases that decide. Numbers at rest
-    that have no exact slopes (:class:`tmodes.simulation.vary.static_numbers.StaticSlopes`), and runs under sampled
-    controllers, are differentiated along neighbours. ``functionals``: quantities by name that the study does not have.
+    that have no exact slopes (:class:`tmodes.simulation.vary.static_numbers.StaticSlopes`) are differentiated along
+    neighbours. ``functionals``: quantities by name that the study does not have.
     ``runs``: how many runs with their sweep there were. Raises :class:`tmodes.errors.InputError` for a quantity that
     has no slope.
     """
@@ -61,12 +60,9 @@ class Adjoint:
         self._series = [name for name in needs if name not in self._at_rest]
         self._simulated = bool(self._functionals or self._series)
         self._statics = StaticSlopes([one for static in self._at_rest.values() for one in static])
-        robot = self.study.robot
-        self._sampled = bool(self._series) and robot is not None and planned(robot).plan.is_sampled
-        if self._functionals and (self._sampled or len(trials.scenarios) > 1):
-            got = "a functional under a sampled controller" if self._sampled else "the worst case of a functional"
+        if self._functionals and len(trials.scenarios) > 1:
             hint = "make it a quantity of the study, a series reduced by rms, mean or end"
-            raise InputError("--method gradient", got, "one run in continuous time for it", hint)
+            raise InputError("--method gradient", "the worst case of a functional", "one run for it", hint)
 
     def at(self, shares: Array) -> Terms:
         """The terms at shares (k,)."""
@@ -79,7 +75,7 @@ class Adjoint:
         trials = self.trials
         design = trials.space.at(shares[None])
         cases = trials.cases_of(design)
-        if self._simulated and len(cases) == 1 and not self._sampled:
+        if self._simulated and len(cases) == 1:
             return self._alone(shares, design[0], cases[0])
         number = trials.at(design)[0]
         known = {name: one[number] for name, one in trials.values.items()}
@@ -111,8 +107,6 @@ class Adjoint:
     def _found(self, shares: Array, scenario: int, values: Mapping[str, Array]) -> Found:
         """All that terms are made of in a scenario, with slopes; ``values`` (s,) of numbers at rest in all."""
         found = self._resting(shares, scenario, values)
-        if self._sampled:
-            return found | self._beside(shares, scenario, self._series)
         return found | (self._run(self._point(shares, scenario)) if self._simulated else {})
 
     def _beside(self, shares: Array, scenario: int, names: Sequence[str]) -> Found:

@@ -57,9 +57,9 @@ def optimize(
     """The best design of a study, or of the file of one, by the objectives and limits of its sheet's ``optimize``.
 
     ``method``: ``grid`` tries every design of a finite space, whose optimum is exact; ``gradient`` descends, from the
-    sheet's own design where something is simulated (slopes by the adjoint, under sampled controllers by differences),
-    else from the best of ``trials`` evenly spread designs, with exact slopes of numbers at rest (by differences those
-    of frequencies under loads, in contact and in steady motion); ``cobyqa`` descends from the sheet's own design
+    sheet's own design where something is simulated (slopes by the adjoint), else from the best of ``trials`` evenly
+    spread designs, with exact slopes of numbers at rest (by differences those of frequencies under loads, in contact
+    and in steady motion); ``cobyqa`` descends from the sheet's own design
     without slopes, in at most ``trials`` designs; ``tpe`` and ``nsga2`` try ``trials`` designs; ``auto``: the first of
     these that fits, ``cobyqa`` never. ``out``: a folder for finished cases, so that the same call resumes.
     ``functionals``: further quantities by name, measured on the run, for ``gradient``. ``where``: as of
