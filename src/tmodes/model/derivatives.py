@@ -5,6 +5,7 @@ from __future__ import annotations
 import threading
 from collections import OrderedDict
 from collections.abc import Callable, Sequence
+from functools import partial
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -16,7 +17,7 @@ from tmodes.compile.ir.tape import Tape
 from tmodes.compile.loops.tape_loop import RowTable, operations
 from tmodes.model.passes import Blocks, packed, split
 
-__all__ = ["Columns", "Differentiated", "Group", "Ready", "differentiated"]
+__all__ = ["Columns", "Desk", "Differentiated", "Group", "Ready", "differentiated"]
 
 Array = NDArray[np.float64]
 Group = tuple[str, Sequence[Sequence[int]]]
@@ -103,6 +104,20 @@ class Differentiated:
         """Ready to compute the derivatives of the outputs by the elements of inputs that ``groups`` name."""
         key = ("columns", tuple((name, tuple(map(tuple, bodies))) for name, bodies in groups))
         return Columns(self, groups, self.kept(key, lambda: self._columns(groups)))
+
+    def desk(self, way: str, name: str) -> Desk:
+        """Ready for one sample after another, by one input: ``back`` in reverse, ``along`` eight directions of it."""
+
+        def make() -> Ready:
+            marks, table = self.tape.marked([self.tape.span(name)]), self.tape.values()
+            found, (first, size) = (self.tape.end, self.tape.output_size), self._inputs()
+            if way == "back":
+                table.extend(self.tape.back(marks, self.tape.marked([])))
+                return Ready(table, 1, found, (first, size))
+            table.extend(self.tape.along(marks, LANES))
+            return Ready(table, LANES, (LANES * first, LANES * size), (LANES * found[0], LANES * found[1]))
+
+        return Desk(self.tape, self.kept(("desk", way, name), make))
 
     def kept(self, key: Any, make: Callable[[], Any]) -> Any:
         """What was made for a key, once."""
@@ -192,25 +207,29 @@ class Columns:
         """The outputs themselves at one sample, (outputs,)."""
         return self._run(parameters, inputs).values[self.tape.end :][: self.tape.output_size].copy()
 
-    def _run(self, parameters: Array, inputs: Array) -> _Desk:
-        desk: _Desk | None = getattr(self._own, "desk", None)
+    def _run(self, parameters: Array, inputs: Array) -> Desk:
+        desk: Desk | None = getattr(self._own, "desk", None)
         if desk is None:
-            desk = self._own.desk = _Desk(self.tape, self.ready)
+            desk = self._own.desk = Desk(self.tape, self.ready)
         desk.values[: len(parameters)] = parameters
         desk.inputs[:] = inputs
-        desk.run(*desk.arguments)
+        desk.run()
         return desk
 
 
-class _Desk:
-    """Memory of one thread for one table at one sample, kept between calls."""
+class Desk:
+    """Memory of one thread for one table at one sample, kept between calls.
+
+    ``values`` begin with the parameters; ``inputs`` (size,), packed; ``seeds`` and what is ``found``, where eight
+    directions are carried along with the lanes last.
+    """
 
     def __init__(self, tape: Tape, ready: Ready) -> None:
         start, count = ready.found
         taken = (tape.schedule.parameters, tape.schedule.input_size)
-        self.values, self.inputs = np.zeros(tape.size), np.empty(taken[1])
-        self.slopes, self.found = aligned(start + count), np.empty(count)
-        arrays = (ready.table.words, self.values, self.slopes, self.inputs, self.found, self.found)
-        self.run = operations()["samples"]
+        self.values, self.inputs, self.seeds = np.zeros(tape.size), np.empty(taken[1]), np.zeros(ready.seeds[1])
+        self.slopes, self.found = aligned(max(start + count, ready.lanes * tape.size)), np.empty(count)
+        arrays = (ready.table.words, self.values, self.slopes, self.inputs, self.seeds, self.found)
         addresses = (array.ctypes.data for array in arrays)
-        self.arguments = (1, ready.table.rows, *taken, 0, 0, start, count, *addresses)
+        arguments = (1, ready.table.rows, *taken, *ready.seeds, start, count, *addresses)
+        self.run: Callable[[], None] = partial(operations()["samples"], *arguments)

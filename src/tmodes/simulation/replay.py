@@ -19,8 +19,8 @@ from tmodes.compile.loops.tape_loop import RowTable, operations
 from tmodes.compile.replay.replay_frame import ARRAYS, COUNTS
 from tmodes.compile.replay.tables import loops_of, table_of
 from tmodes.integrate.registry import integrator
-from tmodes.model.derivatives import differentiated
-from tmodes.model.passes import Blocks
+from tmodes.model.derivatives import Desk, differentiated
+from tmodes.model.passes import packed
 from tmodes.simulation.recording import Recording
 
 __all__ = ["Gradients", "Replay"]
@@ -62,22 +62,63 @@ class _Samples:
     """What samples at the start of steps do to the state, and its derivatives; ``due``: which steps."""
 
     def __init__(self, schedule: Any, recording: Recording) -> None:
-        self._of, self._done = differentiated(schedule, ["state"]), recording
+        self._of, self._done, self.size = differentiated(schedule, ["state"]), recording, recording.samples.shape[1]
         self.due = frozenset(np.flatnonzero(np.diff(recording.segments, prepend=-1)).tolist())
+        start = self._of.tape.span("state")[0] - schedule.parameters
+        self._state = slice(start, start + self.size)
 
     def after(self, parameters: Array, steps: Sequence[int], states: Array) -> Array:
         """The states (k, size) after the samples at the start of steps, from those before."""
         return self._of.values(parameters, self._blocks(steps, states))["state"]
 
-    def along(
-        self, parameters: Array, steps: Sequence[int], states: Array, slopes: Blocks, change: Any = None
-    ) -> Array:
-        """Their slopes (k, size) along directions of the ``state`` and of the ``row``, and of the parameters."""
-        return self._of.along(parameters, self._blocks(steps, states), slopes, change=change)["state"]
+    def along(self, parameters: Array, before: Mapping[int, Array]) -> Callable[[int, Array], Array]:
+        """(step, slopes (size, 8) of the state before its samples) -> slopes (size, 8) of that after them."""
+        desk, inputs = self._desk("along", parameters, before)
+        seeds, found = (array.reshape(-1, LANES) for array in (desk.seeds, desk.found))
 
-    def back(self, parameters: Array, steps: Sequence[int], states: Array, weights: Array, *names: str) -> Blocks:
-        """Derivatives of the sum of ``weights`` (k, size) times the states after."""
-        return self._of.back(parameters, self._blocks(steps, states), {"state": weights}, names)
+        def slopes(step: int, moved: Array) -> Array:
+            desk.inputs[:], seeds[self._state] = inputs[step], moved
+            desk.run()
+            return found
+
+        return slopes
+
+    def pushed(self, parameters: Array, before: Mapping[int, Array], change: Array, rows: Array) -> dict[int, Array]:
+        """By step, the slopes (size, 8) along changes of parameters (parameters, 8) and rows (segments, row, 8)."""
+        steps, blocks = [*before], self._blocks([*before], np.array([*before.values()]))
+        own = rows[self._done.segments[steps]]
+        lanes = [
+            self._of.along(parameters, blocks, {"row": own[..., k]}, change=change[:, k])["state"] for k in range(LANES)
+        ]
+        return dict(zip(steps, np.stack(lanes, axis=-1), strict=True))
+
+    def back(self, parameters: Array, before: Mapping[int, Array]) -> Callable[[int, Array], Array]:
+        """(step, weights (size,) of the state after its samples) -> those of the state before them."""
+        desk, inputs = self._desk("back", parameters, before)
+
+        def weights(step: int, moved: Array) -> Array:
+            desk.inputs[:], desk.seeds[:] = inputs[step], moved
+            desk.run()
+            return desk.found[self._state]
+
+        return weights
+
+    def pulled(
+        self, parameters: Array, before: Mapping[int, Array], weights: Mapping[int, Array]
+    ) -> tuple[Array, Array]:
+        """Derivatives of weighted states after samples by the parameters, and by the rows (segments, row)."""
+        steps, rows = [*weights], np.zeros_like(self._done.rows)
+        blocks = self._blocks(steps, np.array([before[step] for step in steps]))
+        seeds = {"state": np.array([*weights.values()])}
+        found = self._of.back(parameters, blocks, seeds, ("row", "parameters"))
+        np.add.at(rows, self._done.segments[steps], found["row"])
+        return found["parameters"], rows
+
+    def _desk(self, way: str, parameters: Array, before: Mapping[int, Array]) -> tuple[Desk, dict[int, Array]]:
+        desk, steps = self._of.desk(way, "state"), [*before]
+        desk.values[: len(parameters)] = parameters
+        states = np.array([*before.values()]).reshape(len(steps), self.size)
+        return desk, dict(zip(steps, packed(self._of.schedule, self._blocks(steps, states)), strict=True))
 
     def _blocks(self, steps: Sequence[int], states: Array) -> dict[str, Array]:
         rows = self._done.rows[self._done.segments[list(steps)]]
@@ -138,26 +179,26 @@ class Replay:
         table, last = self._tables("back", lambda marks, own, settled: tape.back(marks | own, own, settled=settled))
         values, slopes = self._values(self.parameters), aligned(tape.size)
         moved, rows = np.zeros(done.samples.shape[1]), np.zeros_like(done.rows)
-        jumped: dict[int, tuple[Array, Array]] = {}
         samples = np.ascontiguousarray(weights, dtype=float)
         stages, at = np.zeros((self._tableau.stages, len(moved))), dict[int, Array]()
-        for piece in (part for whole in self._pieces(backwards=True) for part in whole.cut(inner)[::-1]):
-            more = {"moved": moved, "row_slopes": rows, "stage_slopes": stages, "slopes": slopes}
-            self._call("back", piece, values, other=table, samples=samples, **more)
-            step = piece.steps.start
-            at[step] = moved.copy()
-            if self._sampling and step in piece.before:
-                before = piece.before[step]
-                jumped[step] = before, at[step]
-                moved[:] = self._sampling.back(self.parameters, [step], before[None], moved[None], "state")["state"][0]
+        more = {"moved": moved, "row_slopes": rows, "stage_slopes": stages, "slopes": slopes}
+        sweep = self._loop("back", values, other=table, samples=samples, **more)
+        sampled, own = np.zeros(len(self.parameters)), np.zeros_like(rows)
+        for whole in self._pieces(backwards=True):
+            sampling, carried = self._sampling if whole.before else None, dict[int, Array]()
+            weigh = sampling.back(self.parameters, whole.before) if sampling else None
+            for piece in whole.cut(inner)[::-1]:
+                sweep(piece)
+                at[piece.steps.start] = moved.copy()
+                if weigh and piece.steps.start in whole.before:
+                    carried[piece.steps.start] = at[piece.steps.start]
+                    moved[:] = weigh(piece.steps.start, moved)
+            if sampling and carried:
+                by, signals = sampling.pulled(self.parameters, whole.before, carried)
+                sampled, own = sampled + by, own + signals
         _run(last, values[0], slopes)
-        own = slopes[: len(self.parameters)].copy()
-        if self._sampling and jumped:
-            steps, (states, pulls) = [*jumped], (np.array(part) for part in zip(*jumped.values(), strict=True))
-            found = self._sampling.back(self.parameters, steps, states, pulls, "row", "parameters")
-            own += found["parameters"]
-            np.add.at(rows, done.segments[steps], found["row"])
-        return Gradients(moved + samples[0], own, rows, {step: at[step] for step in inner})
+        numbers = slopes[: len(self.parameters)] + sampled
+        return Gradients(moved + samples[0], numbers, rows + own, {step: at[step] for step in inner})
 
     def _along_lanes(self, start: Array, parameters: Array, rows: Array, jumps: Mapping[int, Array]) -> Array:
         """Eight directions, the last axis."""
@@ -174,30 +215,18 @@ class Replay:
         samples[0] = start
         more = {"moved": np.ascontiguousarray(start), "row_slopes": np.ascontiguousarray(rows), "slopes": slopes}
         stages = np.zeros((self._tableau.stages, size, LANES))
+        sweep = self._loop("along", values, LANES, other=table, samples=samples, stage_slopes=stages, **more)
         for whole in self._pieces():
-            pushed = self._pushed(whole.before, parameters, rows)
+            sampling, given = self._sampling if whole.before else None, (self.parameters, whole.before)
+            carry = sampling.along(*given) if sampling else None
+            pushed = sampling.pushed(*given, parameters, rows) if sampling else {}
             for piece in whole.cut(jumps):
                 step = piece.steps.start
-                if self._sampling and step in piece.before:
-                    state = np.tile(piece.before[step], (LANES, 1))
-                    along = {"state": more["moved"].T}
-                    slope = self._sampling.along(self.parameters, [step] * LANES, state, along)
-                    more["moved"][:] = slope.T + pushed[step]
+                if carry and step in pushed:
+                    more["moved"][:] = carry(step, more["moved"]) + pushed[step]
                 more["moved"] += jumps.get(step, 0.0)
-                self._call("along", piece, values, LANES, other=table, samples=samples, stage_slopes=stages, **more)
+                sweep(piece)
         return samples.transpose(2, 0, 1)
-
-    def _pushed(self, before: Mapping[int, Array], parameters: Array, rows: Array) -> dict[int, Array]:
-        """By step, the slopes (size, 8) of its state along changes of parameters and rows in its samples alone."""
-        if not (self._sampling and before):
-            return {}
-        steps, states = [*before], np.array([*before.values()])
-        own = rows[self.recording.segments[steps]]
-        lanes = [
-            self._sampling.along(self.parameters, steps, states, {"row": own[..., k]}, parameters[:, k])
-            for k in range(LANES)
-        ]
-        return dict(zip(steps, np.stack(lanes, axis=-1), strict=True))
 
     def _tables(self, kind: str, make: Callable[[Any, Any, bool], RowTable]) -> list[RowTable]:
         """The tables of what changes in a run, and of what does not, from marks of inputs and of the parameters."""
@@ -234,42 +263,54 @@ class Replay:
 
     def _again(self, steps: slice, state: Array, parameters: Array, samples: Array) -> _Piece:
         """Steps with all states, from the one before the first; fills ``samples``."""
-        first, stop, values = steps.start, steps.stop, self._values(parameters)
+        first, stop = steps.start, steps.stop
         states = np.empty((stop - first + 1, len(state)))
         states[0] = state
         whole = _Piece(steps, states, {})
-        due = self._sampling.due if self._sampling else ()
+        due, take = (
+            self._sampling.due if self._sampling else (),
+            self._loop("again", self._values(parameters), samples=samples),
+        )
         for piece in whole.cut(due):
             step = piece.steps.start
             if self._sampling and step in due:
                 whole.before[step] = piece.states[0].copy()
                 piece.states[0] = self._sampling.after(parameters, [step], piece.states[:1])[0]
-            self._call("again", piece, values, samples=samples)
+            take(piece)
         return whole
 
-    def _call(
-        self, loop: str, piece: _Piece, values: Array, lanes: int = 1, *, other: RowTable | None = None, **arrays: Array
-    ) -> None:
-        """Call a native loop for some steps."""
-        done, tape, tableau, steps = self.recording, self.tape, self._tableau, piece.steps
+    def _loop(
+        self, loop: str, values: Array, lanes: int = 1, *, other: RowTable | None = None, **arrays: Array
+    ) -> Callable[[_Piece], None]:
+        """A native loop, to be called for pieces of steps one after the other."""
+        done, tape, tableau = self.recording, self.tape, self._tableau
         table = other or self._forward
         place = {f"{name}_at": tape.span(name)[0] for name in ("time", "state", "row", *tableau.inputs)}
-        counts = {
-            "steps": steps.stop - steps.start, "size": done.samples.shape[1], "row": done.rows.shape[1],
-            "stages": tableau.stages, "values": values.shape[1], "out_at": tape.end, "lanes": lanes,
-            "slopes_out_at": lanes * tape.end, "forward_rows": self._forward.rows, "other_rows": table.rows,
-            "pairs": self._pairs, **place,
+        known = {
+            "size": done.samples.shape[1], "row": done.rows.shape[1], "stages": tableau.stages,
+            "values": values.shape[1], "out_at": tape.end, "lanes": lanes, "slopes_out_at": lanes * tape.end,
+            "forward_rows": self._forward.rows, "other_rows": table.rows, "pairs": self._pairs, **place,
         }  # fmt: skip
+        counts = np.array([known.get(name, 0) for name in COUNTS], dtype=np.int64)
+        by_step = {name: getattr(done, name) for name in ("segments", "used", "first_sample", "t", "h")}
         given = {
-            "counts": np.array([counts.get(name, 0) for name in COUNTS], dtype=np.int64),
-            "segments": done.segments[steps], "used": done.used[steps],
-            "first_sample": done.first_sample[steps.start : steps.stop + 1], "forward": self._forward.words,
-            "other": table.words, "t": done.t[steps], "h": done.h[steps], "y": piece.states, "rows": done.rows,
-            "a": tableau.a, "b": tableau.b, "c": tableau.c, "weights": done.weights, "values": values,
-            "states": np.empty((tableau.stages, done.samples.shape[1])), **arrays,
+            "counts": counts, "forward": self._forward.words, "other": table.words, "rows": done.rows, "a": tableau.a,
+            "b": tableau.b, "c": tableau.c, "weights": done.weights, "values": values,
+            "states": np.empty((tableau.stages, done.samples.shape[1])), **by_step, **arrays,
         }  # fmt: skip
-        empty = np.empty(0)
-        loops_of(done.method)[loop](*(given.get(name, empty).ctypes.data for name in ARRAYS))
+        empty, function, steps = np.empty(0), loops_of(done.method)[loop], COUNTS.index("steps")
+        addresses = [given.get(name, empty).ctypes.data for name in ARRAYS]
+        moving = [(ARRAYS.index(name), addresses[ARRAYS.index(name)], one.strides[0]) for name, one in by_step.items()]
+        y = ARRAYS.index("y")
+
+        def call(piece: _Piece) -> None:
+            given["counts"][steps] = piece.steps.stop - piece.steps.start
+            for k, first, stride in moving:
+                addresses[k] = first + stride * piece.steps.start
+            addresses[y] = piece.states.ctypes.data
+            function(*addresses)
+
+        return call
 
 
 def _run(table: RowTable, values: Array, slopes: Array) -> None:
