@@ -14,7 +14,6 @@ from contracts.test_controllers import gains, robot
 from lane_runs import simulate_lanes
 from simulation.sheets import arm
 from tmodes.analysis.modes.of_sheet import vibrations
-from tmodes.errors import InputError
 from tmodes.gradients.gradient import forward_sensitivities
 from tmodes.live.bundle import live_bundle, why_not_live
 from tmodes.model.model import Model
@@ -38,19 +37,19 @@ def motor(**integration: Any) -> Any:
                integration=settings | integration)  # fmt: skip
 
 
-def exact(times: Any) -> np.ndarray:
+def exact(times: Any, inertia: float = INERTIA, kp: float = KP, ki: float = KI) -> np.ndarray:
     """Angle, held torque and integral (n, 3): parabolas between samples, each from the state at the last."""
     q = v = z = u = t = 0.0
     rows, samples = [], 0
     for time in times:
         while samples * PERIOD <= time + 1e-12:
             h = samples * PERIOD - t
-            q, v, t = q + v * h + u / INERTIA * h * h / 2, v + u / INERTIA * h, samples * PERIOD
+            q, v, t = q + v * h + u / inertia * h * h / 2, v + u / inertia * h, samples * PERIOD
             error = (1.0 if t >= 0.13 else 0.0) - q
-            u, z = KP * error + KI * z - KV * v, z + PERIOD * error
+            u, z = kp * error + ki * z - KV * v, z + PERIOD * error
             samples += 1
         h = time - t
-        rows.append((q + v * h + u / INERTIA * h * h / 2, u, z))
+        rows.append((q + v * h + u / inertia * h * h / 2, u, z))
     return np.array(rows)
 
 
@@ -101,9 +100,18 @@ def test_states_are_series_figures_and_stop_quantities(tmp_path: Any) -> None:
     assert before.data["time"].values[-1] == pytest.approx(0.15, abs=1e-12)
 
 
-def test_derivatives_are_refused() -> None:
-    with pytest.raises(InputError, match="sampled controller"):
-        forward_sensitivities(motor(), ["joints.j.motor.inertia"])
+@pytest.mark.parametrize("method", ["dormand_prince", "rk4", "extrapolation"])
+def test_derivatives_are_those_of_the_exact_solution(method: str) -> None:
+    paths = {
+        "joints.j.motor.inertia": 0,
+        "drives.0.controller.position_gain": 1,
+        "drives.0.controller.integral_gain": 2,
+    }
+    found = forward_sensitivities(motor(method=method, **({"step": 2e-3} if method == "rk4" else {})), [*paths])
+    for path, k in paths.items():
+        numbers, step = np.array([INERTIA, KP, KI]), 1e-4 * np.eye(3)[k]
+        slope = (exact(found.times, *(numbers + step)) - exact(found.times, *(numbers - step))) / 2e-4
+        assert np.abs(found.by[path][:, 0] - slope[:, 0]).max() < 1e-7
 
 
 def ordered(values: ArrayLike) -> NDArray[np.complex128]:

@@ -256,3 +256,30 @@ def test_with_the_sag_the_bent_tip_is_on_the_path_at_rest() -> None:
         assert held == pytest.approx(tip(ARM, rigid.found.values[[row]])[0][0], abs=1e-9)
     assert own.checks["this"] < own.checks["rigid"] / 3
     assert not rigid.checks
+
+
+TRAPEZOID = {"type": "trapezoid", "speed": 0.6, "acceleration": 4.0}
+
+
+def test_a_shaped_way_stays_on_the_path_and_does_not_ring() -> None:
+    path = {"type": "line", "to": [0.7, 0.0, 0.2]}
+    plain, shaped = (ARM.follow(path, profile=TRAPEZOID, shaper=one) for one in (None, {"type": "zv"}))
+    assert shaped.error < 1e-7
+    shaper = shaped.found.legs[0].signal.shaper
+    assert shaped.duration == pytest.approx(plain.duration + 0.5 / shaper.frequencies[0], rel=0.02)  # half a period
+    low, high = plain.robot.shaper(where="path").info()["modes"][0]["frequency_Hz"]
+    assert shaper.frequencies[0] == pytest.approx((low + high) / 2)
+    swings = []
+    for found in (plain, shaped):
+        done = found.robot.with_({"real": {}, "integration.duration": 1.5}).run()
+        after = done.data["tip"].values[done.data["tip"].time.values > found.duration]
+        swings.append(float(np.ptp(after, axis=0).max()))
+    assert swings[1] < swings[0] / 10
+
+
+def test_sag_along_a_profile_whose_acceleration_jumps() -> None:
+    """Two rows at one instant, with different accelerations."""
+    path = {"type": "line", "to": [0.7, 0.0, 0.2]}
+    found = ARM.follow(path, profile=TRAPEZOID, reference="sag")
+    assert (np.diff(found.found.times) == 0).any()
+    assert found.checks["this"] < found.checks["rigid"]

@@ -13,6 +13,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -207,8 +208,14 @@ def _with(found: Followed, added: Array) -> Followed:
     """The references with what is ``added`` (n, joints) to them, smoothly between the rows."""
     from scipy.interpolate import make_interp_spline
 
-    spline = make_interp_spline(found.times, added, k=min(_DEGREE, len(found.times) - 1))
-    rates, accelerations = (spline.derivative(order)(found.times) for order in (1, 2))
+    slopes = [np.zeros_like(added), np.zeros_like(added)]
+    jumps = 1 + np.flatnonzero(np.diff(found.times) == 0)  # of accelerations: two rows at one time
+    for low, high in pairwise([0, *jumps.tolist(), len(added)]):
+        times = found.times[low:high]
+        spline = make_interp_spline(times, added[low:high], k=min(_DEGREE, high - low - 1))
+        for order in (1, 2):
+            slopes[order - 1][low:high] = spline.derivative(order)(times) if order <= spline.k else 0.0
+    rates, accelerations = slopes
     return replace(
         found, values=found.values + added, rates=found.rates + rates, accelerations=found.accelerations + accelerations
     )

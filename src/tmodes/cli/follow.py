@@ -42,6 +42,13 @@ def follow(
     least_time: Annotated[
         bool, typer.Option("--least-time", help="As fast as limits of speed and effort allow, with this profile.")
     ] = False,
+    shaper: Annotated[
+        str | None,
+        typer.Option(
+            metavar="GROUP",
+            help="Shape the way along the path: '{type: zvd}' for the first mode there, or with `frequencies` [Hz].",
+        ),
+    ] = None,
     out: Annotated[Path | None, typer.Option(help="A file for the data sheet of the robot that follows.")] = None,
     figure: Annotated[Path | None, typer.Option(help="A file for the references: .svg, .png or .pdf.")] = None,
     overwrite: Annotated[bool, typer.Option("--overwrite", help="Replace these files.")] = False,
@@ -65,6 +72,6 @@ def follow(
     with working("preparing") as tell:
         found = found_of(
             sheet, path, profile=profile, tolerance=tolerance, reference=reference, least_time=least_time,
-            out=out, figure=figure, overwrite=overwrite, progress=tell,
+            shaper=shaper, out=out, figure=figure, overwrite=overwrite, progress=tell,
         )  # fmt: skip
     print_result(found, as_json)

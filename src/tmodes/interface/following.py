@@ -56,6 +56,7 @@ def follow(
     tolerance: float = 1e-7,
     reference: str = "rigid",
     least_time: bool = False,
+    shaper: Group | None = None,
     out: str | os.PathLike[str] | None = None,
     figure: str | os.PathLike[str] | None = None,
     overwrite: bool = False,
@@ -77,7 +78,10 @@ def follow(
     ``inverse``: motions and efforts with which the tip of the moving robot is on the path, free of contact
     (:mod:`tmodes.analysis.inversion`); they may begin before the path does. Runs of the nominal robot say what that is
     worth (``checks``). ``least_time``: the profile made faster or slower, to 1 %, until a motor is at its limit of
-    speed or effort (``limits`` of the sheet). ``out``: a file for the sheet; ``figure``: one for the references.
+    speed or effort (``limits`` of the sheet). ``shaper``: of the way along the path, so that the tip stays on it and a
+    mode does not ring after it, such as ``{"type": "zvd"}``; without ``frequencies`` [Hz] for the robot's first mode,
+    in the middle between its lowest and its highest frequency on the path. ``out``: a file for the sheet;
+    ``figure``: one for the references.
 
     Raises :class:`tmodes.errors.InputError` for a path that the rigid robot does not reach, or that passes a singular
     pose, and :class:`tmodes.errors.ResultFileError` where a file cannot be written. Source: B. Siciliano, L. Sciavicco,
@@ -97,20 +101,24 @@ def follow(
         raise InputError("--path", "no path" if not groups else f"tolerance {tolerance!r}",
                          "a path, and a tolerance > 0 m", "add --path '{type: line, to: [0.6, 0, 0.2]}'")  # fmt: skip
     paths = [_member(Path, _group("--path", one), "path") for one in groups]
-    smooth = profile is None and reference == "inverse"
+    smooth, shape = profile is None and reference == "inverse", None if shaper is None else _group("--shaper", shaper)
     law = {key: value for key, value in _group("--profile", PROFILE if profile is None else profile).items()
            if key not in ("start", "end")}  # fmt: skip
 
     def signal(length: float, factor: float) -> Signal:
         own = _smooth(length) if smooth else {**law, "start": 0.0, "end": length}
         known = {key: own[key] * factor**power for key, power in _BY_TIME.items() if key in own} if factor != 1 else {}
-        return _member(Signal, own | known, "profile")
+        move = own | known
+        return _member(Signal, {"type": "shaped", "signal": move, "shaper": shape} if shape else move, "profile")
 
     def tried(factor: float) -> tuple[Followed, Reference]:
         timed = followed(robot, paths, lambda length: signal(length, factor), tolerance, tell)
         return timed, REFERENCES[_known(reference)](robot, timed, tolerance, tell)
 
     tell = (lambda stage, share: None) if least_time else progress
+    if shape and not shape.get("frequencies"):
+        wanted, shape = shape, None  # modes on the path that is not shaped
+        shape = wanted | _first_mode(robot, followed(robot, paths, lambda length: signal(length, 1.0), tolerance, tell))
     found, given = _least_time(robot, tried, progress) if least_time else tried(1.0)
     made = Following(robot, given.applied(robot, found), found, tuple(str(one.type) for one in paths), reference, given)
     if reference != "rigid":
@@ -154,6 +162,15 @@ def _least_time(
         brentq(load, *sorted(logs[-2:]), xtol=_CLOSE / 2)
     _, found, given = done[min(log for log, (share, *_) in done.items() if share <= 1.0)]
     return found, given
+
+
+def _first_mode(robot: Robot, found: Followed) -> dict[str, Any]:
+    """Frequency [Hz] and damping of a shaper for the first mode along a path."""
+    from tmodes.interface.references import REFERENCES
+    from tmodes.interface.shaping import middle_modes
+
+    rigid = REFERENCES["rigid"](robot, found, 0.0, lambda stage, share: None)
+    return middle_modes(rigid.applied(robot, found), (1,), "path")[0]
 
 
 def _smooth(length: float) -> dict[str, Any]:
@@ -309,6 +326,9 @@ class Following(CommandResult):
         turned = f" and {found.turned:.2g} rad" if found.error and found.turned else ""
         yield (f"{self.given.name}: {', '.join(self.kinds)} of {self.length:.4g} in {self.duration:.4g} s, "
                f"{len(found.times)} rows; as a rigid robot {off}{turned}")  # fmt: skip
+        shapers = {f"{one.shaper.type} for {', '.join(f'{f:.4g}' for f in one.shaper.frequencies)} Hz"
+                   for one in (leg.signal for leg in found.legs) if one.type == "shaped"}  # fmt: skip
+        yield from (f"shaped by {one}" for one in sorted(shapers))
         if self.checks:
             lead = f"; it begins {self.lead:.3g} s before the path" if self.lead else ""
             yield f"reference {self.reference}{lead}"

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from tmodes.kinds.shapers.registry import Shaper
     from tmodes.sheet import Robot
 
-__all__ = ["Shaping", "shaper"]
+__all__ = ["Shaping", "middle_modes", "shaper"]
 
 UNITS = {
     "delay_s": "s, by which the motion becomes longer",
@@ -88,10 +88,10 @@ def shaper(
     'shaped'
     """
     given = _given(kind, frequency, damping, tolerated)
-    along = [] if frequency else _along(robot, modes, where, progress)
-    if along:
-        given |= {"frequencies": [_middle(one.frequency) for one in along],
-                  "damping": [min(_middle(one.damping), _MOST_DAMPING) for one in along]}  # fmt: skip
+    along: list[ModeAlong] = []
+    if not frequency:
+        numbers, along = middle_modes(robot, modes, where, progress)
+        given |= numbers
     found = Shaping(robot, _shaped(robot, given), _member(given), tuple(along), where)
     write_files(out, found, figure, overwrite=overwrite)
     return found
@@ -131,9 +131,13 @@ def _along(robot: Robot, modes: Sequence[int], where: str, progress: Callable[[s
     return modes_along(robot, numbers, poses[-1:] if where == "end" else poses, progress)
 
 
-def _middle(values: NDArray[np.float64]) -> float:
-    """Between the lowest and the highest."""
-    return float(values.min() + values.max()) / 2
+def middle_modes(
+    robot: Robot, modes: Sequence[int], where: str, progress: Callable[[str, float], None] = lambda stage, share: None
+) -> tuple[dict[str, Any], list[ModeAlong]]:
+    """Frequencies [Hz] and damping of a shaper, in the middle between lowest and highest of each mode; and these."""
+    along = _along(robot, modes, where, progress)
+    pairs = [[float(values.min() + values.max()) / 2 for values in (one.frequency, one.damping)] for one in along]
+    return {"frequencies": [one for one, _ in pairs], "damping": [min(one, _MOST_DAMPING) for _, one in pairs]}, along
 
 
 def _member(given: dict[str, Any]) -> Shaper:
