@@ -118,7 +118,7 @@ class Followed:
         ]
 
 
-class _Arm:
+class Arm:
     """The undeformed robot by the values of its driven joints."""
 
     def __init__(self, robot: Robot) -> None:
@@ -160,6 +160,12 @@ class _Arm:
         """(6, joints): velocity and rate of the tip."""
         return self.model.jacobian(self.whole(joints))[self.tip] @ self.basis
 
+    def efforts(self, joints: Array, rates: Array, accelerations: Array) -> Array:
+        """Efforts (joints,) that a motion of the rigid robot takes, its rotors among what is moved."""
+        moved = [self.basis @ each for each in (rates, accelerations)]
+        forces = self.model.inverse_dynamics(self.whole(joints), *moved) + self.model.rotor_inertias * moved[1]
+        return forces @ self.basis
+
     def bend(self, joints: Array, rates: Array) -> Array:
         """Acceleration and angular acceleration (6,) of the tip at steady rates of the joints."""
         motion = self.model.points(self.whole(joints), self.basis @ rates, 0.0)
@@ -176,7 +182,7 @@ def followed(
 
     Raises :class:`tmodes.errors.InputError` for a place that the robot does not reach or passes in a singular pose.
     """
-    arm = _Arm(robot)
+    arm = Arm(robot)
     joints = np.array([*arm.start.values()])
     rows: list[tuple[float, Array, Array, Array]] = []
     errors, legs, begin = [(0.0, 0.0)], [], 0.0
@@ -212,7 +218,7 @@ def _kept(rows: list[tuple[float, Array, Array, Array]]) -> Iterator[tuple[float
 class _Following:
     """One leg, from its start to its end."""
 
-    def __init__(self, arm: _Arm, leg: Leg, which: str) -> None:
+    def __init__(self, arm: Arm, leg: Leg, which: str) -> None:
         self.arm, self.leg, self.which = arm, leg, which
         if not leg.end > 0:
             raise InputError("profile", "a motion without an end", "a move with an end", "take s_curve, or quintic")

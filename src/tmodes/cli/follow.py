@@ -26,7 +26,8 @@ def follow(
         str | None,
         typer.Option(
             metavar="GROUP",
-            help="Speed profile along the path, a signal without start and end: s_curve, quintic, polynomial, ... "
+            help="Speed profile along the path, a signal without start and end: s_curve, quintic, polynomial, ..., or "
+            "'{type: toppra}', the least time within the limits of the joints of the rigid robot. "
             f"Left out: {PROFILE}, for `inverse` a polynomial as gentle.",
         ),
     ] = None,

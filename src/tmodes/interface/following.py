@@ -68,9 +68,10 @@ def follow(
     another, each from rest to rest. Kinds: line, arc, via (points with rounded corners), turn, joints, or your own;
     with ``rpy`` the tip turns to there on the shortest way. ``profile``: speed profile along the path, a signal without
     start and end, which become 0 and the length, such as ``{"type": "s_curve", "speed": 0.5, "acceleration": 2.0,
-    "jerk": 40.0}`` [m/s, ...]; gentle for a robot of a metre if left out. It starts where the first commands put the
-    rigid robot, whose inverse kinematics gives the joints; ``tolerance`` [m, rad] of its tip between the rows of the
-    references.
+    "jerk": 40.0}`` [m/s, ...]; gentle for a robot of a metre if left out; or a timing:
+    ``{"type": "toppra"}``, the least time in which the rigid robot keeps to the limits of its joints (extra
+    `planning`). It starts where the first commands put the rigid robot, whose inverse kinematics gives the joints;
+    ``tolerance`` [m, rad] of its tip between the rows of the references.
 
     ``reference``: setpoints of the motors. ``rigid``: the joints of the rigid robot. ``motors``: these, and the
     efforts that keep the motors exactly on them, from a run of the whole robot as known. ``sag``: motors go where the
@@ -92,9 +93,11 @@ def follow(
     (0.2065, True, 'trajectory')
     """
     from tmodes.analysis.follow import followed
+    from tmodes.analysis.timing import timed_ways
     from tmodes.interface.references import REFERENCES
     from tmodes.kinds.paths.registry import Path
     from tmodes.kinds.signals.registry import Signal
+    from tmodes.kinds.timings.registry import TIMINGS, Timing
 
     groups = [path] if isinstance(path, str | Mapping) else [*path]
     if not groups or not tolerance > 0:
@@ -104,15 +107,30 @@ def follow(
     smooth, shape = profile is None and reference == "inverse", None if shaper is None else _group("--shaper", shaper)
     law = {key: value for key, value in _group("--profile", PROFILE if profile is None else profile).items()
            if key not in ("start", "end")}  # fmt: skip
+    timing: Timing | None = None
+    if law.get("type") in TIMINGS:
+        timing = _member(Timing, law, "profile")
+        if least_time:
+            expected, hint = "a profile whose time changes", "leave `--least-time` out: the timing is found by it"
+            raise InputError("--least-time", f"the timing `{law['type']}`", expected, hint)
+        law = _group("--profile", PROFILE)  # at which the path is found
 
     def signal(length: float, factor: float) -> Signal:
         own = _smooth(length) if smooth else {**law, "start": 0.0, "end": length}
         known = {key: own[key] * factor**power for key, power in _BY_TIME.items() if key in own} if factor != 1 else {}
         move = own | known
-        return _member(Signal, {"type": "shaped", "signal": move, "shaper": shape} if shape else move, "profile")
+        return _member(Signal, move if timing else shaped(move), "profile")
+
+    def shaped(move: dict[str, Any]) -> dict[str, Any]:
+        return {"type": "shaped", "signal": move, "shaper": shape} if shape else move
 
     def tried(factor: float) -> tuple[Followed, Reference]:
         timed = followed(robot, paths, lambda length: signal(length, factor), tolerance, tell)
+        if timing is not None:
+            ways = iter(timed_ways(robot, timed, timing))
+            timed = followed(
+                robot, paths, lambda length: _member(Signal, shaped(next(ways)), "profile"), tolerance, tell
+            )
         return timed, REFERENCES[_known(reference)](robot, timed, tolerance, tell)
 
     tell = (lambda stage, share: None) if least_time else progress

@@ -1,0 +1,1 @@
+"""Timings: how fast a robot goes along a path, from what its joints can do."""

@@ -1,0 +1,79 @@
+"""Timings of paths: one of a user's own, and the least time within limits, against closed forms."""
+
+from __future__ import annotations
+
+from typing import Any, Literal
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+from pydantic import Field
+
+import tmodes
+from tmodes.analysis.follow import Arm
+from tmodes.errors import InputError
+from tmodes.kinds.timings.registry import TIMINGS, JointCourse, Timing
+
+ARM = tmodes.load("two_link_arm")
+STIFF = ARM.with_({"links.forearm.beam": {"model": "rigid", "length": 0.5, "material": "aluminium_6061",
+                                          "section": {"shape": "tube", "outer_diameter": 0.022, "thickness": 0.0015}},
+                   "joints.shoulder.gear": None, "joints.elbow.gear": None, "real": {}})  # fmt: skip
+LINE = {"type": "line", "to": [0.7, 0.0, 0.2]}
+
+
+@TIMINGS.register
+class Halves(Timing):
+    """One acceleration up to the middle of the path, and the same back."""
+
+    type: Literal["test_halves"] = Field(description="kind of timing")
+    gain: float = Field(default=2.0, description="acceleration along the path")
+
+    def speeds(self, course: JointCourse) -> NDArray[np.float64]:
+        ends = np.minimum(course.ways, course.ways[-1] - course.ways)
+        return np.sqrt(2 * self.gain * np.maximum(ends, 0.0))
+
+
+def test_of_ones_own_along_several_paths() -> None:
+    found = STIFF.follow([LINE, {"type": "joints", "points": [[-0.4, 1.0]]}], profile={"type": "test_halves"})
+    for leg in found.found.legs:
+        length = leg.course.length
+        assert leg.end == pytest.approx(2 * np.sqrt(length / 2.0), rel=1e-3)  # of 2 m/s^2, rad/s^2
+        assert leg.pieces.at(leg.end / 2) == pytest.approx(length / 2, rel=1e-3)
+    assert found.error < 1e-7
+
+
+def test_needs_no_least_time() -> None:
+    with pytest.raises(InputError) as caught:
+        STIFF.follow(LINE, profile={"type": "test_halves"}, least_time=True)
+    assert caught.value.which == "--least-time"
+
+
+def follows(robot: Any, path: dict[str, Any], **timing: Any) -> Any:
+    pytest.importorskip("toppra")
+    return robot.follow(path, profile={"type": "toppra", **timing})
+
+
+def test_least_time_at_a_steady_acceleration() -> None:
+    """One joint that moves, far from its limits: bang-bang, 2 sqrt(d/a)."""
+    found = follows(STIFF, {"type": "joints", "points": [[-0.4, 0.7]]}, acceleration=1.5)
+    assert found.duration == pytest.approx(2 * np.sqrt(0.3 / 1.5), rel=1e-3)
+
+
+def test_one_joint_is_at_a_limit_everywhere_and_none_beyond() -> None:
+    found = follows(STIFF, LINE)
+    path, arm = found.found, Arm(STIFF)
+    rows = zip(path.values, path.rates, path.accelerations, strict=True)
+    loads = np.abs([arm.efforts(*row) for row in rows]) / [82.0, 54.0]
+    whole = np.maximum(loads, np.abs(path.rates) / 6.28).max(axis=1)
+    assert whole.max() < 1.001
+    assert np.quantile(whole, 0.1) > 0.98
+    slower = follows(STIFF, LINE, share=0.5)
+    assert slower.duration > found.duration
+
+
+def test_what_it_cannot_time() -> None:
+    limits = {f"joints.{name}.limits": None for name in ("shoulder", "elbow")}
+    with pytest.raises(InputError, match="no limit of a joint"):
+        follows(STIFF.with_(limits), LINE)
+    with pytest.raises(InputError, match="no timing within the limits"):
+        follows(STIFF.with_({"joints.shoulder.limits.effort": 5.0}), LINE)
