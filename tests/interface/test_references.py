@@ -148,11 +148,50 @@ def test_the_run_counts_errors_from_the_path() -> None:
     assert again.drives == drives
 
 
+WALL = {"point": "tip", "stiffness": 2e4, "damping": 40.0,
+        "shape": {"type": "plane", "position": [0.85, 0.0, 0.0], "normal": [-1.0, 0.0, 0.0]}}  # fmt: skip
+ALONG = {"type": "line", "to": [0.87, 0.0, 0.3]}
+
+
+def pressing(law: dict[str, Any], *, bends: bool = False) -> tmodes.Robot:
+    """The arm whose tip, 3 mm deep in a wall, shall go along it and deeper."""
+    arm = tmodes.load("two_link_arm", {"real": {}})
+    if not bends:
+        tube = {"shape": "tube", "outer_diameter": 0.022, "thickness": 0.0015}
+        arm = arm.with_({"links.forearm.beam": {"model": "rigid", "length": 0.5, "material": "aluminium_6061",
+                                                "section": tube}})  # fmt: skip
+    return tmodes.Robot.from_data(
+        arm.model_dump(mode="json", exclude_none=True, by_alias=True) | {"contact": WALL | law}
+    )
+
+
+RUBBING = {"friction": 0.2, "friction_velocity": 0.02}
+
+
+@pytest.mark.parametrize(
+    ("law", "bends"),
+    [
+        ({"law": "bilateral", "mass": 0.5, **RUBBING}, False),
+        *(
+            pytest.param({"law": law, **RUBBING, **more}, True, marks=pytest.mark.nightly)
+            for law, more in (("unilateral", {}), ("dynamic_environment", {"mass": 0.5, "preload": 0.0}))
+        ),
+    ],
+)
+def test_in_contact_the_tip_keeps_to_the_path(law: dict[str, Any], bends: bool) -> None:
+    """Spring, damper, moving mass and friction of the wall are part of the motion."""
+    found = pressing(law, bends=bends).follow(ALONG, profile=SMOOTH, reference="inverse").checks
+    assert found["rigid"] > 5e-3
+    assert found["this"] < 1e-8
+    assert found["open loop"] < 1e-6
+
+
 def test_what_has_no_inverse_is_said() -> None:
     robot = tmodes.load("filipovic2010")
-    with pytest.raises(InputError) as caught:
-        robot.follow({"type": "joints", "points": [[0.7]]}, reference="inverse")
-    assert "contact" in str(caught.value)
+    for law in ({"law": "unilateral", "mass": 0.1}, {"law": "unilateral", "friction": 0.3}):
+        with pytest.raises(InputError) as caught:
+            pressing(law).follow(ALONG, reference="inverse")
+        assert caught.value.which == "contact"
     with pytest.raises(InputError) as caught:
         robot.follow({"type": "joints", "points": [[0.7]]}, reference="inverted")
     assert "--reference" in str(caught.value)

@@ -79,11 +79,14 @@ def inverted(
 ) -> Inverse:
     """The motion with which the tip of the nominal robot keeps to the path of the rigid one, to ``tolerance`` [m].
 
-    Raises :class:`tmodes.errors.InputError` for a robot in contact, or with joints that no motor and no spring moves,
-    and :class:`tmodes.errors.SimulationError` where no such motion is found.
+    In contact for surfaces that stay on the point, whose force follows its motion. Raises
+    :class:`tmodes.errors.InputError` for other contacts, and for joints that no motor and no spring moves, and
+    :class:`tmodes.errors.SimulationError` where no such motion is found.
     """
-    if robot.contact:
-        raise InputError("contact", "a robot in contact", "one in free space", "set `contact: null`, or take `sag`")
+    touched, otherwise = robot.contact, "set `contact: null`, or take `sag`"
+    if touched and (touched.sticks or (touched.unilateral and touched.moving_mass > 0)):
+        got, expected = "a surface that sticks, or whose mass may part from the point", "smooth friction, no such mass"
+        raise InputError("contact", got, expected, f"give it a `friction_velocity`, or {otherwise}")
     task = Task(robot, found)
     before, after = _margins(task)
     least = 2 * _DEGREE / _FIRST * task.duration
@@ -105,6 +108,12 @@ def inverted(
         progress(min(0.9, 0.1 + count / most))
         jumps = rough > _ROUGHER * jagged  # of a path that is not smooth
         if (error <= tolerance and rough <= _ROUGH) or jumps or ends:
+            if touched and touched.unilateral and here.parts():
+                got, expected = (
+                    "a tip that parts from the surface",
+                    "one that stays in contact, with a surface that pushes",
+                )
+                raise InputError("contact", got, expected, f"press on with the path, or {otherwise}")
             return here.inverse(error, rough)
         count, last, jagged = 2 * count, here, rough
 
@@ -270,6 +279,14 @@ class _Solution:
     def efforts(self, q: Array, v: Array, a: Array) -> Array:
         """Efforts (n, joints) of the motors [N*m, N]."""
         return self.task.efforts(q, v, a)[:, self.task.motors]
+
+    def parts(self) -> bool:
+        """Whether the tip leaves the surface, or touches it, on the way."""
+        if self.task.pressed is None:
+            return False
+        _, depth, normal = self.task.pressed.force(self.task.pressed.motion(*self.motion(self.spline)))
+        held = np.minimum(depth, normal) > 0
+        return bool(held.any() and not held.all())
 
     def inverse(self, error: float, rough: float) -> Inverse:
         """The way there."""

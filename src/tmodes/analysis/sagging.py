@@ -23,6 +23,7 @@ from tmodes.analysis.follow import Followed
 from tmodes.analysis.statics.equilibrium import driven
 from tmodes.analysis.statics.inverse import tip_problem
 from tmodes.errors import InputError
+from tmodes.kinds.contacts.registry import Contact
 from tmodes.kinds.signals.registry import Signal
 from tmodes.model.model import Model
 from tmodes.sheet import Robot
@@ -37,7 +38,8 @@ _DEGREE = 5
 _STEPS, _HALVINGS, _SETTLED = 60, 12, 1e-12
 """Newton's method: steps, halvings of one, change over the largest coordinate after which it ends."""
 
-_SINGULAR = 1e-9
+_SINGULAR, _STRIDE = 1e-9, 1e-6
+"""Share of the largest singular value of a direction that no joint moves; step [m, m/s, m/s^2] of differences."""
 
 
 def _motors(model: Model, joints: Sequence[str]) -> list[int]:
@@ -64,6 +66,57 @@ class Wanted(NamedTuple):
     ways: Array
 
 
+class Pressed:
+    """What a surface does to a point that moves, beyond what it does to one at rest: damping, moving mass, friction."""
+
+    def __init__(self, contact: Contact, model: Model) -> None:
+        self.contact, self.model = contact, model
+        self.point = [point.name for point in model.chain.points].index(contact.point)
+
+    def motion(self, q: Array, v: Array, a: Array) -> Array:
+        """Place, velocity and acceleration of the point (3, 3, n)."""
+        found = self.model.points(q, v, a)
+        return np.stack([part[:, self.point].T for part in (found.position, found.velocity, found.acceleration)])
+
+    def force(self, motion: Array) -> tuple[Array, Array, Array]:
+        """Force on the point (3, n) [N], penetration [m] and normal force [N] (n,), from its motion (3, 3, n)."""
+        contact, (place, velocity, gain) = self.contact, motion
+        met = contact.shape.meet(contact.shape.numbers(), tuple(place), tuple(velocity))  # pyright: ignore[reportArgumentType]
+        belt = np.array(contact.velocity, dtype=float)[:, None]
+        way = np.array(np.broadcast_arrays(*met.direction, met.depth)[:3])
+        own = contact.normal_force(contact.numbers(), met.depth, met.rate)
+        normal = own + contact.moving_mass * (met.curving + (way * gain).sum(axis=0))
+        force = -way * normal
+        if contact.is_rough:
+            moved = velocity - belt
+            slip = moved - way * (way * moved).sum(axis=0)
+            rubbed = normal if contact.rubs_with_mass else own
+            force = force - np.array(contact.friction_force(contact.numbers(), rubbed, tuple(slip), tuple(moved)))
+        if contact.unilateral:
+            force = np.where((met.depth > 0) & (normal > 0), force, 0.0)
+        return force, met.depth, normal
+
+    def beyond_rest(self, q: Array, v: Array, a: Array) -> Array:
+        """The force on the point (n, 3) less that in the same pose at rest."""
+        motion = self.motion(q, v, a)
+        still = np.concatenate([motion[:1], 0 * motion[1:]])
+        return (self.force(motion)[0] - self.force(still)[0]).T
+
+    def slopes(self, q: Array, v: Array, a: Array) -> Array:
+        """Its derivatives (3, n, 3, 3) by place, velocity and acceleration, by differences."""
+        motion, found = self.motion(q, v, a), np.zeros((3, len(q), 3, 3))
+        for order in range(3):
+            for axis in range(3):
+                ends = []
+                for sign in (1.0, -1.0):
+                    moved = motion.copy()
+                    moved[order, axis] += sign * _STRIDE
+                    still = np.concatenate([moved[:1], 0 * moved[1:]])
+                    ends.append(self.force(moved)[0] - self.force(still)[0])
+                found[order, :, :, axis] = (ends[0] - ends[1]).T / (2 * _STRIDE)
+        return found
+
+
 class Task:
     """The equations of a robot that bends and whose tip follows that of the rigid one along ``found``.
 
@@ -77,6 +130,7 @@ class Task:
         self.pieces = [Signal.of(signal).schedule(self.duration) for signal in found.signals()]
         self.problem, _ = tip_problem(robot)
         self.model = self.problem.system.model
+        self.pressed = Pressed(robot.contact, self.model) if robot.contact else None
         self.motors = _motors(self.model, self.joints)
         self.still = np.array([k for k in driven(self.model) if k not in self.motors], dtype=int)
         self.passive = np.setdiff1d(np.arange(self.model.nq), [*self.motors, *self.still])
@@ -121,9 +175,18 @@ class Task:
     def slopes(self, q: Array, v: Array, a: Array, wanted: Wanted) -> tuple[Array, Array, Array]:
         """Its derivatives (n, nq, nq) by coordinates, rates and accelerations."""
         wrenches, added = self.problem.acting(q)
+        if self.pressed and wrenches is not None:
+            wrenches[:, self.pressed.point, :3] += self.pressed.beyond_rest(q, v, a)
         by = self.model.inverse_dynamics_derivatives(q, v, a, wrenches=wrenches)
+        parts = [by.q + added, by.v, by.a]
+        if self.pressed:  # without what the Jacobian's change adds: the residual is exact
+            ways = self.model.jacobian(q)[:, self.pressed.point, :3]
+            pressed = self.pressed.slopes(q, v, a)
+            parts = [
+                part - np.einsum("nki,nkl,nlj->nij", ways, one, ways) for part, one in zip(parts, pressed, strict=True)
+            ]
         found = np.zeros((3, *by.q.shape))
-        for k, part in enumerate((by.q + added, by.v, by.a)):
+        for k, part in enumerate(parts):
             found[k][:, self.passive] = part[:, self.passive]
         found[0][:, self.motors] = self._off(q, wanted)[1]
         found[0][:, self.still, self.still] = 1.0
@@ -131,7 +194,10 @@ class Task:
 
     def efforts(self, q: Array, v: Array, a: Array) -> Array:
         """Generalized forces (n, nq) that the motion takes [N*m, N]."""
-        return self.model.inverse_dynamics(q, v, a, wrenches=self.problem.acting(q)[0])
+        wrenches = self.problem.acting(q)[0]
+        if self.pressed and wrenches is not None:
+            wrenches[:, self.pressed.point, :3] += self.pressed.beyond_rest(q, v, a)
+        return self.model.inverse_dynamics(q, v, a, wrenches=wrenches)
 
     def _off(self, q: Array, wanted: Wanted) -> tuple[Array, Array]:
         """The tip off its path (n, joints), as the joints move it, and its slope (n, joints, nq)."""

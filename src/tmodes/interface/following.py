@@ -76,7 +76,7 @@ def follow(
     ``reference``: setpoints of the motors. ``rigid``: the joints of the rigid robot. ``motors``: these, and the
     efforts that keep the motors exactly on them, from a run of the whole robot as known. ``sag``: motors go where the
     tip of the robot as it bends is on the path at rest, under weight and loads (quasi-static), with their efforts.
-    ``inverse``: motions and efforts with which the tip of the moving robot is on the path, free of contact
+    ``inverse``: motions and efforts with which the tip of the moving robot is on the path, in contact too
     (:mod:`tmodes.analysis.inversion`); they may begin before the path does. Runs of the nominal robot say what that is
     worth (``checks``). ``least_time``: the profile made faster or slower, to 1 %, until a motor is at its limit of
     speed or effort (``limits`` of the sheet). ``shaper``: of the way along the path, so that the tip stays on it and a
