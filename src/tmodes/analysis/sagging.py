@@ -81,7 +81,7 @@ class Pressed:
     def force(self, motion: Array) -> tuple[Array, Array, Array]:
         """Force on the point (3, n) [N], penetration [m] and normal force [N] (n,), from its motion (3, 3, n)."""
         contact, (place, velocity, gain) = self.contact, motion
-        met = contact.shape.meet(contact.shape.numbers(), tuple(place), tuple(velocity))  # pyright: ignore[reportArgumentType]
+        met = contact.shape.meet(contact.shape.numbers(), [*place], [*velocity])
         belt = np.array(contact.velocity, dtype=float)[:, None]
         way = np.array(np.broadcast_arrays(*met.direction, met.depth)[:3])
         own = contact.normal_force(contact.numbers(), met.depth, met.rate)
@@ -91,7 +91,7 @@ class Pressed:
             moved = velocity - belt
             slip = moved - way * (way * moved).sum(axis=0)
             rubbed = normal if contact.rubs_with_mass else own
-            force = force - np.array(contact.friction_force(contact.numbers(), rubbed, tuple(slip), tuple(moved)))
+            force = force - np.array(contact.friction_force(contact.numbers(), rubbed, [*slip], [*moved]))
         if contact.unilateral:
             force = np.where((met.depth > 0) & (normal > 0), force, 0.0)
         return force, met.depth, normal
