@@ -27,7 +27,8 @@ if TYPE_CHECKING:
 __all__ = ["Following", "follow"]
 
 UNITS = {
-    "duration_s": "s", "lead_s": "s", "tip_error_m": "m", "length": "m; rad of a turn, and of a path of the joints",
+    "duration_s": "s", "lead_s": "s", "tip_error_m": "m", "swing_m": "m, after it",
+    "length": "m; rad of a turn, and of a path of the joints",
     "error_m": "m, the rigid robot's tip",
     "turned_rad": "rad, the rigid robot's tip; of a path of the joints these themselves", "speed": "rad/s, m/s",
     "acceleration": "rad/s^2, m/s^2",
@@ -36,7 +37,7 @@ UNITS = {
 PROFILE = "{type: s_curve, speed: 0.25, acceleration: 1.0, jerk: 10.0}"
 """The profile where none is given: what is gentle for a robot of a metre."""
 
-_SAMPLES = 400
+_SAMPLES, _CHECKS = 400, ("checks", "swings")
 
 _BY_TIME = {"duration": 1, "speed": -1, "acceleration": -2, "jerk": -3}
 """Numbers of profiles, and with which power of a factor on the time they grow."""
@@ -75,9 +76,13 @@ def follow(
     efforts that keep the motors exactly on them, from a run of the whole robot as known. ``sag``: motors go where the
     tip of the robot as it bends is on the path at rest, under weight and loads (quasi-static), with their efforts.
     ``inverse``: motions and efforts with which the tip of the moving robot is on the path, free of contact
-    (:mod:`tmodes.analysis.inversion`); they may begin before the path does. Runs of the nominal robot say what that is
-    worth (``checks``). ``least_time``: the profile made faster or slower, to 1 %, until a motor is at its limit of
-    speed or effort (``limits`` of the sheet). ``out``: a file for the sheet; ``figure``: one for the references.
+    (:mod:`tmodes.analysis.inversion`); they may begin before the path does. ``optimal``: in the time of the path,
+    within the limits of speed and effort of the sheet, from rest at its start to rest at its end without swing, in
+    between as near to it as that leaves open, by exact derivatives of runs (:mod:`tmodes.gradients.optimal`). Runs of
+    the nominal robot say what that is worth (``checks``, ``swings``). ``least_time``: the profile made faster or
+    slower, to 1 %, until a motor is at its limit of speed or effort (``limits`` of the sheet); of ``optimal`` the
+    shortest motion that is found within them, to 2 %, where the path between the ends gives way. ``out``: a file for
+    the sheet; ``figure``: one for the references.
 
     Raises :class:`tmodes.errors.InputError` for a path that the rigid robot does not reach, or that passes a singular
     pose, and :class:`tmodes.errors.ResultFileError` where a file cannot be written. Source: B. Siciliano, L. Sciavicco,
@@ -88,7 +93,7 @@ def follow(
     (0.2065, True, 'trajectory')
     """
     from tmodes.analysis.follow import followed
-    from tmodes.interface.references import REFERENCES
+    from tmodes.interface.references import REFERENCES, SMOOTH, shortest
     from tmodes.kinds.paths.registry import Path
     from tmodes.kinds.signals.registry import Signal
 
@@ -97,7 +102,7 @@ def follow(
         raise InputError("--path", "no path" if not groups else f"tolerance {tolerance!r}",
                          "a path, and a tolerance > 0 m", "add --path '{type: line, to: [0.6, 0, 0.2]}'")  # fmt: skip
     paths = [_member(Path, _group("--path", one), "path") for one in groups]
-    smooth = profile is None and reference == "inverse"
+    smooth = profile is None and reference in SMOOTH
     law = {key: value for key, value in _group("--profile", PROFILE if profile is None else profile).items()
            if key not in ("start", "end")}  # fmt: skip
 
@@ -106,16 +111,24 @@ def follow(
         known = {key: own[key] * factor**power for key, power in _BY_TIME.items() if key in own} if factor != 1 else {}
         return _member(Signal, own | known, "profile")
 
+    def timed(factor: float) -> Followed:
+        return followed(robot, paths, lambda length: signal(length, factor), tolerance, tell)
+
     def tried(factor: float) -> tuple[Followed, Reference]:
-        timed = followed(robot, paths, lambda length: signal(length, factor), tolerance, tell)
-        return timed, REFERENCES[_known(reference)](robot, timed, tolerance, tell)
+        path = timed(factor)
+        return path, REFERENCES[_known(reference)](robot, path, tolerance, tell)
 
     tell = (lambda stage, share: None) if least_time else progress
-    found, given = _least_time(robot, tried, progress) if least_time else tried(1.0)
+    if least_time and reference == "optimal":
+        own = float(timed(1.0).times[-1])
+        found, given = shortest(robot, lambda seconds: timed(seconds / own), own, progress)
+    else:
+        found, given = _least_time(robot, tried, progress) if least_time else tried(1.0)
     made = Following(robot, given.applied(robot, found), found, tuple(str(one.type) for one in paths), reference, given)
     if reference != "rigid":
         progress("check", 0.0)
-        made = replace(made, checks=given.checks(robot, made.robot, found))
+        both = given.checks(robot, made.robot, found)
+        made = replace(made, **{key: {name: row[k] for name, row in both.items()} for k, key in enumerate(_CHECKS)})
     write_files(out, made, figure, overwrite=overwrite)
     return made
 
@@ -216,7 +229,8 @@ class Following(CommandResult):
 
     ``reference``: its kind, ``motors``: what that is. ``checks`` [m]: largest distance of the tip of the nominal robot
     from the path, under its controllers with the ``rigid`` reference, with ``this`` one, and in ``open loop`` by the
-    efforts alone; empty for the rigid one; NaN where a run fails.
+    efforts alone; empty for the rigid one; NaN where a run fails. ``swings`` [m]: the same after the motion, for half
+    its time, from where the tip rests at the end of the path.
     """
 
     given: Robot = field(repr=False)
@@ -226,6 +240,7 @@ class Following(CommandResult):
     reference: str = "rigid"
     motors: Reference | None = None
     checks: Mapping[str, float] = field(default_factory=dict)
+    swings: Mapping[str, float] = field(default_factory=dict)
 
     @property
     def length(self) -> float:
@@ -269,7 +284,7 @@ class Following(CommandResult):
             "joints": {name: {"start": float(found.values[0, k]), "end": float(found.values[-1, k]),
                               "speed": float(self._largest[0][k]), "acceleration": float(self._largest[1][k])}
                        for k, name in enumerate(found.joints)},
-            "tip_error_m": dict(self.checks), "warnings": self.warnings,
+            "tip_error_m": dict(self.checks), "swing_m": dict(self.swings), "warnings": self.warnings,
         }  # fmt: skip
 
     @property
@@ -313,8 +328,10 @@ class Following(CommandResult):
             lead = f"; it begins {self.lead:.3g} s before the path" if self.lead else ""
             yield f"reference {self.reference}{lead}"
             names = {"this": f"{self.reference}, under control", "open loop": f"{self.reference}, efforts alone"}
-            rows = [[names.get(name, name), f"{value:.3g}"] for name, value in self.checks.items()]
-            yield Table("Nominal robot", ["reference", "largest distance of the tip [m]"], rows)
+            rows = [[names.get(name, name), f"{value:.3g}", f"{self.swings[name]:.3g}"]
+                    for name, value in self.checks.items()]  # fmt: skip
+            yield Table("Nominal robot: largest distance of the tip [m]", ["reference", "from the path", "afterwards"],
+                        rows)  # fmt: skip
         rows = [
             [
                 name,
