@@ -98,7 +98,7 @@ def test_a_link_that_swings_through_its_own_length_stops_dead() -> None:
 def test_the_commands_of_the_page_run(tmp_path: Path) -> None:
     """And what ``--out`` writes is a sheet that stands still after the motion."""
     lines = [line.split()[1:] for line in re.findall(r"^    (tmodes motion .*)$", PAGE, re.MULTILINE)]
-    assert len(lines) == 2
+    assert len(lines) == 3
     last = ""
     for line in lines:
         done = called(*line, "--json", "--out", tmp_path / "still.yaml", "--overwrite")

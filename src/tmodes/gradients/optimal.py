@@ -89,6 +89,11 @@ class Found(NamedTuple):
     excess: float
     runs: int
     slopes: int
+    interpolation: str = "cubic"
+
+    def signals(self, joints: Sequence[str]) -> dict[str, Any]:
+        """The torques as signals by joint."""
+        return {k: table(self.knots, row, self.interpolation) for k, row in zip(joints, self.torques, strict=True)}
 
 
 def under_torques(
@@ -112,10 +117,10 @@ def under_torques(
     return made.model_copy(update={"initial": made.initial.model_copy(update=start)}), rest
 
 
-def table(knots: Array, values: Array) -> Any:
-    """A signal that is the clamped cubic spline through ``values`` at ``knots`` [s]."""
+def table(knots: Array, values: Array, interpolation: str = "cubic") -> Any:
+    """A signal that is the clamped cubic spline through ``values`` at ``knots`` [s], or ``linear`` between them."""
     given = {"times": tuple(knots.tolist()), "values": tuple(values.tolist())}
-    return SIGNALS["table"](type="table", interpolation="cubic", **given)
+    return SIGNALS["table"](type="table", interpolation=interpolation, **given)
 
 
 @dataclass(frozen=True, eq=False)
@@ -289,6 +294,12 @@ class RestToRest:
         both = np.concatenate([states[..., layout.q], states[..., layout.v]], axis=-1)
         return both @ self.goal.residual.T / self.far
 
+    def left(self, state: Array) -> Array:
+        """What of a state (size,) at the end shall vanish, over what it is at the start."""
+        off = state.copy()
+        off[self.runs.here.model.layout.q] -= self.goal.q
+        return self._residual(off)
+
     def _used(self, factors: Array, samples: Array) -> Array:
         """Torques and speeds of all drives at all instants, over their limits."""
         speeds = samples[:, self.runs.here.model.layout.v][:, self.places].T / self.speed[:, None]
@@ -336,10 +347,8 @@ class RestToRest:
     def _at(self, factors: Array) -> _Point:
         replay = self.runs.run(factors)
         samples, layout = replay.recording.samples, self.runs.here.model.layout
-        off = samples[-1].copy()
-        off[layout.q] -= self.goal.q
         bent = np.concatenate([self._bending @ factors, self._away(samples[:, layout.q])[0].ravel()])
-        return _Point(factors, replay, self._residual(off), self._used(factors, samples), bent)
+        return _Point(factors, replay, self.left(samples[-1]), self._used(factors, samples), bent)
 
     def _away(self, q: Array) -> tuple[Array, Array]:
         """How far the robot is from its course at all samples (n, k), and the slopes of that (n, k, nq)."""

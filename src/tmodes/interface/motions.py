@@ -27,7 +27,7 @@ __all__ = ["Motion", "freed", "limits_of", "missed", "motion", "steady"]
 Progress = Callable[[str, float], None]
 Limits = Mapping[str, Mapping[str, float]]
 
-_MOST_MODES = 20
+_METHODS, _MOST_MODES = ("gradients", "collocation"), 20
 
 _SAMPLES, _LONGEST, _FAR = 400, 5.0, 10.0
 """Samples of a check; longest time after a motion that is looked at, over its own; a large swing over the accepted."""
@@ -48,6 +48,7 @@ def motion(
     start: Pose | None = None,
     duration: float | None = None,
     least_time: bool = False,
+    method: str = "gradients",
     torque: Pose | None = None,
     speed: Pose | None = None,
     modes: int = 5,
@@ -60,7 +61,9 @@ def motion(
 
     ``start`` and ``goal``: joints by name [rad, m], ``shoulder=0.4,elbow=-60deg``, of a joint behind an elastic gear
     its motor; by default from where the drives of the sheet begin to where they end. ``duration`` [s]: by default of
-    the sheet's own move. ``least_time``: the shortest one, to 2 %, searched from there. ``torque`` [N*m, N] and
+    the sheet's own move. ``least_time``: the shortest one, to 2 %, searched from there. ``method``: ``gradients``, or
+    ``collocation``: torques of least mean square, or of the least time, linear between even rows, by Hermite-Simpson
+    and IPOPT (:mod:`tmodes.equations.loop.collocation`), of robots with few coordinates. ``torque`` [N*m, N] and
     ``speed`` [rad/s, m/s]: limits of the drives by joint, by default those of the sheet (``limits``). ``modes``: how
     many modes at the goal have harmonics of their own among the torques. ``tolerance``: swing of the tip that is
     accepted [m], by default 5e-7 of its distance from the base. ``out``: a file for the robot with these torques, as a
@@ -81,10 +84,14 @@ def motion(
     >>> found.swing < 1e-6
     True
     """
+    from tmodes.gradients.collocation import collocated
     from tmodes.gradients.optimal import RestToRest
     from tmodes.gradients.optimal import least_time as shortest
 
     freed(robot)
+    if method not in _METHODS:
+        hint = meant(method, _METHODS, "take one of these")
+        raise InputError("--method", shown(method), f"one of {', '.join(_METHODS)}", hint)
     if not 1 <= modes <= _MOST_MODES:
         raise InputError("--modes", str(modes), f"1 to {_MOST_MODES} modes", "5 is the usual")
     first, last, time = _ends(robot, start, goal, duration)
@@ -105,9 +112,12 @@ def motion(
     allowed = trial.accepted if tolerance is None else tolerance
     if not allowed > 0:
         raise InputError("--tolerance", f"{allowed:g}", "a swing above 0 m", "leave it out for 5e-7 of the reach")
-    found = trial.solve(allowed, progress=tell)
-    if least_time:
+    if method == "collocation":
+        trial, found = collocated(calm, move, time, allowed, least_time=least_time, progress=tell)
+    elif least_time:
         trial, found = shortest(move, time, allowed, tell)
+    else:
+        found = trial.solve(allowed, progress=tell)
     progress("check", 0.0)
     made = _checked(calm, robot, trial, found, allowed, limits)
     if out is not None:
@@ -203,12 +213,12 @@ def steady(robot: Robot) -> Robot:
 def _checked(robot: Robot, sheet: Robot, move: RestToRest, found: Found, accepted: float, limits: Limits) -> Motion:
     """Runs in open loop of what was found: as it is, with more functions of the links; and with motors on a quintic."""
     from tmodes.analysis.modes.of_sheet import finer
-    from tmodes.gradients.optimal import table, under_torques
+    from tmodes.gradients.optimal import under_torques
     from tmodes.kinds.signals.registry import quintic_move
     from tmodes.result.run import run
     from tmodes.sheet.parts import Command, DriveSheet
 
-    torques = {joint: table(found.knots, row) for joint, row in zip(move.joints, found.torques, strict=True)}
+    torques = found.signals(move.joints)
     slowest = min((one for one in move.goal.frequencies if one * move.duration > 1), default=math.inf)
     until = move.duration + min(2 * math.pi / slowest + move.duration / 2, _LONGEST * move.duration)
 

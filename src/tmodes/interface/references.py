@@ -17,7 +17,7 @@ from tmodes.analysis.follow import Followed
 from tmodes.analysis.inversion import inverted
 from tmodes.analysis.sagging import Task, sagged
 from tmodes.errors import InputError, TmodesError
-from tmodes.gradients.optimal import Course, Found, RestToRest, least_time, table, under_torques
+from tmodes.gradients.optimal import Course, Found, RestToRest, least_time, under_torques
 from tmodes.interface.motions import freed, limits_of, missed, steady
 from tmodes.kinds.signals.registry import Signal
 from tmodes.result.run import ready_to_run
@@ -247,7 +247,7 @@ def _bare(robot: Robot) -> Robot:
 
 def _driven(robot: Robot, path: Followed, move: RestToRest, found: Found) -> Reference:
     """What the motors do under the torques that were found."""
-    torques = {joint: table(found.knots, row) for joint, row in zip(move.joints, found.torques, strict=True)}
+    torques = found.signals(move.joints)
     done = _nominal(under_torques(_bare(robot), move.start, torques, move.duration)[0], move.duration, _ROWS)
     efforts = np.stack([torques[joint].schedule(move.duration).at(done.times) for joint in path.joints], axis=1)
     warnings = tuple(missed(found, found.swing, move.accepted))
