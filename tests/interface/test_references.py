@@ -202,3 +202,61 @@ def test_a_profile_that_is_not_smooth_is_warned_of() -> None:
         {"type": "joints", "points": [[0.5]]}, profile={"type": "quintic", "duration": 1.0}, reference="inverse"
     )
     assert len(own.warnings) == 1
+
+
+def most(found: Any) -> float:
+    """The largest effort of a reference [N*m]."""
+    return float(np.abs(found.motors.efforts.values).max())
+
+
+TURN = {"type": "joints", "points": [[1.0]]}
+
+
+def test_the_optimal_one_ends_without_swing_near_the_path() -> None:
+    """An elastic joint: near its path and still at the end; within a limit that binds, still at the end."""
+    robot = tmodes.load("spong1987")
+    own = robot.follow(TURN, profile=SMOOTH | {"duration": 0.8}, reference="optimal")
+    assert own.checks["this"] < own.checks["rigid"] / 1000
+    assert own.swings["this"] < 1e-6
+    assert own.swings["rigid"] > 0.1
+    assert own.lead == 0
+    assert own.warnings == []
+    bounded = robot.with_({"joints.joint.limits": {"effort": 0.9 * most(own)}})
+    bound = bounded.follow(TURN, profile=SMOOTH | {"duration": 0.8}, reference="optimal")
+    assert bound.warnings == []
+    assert most(bound) <= 0.9 * most(own)
+    assert bound.swings["open loop"] < 1e-6
+    assert own.checks["this"] < bound.checks["this"] < bound.checks["rigid"]
+
+
+@pytest.mark.nightly
+def test_the_optimal_one_in_two_periods_of_the_first_mode() -> None:
+    """Far less than a tenth of the error of the sag, on the path and after it: a flexible link, the 2010 robot."""
+    profile = SMOOTH | {"duration": 0.26}
+    arm = limited(None)
+    sag, own = (arm.follow(LINE, profile=profile, reference=one) for one in ("sag", "optimal"))
+    assert own.checks["this"] < sag.checks["this"] / 1000
+    assert own.checks["open loop"] < sag.checks["open loop"] / 1000
+    assert own.swings["this"] < sag.swings["this"] / 1000
+    robot = tmodes.load("filipovic2010", {"contact": False, "gravity": 0.0})
+    path, profile = {"type": "joints", "points": [[0.7]]}, SMOOTH | {"duration": 0.4}
+    sag, own = (robot.follow(path, profile=profile, reference=one) for one in ("sag", "optimal"))
+    assert own.checks["this"] < sag.checks["this"] / 100
+    assert own.swings["this"] < sag.swings["this"] / 1000
+
+
+def test_the_least_time_of_the_optimal_one_keeps_the_limit() -> None:
+    robot = tmodes.load("spong1987", {"joints.joint.limits": {"effort": 25.0}})
+    own = robot.follow(TURN, profile=SMOOTH | {"duration": 0.6}, reference="optimal", least_time=True)
+    assert own.warnings == []
+    assert 0.97 * 25 < most(own) <= 25
+    assert own.swings["open loop"] < 1e-5
+    with pytest.raises(InputError, match="no limit of speed or effort"):
+        tmodes.load("spong1987").follow(TURN, reference="optimal", least_time=True)
+
+
+def test_the_optimal_one_comes_back_to_where_it_began() -> None:
+    there, back = TURN, {"type": "joints", "points": [[0.0]]}
+    own = tmodes.load("spong1987").follow([there, back], profile=SMOOTH | {"duration": 0.8}, reference="optimal")
+    assert own.swings["this"] < 1e-6
+    assert own.checks["this"] < own.checks["rigid"] / 10

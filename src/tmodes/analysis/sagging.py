@@ -168,7 +168,7 @@ class Task:
         """What shall vanish (n, nq)."""
         found = np.zeros_like(q)
         found[:, self.passive] = self.efforts(q, v, a)[:, self.passive]
-        found[:, self.motors] = self._off(q, wanted)[0]
+        found[:, self.motors] = self.off(q, wanted)[0]
         found[:, self.still] = (q - wanted.q)[:, self.still]
         return found
 
@@ -188,7 +188,7 @@ class Task:
         found = np.zeros((3, *by.q.shape))
         for k, part in enumerate(parts):
             found[k][:, self.passive] = part[:, self.passive]
-        found[0][:, self.motors] = self._off(q, wanted)[1]
+        found[0][:, self.motors] = self.off(q, wanted)[1]
         found[0][:, self.still, self.still] = 1.0
         return found[0], found[1], found[2]
 
@@ -199,7 +199,7 @@ class Task:
             wrenches[:, self.pressed.point, :3] += self.pressed.beyond_rest(q, v, a)
         return self.model.inverse_dynamics(q, v, a, wrenches=wrenches)
 
-    def _off(self, q: Array, wanted: Wanted) -> tuple[Array, Array]:
+    def off(self, q: Array, wanted: Wanted) -> tuple[Array, Array]:
         """The tip off its path (n, joints), as the joints move it, and its slope (n, joints, nq)."""
         from scipy.spatial.transform import Rotation
 
@@ -220,6 +220,14 @@ class Task:
             slope[:, :, self.motors] += free
         return found, slope
 
+    def end(self) -> Array:
+        """Where the tip rests at the end of the path (3,) [m]: off it by what no joint moves.
+
+        Raises :class:`tmodes.errors.InputError` where Newton's method finds no rest.
+        """
+        pose = self.at_rest(self.along(np.array([self.duration])))
+        return np.asarray(self.model.pose(pose)[0][0, self.problem.point])
+
     def at_rest(self, wanted: Wanted) -> Array:
         """Coordinates (n, nq) of the robot at rest with its tip there.
 
@@ -230,7 +238,7 @@ class Task:
             here, own = q[open_], Wanted(*(part[open_] for part in wanted))
             still = np.zeros_like(here)
             slopes = self.problem.stiffness(here, np.arange(q.shape[1]))
-            slopes[:, self.motors] = self._off(here, own)[1]
+            slopes[:, self.motors] = self.off(here, own)[1]
             slopes[:, self.still] = np.eye(q.shape[1])[self.still]
             scale = np.abs(slopes).max(axis=2)
             scale[scale == 0] = 1.0

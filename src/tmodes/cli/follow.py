@@ -28,7 +28,7 @@ def follow(
             metavar="GROUP",
             help="Speed profile along the path, a signal without start and end: s_curve, quintic, polynomial, ..., or "
             "'{type: toppra}', the least time within the limits of the joints of the rigid robot. "
-            f"Left out: {PROFILE}, for `inverse` a polynomial as gentle.",
+            f"Left out: {PROFILE}, for `inverse` and `optimal` a polynomial as gentle.",
         ),
     ] = None,
     tolerance: Annotated[float, typer.Option(help="Of the rigid robot's tip between rows [m, rad].")] = 1e-7,
@@ -37,7 +37,8 @@ def follow(
         typer.Option(
             metavar="KIND",
             help="Setpoints of motors: rigid (joints of the rigid robot), motors (with the efforts that this takes), "
-            "sag (tip on the path at rest), inverse (tip on the path as the robot bends and moves).",
+            "sag (tip on the path at rest), inverse (tip on the path as the robot bends and moves), optimal (no swing "
+            "at the end, within the limits, near the path).",
         ),
     ] = "rigid",
     least_time: Annotated[

@@ -21,6 +21,9 @@ def motion(
     start: Annotated[str | None, typer.Option(metavar=_PAIRS, help="From where, at rest.")] = None,
     duration: Annotated[float | None, typer.Option(help="Time of the motion [s].")] = None,
     least_time: Annotated[bool, typer.Option("--least-time", help="The shortest motion within the limits.")] = False,
+    method: Annotated[
+        str, typer.Option(help="gradients, or collocation: least mean square of the torques, or the least time.")
+    ] = "gradients",
     torque: Annotated[str | None, typer.Option(metavar=_PAIRS, help="Limits of the torques [N*m, N].")] = None,
     speed: Annotated[str | None, typer.Option(metavar=_PAIRS, help="Limits of the speeds [rad/s, m/s].")] = None,
     modes: Annotated[int, typer.Option(help="How many modes have harmonics of their own among the torques.")] = 5,
@@ -47,7 +50,7 @@ def motion(
     sheet = chosen_sheet(robot, settings, roots=root, trust_paths=trust_paths, fix_inertia=fix_inertia)
     with working("preparing") as tell:
         found = found_of(
-            sheet, goal=goal, start=start, duration=duration, least_time=least_time, torque=torque, speed=speed,
-            modes=modes, tolerance=tolerance, out=out, overwrite=overwrite, progress=tell,
+            sheet, goal=goal, start=start, duration=duration, least_time=least_time, method=method, torque=torque,
+            speed=speed, modes=modes, tolerance=tolerance, out=out, overwrite=overwrite, progress=tell,
         )  # fmt: skip
     print_result(found, as_json)

@@ -23,7 +23,7 @@ from tmodes.analysis.statics.equilibrium import Equilibrium
 from tmodes.compile.ir.derivative_kernels import LANES
 from tmodes.errors import SimulationError
 from tmodes.gradients.lowering import lowered
-from tmodes.gradients.torque_functions import TorqueFunctions, torque_functions
+from tmodes.gradients.torque_functions import POLYNOMIALS, TorqueFunctions, torque_functions
 from tmodes.kinds.signals.registry import SIGNALS
 from tmodes.kinds.signals.schedule import SignalPieces, on_knots
 from tmodes.sheet import Robot
@@ -47,11 +47,31 @@ _LIMIT, _WITHIN, _TURNS = 1e-2, 0.998, 20
 _NEAR = 0.5
 """Share of the cost without bending up to which a step must be able to lower it; else the weight falls first."""
 
+_ACCEPTED = 5e-7
+"""Swing that is accepted, over the distance of the tip from the base."""
+
+_POLYNOMIALS, _STIFF, _LAST_NEAR = 30, 1e-4, 1e-4
+"""Along a course: how many polynomials, the weight of the bending of the torques over that of the course, and that of
+both at least."""
+
 _RATIO, _ENOUGH, _TRIES, _TRIAL_STEPS = 1.25, 1.02, 24, 15
 """Of times: first ratio, that which is near enough; how many are tried, and Gauss-Newton steps for each."""
 
 _STEPS, _SAMPLES, _TOLERANCE, _WAVES = 25, 200, 1e-10, 100
 """Gauss-Newton steps at most; samples of a run; largest relative tolerance of the runs; half waves of a harmonic."""
+
+
+class Course(NamedTuple):
+    """What a motion keeps near to where ends and limits leave it open.
+
+    ``off``: of instants (n,) [s] the function that says of coordinates (n, nq) how far off they are (n, k), over the
+    size of the course, with the slopes (n, k, nq). ``efforts``: of instants, those to begin with (drives, n) [N*m, N];
+    ``poses`` (n, nq): about where it leads, for its size.
+    """
+
+    off: Callable[[Array], Callable[[Array], tuple[Array, Array]]]
+    efforts: Callable[[Array], Array]
+    poses: Array
 
 
 class Found(NamedTuple):
@@ -69,6 +89,11 @@ class Found(NamedTuple):
     excess: float
     runs: int
     slopes: int
+    interpolation: str = "cubic"
+
+    def signals(self, joints: Sequence[str]) -> dict[str, Any]:
+        """The torques as signals by joint."""
+        return {k: table(self.knots, row, self.interpolation) for k, row in zip(joints, self.torques, strict=True)}
 
 
 def under_torques(
@@ -92,10 +117,10 @@ def under_torques(
     return made.model_copy(update={"initial": made.initial.model_copy(update=start)}), rest
 
 
-def table(knots: Array, values: Array) -> Any:
-    """A signal that is the clamped cubic spline through ``values`` at ``knots`` [s]."""
+def table(knots: Array, values: Array, interpolation: str = "cubic") -> Any:
+    """A signal that is the clamped cubic spline through ``values`` at ``knots`` [s], or ``linear`` between them."""
     given = {"times": tuple(knots.tolist()), "values": tuple(values.tolist())}
-    return SIGNALS["table"](type="table", interpolation="cubic", **given)
+    return SIGNALS["table"](type="table", interpolation=interpolation, **given)
 
 
 @dataclass(frozen=True, eq=False)
@@ -130,12 +155,16 @@ class _Goal:
 
 
 class _Point(NamedTuple):
-    """Factors, their run, what shall vanish over what it is at the start, and torques and speeds over their limits."""
+    """Factors, their run, what shall vanish over what it is at the start, and torques and speeds over their limits.
+
+    ``bent``: bending of the torques, and how far the robot is from the course that it is to keep near to.
+    """
 
     factors: Array
     replay: Replay
     residual: Array
     used: Array
+    bent: Array
 
 
 class _Runs:
@@ -185,25 +214,30 @@ class RestToRest:
     """A move of a robot from rest to rest in a fixed time, by torques of its drives.
 
     ``start`` and ``goal``: of the motors, by joint [rad, m]; ``torque`` and ``speed``: limits of the drives by joint
-    [N*m, N], [rad/s, m/s]; ``modes``: how many modes have harmonics of their own. ``tips`` (2, 3) [m]: at both ends.
+    [N*m, N], [rad/s, m/s]; ``modes``: how many modes have harmonics of their own. ``near``: a course that the robot
+    keeps to as ends and limits allow. ``tips`` (2, 3) [m]: at both ends.
     """
 
     def __init__(
         self, robot: Robot, start: Mapping[str, float], goal: Mapping[str, float], duration: float, *,
-        torque: Mapping[str, float], speed: Mapping[str, float], modes: int = 5,
+        torque: Mapping[str, float], speed: Mapping[str, float], modes: int = 5, near: Course | None = None,
     ) -> None:  # fmt: skip
         self.joints, self.start, self.end, self.duration = list(goal), start, goal, duration
+        self._near = near and near.off(np.linspace(0.0, duration, _SAMPLES + 1))
         none = {joint: table(np.array([0.0, duration]), np.zeros(2)) for joint in goal}
         first, last = (under_torques(robot, pose, none, duration) for pose in (start, goal))
         self.goal, names = _Goal.of(last[1], duration), last[1].model.coordinates
         self.tips = np.array([rest.model.pose(rest.q)[0][0] for _, rest in (first, last)])
         self.places = [names.index(name if (name := f"{k}.motor") in names else k) for k in self.joints]
         rings = self.goal.frequencies[self.goal.frequencies > np.pi / duration][:modes]
-        self.functions = torque_functions(duration, rings[rings < _WAVES * np.pi / duration].tolist())
+        rings, count = rings[rings < _WAVES * np.pi / duration], _POLYNOMIALS if near else POLYNOMIALS
+        self.functions = torque_functions(duration, rings.tolist(), count)
         x, (held, holding) = self.functions.knots / duration, (self._holding(*one) for one in (first, last))
         self.base = held[:, None] + np.outer(holding - held, 3 * x**2 - 2 * x**3)
         moved = self._inertia(last[1]) @ (last[1].q - first[1].q)[self.places]
         guess = np.outer(moved, 60 * x - 180 * x**2 + 120 * x**3) / duration**2
+        if near:
+            guess = near.efforts(self.functions.knots) - self.base
         limits = (np.array([given.get(joint, np.inf) for joint in goal]) for given in (torque, speed))
         self.torque, self.speed = limits
         sizes = np.minimum(np.abs(guess).max(axis=1) + np.abs(self.base).max(axis=1), self.torque)
@@ -214,9 +248,15 @@ class RestToRest:
         fine, share = np.linspace(0.0, 1.0, len(self.functions.fine)), self.torque[:, None]
         self._torque_base = ((held[:, None] + np.outer(holding - held, 3 * fine**2 - 2 * fine**3)) / share).ravel()
         self._torque_use = np.kron(np.diag(self.sizes / self.torque), self.functions.fine)
-        self._bending = np.kron(np.eye(len(goal)), self.functions.bending)
+        self._bending = (_STIFF if near else 1.0) * np.kron(np.eye(len(goal)), self.functions.bending)
         n = len(self.goal.q)
-        self.far = float(np.linalg.norm(self.goal.residual[:, :n] @ (first[1].q - self.goal.q)))
+        poses = np.vstack([first[1].q, *(near.poses if near else ())])
+        self.far = float(np.linalg.norm((poses - self.goal.q) @ self.goal.residual[:, :n].T, axis=1).max())
+
+    @property
+    def accepted(self) -> float:
+        """Swing that is accepted where none is given [m]."""
+        return _ACCEPTED * float(np.linalg.norm(self.tips, axis=1).max())
 
     def factors(self, torques: Array) -> Array:
         """Of the functions (drives x functions,) that come nearest to ``torques`` (drives, rows)."""
@@ -254,6 +294,12 @@ class RestToRest:
         both = np.concatenate([states[..., layout.q], states[..., layout.v]], axis=-1)
         return both @ self.goal.residual.T / self.far
 
+    def left(self, state: Array) -> Array:
+        """What of a state (size,) at the end shall vanish, over what it is at the start."""
+        off = state.copy()
+        off[self.runs.here.model.layout.q] -= self.goal.q
+        return self._residual(off)
+
     def _used(self, factors: Array, samples: Array) -> Array:
         """Torques and speeds of all drives at all instants, over their limits."""
         speeds = samples[:, self.runs.here.model.layout.v][:, self.places].T / self.speed[:, None]
@@ -275,7 +321,7 @@ class RestToRest:
             progress(step / steps)
             linear = self._linear(now)
             aim, least = self._aim(now, linear, weight)
-            lowest = max(_LAST, _PER_RESIDUAL * float(np.linalg.norm(now.residual)))
+            lowest = max(_LAST_NEAR if self._near else _LAST, _PER_RESIDUAL * float(np.linalg.norm(now.residual)))
             while weight > lowest and least > _NEAR * self._cost(
                 now, weight
             ):  # with this weight it is as good as found
@@ -301,38 +347,61 @@ class RestToRest:
     def _at(self, factors: Array) -> _Point:
         replay = self.runs.run(factors)
         samples, layout = replay.recording.samples, self.runs.here.model.layout
-        off = samples[-1].copy()
-        off[layout.q] -= self.goal.q
-        return _Point(factors, replay, self._residual(off), self._used(factors, samples))
+        bent = np.concatenate([self._bending @ factors, self._away(samples[:, layout.q])[0].ravel()])
+        return _Point(factors, replay, self.left(samples[-1]), self._used(factors, samples), bent)
+
+    def _away(self, q: Array) -> tuple[Array, Array]:
+        """How far the robot is from its course at all samples (n, k), and the slopes of that (n, k, nq)."""
+        if self._near is None:
+            return np.zeros((len(q), 0)), np.zeros((len(q), 0, q.shape[1]))
+        off, slope = self._near(q)
+        return off / np.sqrt(len(q)), slope / np.sqrt(len(q))
 
     def _cost(self, now: _Point, weight: float) -> float:
-        bent = self._bending @ now.factors
         over = np.maximum(np.abs(now.used) - _WITHIN, 0.0)
-        return float(now.residual @ now.residual + _LIMIT**2 * over @ over + weight**2 * bent @ bent)
+        return float(now.residual @ now.residual + _LIMIT**2 * over @ over + weight**2 * now.bent @ now.bent)
 
-    def _linear(self, now: _Point) -> tuple[Array, Array]:
-        """Slopes of the residual (residuals, factors), and of torques and speeds over their limits."""
+    def _linear(self, now: _Point) -> tuple[Array, Array, Array]:
+        """Slopes of the residual (residuals, factors), of torques and speeds over their limits, and of what is bent.
+
+        The values of the first and the last stand in one more column.
+        """
         slopes, layout = self.runs.along(now.replay), self.runs.here.model.layout
         speeds = slopes[..., layout.v][..., self.places].transpose(2, 1, 0) / self.speed[:, None, None]
         uses = np.concatenate([self._torque_use, speeds.reshape(-1, len(now.factors))])
-        return self._residual(slopes[:, -1]).T, np.asarray(uses, dtype=float)
+        away = self._away(now.replay.recording.samples[:, layout.q])[1]
+        bends = np.concatenate([self._bending, *np.einsum("nkj,dnj->nkd", away, slopes[..., layout.q])])
+        shape: Any = np.linalg.qr(np.column_stack([bends, now.bent]), mode="r")  # the same squares in fewer rows
+        response = np.column_stack([self._residual(slopes[:, -1]).T, now.residual])
+        return response, np.asarray(uses, dtype=float), shape
 
-    def _aim(self, now: _Point, linear: tuple[Array, Array], weight: float) -> tuple[Array, float]:
-        """Where the cost is least by the slopes, and that without bending; a few turns find which limits are passed."""
-        (response, uses), x, passed, least = linear, now.factors, None, 0.0
+    def _aim(self, now: _Point, linear: tuple[Array, Array, Array], weight: float) -> tuple[Array, float]:
+        """Where the cost is least by the slopes, and that without bending.
+
+        Limits enter as they are passed; the pushes that keep to them, which are positive, solve the dual problem (C. L.
+        Lawson, R. J. Hanson, Solving Least Squares Problems, 1995, chapter 23).
+        """
+        from scipy.linalg import solve_triangular
+        from scipy.optimize import nnls
+
+        response, uses, shape = linear
+        rows = np.vstack([response, weight * shape])
+        turn, triangle = np.linalg.qr(rows[:, :-1])
+        way = free = -solve_triangular(triangle, turn.T @ rows[:, -1])
+        both, used, kept = np.vstack([uses, -uses]), np.append(now.used, -now.used), np.zeros(0, dtype=int)
         for _ in range(_TURNS):
-            used = now.used + uses @ (x - now.factors)
-            passing = np.where(np.abs(used) > _WITHIN, np.sign(used), 0.0)
-            if passed is not None and np.array_equal(passing, passed):
+            passed = np.setdiff1d(np.flatnonzero(used + both @ way > _WITHIN), kept)
+            if not len(passed):
                 break
-            passed, on = passing, passing != 0
-            matrix = np.vstack([response, _LIMIT * uses[on], weight * self._bending])
-            beyond = now.used[on] - _WITHIN * passing[on]
-            known = np.concatenate([now.residual, _LIMIT * beyond, weight * (self._bending @ now.factors)])
-            way = np.linalg.lstsq(matrix, -known)[0]
-            kept = len(known) - len(self._bending)
-            x, least = now.factors + way, float(np.sum((matrix @ way + known)[:kept] ** 2))
-        return x, least
+            kept = np.append(kept, passed)
+            across = solve_triangular(triangle, both[kept].T, trans=1)
+            beyond = (used + both @ free)[kept] - _WITHIN
+            soft = np.vstack([across, np.eye(len(kept)) / _LIMIT])
+            pushes = nnls(soft, np.append(np.zeros(len(free)), _LIMIT * beyond))[0]
+            way = free - solve_triangular(triangle, across @ pushes)
+        left = response[:, :-1] @ way + response[:, -1]
+        over = np.maximum(used + both @ way - _WITHIN, 0.0)
+        return now.factors + way, float(left @ left + _LIMIT**2 * over @ over)
 
 
 def least_time(

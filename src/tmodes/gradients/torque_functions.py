@@ -31,8 +31,8 @@ _ALIKE = 1e-3
 class TorqueFunctions:
     """``knots`` (k,) [s], ``values`` (k, n) of n orthogonal functions there, with a mean square of 1.
 
-    ``pieces`` (n, k - 1, 4): powers of the time since each knot; ``fine`` (2 k - 1, n): values at the knots and in the
-    middle between them; ``bending`` (k - 2, n): second differences, in units of a half wave over a tenth of the time.
+    ``pieces`` (n, k - 1, 4): powers of the time since each knot; ``fine`` (4 k - 3, n): values at the knots and at the
+    quarters between them; ``bending`` (k - 2, n): second differences, in units of a half wave over a tenth of the time.
     """
 
     knots: Array
@@ -42,7 +42,7 @@ class TorqueFunctions:
     bending: Array
 
 
-def torque_functions(duration: float, frequencies: Sequence[float]) -> TorqueFunctions:
+def torque_functions(duration: float, frequencies: Sequence[float], polynomials: int = POLYNOMIALS) -> TorqueFunctions:
     """Functions over ``duration`` [s]; ``frequencies`` [rad/s]: of the modes that have a pair of their own.
 
     >>> torque_functions(1.0, [40.0]).values.shape
@@ -53,7 +53,7 @@ def torque_functions(duration: float, frequencies: Sequence[float]) -> TorqueFun
     count = int(np.clip(np.ceil(_PER_RADIAN * duration * max(frequencies, default=0.0)), _LEAST_ROWS, _MOST_ROWS))
     x = np.linspace(0.0, 1.0, count + 1)
     window = (4 * x * (1 - x)) ** 2
-    shapes = [np.polynomial.Legendre.basis(k)(2 * x - 1) for k in range(POLYNOMIALS)]
+    shapes = [np.polynomial.Legendre.basis(k)(2 * x - 1) for k in range(polynomials)]
     for phase in (frequency * duration * (x - 0.5) for frequency in frequencies):
         shapes += [np.cos(phase), np.sin(phase)]
     modes, sizes, _ = np.linalg.svd(window[:, None] * np.array(shapes).T, full_matrices=False)
@@ -61,5 +61,5 @@ def torque_functions(duration: float, frequencies: Sequence[float]) -> TorqueFun
     values[[0, -1]] = 0.0
     spline = CubicSpline(x * duration, values, bc_type="clamped")
     bending = np.diff(values, 2, axis=0) * (count / POLYNOMIALS / 2) ** 2 / np.sqrt(count)
-    fine = spline(np.linspace(0.0, duration, 2 * count + 1))
+    fine = spline(np.linspace(0.0, duration, 4 * count + 1))
     return TorqueFunctions(x * duration, values, spline.c[::-1].transpose(2, 1, 0), fine, bending)

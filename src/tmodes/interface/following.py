@@ -22,12 +22,15 @@ if TYPE_CHECKING:
 
     from tmodes.analysis.follow import Followed
     from tmodes.interface.references import Reference
+    from tmodes.kinds.signals.registry import Signal
+    from tmodes.kinds.timings.registry import Timing
     from tmodes.sheet import Robot
 
 __all__ = ["Following", "follow"]
 
 UNITS = {
-    "duration_s": "s", "lead_s": "s", "tip_error_m": "m", "length": "m; rad of a turn, and of a path of the joints",
+    "duration_s": "s", "lead_s": "s", "tip_error_m": "m", "swing_m": "m, after it",
+    "length": "m; rad of a turn, and of a path of the joints",
     "error_m": "m, the rigid robot's tip",
     "turned_rad": "rad, the rigid robot's tip; of a path of the joints these themselves", "speed": "rad/s, m/s",
     "acceleration": "rad/s^2, m/s^2",
@@ -36,7 +39,7 @@ UNITS = {
 PROFILE = "{type: s_curve, speed: 0.25, acceleration: 1.0, jerk: 10.0}"
 """The profile where none is given: what is gentle for a robot of a metre."""
 
-_SAMPLES = 400
+_SAMPLES, _CHECKS = 400, ("checks", "swings")
 
 _BY_TIME = {"duration": 1, "speed": -1, "acceleration": -2, "jerk": -3}
 """Numbers of profiles, and with which power of a factor on the time they grow."""
@@ -77,12 +80,15 @@ def follow(
     efforts that keep the motors exactly on them, from a run of the whole robot as known. ``sag``: motors go where the
     tip of the robot as it bends is on the path at rest, under weight and loads (quasi-static), with their efforts.
     ``inverse``: motions and efforts with which the tip of the moving robot is on the path, in contact too
-    (:mod:`tmodes.analysis.inversion`); they may begin before the path does. Runs of the nominal robot say what that is
-    worth (``checks``). ``least_time``: the profile made faster or slower, to 1 %, until a motor is at its limit of
-    speed or effort (``limits`` of the sheet). ``shaper``: of the way along the path, so that the tip stays on it and a
-    mode does not ring after it, such as ``{"type": "zvd"}``; without ``frequencies`` [Hz] for the robot's first mode,
-    in the middle between its lowest and its highest frequency on the path. ``out``: a file for the sheet;
-    ``figure``: one for the references.
+    (:mod:`tmodes.analysis.inversion`); they may begin before the path does. ``optimal``: in the time of the path,
+    within the limits of speed and effort of the sheet, from rest at its start to rest at its end without swing, in
+    between as near to it as that leaves open, by exact derivatives of runs (:mod:`tmodes.gradients.optimal`). Runs of
+    the nominal robot say what that is worth (``checks``, ``swings``). ``least_time``: the profile made faster or
+    slower, to 1 %, until a motor is at its limit of speed or effort (``limits`` of the sheet); of ``optimal`` the
+    shortest motion that is found within them, to 2 %, where the path between the ends gives way. ``shaper``: of the way
+    along the path, so that the tip stays on it and a mode does not ring after it, such as ``{"type": "zvd"}``; without
+    ``frequencies`` [Hz] for the robot's first mode, in the middle between its lowest and its highest frequency on the
+    path. ``out``: a file for the sheet; ``figure``: one for the references.
 
     Raises :class:`tmodes.errors.InputError` for a path that the rigid robot does not reach, or that passes a singular
     pose, and :class:`tmodes.errors.ResultFileError` where a file cannot be written. Source: B. Siciliano, L. Sciavicco,
@@ -92,58 +98,93 @@ def follow(
     >>> round(found.length, 4), found.error < 1e-7, found.robot.drives[0].signal.type
     (0.2065, True, 'trajectory')
     """
-    from tmodes.analysis.follow import followed
-    from tmodes.analysis.timing import timed_ways
-    from tmodes.interface.references import REFERENCES
+    from tmodes.interface.references import REFERENCES, SMOOTH, shortest
     from tmodes.kinds.paths.registry import Path
-    from tmodes.kinds.signals.registry import Signal
-    from tmodes.kinds.timings.registry import TIMINGS, Timing
 
     groups = [path] if isinstance(path, str | Mapping) else [*path]
     if not groups or not tolerance > 0:
         raise InputError("--path", "no path" if not groups else f"tolerance {tolerance!r}",
                          "a path, and a tolerance > 0 m", "add --path '{type: line, to: [0.6, 0, 0.2]}'")  # fmt: skip
     paths = [_member(Path, _group("--path", one), "path") for one in groups]
-    smooth, shape = profile is None and reference == "inverse", None if shaper is None else _group("--shaper", shaper)
-    law = {key: value for key, value in _group("--profile", PROFILE if profile is None else profile).items()
-           if key not in ("start", "end")}  # fmt: skip
-    timing: Timing | None = None
-    if law.get("type") in TIMINGS:
-        timing = _member(Timing, law, "profile")
-        if least_time:
-            expected, hint = "a profile whose time changes", "leave `--least-time` out: the timing is found by it"
-            raise InputError("--least-time", f"the timing `{law['type']}`", expected, hint)
-        law = _group("--profile", PROFILE)  # at which the path is found
+    tell = (lambda stage, share: None) if least_time else progress
+    smooth = _known(reference) in SMOOTH and profile is None
+    pace = _Pace.of(profile, shaper, smooth=smooth, timed=not least_time)
+    if pace.wants_mode:
+        plain = replace(pace, shaper=None).followed(robot, paths, 1.0, tolerance, tell)
+        pace = replace(pace, shaper={**(pace.shaper or {}), **_first_mode(robot, plain)})
 
-    def signal(length: float, factor: float) -> Signal:
-        own = _smooth(length) if smooth else {**law, "start": 0.0, "end": length}
-        known = {key: own[key] * factor**power for key, power in _BY_TIME.items() if key in own} if factor != 1 else {}
-        move = own | known
-        return _member(Signal, move if timing else shaped(move), "profile")
-
-    def shaped(move: dict[str, Any]) -> dict[str, Any]:
-        return {"type": "shaped", "signal": move, "shaper": shape} if shape else move
+    def timed(factor: float) -> Followed:
+        return pace.followed(robot, paths, factor, tolerance, tell)
 
     def tried(factor: float) -> tuple[Followed, Reference]:
-        timed = followed(robot, paths, lambda length: signal(length, factor), tolerance, tell)
-        if timing is not None:
-            ways = iter(timed_ways(robot, timed, timing))
-            timed = followed(
-                robot, paths, lambda length: _member(Signal, shaped(next(ways)), "profile"), tolerance, tell
-            )
-        return timed, REFERENCES[_known(reference)](robot, timed, tolerance, tell)
+        found = timed(factor)
+        return found, REFERENCES[reference](robot, found, tolerance, tell)
 
-    tell = (lambda stage, share: None) if least_time else progress
-    if shape and not shape.get("frequencies"):
-        wanted, shape = shape, None  # modes on the path that is not shaped
-        shape = wanted | _first_mode(robot, followed(robot, paths, lambda length: signal(length, 1.0), tolerance, tell))
-    found, given = _least_time(robot, tried, progress) if least_time else tried(1.0)
+    if least_time and reference == "optimal":
+        own = float(timed(1.0).times[-1])
+        found, given = shortest(robot, lambda seconds: timed(seconds / own), own, progress)
+    else:
+        found, given = _least_time(robot, tried, progress) if least_time else tried(1.0)
     made = Following(robot, given.applied(robot, found), found, tuple(str(one.type) for one in paths), reference, given)
     if reference != "rigid":
         progress("check", 0.0)
-        made = replace(made, checks=given.checks(robot, made.robot, found))
+        both = given.checks(robot, made.robot, found)
+        made = replace(made, **{key: {name: row[k] for name, row in both.items()} for k, key in enumerate(_CHECKS)})
     write_files(out, made, figure, overwrite=overwrite)
     return made
+
+
+@dataclass(frozen=True)
+class _Pace:
+    """How fast to go along paths: by a ``profile``, or a ``timing``; ``shaper``: of the way over time."""
+
+    profile: dict[str, Any]
+    timing: Timing | None
+    shaper: dict[str, Any] | None
+    smooth: bool
+
+    @classmethod
+    def of(cls, profile: Group | None, shaper: Group | None, *, smooth: bool, timed: bool) -> _Pace:
+        """From plain data; ``smooth``: a profile of its own for each length. Raises as :func:`follow`."""
+        from tmodes.kinds.timings.registry import TIMINGS, Timing
+
+        law = {key: value for key, value in _group("--profile", PROFILE if profile is None else profile).items()
+               if key not in ("start", "end")}  # fmt: skip
+        shape = None if shaper is None else _group("--shaper", shaper)
+        if law.get("type") not in TIMINGS:
+            return cls(law, None, shape, smooth)
+        if not timed:
+            expected, hint = "a profile whose time changes", "leave `--least-time` out: the timing is found by it"
+            raise InputError("--least-time", f"the timing `{law['type']}`", expected, hint)
+        return cls(_group("--profile", PROFILE), _member(Timing, law, "profile"), shape, smooth)
+
+    @property
+    def wants_mode(self) -> bool:
+        """Whether its shaper is for a mode of the robot."""
+        return bool(self.shaper) and not self.shaper.get("frequencies")
+
+    def followed(self, robot: Robot, paths: Sequence[Any], factor: float, tolerance: float, tell: Any) -> Followed:
+        """The paths at a profile whose time is that of the sheet times a factor."""
+        from tmodes.analysis.follow import followed
+        from tmodes.analysis.timing import timed_ways
+
+        found = followed(robot, paths, lambda length: self._signal(self._move(length, factor)), tolerance, tell)
+        if self.timing is None:
+            return found
+        ways = iter(timed_ways(robot, found, self.timing))
+        return followed(robot, paths, lambda length: self._signal(next(ways), shaped=True), tolerance, tell)
+
+    def _move(self, length: float, factor: float) -> dict[str, Any]:
+        own = _smooth(length) if self.smooth else {**self.profile, "start": 0.0, "end": length}
+        known = {key: own[key] * factor**power for key, power in _BY_TIME.items() if key in own} if factor != 1 else {}
+        return own | known
+
+    def _signal(self, move: dict[str, Any], *, shaped: bool = False) -> Signal:
+        from tmodes.kinds.signals.registry import Signal
+
+        if self.shaper and (shaped or not self.timing):
+            move = {"type": "shaped", "signal": move, "shaper": self.shaper}
+        return _member(Signal, move, "profile")
 
 
 def _least_time(
@@ -251,7 +292,8 @@ class Following(CommandResult):
 
     ``reference``: its kind, ``motors``: what that is. ``checks`` [m]: largest distance of the tip of the nominal robot
     from the path, under its controllers with the ``rigid`` reference, with ``this`` one, and in ``open loop`` by the
-    efforts alone; empty for the rigid one; NaN where a run fails.
+    efforts alone; empty for the rigid one; NaN where a run fails. ``swings`` [m]: the same after the motion, for half
+    its time, from where the tip rests at the end of the path.
     """
 
     given: Robot = field(repr=False)
@@ -261,6 +303,7 @@ class Following(CommandResult):
     reference: str = "rigid"
     motors: Reference | None = None
     checks: Mapping[str, float] = field(default_factory=dict)
+    swings: Mapping[str, float] = field(default_factory=dict)
 
     @property
     def length(self) -> float:
@@ -304,7 +347,7 @@ class Following(CommandResult):
             "joints": {name: {"start": float(found.values[0, k]), "end": float(found.values[-1, k]),
                               "speed": float(self._largest[0][k]), "acceleration": float(self._largest[1][k])}
                        for k, name in enumerate(found.joints)},
-            "tip_error_m": dict(self.checks), "warnings": self.warnings,
+            "tip_error_m": dict(self.checks), "swing_m": dict(self.swings), "warnings": self.warnings,
         }  # fmt: skip
 
     @property
@@ -351,8 +394,10 @@ class Following(CommandResult):
             lead = f"; it begins {self.lead:.3g} s before the path" if self.lead else ""
             yield f"reference {self.reference}{lead}"
             names = {"this": f"{self.reference}, under control", "open loop": f"{self.reference}, efforts alone"}
-            rows = [[names.get(name, name), f"{value:.3g}"] for name, value in self.checks.items()]
-            yield Table("Nominal robot", ["reference", "largest distance of the tip [m]"], rows)
+            rows = [[names.get(name, name), f"{value:.3g}", f"{self.swings[name]:.3g}"]
+                    for name, value in self.checks.items()]  # fmt: skip
+            yield Table("Nominal robot: largest distance of the tip [m]", ["reference", "from the path", "afterwards"],
+                        rows)  # fmt: skip
         rows = [
             [
                 name,

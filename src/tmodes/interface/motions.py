@@ -22,13 +22,12 @@ if TYPE_CHECKING:
     from tmodes.result.result import Result
     from tmodes.sheet import Robot
 
-__all__ = ["Motion", "motion"]
+__all__ = ["Motion", "freed", "limits_of", "missed", "motion", "steady"]
 
 Progress = Callable[[str, float], None]
 Limits = Mapping[str, Mapping[str, float]]
 
-_ACCEPTED, _MOST_MODES = 5e-7, 20
-"""Swing that is accepted, over the distance of the tip from the base; number of modes."""
+_METHODS, _MOST_MODES = ("gradients", "collocation"), 20
 
 _SAMPLES, _LONGEST, _FAR = 400, 5.0, 10.0
 """Samples of a check; longest time after a motion that is looked at, over its own; a large swing over the accepted."""
@@ -49,6 +48,7 @@ def motion(
     start: Pose | None = None,
     duration: float | None = None,
     least_time: bool = False,
+    method: str = "gradients",
     torque: Pose | None = None,
     speed: Pose | None = None,
     modes: int = 5,
@@ -61,7 +61,9 @@ def motion(
 
     ``start`` and ``goal``: joints by name [rad, m], ``shoulder=0.4,elbow=-60deg``, of a joint behind an elastic gear
     its motor; by default from where the drives of the sheet begin to where they end. ``duration`` [s]: by default of
-    the sheet's own move. ``least_time``: the shortest one, to 2 %, searched from there. ``torque`` [N*m, N] and
+    the sheet's own move. ``least_time``: the shortest one, to 2 %, searched from there. ``method``: ``gradients``, or
+    ``collocation``: torques of least mean square, or of the least time, linear between even rows, by Hermite-Simpson
+    and IPOPT (:mod:`tmodes.equations.loop.collocation`), of robots with few coordinates. ``torque`` [N*m, N] and
     ``speed`` [rad/s, m/s]: limits of the drives by joint, by default those of the sheet (``limits``). ``modes``: how
     many modes at the goal have harmonics of their own among the torques. ``tolerance``: swing of the tip that is
     accepted [m], by default 5e-7 of its distance from the base. ``out``: a file for the robot with these torques, as a
@@ -82,34 +84,40 @@ def motion(
     >>> found.swing < 1e-6
     True
     """
+    from tmodes.gradients.collocation import collocated
     from tmodes.gradients.optimal import RestToRest
     from tmodes.gradients.optimal import least_time as shortest
 
-    if robot.contact:
-        raise InputError("contact", "a robot in contact", "one in free space", "set `contact: false`")
+    freed(robot)
+    if method not in _METHODS:
+        hint = meant(method, _METHODS, "take one of these")
+        raise InputError("--method", shown(method), f"one of {', '.join(_METHODS)}", hint)
     if not 1 <= modes <= _MOST_MODES:
         raise InputError("--modes", str(modes), f"1 to {_MOST_MODES} modes", "5 is the usual")
     first, last, time = _ends(robot, start, goal, duration)
     limits = {
-        "torque": _limits(robot, torque, "--torque", "effort", [*last]),
-        "speed": _limits(robot, speed, "--speed", "speed", [*last]),
+        "torque": limits_of(robot, torque, "--torque", "effort", [*last]),
+        "speed": limits_of(robot, speed, "--speed", "speed", [*last]),
     }
 
-    calm = _steady(robot)
+    calm = steady(robot)
 
     def move(seconds: float) -> RestToRest:
-        return RestToRest(calm, first, last, seconds, modes=modes, **limits)
+        return RestToRest(calm, first, last, seconds, modes=modes, torque=limits["torque"], speed=limits["speed"])
 
     def tell(share: float) -> None:
         progress("motion", share)
 
     trial = move(time)
-    allowed = _ACCEPTED * float((trial.tips**2).sum(axis=1).max() ** 0.5) if tolerance is None else tolerance
+    allowed = trial.accepted if tolerance is None else tolerance
     if not allowed > 0:
         raise InputError("--tolerance", f"{allowed:g}", "a swing above 0 m", "leave it out for 5e-7 of the reach")
-    found = trial.solve(allowed, progress=tell)
-    if least_time:
+    if method == "collocation":
+        trial, found = collocated(calm, move, time, allowed, least_time=least_time, progress=tell)
+    elif least_time:
         trial, found = shortest(move, time, allowed, tell)
+    else:
+        found = trial.solve(allowed, progress=tell)
     progress("check", 0.0)
     made = _checked(calm, robot, trial, found, allowed, limits)
     if out is not None:
@@ -119,6 +127,23 @@ def motion(
         with atomic_write(out, overwrite=overwrite) as path:
             path.write_text(robot_to_yaml(made.robot), encoding="utf-8")
     return made
+
+
+def freed(robot: Robot) -> None:
+    """Raise :class:`tmodes.errors.InputError` for a robot in contact."""
+    if robot.contact:
+        raise InputError("contact", "a robot in contact", "one in free space", "set `contact: false`")
+
+
+def missed(found: Found, swing: float, accepted: float) -> list[str]:
+    """What is not as asked for: a swing [m], linear or of a run, that is not accepted; limits that are passed."""
+    more, warnings = "give more time, higher limits or more modes", list[str]()
+    if max(found.swing, swing / _FAR) > accepted:
+        swings = f"the tip swings by {written(swing, 'm')}, {written(accepted, 'm')} is accepted"
+        warnings.append(f"{swings}: no motion was found that does better; {more}")
+    if found.excess:
+        warnings.append(f"a limit is passed by {found.excess:.2g} of it: no motion was found that keeps it; {more}")
+    return warnings
 
 
 def _ends(
@@ -159,7 +184,7 @@ def _of_joints(robot: Robot, pose: Pose | None, which: str) -> dict[str, float]:
     return found
 
 
-def _limits(robot: Robot, given: Pose | None, which: str, name: str, joints: Sequence[str]) -> dict[str, float]:
+def limits_of(robot: Robot, given: Pose | None, which: str, name: str, joints: Sequence[str]) -> dict[str, float]:
     """Limits by joint: those of the sheet, and those that are given in their place."""
     own = {joint.name: getattr(joint.limits, name) for joint in robot.joints if joint.limits}
     found = {joint: value for joint, value in own.items() if value is not None and joint in joints}
@@ -173,7 +198,7 @@ def _limits(robot: Robot, given: Pose | None, which: str, name: str, joints: Seq
     return found
 
 
-def _steady(robot: Robot) -> Robot:
+def steady(robot: Robot) -> Robot:
     """The robot whose loads stay as they are at time 0."""
     from tmodes.kinds.signals.registry import constant_signal
 
@@ -188,12 +213,12 @@ def _steady(robot: Robot) -> Robot:
 def _checked(robot: Robot, sheet: Robot, move: RestToRest, found: Found, accepted: float, limits: Limits) -> Motion:
     """Runs in open loop of what was found: as it is, with more functions of the links; and with motors on a quintic."""
     from tmodes.analysis.modes.of_sheet import finer
-    from tmodes.gradients.optimal import table, under_torques
+    from tmodes.gradients.optimal import under_torques
     from tmodes.kinds.signals.registry import quintic_move
     from tmodes.result.run import run
     from tmodes.sheet.parts import Command, DriveSheet
 
-    torques = {joint: table(found.knots, row) for joint, row in zip(move.joints, found.torques, strict=True)}
+    torques = found.signals(move.joints)
     slowest = min((one for one in move.goal.frequencies if one * move.duration > 1), default=math.inf)
     until = move.duration + min(2 * math.pi / slowest + move.duration / 2, _LONGEST * move.duration)
 
@@ -272,18 +297,10 @@ class Motion(CommandResult):
     @property
     def warnings(self) -> list[str]:
         """What is to be known about this motion."""
-        found, more = list[str](), "give more time, higher limits or more modes"
+        found = list[str]()
         if any(load.signal is not None and load.signal.type != "constant" for load in self.sheet.loads):
             found.append("loads of the sheet that change over time are planned for as at time 0")
-        if max(self.found.swing, self.swing / _FAR) > self.accepted:
-            swing, accepted = written(self.swing, "m"), written(self.accepted, "m")
-            found.append(
-                f"the tip swings by {swing}, {accepted} is accepted: no motion was found that does better; {more}"
-            )
-        if self.found.excess:
-            found.append(
-                f"a limit is passed by {self.found.excess:.2g} of it: no motion was found that keeps it; {more}"
-            )
+        found += missed(self.found, self.swing, self.accepted)
         if (fine := self.swings.get("finer", 0.0)) > _FAR * max(self.accepted, self.swing):
             found.append(
                 f"with more functions of its links the tip swings by {written(fine, 'm')}: plan with more functions"

@@ -17,6 +17,8 @@ from tmodes.analysis.follow import Followed
 from tmodes.analysis.inversion import inverted
 from tmodes.analysis.sagging import Task, sagged
 from tmodes.errors import InputError, TmodesError
+from tmodes.gradients.optimal import Course, Found, RestToRest, least_time, under_torques
+from tmodes.interface.motions import freed, limits_of, missed, steady
 from tmodes.kinds.signals.registry import Signal
 from tmodes.result.run import ready_to_run
 from tmodes.sheet import Robot
@@ -24,13 +26,14 @@ from tmodes.sheet.parts import Command, DriveSheet, Initial, InitialState
 from tmodes.simulation.motion_run import RunData
 from tmodes.simulation.simulate import simulate_motion
 
-__all__ = ["REFERENCES", "Reference", "largest_load"]
+__all__ = ["REFERENCES", "SMOOTH", "Reference", "largest_load", "shortest"]
 
 Array = NDArray[np.float64]
 Progress = Callable[[str, float], None]
 
-_ROWS, _SAMPLES, _DEGREE = 800, 1000, 5
-"""Rows of efforts that a run gives; samples of a check; degree of the splines through efforts."""
+_ROWS, _SAMPLES, _DEGREE, _AFTER = 800, 1000, 5, 1.5
+"""Rows of efforts that a run gives; samples of a check; degree of the splines through efforts; until when a check
+looks, over the time of the reference."""
 
 _SMOOTH, _STILL, _CREEPS = 1e-2, 1e-5, 1e-3
 """Difference of efforts, and rate at the ends, over the largest ones, beyond which there is a warning; rates
@@ -71,9 +74,16 @@ class Reference:
         settings = robot.integration.model_copy(update={"duration": end})
         return robot.model_copy(update={"drives": tuple(drives), "integration": settings})
 
-    def checks(self, robot: Robot, made: Robot, path: Followed) -> dict[str, float]:
-        """Largest distance of the tip of the nominal robot from the path [m], by reference."""
+    def checks(self, robot: Robot, made: Robot, path: Followed) -> dict[str, tuple[float, float]]:
+        """Largest distance of the nominal robot's tip from the path, and afterwards from its rest [m], by reference.
+
+        That is where the tip rests at the end of the path, as far as joints move it there.
+        """
         plain, task, found = Reference(path).applied(robot, path), Task(robot, path), {}
+        try:
+            place = task.end()
+        except InputError:
+            place = task.along(np.array([task.duration])).places[0]
         tried: dict[str, Callable[[], Robot]] = {"rigid": lambda: plain, "this": lambda: made}
         if self.efforts is not None and all(d.feed_forward for d in made.drives if d.joint in path.joints):
             tried["open loop"] = lambda: _open_loop(made, path.joints, done)
@@ -81,14 +91,17 @@ class Reference:
         for name, one in tried.items():
             lead, end = (0.0, float(path.times[-1])) if name == "rigid" else (self.lead, self.end)
             try:
-                done = _nominal(one(), end, _SAMPLES)
+                done = _nominal(one(), _AFTER * end, _SAMPLES)
             except TmodesError:
-                found[name] = float("nan")
+                found[name] = float("nan"), float("nan")
                 if name == "this":  # then it is not known from where the open loop begins
                     break
                 continue
             tip = done.points.position[:, [point.name for point in done.chain.points].index("tip")]
-            found[name] = float(np.linalg.norm(tip - task.along(done.times - lead).places, axis=1).max())
+            late = done.times >= end * (1 - 1e-9)
+            off = np.where(late[:, None], tip - place, tip - task.along(done.times - lead).places)
+            sizes = np.linalg.norm(off, axis=1)
+            found[name] = float(sizes[~late].max()), float(sizes[late].max())
         return found
 
 
@@ -106,9 +119,13 @@ def largest_load(robot: Robot, reference: Reference) -> float:
         if limits and limits.effort and reference.efforts is not None:
             shares.append(float(np.abs(reference.efforts.values[:, k]).max()) / limits.effort)
     if not shares:
-        hint = "add `limits: {speed: 3.0, effort: 100.0}` to its joints"
-        raise InputError("--least-time", "no limit of speed or effort", "a limit of a joint that moves", hint)
+        raise _unlimited()
     return max(shares)
+
+
+def _unlimited() -> InputError:
+    hint = "add `limits: {speed: 3.0, effort: 100.0}` to its joints"
+    return InputError("--least-time", "no limit of speed or effort", "a limit of a joint that moves", hint)
 
 
 def _replaced(robot: Robot, drives: Sequence[DriveSheet]) -> Robot:
@@ -198,7 +215,79 @@ def _inverse(robot: Robot, path: Followed, tolerance: float, progress: Progress)
     return Reference(own, _rows(path, found.times, found.efforts), found.lead, tuple(warnings))
 
 
+def _course(robot: Robot, path: Followed) -> RestToRest:
+    """From rest at the start of a path to rest at its end, the tip near it, within the limits of the sheet.
+
+    Raises :class:`tmodes.errors.InputError` for a robot in contact.
+    """
+    freed(robot)
+    held, task = sagged(robot, path), Task(robot, path)
+    given = _needed(robot, held).efforts
+    assert given is not None  # noqa: S101
+
+    def off(times: Array) -> Callable[[Array], tuple[Array, Array]]:
+        wanted = task.along(times)
+        stays = task.off(np.repeat(wanted.q[:1], len(times), axis=0), wanted)[0]
+        size = float(np.linalg.norm(stays, axis=1).max())
+        return lambda q: tuple(part / size for part in task.off(q, wanted))  # pyright: ignore[reportReturnType]
+
+    def efforts(times: Array) -> Array:
+        return np.array([np.interp(times, given.times, column) for column in given.values.T])
+
+    start, goal = (dict(zip(path.joints, row.tolist(), strict=True)) for row in held.values[[0, -1]])
+    torque, speed = (limits_of(robot, None, "", name, path.joints) for name in ("effort", "speed"))
+    course = Course(off, efforts, task.targets(path.values).q)
+    return RestToRest(_bare(robot), start, goal, task.duration, torque=torque, speed=speed, near=course)
+
+
+def _bare(robot: Robot) -> Robot:
+    """The robot without blocks, its loads as at the start."""
+    return steady(robot).model_copy(update={"control": (), "sensors": ()})
+
+
+def _driven(robot: Robot, path: Followed, move: RestToRest, found: Found) -> Reference:
+    """What the motors do under the torques that were found."""
+    torques = found.signals(move.joints)
+    done = _nominal(under_torques(_bare(robot), move.start, torques, move.duration)[0], move.duration, _ROWS)
+    efforts = np.stack([torques[joint].schedule(move.duration).at(done.times) for joint in path.joints], axis=1)
+    warnings = tuple(missed(found, found.swing, move.accepted))
+    return Reference(_rows(path, done.times, done.q[:, move.places]), _rows(path, done.times, efforts), 0.0, warnings)
+
+
+def _optimal(robot: Robot, path: Followed, tolerance: float, progress: Progress) -> Reference:
+    del tolerance
+    progress("optimal", 0.0)
+    move = _course(robot, path)
+    return _driven(robot, path, move, move.solve(move.accepted, progress=lambda share: progress("optimal", share)))
+
+
+def shortest(
+    robot: Robot, timed: Callable[[float], Followed], seconds: float, progress: Progress
+) -> tuple[Followed, Reference]:
+    """The reference ``optimal`` in the least time that limits allow, searched from ``seconds`` on; ``timed``: the path.
+
+    Raises :class:`tmodes.errors.InputError` where no joint of it has a limit, and
+    :class:`tmodes.errors.SimulationError` where no time is found.
+    """
+    made = list[tuple[Followed, RestToRest]]()
+
+    def move(time: float) -> RestToRest:
+        path = timed(time)
+        made.append((path, _course(robot, path)))
+        return made[-1][1]
+
+    first = move(seconds)
+    if not np.isfinite([*first.torque, *first.speed]).any():
+        raise _unlimited()
+    best, found = least_time(move, seconds, first.accepted, lambda share: progress("least time", share))
+    path = next(path for path, one in made if one is best)
+    return path, _driven(robot, path, best, found)
+
+
+SMOOTH = {"inverse", "optimal"}
+"""References that want a profile with smooth derivatives."""
+
 REFERENCES: Mapping[str, Callable[[Robot, Followed, float, Progress], Reference]] = {
-    "rigid": _rigid, "motors": _motors, "sag": _sag, "inverse": _inverse,
+    "rigid": _rigid, "motors": _motors, "sag": _sag, "inverse": _inverse, "optimal": _optimal,
 }  # fmt: skip
 """By name, from what is known least to most."""
