@@ -20,7 +20,7 @@ from tmodes.kinds.kernel import vectors
 from tmodes.kinds.schema.frames import list_of_numbers
 from tmodes.kinds.schema.quantity import LARGEST, Issue, not_negative, positive
 
-__all__ = ["LQG", "LQR", "Design", "PolePlacement"]
+__all__ = ["LQG", "LQR", "Design", "DesignedLaw", "PolePlacement", "riccati", "said"]
 
 
 Number = Annotated[float, Field(ge=-LARGEST, le=LARGEST)]
@@ -52,8 +52,8 @@ def _weights(unit: str, symbol: str, meaning: str) -> Any:
     return Field(default_factory=dict, description=f"{meaning} [{unit}]", json_schema_extra=extra)
 
 
-class _StateSpace(Controller):
-    """u = u_0 - K (x - x_r) - K_i z, z' = th - r."""
+class DesignedLaw(Controller):
+    """A law that follows from the linear robot, continuous or sampled."""
 
     sees_all: ClassVar[bool] = True
     needs_drives: ClassVar[bool] = True
@@ -63,10 +63,9 @@ class _StateSpace(Controller):
     sample_time: float | None = positive(
         "s", "T", "time between samples; none: continuous time", default=None, plausible=(1e-5, 1.0)
     )
-    integral: bool = Field(default=False, description="feed back the integral of each drive's error, too")
 
-    found: ClassVar[Design | None] = None
-    """Of an instance that is designed: what was found, beside its fields."""
+    found: ClassVar[Any] = None
+    """Of an instance that is designed: what was found, beside its fields; it has the ``plant``."""
 
     @property
     def period(self) -> float | None:
@@ -74,38 +73,61 @@ class _StateSpace(Controller):
         return self.sample_time
 
     @property
-    def design(self) -> Design:
+    def design(self) -> Any:
         """What follows from the robot; raises RuntimeError before it is designed."""
         if self.found is None:
             raise RuntimeError(f"the law {type(self).__name__} is not designed yet")
         return self.found
+
+    def designed(self, plant: Callable[..., LinearPlant], drives: tuple[str, ...]) -> Self:
+        """With gains for the robot; raises :class:`tmodes.errors.InputError` where there are none."""
+        made = self.model_copy()
+        vars(made)["found"] = self._designed(plant(self.reads, drives, start=self.at is At.START))
+        return made
+
+    def _designed(self, linear: LinearPlant) -> Any:
+        raise NotImplementedError
+
+    def remarks(self) -> list[str]:
+        """Modes that no drive reaches, or that nothing measured shows."""
+        plant = self.design.plant
+        unseen = lost_modes(plant.A.T, plant.C.T, plant.states) if self.reads else []
+        return [*said("the drives do not reach", lost_modes(plant.A, plant.B, plant.states)),
+                *said("nothing measured shows", unseen)]  # fmt: skip
+
+    def _own(self, plant: LinearPlant) -> list[int]:
+        """Places of the positions that the drives keep."""
+        return [_place(plant, joint) for joint in plant.drives]
+
+    def _moved(self, ends: list[Any], m: Measured) -> list[Any]:
+        """How far the setpoints have moved each state from the rest, whose setpoints were ``ends``."""
+        plant = self.design.plant
+        moved: list[Any] = [0.0] * len(plant.states)
+        for joint, end in zip(plant.drives, ends, strict=True):
+            setpoint = m.setpoint(joint)
+            for name in (f"{joint}.motor", joint):
+                if name in plant.states:
+                    moved[plant.states.index(name)] = setpoint[0] - end
+                    moved[plant.states.index(f"{name}'")] = setpoint[1]
+        return moved
+
+
+class _StateSpace(DesignedLaw):
+    """u = u_0 - K (x - x_r) - K_i z, z' = th - r."""
+
+    integral: bool = Field(default=False, description="feed back the integral of each drive's error, too")
 
     @property
     def gains(self) -> Any:
         """K (drives, states and integrals)."""
         return self.design.K
 
-    def designed(self, plant: Callable[..., LinearPlant], drives: tuple[str, ...]) -> Self:
-        """With gains for the robot; raises :class:`tmodes.errors.InputError` where there are none."""
-        linear = plant(self.reads, drives, start=self.at is At.START)
+    def _designed(self, linear: LinearPlant) -> Design:
         A, B = _with_integrals(linear, self._own(linear)) if self.integral else (linear.A, linear.B)
         if self.sample_time is not None:
             A, B = zero_order_hold(A, B, self.sample_time)
-        found = self.model_copy()
         n = len(linear.A)
-        vars(found)["found"] = Design(linear, A[:n, :n], B[:n], self._feedback(A, B, linear), self._observer(linear))
-        return found
-
-    def remarks(self) -> list[str]:
-        """Modes that no drive reaches, or that nothing measured shows."""
-        plant = self.design.plant
-        unseen = lost_modes(plant.A.T, plant.C.T, plant.states) if self.reads else []
-        return [*_said("the drives do not reach", lost_modes(plant.A, plant.B, plant.states)),
-                *_said("nothing measured shows", unseen)]  # fmt: skip
-
-    def _own(self, plant: LinearPlant) -> list[int]:
-        """Places of the positions that the drives keep."""
-        return [_place(plant, joint) for joint in plant.drives]
+        return Design(linear, A[:n, :n], B[:n], self._feedback(A, B, linear), self._observer(linear))
 
     def _feedback(self, A: Any, B: Any, plant: LinearPlant) -> Any:
         raise NotImplementedError
@@ -131,19 +153,6 @@ class _StateSpace(Controller):
         found[3] = [found[3][k * width : (k + 1) * width] for k in range(len(d.plant.drives))]
         return tuple(found)  # pyright: ignore[reportReturnType]
 
-    def _moved(self, p: Any, m: Measured) -> list[Any]:
-        """How far the setpoints have moved each state from the rest."""
-        plant, (_, _, ends, _) = self.design.plant, self._parts(p)
-        n, moved = len(plant.states), [0.0] * len(plant.states)
-        for joint, end in zip(plant.drives, ends, strict=True):
-            setpoint = m.setpoint(joint)
-            for name in (f"{joint}.motor", joint):
-                if name in plant.states:
-                    moved[plant.states.index(name)] = setpoint[0] - end
-                    moved[plant.states.index(f"{name}'")] = setpoint[1]
-        assert len(moved) == n  # noqa: S101
-        return moved
-
     def _state(self, p: Any, m: Measured, x: list[Any]) -> list[Any]:
         """The deviation of the state from the rest."""
         del x
@@ -152,8 +161,8 @@ class _StateSpace(Controller):
 
     def _fed_back(self, p: Any, m: Measured, deviation: list[Any], integrals: list[Any]) -> list[Any]:
         """The commands for a deviation from the rest."""
-        effort, _, _, rows = self._parts(p)
-        far = [value - each for value, each in zip(deviation, self._moved(p, m), strict=True)]
+        effort, _, ends, rows = self._parts(p)
+        far = [value - each for value, each in zip(deviation, self._moved(ends, m), strict=True)]
         return [
             push - vectors.total([k * value for k, value in zip(row, [*far, *integrals], strict=True)])
             for push, row in zip(effort, rows, strict=True)
@@ -198,7 +207,8 @@ class _StateSpace(Controller):
         return f"{super().structure} {d.plant.states} {d.plant.drives} {self._sums} {self.sample_time}"
 
 
-def _said(what: str, modes: list[Mode]) -> list[str]:
+def said(what: str, modes: list[Mode]) -> list[str]:
+    """Those modes, as a message; none without any."""
     return [f"{what} the mode {', '.join(map(str, modes))}: no gain changes its damping"] if modes else []
 
 
@@ -231,7 +241,7 @@ class _Weighted(_StateSpace):
         Q = np.diag([*Q, *[self.integral_weight] * (len(A) - len(Q))])
         lost = lost_modes(plant.A, plant.B, plant.states)
         R = self.effort_weight * np.eye(B.shape[1])
-        return _riccati(A, B, Q, R, sampled=self.sample_time is not None, why=_said("the drives do not reach", lost))[0]
+        return riccati(A, B, Q, R, sampled=self.sample_time is not None, why=said("the drives do not reach", lost))[0]
 
 
 def diagonal(weights: dict[str, float], plant: LinearPlant, which: str) -> list[float]:
@@ -242,7 +252,7 @@ def diagonal(weights: dict[str, float], plant: LinearPlant, which: str) -> list[
     return [weights.get(name, 0.0) for name in plant.states]
 
 
-def _riccati(A: Any, B: Any, Q: Any, R: Any, *, sampled: bool, why: list[str]) -> tuple[Any, Any]:
+def riccati(A: Any, B: Any, Q: Any, R: Any, *, sampled: bool, why: list[str]) -> tuple[Any, Any]:
     """Gain and solution of the Riccati equation; raises :class:`tmodes.errors.InputError` where there is none."""
     from scipy.linalg import solve_continuous_are, solve_discrete_are
 
@@ -343,8 +353,8 @@ class LQG(_Weighted):
             got, expected = f"{list(given)}", f"1 or {len(self.measured)} variances above 0"
             raise InputError("measurement_noise", got, expected, "write the variance of each that is measured")
         V = np.diag(given if len(given) > 1 else given * len(self.measured))
-        unseen = _said("nothing measured shows", lost_modes(plant.A.T, plant.C.T, plant.states))
-        P = _riccati(Ad.T, plant.C.T, W, V, sampled=True, why=unseen)[1]
+        unseen = said("nothing measured shows", lost_modes(plant.A.T, plant.C.T, plant.states))
+        P = riccati(Ad.T, plant.C.T, W, V, sampled=True, why=unseen)[1]
         return P @ plant.C.T @ np.linalg.inv(plant.C @ P @ plant.C.T + V)
 
     def numbers(self) -> tuple[float, ...]:
