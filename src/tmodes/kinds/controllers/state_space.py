@@ -7,6 +7,7 @@ with the setpoints: those of a drive's motor and joint move with its signal, all
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from enum import StrEnum
 from typing import Annotated, Any, ClassVar, Literal, NamedTuple, Self
 
@@ -21,7 +22,6 @@ from tmodes.kinds.schema.frames import list_of_numbers
 from tmodes.kinds.schema.quantity import LARGEST, Issue, not_negative, positive
 
 __all__ = ["LQG", "LQR", "Design", "DesignedLaw", "PolePlacement", "riccati", "said"]
-
 
 Number = Annotated[float, Field(ge=-LARGEST, le=LARGEST)]
 
@@ -91,9 +91,15 @@ class DesignedLaw(Controller):
     def remarks(self) -> list[str]:
         """Modes that no drive reaches, or that nothing measured shows."""
         plant = self.design.plant
+        own = slice(len(plant.states) - self._loads)
         unseen = lost_modes(plant.A.T, plant.C.T, plant.states) if self.reads else []
-        return [*said("the drives do not reach", lost_modes(plant.A, plant.B, plant.states)),
+        return [*said("the drives do not reach", lost_modes(plant.A[own, own], plant.B[own], plant.states[own])),
                 *said("nothing measured shows", unseen)]  # fmt: skip
+
+    @property
+    def _loads(self) -> int:
+        """How many of the plant's states, the last ones, are loads that are estimated."""
+        return 0
 
     def _own(self, plant: LinearPlant) -> list[int]:
         """Places of the positions that the drives keep."""
@@ -101,8 +107,7 @@ class DesignedLaw(Controller):
 
     def _moved(self, ends: list[Any], m: Measured) -> list[Any]:
         """How far the setpoints have moved each state from the rest, whose setpoints were ``ends``."""
-        plant = self.design.plant
-        moved: list[Any] = [0.0] * len(plant.states)
+        plant, moved = self.design.plant, [0.0] * len(self.design.plant.states)
         for joint, end in zip(plant.drives, ends, strict=True):
             setpoint = m.setpoint(joint)
             for name in (f"{joint}.motor", joint):
@@ -127,13 +132,10 @@ class _StateSpace(DesignedLaw):
         if self.sample_time is not None:
             A, B = zero_order_hold(A, B, self.sample_time)
         n = len(linear.A)
-        return Design(linear, A[:n, :n], B[:n], self._feedback(A, B, linear), self._observer(linear))
+        return Design(linear, A[:n, :n], B[:n], self._feedback(A, B, linear))
 
     def _feedback(self, A: Any, B: Any, plant: LinearPlant) -> Any:
         raise NotImplementedError
-
-    def _observer(self, plant: LinearPlant) -> Any:
-        del plant
 
     def numbers(self) -> tuple[float, ...]:
         """u_0, x at rest, setpoints there, K row by row."""
@@ -320,7 +322,9 @@ class LQG(_Weighted):
     """LQR of the state that a Kalman filter estimates from what is measured; sampled.
 
     x_f = x_p + M (y - C x_p - D u_-), x_p+ = Ad x_f + Bd u, of deviations from the rest (K. J. Astrom, B. Wittenmark,
-    Computer-Controlled Systems, 3rd ed., chapter 11). It sees sensors and outputs by name, never the state.
+    Computer-Controlled Systems, 3rd ed., chapter 11). It sees sensors and outputs by name, never the state. With
+    ``load_noise`` it estimates a constant load on each drive, too, and takes it off the command, which is integral
+    action.
     """
 
     type: Literal["lqg"] = Field(description="kind of controller")
@@ -332,12 +336,15 @@ class LQG(_Weighted):
     )
     process_noise: dict[str, Number] = _weights("1", "W", "variance by which a state changes in a sample; others 0")
     measurement_noise: tuple[Number, ...] = list_of_numbers("SI", "V", "variance of each that is measured; one: of all")
+    load_noise: float = not_negative(
+        "1", "W_d", "variance by which a load on a drive changes in a sample; 0: no loads are estimated", default=0.0
+    )
     form: Form = Field(default=Form.FILTER, strict=False, description="filter or predictor")
     estimate: dict[str, Number] = _weights("coordinate", "x_p", "first estimate, as deviation from the rest; others 0")
 
     def _issues(self) -> Iterator[Issue]:
         if self.integral:
-            hint = "remove it, or take `lqr`, which sees the positions themselves"
+            hint = "write `load_noise: 1e-6`, or take `lqr`, which sees the positions themselves"
             yield Issue("integral", "true", "false: it never sees the position itself", hint)
 
     @property
@@ -345,9 +352,25 @@ class LQG(_Weighted):
         """What is measured."""
         return self.measured
 
-    def _observer(self, plant: LinearPlant) -> Any:
-        Ad, _ = zero_order_hold(plant.A, plant.B, self.sample_time)
-        W = np.diag(diagonal(self.process_noise, plant, "process_noise"))
+    @property
+    def _loads(self) -> int:
+        return len(self.design.plant.drives) if self.load_noise else 0
+
+    def _designed(self, linear: LinearPlant) -> Design:
+        plant, Ad, Bd, K, _ = super()._designed(linear)
+        if self.load_noise:
+            (n, m), names = linear.B.shape, tuple(f"{joint}.load" for joint in linear.drives)
+            plant = replace(
+                linear, states=(*linear.states, *names), rest=np.pad(linear.rest, (0, m)),
+                A=np.block([[linear.A, linear.B], [np.zeros((m, n + m))]]), B=np.pad(linear.B, ((0, m), (0, 0))),
+                C=np.hstack([linear.C, linear.D]),
+            )  # fmt: skip
+            (Ad, Bd), K = zero_order_hold(plant.A, plant.B, self.sample_time), np.hstack([K, np.eye(m)])
+        return Design(plant, Ad, Bd, K, self._observer(plant, Ad, len(linear.states)))
+
+    def _observer(self, plant: LinearPlant, Ad: Any, own: int) -> Any:
+        noise = diagonal(self.process_noise, plant, "process_noise")
+        W = np.diag([*noise[:own], *[self.load_noise] * (len(noise) - own)])
         given = self.measurement_noise
         if len(given) not in {1, len(self.measured)} or not all(0 < one <= LARGEST for one in given):
             got, expected = f"{list(given)}", f"1 or {len(self.measured)} variances above 0"
