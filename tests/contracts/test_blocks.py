@@ -73,6 +73,8 @@ LQG = LQR | {
     "process_noise": dict(zip(STATES, (1e-8, 1e-8, 1e-4, 1e-4), strict=True)),
     "estimate": {"joint": -0.85, "joint.motor": -0.9218697971854767},
 }  # fmt: skip
+SHAPED: Sheet = {"type": "loop_shaping", "measured": ["joint.motor.position"], "gains": {"joint": 40.0},
+                 "integral_frequency": 0.3, "lead_frequency": 2.0, "lead_ratio": 5.0}  # fmt: skip
 SHARE = "(min(t, 1.2)/1.2)"
 NINTH = f"0.1 + 1.2*(126*{SHARE}**5 - 420*{SHARE}**6 + 540*{SHARE}**7 - 315*{SHARE}**8 + 70*{SHARE}**9)"
 REFERENCE: dict[str, tuple[Any, list[float], list[list[float]]]] = {
@@ -164,6 +166,9 @@ EVERYWHERE = {
     "lqg": {"control": law(LQG | {"measured": ["teeth"]}, delay=0.013),
             "sensors": [{"type": "encoder", "name": "teeth", "joint": "joint", "resolution": 1e-3,
                          "sample_time": 0.01, "noise": 1e-4, "delay": 0.004}]},
+    "loop_shaping": {"control": law(SHAPED | {"measured": ["teeth"], "sample_time": 0.01}, delay=0.013),
+                     "sensors": [{"type": "encoder", "name": "teeth", "joint": "joint", "resolution": 1e-3}]},
+    "loop_shaping, continuous": {"control": law(SHAPED)},
     "timed": {"drive": {"controller": PD, "sample_time": 0.01, "delay": 0.025, "saturation": {"torque": 12.0}}},
     "filters": {"control": [{"name": "raw", "of": "joint", "block": PD},
                             {"name": "lead", "block": {"type": "lead_lag", "input": "raw", "frequency": 8.0,

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from contracts.test_blocks import IMPEDANCE, LQG, LQR, NOTCH, PD, PID, STEPS, Sheet, spong
+from contracts.test_blocks import IMPEDANCE, LQG, LQR, NOTCH, PD, PID, SHAPED, STEPS, Sheet, spong
 from simulation.sheets import arm, beam
 from tmodes.errors import InputError, InputErrors, SimulationError
 from tmodes.sheet import Robot
@@ -17,6 +17,7 @@ from tmodes.simulation.simulate import simulate_motion
 
 LAWS: dict[str, Sheet] = {
     "pd": PD, "pid": PID | {"type": "pid"}, "sampled_pid": PID, "lqr": LQR, "lqg": LQG, "notch": NOTCH,
+    "loop_shaping": SHAPED,
     "state_feedback": {"type": "state_feedback", "position_gains": {"joint.motor": 80.0}, "velocity_gains": {}},
     "gravity_pd": PD | {"type": "gravity_pd"},
     "computed_torque": {"type": "computed_torque", "position_gain": 100.0, "velocity_gain": 20.0},

@@ -153,3 +153,15 @@ def test_errors_of_a_file_have_their_line(tmp_path: Path) -> None:
     laws.write_text("variant: {}\n", encoding="utf-8")
     with pytest.raises(InputError, match="Did you mean `variants`"):
         robot().compare(laws)
+
+
+def test_a_system_stated_by_its_energies_has_a_commanded_path_too() -> None:
+    """Its free coordinates are in it as they move in the nominal run: uncertain cases as the runs of their sheets."""
+    robot = tmodes.load("moberg2009").with_({"integration.duration": 0.4})
+    softer = {"k2": {"path": "parameters.stiffness2", "relative": True,
+                     "distribution": {"type": "uniform", "low": 0.5, "high": 0.9}}}  # fmt: skip
+    found = robot.compare({"as it is": {}}, uncertain=softer, plan={"type": "grid", "levels": 3})
+    assert found.contenders[0].errors.shape == (3,)
+    for factor, error in zip((0.5, 0.7, 0.9), found.contenders[0].errors, strict=True):
+        alone = robot.with_({"real": {"parameters.stiffness2": factor}}).run(error_estimate=False, model_error=False)
+        assert error == pytest.approx(float(abs(alone.output("tip_error")).max()), rel=1e-6)

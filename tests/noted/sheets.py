@@ -108,6 +108,8 @@ BLOCKS: dict[str, Sheet] = {
     "lqg": {"type": "lqg", "sample_time": 0.01, "state_weights": {"first": 100.0, "second": 100.0},
             "measured": ["first.position", "second.position"], "measurement_noise": [1e-6],
             "process_noise": {"first'": 1e-4, "second'": 1e-4}},
+    "loop_shaping": {"type": "loop_shaping", "sample_time": 0.01, "gains": {"first": 10.0, "second": 10.0},
+                     "measured": ["first.position", "second.position"], "integral_frequency": 0.5},
     "notch": {"type": "notch", "input": "raw", "frequency": 9.0, "damping": 0.3, "depth": 0.1, "sample_time": 0.01},
     "low_pass": {"type": "low_pass", "input": "raw", "frequency": 40.0, "damping": 0.7},
     "disturbance_observer": {"type": "disturbance_observer", "input": "raw", "bandwidth": 9.0, "sample_time": 0.01},

@@ -50,7 +50,7 @@ APART = (".at", "sample_time", "pieces.1.end")
 """Numbers that stand in a place of their own: a station at an end, samples on the output's instants, the last end."""
 
 
-DESIGNED = ("controller lqr", "controller lqg", "controller pole_placement")
+DESIGNED = ("controller lqr", "controller lqg", "controller pole_placement", "controller loop_shaping")
 
 
 def numbers_of(robot, held=APART):

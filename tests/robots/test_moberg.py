@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from scipy.linalg import expm
+from scipy.linalg import expm, solve_discrete_are
 
 import tmodes
 
@@ -107,18 +107,26 @@ def row_of(stiffness: tuple[float, ...], own: tuple[float, ...]) -> np.ndarray:
     return found
 
 
+PERIOD = 5e-4
+
+
+def held_step() -> tuple[np.ndarray, Any]:
+    """Lengths (4,) of the tool; x, torque on the motor, force on the tool (10, 10) over a sample, all by SciPy."""
+    K, D = row_of((LOW, 110, 80), (0, 0, 0, 0)), row_of((0.08, 0.06, 0.08), (6e-3, 1e-3, 1e-3, 1e-3))
+    masses, lengths = np.array([5e-3, 2e-3, 0.02, 0.02]), np.array([0.0, 0.02, 0.6, 1.53]) / 220
+    whole = np.zeros((10, 10))
+    whole[:4, 4:8] = np.eye(4)
+    whole[4:8] = np.column_stack([-K, -D, np.eye(4)[0], lengths]) / masses[:, None]
+    return lengths, expm(whole * PERIOD)
+
+
 def by_exponentials(gains: tuple[float, ...], times: int) -> tuple[np.ndarray, np.ndarray]:
     """Tool [m] and torque [N*m] before each sample under the sheet's loads, without the package: held over 0.5 ms.
 
     The torque of a sample acts one sample later; the gear has its low stiffness throughout.
     """
-    masses, period, (kp, ki, kv, filter_time) = np.array([5e-3, 2e-3, 0.02, 0.02]), 5e-4, gains
-    K, D = row_of((LOW, 110, 80), (0, 0, 0, 0)), row_of((0.08, 0.06, 0.08), (6e-3, 1e-3, 1e-3, 1e-3))
-    lengths = np.array([0.0, 0.02, 0.6, 1.53]) / 220
-    whole = np.zeros((10, 10))  # q, v, torque on the motor, force on the tool
-    whole[:4, 4:8] = np.eye(4)
-    whole[4:8] = np.column_stack([-K, -D, np.eye(4)[0], lengths]) / masses[:, None]
-    step = expm(whole * period)
+    period, (kp, ki, kv, filter_time) = PERIOD, gains
+    lengths, step = held_step()
     x, waiting, z, rate, last = np.zeros(8), 0.0, 0.0, 0.0, 0.0
     tools, torques = [], []
     for k in range(times):
@@ -143,3 +151,34 @@ def test_closed_loop_is_that_of_matrix_exponentials(gains: tuple[float, ...], me
     result = tmodes.Robot.from_data(sheet).run()
     for name, wanted in zip(("tip.z", "motor.effort"), by_exponentials(gains, 4200), strict=True):
         assert np.abs(np.asarray(result.output(name))[:4200] - wanted).max() < share * np.abs(wanted).max()
+
+
+def test_regulator_that_estimates_the_load_is_that_of_matrix_exponentials() -> None:
+    """LQG with a load of the motor, behind its delay: Riccati equations and loop by SciPy alone, each sample."""
+    lengths, step = held_step()
+    A, B, c = step[:8, :8], step[:8, 8:9], np.eye(8)[:1]
+    Q = np.diag([1e4, 0, 0, 1e4, 0, 0, 0, 30.0])
+    X = solve_discrete_are(A, B, Q, np.eye(1))
+    gain = np.append(np.linalg.solve(1 + B.T @ X @ B, B.T @ X @ A)[0], 1.0)
+    A9, B9, c9 = np.block([[A, B], [np.zeros((1, 8)), np.eye(1)]]), np.append(B, 0.0), np.append(c, 0.0)
+    P = solve_discrete_are(A9.T, c9[:, None], np.diag([0, 0, 0, 0, 1e-2, 0, 0, 1e-2, 1e-4]), np.full((1, 1), 1e-6))
+    kalman = P @ c9 / (c9 @ P @ c9 + 1e-6)
+    x, guess, waiting, tools = np.zeros(8), np.zeros(9), 0.0, []
+    for k in range(4200):
+        tools.append(lengths @ x[:4])
+        after = guess + kalman * (x[0] - c9 @ guess)
+        given, waiting = waiting, -gain @ after
+        guess = A9 @ after + B9 * waiting
+        x = (step @ [*x, given + (k >= 200), 50.0 * (k >= 2200)])[:8]
+    sheet = tmodes.load("moberg2009").model_dump(mode="json", by_alias=True, exclude_none=True)
+    for key in ("controller", "delay"):
+        sheet["drives"][0].pop(key)
+    sheet["parameters"]["gear_stiffness_high"] = LOW
+    sheet["integration"] |= {"output_step": PERIOD}
+    block = {"type": "lqg", "sample_time": PERIOD, "measured": ["encoder"], "measurement_noise": [1e-6],
+             "process_noise": {"motor'": 1e-2, "arm3'": 1e-2}, "load_noise": 1e-4,
+             "state_weights": {"motor": 1e4, "arm3": 1e4, "arm3'": 30.0}}  # fmt: skip
+    sheet["control"] = [{"name": "law", "drives": ["motor"], "delay": PERIOD, "block": block}]
+    found = np.asarray(tmodes.Robot.from_data(sheet).run().output("tip.z"))[:4200]
+    assert np.abs(found - tools).max() < 1e-9 * np.abs(tools).max()
+    assert not tmodes.Robot.from_data(sheet).run(error_estimate=False).warnings

@@ -141,7 +141,8 @@ def _designed(robot: Robot, node: Node) -> Node:
     designs = vars(known).setdefault("designs", {})
     if node.name not in designs:
         try:
-            designs[node.name] = node.block.designed(partial(linear_plant, known), node.sheet.drives)
+            plant = partial(linear_plant, known, delay=node.sheet.delay + node.block.lag)
+            designs[node.name] = node.block.designed(plant, node.sheet.drives)
         except InputError as error:
             if error.which.startswith("sensors."):
                 raise

@@ -21,7 +21,7 @@ from tmodes.analysis.modes.closed_loop import common_period
 from tmodes.analysis.statics.at_rest import robot_rest
 from tmodes.equations.loop.control_kernels import Winding
 from tmodes.errors import InputError
-from tmodes.kinds.controllers.discrete import zero_order_hold
+from tmodes.kinds.controllers.discrete import held_late, zero_order_hold
 from tmodes.kinds.controllers.registry import LinearPlant
 from tmodes.kinds.noted.functions import number
 from tmodes.kinds.noted.number import Lost, is_noted
@@ -275,33 +275,10 @@ def _due(at: _Instant, signals: Sequence[int], due: Container[int]) -> Array:
 
 
 def delayed(system: StateSpace, period: float, delay: float = 0.0) -> StateSpace:
-    """The system sampled with a zero-order hold: u[k] is held from k T + delay on, for T. Past inputs are states.
-
-    Exact for any ``delay`` [s]: x[k+1] = Ad x[k] + Ga u[k-n-1] + Gb u[k-n] with delay = (n + f) T.
-    """
-    whole = int(np.floor(delay / period + 1e-9))
-    part = delay - whole * period
-    part = 0.0 if part < 1e-9 * period else part
-    n, m = system.B.shape
-    Ad, _ = zero_order_hold(system.A, system.B, period)
-    late, early = zero_order_hold(system.A, system.B, period - part)
-    Ga = late @ zero_order_hold(system.A, system.B, part)[1] if part else np.zeros((n, m))
-    kept = whole + (part > 0)
-    if not kept:
-        return replace(system, A=Ad, B=early, period=period)
-    size = n + kept * m  # states: x, u[k-1], ..., u[k-kept]
-    A, B = np.zeros((size, size)), np.zeros((size, m))
-    A[:n, :n] = Ad
-    for steps, matrix in ((whole + 1, Ga), (whole, early)):
-        if steps == 0:
-            B[:n] += matrix
-        elif steps <= kept:
-            A[:n, n + (steps - 1) * m : n + steps * m] += matrix
-    B[n : n + m] = np.eye(m)
-    A[n + m :, n:-m] = np.eye(size - n - m)
-    C, D = np.hstack([system.C, np.zeros((len(system.C), kept * m))]), system.D
-    if whole or part:  # what reaches the outputs at once at a sample is the command in force there
-        C[:, n + (kept - 1) * m : n + kept * m], D = system.D, np.zeros_like(system.D)
+    """The system sampled with a zero-order hold: u[k] is held from k T + delay on, for T. Past inputs are states."""
+    A, B, C, D = held_late(system.A, system.B, system.C, system.D, period, delay)
+    m = B.shape[1]
+    kept = (len(A) - len(system.A)) // m if m else 0
     past = tuple(f"{name}[k-{k + 1}]" for k in range(kept) for name in system.inputs)
     x0, rate = np.append(system.x0, np.tile(system.u0, kept)), np.append(system.rate, np.zeros(kept * m))
     return replace(system, states=(*system.states, *past), A=A, B=B, C=C, D=D, x0=x0, rate=rate, period=period)
@@ -376,14 +353,16 @@ def _refuse_noted(*values: object) -> None:
         raise Lost("gains that are designed from the robot", noted[0])
 
 
-def linear_plant(robot: Robot, reads: tuple[str, ...], drives: tuple[str, ...], *, start: bool = False) -> LinearPlant:
+def linear_plant(
+    robot: Robot, reads: tuple[str, ...], drives: tuple[str, ...], *, start: bool = False, delay: float = 0.0
+) -> LinearPlant:
     """The robot about its rest at the last setpoints, or the first (``start``), under the commands of ``drives``.
 
-    ``reads``: outputs and sensors by name; sensors without samples and noise.
+    ``reads``: outputs and sensors by name; sensors without samples and noise. The commands act ``delay`` [s] late.
     """
     held = {drive.joint: _setpoint(robot, drive, start=start) for drive in robot.drives if drive.command.is_motion}
     chain = robot.undriven.chain()
-    _refuse_noted(*held.values(), *chain.gravity, *Model(chain).parameters)
+    _refuse_noted(*held.values(), delay, *chain.gravity, *Model(chain).parameters)
     names = chain.coordinates
     motors = {f"{joint}.motor" if f"{joint}.motor" in names else joint: value for joint, value in held.items()}
     commands = {drive.joint: drive.command for drive in opened(robot).drives}
@@ -392,7 +371,7 @@ def linear_plant(robot: Robot, reads: tuple[str, ...], drives: tuple[str, ...], 
     part = slice(0, size)
     return LinearPlant(
         found.states[part], drives, reads, found.A[part, part], found.B[part], found.C[:, part], found.D,
-        found.x0[part], found.u0, found.y0,
+        found.x0[part], found.u0, found.y0, delay,
     )  # fmt: skip
 
 

@@ -104,7 +104,7 @@ class LinearPlant:
 
     ``states``: names of x, coordinates then ``NAME'`` for their rates, then currents; ``drives``: those of u, in the
     order of its columns; ``rest``: x at rest; ``effort``: u that holds it; ``reads``: names of the rows of C and D,
-    whose values at rest are ``measured``.
+    whose values at rest are ``measured``; commands act ``delay`` [s] after their samples.
     """
 
     states: tuple[str, ...]
@@ -117,6 +117,7 @@ class LinearPlant:
     rest: Any
     effort: Any
     measured: Any
+    delay: float = 0.0
 
 
 class Block(Kind):

@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-__all__ = ["Mode", "lost_modes", "zero_order_hold"]
+__all__ = ["Mode", "held_late", "lost_modes", "zero_order_hold"]
 
 _LOST = 1e-9
 """Share of an input in a mode below which it does not reach it."""
@@ -25,6 +25,36 @@ def zero_order_hold(A: Any, B: Any, period: float) -> tuple[Any, Any]:
     whole[:n, :n], whole[:n, n:] = A, B
     found = expm(whole * period)
     return found[:n, :n], found[:n, n:]
+
+
+def held_late(A: Any, B: Any, C: Any, D: Any, period: float, delay: float) -> tuple[Any, Any, Any, Any]:
+    """The sampled system of inputs that are held from k T + ``delay`` [s] on, for a ``period``; past inputs are states.
+
+    Exact for any delay: x[k+1] = Ad x[k] + Ga u[k-n-1] + Gb u[k-n] with delay = (n + f) T; states x, u[k-1], ...
+    """
+    whole = int(np.floor(delay / period + 1e-9))
+    part = delay - whole * period
+    part = 0.0 if part < 1e-9 * period else part
+    n, m = B.shape
+    Ad, _ = zero_order_hold(A, B, period)
+    late, early = zero_order_hold(A, B, period - part)
+    Ga = late @ zero_order_hold(A, B, part)[1] if part else np.zeros((n, m))
+    kept = whole + (part > 0)
+    if not kept:
+        return Ad, early, C, D
+    size = n + kept * m
+    found, inputs = np.zeros((size, size)), np.zeros((size, m))
+    found[:n, :n] = Ad
+    for steps, matrix in ((whole + 1, Ga), (whole, early)):
+        if steps == 0:
+            inputs[:n] += matrix
+        elif steps <= kept:
+            found[:n, n + (steps - 1) * m : n + steps * m] += matrix
+    inputs[n : n + m] = np.eye(m)
+    found[n + m :, n:-m] = np.eye(size - n - m)
+    seen = np.hstack([C, np.zeros((len(C), kept * m))])
+    seen[:, n + (kept - 1) * m :] = D  # what reaches the outputs at once at a sample is the command in force there
+    return found, inputs, seen, np.zeros_like(D)
 
 
 class Mode(NamedTuple):

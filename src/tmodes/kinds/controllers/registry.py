@@ -19,6 +19,7 @@ CONTROLLERS.bring(
         "lqr": "state_space",
         "lqg": "state_space",
         "pole_placement": "state_space",
+        "loop_shaping": "loop_shaping",
         "notch": "filters",
         "low_pass": "filters",
         "lead_lag": "filters",

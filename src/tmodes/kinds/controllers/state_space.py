@@ -7,6 +7,7 @@ with the setpoints: those of a drive's motor and joint move with its signal, all
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from enum import StrEnum
 from typing import Annotated, Any, ClassVar, Literal, NamedTuple, Self
 
@@ -20,8 +21,7 @@ from tmodes.kinds.kernel import vectors
 from tmodes.kinds.schema.frames import list_of_numbers
 from tmodes.kinds.schema.quantity import LARGEST, Issue, not_negative, positive
 
-__all__ = ["LQG", "LQR", "Design", "PolePlacement"]
-
+__all__ = ["LQG", "LQR", "Design", "DesignedLaw", "PolePlacement", "riccati", "said"]
 
 Number = Annotated[float, Field(ge=-LARGEST, le=LARGEST)]
 
@@ -52,8 +52,8 @@ def _weights(unit: str, symbol: str, meaning: str) -> Any:
     return Field(default_factory=dict, description=f"{meaning} [{unit}]", json_schema_extra=extra)
 
 
-class _StateSpace(Controller):
-    """u = u_0 - K (x - x_r) - K_i z, z' = th - r."""
+class DesignedLaw(Controller):
+    """A law that follows from the linear robot, continuous or sampled."""
 
     sees_all: ClassVar[bool] = True
     needs_drives: ClassVar[bool] = True
@@ -63,10 +63,9 @@ class _StateSpace(Controller):
     sample_time: float | None = positive(
         "s", "T", "time between samples; none: continuous time", default=None, plausible=(1e-5, 1.0)
     )
-    integral: bool = Field(default=False, description="feed back the integral of each drive's error, too")
 
-    found: ClassVar[Design | None] = None
-    """Of an instance that is designed: what was found, beside its fields."""
+    found: ClassVar[Any] = None
+    """Of an instance that is designed: what was found, beside its fields; it has the ``plant``."""
 
     @property
     def period(self) -> float | None:
@@ -74,44 +73,69 @@ class _StateSpace(Controller):
         return self.sample_time
 
     @property
-    def design(self) -> Design:
+    def design(self) -> Any:
         """What follows from the robot; raises RuntimeError before it is designed."""
         if self.found is None:
             raise RuntimeError(f"the law {type(self).__name__} is not designed yet")
         return self.found
+
+    def designed(self, plant: Callable[..., LinearPlant], drives: tuple[str, ...]) -> Self:
+        """With gains for the robot; raises :class:`tmodes.errors.InputError` where there are none."""
+        made = self.model_copy()
+        vars(made)["found"] = self._designed(plant(self.reads, drives, start=self.at is At.START))
+        return made
+
+    def _designed(self, linear: LinearPlant) -> Any:
+        raise NotImplementedError
+
+    def remarks(self) -> list[str]:
+        """Modes that no drive reaches, or that nothing measured shows."""
+        plant = self.design.plant
+        own = slice(len(plant.states) - self._loads)
+        unseen = lost_modes(plant.A.T, plant.C.T, plant.states) if self.reads else []
+        return [*said("the drives do not reach", lost_modes(plant.A[own, own], plant.B[own], plant.states[own])),
+                *said("nothing measured shows", unseen)]  # fmt: skip
+
+    @property
+    def _loads(self) -> int:
+        """How many of the plant's states, the last ones, are loads that are estimated."""
+        return 0
+
+    def _own(self, plant: LinearPlant) -> list[int]:
+        """Places of the positions that the drives keep."""
+        return [_place(plant, joint) for joint in plant.drives]
+
+    def _moved(self, ends: list[Any], m: Measured) -> list[Any]:
+        """How far the setpoints have moved each state from the rest, whose setpoints were ``ends``."""
+        plant, moved = self.design.plant, [0.0] * len(self.design.plant.states)
+        for joint, end in zip(plant.drives, ends, strict=True):
+            setpoint = m.setpoint(joint)
+            for name in (f"{joint}.motor", joint):
+                if name in plant.states:
+                    moved[plant.states.index(name)] = setpoint[0] - end
+                    moved[plant.states.index(f"{name}'")] = setpoint[1]
+        return moved
+
+
+class _StateSpace(DesignedLaw):
+    """u = u_0 - K (x - x_r) - K_i z, z' = th - r."""
+
+    integral: bool = Field(default=False, description="feed back the integral of each drive's error, too")
 
     @property
     def gains(self) -> Any:
         """K (drives, states and integrals)."""
         return self.design.K
 
-    def designed(self, plant: Callable[..., LinearPlant], drives: tuple[str, ...]) -> Self:
-        """With gains for the robot; raises :class:`tmodes.errors.InputError` where there are none."""
-        linear = plant(self.reads, drives, start=self.at is At.START)
+    def _designed(self, linear: LinearPlant) -> Design:
         A, B = _with_integrals(linear, self._own(linear)) if self.integral else (linear.A, linear.B)
         if self.sample_time is not None:
             A, B = zero_order_hold(A, B, self.sample_time)
-        found = self.model_copy()
         n = len(linear.A)
-        vars(found)["found"] = Design(linear, A[:n, :n], B[:n], self._feedback(A, B, linear), self._observer(linear))
-        return found
-
-    def remarks(self) -> list[str]:
-        """Modes that no drive reaches, or that nothing measured shows."""
-        plant = self.design.plant
-        unseen = lost_modes(plant.A.T, plant.C.T, plant.states) if self.reads else []
-        return [*_said("the drives do not reach", lost_modes(plant.A, plant.B, plant.states)),
-                *_said("nothing measured shows", unseen)]  # fmt: skip
-
-    def _own(self, plant: LinearPlant) -> list[int]:
-        """Places of the positions that the drives keep."""
-        return [_place(plant, joint) for joint in plant.drives]
+        return Design(linear, A[:n, :n], B[:n], self._feedback(A, B, linear))
 
     def _feedback(self, A: Any, B: Any, plant: LinearPlant) -> Any:
         raise NotImplementedError
-
-    def _observer(self, plant: LinearPlant) -> Any:
-        del plant
 
     def numbers(self) -> tuple[float, ...]:
         """u_0, x at rest, setpoints there, K row by row."""
@@ -131,19 +155,6 @@ class _StateSpace(Controller):
         found[3] = [found[3][k * width : (k + 1) * width] for k in range(len(d.plant.drives))]
         return tuple(found)  # pyright: ignore[reportReturnType]
 
-    def _moved(self, p: Any, m: Measured) -> list[Any]:
-        """How far the setpoints have moved each state from the rest."""
-        plant, (_, _, ends, _) = self.design.plant, self._parts(p)
-        n, moved = len(plant.states), [0.0] * len(plant.states)
-        for joint, end in zip(plant.drives, ends, strict=True):
-            setpoint = m.setpoint(joint)
-            for name in (f"{joint}.motor", joint):
-                if name in plant.states:
-                    moved[plant.states.index(name)] = setpoint[0] - end
-                    moved[plant.states.index(f"{name}'")] = setpoint[1]
-        assert len(moved) == n  # noqa: S101
-        return moved
-
     def _state(self, p: Any, m: Measured, x: list[Any]) -> list[Any]:
         """The deviation of the state from the rest."""
         del x
@@ -152,8 +163,8 @@ class _StateSpace(Controller):
 
     def _fed_back(self, p: Any, m: Measured, deviation: list[Any], integrals: list[Any]) -> list[Any]:
         """The commands for a deviation from the rest."""
-        effort, _, _, rows = self._parts(p)
-        far = [value - each for value, each in zip(deviation, self._moved(p, m), strict=True)]
+        effort, _, ends, rows = self._parts(p)
+        far = [value - each for value, each in zip(deviation, self._moved(ends, m), strict=True)]
         return [
             push - vectors.total([k * value for k, value in zip(row, [*far, *integrals], strict=True)])
             for push, row in zip(effort, rows, strict=True)
@@ -198,7 +209,8 @@ class _StateSpace(Controller):
         return f"{super().structure} {d.plant.states} {d.plant.drives} {self._sums} {self.sample_time}"
 
 
-def _said(what: str, modes: list[Mode]) -> list[str]:
+def said(what: str, modes: list[Mode]) -> list[str]:
+    """Those modes, as a message; none without any."""
     return [f"{what} the mode {', '.join(map(str, modes))}: no gain changes its damping"] if modes else []
 
 
@@ -231,7 +243,7 @@ class _Weighted(_StateSpace):
         Q = np.diag([*Q, *[self.integral_weight] * (len(A) - len(Q))])
         lost = lost_modes(plant.A, plant.B, plant.states)
         R = self.effort_weight * np.eye(B.shape[1])
-        return _riccati(A, B, Q, R, sampled=self.sample_time is not None, why=_said("the drives do not reach", lost))[0]
+        return riccati(A, B, Q, R, sampled=self.sample_time is not None, why=said("the drives do not reach", lost))[0]
 
 
 def diagonal(weights: dict[str, float], plant: LinearPlant, which: str) -> list[float]:
@@ -242,7 +254,7 @@ def diagonal(weights: dict[str, float], plant: LinearPlant, which: str) -> list[
     return [weights.get(name, 0.0) for name in plant.states]
 
 
-def _riccati(A: Any, B: Any, Q: Any, R: Any, *, sampled: bool, why: list[str]) -> tuple[Any, Any]:
+def riccati(A: Any, B: Any, Q: Any, R: Any, *, sampled: bool, why: list[str]) -> tuple[Any, Any]:
     """Gain and solution of the Riccati equation; raises :class:`tmodes.errors.InputError` where there is none."""
     from scipy.linalg import solve_continuous_are, solve_discrete_are
 
@@ -310,7 +322,9 @@ class LQG(_Weighted):
     """LQR of the state that a Kalman filter estimates from what is measured; sampled.
 
     x_f = x_p + M (y - C x_p - D u_-), x_p+ = Ad x_f + Bd u, of deviations from the rest (K. J. Astrom, B. Wittenmark,
-    Computer-Controlled Systems, 3rd ed., chapter 11). It sees sensors and outputs by name, never the state.
+    Computer-Controlled Systems, 3rd ed., chapter 11). It sees sensors and outputs by name, never the state. With
+    ``load_noise`` it estimates a constant load on each drive, too, and takes it off the command, which is integral
+    action.
     """
 
     type: Literal["lqg"] = Field(description="kind of controller")
@@ -322,12 +336,15 @@ class LQG(_Weighted):
     )
     process_noise: dict[str, Number] = _weights("1", "W", "variance by which a state changes in a sample; others 0")
     measurement_noise: tuple[Number, ...] = list_of_numbers("SI", "V", "variance of each that is measured; one: of all")
+    load_noise: float = not_negative(
+        "1", "W_d", "variance by which a load on a drive changes in a sample; 0: no loads are estimated", default=0.0
+    )
     form: Form = Field(default=Form.FILTER, strict=False, description="filter or predictor")
     estimate: dict[str, Number] = _weights("coordinate", "x_p", "first estimate, as deviation from the rest; others 0")
 
     def _issues(self) -> Iterator[Issue]:
         if self.integral:
-            hint = "remove it, or take `lqr`, which sees the positions themselves"
+            hint = "write `load_noise: 1e-6`, or take `lqr`, which sees the positions themselves"
             yield Issue("integral", "true", "false: it never sees the position itself", hint)
 
     @property
@@ -335,16 +352,32 @@ class LQG(_Weighted):
         """What is measured."""
         return self.measured
 
-    def _observer(self, plant: LinearPlant) -> Any:
-        Ad, _ = zero_order_hold(plant.A, plant.B, self.sample_time)
-        W = np.diag(diagonal(self.process_noise, plant, "process_noise"))
+    @property
+    def _loads(self) -> int:
+        return len(self.design.plant.drives) if self.load_noise else 0
+
+    def _designed(self, linear: LinearPlant) -> Design:
+        plant, Ad, Bd, K, _ = super()._designed(linear)
+        if self.load_noise:
+            (n, m), names = linear.B.shape, tuple(f"{joint}.load" for joint in linear.drives)
+            plant = replace(
+                linear, states=(*linear.states, *names), rest=np.pad(linear.rest, (0, m)),
+                A=np.block([[linear.A, linear.B], [np.zeros((m, n + m))]]), B=np.pad(linear.B, ((0, m), (0, 0))),
+                C=np.hstack([linear.C, linear.D]),
+            )  # fmt: skip
+            (Ad, Bd), K = zero_order_hold(plant.A, plant.B, self.sample_time), np.hstack([K, np.eye(m)])
+        return Design(plant, Ad, Bd, K, self._observer(plant, Ad, len(linear.states)))
+
+    def _observer(self, plant: LinearPlant, Ad: Any, own: int) -> Any:
+        noise = diagonal(self.process_noise, plant, "process_noise")
+        W = np.diag([*noise[:own], *[self.load_noise] * (len(noise) - own)])
         given = self.measurement_noise
         if len(given) not in {1, len(self.measured)} or not all(0 < one <= LARGEST for one in given):
             got, expected = f"{list(given)}", f"1 or {len(self.measured)} variances above 0"
             raise InputError("measurement_noise", got, expected, "write the variance of each that is measured")
         V = np.diag(given if len(given) > 1 else given * len(self.measured))
-        unseen = _said("nothing measured shows", lost_modes(plant.A.T, plant.C.T, plant.states))
-        P = _riccati(Ad.T, plant.C.T, W, V, sampled=True, why=unseen)[1]
+        unseen = said("nothing measured shows", lost_modes(plant.A.T, plant.C.T, plant.states))
+        P = riccati(Ad.T, plant.C.T, W, V, sampled=True, why=unseen)[1]
         return P @ plant.C.T @ np.linalg.inv(plant.C @ P @ plant.C.T + V)
 
     def numbers(self) -> tuple[float, ...]:

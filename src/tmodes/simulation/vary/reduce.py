@@ -27,8 +27,8 @@ from tmodes.simulation.vary.case_group import Indices
 from tmodes.simulation.vary.programs import refused_cases
 from tmodes.simulation.vary.simulate import Prepared, changes_of, checked, kept_cases, prepared
 from tmodes.simulation.vary.single_case import single_case
-from tmodes.simulation.vary.tables import GivenTable, Nominal, nominal_variant, own_tip, setpoints
-from tmodes.simulation.vary.values import Whole
+from tmodes.simulation.vary.tables import GivenTable, Nominal, follows_nominal, nominal_variant, own_tip, setpoints
+from tmodes.simulation.vary.values import RobotVariant, Whole
 
 __all__ = ["Reduction", "reduced"]
 
@@ -174,11 +174,12 @@ class _Reducing:
         heads = {one.series.partition(".")[0] for one in reductions}
         shown = tuple(dict.fromkeys(one.series for one in reductions if "@" in one.series))
         lanes = prepared(sheet, values, keep=False, progress=progress, threads=threads, whole=whole, shown=shown)
-        known = all(setpoints(group.like) is not None for group in lanes.groups)
-        names = [name for name in (DEVIATION, COMMANDED) if name in heads and (known or name != COMMANDED)]
-        nominal = None
+        names, nominal = [name for name in (DEVIATION, COMMANDED) if name in heads], None
+        variant = nominal_variant(sheet, values, names) if names else RobotVariant.ACTUAL
+        planned = variant is RobotVariant.PLANNED
+        if not all(setpoints(one.like) is not None or (planned and follows_nominal(one.like)) for one in lanes.groups):
+            names = [name for name in names if name != COMMANDED]
         if names:
-            variant = nominal_variant(sheet, values, names)
             nominal = Nominal.of(sheet, values, variant, names, threads, progress, whole)
         return cls(lanes, reductions, own, nominal, threads, executor)
 

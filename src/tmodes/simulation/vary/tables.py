@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.analysis.error_parts import straight
+from tmodes.analysis.quasistatic import sprung
 from tmodes.equations.loop.outputs import COMMANDED, DEVIATION
 from tmodes.errors import InputError
 from tmodes.sheet import Robot
@@ -31,6 +32,7 @@ __all__ = [
     "at_setpoints",
     "commanded_signals",
     "commanded_states",
+    "follows_nominal",
     "nominal_variant",
     "own_tip",
     "setpoints",
@@ -104,6 +106,12 @@ def setpoints(setup: RunSetup) -> dict[int, int] | None:
     return None if apart or not known else known
 
 
+def follows_nominal(setup: RunSetup) -> bool:
+    """Whether the commanded tip is the nominal one: joints without a setpoint move in it, and nothing else bends."""
+    mechanics = setup.mechanics
+    return bool(commanded_signals(setup)) and not (sprung(mechanics) or len(mechanics.deformations))
+
+
 def at_setpoints(setup: RunSetup, known: Mapping[int, int], rows: Array, times: Array) -> Array:
     """States (n, size) whose coordinates are where their signals are, ``known``, by rows (n, row) of the signals."""
     powers = rows[:, 1:].reshape(len(times), -1, setup.planned.plan.degree + 1)
@@ -168,7 +176,7 @@ class Nominal:
         found[list(lost)] = np.nan
         for k, name in enumerate(self.names):
             part = np.empty((*found.shape[:2], 3)) if len(self.names) > 1 else found
-            if name == DEVIATION:
+            if name == DEVIATION or setpoints(self.lanes.groups[0].like) is None:
                 works = self._works(part)
                 results = solve(works, self.lanes.size, executor=executor, threads=threads, progress=progress)
                 seconds, interrupted = results.seconds, len(results.ended("interrupted")) > 0
