@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+import pytest
 
 from simulation.sheets import arm
 from tmodes import load, run
@@ -77,4 +78,5 @@ def test_a_page_of_a_start_in_balance_is_not_green_where_the_drive_no_longer_hol
     assert any("no equilibrium" in warning for warning in native.warnings)
     assert own["verdict"]["level"] == "good"
     assert other["verdict"]["level"] == native.verdict["level"] == "neutral"
-    assert other["facts"]["frequency.first"]["value"] is None  # of PIDs it is found natively: no old number stays
+    first = native.summary()["first_frequency_Hz"]["controlled"]
+    assert other["facts"]["frequency.first"]["value"] == pytest.approx(first, rel=1e-6)

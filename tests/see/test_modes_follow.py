@@ -11,7 +11,7 @@ import pytest
 from live.chain import chain
 from see.looking import look
 from see.scenes import short_report, short_robot
-from tmodes import run
+from tmodes import load, run
 from tmodes.report.data import live_page, modes_of
 from tmodes.report.parts import viewer_document
 from tmodes.result import assemble_result
@@ -21,6 +21,7 @@ pytestmark = pytest.mark.nightly
 
 STATUS = ".sliders-panel [role=status]"
 PANEL = ".lower section[aria-label='Modes of vibration']"
+GAIN = "drives.0.controller.position_gain"
 
 
 def of_robot(changes: dict[str, float]) -> Any:
@@ -32,16 +33,21 @@ def of_arm(changes: dict[str, float]) -> Any:
     return assemble_result(simulate_motion(arm), arm)
 
 
+def of_pids(changes: dict[str, float]) -> Any:
+    return run(load("two_link_arm").with_({"integration.duration": 0.5, **changes}))
+
+
 KINDS = {
     "robot": (of_robot, "links.link.bodies.payload.mass", 0.9, {"payload.mass": 0.9}),
     "arm": (of_arm, "joints.j0.gear.stiffness.0", 250.0, {"joints.j0.gear.stiffness.0": 250.0}),
+    "pids": (of_pids, GAIN, 30000.0, {GAIN: 30000.0}),
 }
 
 
 @cache
 def report_of(kind: str) -> str:
     """The page of a kind of robot, made once."""
-    return short_report() if kind == "robot" else viewer_document(live_page(of_arm({})))
+    return short_report() if kind == "robot" else viewer_document(live_page(KINDS[kind][0]({})))
 
 
 @pytest.fixture(scope="module", params=[*KINDS])

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
 
+from tmodes.analysis.modes.closed_loop import servos_together
 from tmodes.chain.chain import Chain, Point
 from tmodes.compile.loops.time_loop import ARGUMENTS, CELLS, OPTIONS, Status
 from tmodes.compile.wasm.wasm import WasmPart, wasm_module
@@ -79,6 +80,13 @@ class ModelFunctions:
         """The lines of all links, with wrenches on the points where any act."""
         return self.passes["chain"].lines(self.places, loaded=self.loaded) if self.places else None
 
+    @cached_property
+    def servos(self) -> dict[str, Schedule]:
+        """``servos``, by which a page finds modes under control; nothing where they are springs and dampers."""
+        bare = self.pair.real.model_copy(update={"drives": ()})
+        found = servos_together(self.pair.real, Model(bare.chain())) if self.places else None
+        return {"servos": found.schedule} if found else {}
+
     @property
     def loaded(self) -> bool:
         """Whether forces act on points."""
@@ -96,7 +104,8 @@ def live_module(functions: ModelFunctions, methods: Sequence[str], *, slopes: bo
     :class:`tmodes.model.passes.ChainPasses`; for a page, whose ``observe`` gives what it shows alone, ``points`` of
     ``inertia``, and ``tip``: where the first of them is; ``pose``: motion of every station (24 numbers each: rotation,
     position, velocity, rate, accelerations), link by link; ``loaded``: the forces of ``inertia`` with wrenches on the
-    points, where any act; ``elastic.slopes``: the forces of ``elastic`` with their derivatives.
+    points, where any act; ``elastic.slopes``: the forces of ``elastic`` with their derivatives; for a page
+    ``servos.slopes``: those of :class:`tmodes.analysis.modes.closed_loop.Servos`, where there are any.
     """
     made = LiveFunctions()
     for name, loop in functions.loops.items():
@@ -115,6 +124,17 @@ def live_module(functions: ModelFunctions, methods: Sequence[str], *, slopes: bo
             made.schedule(f"{name}.{label}", schedule_samples(f"{name}.{label}", schedule), schedule)
         if settles := functions.settles(name):
             made.schedule(f"{name}.settles", schedule_samples(f"{name}.settles", settles), settles)
+    passes = _passes(functions)
+    for label, schedule in passes.items():
+        made.schedule(label, schedule_samples(label, schedule), schedule)
+    for label, schedule in (functions.servos | {"elastic": passes["elastic"].only(("forces",))}).items():
+        name = f"{label}.slopes"
+        made.schedule(name, schedule_samples(name, schedule, "derivative"), schedule, stride=2)
+    return made.module("robot", **_layout(functions))
+
+
+def _passes(functions: ModelFunctions) -> dict[str, Schedule]:
+    """The passes over the chain, and what is drawn of it."""
     chain = functions.passes["chain"]
     passes = {"inertia": chain.schedule("inertia"), "elastic": chain.schedule("elastic")}
     if functions.lines:
@@ -124,11 +144,7 @@ def live_module(functions: ModelFunctions, methods: Sequence[str], *, slopes: bo
         passes["pose"] = functions.passes["pose"].schedule("inertia").only(("points",))
     if functions.loaded:
         passes["loaded"] = chain.schedule("inertia", loaded=True).only(("forces",))
-    for label, schedule in passes.items():
-        made.schedule(label, schedule_samples(label, schedule), schedule)
-    springs = passes["elastic"].only(("forces",))
-    made.schedule("elastic.slopes", schedule_samples("elastic.slopes", springs, "derivative"), springs, stride=2)
-    return made.module("robot", **_layout(functions))
+    return passes
 
 
 _SHOWN = {"reference": ("q", "v", "gear", "contact"), "real": ("q", "v", "a", "drives", "gear", "contact")}

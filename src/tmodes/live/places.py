@@ -11,8 +11,9 @@ from numpy.typing import NDArray
 
 from tmodes.analysis import vibration
 from tmodes.analysis.line.line import line_places
+from tmodes.analysis.modes.closed_loop import Servos, sample_pattern, servos_together
 from tmodes.analysis.modes.modes import MotorState, moving_coordinates
-from tmodes.analysis.modes.of_sheet import local_servos
+from tmodes.analysis.modes.of_sheet import servos_of
 from tmodes.analysis.modes.shapes import MOST_WHOLE
 from tmodes.analysis.quasistatic import sprung
 from tmodes.analysis.statics.at_rest import robot_rest
@@ -121,13 +122,16 @@ _DRY = (3, 4, FRICTION + 3, FRICTION + 4)
 def vibration_numbers(robot: Robot, plan: LoopPlan, model: Model) -> dict[str, Array]:
     """Numbers that hang on a sheet's: ``servos`` (k, 2) stiffness, damping, ``loads`` (n, 6), ``touch`` (4,) or (0,).
 
-    ``model``: the chain without drives. ``touch``: mass, damping, stiffness, preload of the surface.
+    ``model``: the chain without drives. ``touch``: mass, damping, stiffness, preload of the surface. ``loop``: numbers
+    of the servos together where they are more than springs and dampers, else none.
     """
+    loop = servos_together(robot, model)
     sheet = robot.contact
     stiffness, damping, preload = (sheet and sheet.spring()) or (0.0, 0.0, 0.0)
     touch = [sheet.moving_mass, damping, stiffness, preload] if sheet and sheet.spring() else []
     return {
-        "servos": array([*local_servos(robot, model).values()]).reshape(-1, 2),
+        "servos": array([*servos_of(robot, model).values()]).reshape(-1, 2),
+        "loop": loop.numbers if loop else np.zeros(0),
         "loads": array([load.wrench for load in plan.loads]).reshape(-1, 6),
         "touch": array(touch),
     }
@@ -174,11 +178,11 @@ def _modes(robot: Robot, ended: Robot, model: Model) -> tuple[dict[str, Any] | N
         return None, f"of {model.nq} coordinates modes are found natively alone"
     try:
         rest = robot_rest(robot, contact=robot.contact is not None)
+        servos, loop = servos_of(robot, rest.model), _loop(servos_together(robot, rest.model))
     except SimulationError as error:
         return None, str(error)
     if rest.model.coordinates != model.coordinates:
         return None, "its modes have other coordinates than its run"
-    servos = local_servos(robot, rest.model)
     names = list(model.coordinates)
     gears, links, parallel = spring_rows(rest.model)
     aligned = dict(parallel.values())
@@ -195,9 +199,22 @@ def _modes(robot: Robot, ended: Robot, model: Model) -> tuple[dict[str, Any] | N
         "servos": [
             {"coordinate": names.index(name), "element": f"{name.removesuffix('.motor')}.controller"} for name in servos
         ],
+        "loop": loop,
         "springs": springs,
         "dry": _dry(Model(robot.model_copy(update={"drives": ()}).chain())),
     }, ""  # fmt: skip
+
+
+def _loop(servos: Servos | None) -> dict[str, Any] | None:
+    """``LoopInfo`` of servos. Raises :class:`SimulationError` for sample times without a common period."""
+    if servos is None:
+        return None
+    period, steps = sample_pattern(servos.periods) if servos.periods else (0.0, [])
+    return {
+        "own": servos.own, "currents": servos.currents, "start": servos.start, "rated": servos.rated,
+        "sampled": [row for rows in servos.sampled for row in rows], "period": period,
+        "steps": [{"length": length, "due": [row for k in due for row in servos.sampled[k]]} for length, due in steps],
+    }  # fmt: skip
 
 
 def _end(ended: Robot) -> Array | None:

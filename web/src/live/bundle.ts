@@ -4,6 +4,7 @@ import type { LiveBundle } from "../contract";
 import type { SceneContact } from "../contract_scene";
 import type { Numbers } from "../pack";
 import type { LoadsInfo } from "./loads";
+import type { LoopInfo } from "./feedback";
 import type { VibrationRules } from "./exponentials";
 import type { SettlingRules } from "./settling";
 import type { LoadInfo } from "./wrench";
@@ -157,6 +158,8 @@ export interface ModesInfo {
   free: number[];
   cases: { name: string; moving: number[] }[];
   servos: { coordinate: number; element: string }[];
+  /** Of servos that are more than springs and dampers, else null. */
+  loop: LoopInfo | null;
   /** `parallel`: place in the numbers of the chain of the stiffness of a parallel spring on that joint; -1: none. */
   springs: { element: string; rows: number[]; gear: boolean; parallel: number }[];
   /** Numbers of the chain that make dry friction. */

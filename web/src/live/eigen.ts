@@ -2,6 +2,7 @@
 
 import { EigenvalueDecomposition, Matrix } from "ml-matrix";
 import { cholesky, congruent, product, solveUpper } from "./linear";
+import { betweenSamples, overPeriod, type Sampled } from "./sampled";
 
 /** Squared circular frequencies, rising, and shapes [n, n] (columns) of unit modal mass. */
 export interface Undamped {
@@ -11,15 +12,22 @@ export interface Undamped {
   symmetric: boolean;
 }
 
+/** Numbers of one complex matrix or row. */
+export interface Complex {
+  re: Float64Array;
+  im: Float64Array;
+}
+
 /** Eigenvalues [1/s] and complex shapes [n, count] (columns) of the coordinates. */
 export interface Motions {
   count: number;
-  values: { re: Float64Array; im: Float64Array };
-  shapes: { re: Float64Array; im: Float64Array };
+  values: Complex;
+  shapes: Complex;
 }
 
 const SYMMETRIC = 1e-9;
 const NOTHING = 1e-13;
+const APART = 1e-11; // share of a motion below which a state is none of it, but rounding
 const SLOWEST = 1e-6; // share of the largest frequency by which slow motions are scaled at least
 
 /**
@@ -87,44 +95,107 @@ function sorted(root: Float64Array, { re, vectors }: Eigen, n: number): Omit<Und
   return { squares: Float64Array.from(order, (k) => re[k]), shapes };
 }
 
+/** States besides n coordinates and their rates, with the forces that are none of stiffness and damping. */
+export interface Further {
+  count: number;
+  /** Forces by coordinates [n, n] and by these states [n, count]. */
+  springs: Float64Array;
+  drive: Float64Array;
+  /** Their rates, and their values after samples, by coordinates, rates and these states [count, 2 n + count]. */
+  by: Float64Array;
+  held: Float64Array;
+  samples: Sampled | null;
+}
+
 /**
  * The damped motions: eigenvalues and shapes of the equations of first order, in coordinates in which they are even.
  */
 export function damped(
   mass: Float64Array, damping: Float64Array, stiffness: Float64Array, n: number, still: Undamped,
+  further: Further | null = null,
 ): Motions {
   const basis = still.symmetric ? still.shapes : unitMasses(mass, n);
-  const info = (matrix: Float64Array) => product(basis, product(matrix, basis, n, n, n), n, n, n, true);
+  const turned = (matrix: Float64Array, width = n) => product(basis, matrix, n, n, width, true);
+  const info = (matrix: Float64Array) => turned(product(matrix, basis, n, n, n));
   const [springs, dampers] = [info(stiffness), info(damping)];
   if (still.symmetric) for (let k = 0; k < n * n; k += 1) springs[k] = k % (n + 1) ? 0 : still.squares[k / (n + 1)];
   const sizes = Array.from({ length: n }, (_, k) => Math.sqrt(Math.abs(springs[k * (n + 1)])));
   const least = SLOWEST * Math.max(...sizes) || 1;
   const scale = sizes.map((size) => Math.max(size, least));
-  const first = Matrix.zeros(2 * n, 2 * n);
+  if (further) info(further.springs).forEach((value, k) => { springs[k] -= value; });
+  const count = further?.count ?? 0;
+  const size = 2 * n + count;
+  const first = new Float64Array(size * size);
+  const drive = further && turned(further.drive, count);
   for (let i = 0; i < n; i += 1) {
-    first.set(i, n + i, scale[i]);
+    first[i * size + n + i] = scale[i];
+    const row = (n + i) * size;
     for (let j = 0; j < n; j += 1) {
-      first.set(n + i, j, -springs[i * n + j] / scale[j]);
-      first.set(n + i, n + j, -dampers[i * n + j]);
+      first[row + j] = -springs[i * n + j] / scale[j];
+      first[row + n + j] = -dampers[i * n + j];
     }
+    for (let j = 0; j < count; j += 1) first[row + 2 * n + j] = drive![i * count + j];
   }
-  const found = new EigenvalueDecomposition(first, { assumeSymmetric: false });
-  const values = { re: Float64Array.from(found.realEigenvalues), im: Float64Array.from(found.imaginaryEigenvalues) };
-  return { count: 2 * n, values, shapes: shapesOf(found.eigenvectorMatrix, values.im, basis, scale, n) };
+  const inBasis = (rows: Float64Array) => rows.map((value, k) => {
+    const [row, column] = [k - k % size, k % size];
+    if (column >= 2 * n) return value;
+    let sum = 0;
+    for (let i = 0; i < n; i += 1) sum += rows[row + i + (column < n ? 0 : n)] * basis[i * n + column % n];
+    return column < n ? sum / scale[column] : sum;
+  });
+  if (further) first.set(inBasis(further.by), 2 * n * size);
+  const samples = further?.samples;
+  const { values, re, im } = motionsOf(samples ? overPeriod(first, inBasis(further!.held), samples, n) : first, size);
+  const shown = (part: Float64Array, from: number) => product(
+    basis, part.slice(from * size, (from + n) * size).map((x, k) => (from ? x : x / scale[Math.floor(k / size)])),
+    n, n, size,
+  );
+  const motions = { count: size, values, shapes: { re: shown(re, 0), im: shown(im, 0) } };
+  return samples ? betweenSamples(motions, { re: shown(re, n), im: shown(im, n) }, samples.period, n) : motions;
 }
 
-/** Complex shapes [n, 2 n] of the columns of real and imaginary parts, pair by pair. */
-function shapesOf(
-  vectors: Matrix, im: Float64Array, basis: Float64Array, scale: number[], n: number,
-): Motions["shapes"] {
-  const parts = { re: new Float64Array(2 * n * n), im: new Float64Array(2 * n * n) };
-  for (let k = 0; k < 2 * n; k += 1) {
+/** Eigenvalues and complex vectors [n, n] (columns) of a matrix, balanced first: B. N. Parlett, C. Reinsch (1969). */
+function motionsOf(matrix: Float64Array, n: number): Complex & { values: Complex } {
+  const [even, scale] = balanced(matrix, n);
+  const found = new EigenvalueDecomposition(Matrix.from1DArray(n, n, even), { assumeSymmetric: false });
+  const [values, vectors] = [{
+    re: Float64Array.from(found.realEigenvalues), im: Float64Array.from(found.imaginaryEigenvalues),
+  }, found.eigenvectorMatrix];
+  const [re, im] = [new Float64Array(n * n), new Float64Array(n * n)];
+  values.im.forEach((turn, k) => {
+    const parts = [[re, vectors.getColumn(turn < 0 ? k - 1 : k), 1]] as [Float64Array, number[], number][];
+    if (turn) parts.push([im, vectors.getColumn(turn > 0 ? k + 1 : k), Math.sign(turn)]);
+    const most = parts.reduce((size, [, column]) => column.reduce((a, x) => Math.max(a, Math.abs(x)), size), 0);
+    for (const [into, column, sign] of parts)
+      column.forEach((x, i) => { into[n * i + k] = Math.abs(x) > APART * most ? sign * scale[i] * x : 0; });
+  });
+  return { values, re, im };
+}
+
+/** The matrix D^-1 A D whose rows and columns are of like size, and the powers of two D. */
+function balanced(matrix: Float64Array, n: number): [Float64Array, Float64Array] {
+  const [a, scale] = [matrix.slice(), new Float64Array(n).fill(1)];
+  for (let changed = true; changed;) {
+    changed = false;
     for (let i = 0; i < n; i += 1) {
-      parts.re[2 * n * i + k] = vectors.get(i, im[k] < 0 ? k - 1 : k) / scale[i];
-      parts.im[2 * n * i + k] = (im[k] > 0 ? vectors.get(i, k + 1) : im[k] < 0 ? -vectors.get(i, k) : 0) / scale[i];
+      let [row, column] = [0, 0];
+      for (let j = 0; j < n; j += 1) {
+        if (j === i) continue;
+        row += Math.abs(a[i * n + j]);
+        column += Math.abs(a[j * n + i]);
+      }
+      if (!row || !column) continue;
+      const factor = 2 ** Math.round(Math.log2(row / column) / 2);
+      if (column * factor + row / factor >= 0.95 * (column + row)) continue;
+      changed = true;
+      scale[i] *= factor;
+      for (let j = 0; j < n; j += 1) {
+        a[i * n + j] /= factor;
+        a[j * n + i] *= factor;
+      }
     }
   }
-  return { re: product(basis, parts.re, n, n, 2 * n), im: product(basis, parts.im, n, n, 2 * n) };
+  return [a, scale];
 }
 
 /** Columns x with x^T M x = 1, each to each: L^-T. */

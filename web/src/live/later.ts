@@ -22,8 +22,6 @@ const QUIET = 100; // ms without a newer run before what takes longer begins
 /** What comes later of a run, by the ids of facts. */
 export const LATER = ["settling", "residual", "vibration.residual", "vibration.nominal", "frequency.first"];
 
-const UNKNOWN = { value: null, note: "of this robot it is found natively: tmodes modes with the changed sheet" };
-
 /** The same run with all of it, `early` when it is known how it settles. Raises Cancelled. */
 export async function completed(
   engine: Engine, bundle: Bundle, values: readonly number[], run: LiveRun, curves: Curves, watch: Watch,
@@ -50,8 +48,9 @@ export async function completed(
   const { vibration, facts } = vibrationOf(engine, bundle, values, real, run, after.seen);
   await pause(true);
   const parts = await splitOf(engine, bundle, real.blocks, real.schedule, run.times, run.series, pause);
+  const none = { value: null, note: typeof vibration === "string" ? vibration : "" };
   return {
-    ...rested, vibration, facts: { ...rested.facts, "frequency.first": UNKNOWN, ...facts },
+    ...rested, vibration, facts: { ...rested.facts, "frequency.first": none, ...facts },
     series: { ...run.series, ...parts }, pending: undefined,
   };
 }

@@ -32,7 +32,7 @@ export function likeness(still: Undamped, motions: Motions, n: number, mass: Flo
   for (let k = 0; k < n; k += 1) {
     for (let m = 0; m < count; m += 1) {
       const [a, b] = [re, im].map((part) => dot((i) => heavy[k][i], (i) => part[m][i]));
-      found[k * count + m] = Math.hypot(a, b) / (own[k] * other[m]);
+      found[k * count + m] = Math.hypot(a, b) / (own[k] * (other[m] || 1));
     }
   }
   return found;
@@ -57,6 +57,7 @@ export function bestPartners(alike: Float64Array, motions: Motions, n: number): 
   const { rings, stands } = kinds(motions);
   const rank = new Float64Array(count);
   Array.from({ length: count }, (_, k) => k)
+    .filter((k) => rings[k] || stands[k])
     .sort((a, b) => values.re[b] - values.re[a])
     .forEach((k, place) => {
       rank[k] = place;

@@ -102,6 +102,7 @@ export function elementsOf(
   const place = q.slice(kept[kept.length - 1] * n, (kept[kept.length - 1] + 1) * n);
   const still = new Float64Array(n);
   const units = Float64Array.from({ length: n * n }, (_, k) => (k % (n + 1) ? 0 : 1));
+  const held = "servos" in blocks ? bundle.modes.servos.map((_, k) => blocks.servos[2 * k]) : null;
   const [{ base, chain, rotors }, pose] = [blocks, { q: place, v: still, base: blocks.base }];
   const springs = engine.slopes("elastic.slopes", chain, pose, { q: units }, n).slopes.forces;
   const elastic = springs.map((_, k) => springs[(k % n) * n + Math.floor(k / n)]);
@@ -115,7 +116,7 @@ export function elementsOf(
     let [kinetic, whole] = [0, 0];
     for (let k = 0; k < INSTANTS; k += 1) {
       const [shape, rate] = [moved, rates].map((rows) => rows.subarray(k * n, (k + 1) * n));
-      for (const { element, energy } of storedIn(bundle, blocks, elastic, shape, "servos" in blocks)) {
+      for (const { element, energy } of storedIn(bundle, blocks, elastic, shape, held)) {
         stored.set(element, (stored.get(element) ?? 0) + Math.abs(energy));
         whole += Math.abs(energy);
       }

@@ -6,6 +6,7 @@ import { poseOf } from "./live_scene";
 import { doubles, type Bundle } from "./bundle";
 import { damped, undamped } from "./eigen";
 import type { Engine } from "./engine";
+import { feedbackAbout, moved, type Feedback } from "./feedback";
 import type { Facts } from "./facts";
 import { numbersOf, type Blocks } from "./map";
 import { motionOf, ringing, info, type Found } from "./modes";
@@ -28,16 +29,20 @@ export function vibrationOf(
 ): { vibration: Vibration | string; facts: Facts } {
   if (!bundle.modes) return { vibration: bundle.noModes, facts: {} };
   try {
-    const { rest, linear } = aboutRest(engine, bundle, values, schedule, doubles(bundle.modes.rest));
+    const about = aboutRest(engine, bundle, values, schedule, doubles(bundle.modes.rest));
+    const modes = ({ rest: q, linear }: ReturnType<typeof aboutRest>, state: string, of: number[]) => {
+      const loop = state === "controlled" ? feedbackAbout(engine, bundle, blocks, q) : null;
+      return modesOf(bundle, blocks, linear, loop, of);
+    };
     const cases = Object.fromEntries(
-      bundle.modes.cases.map(({ name, moving }) => [name, modesOf(bundle, blocks, linear, name, moving)]),
+      bundle.modes.cases.map(({ name: state, moving: of }) => [state, modes(about, state, of)]),
     );
     const { name, moving } = bundle.modes.cases.find((one) => one.name === "controlled" && one.moving.length) ??
       bundle.modes.cases.find((one) => one.name === "locked")!;
     const end = endOf(bundle, own, schedule, run);
-    const ending = end && aboutRest(engine, bundle, values, schedule, end, run.times[run.times.length - 1]).linear;
-    const marked = ending ? namedAsSeen(modesOf(bundle, blocks, ending, name, moving), seen) : [];
-    return info(cases, marked, rest, (q, count) => poseOf(engine, bundle, blocks, q, count).line);
+    const ending = end && aboutRest(engine, bundle, values, schedule, end, run.times[run.times.length - 1]);
+    const marked = ending ? namedAsSeen(modes(ending, name, moving), seen) : [];
+    return info(cases, marked, about.rest, (q, count) => poseOf(engine, bundle, blocks, q, count).line);
   } catch (problem) {
     return { vibration: problem instanceof Error ? problem.message : String(problem), facts: {} };
   }
@@ -71,29 +76,27 @@ function endOf(bundle: Bundle, own: Regime["info"], schedule: Schedule, run: Liv
   return end;
 }
 
-function modesOf(bundle: Bundle, blocks: Blocks, linear: Linear, name: string, moving: number[]): Found[] {
+function modesOf(
+  bundle: Bundle, blocks: Blocks, linear: Linear, loop: Feedback | null, moving: number[],
+): Found[] {
   const whole = Math.sqrt(linear.mass.length);
   const m = moving.length;
   if (!m) return [];
   const part = (matrix: Float64Array) =>
     Float64Array.from({ length: m * m }, (_, k) => matrix[moving[Math.floor(k / m)] * whole + moving[k % m]]);
   const [mass, damping, stiffness] = [part(linear.mass), part(linear.damping), part(linear.stiffness)];
-  const controlled = name === "controlled";
-  if (controlled) {
-    bundle.modes!.servos.forEach(({ coordinate }, k) => {
-      const at = moving.indexOf(coordinate) * (m + 1);
-      stiffness[at] += blocks.servos[2 * k];
-      damping[at] += blocks.servos[2 * k + 1];
-    });
-  }
+  const own = loop && moved(loop, whole, moving);
+  own?.stiffness.forEach((value, k) => { stiffness[k] += value; });
+  own?.damping.forEach((value, k) => { damping[k] += value; });
+  const held = loop && bundle.modes!.servos.map(({ coordinate }) => loop.springs[coordinate * (whole + 1)]);
   const still = undamped(mass, stiffness, m);
-  const motions = damped(mass, damping, stiffness, m, still);
+  const motions = damped(mass, damping, stiffness, m, still, own?.further);
   const partners = bestPartners(likeness(still, motions, m, mass), motions, m);
   const zero = NOTHING * m * still.squares.reduce((most, value) => Math.max(most, Math.abs(value)), 0);
   return Array.from({ length: m }, (_, k) => {
     const shape = new Float64Array(whole);
     moving.forEach((coordinate, i) => { shape[coordinate] = still.shapes[i * m + k]; });
-    const stored = storedIn(bundle, blocks, linear.elastic, shape, controlled);
+    const stored = storedIn(bundle, blocks, linear.elastic, shape, held);
     const motion = motionOf(motions, partners[k], whole, m, (c, i) => (moving[i] === c ? 1 : 0));
     const square = still.squares[k];
     const total = stored.reduce((sum, { energy }) => sum + energy, 0);
@@ -113,9 +116,9 @@ function modesOf(bundle: Bundle, blocks: Blocks, linear: Linear, name: string, m
   });
 }
 
-/** Twice the energy of a shape in each spring, and in the controllers. */
+/** Twice the energy of a shape in each spring, and in the controllers of such stiffness. */
 export function storedIn(
-  bundle: Bundle, blocks: Blocks, elastic: Float64Array, shape: Float64Array, controlled: boolean,
+  bundle: Bundle, blocks: Blocks, elastic: Float64Array, shape: Float64Array, held: number[] | null,
 ): { element: string; energy: number }[] {
   const n = shape.length;
   const force = (row: number) => {
@@ -131,9 +134,7 @@ export function storedIn(
     const own = elastic[rows[0] * (n + 1)] - parallel;
     return { element, energy: own ? (force(rows[0]) - parallel * shape[rows[0]]) ** 2 / own : 0 };
   });
-  if (!controlled) return found;
-  return [
-    ...found,
-    ...servos.map(({ coordinate, element }, k) => ({ element, energy: blocks.servos[2 * k] * shape[coordinate] ** 2 })),
-  ];
+  return found.concat((held ?? []).map((stiffness, k) => (
+    { element: servos[k].element, energy: Math.max(0, stiffness) * shape[servos[k].coordinate] ** 2 }
+  )));
 }

@@ -7,10 +7,12 @@ B. Wittenmark, Computer-Controlled Systems, 3rd ed., chapter 2).
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from functools import cached_property
 from math import gcd, lcm
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,16 +20,19 @@ from numpy.typing import NDArray
 from tmodes.analysis.rigid import driven_joints, rigid_model
 from tmodes.analysis.statics.equilibrium import Equilibrium
 from tmodes.chain.chain import Motor
-from tmodes.equations.loop.control_kernels import OUTPUTS, Served, Servo, View, Winding
+from tmodes.equations.loop.control_kernels import Served, Servo, View, Winding
 from tmodes.equations.loop.plan import winding_of
 from tmodes.equations.loop.signals_kernels import SIGNAL
 from tmodes.errors import SimulationError
 from tmodes.kinds.controllers.registry import Controller
-from tmodes.kinds.kernel.schedule import Schedule, Slot
+from tmodes.kinds.kernel.schedule import Numbers, Schedule
+from tmodes.model.model import Model
 from tmodes.model.passes import derivatives
 from tmodes.sheet import Robot
 
-__all__ = ["Feedback", "closed_loop_motions", "common_period", "feedback_of"]
+__all__ = [
+    "Feedback", "Servos", "closed_loop_motions", "common_period", "feedback_of", "sample_pattern", "servos_together",
+]  # fmt: skip
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -108,11 +113,11 @@ def _sampled_motions(matrix: Array, samples: tuple[_Sample, ...], n: int) -> tup
     """The same of a robot that is sampled: at the start of the common period, after the samples there."""
     from scipy.linalg import expm
 
-    whole, steps = _pattern(samples)
+    whole, steps = sample_pattern([sample.period for sample in samples])
     product = np.eye(len(matrix))
     for length, due in steps:
         product = _after(samples, due, len(matrix), 2 * n) @ expm(matrix * length) @ product
-    values, vectors = np.linalg.eig(product.astype(complex))
+    values, vectors = (found.astype(complex) for found in np.linalg.eig(product))  # real ones exactly, pairs conjugate
     kept = np.abs(values) > _GONE
     values, vectors = values[kept], vectors[:, kept]
     principal = np.log(values) / whole
@@ -136,6 +141,12 @@ def common_period(clocks: Sequence[tuple[Fraction, Fraction]]) -> tuple[float, l
     return float(whole), [(length, tuple(due[time])) for length, time in zip(lengths, times, strict=True)]
 
 
+def sample_pattern(periods: Sequence[float]) -> tuple[float, list[tuple[float, tuple[int, ...]]]]:
+    """The common period [s], and in it each time [s] up to the next samples with those of the ``periods`` due there."""
+    whole, instants = common_period([(Fraction(period).limit_denominator(10**7), Fraction(0)) for period in periods])
+    return whole, [(length, due) for (length, _), (_, due) in zip(instants, instants[1:] + instants[:1], strict=True)]
+
+
 def _common(periods: Sequence[Fraction]) -> Fraction:
     """The least common multiple of periods [s]; raises where it holds too many samples."""
     common, scale = lcm(*(p.numerator for p in periods)), gcd(*(p.denominator for p in periods))
@@ -148,17 +159,6 @@ def _common(periods: Sequence[Fraction]) -> Fraction:
     return whole
 
 
-def _pattern(samples: tuple[_Sample, ...]) -> tuple[float, list[tuple[float, tuple[int, ...]]]]:
-    """The common period [s], and in it each time [s] up to the next sample with the controllers that sample there."""
-    periods = [Fraction(sample.period).limit_denominator(10**7) for sample in samples]
-    whole = _common(periods)
-    counts = [whole / p for p in periods]
-    times = sorted({p * j for p, count in zip(periods, counts, strict=True) for j in range(1, int(count) + 1)})
-    lengths = [float(b - a) for a, b in zip([Fraction(0), *times[:-1]], times, strict=True)]
-    due = [tuple(k for k, p in enumerate(periods) if (time / p).denominator == 1) for time in times]
-    return float(whole), list(zip(lengths, due, strict=True))
-
-
 def _after(samples: tuple[_Sample, ...], due: tuple[int, ...], size: int, first: int) -> Array:
     """What samples do to a state whose further states begin at ``first``: all new values are of the state before."""
     matrix = np.eye(size)
@@ -168,107 +168,120 @@ def _after(samples: tuple[_Sample, ...], due: tuple[int, ...], size: int, first:
 
 
 def feedback_of(robot: Robot, rest: Equilibrium) -> Feedback | None:
-    """The controllers of a data sheet about its rest, their wanted values where the robot is.
+    """The controllers of a data sheet about its rest, their wanted values where the robot is; None as there."""
+    servos = servos_together(robot, rest.model)
+    return servos and servos.about(rest.q)
+
+
+def servos_together(robot: Robot, model: Model) -> Servos | None:
+    """The servos of a data sheet.
 
     None where each acts as a spring and a damper of its own drive, which
     :func:`tmodes.analysis.modes.of_sheet.servos_of` gives.
     """
-    found = list(_drives(robot, rest))
+    found = list(_drives(robot, model))
     simple = all(one.law.is_local and not one.servo.has_current for one in found)
-    return None if simple or not found else _Linear(rest, found).feedback()
+    return None if simple else Servos(model.nq, found)
 
 
 @dataclass(frozen=True)
 class _Drive:
-    """A drive under control: its servo with its numbers, the coordinate that it moves, its signal's place."""
+    """A drive under control: its servo with its numbers, the coordinate that it moves, and where its own states begin.
 
-    joint: str
+    ``current``: place of its current among the motors' that have one, else None.
+    """
+
     law: Controller
     servo: Servo
-    numbers: tuple[float, ...]
+    numbers: Any
     own: int
+    first: int
+    current: int | None
+
+    @property
+    def rows(self) -> list[int]:
+        """Its controller's own states, among all further states."""
+        return [*range(self.first, self.first + self.servo.states)]
 
 
-def _drives(robot: Robot, rest: Equilibrium) -> Iterator[_Drive]:
-    motors: dict[str, Motor | None] = {axis.name: axis.joint.motor for axis in rest.model.chain.axes}
-    names = rest.model.coordinates
+def _drives(robot: Robot, model: Model) -> Iterator[_Drive]:
+    motors: dict[str, Motor | None] = {axis.name: axis.joint.motor for axis in model.chain.axes}
+    names, found = model.coordinates, []
     for drive in robot.drives:
         own = next((name for name in (f"{drive.joint}.motor", drive.joint) if name in names), None)
         if drive.controller and own:
             winding, numbers = winding_of(motors.get(drive.joint))
-            model = rigid_model(robot, driven_joints(robot)) if drive.controller.needs_model else None
+            rigid = rigid_model(robot, driven_joints(robot)) if drive.controller.needs_model else None
             driven = winding is not Winding.NONE and not drive.controller.commands_effort
-            servo = Servo(drive.controller, driven=driven, winding=winding, model=model)
-            yield _Drive(drive.joint, drive.controller, servo, servo.numbers(numbers), names.index(own))
+            servo = Servo(drive.controller, driven=driven, winding=winding, model=rigid)
+            found.append((drive, servo, numbers, names.index(own)))
+    currents = [servo.has_current for _, servo, *_ in found]
+    joints, first = tuple(drive.joint for drive, *_ in found), sum(currents)
+    for k, (drive, servo, numbers, own) in enumerate(found):
+        seeing = servo.seeing(View(tuple(names), joints, sum(currents), own))
+        current = sum(currents[:k]) if currents[k] else None
+        yield _Drive(drive.controller, seeing, servo.numbers(numbers), own, first, current)
+        first += seeing.states
 
 
-class _Linear:
-    """Slopes of all servos at a rest, by native code: directions are coordinates, rates, then further states."""
+class Servos:
+    """All servos of a robot of ``n`` coordinates by one schedule, their wanted values where the robot is.
 
-    def __init__(self, rest: Equilibrium, drives: list[_Drive]) -> None:
-        self.rest, self.n = rest, rest.model.nq
-        currents = [k for k, one in enumerate(drives) if one.servo.has_current]
-        self.current = {k: place for place, k in enumerate(currents)}
-        self.first, total = {}, len(currents)
-        names = tuple(each.joint for each in drives)
-        views = [View(tuple(rest.model.coordinates), names, len(currents), one.own) for one in drives]
-        self.drives = [replace(one, servo=one.servo.seeing(view)) for one, view in zip(drives, views, strict=True)]
-        for k, one in enumerate(self.drives):
-            self.first[k], total = total, total + one.servo.states
-        self.further = total
-        self.size = 2 * self.n + total
+    ``numbers``: what it takes. ``further`` states: the ``currents`` of motors, then those of controllers, from
+    ``start`` on. ``own``: coordinates that the drives move.
+    """
 
-    def feedback(self) -> Feedback:
-        """All of them."""
-        n, effort, by, samples = self.n, np.zeros((self.n, self.size)), np.zeros((self.further, self.size)), []
-        for k, one in enumerate(self.drives):
-            found = self._slopes(k, one, sampled=False)
-            effort[one.own] += found[0]
-            if k in self.current:
-                by[self.current[k]] = found[3]
-            rows = tuple(range(self.first[k], self.first[k] + one.servo.states))
-            if one.servo.is_sampled:
-                samples.append(_Sample(one.law.period or 0.0, rows, self._slopes(k, one, sampled=True)))
-            elif rows:
-                by[list(rows)] = found[4 + OUTPUTS :]
-        return Feedback(
-            -effort[:, :n], -effort[:, n : 2 * n], effort[:, 2 * n :], by, tuple(samples), len(self.current)
-        )
+    def __init__(self, n: int, drives: Sequence[_Drive]) -> None:
+        self.n, self.drives, self.own = n, drives, [one.own for one in drives]
+        self.currents = sum(one.servo.has_current for one in drives)
+        self.start = [0.0] * self.currents + [value for one in drives for value in one.servo.start]
+        self._numbers = Numbers()
+        self._slots = [self._numbers.block(one.numbers) for one in drives]
+        self.numbers = self._numbers.vector
+        sampled = [one for one in drives if one.servo.is_sampled]
+        self.periods, self.sampled = [one.law.period or 0.0 for one in sampled], [one.rows for one in sampled]
+        held = {row for rows in self.sampled for row in rows}
+        self.rated = [row for row in range(len(self.start)) if row not in held]
 
-    def _slopes(self, k: int, one: _Drive, *, sampled: bool) -> Array:
-        """Of the outputs of a servo, one after the other, by all directions (outputs, size)."""
-        schedule = Schedule(len(one.numbers))
-        blocks: dict[str, Array] = {}
-        along: dict[str, Array] = {}
+    @cached_property
+    def schedule(self) -> Schedule:
+        """From ``q``, ``v``, ``further`` states, ``setpoints``, and zeros ``still``, to the ``effort`` of each drive.
 
-        def given(values: Array, directions: Array) -> Slot:
-            name = f"in{len(blocks)}"
-            blocks[name], along[name] = np.tile(values, (self.size, 1)), directions
-            return schedule.input(name, len(values))
+        Also to the ``rates`` of the states that are ``rated``, and to what the ``samples`` of the ``sampled`` give.
+        """
+        schedule, n, m = Schedule(self._numbers.size), self.n, self.currents
+        q, v, further = (schedule.input(name, k) for name, k in (("q", n), ("v", n), ("further", len(self.start))))
+        setpoints, still = schedule.input("setpoints", SIGNAL * len(self.drives)), schedule.input("still", SIGNAL)
+        none, outputs = still.part(0, 1), {"effort": [], "currents": [], "rates": [], "samples": []}
+        for k, (one, numbers) in enumerate(zip(self.drives, self._slots, strict=True)):
+            current = none if one.current is None else further.part(one.current, 1)
+            served = Served(
+                numbers, setpoints.part(SIGNAL * k, SIGNAL), q.part(one.own, 1), v.part(one.own, 1), current, none,
+                states=further.part(one.first, one.servo.states) if one.rows else None,
+                seen=(q, v, further.part(0, m), setpoints) if one.servo.view else (),
+            )  # fmt: skip
+            effort, _, change, _, *rates = one.servo.serve(schedule.call, served)
+            outputs["effort"].append(effort)
+            outputs["currents"] += [] if one.current is None else [change]
+            outputs["rates"] += [] if one.servo.is_sampled else rates
+            outputs["samples"] += [one.servo.sample(schedule.call, served, still)] if one.servo.is_sampled else []
+        schedule.output("effort", *outputs["effort"])
+        schedule.output("rates", *outputs["currents"], *outputs["rates"])
+        schedule.output("samples", *outputs["samples"])
+        return schedule
 
-        served = self._served(k, one, given)
-        if sampled:
-            found = (one.servo.sample(schedule.call, served, given(np.zeros(SIGNAL), np.zeros((self.size, SIGNAL)))),)
-        else:
-            found = one.servo.serve(schedule.call, served)
-        schedule.output("out", *found)
-        return derivatives(np.array(one.numbers), schedule, blocks, along, self.size)["out"].T
-
-    def _served(self, k: int, one: _Drive, given: Callable[[Array, Array], Slot]) -> Served:
-        """Inputs of a servo but for its numbers, and by how much each changes along all directions."""
-        n, whole, q = self.n, np.eye(self.size), self.rest.q
-        setpoints = [np.array([q[each.own], 0.0, 0.0]) for each in self.drives]
-        still, none, own = np.zeros((self.size, SIGNAL)), np.zeros((self.size, 1)), np.array(one.servo.start)
-        current = whole[:, [2 * n + self.current[k]]] if k in self.current else none
-        place, seen = 2 * n + self.first[k], []
-        if one.servo.view:
-            currents = slice(2 * n, 2 * n + len(self.current))
-            seen = [given(q, whole[:, :n]), given(np.zeros(n), whole[:, n : 2 * n])]
-            seen.append(given(np.zeros(len(self.current)), whole[:, currents]))
-            seen.append(given(np.concatenate(setpoints), np.tile(still, len(setpoints))))
-        return Served(
-            Slot("parameters", 0, len(one.numbers)), given(setpoints[k], still),
-            given(q[[one.own]], whole[:, [one.own]]), given(np.zeros(1), whole[:, [n + one.own]]),
-            given(np.zeros(1), current), given(np.zeros(1), none),
-            states=given(own, whole[:, place : place + len(own)]) if len(own) else None, seen=tuple(seen),
-        )  # fmt: skip
+    def about(self, q: Array) -> Feedback:
+        """Their exact slopes about coordinates (n,), by native code."""
+        n, size = self.n, 2 * self.n + len(self.start)
+        wanted = [value for own in self.own for value in (q[own], 0.0, 0.0)]
+        given = {"q": q, "v": np.zeros(n), "further": self.start, "setpoints": wanted, "still": np.zeros(SIGNAL)}
+        blocks = {name: np.tile(np.array(values, dtype=float), (size, 1)) for name, values in given.items()}
+        whole = np.eye(size)
+        along = {"q": whole[:, :n], "v": whole[:, n : 2 * n], "further": whole[:, 2 * n :]}
+        found = {name: one.T for name, one in derivatives(self.numbers, self.schedule, blocks, along, size).items()}
+        effort, by = np.zeros((n, size)), np.zeros((len(self.start), size))
+        np.add.at(effort, self.own, found["effort"])
+        by[self.rated] = found["rates"]
+        parts = np.split(found["samples"], np.cumsum([len(rows) for rows in self.sampled])[:-1])
+        samples = map(_Sample, self.periods, map(tuple, self.sampled), parts)
+        return Feedback(-effort[:, :n], -effort[:, n : 2 * n], effort[:, 2 * n :], by, tuple(samples), self.currents)

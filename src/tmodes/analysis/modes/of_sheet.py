@@ -30,7 +30,7 @@ from tmodes.model.model import Model
 from tmodes.sheet import Robot
 from tmodes.sheet.parts import LinkSheet
 
-__all__ = ["frequencies_about", "local_servos", "servos_of", "sheet_frequencies", "vibrations"]
+__all__ = ["frequencies_about", "servos_of", "sheet_frequencies", "vibrations"]
 
 Array = NDArray[np.float64]
 
@@ -190,13 +190,6 @@ def servos_of(robot: Robot, model: Model) -> dict[str, LinearServo]:
             gains = drive.controller.local_gains()
             found[names[0]] = _servo(motors.get(drive.joint), *gains)
     return found
-
-
-def local_servos(robot: Robot, model: Model) -> dict[str, LinearServo]:
-    """The same where controllers are no more than that; empty where any is."""
-    motors = [axis.joint.motor for axis in model.chain.axes]
-    local = all(drive.controller.is_local for drive in robot.drives if drive.controller)
-    return servos_of(robot, model) if local and not any(motor.inductance for motor in motors if motor) else {}
 
 
 def _servo(motor: Motor | None, position_gain: float, velocity_gain: float) -> LinearServo:

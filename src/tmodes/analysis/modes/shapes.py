@@ -160,7 +160,8 @@ def partners(mass: Array, shapes: Array, values: Complex, damped: Complex) -> ND
     ours, theirs = (_normed(x) for x in (root @ shapes, root @ damped))
     rings = values.imag > RINGS * np.abs(values)
     still = np.abs(values.imag) <= RINGS * np.abs(values)
-    slow = np.argsort(np.argsort(-values.real)) / (10.0 * len(values))
+    counted = np.where(rings | still, -values.real, np.inf)  # of a pair one: ranks are then the same by any rounding
+    slow = np.argsort(np.argsort(counted, kind="stable")) / (10.0 * len(values))
     worth = np.abs(ours.T @ theirs) ** 2 + 10.0 * rings - slow
     worth[:, ~(rings | still)] = -100.0
     return assigned(worth)

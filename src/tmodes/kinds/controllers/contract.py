@@ -27,6 +27,7 @@ from __future__ import annotations
 from typing import ClassVar
 
 from tmodes.kinds.controllers.block import Block, LinearPlant, Measured, OwnState, Port
+from tmodes.kinds.noted.functions import number
 
 __all__ = ["CONTROLLERS", "Block", "Controller", "LinearPlant", "Measured", "OwnState", "Port"]
 
@@ -49,7 +50,7 @@ class Controller(Block, family="controller", key="type"):
         p, x, step = self.numbers(), list(self.initial()), 1e-4
 
         def command(position: float, velocity: float) -> float:
-            return float(self.command(p, Measured(position=position, velocity=velocity), x))
+            return number(self.command(p, Measured(position=position, velocity=velocity), x))
 
         stiff = (command(-step, 0.0) - command(step, 0.0)) / (2 * step)
         return stiff, (command(0.0, -step) - command(0.0, step)) / (2 * step)
