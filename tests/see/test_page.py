@@ -74,7 +74,7 @@ def test_charts_and_numbers_follow_the_time(window: Any, good: Result) -> None:
     assert shown(window) == pytest.approx(1.0)
     assert window.page.evaluate(LINE) != before
     info = window.page.locator("[data-chart=tip_deviation] .toggle .value").first.inner_text()
-    assert float(info.removesuffix(" mm")) == pytest.approx(
+    assert float(info.removesuffix("\u00a0mm")) == pytest.approx(
         1e3 * float(good.data["deviation"].sel(time=1.0, method="nearest")), rel=1e-3
     )
 

@@ -9,7 +9,8 @@ from pathlib import Path
 
 import pytest
 
-from tmodes.report.markup import written
+from tmodes.io.printed import bound, written
+from tmodes.report.markup import tag
 
 WEB = Path(__file__).resolve().parents[2] / "web"
 CASES = [
@@ -25,7 +26,7 @@ CASES = [
 
 @pytest.mark.parametrize(("value", "unit", "text"), CASES)
 def test_written(value: float, unit: str, text: str) -> None:
-    assert written(value, unit).replace("\u00a0", " ") == text
+    assert written(value, unit) == text
 
 
 def test_the_page_writes_the_same() -> None:
@@ -42,4 +43,13 @@ def test_the_page_writes_the_same() -> None:
     ran = subprocess.run(
         [node, "--input-type=module", "-e", program], cwd=WEB, capture_output=True, text=True, check=True
     )
-    assert json.loads(ran.stdout) == [written(value, unit) for value, unit, _ in CASES]
+    assert json.loads(ran.stdout) == [bound(written(value, unit)) for value, unit, _ in CASES]
+
+
+def test_no_end_of_a_line_parts_a_number_from_its_unit() -> None:
+    assert bound("ends 3.38 mm off (7.16 Hz, 15 % damping) after 2 steps of a joint") == (
+        "ends 3.38\u00a0mm off (7.16\u00a0Hz, 15\u00a0% damping) after 2 steps of a joint"
+    )
+    assert bound("1.7 × 10⁻¹¹ J of 25 kN·m/rad") == "1.7\u00a0×\u00a010⁻¹¹\u00a0J of 25\u00a0kN·m/rad"
+    assert tag("code", "mass: 3 kg") == "<code>mass: 3 kg</code>"
+    assert tag("p", "3 kg") == "<p>3\u00a0kg</p>"

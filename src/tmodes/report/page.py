@@ -225,7 +225,7 @@ def _link_row(name: str, link: dict[str, Any]) -> list[str]:
 def _coordinate_row(name: str, one: dict[str, Any]) -> list[str]:
     unit, keys = "-" if one["unit"] == "1" else one["unit"], ("max_stationary", "max_oscillatory", "max_nominal")
     parts = [written(one[key], unit) if key in one else "–" for key in keys]
-    return [name, written(one["max"], unit), f"{one['time_of_max_s']:.3g}\u00a0s", *parts]
+    return [name, written(one["max"], unit), f"{one['time_of_max_s']:.3g} s", *parts]
 
 
 _TABLES: dict[str, tuple[str, str, tuple[str, ...], tuple[int, ...], Callable[[str, Any], list[str]]]] = {

@@ -30,7 +30,7 @@ _FEWEST = 20
 def amount(value: float, unit: str) -> str:
     """A value with its unit: ``12.41 mm``."""
     if unit in _SI:
-        return written(value, unit).replace("\u00a0", " ")
+        return written(value, unit)
     text = f"{value:.0f}" if 1e4 <= abs(value) < 1e6 else f"{value:.4g}"
     return f"{text} {pretty(unit)}".removesuffix(" –")
 
