@@ -1,4 +1,4 @@
-/* tmodes, built from 8ba294c820b83615; BSD-3-Clause */
+/* tmodes, built from 19a2d636e782e623; BSD-3-Clause */
 
 // src/live/engine_error.ts
 var EngineError = class extends Error {
