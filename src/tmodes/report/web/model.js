@@ -1,4 +1,4 @@
-/* tmodes, built from 19a2d636e782e623; BSD-3-Clause */
+/* tmodes, built from 8aaa979c4649793f; BSD-3-Clause */
 
 // src/live/engine_error.ts
 var EngineError = class extends Error {
