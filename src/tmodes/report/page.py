@@ -116,7 +116,7 @@ def _provenance(result: Result, robot: Robot, spent: Mapping[str, Sequence[float
         tag("p", robot.citation),
         tag(
             "div",
-            table("Integration", ("What", "Value"), [*rows_of(method), *rows_of(result.statistics)], numeric=(1,)),
+            table("Integration", ("What", "Value"), [*rows_of(method), *rows_of(result.statistics)]),
             table("Versions", ("Program", "Version"), list(rows_of(json.loads(attributes["versions"])))),
             table("Where the time went", ("Stage", "Wall [s]", "Processor [s]"), times, numeric=(1, 2))
             if times

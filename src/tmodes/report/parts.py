@@ -5,6 +5,7 @@ from __future__ import annotations
 import base64
 import hashlib
 import json
+import re
 from collections.abc import Iterator, Mapping
 from functools import cache
 from importlib.resources import files
@@ -91,7 +92,7 @@ def warnings(result: Result) -> Markup | None:
 def rows_of(info: Mapping[str, Any], group: str = "") -> Iterator[list[str]]:
     """Names and values; a group within the group has its name before the names in it."""
     for key, value in info.items():
-        name = f"{group}{key}".replace("_", " ")
+        name = f"{group}{re.sub('_s$', ' [s]', key)}".replace("_", " ")
         if isinstance(value, Mapping):
             yield from rows_of(value, f"{name}: ")
         else:
