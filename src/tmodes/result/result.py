@@ -285,8 +285,8 @@ class Result:
         element along the largest error, which add up to it. ``settling``: ``time_s`` [s] after the move, ``within_m``
         [m] of its own rest, or a ``reason``; ``residual``: ``amplitude_m`` [m] of its vibration then, and
         ``frequency_Hz``, ``damping`` [-] of the strongest mode of that. ``limits`` of the sheet, the most critical
-        first; ``jump``: ``joint`` and ``time_s`` [s] of the first jump of a command; ``tolerance_m`` [m] of its task, and by that the ``level``: ``neutral``, ``good`` or ``bad``. What is not
-        known is None.
+        first; ``jump``: ``joint`` and ``time_s`` [s] of the first jump of a command; ``tolerance_m`` [m] of its task,
+        and by that the ``level``: ``neutral``, ``good`` or ``bad``. What is not known is None.
 
         Source: :func:`tmodes.result.verdict.verdict`.
 
