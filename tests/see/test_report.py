@@ -176,7 +176,7 @@ def test_the_data_sheet_is_reported_with_units_and_symbols(texts: dict[str, str]
     assert numbers <= {float(one) for one in re.findall(r"-?\d+(?:\.\d+)?(?:e[-+]?\d+)?", text)}
     lines = [" ".join(line.split()) for line in text.splitlines()]
     assert (
-        "bending_stiffness: 13.359622759390597 # EI [N*m^2] bending stiffness E*I of the section, both planes" in lines
+        "bending_stiffness: 13.359622759390597 # EI [N*m^2] bending stiffness EI of the section, both planes" in lines
     )
     assert "- length: 0.6 # l [m] length of the mode" in lines
     assert "resistance: 0.299 # R [ohm] armature resistance" in lines

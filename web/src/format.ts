@@ -46,9 +46,9 @@ export function powerOfTen(value: number): string {
 /** The prefix in which a value of this size [SI] reads well: factor on the SI value, and name of the unit. */
 export function readable(unit: string, size: number): { factor: number; name: string } {
   const name = pretty(unit);
-  if (!name || PLAIN.includes(unit) || !(size > 0)) return { factor: 1, name };
   const fixed = FIXED[unit];
   if (fixed) return size < fixed[0] ? { factor: fixed[1], name: fixed[2] } : { factor: 1, name };
+  if (!name || PLAIN.includes(unit) || !(size > 0)) return { factor: 1, name };
   return prefixed(name, size, NEVER_LARGE.includes(unit.split("/")[0]));
 }
 

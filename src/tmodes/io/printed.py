@@ -161,7 +161,7 @@ def written(value: float, unit: str, digits: int = 4) -> str:
         return f"{value:g} {name}".rstrip()
     own = _FIXED.get(unit)
     tiny = own is not None and _LEAST <= size < 1e-3 / own[1]
-    if own and 0.0 < size < own[0] and not tiny:
+    if own and size < own[0] and not tiny:
         value, name = value * own[1], own[2]
     if not name or unit in _PLAIN or (own and not tiny) or size == 0.0:
         text = power_of_ten(value) if size and not 1e-3 <= abs(value) < _LARGE else _rounded(value, digits)

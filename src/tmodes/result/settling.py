@@ -68,7 +68,7 @@ _UNREST = "a motion that does not decay, or a run that is too short"
 _LONGER = ": simulate longer to see it settle"
 """What helps where a run that reached its end ends before its move."""
 
-_COSTLY = "to compute further takes more than half of the run's steps; simulate longer to see it settle"
+_COSTLY = "the run was continued by half of its steps; simulate longer to see it settle"
 
 _AT_REST = 1e-4
 """Share of the largest distance from its end, after the move, within which the tip no longer shows its vibration."""
