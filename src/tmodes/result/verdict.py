@@ -263,10 +263,11 @@ def _culprit(one: Mapping[str, Any]) -> str:
 
 def jump_of(robot: Robot, end: float) -> dict[str, Any] | None:
     """The first jump of a commanded position before ``end`` [s]: ``joint`` and ``time_s`` [s]; None without any."""
+    whole = robot.integration.duration
     jumps = [
         (float(time), drive.joint)
         for drive in robot.drives if drive.command.is_motion
-        for time in drive.signal.schedule(end).until(end).jumps()
+        for time in drive.signal.schedule(whole).until(whole).jumps() if time < end
     ]  # fmt: skip
     return dict(zip(("time_s", "joint"), min(jumps), strict=True)) if jumps else None
 
