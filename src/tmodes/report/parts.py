@@ -85,7 +85,7 @@ def warnings(result: Result) -> Markup | None:
     """What the run has to say about itself; None where that is nothing."""
     if not result.warnings:
         return None
-    sentences = tag("ul", *(tag("li", str(sentence)) for sentence in result.warnings))
+    sentences = tag("ul", *(tag("li", str(sentence).replace("`", "")) for sentence in result.warnings))
     return tag("div", tag("strong", "Warnings"), sentences, class_="status warning", role="note")
 
 
@@ -168,7 +168,7 @@ def _run_status(run: Mapping[str, Any], *, several: bool) -> Markup:
     """How a run ended, and what it warns of."""
     name = tag("strong", f"{run['name']}: " if several else "")
     ended = tag("p", name, run["verdict"]["sentence"])
-    warnings = tag("ul", *(tag("li", str(sentence)) for sentence in run["warnings"])) if run["warnings"] else None
+    warnings = tag("ul", *(tag("li", str(sentence).replace("`", "")) for sentence in run["warnings"])) if run["warnings"] else None
     kind = "warning" if run["success"] and run["warnings"] else run["verdict"]["level"]
     return tag("div", ended, warnings, class_=f"status {kind}", role=None if run["success"] else "alert")
 

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 __all__ = ["SURE", "amount", "between", "joined_answers", "quantity_answers", "study_sentence"]
 
-_SI = ("m", "rad", "s", "N", "N m", "N*m", "Pa", "W", "J")
+_SI = ("m", "rad", "s", "N", "N m", "N*m", "Pa", "W", "J", "m/N")
 """Units that may take a prefix; a study's others stay as they were asked for."""
 
 SURE = f"{100 * CONFIDENCE:.0f} % confidence"

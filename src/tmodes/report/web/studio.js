@@ -1,4 +1,4 @@
-/* tmodes, built from 5125019c4582e5ef; BSD-3-Clause */
+/* tmodes, built from 833dcead8e5e2e27; BSD-3-Clause */
 /* three
 The MIT License
 
