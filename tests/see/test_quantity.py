@@ -6,6 +6,7 @@ import json
 import shutil
 import subprocess
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -30,21 +31,35 @@ def test_written(value: float, unit: str, text: str) -> None:
     assert written(value, unit) == text
 
 
-def test_the_page_writes_the_same() -> None:
+def page_function(file: str, name: str, calls: list[tuple[Any, ...]]) -> Any:
+    """What a function of the page's sources gives for each of some arguments."""
     node = shutil.which("node")
     if node is None or not (WEB / "node_modules" / "esbuild").exists():
         pytest.skip("needs Node and the packages of web/")
     program = f"""
       import {{ build }} from "esbuild";
-      const made = await build({{ entryPoints: ["src/format.ts"], format: "esm", write: false }});
+      const made = await build({{ entryPoints: ["src/{file}"], bundle: true, format: "esm", write: false }});
       const text = Buffer.from(made.outputFiles[0].text).toString("base64");
-      const {{ info }} = await import("data:text/javascript;base64," + text);
-      console.log(JSON.stringify({json.dumps([case[:2] for case in CASES])}.map(([value, unit]) => info(value, unit))));
+      const {{ {name} }} = await import("data:text/javascript;base64," + text);
+      console.log(JSON.stringify({json.dumps(calls)}.map((given) => {name}(...given))));
     """
     ran = subprocess.run(
         [node, "--input-type=module", "-e", program], cwd=WEB, capture_output=True, text=True, check=True
     )
-    assert json.loads(ran.stdout) == [bound(written(value, unit)) for value, unit, _ in CASES]
+    return json.loads(ran.stdout)
+
+
+def test_the_page_writes_the_same() -> None:
+    wanted = [bound(written(value, unit)) for value, unit, _ in CASES]
+    assert page_function("format.ts", "info", [case[:2] for case in CASES]) == wanted
+
+
+def test_a_slider_has_the_unit_in_which_its_numbers_read_well() -> None:
+    """The wall of a tube in mm, its length in m, a modulus in GPa."""
+    ends = [("m", 0.75e-3, 3e-3), ("m", 0.2, 0.8), ("Pa", 2e10, 3e11), ("kg", 1e-4, 9e-4)]
+    calls = [({"unit": unit, "min": low, "max": high},) for unit, low, high in ends]
+    found = page_function("panels/slider.ts", "unitOf", calls)
+    assert [(one["name"], one["factor"]) for one in found] == [("mm", 1e3), ("m", 1), ("GPa", 1e-9), ("kg", 1)]
 
 
 def test_no_end_of_a_line_parts_a_number_from_its_unit() -> None:
