@@ -17,8 +17,8 @@ export interface SliderRow {
 const STEPS = 1000;
 const LARGE = 1e7;
 const TINY = 1e-300; // that is next to zero, which is refused
-const [SMALL, BIG] = [1e-3, 1e5]; // numbers that read better with a prefix
-const SHORT = 0.1; // lengths [m], likewise
+const [SMALL, BIG] = [1e-3, 4e4]; // ends of sliders whose numbers read better with a prefix
+const SHORT = 0.3; // lengths [m], likewise
 const NUMBER = /^[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?$/i;
 const BEGUN = /^[-+]?\d*\.?\d*(e[-+]?)?$/i; // what may become a number as it is typed
 const SHOWN = 40; // letters of what was typed that a refusal repeats

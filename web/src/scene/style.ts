@@ -49,7 +49,7 @@ const RULES = `
 @container (max-width: 760px) {
   .scene-bar { gap: 4px 8px; }
   .scene-bar label { gap: 4px; }
-  .scene-bar select { max-width: 17em; padding: 3px 4px; }
+  .scene-bar select { max-width: 18.5em; padding: 3px 4px; }
   .scene-bar .scene-name { display: none; }
 }
 @container (max-width: 520px) {
