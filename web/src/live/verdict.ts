@@ -110,8 +110,8 @@ export function withRest(
 
 /** Of a run that is judged by another point than its tip, whose errors are found natively alone: its limits. */
 export function unjudged(judged: Judged): Judged {
-  const nothing = { against: null, largest_m: null, time_s: null, final_m: null, bends: null, culprits: [], jump: null };
-  return { ...judged, ...nothing, settling: { time_s: null, within_m: null, reason: "" }, residual: null };
+  const none = { against: null, largest_m: null, time_s: null, final_m: null, bends: null, jump: null, culprits: [] };
+  return { ...judged, ...none, settling: { time_s: null, within_m: null, reason: "" }, residual: null };
 }
 
 /** The verdict, with its level and its sentence. */
