@@ -160,7 +160,7 @@ def test_runs_are_named_by_the_fewest_values_that_tell_them_apart(runs):
     assert names_by_difference([soft, soft]) is None
     assert names_by_difference([soft]) is None
     assert [one.path.rpartition(".")[2] for one in differences([stiff, heavy])] == ["mass", "output_step"]
-    assert names_by_difference([stiff, heavy]) == ["payload.mass 0.5\u00a0kg", "payload.mass 0.7\u00a0kg"]
+    assert names_by_difference([stiff, heavy]) == ["payload.mass 0.5 kg", "payload.mass 0.7 kg"]
     names = names_by_difference([soft, stiff, heavy])
     assert names
     assert [name.split(", ")[1] for name in names] == [f"mass {m}" for m in (0.5, 0.5, 0.7)]

@@ -198,6 +198,19 @@ def test_an_early_result_leaves_out_what_it_does_not_know() -> None:
     assert {one["cause"] for one in found["culprits"]} == {"controller", "gear"}
 
 
+def test_a_command_that_jumps_is_named_where_it_excites_a_vibration() -> None:
+    """At the instant of the sheet's signal; no word of it where a profile, or a shaped jump, leaves no vibration."""
+    jumping = tmodes.load("quanser_2dsfl")
+    found = jumping.run().verdict
+    assert found["jump"] == {"joint": "stage1", "time_s": 0.2}
+    assert found["sentence"].endswith(
+        "The command of joint stage1 jumps at 0.2 s, which excites this vibration: smooth it by a profile, such as "
+        "quintic, or by a shaper."
+    )
+    smooth = {"type": "quintic", "start": 0.0, "end": 0.35, "duration": 1.5}
+    assert jumping.with_({"drives.0.signal": smooth}).run().verdict["jump"] is None
+
+
 def test_pages_carry_verdicts_and_phrases(spong: Result) -> None:
     page = page_data([spong])
     assert page["runs"][0]["verdict"] == spong.verdict

@@ -9,7 +9,7 @@ from typing import Any
 from browsing import never_idle
 from patience import WAIT
 
-__all__ = ["SIZES", "Window", "look"]
+__all__ = ["SIZES", "Window", "look", "words_of"]
 
 SIZES = ((1280, 800), (400, 800))
 SLOW = ("GL Driver Message", "Multiple readback operations")
@@ -23,6 +23,11 @@ class Window:
     page: Any
     said: list[str] = field(default_factory=list)
     asked: list[str] = field(default_factory=list)
+
+
+def words_of(locator: Any) -> str:
+    """The text of an element, with the spaces of the data: the page keeps numbers with their units."""
+    return str(locator.text_content()).replace("\u00a0", " ")
 
 
 def hear(window: Window, text: str) -> None:

@@ -63,7 +63,7 @@ def value(window: Window, chart: str, name: str) -> str:
     """What the legend of a chart shows of a run at the page's time."""
     rows = window.page.locator(f"[data-chart='{chart}'] .legend-row").first.locator(".toggle, .key")
     (found,) = [one for one in rows.all() if one.inner_text().split("\n")[0].strip() == name]
-    return found.locator(".value").inner_text().partition(" ")[0]
+    return found.locator(".value").inner_text().partition("\u00a0")[0]
 
 
 def test_charts_of_one_name_are_of_one_unit(info: dict[str, Any]) -> None:

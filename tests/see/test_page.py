@@ -68,13 +68,24 @@ def test_the_first_charts_are_seen_without_scrolling(browser: Any, reports: dict
     page.context.close()
 
 
+def test_plots_have_most_of_the_width_of_their_charts(browser: Any, reports: dict[str, Path]) -> None:
+    """At every width of the window; what a legend needs stands beside or below."""
+    page = look(browser, reports["good"]).page
+    for width in (390, 1280, 1440, 1920):
+        page.set_viewport_size({"width": width, "height": 1080})
+        for chart in page.locator("[data-chart]").all():
+            plot, card = (one.bounding_box()["width"] for one in (chart.locator(".plot-area"), chart))
+            assert plot > 0.55 * card, (width, chart.get_attribute("data-chart"))
+    page.context.close()
+
+
 def test_charts_and_numbers_follow_the_time(window: Any, good: Result) -> None:
     before = window.page.evaluate(LINE)
     seek(window, 0.5)
     assert shown(window) == pytest.approx(1.0)
     assert window.page.evaluate(LINE) != before
     info = window.page.locator("[data-chart=tip_deviation] .toggle .value").first.inner_text()
-    assert float(info.removesuffix(" mm")) == pytest.approx(
+    assert float(info.removesuffix("\u00a0mm")) == pytest.approx(
         1e3 * float(good.data["deviation"].sel(time=1.0, method="nearest")), rel=1e-3
     )
 

@@ -176,7 +176,7 @@ def test_the_data_sheet_is_reported_with_units_and_symbols(texts: dict[str, str]
     assert numbers <= {float(one) for one in re.findall(r"-?\d+(?:\.\d+)?(?:e[-+]?\d+)?", text)}
     lines = [" ".join(line.split()) for line in text.splitlines()]
     assert (
-        "bending_stiffness: 13.359622759390597 # EI [N*m^2] bending stiffness E*I of the section, both planes" in lines
+        "bending_stiffness: 13.359622759390597 # EI [N*m^2] bending stiffness EI of the section, both planes" in lines
     )
     assert "- length: 0.6 # l [m] length of the mode" in lines
     assert "resistance: 0.299 # R [ohm] armature resistance" in lines
@@ -236,7 +236,7 @@ def test_markup_escapes_text_and_keeps_markup() -> None:
 
 
 def test_numbers_are_written_readably() -> None:
-    assert written(4.04e-3, "m") == "4.04\u00a0mm"
-    assert written(0.0, "N m") == "0\u00a0N·m"
-    assert power_of_ten(-2.5e-11).replace("\u00a0", " ") == "-2.5 × 10⁻¹¹"
+    assert written(4.04e-3, "m") == "4.04 mm"
+    assert written(0.0, "N m") == "0 N·m"
+    assert power_of_ten(-2.5e-11) == "-2.5 × 10⁻¹¹"
     assert power_of_ten(0.0) == "0"

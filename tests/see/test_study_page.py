@@ -264,7 +264,7 @@ def test_a_case_is_simulated_again_in_its_live_report(browser: Any, tmp_path: Pa
     assert done.sentence == done.info()["sentence"] == next(iter(done.tables())) == repr(done).partition("\n")[0]
     window = opened(browser, write_page(done, tmp_path / "study.html"))
     page, rows = window.page, done.rows
-    assert page.locator("p.status.neutral").inner_text() == done.sentence
+    assert page.locator("p.status.neutral").inner_text().replace("\u00a0", " ") == done.sentence
     case = int(np.argmax(rows.quantities["peak"]))
     assert page.get_by_role("heading", name="Tip x less that of the sheet's own run").count() == 1
     page.get_by_role("button", name="largest", exact=True).click()

@@ -11,7 +11,7 @@ import matplotlib.image
 import pytest
 
 from patience import until
-from see.looking import Window, look
+from see.looking import Window, look, words_of
 from see.test_page import shown
 from tmodes import load, run
 from tmodes.io.printed import written
@@ -51,7 +51,7 @@ def factor(window: Window) -> str:
 
 def test_it_has_the_verdict_of_the_run(window: Window, good: Result) -> None:
     verdict, strip = good.verdict, window.page.locator(".verdict")
-    assert strip.locator(".verdict-sentence").text_content() == verdict["sentence"]
+    assert words_of(strip.locator(".verdict-sentence")) == verdict["sentence"]
     assert strip.get_attribute("data-level") == verdict["level"]
     settling, residual = verdict["settling"], verdict["residual"]
     wanted = {
@@ -63,9 +63,7 @@ def test_it_has_the_verdict_of_the_run(window: Window, good: Result) -> None:
             f"{written(residual['frequency_Hz'], 'Hz', 3)}, {damping_words(residual['damping'])} damping",
     }  # fmt: skip
     terms, numbers = (strip.locator(f".verdict-numbers {part}").all_text_contents() for part in ("dt", "dd"))
-    assert dict(zip(terms, (text.replace("\u00a0", " ") for text in numbers), strict=True)) == {
-        name: text.replace("\u00a0", " ") for name, text in wanted.items()
-    }
+    assert dict(zip(terms, (text.replace("\u00a0", " ") for text in numbers), strict=True)) == wanted
     names = strip.locator(".culprits button")
     assert [one.get_attribute("data-key") for one in names.all()] == [
         f"{one['cause']} {one['element'] or ''}" for one in verdict["culprits"]
@@ -147,7 +145,7 @@ def test_what_lessens_the_error_is_true_and_applied(browser: Any, reports: dict[
     page = look(browser, reports["good"], idle=True).page
     first = page.locator(".advice button").first
     first.wait_for()
-    words = str(first.text_content())
+    words = words_of(first)
     names = [str(one.text_content()).partition(",")[0] for one in page.locator(".advice button").all()]
     design = {slider.label.partition(",")[0] for slider in page_sliders("filipovic2010") if slider.design}
     assert {re.sub(r" [×÷].*", "", name) for name in names} <= design  # what nobody chooses is not proposed
@@ -155,7 +153,7 @@ def test_what_lessens_the_error_is_true_and_applied(browser: Any, reports: dict[
     first.click()
     until(lambda: "%" in str(error.locator(".was").text_content()))
     assert page.locator(".slider.changed").count() == 1
-    assert str(error.locator(".was").text_content()).startswith(words.rpartition(": ")[2].replace(" %", ""))
+    assert words_of(error.locator(".was")).startswith(words.rpartition(": ")[2].replace(" %", ""))
     page.context.close()
 
 
@@ -170,10 +168,10 @@ def test_it_follows_a_slider(browser: Any, reports: dict[str, Path], good: Resul
     number.fill(str(value))
     wanted = run(good.robot.with_({str(path): value})).verdict["sentence"]
     sentence = page.locator(".verdict-sentence")
-    until(lambda: sentence.text_content() == wanted, f"{sentence.text_content()} for {wanted}")
+    until(lambda: words_of(sentence) == wanted, f"{words_of(sentence)} for {wanted}")
     assert sentence.get_attribute("data-state") == ""
     until(lambda: page.locator(".verdict .computing:not(.advice)").count() == 0)
     assert page.locator(".culprits button[aria-pressed=true]").count() == 1
     page.get_by_role("button", name="reset all").click()
-    until(lambda: sentence.text_content() == good.verdict["sentence"])
+    until(lambda: words_of(sentence) == good.verdict["sentence"])
     page.context.close()

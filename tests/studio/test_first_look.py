@@ -7,6 +7,7 @@ from typing import Any
 
 import pytest
 
+from see.looking import words_of
 from studio.tabs import drag
 from tmodes import load, run
 from tmodes.io.sheet_write import robot_to_yaml
@@ -65,13 +66,12 @@ def test_the_verdict_is_marked_until_it_is_whole_and_what_lessens_the_error_is_p
     assert sentence.get_attribute("data-state") == " computing …"
     page.locator(".verdict-sentence[data-state='']").wait_for()
     assert page.locator(".verdict-numbers .computing").count() == 0
-    assert sentence.text_content() == run(load("filipovic2010")).verdict["sentence"]
+    assert words_of(sentence) == run(load("filipovic2010")).verdict["sentence"]
     first = page.locator(".advice button").first
     first.wait_for()
-    share = str(first.text_content()).rpartition("−")[2]
+    share = words_of(first).rpartition("−")[2]
     tab.fresh(first.click)
-    was = page.locator("[data-fact='tip_error.commanded'] .was").text_content()
-    assert share.replace(" %", "") in str(was)
+    assert share.replace(" %", "") in words_of(page.locator("[data-fact='tip_error.commanded'] .was"))
 
 
 def drag_to(tab: Any, value: str) -> None:

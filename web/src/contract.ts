@@ -58,6 +58,8 @@ export interface Verdict {
   limits: { quantity: string; element: string; value: number; limit: number; unit: string; share: number }[];
   /** Components along the largest error, which add up to it; the largest first. */
   culprits: { cause: string; element: string | null; value_m: number }[];
+  /** The first jump of a command. */
+  jump: { joint: string; time_s: number } | null;
   tolerance_m: number | null;
   level: "neutral" | "good" | "bad";
   sentence: string;

@@ -1,4 +1,6 @@
-// Elements made in one line: text stays text, whatever it holds.
+// Elements made in one line: text stays text, whatever it holds; its numbers stay with their units.
+
+import { bound } from "./format";
 
 type Attributes = Record<string, string | boolean | undefined>;
 
@@ -10,7 +12,7 @@ export function make<K extends keyof HTMLElementTagNameMap>(
 ): HTMLElementTagNameMap[K] {
   const element = document.createElement(name);
   for (const [key, value] of Object.entries(attributes)) {
-    if (key === "text") element.textContent = String(value);
+    if (key === "text") element.textContent = name === "code" ? String(value) : bound(String(value));
     else if (value !== undefined && value !== false) element.setAttribute(key, value === true ? "" : value);
   }
   element.append(...children.filter((child) => child !== null));
@@ -49,7 +51,8 @@ export function menu(text: string, ...items: Node[]): HTMLElement {
 
 /** Write a text where it is not there yet: what stays the same is not laid out again. */
 export function put(element: HTMLElement, text: string): void {
-  if (element.textContent !== text) element.textContent = text;
+  const shown = bound(text);
+  if (element.textContent !== shown) element.textContent = shown;
 }
 
 /** A line as a curve is drawn, for a legend. */

@@ -27,6 +27,13 @@ export function digits(value: number, count = 4): string {
   return value === 0 ? "0" : String(Number(value.toPrecision(count)));
 }
 
+const BEFORE_UNIT = /([\d⁰¹²³⁴-⁹]) (?=(?:[nµmkMG]?(?:m|s|g|N|Pa|Hz|rad|V|A|J|W|Ω)|%|°|deg)(?![A-Za-z0-9_]))/g;
+
+/** Text whose numbers no end of a line parts from their units, as `bound` of tmodes/io/printed.py. */
+export function bound(text: string): string {
+  return text.replace(BEFORE_UNIT, "$1\u00a0").replace(/(\d) × (?=10)/g, "$1\u00a0×\u00a0");
+}
+
 export function powerOfTen(value: number): string {
   if (value === 0) return "0";
   const [number, power] = value.toExponential(1).split("e");
@@ -39,9 +46,9 @@ export function powerOfTen(value: number): string {
 /** The prefix in which a value of this size [SI] reads well: factor on the SI value, and name of the unit. */
 export function readable(unit: string, size: number): { factor: number; name: string } {
   const name = pretty(unit);
-  if (!name || PLAIN.includes(unit) || !(size > 0)) return { factor: 1, name };
   const fixed = FIXED[unit];
   if (fixed) return size < fixed[0] ? { factor: fixed[1], name: fixed[2] } : { factor: 1, name };
+  if (!name || PLAIN.includes(unit) || !(size > 0)) return { factor: 1, name };
   return prefixed(name, size, NEVER_LARGE.includes(unit.split("/")[0]));
 }
 

@@ -1,5 +1,5 @@
 // The program of a study's page: unpacks its data and mounts the charts.
-import { make } from "./dom";
+import { make, put } from "./dom";
 import { inflated, unpack } from "./pack";
 import { forPaper } from "./paper";
 import { mountBand } from "./study/bands";
@@ -32,7 +32,7 @@ function mount(root: HTMLElement, page: StudyPage): void {
   const answer = make("p", { class: "answer", "aria-live": "polite" });
   choice.addEventListener("change", () => {
     store.look(choice.value);
-    answer.textContent = page.answers[choice.value] ?? "";
+    put(answer, page.answers[choice.value] ?? "");
   });
   const label = make("label", { text: "Quantity " });
   label.append(choice);

@@ -54,7 +54,7 @@ def batch(
     Example, payload and damping, 11 by 3 runs: tmodes batch filipovic2010 --vary payload.mass=0.4:0.6:11
     --vary gear.damping=0:4:3
 
-    Example, noise on what the controller hears, 100 seeds: tmodes batch filipovic2010
+    Example, noise on the position that the controller receives, 100 seeds: tmodes batch filipovic2010
     --set reference.noise.deviation=1e-4 --vary reference.noise.seed=0:99:100
     """
     from tmodes.interface.batches import batch as found_of

@@ -40,7 +40,7 @@ def compare(
     fix_inertia: FixInertia = False,
     as_json: AsJson = False,
 ) -> None:
-    """A league: variants of one robot on the same task, as known and in the same uncertain cases; the best one first.
+    """Rank variants of one robot on the same task, nominal and in the same uncertain cases; the best one first.
 
     A variant is a sheet, or a name in the file of --variants with what it changes, by paths: a whole controller or
     signal, a `control` section; `{}` is the robot as it is, `shaper: {kind: zvd}` its motion shaped. `uncertain` in

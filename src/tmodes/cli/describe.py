@@ -35,7 +35,7 @@ def describe(
 def hierarchy(
     robot: SheetArgument,
     tolerance: Annotated[float, typer.Option(help="Share of the tip's deflection that a model may be off.")] = 1e-3,
-    finest: Annotated[int, typer.Option(min=1, max=12, help="Functions of the finest rung, each direction.")] = 6,
+    finest: Annotated[int, typer.Option(min=1, max=12, help="Functions of the finest model, in each direction.")] = 6,
     settings: Settings = None,
     root: Roots = None,
     trust_paths: TrustPaths = False,

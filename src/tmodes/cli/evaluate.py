@@ -32,7 +32,7 @@ def evaluate(
     ],
     reading: ReadingOption = None,
     contact: Annotated[bool, typer.Option("--contact", help="With the tip on the environment.")] = False,
-    nominal: Annotated[bool, typer.Option("--nominal", help="The robot as known, not the real one.")] = False,
+    nominal: Annotated[bool, typer.Option("--nominal", help="The nominal robot, not the actual one.")] = False,
     settings: Settings = None,
     root: Roots = None,
     trust_paths: TrustPaths = False,

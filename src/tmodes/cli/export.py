@@ -32,9 +32,9 @@ def export(
     overwrite: Annotated[bool, typer.Option("--overwrite", help="Replace files that are there.")] = False,
     as_json: options.AsJson = False,
 ) -> None:
-    """Write the robot's own equations, its integrator, reference, control and contact, for anybody's page.
+    """Write the robot's equations with integrator, reference, control and contact as a module for any web page.
 
-    NAME.wasm (the equations, of no other library), NAME.js (an ES module that runs them), NAME.d.ts (its types) and
+    NAME.wasm (the equations, without other libraries), NAME.js (an ES module that runs them), NAME.d.ts (its types) and
     NAME.html (an example, which opens from disk).
 
     For example:  tmodes export filipovic2010 --wasm --out page    then, in a page of yours

@@ -31,7 +31,7 @@ def follow(
             f"Left out: {PROFILE}, for `inverse` and `optimal` a polynomial as gentle.",
         ),
     ] = None,
-    tolerance: Annotated[float, typer.Option(help="Of the rigid robot's tip between rows [m, rad].")] = 1e-7,
+    tolerance: Annotated[float, typer.Option(help="Path error of the rigid robot's tip between rows [m, rad].")] = 1e-7,
     reference: Annotated[
         str,
         typer.Option(
@@ -60,7 +60,7 @@ def follow(
     fix_inertia: FixInertia = False,
     as_json: AsJson = False,
 ) -> None:
-    """Motor references for a path of the tip, of the rigid robot or with what bends, each with its printed error.
+    """References of motors for a path of the tip, by the rigid or the elastic robot, each with its error.
 
     Kinds of paths: line (to), arc (through, to), via (points, blend), turn (rpy), joints (points, blend); line, arc and
     via with rpy turn the tip on the shortest way. It starts where the first commands of the drives put the robot; each

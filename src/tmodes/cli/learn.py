@@ -18,7 +18,7 @@ def learn(
     iterations: Annotated[int, typer.Option(help="How many corrections.")] = 5,
     samples: Annotated[int, typer.Option(help="Instants of the run at which the setpoints are corrected.")] = 200,
     caution: Annotated[
-        float, typer.Option(help="The larger, the slower, and the more the robot may differ from the one known.")
+        float, typer.Option(help="Regularization: larger learns slower, tolerates larger model errors.")
     ] = 0.03,
     out: Annotated[Path | None, typer.Option(help="A file for the data sheet with the learnt setpoints.")] = None,
     figure: Annotated[Path | None, typer.Option(help="A file for the errors by run: .svg, .png or .pdf.")] = None,
@@ -29,10 +29,10 @@ def learn(
     fix_inertia: FixInertia = False,
     as_json: AsJson = False,
 ) -> None:
-    """Setpoints that get better from run to run, until the joints follow the signals of the sheet (iterative learning).
+    """Iterative learning control: setpoints corrected from run to run until the joints follow the sheet's signals.
 
-    After each run of the robot as it really is, the setpoints are corrected by the inverse of the closed loop of the
-    robot as known, linear about its start. What repeats is learnt: sag, friction, and what is not known exactly.
+    After each run of the actual robot, the setpoints are corrected by the inverse of the nominal closed loop,
+    linearized about its start. What repeats is learnt: sag, friction, and what is not known exactly.
 
     Example: tmodes learn spong1987 --set real.gear.stiffness=0.8 --out learnt.yaml; tmodes run learnt.yaml
     """

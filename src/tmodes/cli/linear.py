@@ -32,11 +32,11 @@ def linear(
     period: Annotated[float | None, typer.Option(help="Sampled with a zero-order hold every so many seconds.")] = None,
     delay: Annotated[float, typer.Option(help="From a sample to its input [s], of any length.")] = 0.0,
     at: PoseOption = None,
-    time: Annotated[float | None, typer.Option(help="About this time of the run [s], in place of the rest.")] = None,
+    time: Annotated[float | None, typer.Option(help="About this time of the run [s], not the equilibrium.")] = None,
     uncertain: Annotated[
-        Path | None, typer.Option(help="A YAML file with `uncertain`, as of tmodes compare: a family about this model.")
+        Path | None, typer.Option(help="A YAML file with `uncertain`, as of tmodes compare: uncertain robots.")
     ] = None,
-    cases: Annotated[int, typer.Option(min=2, help="Robots of that family.")] = 50,
+    cases: Annotated[int, typer.Option(min=2, help="Number of uncertain robots.")] = 50,
     seed: Annotated[int, typer.Option(min=0, help="Same seed, same robots.")] = 0,
     out: Annotated[Path | None, typer.Option(help="Write it to a file: .mat, .npz or .json.")] = None,
     figure: Annotated[Path | None, typer.Option(help="A file for the figure: .svg, .png or .pdf.")] = None,
@@ -48,11 +48,13 @@ def linear(
     fix_inertia: FixInertia = False,
     as_json: AsJson = False,
 ) -> None:
-    """Linear model about the rest: poles, zeros, and A, B, C, D for other tools.
+    """Linearization about the equilibrium: poles, zeros, and A, B, C, D for other tools.
 
-    x' = A x + B u, y = C x + D u by exact derivatives of the equations, about the rest at the first commands, or --at a
-    pose; under the controllers of the sheet with --closed. Zeros to the right are named: such an output first moves the
-    wrong way. Example: tmodes linear two_link_arm --inputs elbow.torque --outputs tip.acceleration.z,elbow.position
+    x' = A x + B u, y = C x + D u by exact derivatives of the equations, about the equilibrium at the first commands, or
+    --at a pose; the closed loop under the sheet's controllers with --closed. Zeros in the right half-plane
+    (non-minimum phase) are named: such an output first moves the wrong way.
+
+    Example: tmodes linear two_link_arm --inputs elbow.torque --outputs tip.acceleration.z,elbow.position
     """
     from tmodes.interface.files import write_files
     from tmodes.interface.linear import linearize

@@ -40,7 +40,7 @@ def modes(
     fix_inertia: FixInertia = False,
     as_json: AsJson = False,
 ) -> None:
-    """Frequencies and damping about the static equilibrium, for the actual robot and for the nominal one.
+    """Natural frequencies and damping ratios about the static equilibrium, of the actual and the nominal robot.
 
     Under its loads, its motors at their first command or `--at` a pose. Where drives or the base turn at
     constant speed, about that motion, with its centrifugal and gyroscopic forces. All numbers are of the pole p, an

@@ -26,8 +26,8 @@ def motion(
     ] = "gradients",
     torque: Annotated[str | None, typer.Option(metavar=_PAIRS, help="Limits of the torques [N*m, N].")] = None,
     speed: Annotated[str | None, typer.Option(metavar=_PAIRS, help="Limits of the speeds [rad/s, m/s].")] = None,
-    modes: Annotated[int, typer.Option(help="How many modes have harmonics of their own among the torques.")] = 5,
-    tolerance: Annotated[float | None, typer.Option(help="Swing of the tip that is accepted [m].")] = None,
+    modes: Annotated[int, typer.Option(help="Number of modes whose harmonics the torques contain.")] = 5,
+    tolerance: Annotated[float | None, typer.Option(help="Residual vibration of the tip that is accepted [m].")] = None,
     settings: Settings = None,
     root: Roots = None,
     trust_paths: TrustPaths = False,
@@ -38,10 +38,10 @@ def motion(
     overwrite: Annotated[bool, typer.Option("--overwrite", help="Replace a file that is there.")] = False,
     as_json: AsJson = False,
 ) -> None:
-    """Torques that bring a robot from rest to rest without swing: found by exact derivatives, checked in open loop.
+    """Torques from rest to rest without residual vibration: found by exact derivatives, checked in open loop.
 
-    Joints behind elastic gears go by their motors. What is left out is that of the sheet: where its drives begin and
-    end and how long they take, and the limits of its joints.
+    Of joints behind elastic gears the motors are moved. Start, goal and duration that are left out are those of the
+    sheet's drives, limits those of its joints.
 
     For example:  tmodes motion two_link_arm --duration 0.5 --out still.yaml    then  tmodes run still.yaml
     """

@@ -42,8 +42,8 @@ def parameters(
 ) -> None:
     """Every number of a data sheet: path, value, unit, bounds, and the numbers of a run that it enters.
 
-    What is marked as structure takes other code where it changes (a count, a rigid stiffness, a sample time): cases of
-    a batch that differ in it are prepared apart. All others vary in one batch, study or gradient, alone or together.
+    Parameters marked as structure (a count, a rigid stiffness, a sample time) change the compiled code: cases of a
+    batch that differ in them are compiled apart. All others vary in one batch, study or gradient, alone or together.
     """
     from tmodes.simulation.vary.parameters import parameters_of
 

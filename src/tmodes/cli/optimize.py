@@ -29,17 +29,17 @@ def optimize(
     trust_paths: TrustPaths = False,
     as_json: AsJson = False,
 ) -> None:
-    """The best design of a study: what to minimize or maximize, within limits, among what may be chosen.
+    """Design optimization: objectives, constraints and design variables of a study file.
 
-    The study says it under `optimize`: `objectives` such as `- minimize: mass`; `limits` such as `sag <= 1.5 mm`,
+    The study file has a section `optimize`: `objectives` such as `- minimize: mass`; `limits` such as `sag <= 1.5 mm`,
     `f1 >= 14 Hz` or `settle <= 0.4 s`, each a quantity or a formula, a relation, a number with its unit; `design`, the
     parameters that are chosen: a range of any number of the robot, or a catalogue. With `worst_case: 64` each design
     is judged by the worst of 64 cases of the other parameters, which are uncertain; with `percentile: 95` as well, by
     the case that 95 % of them do not exceed.
 
     Up to 20,000 designs of catalogues are all tried, and the optimum is exact. Where no simulation is needed, or the
-    adjoint gives the slopes, a smooth problem is solved along its gradients. Otherwise Optuna tries designs, 16 side
-    by side. Of several objectives the Pareto front is given: designs of which none is better in all.
+    adjoint gives the gradients, a smooth problem is solved by them. Otherwise Optuna tries designs, 16 side by side. Of
+    several objectives the Pareto front is given: designs of which none is better in all.
 
     Exit code 3: no design keeps all limits; the one that exceeds them least is shown.
 

@@ -30,21 +30,21 @@ def pose(
         str | None,
         typer.Option(
             metavar="JOINT=VALUE,...",
-            help="The pose from which motion counts, such as shoulder=0.4,elbow=-60deg; else the first commands.",
+            help="Branches near this pose come first, such as shoulder=0.4,elbow=-60deg; else the first commands.",
         ),
     ] = None,
-    starts: Annotated[int, typer.Option(help="Poses from which it is sought.")] = 64,
+    starts: Annotated[int, typer.Option(help="Number of start poses of the search.")] = 64,
     settings: Settings = None,
     root: Roots = None,
     trust_paths: TrustPaths = False,
     fix_inertia: FixInertia = False,
     as_json: AsJson = False,
 ) -> None:
-    """Joint and motor angles that hold the tip where it is wanted, sag of gears and links included: all branches.
+    """Inverse kinematics with the sag of gears and links: joint and motor angles of all branches.
 
     Of the nominal robot, at rest under its weight and loads, in its contact. Branches within the limits come first,
-    then stable ones, then those nearest to the first commands. A tip that can not be there: the nearest pose, and how
-    far it is off.
+    then stable ones, then those nearest to the first commands. Of a tip out of reach: the nearest pose, and its
+    distance.
     """
     from tmodes.interface.inverse import inverse
 

@@ -50,7 +50,7 @@ def run(
         typer.Option("--live/--no-live", help="Let the report simulate again; compiling takes some seconds, once."),
     ] = True,
     open_page: Annotated[bool, typer.Option("--open", help="Open the report in the browser.")] = False,
-    everything: Annotated[bool, typer.Option("--all", help="All numbers, with their errors; not a dozen.")] = False,
+    everything: Annotated[bool, typer.Option("--all", help="All numbers, with their errors and model errors.")] = False,
     timing: Annotated[bool, typer.Option("--timing", help="Say where the time went, here and in the report.")] = False,
     as_json: options.AsJson = False,
 ) -> None:

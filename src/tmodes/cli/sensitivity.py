@@ -55,7 +55,7 @@ def sensitivity(
     trust_paths: TrustPaths = False,
     as_json: AsJson = False,
 ) -> None:
-    """Which parameters make a quantity vary, and how sure that is.
+    """Global sensitivity of quantities to parameters, with confidence intervals.
 
     Each parameter has a share of the variance of each quantity: `first` is what it makes by itself, `total` what it
     makes alone and together with others. A parameter whose total is near 0 may stay at any value; if the totals add up
@@ -70,7 +70,8 @@ def sensitivity(
 
     Example: tmodes sensitivity gear.yaml
 
-    Example, kept and resumable, four times as sure: tmodes sensitivity gear.yaml --samples 4096 --out gear-indices
+    Example, kept and resumable, four times as many samples: tmodes sensitivity gear.yaml --samples 4096 --out
+    gear-indices
     """
     from tmodes.study.sensitivity import sensitivity as analyse
 

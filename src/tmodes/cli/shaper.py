@@ -40,14 +40,14 @@ def shaper(
     fix_inertia: FixInertia = False,
     as_json: AsJson = False,
 ) -> None:
-    """A shaper for the motion of the data sheet: what is left of a vibration, and how far off its frequency may be.
+    """Input shaping of the data sheet's motion: residual vibration, and robustness to errors of the frequency.
 
     The motion of each drive becomes the sum of copies of it, so that the modes that it is made for are at rest after
-    the last one; it takes longer by the delay. Modes are those of the robot as known, under its controllers, or with
+    the last one; it takes longer by the delay. Modes are those of the nominal robot, under its controllers, or with
     motors locked where it has none, in the pose where the motion starts, ends, or all along it (then for the middle
     between the lowest and the highest frequency).
 
-    Example, robust to a stiffness that is off, and a run with it: tmodes shaper two_link_arm --kind zvd
+    Example, robust to an error of the stiffness, and a run with it: tmodes shaper two_link_arm --kind zvd
     --out shaped.yaml; tmodes run shaped.yaml
     """
     from tmodes.interface.shaping import shaper as found_of

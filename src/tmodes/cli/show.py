@@ -44,9 +44,9 @@ def show(
     ] = None,
     as_json: AsJson = False,
 ) -> None:
-    """What a stored result says: its verdict, and at most a dozen numbers.
+    """The verdict on a stored result, and at most twelve numbers.
 
-    With `--all` all numbers with their errors, frequencies, and the course of every series in a line; of what is known
+    With `--all` all numbers with their errors, natural frequencies, and a sparkline of every series; of quantities
     along a link (deflection, moment) the value of the largest size at each instant.
 
     With `--events` its events alone: when and where a contact touched, friction stuck or slipped, teeth of a gear with
@@ -56,7 +56,7 @@ def show(
 
     With `--output NAME` outputs by their names, as `tmodes outputs` lists them, stored or computed from the motion.
 
-    Of a study, its folder: what its quantities are over all cases, as the study has reported it.
+    Of a study (its folder): statistics of its quantities over all cases.
     """
     from tmodes.cli.series import StoredSeries, series_of_result
     from tmodes.interface.show import is_study, result_file

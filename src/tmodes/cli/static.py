@@ -48,7 +48,7 @@ def static(
     fix_inertia: FixInertia = False,
     as_json: AsJson = False,
 ) -> None:
-    """Rest under weight and loads: pose, sag, stability, stiffness at the point, and which element gives how much.
+    """Static equilibrium under weight and loads: pose, sag, stability, stiffness at a point, compliance by element.
 
     The loads are those of the data sheet and those given here; motors stand at their first command. A joint whose drive
     commands an effort, torque or voltage is free, under its first value, unless --hold or --at names it. Of the nominal

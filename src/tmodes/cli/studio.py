@@ -34,7 +34,7 @@ def studio(
     ] = "127.0.0.1",
     browser: Annotated[bool, typer.Option("--open/--no-open", help="Open the page in the browser.")] = True,
 ) -> None:
-    """A local web application: choose a robot, drag its numbers, see it move and ring, keep the study as YAML.
+    """A local web application: choose a robot, change its parameters, see it move and vibrate, save it as YAML.
 
     Only this machine can reach it, and only with the address that is printed. Ctrl-C stops it.
     """

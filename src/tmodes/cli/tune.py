@@ -38,12 +38,12 @@ def tune(
     fix_inertia: FixInertia = False,
     as_json: AsJson = False,
 ) -> None:
-    """Tune the gains of any law: before and after, and what keeps it from being better.
+    """Tune the gains of any controller: before and after, and what limits them.
 
-    Gains are those of controllers and of blocks in `control`; of LQR and LQG the weights. They go along gradients
-    of the run (its adjoint) where there are some: laws in continuous time, `rms`, `mean` or `end` of an output.
-    Otherwise, and where the best gains would ask more of the drives than they can, by `cobyqa`, which needs no slopes
-    and keeps the limits of the drives. It is what `tmodes optimize` does with a study of these gains.
+    Gains are those of controllers and of blocks in `control`; of LQR and LQG the weights. They follow gradients of the
+    run (its adjoint) where these exist: laws in continuous time, `rms`, `mean` or `end` of an output. Otherwise, and
+    where the best gains would exceed the limits of the drives, `cobyqa` finds them, which needs no derivatives and
+    keeps these limits. It is what `tmodes optimize` does with a study of these gains.
 
     Example: tmodes tune spong1987 --out tuned.yaml
 

@@ -441,4 +441,4 @@ def _number(length: float | None) -> str:
 
 
 def _mm(length: float | None) -> str:
-    return "unknown" if length is None else written(length, "m", 3).replace("\u00a0", " ")
+    return "unknown" if length is None else written(length, "m", 3)

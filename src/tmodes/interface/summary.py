@@ -96,7 +96,7 @@ def _first_numbers(result: Result, summary: dict[str, Any]) -> Table:
         fact = facts[name]
         note = own.get(name) or fact.note.partition("; not looked at")[0].removesuffix(" of the run")
         words = fact.name, f"{value_words(fact)}{_uncertain(summary, fact)}", note
-        rows.append([plain(text.replace("\u00a0", " ")) for text in words])
+        rows.append([plain(text) for text in words])
     return Table(f"{result.name}: {result.status}", ["quantity", "value", "where"], rows)
 
 

@@ -282,7 +282,7 @@ class Tuning(CommandResult):
         said += [f"{name} needs {100 * share:.3g} % of its largest effort" for name, share in self.efforts.items()
                  if share >= _AT_LIMIT]  # fmt: skip
         if words := culprit_words(self.verdicts[1]):
-            said.append(f"the largest error that is left is of {words}".replace("\u00a0", " "))
+            said.append(f"the largest error that is left is of {words}")
         return tuple(said)
 
     def info(self) -> dict[str, Any]:
@@ -332,7 +332,7 @@ class Tuning(CommandResult):
         yield "\n".join(f"Limited: {one}." for one in self.limited)
 
     def _said(self, value: float) -> str:
-        return written(value, self.unit, 4).replace("\u00a0", " ")
+        return written(value, self.unit, 4)
 
     @property
     def warnings(self) -> list[str]:

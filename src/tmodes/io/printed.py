@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import html
 import math
+import re
 from collections.abc import Iterable, Iterator, Sequence
 from textwrap import wrap
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -15,7 +16,7 @@ if TYPE_CHECKING:
     from xarray import Dataset
 
 __all__ = [
-    "NEVER_LARGE", "CommandResult", "Table", "changed_by", "known_columns", "plain", "power_of_ten", "pretty",
+    "NEVER_LARGE", "CommandResult", "Table", "bound", "changed_by", "known_columns", "plain", "power_of_ten", "pretty",
     "public_names", "shortened", "table_html", "written",
 ]  # fmt: skip
 
@@ -114,11 +115,11 @@ def _lines(part: str | Table, widest: int) -> Iterator[str]:
 def table_html(part: str | Table) -> str:
     """A sentence or a table as HTML."""
     if isinstance(part, str):
-        return f"<p>{html.escape(part)}</p>"
-    head = "".join(f"<th>{html.escape(column)}</th>" for column in part.columns)
-    rows = ("".join(f"<td>{html.escape(cell)}</td>" for cell in row) for row in part.rows)
+        return f"<p>{html.escape(bound(part))}</p>"
+    head = "".join(f"<th>{html.escape(bound(column))}</th>" for column in part.columns)
+    rows = ("".join(f"<td>{html.escape(bound(cell))}</td>" for cell in row) for row in part.rows)
     body = "".join(f"<tr>{row}</tr>" for row in rows)
-    caption = f"<caption>{html.escape(part.title)}</caption>" if part.title else ""
+    caption = f"<caption>{html.escape(bound(part.title))}</caption>" if part.title else ""
     return f"<table>{caption}<thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>"
 
 
@@ -153,22 +154,36 @@ def pretty(unit: str) -> str:
 
 
 def written(value: float, unit: str, digits: int = 4) -> str:
-    """A value [``unit``, SI] with a readable unit, not to be parted at the end of a line: ``4.041 mm``."""
+    """A value [``unit``, SI] with a readable unit: ``4.041 mm``."""
     name = "" if unit in ("", "-", "1") else pretty(unit)
     size = abs(value)
     if not math.isfinite(value):
-        return f"{value:g}\u00a0{name}".rstrip()
+        return f"{value:g} {name}".rstrip()
     own = _FIXED.get(unit)
     tiny = own is not None and _LEAST <= size < 1e-3 / own[1]
-    if own and 0.0 < size < own[0] and not tiny:
+    if own and size < own[0] and not tiny:
         value, name = value * own[1], own[2]
     if not name or unit in _PLAIN or (own and not tiny) or size == 0.0:
         text = power_of_ten(value) if size and not 1e-3 <= abs(value) < _LARGE else _rounded(value, digits)
-        return f"{text}\u00a0{name}".rstrip("\u00a0")
+        return f"{text} {name}".rstrip()
     for least, factor, prefix in _PREFIXES:
         if size >= least and (factor >= 1.0 or unit.split("/", maxsplit=1)[0] not in NEVER_LARGE):
-            return f"{_rounded(value * factor, digits)}\u00a0{prefix}{name}"
-    return f"{power_of_ten(value)}\u00a0{name}"
+            return f"{_rounded(value * factor, digits)} {prefix}{name}"
+    return f"{power_of_ten(value)} {name}"
+
+
+_BEFORE_UNIT = re.compile(
+    r"(?<=[\d⁰¹²³⁴-⁹]) (?=(?:[nµmkMG]?(?:m|s|g|N|Pa|Hz|rad|V|A|J|W|Ω)|%|°|deg)(?![A-Za-z0-9_]))"
+    r"|(?<=\d) (?=× 10)|(?<=\d ×) (?=10)"
+)
+
+
+def bound(text: str) -> str:
+    """Text for a page, whose numbers no end of a line parts from their units: with no-break spaces between them.
+
+    As ``bound`` of ``web/src/format.ts``.
+    """
+    return _BEFORE_UNIT.sub("\u00a0", text)
 
 
 def changed_by(value: float, first: float) -> str:
@@ -202,4 +217,4 @@ def power_of_ten(value: float) -> str:
     if value == 0.0:
         return "0"
     digits, _, power = f"{value:.1e}".partition("e")
-    return f"{digits}\u00a0×\u00a010{str(int(power)).translate(_SUPERSCRIPT)}"
+    return f"{digits} × 10{str(int(power)).translate(_SUPERSCRIPT)}"

@@ -201,6 +201,7 @@ def _run(setup: RunSetup) -> dict[str, Any]:
         "exact": [[one.coordinate, one.plan.signal] for one in drivers if one.plan.servo is None],
         "commanded": [[one.coordinate, one.plan.wanted] for one in drivers if one.plan.joint in motion],
         "driven": [one.coordinate for one in drivers],
+        "commands": [[one.plan.joint, one.plan.signal] for one in drivers if one.plan.joint in motion],
         "signals": len(setup.planned.each),
         "balance": _balance(setup),
         "moving": [k for k in range(len(setup.planned.each)) if k not in plan.aside],

@@ -102,7 +102,7 @@ def sliders_of(sheet: Any, knobs: Sequence[Knob], most: int = MOST, *, ahead: Ah
         path, unit = number.path, number.unit
         if knob.together:
             path, unit = group_path(knob.pattern, [own for own, _ in knob.targets], data), "-"
-        shown = f"{label}: times the sheet's" if knob.together else label
+        shown = f"{label}: factor" if knob.together else label
         own = (path, shown, number.symbol, unit, group, knob.start, knob.low, knob.high, knob.log)
         whole = number.value if knob.together else 1.0
         ends = (end / whole if abs(end) < LARGEST else None for end in (number.least, number.most))

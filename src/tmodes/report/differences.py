@@ -153,4 +153,4 @@ def _changed(value: float, first: float, unit: str, index: int) -> str:
     if not index or not change:
         return written(value, unit)
     words = [f"{'+' if change > 0 else '−'}{written(abs(change), unit, 3)}" if first else "", changed_by(value, first)]
-    return f"{written(value, unit)} ({', '.join(filter(None, words))})".replace(" %", "\u00a0%")
+    return f"{written(value, unit)} ({', '.join(filter(None, words))})"

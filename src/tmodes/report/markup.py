@@ -5,12 +5,14 @@ from __future__ import annotations
 import html
 from collections.abc import Iterable, Mapping, Sequence
 
-from tmodes.io.printed import power_of_ten, written
+from tmodes.io.printed import bound, power_of_ten, written
 
 __all__ = ["Markup", "Rows", "grouped_table", "power_of_ten", "table", "tag", "together", "written"]
 
 
 EMPTY = frozenset({"br", "img", "meta"})
+VERBATIM = frozenset({"code", "pre", "script", "style"})
+"""Elements whose text is taken to the letter: no space of it is changed."""
 
 
 class Markup(str):
@@ -22,11 +24,15 @@ class Markup(str):
 def tag(name: str, /, *content: str | None, **attributes: str | bool | None) -> Markup:
     """One element. Plain text in ``content`` and in ``attributes`` is escaped, ``Markup`` is kept; None is left out.
 
+    Numbers in ``content`` stay with their units at the end of a line, but in ``VERBATIM``.
+
     An attribute's trailing underscore is dropped, others become hyphens: ``class_``, ``aria_label``.
     """
     written = "".join(_attribute(key, value) for key, value in attributes.items())
     if name in EMPTY:
         return Markup(f"<{name}{written}>")
+    if name not in VERBATIM:
+        content = tuple(part if part is None or isinstance(part, Markup) else bound(part) for part in content)
     return Markup(f"<{name}{written}>{together(content)}</{name}>")
 
 

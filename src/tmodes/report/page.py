@@ -116,7 +116,7 @@ def _provenance(result: Result, robot: Robot, spent: Mapping[str, Sequence[float
         tag("p", robot.citation),
         tag(
             "div",
-            table("Integration", ("What", "Value"), [*rows_of(method), *rows_of(result.statistics)], numeric=(1,)),
+            table("Integration", ("What", "Value"), [*rows_of(method), *rows_of(result.statistics)]),
             table("Versions", ("Program", "Version"), list(rows_of(json.loads(attributes["versions"])))),
             table("Where the time went", ("Stage", "Wall [s]", "Processor [s]"), times, numeric=(1, 2))
             if times
@@ -225,7 +225,7 @@ def _link_row(name: str, link: dict[str, Any]) -> list[str]:
 def _coordinate_row(name: str, one: dict[str, Any]) -> list[str]:
     unit, keys = "-" if one["unit"] == "1" else one["unit"], ("max_stationary", "max_oscillatory", "max_nominal")
     parts = [written(one[key], unit) if key in one else "–" for key in keys]
-    return [name, written(one["max"], unit), f"{one['time_of_max_s']:.3g}\u00a0s", *parts]
+    return [name, written(one["max"], unit), f"{one['time_of_max_s']:.3g} s", *parts]
 
 
 _TABLES: dict[str, tuple[str, str, tuple[str, ...], tuple[int, ...], Callable[[str, Any], list[str]]]] = {

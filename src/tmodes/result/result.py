@@ -285,8 +285,8 @@ class Result:
         element along the largest error, which add up to it. ``settling``: ``time_s`` [s] after the move, ``within_m``
         [m] of its own rest, or a ``reason``; ``residual``: ``amplitude_m`` [m] of its vibration then, and
         ``frequency_Hz``, ``damping`` [-] of the strongest mode of that. ``limits`` of the sheet, the most critical
-        first; ``tolerance_m`` [m] of its task, and by that the ``level``: ``neutral``, ``good`` or ``bad``. What is not
-        known is None.
+        first; ``jump``: ``joint`` and ``time_s`` [s] of the first jump of a command; ``tolerance_m`` [m] of its task,
+        and by that the ``level``: ``neutral``, ``good`` or ``bad``. What is not known is None.
 
         Source: :func:`tmodes.result.verdict.verdict`.
 
@@ -296,14 +296,15 @@ class Result:
         return self.summary()["verdict"]
 
     def _verdict(self, summary: dict[str, Any]) -> dict[str, Any]:
-        from tmodes.result.verdict import limits_of, verdict
+        from tmodes.result.verdict import jump_of, limits_of, verdict
 
         try:
             robot = self.robot
         except TmodesError:  # it names a kind that is not known here
             return verdict(summary, warnings=self.warnings, message=self.message)
         limits, task = limits_of(robot, self.record, summary["links"]), robot.task
-        return verdict(summary, limits, task and task.tolerance, self.warnings, self.message)
+        jump = jump_of(robot, float(self.record["time"].values[-1]))
+        return verdict(summary, limits, task and task.tolerance, self.warnings, self.message, jump)
 
     @checked_arguments
     def save(self, path: str | os.PathLike[str], *, overwrite: bool = False) -> Path:

@@ -68,7 +68,7 @@ _UNREST = "a motion that does not decay, or a run that is too short"
 _LONGER = ": simulate longer to see it settle"
 """What helps where a run that reached its end ends before its move."""
 
-_COSTLY = "what follows takes more than half of the run's own steps: simulate longer to see it"
+_COSTLY = "the run was continued by half of its steps; simulate longer to see it settle"
 
 _AT_REST = 1e-4
 """Share of the largest distance from its end, after the move, within which the tip no longer shows its vibration."""
@@ -169,8 +169,8 @@ def settling(
     if move <= STANDS * np.abs(tip).max():
         return info | {"time_s": 0.0, "rest_m": rest.tolist(), "reason": AT_REST}
     if spread > _STEADY * limit:
-        size = written(2 * spread, "m", 3).replace("\u00a0", " ")
-        return info | {"reason": f"{whose} still moves by {size} before t = {times[-1]:.4g} s: {unrest}"}
+        size = written(2 * spread, "m", 3)
+        return info | {"reason": f"{whose} still moves by {size} at t = {times[-1]:.4g} s: {unrest}"}
     return info | {"time_s": settled_after(times, tip, rest, limit, end, rates), "rest_m": rest.tolist()}
 
 

@@ -116,7 +116,7 @@ def vibration_words(one: dict[str, Any], length: Callable[[float], str]) -> str:
     if modes := [mode for mode in one["modes"] if mode["amplitude_m"] > _WEAK * one["amplitude_m"]][:_MOST_MODES]:
         said.append(", ".join(_mode_words(mode, length) for mode in modes))
         further = sum(mode.get("share", 0.0) for mode in one["modes"] if mode not in modes)
-        said.append(f"{further:.0%} in weaker modes, {one.get('unexplained', 0.0):.0%} in no mode")
+        said.append(f"{100 * further:.0f} % in weaker modes, {100 * one.get('unexplained', 0.0):.0f} % in no mode")
     return "; ".join(filter(None, [*said, one.get("cut", "")]))
 
 
@@ -125,7 +125,7 @@ def _mode_words(mode: dict[str, Any], length: Callable[[float], str]) -> str:
     if drift := mode.get("drift_Hz"):
         named.append(f"{drift[0]:.3g} to {drift[1]:.3g} Hz as it decays")
     if mode.get("share", 0.0) >= _SAID:
-        named.append(f"{mode['share']:.0%}")
+        named.append(f"{100 * mode['share']:.0f} %")
     more = ", ".join(filter(None, named))
     return f"{length(mode['amplitude_m'])} at {mode['frequency_Hz']:.3g} Hz{more and f' ({more})'}"
 

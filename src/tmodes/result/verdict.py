@@ -24,6 +24,7 @@ __all__ = [
     "damping_words",
     "end_words",
     "filled",
+    "jump_of",
     "limits_of",
     "said",
     "unjudged",
@@ -55,6 +56,10 @@ PHRASES: dict[str, Phrases] = {
             "; {it} is not seen to settle: {reason}",
         ),
         (".",),
+        (
+            " The command of joint {jumper} jumps at {jumped}, which excites this vibration: smooth it by a profile, "
+            "such as quintic, or by a shaper.",
+        ),
         (
             " {quantity} of {element} passes its limit: {value} of {limit}; so do {others}.",
             " {quantity} of {element} passes its limit: {value} of {limit}.",
@@ -94,10 +99,12 @@ def verdict(
     tolerance: float | None = None,
     warnings: Sequence[str] = (),
     message: str = "",
+    jump: Mapping[str, Any] | None = None,
 ) -> dict[str, Any]:
     """Plain data, ``Verdict`` of ``web/src/contract.ts``; from the ``summary`` of a run, and its :func:`limits_of`.
 
-    ``tolerance`` [m] of the sheet's task; ``warnings`` of the run and the ``message`` of its end.
+    ``tolerance`` [m] of the sheet's task; ``warnings`` of the run and the ``message`` of its end; ``jump``:
+    :func:`jump_of` its commands.
     """
     errors, deviation, settling = summary["tip_error"], summary["deviation"], summary["settling"]
     against = "commanded" if "commanded" in errors else "nominal" if deviation else None
@@ -118,6 +125,7 @@ def verdict(
         } if modes else None,
         "limits": [*limits],
         "culprits": [*culprits(errors.get(against, {}))],
+        "jump": jump,
         "tolerance_m": tolerance,
     }  # fmt: skip
     found["level"] = _level(found, summary["status"], warnings)
@@ -127,7 +135,7 @@ def verdict(
 def unjudged(sentence: str) -> dict[str, Any]:
     """The verdict on what did not run, or cannot be judged."""
     settling = {"time_s": None, "within_m": None, "reason": ""}
-    nothing = dict.fromkeys(("against", "largest_m", "time_s", "final_m", "bends"))
+    nothing = dict.fromkeys(("against", "largest_m", "time_s", "final_m", "bends", "jump"))
     return {"point": "tip"} | nothing | {
         "settling": settling, "residual": None, "limits": [], "culprits": [], "tolerance_m": None, "level": "neutral",
         "sentence": sentence,
@@ -184,6 +192,7 @@ def said(found: Mapping[str, Any], status: str, message: str) -> dict[str, str]:
     settling, residual, bends, failed = found["settling"], found["residual"], found["bends"], status not in _ENDED
     off, within, settled = largest is not None and largest > _EXACT, settling["within_m"] or 0.0, settling["time_s"]
     seen = residual and (settled is None or residual["amplitude_m"] > within)
+    jump = seen and found["jump"]
     worst, *others = [one for one in found["limits"] if one["share"] > _PASSED] or [None]
     said_why = end_words(message)
     known = {
@@ -207,6 +216,8 @@ def said(found: Mapping[str, Any], status: str, message: str) -> dict[str, str]:
         "reason": not failed and settled is None and settling["reason"],
         "frequency": seen and _written(residual["frequency_Hz"], "Hz"),
         "damping": seen and damping_words(residual["damping"]),
+        "jumper": jump and jump["joint"],
+        "jumped": jump and _written(jump["time_s"], "s"),
         "quantity": worst and worst["quantity"].capitalize(),
         "element": worst and worst["element"],
         "value": worst and _written(worst["value"], worst["unit"]),
@@ -233,7 +244,7 @@ _ENDED = ("finished", "stopped_by_condition")
 
 
 def _written(value: Any, unit: str, digits: int = 3) -> str:
-    return written(value, unit, digits).replace("\u00a0", " ")
+    return written(value, unit, digits)
 
 
 def culprit_words(found: Mapping[str, Any], most: int = 4) -> str:
@@ -248,6 +259,17 @@ def culprit_words(found: Mapping[str, Any], most: int = 4) -> str:
 def _culprit(one: Mapping[str, Any]) -> str:
     names = {name: text for name in ("cause", "element") if (text := one[name])}
     return f"{filled(PHRASES['culprit'], names)} {_written(one['value_m'], 'm')}"
+
+
+def jump_of(robot: Robot, end: float) -> dict[str, Any] | None:
+    """The first jump of a commanded position before ``end`` [s]: ``joint`` and ``time_s`` [s]; None without any."""
+    whole = robot.integration.duration
+    jumps = [
+        (float(time), drive.joint)
+        for drive in robot.drives if drive.command.is_motion
+        for time in drive.signal.schedule(whole).until(whole).jumps() if time < end
+    ]  # fmt: skip
+    return dict(zip(("time_s", "joint"), min(jumps), strict=True)) if jumps else None
 
 
 def limits_of(robot: Robot, data: Any, links: Mapping[str, Any]) -> list[dict[str, Any]]:

@@ -296,10 +296,8 @@ def refuse_jumps(robot: Robot, plan: Planned) -> None:
     }
     given |= {k: f"base_motion.{name}" for k, name in zip(plan.plan.base, WAYS, strict=False)}
     for place, path in given.items():
-        piece = plan.pieces[place]
-        far = MergedSchedule(piece.knots, piece.coefficients[:, None, :]).gaps()[1][:, 0]
-        if far.any():
-            got = f"a jump in position at t = {piece.knots[1:][far.argmax()]:.6g} s"
+        if len(jumps := plan.pieces[place].jumps()):
+            got = f"a jump in position at t = {jumps[0]:.6g} s"
             hint = "move there in a short time, or let a controller follow it (`command: position`)"
             raise InputError(path, got, "a motion without jumps in position, which no finite force gives", hint)
 

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 __all__ = ["SURE", "amount", "between", "joined_answers", "quantity_answers", "study_sentence"]
 
-_SI = ("m", "rad", "s", "N", "N m", "N*m", "Pa", "W", "J")
+_SI = ("m", "rad", "s", "N", "N m", "N*m", "Pa", "W", "J", "m/N")
 """Units that may take a prefix; a study's others stay as they were asked for."""
 
 SURE = f"{100 * CONFIDENCE:.0f} % confidence"
@@ -30,7 +30,7 @@ _FEWEST = 20
 def amount(value: float, unit: str) -> str:
     """A value with its unit: ``12.41 mm``."""
     if unit in _SI:
-        return written(value, unit).replace("\u00a0", " ")
+        return written(value, unit)
     text = f"{value:.0f}" if 1e4 <= abs(value) < 1e6 else f"{value:.4g}"
     return f"{text} {pretty(unit)}".removesuffix(" –")
 

@@ -11,7 +11,7 @@ const SAID = 0.005; // share of the energy of a vibration from which on it is sa
 const [MOST_MODES, WEAK] = [3, 0.01];
 
 const joined = (parts: string[], by = "; ") => parts.filter(Boolean).join(by);
-const percent = (share: number) => `${Math.round(100 * share)}%`;
+const percent = (share: number) => `${Math.round(100 * share)} %`;
 
 export function settlingFact({ time, limit, reason }: Settled, { cut }: AfterMove, within: string): Facts[string] {
   if (time === null) return { value: null, note: `not seen: ${joined([reason, reason.includes(cut) ? "" : cut])}` };

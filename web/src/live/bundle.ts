@@ -70,6 +70,8 @@ export interface RunInfo {
   commanded: [number, number][];
   /** Coordinates that drives move. */
   driven: number[];
+  /** Joints whose position is commanded, and the signal of each. */
+  commands: [string, number][];
   signals: number;
   /** How the equilibrium of its closed loop is found, from which it starts; null where its motors are held. */
   balance: BalanceInfo | null;

@@ -46,7 +46,7 @@ export function settlingOf(
     );
   if (move <= STANDS * tip.reduce((most, value) => Math.max(most, Math.abs(value)), 0)) return none(AT_REST, 0);
   if (spread > rules.STEADY * limit) {
-    const by = `${info(2 * spread, "m", 3).replace("\u00a0", " ")} before t = ${digits(last, 4)} s`;
+    const by = `${info(2 * spread, "m", 3).replace("\u00a0", " ")} at t = ${digits(last, 4)} s`;
     return none(`the tip still moves by ${by}: ${unrest || rules.UNREST}`);
   }
   return none("", settledAfter(path, rest, limit, end));

@@ -128,19 +128,34 @@ export function moveEnd(each: Schedule[]): number | null {
   return ends.includes(null) ? null : Math.max(0, ...(ends as number[]));
 }
 
+/** The first time before `end` at which a signal jumps [s]; Infinity: it does not. */
+export function firstJump(one: Schedule, end: number): number {
+  const later = [...one.knots.subarray(1, -1)].find((time, k) => time < end && jumps(one, k + 1, sizeOf(one)));
+  return later ?? Infinity;
+}
+
+function jumps(one: Schedule, k: number, size: number): boolean {
+  return Math.abs(one.coefficients[k * (one.degree + 1)] - valueIn(one, k - 1, 0, one.knots[k])) > JUMP * size;
+}
+
+/** The largest value at the start of a piece. */
+function sizeOf({ knots, coefficients, degree }: Schedule): number {
+  return Array.from(knots.subarray(1), (_, k) => Math.abs(coefficients[k * (degree + 1)]))
+    .reduce((a, b) => Math.max(a, b), 1e-12);
+}
+
 function lastChange(one: Schedule): number | null {
   const { knots, coefficients, degree } = one;
   const pieces = knots.length - 1;
   const width = degree + 1;
-  const value = (k: number) => coefficients[k * width];
-  const size = Array.from({ length: pieces }, (_, k) => Math.abs(value(k))).reduce((a, b) => Math.max(a, b), 1e-12);
+  const size = sizeOf(one);
   for (let k = pieces - 1; k >= 0; k -= 1) {
     const length = knots[k + 1] - knots[k];
     for (let power = 1; power < width; power += 1) {
       if (Math.abs(coefficients[k * width + power]) * length ** power <= STILL * size) continue;
       return k === pieces - 1 ? null : knots[k + 1];
     }
-    if (k && Math.abs(value(k) - valueIn(one, k - 1, 0, knots[k])) > JUMP * size) return knots[k];
+    if (k && jumps(one, k, size)) return knots[k];
   }
   return 0;
 }

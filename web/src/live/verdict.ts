@@ -12,6 +12,7 @@ import type { Regime } from "./regime";
 import type { Residual } from "./residual";
 import type { Seen } from "./run_series";
 import { columns, range, worst, type SeriesOf } from "./series";
+import { firstJump } from "./signals";
 import type { Settled } from "./settling";
 
 export type Judged = Omit<Verdict, "level" | "sentence">;
@@ -51,10 +52,17 @@ export function judgedOf(
     point: "tip", against, largest_m: against ? sizes[k] : null, time_s: against ? times[k] : null,
     final_m: against ? sizes[times.length - 1] : null, bends: against ? null : gearOf(bundle, times, series),
     settling: { time_s: null, within_m: null, reason: "" }, residual: null, limits: ordered(limits),
+    jump: jumpOf(real, times[times.length - 1]),
     culprits: culprits.filter(({ value_m: value }) => Math.abs(value) > EXACT * sizes[k])
       .sort((one, other) => Math.abs(other.value_m) - Math.abs(one.value_m)),
     tolerance_m: bundle.judged.tolerance,
   };
+}
+
+function jumpOf({ info, each }: Regime, end: number): Judged["jump"] {
+  const all = info.commands.map(([joint, k]) => ({ joint, time_s: firstJump(each[k], end) }));
+  const [first] = all.sort((one, other) => one.time_s - other.time_s || (one.joint < other.joint ? -1 : 1));
+  return first?.time_s < Infinity ? first : null;
 }
 
 function ordered(limits: Limit[]): Limit[] {
@@ -102,8 +110,8 @@ export function withRest(
 
 /** Of a run that is judged by another point than its tip, whose errors are found natively alone: its limits. */
 export function unjudged(judged: Judged): Judged {
-  const nothing = { against: null, largest_m: null, time_s: null, final_m: null, bends: null, culprits: [] };
-  return { ...judged, ...nothing, settling: { time_s: null, within_m: null, reason: "" }, residual: null };
+  const none = { against: null, largest_m: null, time_s: null, final_m: null, bends: null, jump: null, culprits: [] };
+  return { ...judged, ...none, settling: { time_s: null, within_m: null, reason: "" }, residual: null };
 }
 
 /** The verdict, with its level and its sentence. */
@@ -128,6 +136,7 @@ function said(found: Judged, failure: string): Record<string, string | false | n
   const off = largest !== null && largest > EXACT;
   const [within, settled] = [settling.within_m ?? 0, settling.time_s];
   const seen = residual && (settled === null || residual.amplitude_m > within);
+  const jump = seen && found.jump;
   const [passed, ...others] = found.limits.filter(({ share }) => share > PASSED);
   const judged = tolerance !== null && largest !== null;
   return {
@@ -146,6 +155,8 @@ function said(found: Judged, failure: string): Record<string, string | false | n
     reason: !failure && settled === null && settling.reason,
     frequency: seen && written(residual.frequency_Hz, "Hz"),
     damping: seen && damping(residual.damping).replace(/\u00a0/g, " "),
+    jumper: jump && jump.joint,
+    jumped: jump && written(jump.time_s, "s"),
     quantity: passed ? passed.quantity[0].toUpperCase() + passed.quantity.slice(1) : false,
     element: passed?.element ?? false,
     value: passed ? written(passed.value, passed.unit) : false,

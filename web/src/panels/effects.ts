@@ -134,7 +134,7 @@ function ofTask({ slider }: Setting): boolean {
 /** `gear stiffness ×2: −21 %`, and what applies it. */
 export function adviceOf({ row, value, change }: Change, apply: () => void): Advice {
   const times = value > row.value ? `×${digits(value / row.value, 2)}` : `÷${digits(row.value / value, 2)}`;
-  const name = row.slider.label.replace(/: times the sheet's$/, "");
+  const name = row.slider.label.replace(/: factor$/, "");
   return { text: `${name} ${times}: −${digits(-100 * change, 2)} %`, apply };
 }
 

@@ -17,7 +17,8 @@ export interface SliderRow {
 const STEPS = 1000;
 const LARGE = 1e7;
 const TINY = 1e-300; // that is next to zero, which is refused
-const [SMALL, BIG] = [1e-3, 1e5]; // numbers that read better with a prefix
+const [SMALL, BIG] = [1e-3, 4e4]; // ends of sliders whose numbers read better with a prefix
+const SHORT = 0.3; // lengths [m], likewise
 const NUMBER = /^[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?$/i;
 const BEGUN = /^[-+]?\d*\.?\d*(e[-+]?)?$/i; // what may become a number as it is typed
 const SHOWN = 40; // letters of what was typed that a refusal repeats
@@ -122,11 +123,11 @@ function expected(text: string): string {
   return NUMBER.test(pointed) ? `a decimal point: ${pointed}` : "a number, such as 0.25 or 1e-3";
 }
 
-/** Its unit, with a prefix where its numbers would be long: GPa. */
-function unitOf({ unit, min, max }: Slider): { factor: number; name: string } {
+/** Its unit, with a prefix where its numbers would be long: GPa, mm. */
+export function unitOf({ unit, min, max }: Pick<Slider, "unit" | "min" | "max">): { factor: number; name: string } {
   const size = Math.max(Math.abs(min), Math.abs(max));
-  const prefixed = (size < SMALL || size >= BIG) && !unit.startsWith("kg");
-  return prefixed ? readable(unit, size) : { factor: 1, name: pretty(unit) };
+  const small = size < (unit === "m" ? SHORT : SMALL);
+  return (small || size >= BIG) && !unit.startsWith("kg") ? readable(unit, size) : { factor: 1, name: pretty(unit) };
 }
 
 /** As a field of numbers takes it: a modulus in Pa has more zeros than fit. */

@@ -1,4 +1,5 @@
 // What is written over the picture: the legend, the colour scale with its unit, the enlargement, the grid.
+import { bound } from "../format";
 import { make } from "./controls";
 import { gradient } from "./palette";
 import { roomsBetween, type Rooms } from "./room";
@@ -28,7 +29,7 @@ export class Notes {
 
   /** What the notes leave free of the picture, whatever number the line that changes now shows. */
   rooms(): Rooms {
-    this.live.textContent = this.shown.replace(/[\d.]+(?= N[, ])/g, "88.8");
+    this.live.textContent = this.shown.replace(/[\d.]+(?=\sN[, ])/g, "88.8");
     const notes = [this.legend, this.scale, this.factor, this.way, this.grid, this.axes];
     const [place, ...boxes] = [this.place, ...notes].map((element) => element.getBoundingClientRect());
     this.live.textContent = this.shown;
@@ -56,9 +57,9 @@ export class Notes {
 
   /** The line of the legend that changes with time. */
   tell(words: string): void {
-    if (words === this.shown) return;
-    this.shown = words;
-    this.live.textContent = words;
+    if (bound(words) === this.shown) return;
+    this.shown = bound(words);
+    this.live.textContent = this.shown;
   }
 
   /** The colours' range, in the quantity's unit; null: nothing is coloured by a quantity. */
@@ -91,7 +92,7 @@ export class Notes {
 
   floor(words: string): void {
     this.grid.hidden = words === "";
-    this.grid.textContent = words;
+    this.grid.textContent = bound(words);
   }
 }
 

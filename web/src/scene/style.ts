@@ -17,7 +17,7 @@ const RULES = `
   border: 1px solid var(--line); border-radius: 6px; box-shadow: 0 4px 14px rgba(0, 0, 0, 0.2); }
 .menu-panel:popover-open { display: grid; gap: 4px; }
 .menu-panel label { display: flex; align-items: center; gap: 6px; }
-.scene-bar select { max-width: 12.5em; text-overflow: ellipsis; }
+.scene-bar select { field-sizing: content; max-width: 13em; text-overflow: ellipsis; }
 .scene-bar .menu-button::after { content: " ▾"; white-space: pre; }
 .scene-bar input[type=range] { width: 104px; accent-color: var(--strong); }
 .scene-bar output { min-width: 2.6em; font-variant-numeric: tabular-nums; }
@@ -49,7 +49,7 @@ const RULES = `
 @container (max-width: 760px) {
   .scene-bar { gap: 4px 8px; }
   .scene-bar label { gap: 4px; }
-  .scene-bar select { max-width: 11.5em; padding: 3px 4px; }
+  .scene-bar select { max-width: 18.5em; padding: 3px 4px; }
   .scene-bar .scene-name { display: none; }
 }
 @container (max-width: 520px) {

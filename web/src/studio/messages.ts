@@ -1,6 +1,6 @@
 // What the studio says: how a run ended and how long it took, progress, and what is wrong and where.
 
-import { button, make } from "../dom";
+import { button, make, put } from "../dom";
 import type { Job, StudioChange, StudioPage, Wrong } from "./api";
 
 export interface Messages {
@@ -55,7 +55,7 @@ export function messages(): Messages {
   };
   const say = (text: string) => {
     busy(false);
-    if (line.textContent !== text) line.textContent = text;
+    put(line, text);
   };
   return {
     element,

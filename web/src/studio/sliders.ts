@@ -1,7 +1,8 @@
 // The row of sliders: the numbers of a sheet that are dragged most, as the server finds them.
 
 import { make, ownId } from "../dom";
-import { digits, pretty } from "../format";
+import { digits } from "../format";
+import { unitOf } from "../panels/slider";
 import type { Knob, Wrong } from "./api";
 import { read } from "./field";
 import { at, put, type Sheet } from "./sheet";
@@ -40,17 +41,17 @@ function slider(knob: Knob, sheet: Sheet, changed: () => void): { element: HTMLE
     "aria-label": `${knob.label}, typed`,
     autocomplete: "off",
   });
-  const unit = pretty(knob.unit);
+  const { factor, name: unit } = knob.together ? { factor: 1, name: "×" } : unitOf(knob);
   const label = make("label", { for: id }, document.createTextNode(knob.label));
   if (knob.symbol && knob.symbol !== "-") label.append(make("span", { class: "symbol", text: ` ${knob.symbol}` }));
-  const info = make("span", { class: "unit", text: knob.together ? "×" : unit === "–" ? "" : unit });
+  const info = make("span", { class: "unit", text: unit });
 
   const refresh = () => {
     const value = valueOf(knob, sheet);
-    if (document.activeElement !== typed) typed.value = value === null ? "" : digits(value);
+    if (document.activeElement !== typed) typed.value = value === null ? "" : digits(factor * value);
     if (value !== null) range.value = String(Math.round(STEPS * shareOf(knob, value)));
     range.disabled = value === null;
-    range.setAttribute("aria-valuetext", value === null ? "not a number" : `${digits(value)} ${unit}`);
+    range.setAttribute("aria-valuetext", value === null ? "not a number" : `${digits(factor * value)} ${unit}`);
   };
   range.addEventListener("input", () => {
     apply(knob, sheet, placed(knob, Number(range.value) / STEPS));
@@ -59,10 +60,10 @@ function slider(knob: Knob, sheet: Sheet, changed: () => void): { element: HTMLE
   });
   typed.addEventListener("change", () => {
     const value = read(typed.value);
-    if (typeof value === "number") apply(knob, sheet, value);
+    if (typeof value === "number") apply(knob, sheet, value / factor);
     else if (value !== undefined && !knob.together)
       put(sheet, knob.targets[0].steps, value); // perhaps with a unit: the server reads it
-    else typed.value = digits(valueOf(knob, sheet) ?? 1);
+    else typed.value = digits(factor * (valueOf(knob, sheet) ?? 1));
     changed();
     refresh();
   });

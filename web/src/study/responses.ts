@@ -124,7 +124,9 @@ function surface(host: HTMLElement, store: Store, one: Column, two: Column): voi
     }
     for (const [value, at] of [[low, box.bottom], [(low + high) / 2, (box.top + box.bottom) / 2], [high, box.top + 8]])
       root.append(svg("text", { x: box.right + 28, y: at, class: "name" }, plain(Number(value.toPrecision(3)))));
-  }, "Colour: the quantity that is looked at.");
+    const place = `translate(${width - 6} ${(box.top + box.bottom) / 2}) rotate(-90)`;
+    root.append(svg("text", { transform: place, "text-anchor": "middle", class: "name" }, named(column)));
+  });
   store.listen((change) => change !== "brush" && view.redraw());
 }
 

@@ -3,7 +3,7 @@ import { readable } from "../format";
 import type { Numbers } from "../pack";
 import type { Column, StudyPage } from "./contract";
 
-const SI = ["m", "rad", "s", "N", "N m", "Pa", "W", "J"];
+const SI = ["m", "rad", "s", "N", "N m", "Pa", "W", "J", "m/N"];
 
 /** The same page, with each column in a unit in which its median reads well. */
 export function readably(page: StudyPage): StudyPage {

@@ -180,9 +180,9 @@ class Contact(Kind, family="contact law", key="law"):
     def start_notices(self, normal: float, depth: float) -> Iterator[str]:
         """What a user should know of a start with this penetration [m] and normal force [N]."""
         if self.unilateral and depth > 0:
-            yield f"the point starts {depth:.3g} m inside of the surface, which pushes it with {normal:.3g} N"
+            yield f"the point starts {1e3 * depth:.3g} mm inside of the surface, which pushes it with {normal:.3g} N"
         if not self.unilateral and abs(depth) > _OFF:
-            yield f"the point starts {depth:.3g} m off the surface that holds it: a force of {normal:.3g} N at once"
+            yield f"the point starts {1e3 * abs(depth):.3g} mm off the surface that holds it: a force of {normal:.3g} N at once"
 
 
 CONTACTS = Contact.registry

@@ -35,7 +35,7 @@ class AngleLimit(NamedTuple):
 
 SMALL_ANGLES = AngleLimit(
     0.1, 0.3, 0.1,
-    "leaves the small angles of its model (|th| <= 0.1 rad)",
+    "leaves the small angles of its model (up to 0.1 rad)",
     "take the model `strain`, which is exact in large deflection",
     "take the model strain",
 )  # fmt: skip

@@ -48,7 +48,7 @@ class Mode(DataSheet):
 
     length: float = positive("m", "l", "length of the mode", plausible=(1e-3, 50.0))
     bending_stiffness: float = positive(
-        "N*m^2", "EI", "bending stiffness E*I of the section, both planes", rigid=True, plausible=(1e-6, 1e10)
+        "N*m^2", "EI", "bending stiffness EI of the section, both planes", rigid=True, plausible=(1e-6, 1e10)
     )
     mass_per_length: float = positive("kg/m", "w", "mass per length", plausible=(1e-5, 1e4))
     damping_time: float = dissipation("s", "eta", "Kelvin-Voigt damping over stiffness: Bs = eta Cs", most=0.1)

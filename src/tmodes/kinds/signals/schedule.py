@@ -73,6 +73,10 @@ class SignalPieces:
             return self
         return SignalPieces(*(np.vectorize(plain_value, [float])(part) for part in (self.knots, self.coefficients)))
 
+    def jumps(self) -> NDArray[np.float64]:
+        """The times at which its value jumps [s], between its ends."""
+        return self.knots[1:-1][MergedSchedule(self.knots, self.coefficients[:, None, :]).gaps()[1][:, 0]]
+
     def until(self, end: float) -> SignalPieces:
         """The same motion from its start to ``end`` [s]: cut short, or held in its last position."""
         kept = self.knots[:-1] < end

@@ -1,4 +1,4 @@
-/* tmodes, built from f2825400a3c12b6e; BSD-3-Clause */
+/* tmodes, built from 9576b219bc871c77; BSD-3-Clause */
 
 // src/live/engine_error.ts
 var EngineError = class extends Error {

@@ -235,7 +235,7 @@ _METHODS = {
 
 
 def _percent(share: float) -> str:
-    return written(100 * share, "%", 3).replace("\u00a0", " ")
+    return written(100 * share, "%", 3)
 
 
 def design_name(one: Candidate) -> str:
