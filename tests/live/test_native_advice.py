@@ -22,7 +22,8 @@ def both(robot: Robot, changes: dict[str, float], folder: Path) -> tuple[dict[st
     """What the page gives for changed numbers, and the native run of the same."""
     bundle = live_bundle(run(robot))
     assert bundle is not None
-    job = [float(changes.get(slider["path"], slider["value"])) for slider in bundle["sliders"]]
+    sliders: list[dict[str, Any]] = bundle["sliders"]
+    job = [float(changes.get(slider["path"], slider["value"])) for slider in sliders]
     return live_in_node(bundle, [job], folder)[0], run(robot.with_(changes))
 
 
