@@ -36,6 +36,8 @@ export interface LiveRun {
   verdict?: Verdict;
   /** Names of fields of the verdict, and ids of facts, that are still being computed. */
   pending?: string[];
+  /** Where a native run gives other numbers, or more: why, and its command. */
+  native?: string;
   /** Its modes; a sentence where they cannot be reported, none where they are not known yet. */
   vibration?: Vibration | string;
 }

@@ -15,8 +15,8 @@ from tmodes.integrate.registry import AUTO, integrator
 from tmodes.integrate.settings import Integration
 
 __all__ = [
-    "COUNTED", "STIFF", "TRIAL", "MethodChange", "chosen_method", "explained", "implicit_method", "otherwise",
-    "worth_keeping", "worth_switching",
+    "COUNTED", "EXPLICIT", "STIFF", "TRIAL", "MethodChange", "chosen_method", "explained", "implicit_method",
+    "otherwise", "worth_keeping", "worth_switching",
 ]  # fmt: skip
 
 STIFF = 20_000
@@ -28,7 +28,7 @@ TRIAL = 40
 _DEARER = 1.65
 """Cost of a step of it over an explicit one: nine passes, of four lanes (1.1), over six."""
 
-_EXPLICIT, _IMPLICIT, _WHOLE = "dormand_prince", "extrapolation", "rosenbrock"
+EXPLICIT, _IMPLICIT, _WHOLE = "dormand_prince", "extrapolation", "rosenbrock"
 """Those between which the stiffness chooses; the last where it may be of what the one before takes explicitly."""
 
 
@@ -46,13 +46,13 @@ def chosen_method(given: Integration, highest: float, implicit: str | None = _IM
     """The method of a run and why, in words (empty where it was given); ``highest``: largest |eigenvalue| [1/s]."""
     if given.method != AUTO:
         return given.method, ""
-    steps = highest * given.duration / (integrator(_EXPLICIT).reach or 1.0)
+    steps = highest * given.duration / (integrator(EXPLICIT).reach or 1.0)
     info = f"chosen: fastest eigenvalue {_about(highest)} 1/s"
     if steps <= STIFF or implicit is None:
-        return _EXPLICIT, f"{_EXPLICIT} {info}"
+        return EXPLICIT, f"{EXPLICIT} {info}"
     info += f", about {_about(steps)} explicit steps"
     if _too_exact(given, implicit):
-        return _EXPLICIT, f"{_EXPLICIT} {info}; {implicit} would round above the tolerance"
+        return EXPLICIT, f"{EXPLICIT} {info}; {implicit} would round above the tolerance"
     return implicit, f"{implicit} {info}"
 
 
@@ -75,7 +75,7 @@ def otherwise(given: Integration, method: str, implicit: str | None = _IMPLICIT)
     ``given``: the settings of the sheet; ``method``: the one that was chosen by them. A method that was named stays;
     so does one that is implicit, or whose tolerance is below that of its rounding.
     """
-    if given.method != AUTO or method != _EXPLICIT or implicit is None or _too_exact(given, implicit):
+    if given.method != AUTO or method != EXPLICIT or implicit is None or _too_exact(given, implicit):
         return None
     return given.chosen(implicit)
 

@@ -12,6 +12,9 @@ from numpy.typing import NDArray
 from tmodes.analysis.error_parts import element_places
 from tmodes.analysis.line.line import elastic_line, line_places
 from tmodes.analysis.quasistatic import elastic_names
+from tmodes.integrate.choice import EXPLICIT, STIFF, otherwise
+from tmodes.integrate.implicit import EXTRAPOLATION
+from tmodes.integrate.registry import AUTO, integrator
 from tmodes.live.functions import ModelFunctions, engine_settings, live_module
 from tmodes.live.knobs import Ahead
 from tmodes.live.map import LiveMap, Progress, live_map
@@ -31,6 +34,7 @@ from tmodes.result import Result
 from tmodes.result.end_modes import held_at
 from tmodes.result.settling import continuing
 from tmodes.result.verdict import PHRASES
+from tmodes.robots import names
 from tmodes.sheet import Robot, RobotPair
 from tmodes.simulation.balance import frozen
 from tmodes.simulation.closed_start import uncontrolled
@@ -106,6 +110,7 @@ def _common(result: Result, pair: RobotPair, live: LiveMap, method: str) -> dict
         "map": live.info(),
         "settings": engine_settings(settings.chosen(method)) | {"method": method, "note": _note(result, method)},
         "times": times,
+        "origin": name if (name := result.robot.name) in names() else f"{name}.yaml",
         "frames": _frames(times, settings.output_step),
         "sheet": sheet_template(pair.nominal, live),
     }
@@ -178,10 +183,21 @@ def mechanics(
         "carried": _carried(pair, real, functions),
         "surface": pair.real.contact and pair.real.contact.shape.drawing(),
         "contactPoint": -1 if real.planned.plan.touch is None else real.planned.plan.touch.point,
+        "choice": _choice(real),
         "electric": any(n.joint.motor and n.joint.motor.resistance is not None for n in model.chain.nodes),
         "setpoints": [k for k, drive in enumerate(real.planned.plan.drives) if drive.joint in _positioned(pair)],
         **vibrations_info(pair.real, ended, real.planned.plan, model),
     }
+
+
+def _choice(real: RunSetup) -> dict[str, Any]:
+    """How a native run of the robot chooses its method, for a page that has one alone."""
+    given = real.robot.integration
+    later = otherwise(given, EXPLICIT, real.implicit)
+    return {
+        "auto": given.method == AUTO, "explicit": EXPLICIT, "implicit": later and later.method, "most": STIFF,
+        "reach": integrator(EXPLICIT).reach, "noisy": [EXTRAPOLATION.name],
+    }  # fmt: skip
 
 
 def _positioned(pair: RobotPair) -> set[str]:

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from tmodes.analysis.worst import worst_place
 from tmodes.plot.facts import effort_unit, names_of
 from tmodes.report.markup import Markup, tag, written
 from tmodes.result import Result
@@ -198,7 +199,7 @@ def _drives(data: Any) -> Iterator[Fact]:
 def _largest(data: Any, series: str, drives: list[str], fact: Fact) -> Iterator[Fact]:
     """The fact with the largest size of a series of these drives; none where all are zero."""
     sizes = np.abs(data[series].sel(drive=drives).transpose("time", "drive").values)
-    sample, drive = map(int, np.unravel_index(int(sizes.argmax()), sizes.shape))
+    sample, drive = worst_place(sizes)
     if sizes[sample, drive] > 0:
         time = float(data["time"][sample])
         yield replace(fact, value=float(sizes[sample, drive]), note=f"{drives[drive]}, at {time:.3g} s", time=time)

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from tmodes.analysis.error_parts import PARTS, element_steps, straight, tips
 from tmodes.analysis.quasistatic import held_shape
+from tmodes.analysis.worst import worst_place
 from tmodes.model.model import Model
 from tmodes.result.paths import error_parts, shapes_of
 from tmodes.result.series import run_wrenches
@@ -39,7 +40,7 @@ def element_errors(run: RunData, count: int) -> dict[str, dict[str, Any]]:
         paths["nominal"] = (parts.to_nominal, [(1.0, run), (-1.0, run.reference)])
     found, touches = {}, run.planned.plan.touch is not None
     for name, (error, movers) in paths.items():
-        worst = int(np.linalg.norm(error.sum(axis=1), axis=1).argmax())
+        (worst,) = worst_place(np.linalg.norm(error.sum(axis=1), axis=1))
         vectors, touched = Steps(), np.zeros((2, 3))
         for sign, mover in movers:
             one, pressed = _elements(mover, run, slice(worst, worst + 1))

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.analysis.quasistatic import deflections
+from tmodes.analysis.worst import worst_place
 from tmodes.integrate.registry import integrator
 from tmodes.result.lines import load_series
 from tmodes.result.paths import error_parts
@@ -196,10 +197,10 @@ def summary_figures(values: Mapping[str, Array], names: Mapping[str, list[str]])
     """The numbers of the summary whose error is estimated, from the series of a run."""
     yield SummaryNumber("tip_m", None, "tip")
     if "apart" in values:
-        yield SummaryNumber("deviation.max_m", int(np.linalg.norm(values["apart"], axis=1).argmax()), "apart")
+        yield SummaryNumber("deviation.max_m", worst_place(np.linalg.norm(values["apart"], axis=1))[0], "apart")
         yield SummaryNumber("deviation.end_m", len(values["apart"]) - 1, "apart")
     if "off" in values:  # joints without a setpoint are in the commanded tip as they move
-        yield SummaryNumber("tip_error.commanded.max_m", int(np.linalg.norm(values["off"], axis=1).argmax()), "off")
+        yield SummaryNumber("tip_error.commanded.max_m", worst_place(np.linalg.norm(values["off"], axis=1))[0], "off")
     if "deformation" in values:
         size = np.abs(values["deformation"]).max(axis=0)
         for k in map(int, np.argsort(-size, kind="stable")[:_MOST]):
@@ -218,20 +219,14 @@ def summary_figures(values: Mapping[str, Array], names: Mapping[str, list[str]])
 def _links(values: Mapping[str, Array], names: Mapping[str, list[str]]) -> Iterator[SummaryNumber]:
     for k, name in enumerate(names["bending_link"]):
         tip = np.linalg.norm(values["deflection"][:, k, -1], axis=-1)
-        yield SummaryNumber(f"links.{name}.deflection.max_m", int(tip.argmax()), "deflection", (k, -1))
-        sample, s = _largest(np.linalg.norm(values["moment"][:, k, :, 1:], axis=-1))
+        yield SummaryNumber(f"links.{name}.deflection.max_m", worst_place(tip)[0], "deflection", (k, -1))
+        sample, s = worst_place(np.linalg.norm(values["moment"][:, k, :, 1:], axis=-1))
         yield SummaryNumber(f"links.{name}.bending_moment.max_Nm", sample, "moment", (k, s, slice(1, None)))
     for k, name in enumerate(names["stressed_link"]):
-        sample, s = _largest(values["stress"][:, k])
+        sample, s = worst_place(values["stress"][:, k])
         yield SummaryNumber(f"links.{name}.stress.max_Pa", sample, "stress", (k, s))
-
-
-def _largest(values: Array) -> tuple[int, int]:
-    """Sample and place of the largest of values (n, S)."""
-    sample, place = np.unravel_index(int(values.argmax()), values.shape)
-    return int(sample), int(place)
 
 
 def _at_worst(name: str, series: str, values: Array, *place: int) -> SummaryNumber:
     """The largest size of one series (n, ...) at a place of it, at the sample where it is reached."""
-    return SummaryNumber(name, int(np.argmax(np.abs(values[(slice(None), *place)]))), series, place)
+    return SummaryNumber(name, worst_place(values[(slice(None), *place)])[0], series, place)

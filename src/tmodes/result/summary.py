@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.analysis.energy import largest_flow, stands
+from tmodes.analysis.worst import worst_place
 from tmodes.chain.chain import joint_of_element
 from tmodes.frame import along
 from tmodes.integrate.conditions import Band
@@ -145,7 +146,7 @@ def _joints(data: Record, time: Array) -> dict[str, dict[str, Any]]:
     for name in map(str, data["drive"].values):
         q, v = (data[key].sel(coordinate=name).values for key in ("q", "v"))
         effort = data["effort"].sel(drive=name).values
-        worst = int(np.argmax(np.abs(effort)))
+        (worst,) = worst_place(effort)
         info[name] = {
             "unit": str(data["coordinate_unit"].sel(coordinate=name).values),
             "least": float(q.min()),
@@ -165,7 +166,7 @@ def _deformations(data: Record, time: Array) -> dict[str, dict[str, Any]]:
     names = [str(name) for name in data["deformation_kind"].values]
     sizes = {key: np.abs(data[key].values).max(axis=0) for key in _PARTS if key in data}
     largest = np.argsort(-sizes["deformation"], kind="stable")[:MOST_ENTRIES]
-    when = time[np.abs(data["deformation"].values).argmax(axis=0)]
+    when = [time[worst_place(values)] for values in data["deformation"].values.T]
     units = _deformation_units(data, names)
     found = {}
     for k in sorted(largest):
@@ -213,7 +214,7 @@ def _links(data: Record, time: Array) -> dict[str, dict[str, Any]]:
 
 
 def _worst(values: Array, time: Array, s: Array, key: str) -> dict[str, float]:
-    k, place = np.unravel_index(int(np.argmax(values)), values.shape)
+    k, place = worst_place(values)
     return {key: float(values[k, place]), "time_s": float(time[k]), "s": float(s[place])}
 
 
@@ -251,7 +252,7 @@ def _deviation(data: Record, time: Array) -> dict[str, float] | None:
 
 def largest_deviation(deviation: Array, time: Array) -> dict[str, float]:
     """The largest of distances (n,) [m], when, and the last."""
-    worst = int(np.argmax(deviation))
+    (worst,) = worst_place(deviation)
     return {"max_m": float(deviation[worst]), "time_of_max_s": float(time[worst]), "end_m": float(deviation[-1])}
 
 
@@ -290,7 +291,7 @@ def tip_errors(data: Record) -> dict[str, dict[str, Any]]:
             continue
         parts = data[series].transpose("time", "error_part", "axis").values
         size = np.linalg.norm(parts.sum(axis=1), axis=1)
-        worst, names = int(size.argmax()), [str(name) for name in data["error_part"].values]
+        (worst,), names = worst_place(size), [str(name) for name in data["error_part"].values]
         found[which] = {
             "max_m": float(size[worst]),
             "time_of_max_s": float(data["time"].values[worst]),

@@ -1,16 +1,15 @@
 // A run and its continuation with all signals at rest, until its tip is: as tmodes/result/settling.py continues it.
 
-import { EigenvalueDecomposition, Matrix } from "ml-matrix";
 import type { Bundle } from "./bundle";
 import type { Engine } from "./engine";
 import { integrate, sampleTimes, type RunResult, type Watch } from "./engine_run";
+import { motionsOf } from "./motions";
 import type { Regime } from "./regime";
 import { ENDS, none, residualVibration, type Residual } from "./residual";
 import { columns, range, rowsOf, sizes } from "./series";
 import { areCoarse, CHANGES, restOf, settlingOf, type Path, type Settled } from "./settling";
-import { merged, rowsAt, rowsOf as piecesOf, schedule as held, valueAt, type Schedule } from "./signals";
+import { merged, rowsOf as piecesOf, schedule as held, valueAt, type Schedule } from "./signals";
 
-const [LONG, SHORT, ROUNDING] = [1e-3, 1e-6, 1e-8]; // steps by which the tangent is found; what of a row is rounding
 const [UNDAMPED, RINGS] = [3e-9, 1e-9]; // decay over size of an eigenvalue that is rounding; its turn that rings
 
 /** A motion: coordinates q [n, nq] besides the tip. */
@@ -94,40 +93,17 @@ function lastEven(times: Float64Array, end: number): number {
   return shorter && times[last - 1] >= end ? last - 1 : last;
 }
 
+/** Where the tip is [n, 3] m in a run of a regime. */
+export function tipOf(engine: Engine, regime: Regime, { times, states }: RunResult): Float64Array {
+  return motionOf(engine, regime, times, states).tip;
+}
+
 /** Decay rates [1/s] of the motions about the start that ring, or creep within the longest continuation. */
-function decaysOf(engine: Engine, { after }: Bundle, { name, info, blocks, schedule, run }: Regime): number[] {
-  if (info.clocks.length) return [];
-  const [size, m] = [run.states.length / run.times.length, info.state.works[0]];
-  const start = run.states.slice(0, size);
-  for (let k = info.state.modes[0]; k < info.state.modes[0] + info.slipping; k += 1) start[k] ||= 1;
-  const time = new Float64Array(1);
-  const still = { time, row: rowsAt(schedule, time), step: new Float64Array(1) };
-  /** Derivatives of the rates i by the states j: differences of fourth order. */
-  const slopes = (step: number) => {
-    const states = new Float64Array(4 * m * size);
-    [step, -step, 2 * step, -2 * step].forEach((away, s) => {
-      for (let j = 0; j < m; j += 1) {
-        states.set(start, (s * m + j) * size);
-        states[(s * m + j) * size + j] += away;
-      }
-    });
-    const { rate } = engine.sample(`${name}.rate`, blocks.parameters, { ...still, state: states }, 4 * m);
-    const at = (s: number, i: number, j: number) => rate[(s * m + j) * size + i];
-    return (i: number, j: number) => (8 * (at(0, i, j) - at(1, i, j)) - (at(2, i, j) - at(3, i, j))) / (12 * step);
-  };
-  const given = info.exact.flatMap(([k]) => [info.state.q[0] + k, info.state.v[0] + k]);
-  const free = range(0, m).filter((k) => !given.includes(k)); // given motions neither ring nor decay
-  const [long, short] = [slopes(LONG), slopes(SHORT)]; // long steps round less, short ones follow dry friction
-  const tangent = new Matrix(free.map((i) => {
-    const most = free.reduce((largest, j) => Math.max(largest, Math.abs(short(i, j))), 0);
-    const same = (j: number) => Math.abs(long(i, j) - short(i, j)) <= ROUNDING * most;
-    return free.map((j) => (same(j) ? long(i, j) : short(i, j)));
-  }));
-  if (!free.length || !tangent.to1DArray().every(Number.isFinite)) return [];
-  const found = new EigenvalueDecomposition(tangent, { assumeSymmetric: false });
-  const rates = found.realEigenvalues.map((re, k): [number, number] => {
-    const whole = Math.hypot(re, found.imaginaryEigenvalues[k]);
-    return [Math.abs(re) <= UNDAMPED * whole ? 0 : re, Math.abs(found.imaginaryEigenvalues[k]) / (whole || 1)];
+function decaysOf(engine: Engine, { after }: Bundle, regime: Regime): number[] {
+  if (regime.info.clocks.length) return [];
+  const rates = motionsOf(engine, regime).map(({ re, im }): [number, number] => {
+    const whole = Math.hypot(re, im);
+    return [Math.abs(re) <= UNDAMPED * whole ? 0 : re, Math.abs(im) / (whole || 1)];
   });
   const ringing = rates.filter(([, share]) => share > RINGS).map(([re]) => -re);
   const { DECAYS, HORIZON } = after!.settling;

@@ -98,6 +98,16 @@ export interface Bundle extends LiveBundle {
     absoluteTolerance: number;
     note: string;
   };
+  /** What `tmodes run` takes: the name of a published robot, or the file under which a page saves this one's sheet. */
+  origin: string;
+  /**
+   * How a native run chooses its method, as tmodes/integrate/choice.py, where none is named (`auto`): `implicit` where
+   * `explicit` steps, `reach` over the fastest motion long, are more than `most`. `noisy`: methods whose steps follow
+   * from rounding, too.
+   */
+  choice: {
+    auto: boolean; explicit: string; implicit: string | null; reach: number; most: number; noisy: string[];
+  };
   times: Numbers;
   frames: Numbers;
   stations: Numbers;

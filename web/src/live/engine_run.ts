@@ -146,6 +146,7 @@ export class EngineRun {
       steps, rejected: this.cell("rejected"), evaluations: this.cell("evaluations"), method: this.method,
       mean_step_s: mean, smallest_step_s: smallest > 0 ? smallest : mean,
     };
+    if (this.cell("stiff_time") > 0) info.stiff_from_s = this.cell("stiff_time");
     if (FIXED_STEP.includes(this.method)) info.step = this.cell("h");
     if (this.cell("passes")) info.passes = this.cell("passes");
     if (this.cell("events")) info.contact_changes = this.cell("events");

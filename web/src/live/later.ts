@@ -8,6 +8,7 @@ import { vibrationOf } from "./vibration";
 import type { Regime } from "./regime";
 import type { Curves } from "./run";
 import { splitOf } from "./decomposition";
+import { approximate } from "./native";
 import type { Bundle } from "./bundle";
 import type { Engine } from "./engine";
 import { Cancelled, type Watch } from "./engine_run";
@@ -49,10 +50,13 @@ export async function completed(
   await pause(true);
   const parts = await splitOf(engine, bundle, real.blocks, real.schedule, run.times, run.series, pause);
   const none = { value: null, note: typeof vibration === "string" ? vibration : "" };
-  return {
+  const whole: LiveRun = {
     ...rested, vibration, facts: { ...rested.facts, "frequency.first": none, ...facts },
     series: { ...run.series, ...parts }, pending: undefined,
   };
+  early(whole);
+  await pause(true);
+  return { ...whole, ...await approximate(engine, bundle, values, curves, watch) };
 }
 
 /** How both runs settle and vibrate after the move, and what modes are seen of the actual one. */

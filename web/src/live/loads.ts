@@ -5,7 +5,7 @@ import type { Bundle } from "./bundle";
 import type { Engine, Samples } from "./engine";
 import type { Blocks } from "./map";
 import type { Numbers } from "../pack";
-import { rowsOf, type SeriesOf } from "./series";
+import { AS_LARGE, rowsOf, type SeriesOf } from "./series";
 import type { Schedule } from "./signals";
 import { wrenchesOf } from "./wrench";
 
@@ -61,6 +61,8 @@ export interface LinkLoads {
   axial: Float64Array; // [S]
   stress: { strain: Float64Array; mises: Float64Array } | null;
   largest: Record<Quantity, Largest | null>;
+  /** Each larger than all before it, from those on that are as large as the last. */
+  records: Record<Quantity, Largest[]>;
 }
 
 export interface Loads {
@@ -145,7 +147,7 @@ function linkOf({ name, at }: LineInfo, length: number, kept: number): LinkLoads
   return {
     name, length, deflection: numbers(2), slope: numbers(2), moment: numbers(3), shear: numbers(2), axial: numbers(1),
     stress: at.mises_stress ? { strain: numbers(1), mises: numbers(1) } : null,
-    largest: { deflection: null, moment: null, stress: null },
+    largest: { deflection: null, moment: null, stress: null }, records: { deflection: [], moment: [], stress: [] },
   };
 }
 
@@ -162,9 +164,14 @@ function watch(
   }
 }
 
-function see({ name, largest }: LinkLoads, quantity: Quantity, value: number, s: number, sample: number): void {
-  const before = largest[quantity];
-  if (!before || value > before.value) largest[quantity] = { link: name, value, s, sample };
+function see(
+  { name, largest, records }: LinkLoads, quantity: Quantity, value: number, s: number, sample: number,
+): void {
+  const own = records[quantity];
+  if (own.length && !(value > own[own.length - 1].value)) return;
+  own.push({ link: name, value, s, sample });
+  own.splice(0, own.findIndex((one) => one.value >= value * AS_LARGE));
+  largest[quantity] = own[0];
 }
 
 function keep(

@@ -40,6 +40,17 @@ function settled(
   return state.fill(0, ...bundle.runs[name]!.state.works);
 }
 
+/** Its run from a first state. */
+export function runFrom(
+  engine: Engine, { settings, times }: Bundle, { name, blocks, schedule }: Pick<Regime, "name" | "blocks" | "schedule">,
+  state: Float64Array, watch: Watch,
+): Promise<RunResult> {
+  return integrate(engine, {
+    loop: `${name}.${settings.method}`, parameters: blocks.parameters, knots: schedule.knots,
+    rows: signals.rowsOf(schedule), state, times: doubles(times), settings,
+  }, watch);
+}
+
 /** It in motion with these numbers; raises an error where it cannot start. */
 export async function moved(
   engine: Engine, bundle: Bundle, values: readonly number[], name: Name, blocks: Blocks, watch: Watch,
@@ -51,18 +62,7 @@ export async function moved(
   if (!each.length) schedule.knots[1] = settings.duration;
   const held = firstState(engine, bundle, values, name, blocks);
   const begun = balanced(engine, info.balance, blocks, name, schedule, held);
-  const run = await integrate(
-    engine,
-    {
-      loop: `${name}.${settings.method}`,
-      parameters: blocks.parameters,
-      knots: schedule.knots,
-      rows: signals.rowsOf(schedule),
-      state: settled(engine, bundle, name, blocks, schedule, begun ?? held),
-      times: doubles(bundle.times),
-      settings,
-    },
-    watch,
-  );
+  const state = settled(engine, bundle, name, blocks, schedule, begun ?? held);
+  const run = await runFrom(engine, bundle, { name, blocks, schedule }, state, watch);
   return { name, info, blocks, each, schedule, run, off: !begun };
 }

@@ -17,6 +17,7 @@ import type { Kept } from "./kept";
 import { numbersOf } from "./map";
 import { judgedOf, unjudged, verdictOf, type Judged } from "./verdict";
 import { setpointsOf, spanOf } from "./span";
+import { brokenAt } from "./native";
 import * as signals from "./signals";
 
 /** Curves and the numbers that follow from them, and what more of a run is made of. */
@@ -63,6 +64,7 @@ export async function curvesOf(
     series,
     span: spanOf(times, end, setpointsOf(bundle, series)),
     facts: reported(facts),
+    ...brokenAt(bundle, values, failed?.run.status ?? ""),
   };
   const lost = Number(facts["energy.residual"]?.value) > bundle.judged.energy;
   const warned = bundle.judged.warned || real.off || lost;

@@ -65,11 +65,13 @@ export function energyBalance(
   return found;
 }
 
-/** The place of the value of largest size. */
+/** Share of the largest size from which on another one is as large, as tmodes/analysis/worst.py. */
+export const AS_LARGE = 1 - 1e-9;
+
+/** The first place whose size is that of the largest value to nine digits: rounding does not decide. */
 export function worst(values: Float64Array): number {
-  let best = 0;
-  for (let k = 1; k < values.length; k += 1) if (Math.abs(values[k]) > Math.abs(values[best])) best = k;
-  return best;
+  const most = values.reduce((size, value) => Math.max(size, Math.abs(value)), 0);
+  return Math.max(values.findIndex((value) => Math.abs(value) >= most * AS_LARGE), 0);
 }
 
 /** A series of given trailing dimensions. */

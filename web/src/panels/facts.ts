@@ -60,7 +60,8 @@ function row(fact: Fact, rest: boolean, known: Info[], clock: Clock): HTMLElemen
       return;
     }
     const before = fresh ? `${change(fact, fresh.value)} was ${info(fact.value, fact.unit)}` : "of the original run";
-    put(value, info(fresh ? fresh.value : fact.value, fact.unit));
+    const about = live?.native && live.status === "finished" ? "≈ " : "";
+    put(value, about + info(fresh ? fresh.value : fact.value, fact.unit));
     put(was, live ? before : "");
     put(note, [(fresh ?? fact).note, (fresh ?? fact).more].filter(Boolean).join("; "));
     was.hidden = live === null || (fresh !== undefined && fresh.value === null && fact.value === null);

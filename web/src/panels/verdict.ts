@@ -134,8 +134,9 @@ function rowOf(run: Run, several: boolean, choose: (culprit: Culprit) => void): 
   const bar = make("div", { class: "culprit-bar", "aria-hidden": "true" });
   const names = make("div", { class: "culprits", role: "group", "aria-label": "Causes of the largest error" });
   const parts = make("div", { class: "verdict-parts" }, bar, names);
+  const native = make("p", { class: "note native", hidden: true });
   const title = several ? make("h3", { text: run.name }) : make("h3", { class: "offscreen", text: "Verdict" });
-  const element = make("div", { class: "verdict" }, title, sentence, numbers, parts);
+  const element = make("div", { class: "verdict" }, title, sentence, native, numbers, parts);
   let verdict = run.verdict ?? null;
   let shown = "";
 
@@ -193,6 +194,8 @@ function rowOf(run: Run, several: boolean, choose: (culprit: Culprit) => void): 
       return verdict;
     },
     show(live) {
+      put(native, live?.native ?? "");
+      native.hidden = !live?.native;
       if (live?.verdict ?? !live) verdict = live?.verdict ?? run.verdict ?? null;
       const known = live === null || live.verdict !== undefined;
       fill((live ?? run).pending ?? [], known ? "" : isEarly(live) ? " computing …" : " (of the run as it was)");

@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from tmodes.analysis.worst import worst_place
 from tmodes.chain.chain import Chain, Node
 from tmodes.equations.line.schedule import MOVING, RIGID, ROOTS, Lines
 from tmodes.errors import InputError, SimulationError
@@ -200,7 +201,7 @@ class LinkLine:
             return None
         info = values if component is None else values[..., component]
         size = np.abs(info) if info.ndim == 2 else np.linalg.norm(info, axis=-1)
-        sample, place = np.unravel_index(int(np.nanargmax(size)), size.shape)
+        sample, place = worst_place(size)
         value = info[sample, place] if info.ndim == 2 else size[sample, place]
         return Largest(float(value), float(self.s[place]), int(sample))
 

@@ -1,4 +1,4 @@
-/* tmodes, built from 9576b219bc871c77; BSD-3-Clause */
+/* tmodes, built from 910866d2b92d8257; BSD-3-Clause */
 
 // src/live/engine_error.ts
 var EngineError = class extends Error {
@@ -345,6 +345,7 @@ var EngineRun = class {
       mean_step_s: mean,
       smallest_step_s: smallest > 0 ? smallest : mean
     };
+    if (this.cell("stiff_time") > 0) info.stiff_from_s = this.cell("stiff_time");
     if (FIXED_STEP.includes(this.method)) info.step = this.cell("h");
     if (this.cell("passes")) info.passes = this.cell("passes");
     if (this.cell("events")) info.contact_changes = this.cell("events");
@@ -474,6 +475,7 @@ function columns(rows, width, which) {
 function range(start, end) {
   return Array.from({ length: end - start }, (_, k) => start + k);
 }
+var AS_LARGE = 1 - 1e-9;
 
 // src/live/model.ts
 var Model = class _Model {
