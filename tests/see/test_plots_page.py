@@ -43,7 +43,14 @@ def league(folder: Path) -> Path:
     return robot.compare(laws, uncertain={"k": SOFT}, runs=12, tolerance="70 mm").page(folder / "league.html")
 
 
-PAGES = {"made": made, "league": league}
+def linear(folder: Path) -> Path:
+    robot = tmodes.load("spong1987").with_({"gear.damping": 0.5})
+    out = "joint.position,joint.motor.position"
+    found = robot.linearize(inputs="joint.torque", outputs=out, uncertain={"k": SOFT}, cases=4)
+    return found.page(folder / "linear.html")
+
+
+PAGES = {"made": made, "league": league, "linear": linear}
 
 
 @pytest.fixture(scope="module")
@@ -109,6 +116,19 @@ def test_numbers_and_files_without_a_program(browser: Any, pages: Any) -> None:
     with page.expect_download() as download:
         page.get_by_role("link", name="all.json").click()
     assert json.loads(Path(download.value.path()).read_text(encoding="utf-8")) == {"a": NASTY}
+    page.context.close()
+
+
+def test_a_linear_model_shows_its_poles_and_the_range_of_its_family(browser: Any, pages: Any) -> None:
+    page = opened(browser, pages["linear"]).page
+    count = "(one) => (one.getAttribute('d').match(/M/g) ?? []).length"
+    first = page.locator(".chart").first
+    assert first.locator("g path.cross").evaluate(count) == 2 * 4  # two strokes for each pole
+    assert first.locator("g path.dots").count() == 4
+    assert page.locator(".chart", has=page.get_by_role("heading", name="Phase")).locator("g path.band").count() == 2
+    names = ["Poles and zeros", "Gain", "Phase", "Nyquist", "Step", "Singular values"]
+    assert page.locator(".chart h3").all_inner_texts() == names
+    assert page.get_by_role("link", name="spong1987.json").count() == 1
     page.context.close()
 
 

@@ -141,7 +141,7 @@ def _part(part: str | Table, links: Mapping[str, str]) -> Markup:
 
 
 def _is_number(text: str) -> bool:
-    return text[:1] in "-−+×÷." or text[:1].isdigit()
+    return (", " not in text and text.lstrip("-−+×÷.")[:1].isdigit()) or text == "-"
 
 
 def write_plots(page: Page, path: Path | str) -> Path:

@@ -89,7 +89,8 @@ function mark(kind: Curve["kind"], [x, y]: [number, number], r = 4.5): string {
 
 function legend(names: string[], curves: Curve[], hidden: Set<string>, redraw: () => void): HTMLElement {
   return make("div", { class: "plot-legend", role: "group", "aria-label": "Curves" }, ...names.map((name) => {
-    const first = curves.find((curve) => curve.name === name)!;
+    const own = curves.filter((curve) => curve.name === name);
+    const first = own.find(({ kind }) => kind !== "band") ?? own[0];
     const button = make("button", { type: "button", "aria-pressed": "true" }, key(first),
       make("span", { text: name }));
     button.addEventListener("click", () => {

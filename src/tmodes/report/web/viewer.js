@@ -1,4 +1,4 @@
-/* tmodes, built from 502752c3f19bfdda; BSD-3-Clause */
+/* tmodes, built from 3057a566e6388e06; BSD-3-Clause */
 /* three
 The MIT License
 
