@@ -133,7 +133,7 @@ def calls(folder: Path) -> dict[str, tuple[Callable[..., Any], dict[str, Any]]]:
         "its range": (lambda ends: robot.batch(vary={GEAR: ends}), {"ends": (90, 110, 2)}),
         "its drawn range": (lambda ends: robot.batch(draw={GEAR: ends}, runs=2), {"ends": (90, 110)}),
         "compare": (tmodes.compare, {"robot": robot, "variants": {"own": {}}, "sheets": None, "uncertain": {"k": {"path": GEAR, **UNIFORM}}, "plan": {"type": "sobol"}, "runs": 2, "tolerance": 0.1, "threads": 1, "out": None, "reports": False, "figure": None, "overwrite": True}),
-        "tune": (tmodes.tune, {"robot": robot, "gains": (TUNED,), "minimize": "tip_error", "reduce": "max", "uncertain": {"k": {"path": GEAR, **UNIFORM}}, "worst_case": 2, "within": 2.0, "method": "cobyqa", "trials": 4, "seed": 0, "out": None, "figure": None, "overwrite": True}),
+        "tune": (tmodes.tune, {"robot": robot, "gains": (TUNED,), "minimize": "tip_error", "reduce": "max", "against": None, "against_reduce": "rms", "uncertain": {"k": {"path": GEAR, **UNIFORM}}, "worst_case": 2, "within": 2.0, "method": "cobyqa", "trials": 4, "seed": 0, "out": None, "figure": None, "overwrite": True}),
         "its range of a gain": (lambda ends: robot.tune({TUNED: ends}, method="cobyqa", trials=3), {"ends": (40, 100)}),
         "its variant": (lambda given: robot.compare({"own": given}), {"given": {}}),
         "its shaper": (lambda given: robot.compare({"own": {"shaper": given}}), {"given": {"kind": "zv"}}),

@@ -390,9 +390,7 @@ class LinearModel(Linearization):
         s = self.system
         yield words.heading(self)
         yield Table("poles", words.POLES, words.pole_rows(self))
-        for what, modes in (("No input reaches", self.uncontrollable), ("No output shows", self.unobservable)):
-            if modes:
-                yield f"{what} the mode {', '.join(map(str, modes))}."
+        yield from words.lost_modes(self)
         if len(s.inputs) * len(s.outputs) <= _MOST_PAIRS:
             yield Table("zeros", words.ZEROS, list(words.zero_rows(self)))
         yield Table("inputs", ["name", "value there"], [[n, f"{v:.5g}"] for n, v in zip(s.inputs, s.u0, strict=True)])

@@ -13,13 +13,16 @@ from tmodes.io.words import count_of
 if TYPE_CHECKING:
     from tmodes.interface.linear import LinearModel
 
-__all__ = ["POLES", "ZEROS", "heading", "pole_rows", "sentence", "stability", "zero_rows"]
+__all__ = ["POLES", "ZEROS", "heading", "lost_modes", "pole_rows", "sentence", "stability", "zero_rows"]
 
 POLES = ("real [1/s]", "imaginary [1/s]", "natural [Hz]", "damping ratio", "mostly")
 ZEROS = ("from", "to", "zeros [1/s]", "phase")
 
 _NULL, _ROUNDING = 1e-9, 1e-9
 """Growth that is none; size of a pole, over the largest, that is 0."""
+
+_GONE = 1e-6
+"""Size of a pole in the z plane whose motion is over at the next sample: poles of delays and of very fast motions."""
 
 _MODES = 3
 """Modes that a sentence names."""
@@ -55,6 +58,15 @@ def pole_rows(found: LinearModel) -> list[list[str]]:
     """A row for each real pole and each pair, the slowest first."""
     return [[f"{rate.real:.5g}", f"{rate.imag:.5g}", f"{abs(rate) / (2 * pi):.5g}",
              f"{-rate.real / abs(rate):.4f}" if rate else "-", state] for rate, state in _rates(found)]  # fmt: skip
+
+
+def lost_modes(found: LinearModel) -> Iterator[str]:
+    """Modes that no input reaches or no output shows, but for those of a sampled model that are gone at a sample."""
+    lost = {"No input reaches": found.uncontrollable, "No output shows": found.unobservable}
+    for what, modes in lost.items():
+        kept = [str(one) for one in modes if not found.period or abs(one.pole) > _GONE]
+        if kept:
+            yield f"{what} the mode {', '.join(kept)}."
 
 
 def zero_rows(found: LinearModel) -> Iterator[list[str]]:
