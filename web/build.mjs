@@ -30,6 +30,7 @@ const entries = [
   { entryPoints: [`${here}src/viewer.ts`], outfile: `${out}/viewer.js`, format: "iife", banner },
   { entryPoints: [`${here}src/studio.ts`], outfile: `${out}/studio.js`, format: "iife", banner },
   { entryPoints: [`${here}src/study.ts`], outfile: `${out}/study.js`, format: "iife", banner: { js: origin } },
+  { entryPoints: [`${here}src/plots.ts`], outfile: `${out}/plots.js`, format: "iife", banner: { js: origin } },
   { entryPoints: [`${here}src/live/model.ts`], outfile: `${out}/model.js`, format: "esm", banner: { js: origin }, minify: false },
 ];
 for (const entry of entries) if (existsSync(entry.entryPoints[0])) await build({ ...shared, plugins: [worker], ...entry });

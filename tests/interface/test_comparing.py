@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import csv
 import json
 from pathlib import Path
 from typing import Any
@@ -118,6 +119,11 @@ def test_its_command(tmp_path: Path) -> None:
     assert said.startswith("Best: ")
     assert "3 variants, tolerance 90 mm" in said
     assert "worst of 6" in figure.read_text(encoding="utf-8")
+    assert f"Page: {out / 'compare.html'}" in said
+    rows = [*csv.DictReader((out / "compare.csv").read_text(encoding="utf-8").splitlines())]
+    assert sorted(row["name"] for row in rows) == sorted(LAWS)
+    assert [float(row["cases.fails.share"]) for row in rows] == sorted(float(row["cases.fails.share"]) for row in rows)
+    assert not [*out.glob("*/report.html")]
     again = json.loads(command(*line, "--runs", "6", "--out", str(out), "--json").stdout)
     own = robot().compare(laws, runs=6).info()
     assert [one["cases"] for one in again["variants"]] == [one["cases"] for one in own["variants"]]

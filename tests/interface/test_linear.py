@@ -7,6 +7,7 @@ its partial differential equation.
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -18,11 +19,13 @@ from scipy.io import loadmat
 from scipy.linalg import expm
 
 import tmodes
+from command import tmodes as command
 from contracts.test_blocks import LQR, PD, constant, law, spong
 from random_sheets import random_sheet
 from tmodes.analysis.margins import step_duration, step_values
 from tmodes.errors import InputError
 from tmodes.kinds.controllers.discrete import zero_order_hold
+from tmodes.plot.commands import bode_curves
 
 SAGGED = 1.5707963267949
 STATES = ("joint", "joint.motor", "joint'", "joint.motor'")
@@ -382,3 +385,60 @@ def test_further_charts(chart: str, label: str) -> None:
 def test_blocks_are_not_in_modes_and_it_is_said() -> None:
     controlled = robot(spong(constant(0.9), 1.0, 0.1, control=law(LQR)))
     assert any("--closed" in text for text in controlled.modes().warnings)
+
+
+def test_the_phase_of_a_family_has_no_jumps_of_whole_turns() -> None:
+    """Phases of uncertain robots are sums of the angles of their zeros and poles, which never wrap."""
+    soft = {"path": "gear.stiffness", "relative": True, "distribution": {"type": "uniform", "low": 0.5, "high": 2.0}}
+    own = tmodes.load("spong1987").with_({"gear.damping": 0.05})
+    linear = own.linearize(inputs="joint.torque", outputs="joint.motor.position", uncertain={"k": soft}, cases=12)
+    at = linear.frequencies()
+    (_, _, (_, phase), (_, ends)), = bode_curves(linear.frequency_response(), linear.family_response())  # fmt: skip
+    points = 2j * np.pi * at[:, None]
+
+    def truth(one: Any) -> Any:
+        found = replace(linear, made=lambda: one)
+        angles = [np.angle(points - some).sum(axis=1) for some in (found.zeros(), found.poles)]
+        return np.degrees(angles[0] - angles[1])
+
+    every = np.array([truth(one) for one in linear.family])
+    shift = phase[0] - truth(linear.system)[0]  # by the sign of the gain, and the angle at which it begins
+    assert phase == pytest.approx(truth(linear.system) + shift, abs=1e-6)
+    assert ends[0] == pytest.approx(every.min(axis=0) + shift, abs=1e-6)
+    assert ends[1] == pytest.approx(every.max(axis=0) + shift, abs=1e-6)
+    assert np.ptp(ends, axis=0).max() < 180.0 + 1e-9
+
+
+def test_its_answer_in_a_sentence() -> None:
+    """Stable or not and by which mode, margins, what is non-minimum phase."""
+    linear = sagged(period=None)
+    slow, fast = "0.113 Hz (damping 8.1 %, mostly joint)", "5.29 Hz (damping 3.8 %, mostly joint.motor)"
+    assert linear.sentence == f"In open loop stable; it rings at {slow}, {fast}."
+    assert "non-minimum" not in linear.sentence
+    one = joint().linearize(at={"joint.motor": SAGGED}, inputs="joint.torque", outputs="joint.motor.position")
+    known = one.margins()
+    assert f"phase {np.degrees(known.phase):.3g}° at {known.phase_frequency:.3g} Hz" in one.sentence
+    beam = slewing(3).linearize(inputs="hub.torque", outputs="tip.y").sentence
+    assert "neither stable nor unstable; it rings at 3.8 Hz (undamped, mostly" in beam
+    assert beam.endswith("non-minimum phase: hub.torque to tip.y.")
+    up = joint().linearize(at={"joint.motor": np.pi}, inputs="joint.torque").sentence
+    assert "unstable, it grows at " in up
+
+
+def test_modes_are_named_by_the_state_that_takes_part() -> None:
+    linear = sagged()
+    assert [one.pole for one in linear.modes] == pytest.approx([*linear.poles])
+    assert [one.state for one in linear.modes] == ["joint"] * 2 + ["joint.motor"] * 2
+
+
+def test_its_page(tmp_path: Path) -> None:
+    said = command("linear", "spong1987", "--page", str(tmp_path / "linear.html")).stdout
+    assert f"Page: {tmp_path / 'linear.html'}" in said
+    text = (tmp_path / "linear.html").read_text(encoding="utf-8")
+    assert tmodes.load("spong1987").linearize().sentence in text
+    for linear in (
+        sagged(period=1e-3, delay=2.5e-3),
+        joint().linearize(at={"joint.motor": np.pi}),
+        slewing(3).linearize(),
+    ):
+        assert linear.page(tmp_path / "other.html").stat().st_size > len(linear.sentence)

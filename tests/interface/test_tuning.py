@@ -119,6 +119,8 @@ def test_its_command(tmp_path: Path) -> None:
     ({"gains": {KP: (3.0, 1.0)}}, "more than low"), ({"gains": ["drives.0.controller.offset"]}, "write a number"),
     ({"within": 1.0}, "a number > 1"), ({"minimize": "tip_eror"}, "tip_error"), ({"reduce": "mode"}, "reduce"),
     ({"uncertain": {"k": 3}}, "uncertain"), ({"method": "grid"}, "grid"),
+    ({"against": "tip_error"}, "another output"), ({"against": "joint.efort"}, "joint.effort"),
+    ({"against": "joint.effort", "method": "gradient"}, "nsga2"),
 ])  # fmt: skip
 def test_what_is_wrong_is_said(given: dict[str, Any], words: str) -> None:
     tune: Any = spong().tune
@@ -129,3 +131,34 @@ def test_what_is_wrong_is_said(given: dict[str, Any], words: str) -> None:
 def test_a_robot_without_gains() -> None:
     with pytest.raises(InputError, match="no law with gains"):
         spong(**{"drives.0.command": "prescribed", "drives.0.controller": None}).tune()
+
+
+def test_an_error_against_an_effort(tmp_path: Path) -> None:
+    """No design of a grid of one's own is better in both by more than the curve is coarse; each is that of a run."""
+    robot = spong()
+    found = robot.tune([KP, KV], against="joint.effort", trials=96)
+    curve = np.array([found.curve["error"].values, found.curve["against"].values]).T
+    assert (np.diff(curve[:, 0]) > 0).all()
+    assert (np.diff(curve[:, 1]) < 0).all()
+    numbers = [found.at(3).run().reduce(name, "rms") for name in ("tip_error", "joint.effort")]
+    assert numbers == pytest.approx(curve[3], rel=1e-6)
+    for kp, kv in ((30.0, 12.0), (80.0, 40.0), (400.0, 100.0)):
+        own = robot.with_({KP: kp, KV: kv}).run()
+        error, effort = (own.reduce(name, "rms") for name in ("tip_error", "joint.effort"))
+        assert (curve <= [1.03 * error, 1.03 * effort]).all(axis=1).any()
+    assert found.against
+    assert found.against.after[0] <= found.against.before[0]
+    assert found.after[0] < 0.9 * found.before[0]
+    assert error_of(found.robot) == pytest.approx(found.after[0], rel=1e-6)
+    assert any("of which none is better in both" in str(part) for part in found.tables())
+    assert found.info()["against"]["curve"] == curve.tolist()
+    (axes,) = found.plot()
+    assert (axes.get_xlabel(), axes.get_ylabel()) == ("rms of joint.effort [N·m]", "rms of tip_error [m]")
+    text = found.page(tmp_path / "tuned.html").read_text(encoding="utf-8")
+    assert "best compromises of rms_tip_error and rms_joint_effort" in text
+
+
+def test_one_objective_has_no_curve() -> None:
+    found = spong().tune([KV])
+    with pytest.raises(InputError, match="against"):
+        _ = found.curve

@@ -12,7 +12,7 @@ import pytest
 from patience import LONG
 from web import BUILT, WEB, built_from, digest
 
-PROGRAMS = ("viewer.js", "studio.js", "study.js", "model.js")
+PROGRAMS = ("viewer.js", "studio.js", "study.js", "plots.js", "model.js")
 
 
 @pytest.mark.parametrize("name", PROGRAMS)

@@ -28,8 +28,12 @@ def compare(
     ] = None,
     threads: Annotated[int | None, typer.Option(min=1, help="Threads; else one for each core.")] = None,
     out: Annotated[
-        Path | None, typer.Option(help="A folder that keeps all cases; the same command computes what is missing.")
+        Path | None,
+        typer.Option(help="A folder for page, table and figure, and all cases; the same command adds what is missing."),
     ] = None,
+    reports: Annotated[
+        bool, typer.Option("--reports", help="Also a report of each nominal run in --out, linked from the page.")
+    ] = False,
     figure: Annotated[Path | None, typer.Option(help="A file for the figure: .svg, .png or .pdf.")] = None,
     overwrite: Annotated[
         bool, typer.Option("--overwrite", help="Replace the figure, and what another comparison left in the folder.")
@@ -52,6 +56,8 @@ def compare(
 
     Example: tmodes compare two_link_arm --variants laws.yaml --runs 500 --figure league.svg
 
+    Example, with a page and reports of all: tmodes compare two_link_arm --variants laws.yaml --out league --reports
+
     Example, two sheets: tmodes compare pd.yaml lqg.yaml --tolerance "1 mm"
     """
     from tmodes.errors import InputError
@@ -66,8 +72,11 @@ def compare(
     with working("preparing") as tell:
         found = found_of(
             first, variants or {}, sheets=several if len(several) > 1 else {}, runs=runs, tolerance=tolerance,
-            threads=threads, out=out, figure=figure, overwrite=overwrite, progress=tell,
+            threads=threads, out=out, reports=reports, figure=figure, overwrite=overwrite, progress=tell,
         )  # fmt: skip
-    print_result(found, as_json)
+    page = out and out / "compare.html"
+    print_result(found, as_json, **({"files": {"page": str(page)}} if page else {}))
+    if page and not as_json:
+        print(f"All cases are in {out}.\nPage: {page}")
     if not any(one.nominal.good for one in found.contenders):
         raise typer.Exit(3)

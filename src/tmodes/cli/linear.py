@@ -39,6 +39,7 @@ def linear(
     cases: Annotated[int, typer.Option(min=2, help="Number of uncertain robots.")] = 50,
     seed: Annotated[int, typer.Option(min=0, help="Same seed, same robots.")] = 0,
     out: Annotated[Path | None, typer.Option(help="Write it to a file: .mat, .npz or .json.")] = None,
+    page: Annotated[Path | None, typer.Option(help="A file for a page with all charts and tables: arm.html.")] = None,
     figure: Annotated[Path | None, typer.Option(help="A file for the figure: .svg, .png or .pdf.")] = None,
     chart: Annotated[str, typer.Option(help="What the figure shows: bode, nyquist or step.")] = "bode",
     overwrite: Annotated[bool, typer.Option("--overwrite", help="Replace that figure.")] = False,
@@ -69,4 +70,8 @@ def linear(
             write_files(None, found, figure, overwrite=overwrite, chart=chart)
         if out is not None:
             found.save(out)
-    print_result(found, as_json)
+        if page is not None:
+            found.page(page)
+    print_result(found, as_json, **({"files": {"page": str(page)}} if page else {}))
+    if page and not as_json:
+        print(f"Page: {page}")

@@ -21,15 +21,22 @@ def tune(
     ] = None,
     minimize: Annotated[str, typer.Option(help="What is made small: a name of `tmodes outputs`.")] = "tip_error",
     reduce: Annotated[str, typer.Option(help="Its number of a run: rms, mean, end, max, max_abs ...")] = "rms",
+    against: Annotated[
+        str | None, typer.Option(help="Weigh it against this output, too: a curve of designs, none better in both.")
+    ] = None,
+    against_reduce: Annotated[str, typer.Option(help="The number of a run of that output.")] = "rms",
     uncertain: Annotated[
         Path | None, typer.Option(help="A YAML file with `uncertain`, as of tmodes compare: tune for the worst case.")
     ] = None,
     worst_case: Annotated[int, typer.Option(min=2, help="Uncertain robots of which the worst counts.")] = 16,
     within: Annotated[float, typer.Option(help="Search range: each gain over, and times, this factor.")] = 10.0,
-    method: Annotated[str, typer.Option(help="auto, gradient, cobyqa or tpe.")] = "auto",
-    trials: Annotated[int | None, typer.Option(min=1, help="Designs that cobyqa or tpe tries. [200]")] = None,
+    method: Annotated[str, typer.Option(help="auto, gradient, cobyqa or tpe; with --against nsga2.")] = "auto",
+    trials: Annotated[
+        int | None, typer.Option(min=1, help="Designs that cobyqa, tpe (200) or nsga2 (1000) tries.")
+    ] = None,
     seed: Annotated[int, typer.Option(min=0, help="Same seed, same uncertain robots.")] = 0,
     out: Annotated[Path | None, typer.Option(help="A file for the data sheet with the gains.")] = None,
+    page: Annotated[Path | None, typer.Option(help="A file for a page with all designs: tuned.html.")] = None,
     figure: Annotated[Path | None, typer.Option(help="A file for the figure: .svg, .png or .pdf.")] = None,
     overwrite: Annotated[bool, typer.Option("--overwrite", help="Replace these files.")] = False,
     settings: Settings = None,
@@ -47,6 +54,8 @@ def tune(
 
     Example: tmodes tune spong1987 --out tuned.yaml
 
+    Example, a curve of error against effort: tmodes tune two_link_arm --against power.motor --page tuned.html
+
     Example, for the worst of 32 robots: tmodes tune two_link_arm --uncertain laws.yaml --worst-case 32
     """
     from tmodes.interface.tuning import tune as found_of
@@ -54,8 +63,13 @@ def tune(
     sheet = chosen_sheet(robot, settings, roots=root, trust_paths=trust_paths, fix_inertia=fix_inertia)
     with working("preparing") as tell:
         found = found_of(
-            sheet, gains or (), minimize=minimize, reduce=reduce, uncertain=uncertain, worst_case=worst_case,
+            sheet, gains or (), minimize=minimize, reduce=reduce, against=against,
+            against_reduce=against_reduce, uncertain=uncertain, worst_case=worst_case,
             within=within, method=method, trials=trials, seed=seed, out=out, figure=figure, overwrite=overwrite,
             progress=tell,
         )  # fmt: skip
-    print_result(found, as_json)
+        if page is not None:
+            found.page(page)
+    print_result(found, as_json, **({"files": {"page": str(page)}} if page else {}))
+    if page and not as_json:
+        print(f"Page: {page}")

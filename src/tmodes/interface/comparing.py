@@ -2,24 +2,14 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import asdict, dataclass, field
+from dataclasses import asdict, dataclass
 from math import inf, isfinite, nan
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from tmodes.errors import SimulationError
-from tmodes.interface.variants import (
-    FINAL,
-    LARGEST,
-    differences,
-    effort_limits,
-    effort_quantities,
-    read_task,
-    uncertain_study,
-    varied,
-)  # fmt: skip
+from tmodes.interface.contenders import PERCENT, Contender, RunNumbers, contender
+from tmodes.interface.variants import differences, read_task, uncertain_study, varied
 from tmodes.io.arguments import checked_arguments
 from tmodes.io.files import FilePath
 from tmodes.io.printed import CommandResult, Table, known_columns, written
@@ -30,11 +20,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
     from xarray import Dataset
 
-    from tmodes import Robot as UsersRobot
     from tmodes.sheet import Robot
-    from tmodes.study.rows import Rows
-    from tmodes.study.statistics import Interval, Stack
-    from tmodes.study.study import Study
 
 __all__ = ["Comparison", "Contender", "RunNumbers", "compare"]
 
@@ -54,8 +40,6 @@ UNITS = {
 CASES = 200
 """Uncertain runs of each variant where the file does not say how many."""
 
-PERCENT = 95.0
-
 
 @checked_arguments
 def compare(
@@ -69,6 +53,7 @@ def compare(
     tolerance: float | str | None = None,
     threads: int | None = None,
     out: FilePath | None = None,
+    reports: bool = False,
     figure: FilePath | None = None,
     overwrite: bool = False,
     progress: Progress = lambda stage, share: None,
@@ -82,8 +67,9 @@ def compare(
     factors on numbers of the actual robot, which no controller knows. ``plan``: as of a study, 200 ``monte_carlo`` ones
     if left out; ``runs`` in place of its number. Every variant gets the same cases, with the same noise. Without
     ``uncertain`` the actual robot of the sheet is the only case. ``tolerance`` [m]: of the error of the tip, else the
-    task's. ``out``: a folder that keeps the cases and resumes; ``figure``: a file for the plot, which may ``overwrite``
-    another; ``threads``: None for one on each core.
+    task's. ``out``: a folder for compare.html (:meth:`Comparison.page`, with ``reports``), compare.csv and compare.svg,
+    which keeps the cases and resumes; ``figure``: a file for the plot, which may ``overwrite`` another; ``threads``:
+    None for one on each core.
 
     Raises :class:`tmodes.errors.InputError` or :class:`tmodes.errors.InputErrors` for what is wrong with a variant or
     the study, before anything runs. A run that fails is one that fails, with its reason.
@@ -107,173 +93,18 @@ def compare(
         def tell(stage: str, share: float, name: str = name) -> None:
             progress(f"{name}: {stage}", share)
 
-        contenders.append(_contender(name, one, studies[name], threads, out, k, overwrite, tell))
+        contenders.append(contender(name, one, studies[name], threads, out, k, overwrite, tell))
     drawn = next(iter(studies.values()))
     certain = drawn is not None and drawn.sheet.plan.draws and not drawn.sheet.plan.repeats
     found = Comparison(
         robot.name, tuple(contenders), task.tolerance, tuple(task.uncertain), certain, tuple(differences(robots))
     )
     write_files(None, found, figure, overwrite=overwrite)
+    if out is not None:
+        from tmodes.interface.league import write_league
+
+        write_league(found, Path(out), reports=reports, progress=progress)
     return found
-
-
-@dataclass(frozen=True)
-class RunNumbers:
-    """What is reported of one run, see ``UNITS``; None where it has no such number, and why it failed if it did."""
-
-    largest_m: float | None = None
-    final_m: float | None = None
-    settling_s: float | None = None
-    rest_s: float | None = None
-    residual_m: float | None = None
-    effort_share: float | None = None
-    status: str = "failed"
-    reason: str = ""
-
-    @property
-    def good(self) -> bool:
-        """Whether it reached its end."""
-        return self.status in ("finished", "stopped_by_condition")
-
-
-def _run_numbers(robot: UsersRobot, progress: Progress) -> RunNumbers:
-    """The numbers of a run of the robot, without the estimates of its errors."""
-    try:
-        result = robot.run(error_estimate=False, model_error=False, progress=progress)
-    except SimulationError as error:
-        return RunNumbers(reason=str(error))
-    summary = result.summary()
-    judged, after, ends = summary["verdict"], summary["settling"]["time_s"], result.move_end
-    limits = effort_limits(robot)
-    efforts = [abs(one["largest_effort"]) / limits[name] for name, one in summary["joints"].items() if name in limits]
-    return RunNumbers(
-        judged["largest_m"], judged["final_m"], after, None if after is None or ends is None else ends + after,
-        (summary["vibration"].get("actual") or {}).get("amplitude_m"), max(efforts, default=None), result.status,
-        "" if result.success else result.message,
-    )  # fmt: skip
-
-
-def _contender(
-    name: str, robot: UsersRobot, study: Study | None, threads: int | None, out: FilePath | None, number: int,
-    overwrite: bool, progress: Progress,
-) -> Contender:  # fmt: skip
-    import numpy as np
-
-    from tmodes.study.plans.systematic import Tolerance
-    from tmodes.study.statistics import tolerance_stack
-
-    nominal = _run_numbers(robot.with_({"real": {}}), lambda stage, share: progress("nominal run", share))
-    if study is None:
-        actual = _run_numbers(robot, lambda stage, share: progress("actual robot", share)) if robot.real else None
-        return Contender(name, robot, nominal, actual)
-    design = study.design()
-    if out is None:
-        rows = study.evaluate(0, design.values, progress, threads=threads)
-    else:
-        from tmodes.study.runner import run_study
-
-        folder = Path(out) / f"{number + 1}-{re.sub(r'[^A-Za-z0-9]+', '-', name).strip('-')}"
-        rows = run_study(study, folder, threads=threads, overwrite=overwrite, progress=progress).rows
-    stack = None
-    if isinstance(study.sheet.plan, Tolerance):
-        stack = tolerance_stack(np.where(rows.good, rows.quantities[LARGEST], np.nan), design.info)
-    return Contender(name, robot, nominal, None, rows, stack)
-
-
-@dataclass(frozen=True, eq=False)
-class Contender:
-    """One variant: its ``robot``, its ``nominal`` run, and its cases: those of ``rows``, else the ``actual`` robot."""
-
-    name: str
-    robot: UsersRobot = field(repr=False)
-    nominal: RunNumbers
-    actual: RunNumbers | None = None
-    rows: Rows | None = field(default=None, repr=False)
-    stack: Stack | None = field(default=None, repr=False)
-
-    @property
-    def attribution(self) -> dict[str, float]:
-        """By uncertain parameter how much it alone adds to the largest error [m]; ``remainder``: only together.
-
-        Of the plan ``tolerance``, at the worse end of each; with the error of the nominal case they add up to that of
-        the worst corner. Empty for another plan.
-        """
-        if self.stack is None:
-            return {}
-        parts = {name: max(0.0, *ends) for name, ends in self.stack.parts.items()}
-        whole = (self.stack.corners or self.stack.worst)[1] - self.stack.nominal
-        return parts | {"remainder": whole - sum(parts.values())}
-
-    @property
-    def errors(self) -> NDArray[np.float64]:
-        """Largest error of the tip in each case, (cases,) [m]; not-a-number where it failed."""
-        return self._of_cases(LARGEST, self.actual and self.actual.largest_m)
-
-    @property
-    def finals(self) -> NDArray[np.float64]:
-        """Error of the tip at the end of each case, (cases,) [m]; not-a-number where it failed."""
-        return self._of_cases(FINAL, self.actual and self.actual.final_m)
-
-    @property
-    def efforts(self) -> NDArray[np.float64]:
-        """Largest effort of a drive over its limit in each case, (cases,) [-]; not-a-number without a limit."""
-        import numpy as np
-
-        if self.rows is None:
-            return self._of_cases("", self.actual and self.actual.effort_share)
-        known = effort_quantities(self.robot).items()
-        shares = [self.rows.quantities[name] / limit for name, (_, limit) in known]
-        return np.max(shares, axis=0) if shares else np.full(len(self.rows), np.nan)
-
-    def _of_cases(self, name: str, of_actual: float | None) -> NDArray[np.float64]:
-        import numpy as np
-
-        if self.rows is not None:
-            return np.where(self.rows.good, self.rows.quantities[name], np.nan)
-        known = self.actual is not None and self.actual.good and of_actual is not None
-        return np.full(int(self.actual is not None), of_actual if known else np.nan, dtype=float)
-
-    @property
-    def reason(self) -> str:
-        """Why the first run that failed did so; empty where none did."""
-        runs = [one for one in (self.nominal, self.actual) if one and not one.good]
-        said = [why or status for why, status, good in self._endings if not good]
-        return next(iter([*(one.reason or one.status for one in runs), *said]), "")
-
-    @property
-    def _endings(self) -> Iterator[tuple[str, str, bool]]:
-        if self.rows is not None:
-            yield from zip(self.rows.reason, self.rows.status, self.rows.good.tolist(), strict=True)
-
-    def failed(self, tolerance: float | None) -> int:
-        """How many cases did not end, or exceed the tolerance [m]."""
-        import numpy as np
-
-        errors = self.errors
-        return int((~np.isfinite(errors) | (errors > (inf if tolerance is None else tolerance))).sum())
-
-    @property
-    def seconds(self) -> float | None:
-        """Processor time of one case [s], the mean of all; None where there are none."""
-        return None if self.rows is None else float(self.rows.seconds.mean())
-
-    def share(self, tolerance: float | None) -> Interval:
-        """Share of the cases that did not end or exceed the tolerance [m], with its interval of 95 % confidence."""
-        from tmodes.study.statistics import exact_share
-
-        return exact_share(self.failed(tolerance), len(self.errors))
-
-    @property
-    def worst(self) -> float | None:
-        """The largest error of all cases that ended [m]; None where there is none."""
-        known = self.errors[~(self.errors != self.errors)]
-        return float(known.max()) if len(known) else None
-
-    def below(self, percent: float = PERCENT) -> Interval:
-        """Error that so many of the cases that ended do not exceed [m], with its interval of 95 % confidence."""
-        from tmodes.study.statistics import percentile
-
-        return percentile(self.errors, percent)
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -302,6 +133,36 @@ class Comparison(CommandResult):
             return share, worst, nominal
 
         return tuple(sorted(self.contenders, key=key))
+
+    @property
+    def sentence(self) -> str:
+        """Which is best, and which fail how often, with the bounds of their shares."""
+        best = self.ranked[0]
+        said = f"Best: {best.name}: largest error {_mm(best.nominal.largest_m)} nominal"
+        if self.cases:
+            where = f"in the worst of {self.cases} cases" if self.uncertain else "of the actual robot"
+            said += f", {_mm(best.worst)} {where}"
+        lost = [one for one in self.ranked if one.failed(self.tolerance)] if self.uncertain else []
+        fails = ", ".join(f"{one.name} in {self._share(one)}" for one in lost)
+        return f"{said}. Fails: {fails}." if fails else f"{said}."
+
+    def _share(self, one: Contender) -> str:
+        share, said = one.share(self.tolerance), f"{one.failed(self.tolerance)} of {self.cases}"
+        return f"{said} ({100 * share.low:.1f} to {100 * share.high:.1f} %)" if self.certain else said
+
+    def page(self, path: FilePath, *, reports: bool = False) -> Path:
+        """Write it as one self-contained HTML file: the answer in a sentence, charts, and the table.
+
+        ``reports``: next to it one of each nominal run, linked. Raises :class:`tmodes.errors.ResultFileError` where
+        files cannot be written.
+
+        >>> robot = tmodes.load("spong1987").with_({"integration.duration": 0.1})
+        >>> robot.compare({"as it is": {}}).page("compare.html").name
+        'compare.html'
+        """
+        from tmodes.interface.league import write_page
+
+        return write_page(self, Path(path), reports=reports)
 
     @property
     def cases(self) -> int:
@@ -379,11 +240,7 @@ class Comparison(CommandResult):
     def tables(self) -> Iterator[str | Table]:
         """Which is best, and a row for each variant, the best one first."""
         best = self.ranked[0]
-        said = f"largest error {_mm(best.nominal.largest_m)} nominal"
-        if self.cases:
-            where = f"in the worst of {self.cases} cases" if self.uncertain else "of the actual robot"
-            said += f", {_mm(best.worst)} {where}"
-        yield f"Best: {best.name}: {said}."
+        yield self.sentence
         cases = [f"worst of {self.cases}", f"{PERCENT:.0f} % below"] if self.uncertain else ["actual", "-"]
         columns = ["variant", "fails", *cases, "nominal", "at end", "rings", "at rest [s]", "effort", "run [ms]"]
         judged = "" if self.tolerance is None else f", tolerance {_mm(self.tolerance)}"

@@ -19,7 +19,7 @@ from tmodes.interface.variants import uncertain_of, uncertain_robots
 from tmodes.io.arguments import checked_arguments
 from tmodes.io.files import FilePath
 from tmodes.io.printed import Table
-from tmodes.kinds.controllers.discrete import Mode, lost_modes
+from tmodes.kinds.controllers.discrete import Mode, lost_modes, named_modes
 
 if TYPE_CHECKING:
     from xarray import DataArray
@@ -33,8 +33,6 @@ Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 Progress = Callable[[str, float], None]
 
-_NULL, _ROUNDING = 1e-9, 1e-9
-"""Growth that is none; size of a pole, over the largest, that is 0."""
 _POINTS, _MOST_PAIRS = 400, 12
 
 
@@ -200,6 +198,22 @@ class LinearModel(Linearization):
         return found[np.argsort(np.abs(found) * (-1 if self.period else 1), kind="stable")]
 
     @property
+    def modes(self) -> list[Mode]:
+        """Each of the ``poles`` with the ``state`` that takes part most in its motion.
+
+        >>> tmodes.load("spong1987").linearize().modes[-1].state
+        'joint.motor'
+        """
+        return sorted(named_modes(self.A, self.states), key=lambda one: abs(one.pole) * (-1 if self.period else 1))
+
+    @property
+    def sentence(self) -> str:
+        """Whether it is stable, its slowest modes, its margins in open loop, what is non-minimum phase."""
+        from tmodes.interface.linear_words import sentence
+
+        return sentence(self)
+
+    @property
     def uncontrollable(self) -> list[Mode]:
         """Modes (``pole``, ``state`` that has most of it) that no input reaches."""
         return lost_modes(self.A, self.B, self.states)
@@ -245,7 +259,8 @@ class LinearModel(Linearization):
 
     def frequencies(self) -> Array:
         """Frequencies [Hz] (n,) of its response: from below the slowest pole to above the fastest."""
-        sizes = np.abs(np.log(self.poles.astype(complex)) / self.period) if self.period else np.abs(self.poles)
+        with np.errstate(divide="ignore", invalid="ignore"):  # a pole at 0 of a delay
+            sizes = np.abs(np.log(self.poles) / self.period) if self.period else np.abs(self.poles)
         sizes = sizes[(sizes > 1e-6) & np.isfinite(sizes)] / (2 * np.pi)
         low, high = (sizes.min() / 10, sizes.max() * 10) if len(sizes) else (0.01, 100.0)
         high = min(high, 0.5 / self.period) if self.period else high
@@ -370,39 +385,18 @@ class LinearModel(Linearization):
 
     def tables(self) -> Iterator[str | Table]:
         """Poles with what they are, zeros of each input to each output, and the point."""
+        from tmodes.interface import linear_words as words
+
         s = self.system
-        kind = "under its controllers" if self.closed else "open loop"
-        sampled = f", sampled every {s.period:g} s" if s.period else ""
-        sizes = np.abs(self.poles)
-        growing = sizes - 1 if self.period else self.poles.real[sizes > _ROUNDING * sizes.max(initial=0.0)]
-        most, free = growing.max(initial=-1.0), not self.period and len(growing) < len(sizes)
-        word = "unstable" if most > _NULL else "stable" if most < -_NULL and not free else "neither stable nor unstable"
-        yield (
-            f"{self.name}: {len(s.states)} states, {len(s.inputs)} inputs, {len(s.outputs)} outputs, {kind}{sampled}, "
-            f"{self.where}: {word}"
-        )
-        with np.errstate(divide="ignore", invalid="ignore"):  # a pole at 0 of a delay
-            rates = np.log(self.poles) / s.period if s.period else self.poles
-        rows = [[f"{rate.real:.5g}", f"{rate.imag:.5g}", f"{abs(rate) / (2 * np.pi):.5g}", _ratio(rate)]
-                for rate in rates[np.isfinite(rates)] if rate.imag >= 0]  # fmt: skip
-        yield Table("poles", ["real [1/s]", "imaginary [1/s]", "natural [Hz]", "damping ratio"], rows)
-        for what, modes in (("No input reaches", self.uncontrollable), ("No output shows", self.unobservable)):
-            if modes:
-                yield f"{what} the mode {', '.join(map(str, modes))}."
+        yield words.heading(self)
+        yield Table("poles", words.POLES, words.pole_rows(self))
+        yield from words.lost_modes(self)
         if len(s.inputs) * len(s.outputs) <= _MOST_PAIRS:
-            yield Table("zeros", ["from", "to", "zeros [1/s]", "phase"], list(self._zero_rows()))
+            yield Table("zeros", words.ZEROS, list(words.zero_rows(self)))
         yield Table("inputs", ["name", "value there"], [[n, f"{v:.5g}"] for n, v in zip(s.inputs, s.u0, strict=True)])
         units = [s.units.get(name, "") for name in s.outputs]
         rows = [[n, u, f"{v:.5g}"] for n, u, v in zip(s.outputs, units, s.y0, strict=True)]
         yield Table("outputs", ["name", "unit", "value there"], rows)
-
-    def _zero_rows(self) -> Iterator[list[str]]:
-        for source in self.inputs:
-            for output in self.outputs:
-                found = self.zeros(output, source)
-                outside = np.abs(found) > 1 + _NULL if self.period else found.real > _NULL * np.abs(found)
-                shown = ", ".join(f"{one.real:.4g}{one.imag:+.4g}i" for one in found if one.imag >= 0)
-                yield [source, output, shown or "none", "non-minimum" if outside.any() else "minimum"]
 
     def step_response(self, duration: float | None = None) -> DataArray:
         """Outputs after a step of 1 of each input, by ``time`` [s], ``output`` and ``input``; exact at its times.
@@ -443,6 +437,12 @@ class LinearModel(Linearization):
                  for source in self.inputs for name in self.outputs}  # fmt: skip
         return commands.points(lines, "time [s]", "after a step of 1", title=self.name, ax=ax, line="-", marks=False)
 
+    def page(self, path: FilePath) -> Path:
+        """One self-contained HTML file: its sentence, charts, tables; raises :class:`tmodes.errors.ResultFileError`.
 
-def _ratio(rate: complex) -> str:
-    return f"{-rate.real / abs(rate):.4f}" if rate else "-"
+        >>> tmodes.load("spong1987").linearize().page("linear.html").name
+        'linear.html'
+        """
+        from tmodes.interface.linear_page import write_page
+
+        return write_page(self, Path(path))

@@ -5,13 +5,15 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass, field, replace
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from tmodes.errors import InputError, InputErrors
+from tmodes.interface.tradeoff import Against, curve_table, plot_curve, said, weighed
 from tmodes.interface.variants import effort_quantities, uncertain_of, uncertain_parameters
 from tmodes.io.arguments import checked_arguments, numbers_of
 from tmodes.io.files import FilePath
-from tmodes.io.printed import CommandResult, Table, changed_by, known_columns, written
+from tmodes.io.printed import CommandResult, Table, changed_by, known_columns
 from tmodes.io.sheet_check import sheet_data
 from tmodes.io.words import count_of
 
@@ -23,15 +25,13 @@ if TYPE_CHECKING:
     from tmodes import Robot as UsersRobot
     from tmodes.sheet import Robot
     from tmodes.study.optimize import Optimum
+    from tmodes.study.optimize.result import Candidate
     from tmodes.study.study import Study
 
 __all__ = ["Gain", "Tuning", "tune"]
 
 Gains = Sequence[str] | Mapping[str, Sequence[float]]
 Progress = Callable[[str, float], None]
-
-AIM = "error"
-"""Name of what is made small, as a quantity of the study."""
 
 _AT_END, _AT_LIMIT, _LIMIT_PASSED = 1e-3, 0.99, 1 + 1e-6
 
@@ -43,6 +43,8 @@ def tune(
     *,
     minimize: str = "tip_error",
     reduce: str = "rms",
+    against: str | None = None,
+    against_reduce: str = "rms",
     uncertain: Mapping[str, Any] | FilePath | None = None,
     worst_case: int = 16,
     within: float = 10.0,
@@ -58,11 +60,14 @@ def tune(
 
     ``gains``: their paths, or ranges (low, high) by path; all that the laws of the robot name as ``tuned`` if left out,
     from a ``within``-th of what they are to ``within`` times it. ``minimize``: an output of ``robot.outputs``,
-    ``reduce`` d to one number. ``uncertain``: as of :func:`tmodes.compare`, or its file: then for the worst of
-    ``worst_case`` robots. ``method``, ``trials``, ``seed``: of :func:`tmodes.optimize`, which does it; ``auto`` goes
-    along gradients (the adjoint of the run, along neighbours for a sampled law; ``reduce`` one of ``rms``, ``mean``,
-    ``end``), and where there are none, or the drives would pass their limits, by ``cobyqa``, which keeps them. ``out``:
-    a file for the sheet with the gains, ``figure`` for the plot, which may ``overwrite`` others.
+    ``reduce`` d to one number. ``against``: another output, with its ``against_reduce``, that is to be small, too: then
+    ``curve`` has the designs of which none is better in both, by ``nsga2`` (extra ``study``), and the gains are those
+    of the least error that do not make it larger than it is. ``uncertain``: as of :func:`tmodes.compare`, or its file:
+    then for the worst of ``worst_case`` robots. ``method``, ``trials``, ``seed``: of :func:`tmodes.optimize`, which
+    does it; ``auto`` goes along gradients (the adjoint of the run, along neighbours for a sampled law; ``reduce`` one
+    of ``rms``, ``mean``, ``end``), and where there are none, or the drives would pass their limits, by ``cobyqa``,
+    which keeps them. ``out``: a file for the sheet with the gains, ``figure`` for the plot, which may ``overwrite``
+    others.
 
     Raises :class:`tmodes.errors.InputError` or :class:`tmodes.errors.InputErrors` for what is wrong in the arguments,
     and :class:`tmodes.errors.SimulationError` where no design could be computed.
@@ -84,13 +89,26 @@ def tune(
     ranges = _ranges(plant, gains, within)
     family = uncertain_parameters(uncertain_of(uncertain), sheet_data(plant))
 
+    aims = {_named(reduce, minimize): (minimize, reduce)}
+    if against is not None:
+        aims[_named(against_reduce, against)] = against, against_reduce
+        if len(aims) == 1:
+            raise InputError(
+                "against", against, "another output, or another number of it", "write against='power.motor'"
+            )
+
     def study(limits: Sequence[str]) -> Study:
-        return _study(plant, ranges, family, {AIM: {"series": minimize, "reduce": reduce}}, worst_case, limits)
+        return _study(plant, ranges, family, aims, worst_case, limits)
 
     optimum = _searched(plant, study, method, trials, seed, progress)
-    found = _tuning(whole, plant, ranges, f"{reduce} of {minimize}", optimum, tuple(family))
+    words = {name: f"{how} of {what}" for name, (what, how) in aims.items()}
+    found = _tuning(whole, plant, ranges, words, optimum, tuple(family))
     write_files(out, found, figure, overwrite=overwrite)
     return found
+
+
+def _named(how: str, what: str) -> str:
+    return re.sub(r"\W+", "_", f"{how}_{what}")
 
 
 @dataclass(frozen=True)
@@ -150,20 +168,25 @@ def _tuned(robot: Robot) -> Iterator[str]:
 
 
 def _study(
-    robot: Robot, ranges: Mapping[str, Gain], family: Mapping[str, Any], aim: Mapping[str, Any], cases: int,
-    limits: Sequence[str],
+    robot: Robot, ranges: Mapping[str, Gain], family: Mapping[str, Any], aims: Mapping[str, tuple[str, str]],
+    cases: int, limits: Sequence[str],
 ) -> Study:  # fmt: skip
     from tmodes.study.read import study_of_robot
 
     def parameter(one: Gain) -> dict[str, Any]:
         kind = "loguniform" if one.low > 0 else "uniform"
-        return {"path": one.path, "distribution": {"type": kind, "low": one.low, "high": one.high}}
+        return {"path": one.path, "title": one.path, "distribution": {"type": kind, "low": one.low, "high": one.high}}
 
     efforts = effort_quantities(robot).items()
-    asked = {"objectives": [{"minimize": AIM}], "design": [*ranges], "worst_case": cases if family else 0}
+    aim = {name: {"series": what, "reduce": how, "title": f"{how} of {what}"} for name, (what, how) in aims.items()}
+    asked = {
+        "objectives": [{"minimize": name} for name in aims],
+        "design": [*ranges],
+        "worst_case": cases if family else 0,
+    }
     data = {
         "parameters": {name: parameter(one) for name, one in ranges.items()} | dict(family),
-        "quantities": dict(aim) | {name: {"series": f"{joint}.effort", "reduce": "max_abs"}
+        "quantities": aim | {name: {"series": f"{joint}.effort", "reduce": "max_abs"}
                                    for name, (joint, _) in efforts},
         "optimize": asked | {"limits": [*limits]},
     }  # fmt: skip
@@ -191,6 +214,8 @@ def _searched(
 
     free, how = study(()), {"trials": trials, "seed": seed, "progress": progress}
     limits = [f"{name} <= {limit!r}" for name, (_, limit) in effort_quantities(robot).items()]
+    if free.sheet.optimize and len(free.sheet.optimize.objectives) > 1:
+        return optimize(study(limits), "nsga2" if method == "auto" else method, **how)
     if method in ("auto", "gradient"):
         try:
             found = optimize(free, "gradient", **how)
@@ -205,15 +230,15 @@ def _searched(
 
 def _keeps(robot: Robot, found: Optimum, study: Study) -> bool:
     """Whether the drives keep their limits with the best gains."""
-    after = _in_all_cases(found, study)[1]
+    after = _in_all_cases(found, study, found.best or found.nearest)[1]
     return all((after[name] <= _LIMIT_PASSED * limit).all() for name, (_, limit) in effort_quantities(robot).items())
 
 
-def _in_all_cases(found: Optimum, study: Study) -> list[dict[str, NDArray[np.float64]]]:
+def _in_all_cases(found: Optimum, study: Study, best: Candidate | None) -> list[dict[str, NDArray[np.float64]]]:
     """Quantities (cases,) by name with the gains of the sheet, and with the best ones, in all cases."""
     import numpy as np
 
-    trials, best = found.trials, found.best or found.nearest
+    trials = found.trials
     assert trials  # noqa: S101
     assert best  # noqa: S101
     own = study.space.nominal[list(trials.space.columns)]
@@ -223,16 +248,17 @@ def _in_all_cases(found: Optimum, study: Study) -> list[dict[str, NDArray[np.flo
 
 
 def _tuning(
-    whole: UsersRobot, plant: UsersRobot, ranges: Mapping[str, Gain], what: str, optimum: Optimum,
+    whole: UsersRobot, plant: UsersRobot, ranges: Mapping[str, Gain], words: Mapping[str, str], optimum: Optimum,
     family: tuple[str, ...],
 ) -> Tuning:  # fmt: skip
-    best, trials = optimum.best or optimum.nearest, optimum.trials
-    assert best  # noqa: S101
+    best, trials = weighed(optimum), optimum.trials
     assert trials  # noqa: S101
     gains = tuple(replace(one, after=best.values[name]) for name, one in ranges.items())
-    before, after = _in_all_cases(optimum, trials.study)
+    before, after = _in_all_cases(optimum, trials.study, best)
     changed = {one.path: one.after for one in gains}
-    unit = trials.study.evaluate(0, trials.study.space.nominal[None]).units[AIM] or "-"
+    units = trials.study.evaluate(0, trials.study.space.nominal[None]).units
+    (aim, what), *more = words.items()
+    others = [Against(word, units[name] or "-", before[name], after[name]) for name, word in more]
     efforts = {
         joint: float(after[name].max() / limit) for name, (joint, limit) in effort_quantities(plant).items()
     }  # fmt: skip
@@ -240,8 +266,8 @@ def _tuning(
         one.run(error_estimate=False, model_error=False).summary()["verdict"] for one in (plant, plant.with_(changed))
     ]
     return Tuning(
-        whole.name, whole.with_(changed), gains, what, unit, before[AIM], after[AIM], family, efforts,
-        (verdicts[0], verdicts[1]), optimum,
+        whole.name, whole.with_(changed), gains, what, units[aim] or "-", before[aim], after[aim], family, efforts,
+        (verdicts[0], verdicts[1]), optimum, next(iter(others), None),
     )  # fmt: skip
 
 
@@ -251,7 +277,8 @@ class Tuning(CommandResult):
 
     ``what`` [``unit``] was made small; ``before`` and ``after`` (cases,): in each case, the only one is the robot as
     known where nothing is ``uncertain``. ``efforts``: the largest effort of each drive over its limit [-], of all
-    cases; ``verdicts``: on the run of the robot as known before and after; ``optimum``: how the gains were found.
+    cases; ``verdicts``: on the run of the robot as known before and after; ``optimum``: how the gains were found;
+    ``against``: what the error is weighed against, if anything.
     """
 
     name: str
@@ -265,6 +292,39 @@ class Tuning(CommandResult):
     efforts: Mapping[str, float]
     verdicts: tuple[Mapping[str, Any], Mapping[str, Any]]
     optimum: Optimum
+    against: Against | None = None
+
+    @property
+    def curve(self) -> Dataset:
+        """The trade-off along ``design``: ``error``, ``against``, ``gain`` (design, gain); none is better in both.
+
+        Raises :class:`tmodes.errors.InputError` where nothing was weighed against the error.
+        """
+        from xarray import Dataset
+
+        if self.against is None:
+            raise InputError("curve", "one objective", "an error weighed against something", "tune(against='...')")
+        front = self.optimum.front
+        parts = zip(("error", "against"), (self.unit, self.against.unit), strict=True)
+        series: dict[str, Any] = {name: ("design", [one.objectives[k] for one in front], {"units": unit})
+                                  for k, (name, unit) in enumerate(parts)}  # fmt: skip
+        gains = [[*one.values.values()] for one in front]
+        return Dataset(series | {"gains": (("design", "gain"), gains)}, {"gain": [one.path for one in self.gains]})
+
+    def at(self, design: int) -> UsersRobot:
+        """The robot of one ``design`` of the :attr:`curve`."""
+        gains = self.curve["gains"].values[design].tolist()
+        return self.robot.with_(dict(zip([one.path for one in self.gains], gains, strict=True)))
+
+    def page(self, path: FilePath) -> Path:
+        """One self-contained HTML file with all designs that were tried, the curve and the start.
+
+        Raises :class:`tmodes.errors.ResultFileError` where it cannot be written.
+        """
+        from tmodes.study.page.figures import write_designs
+
+        assert self.optimum.trials  # noqa: S101
+        return write_designs(self.optimum, self.optimum.trials.study, Path(path))
 
     @property
     def sheet(self) -> str:
@@ -292,6 +352,11 @@ class Tuning(CommandResult):
             "cases": len(self.before), "before": float(self.before.max()), "after": float(self.after.max()),
             "gains": [asdict(one) for one in self.gains], "efforts": dict(self.efforts), "limited": list(self.limited),
             "verdicts": [dict(one) for one in self.verdicts], "optimum": self.optimum.info(),
+            "against": self.against and {
+                "minimized": self.against.what, "unit": self.against.unit,
+                "before": float(self.against.before.max()), "after": float(self.against.after.max()),
+                "curve": [list(one.objectives) for one in self.optimum.front],
+            },
         }  # fmt: skip
 
     @property
@@ -308,6 +373,8 @@ class Tuning(CommandResult):
         from tmodes.plot.commands import points
         from tmodes.plot.units import readable
 
+        if self.against:
+            return plot_curve(self, self.against, ax)
         rows = self.optimum.history
         best = [self.before.max(), *(min(self.before.max(), value) for _, value in rows), self.after.max()]
         tried = [0, *(k + 1 for k, _ in rows), self.optimum.designs]
@@ -319,7 +386,10 @@ class Tuning(CommandResult):
         """Before and after, the gains, and what limits."""
         before, after = float(self.before.max()), float(self.after.max())
         where = f" in the worst of {len(self.before)} cases" if self.uncertain else ""
-        yield f"{self.name}: {self.what} {self._said(before)} before, {self._said(after)} after{where}."
+        yield f"{self.name}: {self.what} {said(before, self.unit)} before, {said(after, self.unit)} after{where}."
+        if other := self.against:
+            ends = (said(float(one.max()), other.unit) for one in (other.before, other.after))
+            yield f"Against {other.what}: {' before, '.join(ends)} after{where}."
         columns = ["gain", "unit", "before", "after", "", "range"]
         rows = [
             [one.path, one.unit, f"{one.before:.5g}", f"{one.after:.5g}", changed_by(one.after, one.before),
@@ -329,10 +399,9 @@ class Tuning(CommandResult):
         how = "along gradients" if self.optimum.method == "gradient" else f"by {self.optimum.method}"
         title = f"{count_of(len(self.gains), 'gain')}, {count_of(self.optimum.designs, 'design')} tried {how}"
         yield known_columns(title, columns, rows)
+        if self.against:
+            yield curve_table(self, self.against)
         yield "\n".join(f"Limited: {one}." for one in self.limited)
-
-    def _said(self, value: float) -> str:
-        return written(value, self.unit, 4)
 
     @property
     def warnings(self) -> list[str]:

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 from tmodes.plot.panels import Axes, AxesLike, panels, side_legend
 from tmodes.plot.style import COMPONENTS, GRID, INK, house_style
 
-__all__ = ["bars", "bode", "nyquist", "points", "shape", "spans"]
+__all__ = ["bars", "bode", "bode_curves", "nyquist", "nyquist_reach", "points", "shape", "spans"]
 
 _MARKERS = ("o", "s", "^")
 
@@ -139,23 +139,37 @@ def _pairs(response: Any) -> Iterator[tuple[str, Any, Any]]:
         yield f"{source} to {output}", values, COMPONENTS[k % len(COMPONENTS)]
 
 
+def bode_curves(response: Any, family: Any = None) -> Iterator[tuple[str, Any, list[Any], list[list[Any]]]]:
+    """Each input and output in words, its look, its gain [dB] and phase [deg], and the ranges of a ``family`` of both.
+
+    The phase of each of the family is that of the response and the phase of their ratio, which is small where they
+    differ little: unwrapped by itself it could be off by whole turns, and its range with it.
+    """
+    every = [one for _, one, _ in _pairs(family)] if family is not None else []
+    with np.errstate(divide="ignore", invalid="ignore"):
+        for k, (label, values, look) in enumerate(_pairs(response)):
+            own = [20 * np.log10(np.abs(values)), np.degrees(np.unwrap(np.angle(values)))]
+            ranges = []
+            if every:
+                apart = np.degrees(np.unwrap(np.angle(every[k] * np.conj(values)), axis=-1))
+                each = (20 * np.log10(np.abs(every[k])), own[1] + apart)
+                ranges = [[one.min(axis=0), one.max(axis=0)] for one in each]
+            yield label, look, own, ranges
+
+
 def bode(response: Any, *, family: Any = None, title: str = "", ax: AxesLike = None) -> list[Axes]:
     """Gain [dB] over phase [deg] of a complex ``response`` by frequency [Hz], output and input.
 
     ``family``: responses along ``case``, too, whose range is shaded.
     """
-    with house_style(), np.errstate(divide="ignore"):
+    with house_style():
         gain, phase = panels(ax, [["a"], ["b"]], 4.6)
         at = response.frequency.values
-        for k, (label, values, look) in enumerate(_pairs(response)):
-            gain.plot(at, 20 * np.log10(np.abs(values)), label=label, **look)
-            phase.plot(at, np.degrees(np.unwrap(np.angle(values))), **look)
-            if family is not None:
-                every = list(_pairs(family))[k][1]
-                levels, turns = 20 * np.log10(np.abs(every)), np.degrees(np.unwrap(np.angle(every), axis=-1))
-                for panel, some in ((gain, levels), (phase, turns)):
-                    shade = {"color": look["color"], "alpha": 0.18, "linewidth": 0, "zorder": 1}
-                    panel.fill_between(at, some.min(axis=0), some.max(axis=0), **shade)
+        for label, look, own, ranges in bode_curves(response, family):
+            gain.plot(at, own[0], label=label, **look)
+            phase.plot(at, own[1], **look)
+            for panel, ends in zip((gain, phase), ranges, strict=False):
+                panel.fill_between(at, *ends, color=look["color"], alpha=0.18, linewidth=0, zorder=1)
         for panel in (gain, phase):
             panel.set_xscale("log")
         gain.set(ylabel="gain [dB]", title=title)
@@ -168,6 +182,12 @@ _NEAR, _LOOP = 4.0, 0.3
 """Radius of a Nyquist diagram of a response that is larger, so that the point -1 is seen; from which on it is shown."""
 
 
+def nyquist_reach(largest: float) -> tuple[float, bool]:
+    """How far a Nyquist diagram reaches, and whether it shows the point -1."""
+    loops = largest > _LOOP
+    return 1.1 * min(max(largest, float(loops)) or 1.0, _NEAR), loops
+
+
 def nyquist(response: Any, *, title: str = "", ax: AxesLike = None) -> list[Axes]:
     """The complex ``response`` as a curve for growing frequency, its mirror image thin, and the point -1 of loops."""
     with house_style():
@@ -177,9 +197,9 @@ def nyquist(response: Any, *, title: str = "", ax: AxesLike = None) -> list[Axes
             panel.plot(values.real, values.imag, label=label, **look)
             panel.plot(values.real, -values.imag, color=look["color"], linewidth=0.5, linestyle=":")
             largest = max(largest, float(np.abs(values).max(initial=0.0)))
-        if loops := largest > _LOOP:
+        reach, loops = nyquist_reach(largest)
+        if loops:
             panel.plot(-1.0, 0.0, marker="+", color=INK, linestyle="none", label="-1")
-        reach = 1.1 * min(max(largest, float(loops)) or 1.0, _NEAR)
         panel.axhline(0.0, color=GRID, linewidth=0.6, zorder=0)
         panel.axvline(0.0, color=GRID, linewidth=0.6, zorder=0)
         panel.set(xlabel="real part", ylabel="imaginary part", title=title, xlim=(-reach, reach), ylim=(-reach, reach))

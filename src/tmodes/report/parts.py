@@ -168,7 +168,11 @@ def _run_status(run: Mapping[str, Any], *, several: bool) -> Markup:
     """How a run ended, and what it warns of."""
     name = tag("strong", f"{run['name']}: " if several else "")
     ended = tag("p", name, run["verdict"]["sentence"])
-    warnings = tag("ul", *(tag("li", str(sentence).replace("`", "")) for sentence in run["warnings"])) if run["warnings"] else None
+    warnings = (
+        tag("ul", *(tag("li", str(sentence).replace("`", "")) for sentence in run["warnings"]))
+        if run["warnings"]
+        else None
+    )
     kind = "warning" if run["success"] and run["warnings"] else run["verdict"]["level"]
     return tag("div", ended, warnings, class_=f"status {kind}", role=None if run["success"] else "alert")
 

@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-__all__ = ["Mode", "held_late", "lost_modes", "zero_order_hold"]
+__all__ = ["Mode", "held_late", "lost_modes", "named_modes", "zero_order_hold"]
 
 _LOST = 1e-9
 """Share of an input in a mode below which it does not reach it."""
@@ -70,6 +70,23 @@ class Mode(NamedTuple):
             f"of {abs(self.pole) / (2 * np.pi):.4g} Hz" if rings else f"at {rate if abs(rate) > _SAME else 0:.4g} 1/s"
         )
         return f"{what} (mostly `{self.state}`)"
+
+
+def named_modes(A: Any, states: Sequence[str]) -> list[Mode]:
+    """Each pole of x' = A x with the state that takes part most: by left times right eigenvector, whatever its unit.
+
+    A coordinate takes part by itself and by its rate, which has its name and a prime.
+    """
+    from scipy.linalg import eig
+
+    if not len(A):
+        return []
+    poles, left, right = eig(A, left=True, right=True)  # pyright: ignore[reportAssignmentType]
+    names = [name.removesuffix("'") for name in states]
+    shares = {name: np.zeros(len(poles)) for name in names}
+    for name, share in zip(names, np.abs(left.conj() * right), strict=True):
+        shares[name] += share
+    return [Mode(complex(pole), max(shares, key=lambda name: shares[name][k])) for k, pole in enumerate(poles)]
 
 
 def lost_modes(A: Any, B: Any, states: Sequence[str]) -> list[Mode]:

@@ -1,4 +1,4 @@
-/* tmodes, built from 910866d2b92d8257; BSD-3-Clause */
+/* tmodes, built from 454fec88a32ae230; BSD-3-Clause */
 /* three
 The MIT License
 

@@ -110,7 +110,7 @@ def _against_start(found: Optimum) -> Markup | None:
                      amount(value, unit), changed_by(value, first) if known else ""])  # fmt: skip
     what = f"design by {_aim(found.objectives[0])}" if found.front else "design"
     title = f"{'Best' if found.best else 'Nearest'} {what} against the start"
-    return table(title, ("", "Start", design_name(one), "Change"), rows, numeric=(1, 2, 3))
+    return table(title, ("Number", "Start", design_name(one), "Change"), rows, numeric=(1, 2, 3))
 
 
 def _shown(limit: str) -> str:

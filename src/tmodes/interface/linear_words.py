@@ -1,0 +1,124 @@
+"""What a linear model says of itself in words: stability, poles, zeros, margins."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from math import degrees, isfinite, pi
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from tmodes.io.words import count_of
+
+if TYPE_CHECKING:
+    from tmodes.interface.linear import LinearModel
+
+__all__ = ["POLES", "ZEROS", "heading", "lost_modes", "pole_rows", "sentence", "stability", "zero_rows"]
+
+POLES = ("real [1/s]", "imaginary [1/s]", "natural [Hz]", "damping ratio", "mostly")
+ZEROS = ("from", "to", "zeros [1/s]", "phase")
+
+_NULL, _ROUNDING = 1e-9, 1e-9
+"""Growth that is none; size of a pole, over the largest, that is 0."""
+
+_GONE = 1e-6
+"""Size of a pole in the z plane whose motion is over at the next sample: poles of delays and of very fast motions."""
+
+_MODES = 3
+"""Modes that a sentence names."""
+
+
+def stability(found: LinearModel) -> str:
+    """Whether all motions decay, some grow, or neither."""
+    sizes = np.abs(found.poles)
+    growing = sizes - 1 if found.period else found.poles.real[sizes > _ROUNDING * sizes.max(initial=0.0)]
+    most, free = growing.max(initial=-1.0), not found.period and len(growing) < len(sizes)
+    return "unstable" if most > _NULL else "stable" if most < -_NULL and not free else "neither stable nor unstable"
+
+
+def heading(found: LinearModel) -> str:
+    """Its size, its loop, about what it is, whether it is stable."""
+    s = found.system
+    kind = "under its controllers" if found.closed else "open loop"
+    sampled = f", sampled every {s.period:g} s" if s.period else ""
+    size = (
+        f"{count_of(len(s.states), 'state')}, {count_of(len(s.inputs), 'input')}, {count_of(len(s.outputs), 'output')}"
+    )
+    return f"{found.name}: {size}, {kind}{sampled}, {found.where}: {stability(found)}"
+
+
+def _rates(found: LinearModel) -> list[tuple[complex, str]]:
+    """Poles as rates [1/s], one of each pair, with the state that takes part most; without those at z = 0 of delays."""
+    with np.errstate(divide="ignore", invalid="ignore"):
+        every = [(np.log(one.pole) / found.period if found.period else one.pole, one.state) for one in found.modes]
+    return [(complex(rate), state) for rate, state in every if np.isfinite(rate) and rate.imag >= 0]
+
+
+def pole_rows(found: LinearModel) -> list[list[str]]:
+    """A row for each real pole and each pair, the slowest first."""
+    return [[f"{rate.real:.5g}", f"{rate.imag:.5g}", f"{abs(rate) / (2 * pi):.5g}",
+             f"{-rate.real / abs(rate):.4f}" if rate else "-", state] for rate, state in _rates(found)]  # fmt: skip
+
+
+def lost_modes(found: LinearModel) -> Iterator[str]:
+    """Modes that no input reaches or no output shows, but for those of a sampled model that are gone at a sample."""
+    lost = {"No input reaches": found.uncontrollable, "No output shows": found.unobservable}
+    for what, modes in lost.items():
+        kept = [str(one) for one in modes if not found.period or abs(one.pole) > _GONE]
+        if kept:
+            yield f"{what} the mode {', '.join(kept)}."
+
+
+def zero_rows(found: LinearModel) -> Iterator[list[str]]:
+    """A row for each input and output: its zeros, and whether some are to the right (outside of the unit circle)."""
+    for source in found.inputs:
+        for output in found.outputs:
+            zeros = found.zeros(output, source)
+            outside = np.abs(zeros) > 1 + _NULL if found.period else zeros.real > _NULL * np.abs(zeros)
+            shown = ", ".join(f"{one.real:.4g}{one.imag:+.4g}i" for one in zeros if one.imag >= 0)
+            yield [source, output, shown or "none", "non-minimum" if outside.any() else "minimum"]
+
+
+def sentence(found: LinearModel) -> str:
+    """Whether it is stable, its slowest modes; of one input and output in open loop the margins; non-minimum phase."""
+    kind = "Under its controllers" if found.closed else "In open loop"
+    rates = _rates(found)
+    grows = [(rate, state) for rate, state in rates if rate.real > _NULL * abs(rate)]
+    said = [f"{kind} {stability(found)}{_growing(*max(grows, key=lambda one: one[0].real)) if grows else ''}"]
+    rings = [one for one in rates if one[0].imag > 0 >= one[0].real - _NULL * abs(one[0])]
+    if rings:
+        more = f" and {len(rings) - _MODES} more" if len(rings) > _MODES else ""
+        said.append(f"it rings at {', '.join(_ringing(*one) for one in rings[:_MODES])}{more}")
+    else:
+        said.append("nothing rings")
+    if len(found.inputs) == len(found.outputs) == 1 and not found.closed:
+        said.append(_margins(found))
+    wrong = [f"{source} to {output}" for source, output, _, phase in zero_rows(found) if phase == "non-minimum"]
+    if wrong:
+        more = f" and {len(wrong) - _MODES} more" if len(wrong) > _MODES else ""
+        said.append(f"non-minimum phase: {', '.join(wrong[:_MODES])}{more}")
+    return f"{'; '.join(said)}."
+
+
+def _growing(rate: complex, state: str) -> str:
+    return f", it grows at {rate.real:.3g} 1/s, mostly {state}"
+
+
+def _ringing(rate: complex, state: str) -> str:
+    share = -100 * rate.real / abs(rate)
+    damping = f"damping {share:.2g} %" if share > 100 * _NULL else "undamped"
+    return f"{abs(rate) / (2 * pi):.3g} Hz ({damping}, mostly {state})"
+
+
+def _margins(found: LinearModel) -> str:
+    """Of the loop that negative feedback from the output to the input closes."""
+    known = found.margins()
+    if not known.stable:
+        return "under unit negative feedback unstable"
+    shown = []
+    if isfinite(known.gain):
+        shown.append(f"gain {20 * np.log10(known.gain):.3g} dB at {known.gain_frequency:.3g} Hz")
+    if isfinite(known.phase):
+        shown.append(f"phase {degrees(known.phase):.3g}° at {known.phase_frequency:.3g} Hz")
+    shown.append(f"disk {known.disk:.2g}")
+    return f"margins under unit negative feedback: {', '.join(shown)}"
