@@ -103,3 +103,15 @@ def test_instants_of_samples_are_structure() -> None:
     with pytest.raises(InputError) as caught:
         adjoint_gradient(robot("pid"), END, ["drives.0.sample_time"])
     assert caught.value.which == "drives.0.sample_time"
+
+
+def test_errors_from_the_path_by_the_weights_of_a_designed_law() -> None:
+    """The nominal run, from which the commanded path follows, has no law; its derivative by a weight is none."""
+    here, path = robot("lqr"), "control.law.block.effort_weight"
+    slope, steps = (
+        adjoint_gradient(here, reduced_output("tip_error", "rms"), [path]).by[path],
+        [-2e-3, -1e-3, 1e-3, 2e-3],
+    )
+    tips = [adjoint_gradient(here.with_({path: 1e-2 * (1 + one)}), reduced_output("tip_error", "rms")) for one in steps]
+    a, b, c, d = (one.value for one in tips)
+    assert slope == pytest.approx((8 * (c - b) - (d - a)) / (12e-3 * 1e-2), rel=1e-6)

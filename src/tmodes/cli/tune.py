@@ -48,7 +48,7 @@ def tune(
     """Tune the gains of any controller: before and after, and what limits them.
 
     Gains are those of controllers and of blocks in `control`; of LQR and LQG the weights. They follow gradients of the
-    run (its adjoint) where these exist: laws in continuous time, `rms`, `mean` or `end` of an output. Otherwise, and
+    run (its adjoint), through samples too, for `rms`, `mean` or `end` of an output. Otherwise, and
     where the best gains would exceed the limits of the drives, `cobyqa` finds them, which needs no derivatives and
     keeps these limits. It is what `tmodes optimize` does with a study of these gains.
 

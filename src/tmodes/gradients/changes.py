@@ -158,10 +158,10 @@ class _Noted:
 
     def _designed(self, values: Mapping[str, float]) -> dict[str, Block]:
         """Those laws of the sheet with other numbers."""
-        if not vars(nominal_of(self.here.setup.robot)).get("designs"):
+        if not any(one.block.is_designed for one in self.sheet.control):
             return {}
         robot = self.here.variant.of(self.sheet.with_(values).pair())
-        planned(robot, self.here.variant.follow)
+        planned(robot, Follow.SHEET)
         return vars(nominal_of(robot))["designs"]
 
     def _blocks(self, robot: Robot) -> Blocks:

@@ -64,10 +64,9 @@ def tune(
     ``curve`` has the designs of which none is better in both, by ``nsga2`` (extra ``study``), and the gains are those
     of the least error that do not make it larger than it is. ``uncertain``: as of :func:`tmodes.compare`, or its file:
     then for the worst of ``worst_case`` robots. ``method``, ``trials``, ``seed``: of :func:`tmodes.optimize`, which
-    does it; ``auto`` goes along gradients (the adjoint of the run, along neighbours for a sampled law; ``reduce`` one
-    of ``rms``, ``mean``, ``end``), and where there are none, or the drives would pass their limits, by ``cobyqa``,
-    which keeps them. ``out``: a file for the sheet with the gains, ``figure`` for the plot, which may ``overwrite``
-    others.
+    does it; ``auto`` goes along gradients (the adjoint of the run; ``reduce`` one of ``rms``, ``mean``, ``end``), and
+    where there are none, or the drives would pass their limits, by ``cobyqa``, which keeps them. ``out``: a file for
+    the sheet with the gains, ``figure`` for the plot, which may ``overwrite`` others.
 
     Raises :class:`tmodes.errors.InputError` or :class:`tmodes.errors.InputErrors` for what is wrong in the arguments,
     and :class:`tmodes.errors.SimulationError` where no design could be computed.
