@@ -1,4 +1,4 @@
-/* tmodes, built from 207eabbaff0d3386; BSD-3-Clause */
+/* tmodes, built from a7eed751500a47ba; BSD-3-Clause */
 
 // src/live/engine_error.ts
 var EngineError = class extends Error {
