@@ -6,7 +6,7 @@ import base64
 import hashlib
 import json
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from functools import cache
 from importlib.resources import files
 from typing import Any
@@ -85,8 +85,12 @@ def warnings(result: Result) -> Markup | None:
     """What the run has to say about itself; None where that is nothing."""
     if not result.warnings:
         return None
-    sentences = tag("ul", *(tag("li", str(sentence).replace("`", "")) for sentence in result.warnings))
-    return tag("div", tag("strong", "Warnings"), sentences, class_="status warning", role="note")
+    return tag("div", tag("strong", "Warnings"), _listed(result.warnings), class_="status warning", role="note")
+
+
+def _listed(sentences: Iterable[str]) -> Markup:
+    """Sentences as a list, without marks of code."""
+    return tag("ul", *(tag("li", sentence.replace("`", "")) for sentence in sentences))
 
 
 def rows_of(info: Mapping[str, Any], group: str = "") -> Iterator[list[str]]:
@@ -168,11 +172,7 @@ def _run_status(run: Mapping[str, Any], *, several: bool) -> Markup:
     """How a run ended, and what it warns of."""
     name = tag("strong", f"{run['name']}: " if several else "")
     ended = tag("p", name, run["verdict"]["sentence"])
-    warnings = (
-        tag("ul", *(tag("li", str(sentence).replace("`", "")) for sentence in run["warnings"]))
-        if run["warnings"]
-        else None
-    )
+    warnings = _listed(run["warnings"]) if run["warnings"] else None
     kind = "warning" if run["success"] and run["warnings"] else run["verdict"]["level"]
     return tag("div", ended, warnings, class_=f"status {kind}", role=None if run["success"] else "alert")
 

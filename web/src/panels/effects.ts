@@ -53,12 +53,12 @@ export async function effects(
   const began = performance.now();
   const facts = await early(live, own, FIRST);
   const id = LEADING.find((name) => facts[name]?.value);
-  if (!id) return "no number of this run shows it";
+  if (!id) return "no error or deflection of this run is known";
   const whole = Number(facts[id].value);
   const most = Math.floor(PATIENCE / (performance.now() - began));
   const order = [...rows.slice(0, count).keys()];
   if (most < order.length) order.sort((j, k) => Number(designed(rows[k])) - Number(designed(rows[j])));
-  if (most < Math.min(FEWEST, order.length)) return "to measure it would take long";
+  if (most < Math.min(FEWEST, order.length)) return "measuring it would take more than 6 s";
   const shares: Effects["shares"] = [];
   for (const k of order.slice(0, most)) {
     if (!wanted()) return null;

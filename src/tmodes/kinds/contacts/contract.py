@@ -182,8 +182,8 @@ class Contact(Kind, family="contact law", key="law"):
         if self.unilateral and depth > 0:
             yield f"the point starts {1e3 * depth:.3g} mm inside of the surface, which pushes it with {normal:.3g} N"
         if not self.unilateral and abs(depth) > _OFF:
-            away = f"{1e3 * abs(depth):.3g} mm off the surface that holds it"
-            yield f"the point starts {away}: a force of {normal:.3g} N at once"
+            off = f"{1e3 * abs(depth):.3g} mm off the surface that holds it"
+            yield f"the point starts {off}: a force of {normal:.3g} N at once"
 
 
 CONTACTS = Contact.registry
