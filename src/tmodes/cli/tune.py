@@ -54,7 +54,7 @@ def tune(
 
     Example: tmodes tune spong1987 --out tuned.yaml
 
-    Example, a curve of error against effort: tmodes tune two_link_arm --against power.motor --page tuned.html
+    Example, error against effort: tmodes tune spong1987 --against joint.effort --trials 200 --page tuned.html
 
     Example, for the worst of 32 robots: tmodes tune two_link_arm --uncertain laws.yaml --worst-case 32
     """

@@ -7,7 +7,7 @@ import io
 import json
 from collections.abc import Callable, Iterator
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 from urllib.parse import quote
 
 import numpy as np
@@ -16,9 +16,6 @@ from tmodes.interface.contenders import Contender
 from tmodes.interface.files import write_files
 from tmodes.io.atomic import atomic_write, check_writable
 from tmodes.report.plots import Axis, Curve, Page, Plot, write_plots
-
-if TYPE_CHECKING:
-    from tmodes.interface.comparing import Comparison
 
 __all__ = ["write_league", "write_page"]
 
@@ -31,7 +28,7 @@ _DECADES, _SPREAD, _GOLDEN = 30.0, 0.5, 0.6180339887498949
 _MOST_TIMES = 600
 
 
-def write_league(found: Comparison, folder: Path, *, reports: bool, progress: Progress) -> None:
+def write_league(found: Any, folder: Path, *, reports: bool, progress: Progress) -> None:
     """compare.html, compare.csv and compare.svg into a folder, replacing those of the same comparison."""
     write_page(found, folder / "compare.html", reports=reports, progress=progress)
     write_files(None, found, folder / "compare.svg", overwrite=True)
@@ -53,7 +50,7 @@ def _flat(info: dict[str, Any], group: str = "") -> dict[str, Any]:
     return flat
 
 
-def write_page(found: Comparison, path: Path, *, reports: bool, progress: Progress = lambda stage, share: None) -> Path:
+def write_page(found: Any, path: Path, *, reports: bool, progress: Progress = lambda stage, share: None) -> Path:
     """The page, with links to what reports are there."""
     from tmodes.report.page import write_report
 
@@ -69,7 +66,7 @@ def write_page(found: Comparison, path: Path, *, reports: bool, progress: Progre
     return write_plots(_page(found, links), path)
 
 
-def _page(found: Comparison, links: dict[str, str]) -> Page:
+def _page(found: Any, links: dict[str, str]) -> Page:
     cases = f"{found.cases} cases, the same for all" if found.cases > 1 else "the robot as known"
     lead = f"{len(found.contenders)} variants on one task, {cases}"
     info = found.info()
@@ -84,7 +81,7 @@ def _page(found: Comparison, links: dict[str, str]) -> Page:
     )  # fmt: skip
 
 
-def _plots(found: Comparison) -> Iterator[Plot]:
+def _plots(found: Any) -> Iterator[Plot]:
     """The errors of all; that of each as known over time; the share of the cases within an error."""
     from tmodes.plot.style import CYCLE, SERIES
 

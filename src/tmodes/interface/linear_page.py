@@ -6,16 +6,13 @@ import json
 from collections.abc import Iterator, Sequence
 from math import pi
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from tmodes.io.atomic import check_writable
 from tmodes.io.printed import Table, pretty
 from tmodes.report.plots import Axis, Curve, Page, Plot, write_plots
-
-if TYPE_CHECKING:
-    from tmodes.interface.linear import LinearModel
 
 __all__ = ["write_page"]
 
@@ -25,7 +22,7 @@ _MOST_PAIRS = 12
 """Inputs times outputs of which a page shows the responses; of more the first ones."""
 
 
-def write_page(found: LinearModel, path: Path) -> Path:
+def write_page(found: Any, path: Path) -> Path:
     """The page of this model."""
     check_writable(path.parent, 0)
     heading, *parts = found.tables()
@@ -47,7 +44,7 @@ def _looks(count: int) -> list[dict[str, Any]]:
     return [{"colour": CYCLE[k % len(CYCLE)], "dash": SERIES[k % len(SERIES)]} for k in range(count)]
 
 
-def _plots(found: LinearModel) -> Iterator[Plot]:
+def _plots(found: Any) -> Iterator[Plot]:
     from tmodes.plot.commands import bode_curves
 
     yield _map(found)
@@ -59,14 +56,14 @@ def _plots(found: LinearModel) -> Iterator[Plot]:
         f"Shaded: the range of {len(found.family)} uncertain robots." if found.family else "",
     )
     for k, (title, label) in enumerate((("Gain", "gain [dB]"), ("Phase", "phase [deg]"))):
-        curves = []
+        bands, curves = [], []
         for (name, _, own, ranges), look in zip(pairs[:_MOST_PAIRS], looks, strict=False):
             if ranges:
                 low, high = ranges[k]
                 area = np.append(at, at[::-1]), np.append(low, high[::-1])
-                curves.append(Curve(name, *area, "band", look["colour"]))
+                bands.append(Curve(name, *area, "band", look["colour"]))
             curves.append(Curve(name, at, own[k], **look))
-        yield Plot(title, rates, Axis(label), sorted(curves, key=lambda one: one.kind != "band"), note)
+        yield Plot(title, rates, Axis(label), [*bands, *curves], note)
     yield _nyquist(found, shown, [pair[0] for pair in pairs], looks)
     steps, units = found.step_response(), found.system.units
     every = [(f"{source} to {name} [{pretty(units.get(name, ''))}]", steps.sel(input=source, output=name).values)
@@ -83,7 +80,7 @@ def _plots(found: LinearModel) -> Iterator[Plot]:
                "Largest and least gain over all directions of the inputs, in SI units.")  # fmt: skip
 
 
-def _map(found: LinearModel) -> Plot:
+def _map(found: Any) -> Plot:
     """Poles of it and of its family, zeros of each pair, with the line (or circle) beyond which they are unstable."""
     members = [np.linalg.eigvals(one.A) for one in found.family]
     curves = [Curve("poles of uncertain robots", one.real, one.imag, "dots", "sky") for one in members]
@@ -109,7 +106,7 @@ def _map(found: LinearModel) -> Plot:
                 Axis("imaginary part [1/s]", scale, bend or 1.0), [line, *curves], note, 380)  # fmt: skip
 
 
-def _nyquist(found: LinearModel, shown: Any, names: Sequence[str], looks: Sequence[dict[str, Any]]) -> Plot:
+def _nyquist(found: Any, shown: Any, names: Sequence[str], looks: Sequence[dict[str, Any]]) -> Plot:
     from tmodes.plot.commands import nyquist_reach
 
     values = [shown.sel(input=source, output=name).values for source in found.inputs for name in found.outputs]

@@ -4,14 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from math import degrees, isfinite, pi
-from typing import TYPE_CHECKING
+from typing import Any
 
 import numpy as np
 
 from tmodes.io.words import count_of
-
-if TYPE_CHECKING:
-    from tmodes.interface.linear import LinearModel
 
 __all__ = ["POLES", "ZEROS", "heading", "lost_modes", "pole_rows", "sentence", "stability", "zero_rows"]
 
@@ -28,7 +25,7 @@ _MODES = 3
 """Modes that a sentence names."""
 
 
-def stability(found: LinearModel) -> str:
+def stability(found: Any) -> str:
     """Whether all motions decay, some grow, or neither."""
     sizes = np.abs(found.poles)
     growing = sizes - 1 if found.period else found.poles.real[sizes > _ROUNDING * sizes.max(initial=0.0)]
@@ -36,7 +33,7 @@ def stability(found: LinearModel) -> str:
     return "unstable" if most > _NULL else "stable" if most < -_NULL and not free else "neither stable nor unstable"
 
 
-def heading(found: LinearModel) -> str:
+def heading(found: Any) -> str:
     """Its size, its loop, about what it is, whether it is stable."""
     s = found.system
     kind = "under its controllers" if found.closed else "open loop"
@@ -47,20 +44,20 @@ def heading(found: LinearModel) -> str:
     return f"{found.name}: {size}, {kind}{sampled}, {found.where}: {stability(found)}"
 
 
-def _rates(found: LinearModel) -> list[tuple[complex, str]]:
+def _rates(found: Any) -> list[tuple[complex, str]]:
     """Poles as rates [1/s], one of each pair, with the state that takes part most; without those at z = 0 of delays."""
     with np.errstate(divide="ignore", invalid="ignore"):
         every = [(np.log(one.pole) / found.period if found.period else one.pole, one.state) for one in found.modes]
     return [(complex(rate), state) for rate, state in every if np.isfinite(rate) and rate.imag >= 0]
 
 
-def pole_rows(found: LinearModel) -> list[list[str]]:
+def pole_rows(found: Any) -> list[list[str]]:
     """A row for each real pole and each pair, the slowest first."""
     return [[f"{rate.real:.5g}", f"{rate.imag:.5g}", f"{abs(rate) / (2 * pi):.5g}",
              f"{-rate.real / abs(rate):.4f}" if rate else "-", state] for rate, state in _rates(found)]  # fmt: skip
 
 
-def lost_modes(found: LinearModel) -> Iterator[str]:
+def lost_modes(found: Any) -> Iterator[str]:
     """Modes that no input reaches or no output shows, but for those of a sampled model that are gone at a sample."""
     lost = {"No input reaches": found.uncontrollable, "No output shows": found.unobservable}
     for what, modes in lost.items():
@@ -69,7 +66,7 @@ def lost_modes(found: LinearModel) -> Iterator[str]:
             yield f"{what} the mode {', '.join(kept)}."
 
 
-def zero_rows(found: LinearModel) -> Iterator[list[str]]:
+def zero_rows(found: Any) -> Iterator[list[str]]:
     """A row for each input and output: its zeros, and whether some are to the right (outside of the unit circle)."""
     for source in found.inputs:
         for output in found.outputs:
@@ -79,7 +76,7 @@ def zero_rows(found: LinearModel) -> Iterator[list[str]]:
             yield [source, output, shown or "none", "non-minimum" if outside.any() else "minimum"]
 
 
-def sentence(found: LinearModel) -> str:
+def sentence(found: Any) -> str:
     """Whether it is stable, its slowest modes; of one input and output in open loop the margins; non-minimum phase."""
     kind = "Under its controllers" if found.closed else "In open loop"
     rates = _rates(found)
@@ -110,7 +107,7 @@ def _ringing(rate: complex, state: str) -> str:
     return f"{abs(rate) / (2 * pi):.3g} Hz ({damping}, mostly {state})"
 
 
-def _margins(found: LinearModel) -> str:
+def _margins(found: Any) -> str:
     """Of the loop that negative feedback from the output to the input closes."""
     known = found.margins()
     if not known.stable:

@@ -14,7 +14,6 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
-    from tmodes.interface.tuning import Tuning
     from tmodes.study.optimize import Optimum
     from tmodes.study.optimize.result import Candidate
 
@@ -44,7 +43,7 @@ def weighed(found: Optimum) -> Candidate:
     return min(kept, key=lambda design: design.objectives[0]) if kept else one
 
 
-def plot_curve(found: Tuning, other: Against, ax: Any) -> list[Any]:
+def plot_curve(found: Any, other: Against, ax: Any) -> list[Any]:
     """The curve, with where it was before, and the gains that are taken."""
     from tmodes.plot.commands import points
     from tmodes.plot.units import readable
@@ -61,7 +60,7 @@ def plot_curve(found: Tuning, other: Against, ax: Any) -> list[Any]:
     return points(shown, across, up, title=found.name, ax=ax)  # pyright: ignore[reportArgumentType]
 
 
-def curve_table(found: Tuning, other: Against) -> Table:
+def curve_table(found: Any, other: Against) -> Table:
     """Some designs of the curve, evenly taken."""
     curve = found.curve
     count = curve.sizes["design"]
