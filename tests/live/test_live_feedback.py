@@ -65,11 +65,16 @@ def assert_modes_follow(arm: Robot, folder: Path, changes: int = 2, seed: int = 
     assert len({*map(tuple, controlled)}) >= least
 
 
+@pytest.mark.nightly
 def test_two_link_arm(tmp_path: Path) -> None:
     assert_modes_follow(load("two_link_arm").with_({"integration.duration": 0.05}), tmp_path)
 
 
-@pytest.mark.parametrize("law", LAWS)
+SEEN = ("own states", "samples")
+"""Laws that stand for all in every suite."""
+
+
+@pytest.mark.parametrize("law", [one if one in SEEN else pytest.param(one, marks=pytest.mark.nightly) for one in LAWS])
 def test_laws(law: str, tmp_path: Path) -> None:
     assert_modes_follow(chain(2).with_(LAWS[law] | {"integration.duration": 0.05}), tmp_path)
 
