@@ -12,6 +12,7 @@ from scipy.optimize import brentq
 from analysis.statics.beams import clamped
 from analysis.statics.test_elements import ROD, geared, on_joint
 from tmodes.analysis.modes.modes import LinearServo, MotorState, modes_about
+from tmodes.analysis.modes.of_sheet import sheet_frequencies
 from tmodes.analysis.modes.shapes import undamped_shapes
 from tmodes.analysis.statics.equilibrium import Load, equilibrium
 from tmodes.chain.chain import Chain, Friction, Joint, Motor, Node
@@ -21,6 +22,7 @@ from tmodes.kinds.links.contract import Body
 from tmodes.kinds.links.segment import Segment
 from tmodes.kinds.links.strain import Beam, BeamPiece
 from tmodes.model.model import Model
+from tmodes.robots.load import load
 
 INERTIA, ROTOR, STIFFNESS = 0.1 + 2 * 0.25, 0.1, 300.0
 NONE = np.zeros(3)
@@ -233,3 +235,15 @@ def test_directions_without_mass_leave_the_others_as_they_are(seed: int) -> None
     assert (np.abs(found.squares) <= found.zero).sum() == free
     slow = exact[free:] < 1e4 * exact[free]
     assert found.squares[free : len(exact)][slow] == pytest.approx(exact[free:][slow], rel=1e-7)
+
+
+def test_the_damper_of_a_surface_stays_where_joints_rub() -> None:
+    """Modes of a robot with dry friction are those without it: the damping of what its tip touches included."""
+    wall = {"law": "bilateral", "stiffness": 2e3, "damping": 40.0,
+            "shape": {"type": "plane", "position": [0.82, 0.0, 0.0], "normal": [-1.0, 0.0, 0.0]}}  # fmt: skip
+    plain = load("two_link_arm").with_({"contact": wall})
+    rough = plain.with_({"joints.shoulder.friction": {"viscous": 0.0, "coulomb": 1.0}})
+    own, other = (sheet_frequencies(one)["locked"] for one in (rough, plain))
+    assert [mode["damping_ratio"] for mode in own] == pytest.approx([mode["damping_ratio"] for mode in other], rel=1e-9)
+    weak = sheet_frequencies(plain.with_({"contact.damping": 0.0}))["locked"]
+    assert own[0]["damping_ratio"] != pytest.approx(weak[0]["damping_ratio"], rel=0.1)

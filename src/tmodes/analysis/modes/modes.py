@@ -200,8 +200,10 @@ def _matrices(rest: Equilibrium) -> tuple[Array, Array, Array]:
     """M, D, K about the rest; dry friction has no part in D."""
     mass, damping, stiffness = rest.matrices
     smooth = without_dry_friction(rest.model.chain)
-    if smooth is not None:
-        damping = Model(smooth).linearize(rest.q, rest.rates, base=rest.base)[1]
+    if smooth is not None:  # what surfaces add stays
+        about = {"wrenches": rest.wrenches, "base": rest.base}
+        with_dry, without = (one.linearize(rest.q, rest.rates, **about)[1] for one in (rest.model, Model(smooth)))
+        damping = damping - with_dry + without
     return mass, damping, stiffness
 
 
