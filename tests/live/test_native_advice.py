@@ -23,7 +23,7 @@ def both(robot: Robot, changes: dict[str, float], folder: Path) -> tuple[dict[st
     bundle = live_bundle(run(robot))
     assert bundle is not None
     sliders: list[dict[str, Any]] = bundle["sliders"]
-    job = [float(changes.get(slider["path"], slider["value"])) for slider in sliders]
+    job = [changes.get(slider["path"], float(slider["value"])) for slider in sliders]
     return live_in_node(bundle, [job], folder)[0], run(robot.with_(changes))
 
 
