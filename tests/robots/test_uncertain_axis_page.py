@@ -10,7 +10,6 @@ import sys
 from pathlib import Path
 from typing import Any
 
-import numpy as np
 import pytest
 import yaml
 
@@ -22,33 +21,35 @@ pytestmark = pytest.mark.nightly
 ROOT = Path(__file__).resolve().parents[2]
 PAGE = (ROOT / "docs" / "uncertain-axis.md").read_text(encoding="utf-8")
 COMMANDS = re.findall(r"^    tmodes (.*)$", PAGE, re.MULTILINE)
-FEWER = {"study": ["--runs", "4000", "--out", "plants"]}
+FEWER = {"study axis_plants.yaml": ["--runs", "4000", "--out", "plants"],
+         "study axis_lqg_plants.yaml": ["--runs", "4000", "--out", "lqg"]}  # fmt: skip
 
 
 @pytest.fixture(scope="module")
 def answers(tmp_path_factory: pytest.TempPathFactory) -> dict[str, dict[str, Any]]:
     """What each command of the page says; the study of fewer plants."""
     folder = tmp_path_factory.mktemp("axis")
-    for name in ("axis_gains.yaml", "axis_plants.yaml"):
+    for name in ("axis_gains.yaml", "axis_plants.yaml", "axis_laws.yaml", "axis_lqg_plants.yaml"):
         shutil.copy(ROOT / "examples" / "studies" / name, folder)
     found = {}
     for command in COMMANDS:
-        words = [*command.split(), *FEWER.get(command.split()[0], []), "--json"]
+        words = [*command.split(), *FEWER.get(command, []), "--json"]
         line = [sys.executable, "-m", "tmodes.cli.main", *words]
         done = subprocess.run(line, cwd=folder, capture_output=True, text=True, timeout=LONG, check=False)
         assert done.returncode == 0, done.stderr
-        found[words[0]] = json.loads(done.stdout)
+        found[words[1] if words[0] == "study" else words[0]] = json.loads(done.stdout)
     return found
 
 
 def test_commands_run(answers: dict[str, dict[str, Any]]) -> None:
-    assert [*answers] == ["linear", "optimize", "study"]
-    assert answers["study"]["status"] == {"finished": 4000}
+    assert [*answers] == ["linear", "optimize", "axis_plants.yaml", "compare", "axis_lqg_plants.yaml"]
+    for name in ("axis_plants.yaml", "axis_lqg_plants.yaml"):
+        assert answers[name]["status"] == {"finished": 4000}
 
 
 def test_gains_that_are_found_halve_the_worst_cost_of_those_of_the_sheet(answers: dict[str, dict[str, Any]]) -> None:
     """On the plants of the search, and on others."""
-    found, others = answers["optimize"], answers["study"]["quantities"]["cost"]
+    found, others = answers["optimize"], answers["axis_plants.yaml"]["quantities"]["cost"]
     assert found["method"] == "gradient"
     assert found["cases"] == 128 * found["designs"]
     ((_, start), *_, (_, best)) = found["history"]
@@ -71,10 +72,24 @@ def test_other_gains_by_hand_cost_what_the_page_says() -> None:
     assert "Ki 60 with the filter of the sheet costs 1.24 on" in PAGE
 
 
-def test_the_regulator_of_the_page() -> None:
-    space: dict[str, Any] = {}
-    exec(compile(PAGE.split("```python")[1].split("```")[0], "docs/uncertain-axis.md", "exec"), space)  # noqa: S102
-    assert space["stable"]
-    tool = np.asarray(space["tool"])
-    said = f"True rms {np.sqrt((tool**2).mean()):.2f} mm, at the end {tool[-1]:.2f} mm"
-    assert f"    {said}\n" in PAGE
+def test_the_league_says_what_the_page_says(answers: dict[str, dict[str, Any]]) -> None:
+    """Which law fails, and that the worst cases are those of the table."""
+    said = {one["name"]: one["cases"] for one in answers["compare"]["variants"]}
+    table = dict(re.findall(r"^      (\S.*?) {2,}\d[\d.]* % \(.*?\) +([\d.e+]+)", PAGE, re.MULTILINE))
+    assert table.keys() == said.keys()
+    for name, worst in table.items():
+        assert (said[name]["fails"]["share"] > 0.2) == (name == "LQG, firm")
+        if name != "LQG, firm":
+            assert 1e3 * said[name]["worst_m"] == pytest.approx(float(worst), rel=2e-3)
+
+
+def test_one_lqg_on_other_plants(answers: dict[str, dict[str, Any]]) -> None:
+    cost = answers["axis_lqg_plants.yaml"]["quantities"]["cost"]
+    assert "| LQG, careful | 0.827 | 0.898 |" in PAGE
+    assert cost["p50"] == pytest.approx(0.898, rel=5e-3)
+
+
+def test_the_move_of_the_page(capsys: pytest.CaptureFixture[str]) -> None:
+    exec(compile(PAGE.split("```python")[1].split("```")[0], "docs/uncertain-axis.md", "exec"), {})  # noqa: S102
+    for line in capsys.readouterr().out.splitlines():
+        assert f"    {line}\n" in PAGE
