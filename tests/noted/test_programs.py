@@ -254,6 +254,7 @@ LOWERING = ("chain", "sheet", *(f"kinds/{name}" for name in (
 OF_PLAIN_NUMBERS = {
     "chain/mass.py": {"_general"},
     "kinds/controllers/contract.py": {"command"},
+    "kinds/controllers/loop_shaping.py": {"robust"},
     "kinds/joints/joint.py": {"notice"},
     "kinds/links/beam_functions.py": {"_first", "bare_beam"},
     "kinds/links/body.py": {"entries"},

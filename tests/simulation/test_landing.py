@@ -225,7 +225,7 @@ def test_motion_of_the_surface_is_in_the_result() -> None:
     assert data["penetration"].values[128:198] == pytest.approx(0.0, abs=0)
     assert done.summary()["contact_force"]["deepest_m"] == data["surface_displacement"].values.max() > 0.01
     inside = simulate_motion(falling(-0.01, 1.0, contact, duration=0.01))
-    assert any("0.01 m inside" in warning for warning in inside.warnings)
+    assert any("10 mm inside" in warning for warning in inside.warnings)
     slope = np.gradient(data["surface_displacement"].values, 1e-3)
     assert data["surface_velocity"].values[140:190] == pytest.approx(slope[140:190], abs=2e-3)
     with pytest.raises(KeyError):
