@@ -82,5 +82,5 @@ def test_laws(law: str, tmp_path: Path) -> None:
 @pytest.mark.nightly
 @pytest.mark.parametrize("seed", range(24))
 def test_random_robots_under_random_gains(seed: int, tmp_path: Path) -> None:
-    arm = random_robot(seed).model_copy(update={"contact": None})
+    arm = random_robot(seed)
     assert_modes_follow(arm, tmp_path, seed=seed, least=1)
