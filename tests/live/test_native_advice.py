@@ -61,4 +61,4 @@ def test_what_rounding_decides_is_said(tmp_path: Path) -> None:
     assert native.statistics["real"]["method"] == "extrapolation"
     assert different(own, native)
     assert apart < native.summary()["error"]["figures"]["tip_m"]
-    assert "rounding alone moves the tip by" in own["native"]
+    assert "rounding moves the tip by" in own["native"]

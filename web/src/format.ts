@@ -10,7 +10,7 @@ const PREFIXES: [number, number, string][] = [
   [1e-11, 1e9, "n"],
 ];
 const [LEAST, LARGE] = [1e-11, 1e7]; // sizes with a prefix from; powers of ten from
-const NEVER_LARGE = ["m", "rad", "s"];
+const NEVER_LARGE = ["m", "rad", "s", "gain"];
 const PLAIN = ["Hz", "%", "rad/s"];
 /** One unit for what is compared, but for tiny sizes: below this size the factor on the SI value and its name. */
 const FIXED: Record<string, [number, number, string]> = { m: [10, 1e3, "mm"], rad: [1, 1e3, "mrad"], s: [1, 1, "s"] };

@@ -128,7 +128,7 @@ def plain(text: str) -> str:
     return "".join(letter if letter.isprintable() else "?" for letter in text)
 
 
-NEVER_LARGE = ("m", "rad", "s", "-")
+NEVER_LARGE = ("m", "rad", "s", "-", "gain")
 """Units that take no prefix for a thousand."""
 
 _PREFIXES = (

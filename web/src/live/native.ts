@@ -36,7 +36,7 @@ export async function approximate(
   engine: Engine, bundle: Bundle, values: readonly number[], { real, nominal, run, judged }: Curves, watch: Watch,
 ): Promise<Pick<LiveRun, "native">> {
   const command = commandOf(bundle, values);
-  const said = (why: string) => ({ native: `About: ${why}. With the error of each number: ${command}` });
+  const said = (why: string) => ({ native: `Approximate numbers: ${why}. Numbers with their errors: ${command}` });
   if (run.status !== "finished") return {};
   const method = otherMethod(engine, bundle, nominal ? [real, nominal.regime] : [real]);
   if (method) return said(`natively this run is by ${method}, here by ${bundle.settings.method}`);
@@ -51,7 +51,7 @@ export async function approximate(
   const moved = apart.reduce((most, value) => Math.max(most, value), 0);
   const numbers = [judged.largest_m, judged.final_m, judged.residual?.amplitude_m].filter((one) => Number(one) > EXACT);
   return moved > SIXTH * Math.min(...numbers.map(Number), Infinity)
-    ? said(`rounding alone moves the tip by ${info(moved, "m")} within the tolerance of ${bundle.settings.method}`)
+    ? said(`rounding moves the tip by ${info(moved, "m")} within the tolerances of the method ${bundle.settings.method}`)
     : {};
 }
 

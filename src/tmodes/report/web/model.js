@@ -1,4 +1,4 @@
-/* tmodes, built from 6f305db2a8cf6240; BSD-3-Clause */
+/* tmodes, built from 70aedab9e419cede; BSD-3-Clause */
 
 // src/live/engine_error.ts
 var EngineError = class extends Error {
