@@ -51,7 +51,7 @@ export async function approximate(
   const moved = apart.reduce((most, value) => Math.max(most, value), 0);
   const numbers = [judged.largest_m, judged.final_m, judged.residual?.amplitude_m].filter((one) => Number(one) > EXACT);
   return moved > SIXTH * Math.min(...numbers.map(Number), Infinity)
-    ? said(`rounding moves the tip by ${info(moved, "m")} within the tolerances of the method ${bundle.settings.method}`)
+    ? said(`rounding moves the tip by ${info(moved, "m")} within the tolerances of ${bundle.settings.method}`)
     : {};
 }
 
