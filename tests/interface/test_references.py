@@ -245,6 +245,7 @@ def test_the_optimal_one_in_two_periods_of_the_first_mode() -> None:
     assert own.swings["this"] < sag.swings["this"] / 1000
 
 
+@pytest.mark.nightly
 def test_the_least_time_of_the_optimal_one_keeps_the_limit() -> None:
     robot = tmodes.load("spong1987", {"joints.joint.limits": {"effort": 25.0}})
     own = robot.follow(TURN, profile=SMOOTH | {"duration": 0.6}, reference="optimal", least_time=True)

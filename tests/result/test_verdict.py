@@ -220,7 +220,11 @@ def test_pages_carry_verdicts_and_phrases(spong: Result) -> None:
     assert still["largest_m"] is None
 
 
-@pytest.mark.parametrize("name", ["spong1987", "two_link_arm", "deluca_siciliano1991", "quanser_2dsfl"])
+@pytest.mark.parametrize(
+    "name",
+    ["spong1987", "quanser_2dsfl", *(pytest.param(one, marks=pytest.mark.nightly)
+                                     for one in ("two_link_arm", "deluca_siciliano1991"))],
+)  # fmt: skip
 def test_terminal_repr_notebook_json_and_page_give_the_same(name: str, spong: Result, capsys: Any) -> None:
     done = spong if name == "spong1987" else run(tmodes.load(name).with_(SHORT | {"integration.duration": 0.3}))
     shown = tmodes.Result.like(done)
