@@ -200,6 +200,9 @@ def test_paths_follow_one_another_and_a_run_follows_them() -> None:
     ({"type": "via", "points": [[0.7, 0.0, 0.2], [0.7, 0.0, 0.2]], "blend": 0.1}, {}, "another place"),
     ({"type": "line", "to": [0.7, 0.0, 0.2]}, {"profile": {"type": "constant", "value": 1.0}}, "start"),
     ({"type": "line", "to": [0.7, 0.0, 0.2]}, {"profile": {"type": "s_curve"}}, "profile.speed"),
+    ({"type": "line", "to": [0.7, 0.0, 0.2]}, {"shaper": {"type": "zvx"}}, "one of zv"),
+    ({"type": "line", "to": [0.7, 0.0, 0.2]}, {"shaper": {"kind": "zv"}}, "--shaper.type"),
+    ({"type": "line", "to": [0.7, 0.0, 0.2]}, {"profile": {"type": "toppra", "share": 2.0}}, "at most 1"),
 ])  # fmt: skip
 def test_what_is_wrong_is_said(path: Any, more: dict, words: str) -> None:
     with pytest.raises(TmodesError) as caught:

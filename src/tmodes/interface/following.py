@@ -146,11 +146,14 @@ class _Pace:
     @classmethod
     def of(cls, profile: Group | None, shaper: Group | None, *, smooth: bool, timed: bool) -> _Pace:
         """From plain data; ``smooth``: a profile of its own for each length. Raises as :func:`follow`."""
+        from tmodes.kinds.shapers.registry import Shaper
         from tmodes.kinds.timings.registry import TIMINGS, Timing
 
         law = {key: value for key, value in _group("--profile", PROFILE if profile is None else profile).items()
                if key not in ("start", "end")}  # fmt: skip
         shape = None if shaper is None else _group("--shaper", shaper)
+        if shape is not None:
+            _refuse_kind(Shaper, shape, "--shaper")
         if law.get("type") not in TIMINGS:
             return cls(law, None, shape, smooth)
         if not timed:
@@ -257,17 +260,25 @@ def _group(which: str, given: Any) -> dict[str, Any]:
     return dict(value)
 
 
+def _refuse_kind(family: Any, data: dict[str, Any], which: str) -> None:
+    """Raise :class:`tmodes.errors.InputError` where plain data name no kind of a family."""
+    if family.kind_named(data) is None:
+        known = ", ".join(family.registry.names)
+        raise InputError(f"{which}.type", shown(data.get("type")), f"one of {known}", "name a kind")
+
+
 def _member(family: Any, data: dict[str, Any], which: str) -> Any:
     """A member of a family from plain data; raises :class:`tmodes.errors.InputErrors` with all that is wrong."""
     from pydantic import ValidationError
 
-    if family.kind_named(data) is None:
-        known = ", ".join(family.registry.names)
-        raise InputError(f"{which}.type", shown(data.get("type")), f"one of {known}", "name a kind")
+    _refuse_kind(family, data, which)
     try:
         return family.of(data)
     except ValidationError as error:
         raise InputErrors([*_wrong(error, which)]) from None
+
+
+_BOUNDS = {"ge": "at least", "gt": "above", "le": "at most", "lt": "below"}
 
 
 def _wrong(error: Any, which: str) -> Iterator[InputError]:
@@ -282,7 +293,8 @@ def _wrong(error: Any, which: str) -> Iterator[InputError]:
                 "missing": "a value", "extra_forbidden": "a key that it has",
                 "too_short": f"{size} values or more", "too_long": f"{size} values or fewer",
             }  # fmt: skip
-            expected = known.get(str(one["type"])) or str(one["msg"]).lower()
+            limits = [f"{_BOUNDS[key]} {limit:g}" for key, limit in one.get("ctx", {}).items() if key in _BOUNDS]
+            expected = known.get(str(one["type"])) or " and ".join(limits) or str(one["msg"]).lower()
             yield InputError(place, got, expected, "correct it, or leave it out")
 
 
