@@ -158,7 +158,7 @@ class _Noted:
 
     def _designed(self, values: Mapping[str, float]) -> dict[str, Block]:
         """Those laws of the sheet with other numbers."""
-        if not any(one.block.is_designed for one in self.sheet.control):
+        if self.here.variant.follow is not Follow.SHEET or not any(one.block.is_designed for one in self.sheet.control):
             return {}
         robot = self.here.variant.of(self.sheet.with_(values).pair())
         planned(robot, Follow.SHEET)

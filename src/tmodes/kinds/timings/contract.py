@@ -7,7 +7,7 @@ A timing of a user's own is a class with the field ``type`` and one method::
         type: Literal["steady"] = Field(description="kind of timing")
 
         def speeds(self, course: JointCourse) -> Array:
-            return np.full(len(course.ways), 0.1)
+            return np.append(np.append(0.0, np.full(len(course.ways) - 2, 0.1)), 0.0)
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ Array = NDArray[np.float64]
 
 
 class JointCourse(NamedTuple):
-    """A path of the rigid robot: ``joints`` (n, k) [rad, m] at even ``ways`` (n,) along it [m, rad], from 0 on.
+    """A path of the rigid robot: ``joints`` (n, k) [rad, m] at rising ``ways`` (n,) along it [m, rad], from 0 on.
 
     Limits of each joint (k,), infinite for none: ``speed`` [rad/s, m/s], ``effort`` [N*m, N]. ``efforts``: those that
     joints, rates and accelerations (k,) need.
