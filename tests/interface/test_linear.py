@@ -24,6 +24,7 @@ from contracts.test_blocks import LQR, PD, constant, law, spong
 from random_sheets import random_sheet
 from tmodes.analysis.margins import step_duration, step_values
 from tmodes.errors import InputError
+from tmodes.io.sheet_check import sheet_data
 from tmodes.kinds.controllers.discrete import zero_order_hold
 from tmodes.plot.commands import bode_curves
 
@@ -446,3 +447,13 @@ def test_its_page(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
         slewing(3).linearize(),
     ):
         assert linear.page(tmp_path / "other.html").stat().st_size > len(linear.sentence)
+
+
+def test_without_drives_no_mode_is_said_to_be_out_of_reach() -> None:
+    """Of a model without inputs all are, which its size says already."""
+    sheet = sheet_data(tmodes.load("two_link_arm"))
+    bare = tmodes.Robot.from_data({key: value for key, value in sheet.items() if key not in ("drives", "real", "task")})
+    said = "\n".join(str(part) for part in bare.linearize().tables())
+    assert "0 inputs, 0 outputs" in said
+    assert "No input reaches" not in said
+    assert "No output shows" not in said

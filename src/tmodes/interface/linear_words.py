@@ -59,7 +59,10 @@ def pole_rows(found: Any) -> list[list[str]]:
 
 def lost_modes(found: Any) -> Iterator[str]:
     """Modes that no input reaches or no output shows, but for those of a sampled model that are gone at a sample."""
-    lost = {"No input reaches": found.uncontrollable, "No output shows": found.unobservable}
+    lost = {
+        "No input reaches": found.uncontrollable if found.inputs else (),  # else it is so of all modes
+        "No output shows": found.unobservable if found.outputs else (),
+    }
     for what, modes in lost.items():
         kept = [str(one) for one in modes if not found.period or abs(one.pole) > _GONE]
         if kept:
