@@ -203,12 +203,17 @@ def _signals(robot: Robot) -> Iterator[str]:
             continue
         pieces = drive.signal.schedule(robot.integration.duration)
         times = np.unique(np.concatenate([np.linspace(a, b, _INSTANTS)[:-1] for a, b in pairwise(pieces.knots)]))
-        way, speed = pieces.at(times), np.abs(pieces.at(times, 1))
-        found = (("lower", way.min(), -1), ("upper", way.max(), 1), ("speed", speed.max(), 1))
+        way, *rates = pieces.at(times), *(np.abs(pieces.at(times, order)).max() for order in (1, 2, 3))
+        names = "speed", "acceleration", "jerk"
+        found = (
+            ("lower", way.min(), -1),
+            ("upper", way.max(), 1),
+            *((*one, 1) for one in zip(names, rates, strict=True)),
+        )
         for name, value, sign in found:
             limit = getattr(limits, name)
             if limit is not None and sign * (value - limit) > _CLOSE * max(abs(limit), 1e-3):
-                slower = "; a longer `duration` is slower" if name == "speed" else ""
+                slower = "; a longer `duration` is slower" if name in names else ""
                 asked = f"drives.{k}.signal asks {drive.joint} for {value:.4g}"
                 yield f"{asked}, beyond joints.{drive.joint}.limits.{name} = {limit:g}{slower}"
 

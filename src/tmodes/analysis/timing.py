@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -26,16 +25,15 @@ def timed_ways(robot: Robot, found: Followed, timing: Timing) -> list[dict[str, 
 
     Raises :class:`tmodes.errors.InputError` where the timing finds none.
     """
-    arm, bounds = Arm(robot), {joint.name: joint.limits for joint in robot.joints}
-    limits = [bounds[joint] for joint in found.joints]
-    speed, effort = (np.array([getattr(one, name, None) or np.inf for one in limits]) for name in ("speed", "effort"))
+    arm, own = Arm(robot), {joint.name: joint.limits for joint in robot.joints}
+    names = "speed", "acceleration", "jerk", "effort"
+    bounds = [np.array([getattr(own[joint], name, None) or np.inf for joint in found.joints]) for name in names]
     signals = [Signal.of(one).schedule(float(found.times[-1])) for one in found.signals()]
     ways = []
     for leg in found.legs:
         places, times = _places(leg)
         joints = np.stack([one.at(leg.begin + times) for one in signals], axis=1)
-        course = JointCourse(places, joints, speed, effort, arm.efforts)
-        ways.append(_signal(places, timing.speeds(course)))
+        ways.append(timing.signal(JointCourse(places, joints, *bounds, arm.efforts)))
     return ways
 
 
@@ -47,14 +45,3 @@ def _places(leg: Leg) -> tuple[Array, Array]:
     places[[0, -1]] = 0.0, leg.course.length
     kept = np.append(True, np.diff(places) > 0)
     return places[kept], times[kept]
-
-
-def _signal(places: Array, speeds: Array) -> dict[str, Any]:
-    """A way at a steady acceleration from place to place, whose square of the speed is linear over it."""
-    rows, time = [], 0.0
-    for (low, high), (before, after) in zip(pairwise(places.tolist()), pairwise(speeds.tolist()), strict=True):
-        length, gain = 2 * (high - low) / (before + after), (after**2 - before**2) / (2 * (high - low))
-        rows += [(time, low, before, gain), (time + length, high, after, gain)]
-        time += length
-    names = "times", "positions", "velocities", "accelerations"
-    return {"type": "trajectory", **dict(zip(names, map(list, zip(*rows, strict=True)), strict=True))}

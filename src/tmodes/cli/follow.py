@@ -27,7 +27,8 @@ def follow(
         typer.Option(
             metavar="GROUP",
             help="Speed profile along the path, a signal without start and end: s_curve, quintic, polynomial, ..., or "
-            "'{type: toppra}', the least time within the limits of the joints of the rigid robot. "
+            "a timing within the limits of the rigid robot's joints: '{type: jerk_limited, jerk: 100}', an S-curve, or "
+            "'{type: toppra}', the least time. "
             f"Left out: {PROFILE}, for `inverse` and `optimal` a polynomial as gentle.",
         ),
     ] = None,

@@ -71,10 +71,10 @@ def follow(
     another, each from rest to rest. Kinds: line, arc, via (points with rounded corners), turn, joints, or your own;
     with ``rpy`` the tip turns to there on the shortest way. ``profile``: speed profile along the path, a signal without
     start and end, which become 0 and the length, such as ``{"type": "s_curve", "speed": 0.5, "acceleration": 2.0,
-    "jerk": 40.0}`` [m/s, ...]; gentle for a robot of a metre if left out; or a timing:
-    ``{"type": "toppra"}``, the least time in which the rigid robot keeps to the limits of its joints (extra
-    `planning`). It starts where the first commands put the rigid robot, whose inverse kinematics gives the joints;
-    ``tolerance`` [m, rad] of its tip between the rows of the references.
+    "jerk": 40.0}`` [m/s, ...]; gentle for a robot of a metre if left out; or a timing within the limits of the rigid
+    robot's joints: ``{"type": "jerk_limited", "jerk": 100.0}``, an S-curve, or ``{"type": "toppra"}``, the least
+    time (extra `planning`). It starts where the first commands put the rigid robot, whose inverse kinematics gives the
+    joints; ``tolerance`` [m, rad] of its tip between the rows of the references.
 
     ``reference``: setpoints of the motors. ``rigid``: the joints of the rigid robot. ``motors``: these, and the
     efforts that keep the motors exactly on them, from a run of the whole robot as known. ``sag``: motors go where the

@@ -77,3 +77,36 @@ def test_what_it_cannot_time() -> None:
         follows(STIFF.with_(limits), LINE)
     with pytest.raises(InputError, match="no timing within the limits"):
         follows(STIFF.with_({"joints.shoulder.limits.effort": 5.0}), LINE)
+
+
+ROUGH = {f"joints.shoulder.limits.{name}": value for name, value in
+         {"speed": 1.0, "acceleration": 3.0, "jerk": 20.0}.items()}  # fmt: skip
+
+
+def test_bounded_jerk_of_a_line_of_the_joints() -> None:
+    """All joints on the line in the least time: 1.78333333333320 s by Ruckig 0.19.4, phase synchronization."""
+    quick = {f"joints.elbow.limits.{name}": value for name, value in
+             {"speed": 3.0, "acceleration": 9.0, "jerk": 70.0}.items()}  # fmt: skip
+    path = {"type": "joints", "points": [[0.9, -0.4]]}
+    found = ARM.with_(ROUGH | quick).follow(path, profile={"type": "jerk_limited"})
+    assert found.duration == pytest.approx(1.7833333333332, abs=1e-10)
+    half = ARM.with_(ROUGH | quick).follow(path, profile={"type": "jerk_limited", "acceleration": 1.5, "share": 0.5})
+    assert np.abs(half.found.accelerations).max() == pytest.approx(0.75, rel=1e-9)
+
+
+def test_bounded_jerk_on_a_curve_reaches_one_limit_and_passes_none() -> None:
+    arm = STIFF.with_(ROUGH | {"joints.shoulder.limits.effort": 45.0})
+    path, needs = arm.follow(LINE, profile={"type": "jerk_limited", "jerk": 40.0}).found, Arm(arm)
+    efforts = np.array([needs.efforts(*row) for row in zip(path.values, path.rates, path.accelerations, strict=True)])
+    jerks = np.diff(path.accelerations, axis=0) / np.maximum(np.diff(path.times), 1e-12)[:, None]
+    shares = [np.abs(path.rates) / [1.0, 6.28], np.abs(path.accelerations[:, 0]) / 3.0, np.abs(efforts) / [45.0, 54.0],
+              np.abs(jerks[np.diff(path.times) > 0]) / [20.0, 40.0]]  # fmt: skip
+    assert 0.9 < max(float(one.max()) for one in shares) < 1.001
+
+
+def test_bounded_jerk_needs_a_limit_of_jerk_and_joints_that_stand() -> None:
+    with pytest.raises(InputError, match="no limit of jerk"):
+        STIFF.follow(LINE, profile={"type": "jerk_limited"})
+    weak = STIFF.with_({"joints.shoulder.limits.effort": 5.0})
+    with pytest.raises(InputError, match="no timing within the limits"):
+        weak.follow(LINE, profile={"type": "jerk_limited", "jerk": 40.0})

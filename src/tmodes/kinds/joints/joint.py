@@ -58,6 +58,12 @@ class Limits(DataSheet):
     upper: float | None = any_sign("rad|m", "q_max", "highest position", default=None, plausible=(-700.0, 700.0))
     speed: float | None = not_negative("rad/s|m/s", "v_max", "highest speed", default=None, plausible=(1e-3, 1e3))
     effort: float | None = not_negative("N*m|N", "tau_max", "highest effort", default=None, plausible=(1e-4, 1e6))
+    acceleration: float | None = not_negative(
+        "rad/s^2|m/s^2", "a_max", "highest acceleration of its setpoint", default=None, plausible=(1e-2, 1e4)
+    )
+    jerk: float | None = not_negative(
+        "rad/s^3|m/s^3", "j_max", "highest jerk of its setpoint", default=None, plausible=(1e-2, 1e6)
+    )
 
     def _issues(self) -> Iterator[Issue]:
         if self.lower is not None and self.upper is not None and self.lower > self.upper:

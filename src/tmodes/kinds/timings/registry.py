@@ -6,4 +6,4 @@ from tmodes.kinds.timings.contract import TIMINGS, JointCourse, Timing
 
 __all__ = ["TIMINGS", "JointCourse", "Timing"]
 
-TIMINGS.bring("tmodes.kinds.timings", {"toppra": "toppra"})
+TIMINGS.bring("tmodes.kinds.timings", {"toppra": "toppra", "jerk_limited": "jerk_limited"})

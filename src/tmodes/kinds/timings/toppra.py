@@ -28,7 +28,9 @@ class Toppra(Timing):
 
     type: Literal["toppra"] = Field(description="kind of timing")
     share: float = Field(default=1.0, gt=0.0, le=1.0, description="of the limits of speed and effort that is used")
-    acceleration: float | None = positive("rad/s^2|m/s^2", "a", "largest of each joint; none: no limit", default=None)
+    acceleration: float | None = positive(
+        "rad/s^2|m/s^2", "a", "largest of each joint; none: as `limits` say", default=None
+    )
 
     def speeds(self, course: JointCourse) -> Array:
         """By reachability analysis; raises :class:`tmodes.errors.InputError` where a joint cannot even stand."""
@@ -37,8 +39,9 @@ class Toppra(Timing):
         path, limits, effort = toppra.SplineInterpolator(course.ways, course.joints), list[Any](), list[Any]()
         if np.isfinite(course.speed).any():
             limits.append(constraint.JointVelocityConstraint(_both(self.share * course.speed)))
-        if self.acceleration is not None:
-            limits.append(constraint.JointAccelerationConstraint(_both(np.full(count, self.acceleration))))
+        gain = np.minimum(course.acceleration, np.inf if self.acceleration is None else self.acceleration)
+        if np.isfinite(gain).any():
+            limits.append(constraint.JointAccelerationConstraint(_both(gain)))
         if np.isfinite(course.effort).any():
             bounds, rows = _both(self.share * course.effort), np.vstack([np.eye(count), -np.eye(count)])
             sides = np.append(bounds[:, 1], -bounds[:, 0])
