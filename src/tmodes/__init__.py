@@ -36,7 +36,7 @@ if TYPE_CHECKING:
     from tmodes.io.sheet_check import changed_robot, real_robot, sheet_from_data
     from tmodes.kinds.outside import use
     from tmodes.model.model import Model
-    from tmodes.simulation.linear import linear_plant
+    from tmodes.simulation.linear import linear_plant, run_feedback
     from tmodes.simulation.outputs import robot_outputs as outputs
     from tmodes.simulation.sampled_controller import Measurement
     from tmodes.simulation.vary.parameters import parameters_of as parameters
@@ -146,6 +146,7 @@ _UPWARD = {
     "linear_plant": "tmodes.simulation.linear.linear_plant",
     "lowered_chain": "tmodes.chain.lowering.lowered",
     "real_robot": "tmodes.io.sheet_check.real_robot",
+    "run_feedback": "tmodes.simulation.linear.run_feedback",
     "sheet_from_data": "tmodes.io.sheet_check.sheet_from_data",
     "study_from_data": "tmodes.study.read.study_from_data",
 }

@@ -383,11 +383,6 @@ def test_further_charts(chart: str, label: str) -> None:
     assert caught.value.which == "chart"
 
 
-def test_blocks_are_not_in_modes_and_it_is_said() -> None:
-    controlled = robot(spong(constant(0.9), 1.0, 0.1, control=law(LQR)))
-    assert any("--closed" in text for text in controlled.modes().warnings)
-
-
 def test_the_phase_of_a_family_has_no_jumps_of_whole_turns() -> None:
     """Phases of uncertain robots are sums of the angles of their zeros and poles, which never wrap."""
     soft = {"path": "gear.stiffness", "relative": True, "distribution": {"type": "uniform", "low": 0.5, "high": 2.0}}

@@ -103,8 +103,6 @@ class Modes(CommandResult):
     def warnings(self) -> list[str]:
         """What is to be known about these numbers."""
         found = [warning for one in self.found.values() for warning in one.warnings]
-        if self.robots["real"].control:
-            found.append("blocks of `control` are not in these modes: `tmodes linear --closed` gives the loop's poles")
         return list(dict.fromkeys(found))
 
     def info(self) -> dict[str, Any]:
@@ -191,7 +189,8 @@ def _asked(sheet: Robot, contact: bool, angle: float | None) -> Robot:
             hint = "set the start of its drives: --set drives.0.signal.start=0.5"
             raise InputError("--angle", repr(angle), "left out where the robot has not exactly one drive", hint)
         held = {"joint": sheet.drives[0].joint, "command": "prescribed"}
-        sheet = sheet.with_({"drives": [held | {"signal": {"type": "constant", "value": angle}}]})
+        held |= {"signal": {"type": "constant", "value": angle}}
+        sheet = sheet.with_({"drives": [held], "control": []})
     if contact and sheet.contact_off:
         sheet = sheet.with_({"contact": True})
     if contact and sheet.contact is None:

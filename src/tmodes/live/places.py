@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from tmodes.analysis import vibration
 from tmodes.analysis.line.line import line_places
-from tmodes.analysis.modes.closed_loop import Servos, sample_pattern, servos_together
+from tmodes.analysis.modes.closed_loop import Servos, is_network, sample_pattern, servos_together
 from tmodes.analysis.modes.modes import MotorState, moving_coordinates
 from tmodes.analysis.modes.of_sheet import servos_of
 from tmodes.analysis.modes.shapes import MOST_WHOLE
@@ -174,6 +174,8 @@ def _modes(robot: Robot, ended: Robot, model: Model) -> tuple[dict[str, Any] | N
     if robot.contact and robot.contact.spring() is None:
         law = robot.contact.name_of_kind()
         return None, f"of the contact law `{law}`, which is no spring, modes are found natively"
+    if is_network(robot):
+        return None, "under blocks of `control`, and drives that sample or are late, modes are found natively alone"
     if model.nq > MOST_WHOLE:
         return None, f"of {model.nq} coordinates modes are found natively alone"
     try:

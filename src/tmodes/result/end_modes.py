@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from tmodes.analysis.modes.of_sheet import frequencies_about
+from tmodes.analysis.rigid import nominal_of
 from tmodes.analysis.statics.at_rest import robot_rest
 from tmodes.analysis.statics.equilibrium import steady_rates
 from tmodes.errors import SimulationError
@@ -47,4 +48,6 @@ def held_at(robot: Robot, end: float, place: dict[str, float]) -> Robot:
     ]
     loads = [one.model_copy(update={"signal": still(one.signal)}) for one in robot.loads]
     initial = robot.initial.model_copy(update={"coordinates": place})
-    return robot.model_copy(update={"drives": tuple(drives), "loads": tuple(loads), "initial": initial})
+    found = robot.model_copy(update={"drives": tuple(drives), "loads": tuple(loads), "initial": initial})
+    vars(found)["nominal"] = nominal_of(robot)  # by which its laws are designed
+    return found

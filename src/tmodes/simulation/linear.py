@@ -17,8 +17,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.analysis.modes.closed_loop import common_period
+from tmodes.analysis.modes.closed_loop import Feedback, common_period
+from tmodes.analysis.modes.modes import smooth_matrices, without_dry_friction
+from tmodes.analysis.rigid import nominal_of
 from tmodes.analysis.statics.at_rest import robot_rest
+from tmodes.analysis.statics.equilibrium import Equilibrium
 from tmodes.equations.loop.control_kernels import Winding
 from tmodes.errors import InputError
 from tmodes.kinds.controllers.discrete import held_late, zero_order_hold
@@ -37,9 +40,12 @@ if TYPE_CHECKING:
     from tmodes.sheet import Robot
     from tmodes.sheet.parts import DriveSheet
 
-__all__ = ["StateSpace", "all_inputs", "closed_loop", "delayed", "growth", "linear_plant", "open_loop"]
+__all__ = ["StateSpace", "all_inputs", "closed_loop", "delayed", "growth", "linear_plant", "open_loop", "run_feedback"]
 
 Array = NDArray[np.float64]
+
+_SAME_REST = 1e-9
+"""Difference of coordinates [rad, m] up to which two rests are one."""
 
 _GROWS = 1e-8
 """A sampled pole beyond 1 by less than this is an integrator."""
@@ -250,25 +256,72 @@ def growth(setup: RunSetup) -> float:
 
 def _sampled(at: _Instant, found: StateSpace) -> StateSpace:
     """The system from one start of the common period of all samples to the next."""
-    exact = [[Fraction(t).limit_denominator(10**9) for t in (one.period, one.after)] for _, one in at.plan.clocks]
-    whole, steps = common_period([(period, shift) for period, shift in exact])
-    n, m, signals = len(found.A), found.B.shape[1], [k for k, _ in at.plan.clocks]
-    phi, gamma, first = np.eye(n), np.zeros((n, m)), (np.eye(n), np.zeros((n, m)))
-    at.sample(_due(at, signals, range(len(signals))))
-    for k, (length, due) in enumerate(steps):
-        row = _due(at, signals, due)
-        by_state, by_input = (one[at.kept] for one in at.slopes(at.model.loop.sampled, "state", np.zeros(0), row))
-        first = (by_state, by_input) if k == 0 else first
+    (n, m), (whole, samples) = found.B.shape, _samples(at)
+    phi, gamma = np.eye(n), np.zeros((n, m))
+    for length, by_state, by_input in samples:
         Ad, Bd = zero_order_hold(found.A, found.B, length)
         phi, gamma = Ad @ by_state @ phi, Ad @ (by_state @ gamma + by_input) + Bd
-    C, D = found.C @ first[0], found.D + found.C @ first[1]
+    _, by_state, by_input = samples[0]
+    C, D = found.C @ by_state, found.D + found.C @ by_input
     return replace(found, A=phi, B=gamma, C=C, D=D, period=whole)
 
 
-def _due(at: _Instant, signals: Sequence[int], due: Container[int]) -> Array:
-    """The row at an instant at which some of the samples, whose times are ``signals``, are due."""
+def _samples(at: _Instant) -> tuple[float, list[tuple[float, Array, Array]]]:
+    """The common period [s] of all samples; of each instant the time to the next, and the state after it as below."""
+    exact = [[Fraction(t).limit_denominator(10**9) for t in (one.period, one.after)] for _, one in at.plan.clocks]
+    whole, instants = common_period([(period, shift) for period, shift in exact])
+    at.sample(_due(at, range(len(exact))))
+    return whole, [(length, *_after(at, due)) for length, due in instants]
+
+
+def _after(at: _Instant, due: Container[int]) -> tuple[Array, Array]:
+    """The state after the samples that are due, by the one before and by the inputs."""
+    by_state, by_input = at.slopes(at.model.loop.sampled, "state", np.zeros(0), _due(at, due))
+    return by_state[at.kept], by_input[at.kept]
+
+
+def run_feedback(robot: Robot, rest: Equilibrium) -> Feedback:
+    """All that controls a robot about a rest: exact slopes of its run with blocks, samples and delays.
+
+    About the start of its run where that is this rest but for what controllers give way; else with all setpoints where
+    the robot rests. Raises as :func:`tmodes.simulation.initial_state.run_setup`.
+    """
+    bare = robot.model_copy(update={} if rest.contact else {"contact": None})
+    vars(bare)["nominal"] = nominal_of(robot)
+    setup = run_setup(bare, chain=without_dry_friction(robot.undriven.chain()))
+    names, layout, width = setup.model.coordinates, setup.model.layout, setup.planned.plan.degree + 1
+    state, row = setup.start.copy(), setup.first_row.copy()
+    if rest.rates is None and not (setup.rest and np.allclose(setup.rest.q, rest.q, rtol=0.0, atol=_SAME_REST)):
+        state[layout.q], state[layout.v] = [rest.named[name] for name in names], 0.0
+        motions = {drive.joint for drive in robot.drives if drive.command.is_motion}
+        for driver in (one for one in setup.model.loop.drivers if one.plan.joint in motions):
+            place = 1 + driver.plan.signal * width
+            row[place : place + width] = [state[layout.q][driver.coordinate], *[0.0] * (width - 1)]
+    at, n = _Instant(setup.planned, state, row, ()), len(names)
+    A, _ = (one[at.kept] for one in at.slopes(at.model.loop.rate, "rate", np.zeros(0)))
+    own = [names.index(name) for name in rest.model.coordinates]
+    order = [*own, *(n + k for k in own), *range(2 * n, len(A))]
+    ordered = np.ix_(order, order)
+    mass, damping, stiffness = smooth_matrices(rest)
+    forces = mass @ A[ordered][n : 2 * n]
+    found = Feedback(
+        -forces[:, :n] - stiffness, -forces[:, n : 2 * n] - damping, forces[:, 2 * n :], A[ordered][2 * n :],
+        len(setup.planned.plan.currents),
+    )  # fmt: skip
+    if not setup.planned.plan.is_sampled:
+        return found
+    samples = [(length, by_state[ordered][2 * n :]) for length, by_state, _ in _samples(at)[1]]
+    following = [by for _, by in samples[1:] + samples[:1]]
+    every, held = _after(at, range(len(setup.planned.clocks)))[0][ordered][2 * n :], np.zeros((len(A) - 2 * n, n))
+    for _ in range(1 + setup.planned.plan.most_kept):
+        held = every[:, :n] + every[:, 2 * n :] @ held
+    return replace(found, samples=tuple(zip([length for length, _ in samples], following, strict=True)), held=held)
+
+
+def _due(at: _Instant, due: Container[int]) -> Array:
+    """The row at an instant at which some of the samples are due."""
     row, width = at.row.copy(), at.plan.plan.degree + 1
-    for index, signal in enumerate(signals):
+    for index, (signal, _) in enumerate(at.plan.clocks):
         row[1 + signal * width : 1 + (signal + 1) * width] = 0.0
         row[1 + signal * width] = 0.0 if index in due else 1.0
     return row

@@ -8,7 +8,7 @@ B. Wittenmark, Computer-Controlled Systems, 3rd ed., chapter 2).
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from math import gcd, lcm
@@ -31,7 +31,8 @@ from tmodes.model.passes import derivatives
 from tmodes.sheet import Robot
 
 __all__ = [
-    "Feedback", "Servos", "closed_loop_motions", "common_period", "feedback_of", "sample_pattern", "servos_together",
+    "Feedback", "Servos", "closed_loop_motions", "common_period", "feedback_of", "is_network", "sample_pattern",
+    "servos_together",
 ]  # fmt: skip
 
 Array = NDArray[np.float64]
@@ -40,20 +41,11 @@ Complex = NDArray[np.complex128]
 MOST_SAMPLES = 10_000
 """Samples within the common period of several controllers up to which their poles are computed."""
 
+_NO_SIZE = 1e-13
+"""Singular value over the largest one that is rounding."""
+
 _GONE = 1e-8
 """An eigenvalue of the sampled system below this is a state that each sample overwrites, no motion."""
-
-
-@dataclass(frozen=True)
-class _Sample:
-    """The samples of one controller: ``period`` [s], the ``rows`` of the further states that they set.
-
-    ``by`` (rows, n + n + k): slopes of the new values by coordinates, rates and further states.
-    """
-
-    period: float
-    rows: tuple[int, ...]
-    by: Array
 
 
 @dataclass(frozen=True, eq=False)
@@ -62,14 +54,17 @@ class Feedback:
 
     ``stiffness`` and ``damping`` (n, n): fall of the efforts by coordinates and rates; ``drive`` (n, k): efforts by
     further states; ``by`` (k, n + n + k): rates of these, of which the first ``currents`` are of the motors' currents.
+    ``samples``: times [s] up to the next samples, which fill their common period, and the further states after these
+    (k, n + n + k); ``held`` (k, n): further states by coordinates, soon after such samples.
     """
 
     stiffness: Array
     damping: Array
     drive: Array
     by: Array
-    samples: tuple[_Sample, ...] = ()
     currents: int = 0
+    samples: tuple[tuple[float, Array], ...] = ()
+    held: Array | None = None
 
     @property
     def springs(self) -> Array:
@@ -77,8 +72,8 @@ class Feedback:
         n, m = len(self.stiffness), self.currents
         steady = -np.linalg.solve(self.by[:m, 2 * n : 2 * n + m], self.by[:m])
         effort = self.drive + self.drive[:, :m] @ steady[:, 2 * n :] if m else self.drive
-        held = (effort[:, list(sample.rows)] @ sample.by[:, :n] for sample in self.samples)
-        return self.stiffness - self.drive[:, :m] @ steady[:, :n] - sum(held, np.zeros((n, n)))
+        held = 0.0 if self.held is None else effort @ self.held
+        return self.stiffness - self.drive[:, :m] @ steady[:, :n] - held
 
     def on(self, basis: Array) -> Feedback:
         """The same in the coordinates (m) of which those of the robot are ``basis`` (n, m)."""
@@ -88,15 +83,13 @@ class Feedback:
         wide[2 * n :, 2 * basis.shape[1] :] = np.eye(k)
         return Feedback(
             basis.T @ self.stiffness @ basis, basis.T @ self.damping @ basis, basis.T @ self.drive, self.by @ wide,
-            tuple(replace(sample, by=sample.by @ wide) for sample in self.samples), self.currents,
+            self.currents, tuple((length, by @ wide) for length, by in self.samples),
+            None if self.held is None else self.held @ basis,
         )  # fmt: skip
 
 
 def closed_loop_motions(mass: Array, damping: Array, stiffness: Array, loop: Feedback) -> tuple[Complex, Complex]:
-    """Eigenvalues [1/s] and the coordinates' part of the motions of M q'' + D q' + K q = 0 under feedback.
-
-    Raises :class:`tmodes.errors.SimulationError` for sample times without a common period.
-    """
+    """Eigenvalues [1/s] and the coordinates' part of the motions of M q'' + D q' + K q = 0 under feedback."""
     n, k = loop.drive.shape
     matrix = np.zeros((2 * n + k, 2 * n + k))
     matrix[:n, n : 2 * n] = np.eye(n)
@@ -109,17 +102,18 @@ def closed_loop_motions(mass: Array, damping: Array, stiffness: Array, loop: Fee
     return _sampled_motions(matrix, loop.samples, n)
 
 
-def _sampled_motions(matrix: Array, samples: tuple[_Sample, ...], n: int) -> tuple[Complex, Complex]:
+def _sampled_motions(matrix: Array, samples: tuple[tuple[float, Array], ...], n: int) -> tuple[Complex, Complex]:
     """The same of a robot that is sampled: at the start of the common period, after the samples there."""
     from scipy.linalg import expm
 
-    whole, steps = sample_pattern([sample.period for sample in samples])
-    product = np.eye(len(matrix))
-    for length, due in steps:
-        product = _after(samples, due, len(matrix), 2 * n) @ expm(matrix * length) @ product
-    values, vectors = (found.astype(complex) for found in np.linalg.eig(product))  # real ones exactly, pairs conjugate
+    whole, product = sum(length for length, _ in samples), np.eye(len(matrix))
+    for length, by in samples:
+        moved = expm(matrix * length) @ product
+        product = np.vstack([moved[: 2 * n], by @ moved])
+    basis, lasting = _lasting(product)
+    values, vectors = (found.astype(complex) for found in np.linalg.eig(lasting))  # real ones exactly, pairs conjugate
     kept = np.abs(values) > _GONE
-    values, vectors = values[kept], vectors[:, kept]
+    values, vectors = values[kept], (basis @ vectors[:, kept]).astype(complex)
     principal = np.log(values) / whole
     position, rate = vectors[:n], vectors[n : 2 * n]
     size = np.maximum((np.abs(position) ** 2).sum(axis=0), 1e-300)
@@ -127,6 +121,24 @@ def _sampled_motions(matrix: Array, samples: tuple[_Sample, ...], n: int) -> tup
     turns = np.round((guess.imag - principal.imag) * whole / (2 * np.pi))  # log knows the angle but for whole turns
     turns[np.abs(guess.imag) * whole < np.pi] = 0.0
     return principal + 2j * np.pi * turns / whole, position
+
+
+def _lasting(product: Array) -> tuple[Array, Array]:
+    """The states that are left after enough periods, as columns, and the ``product`` of a period in these.
+
+    Delays overwrite states one after the other, whose eigenvalues 0 rounding would part widely.
+    """
+    from scipy.linalg import matrix_balance
+
+    product, (sizes, _) = matrix_balance(product, permute=False, separate=True)
+    basis = np.diag(sizes)
+    while len(product):
+        ways, reached, _ = np.linalg.svd(product)
+        kept = ways[:, reached > _NO_SIZE * reached[0]]
+        if len(kept.T) == len(product):
+            break
+        product, basis = kept.T @ product @ kept, basis @ kept
+    return basis, product
 
 
 def common_period(clocks: Sequence[tuple[Fraction, Fraction]]) -> tuple[float, list[tuple[float, tuple[int, ...]]]]:
@@ -159,27 +171,33 @@ def _common(periods: Sequence[Fraction]) -> Fraction:
     return whole
 
 
-def _after(samples: tuple[_Sample, ...], due: tuple[int, ...], size: int, first: int) -> Array:
-    """What samples do to a state whose further states begin at ``first``: all new values are of the state before."""
-    matrix = np.eye(size)
-    for k in due:
-        matrix[[first + row for row in samples[k].rows]] = samples[k].by
-    return matrix
+def is_network(robot: Robot) -> bool:
+    """Whether more than laws at drives control a robot: blocks, sensors that laws read, samples or delays of drives."""
+    laws = [(one, one.controller) for one in robot.drives if one.controller]
+    late = any(law.reads or law.lag or one.delay or one.sample_time is not None for one, law in laws)
+    return late or bool(robot.drives and robot.control)
 
 
 def feedback_of(robot: Robot, rest: Equilibrium) -> Feedback | None:
-    """The controllers of a data sheet about its rest, their wanted values where the robot is; None as there."""
+    """The controllers of a data sheet about its rest, their wanted values where the robot is; None as below.
+
+    Raises :class:`tmodes.errors.SimulationError` for sample times without a common period.
+    """
+    from tmodes import run_feedback
+
+    if is_network(robot):
+        return run_feedback(robot, rest)
     servos = servos_together(robot, rest.model)
     return servos and servos.about(rest.q)
 
 
 def servos_together(robot: Robot, model: Model) -> Servos | None:
-    """The servos of a data sheet.
+    """The servos of a data sheet, which are all that controls it.
 
     None where each acts as a spring and a damper of its own drive, which
-    :func:`tmodes.analysis.modes.of_sheet.servos_of` gives.
+    :func:`tmodes.analysis.modes.of_sheet.servos_of` gives, and where more controls it (:func:`is_network`).
     """
-    found = list(_drives(robot, model))
+    found = [] if is_network(robot) else list(_drives(robot, model))
     simple = all(one.law.is_local and not one.servo.has_current for one in found)
     return None if simple else Servos(model.nq, found)
 
@@ -282,6 +300,13 @@ class Servos:
         effort, by = np.zeros((n, size)), np.zeros((len(self.start), size))
         np.add.at(effort, self.own, found["effort"])
         by[self.rated] = found["rates"]
-        parts = np.split(found["samples"], np.cumsum([len(rows) for rows in self.sampled])[:-1])
-        samples = map(_Sample, self.periods, map(tuple, self.sampled), parts)
-        return Feedback(-effort[:, :n], -effort[:, n : 2 * n], effort[:, 2 * n :], by, tuple(samples), self.currents)
+        springs = -effort[:, :n], -effort[:, n : 2 * n], effort[:, 2 * n :], by, self.currents
+        if not self.periods:
+            return Feedback(*springs)
+        parts, samples = np.split(found["samples"], np.cumsum([len(rows) for rows in self.sampled])[:-1]), []
+        for length, due in sample_pattern(self.periods)[1]:
+            after = whole[2 * n :].copy()  # all new values are of the state before
+            for k in due:
+                after[self.sampled[k]] = parts[k]
+            samples.append((length, after))
+        return Feedback(*springs, tuple(samples), samples[-1][1][:, :n])  # all are due at the end of the period

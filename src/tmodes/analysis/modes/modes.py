@@ -24,6 +24,7 @@ __all__ = [
     "closed_loop_poles",
     "modes_about",
     "moving_coordinates",
+    "smooth_matrices",
     "without_dry_friction",
 ]  # fmt: skip
 
@@ -135,7 +136,7 @@ def closed_loop_poles(
 def _moving_system(rest: Equilibrium, moving: NDArray[np.intp], loop: Feedback) -> tuple[Array, Array, Array, Feedback]:
     """M, D, K and the feedback of the coordinates that move."""
     block = np.ix_(moving, moving)
-    mass, damping, stiffness = (matrix[block] for matrix in _matrices(rest))
+    mass, damping, stiffness = (matrix[block] for matrix in smooth_matrices(rest))
     return mass, damping, stiffness, loop.on(np.eye(rest.model.nq)[:, moving])
 
 
@@ -196,7 +197,7 @@ def moving_coordinates(rest: Equilibrium, motors: MotorState, servos: Mapping[st
     return np.array(sorted(({*rest.free.tolist(), *added}) - prescribed), dtype=np.intp)
 
 
-def _matrices(rest: Equilibrium) -> tuple[Array, Array, Array]:
+def smooth_matrices(rest: Equilibrium) -> tuple[Array, Array, Array]:
     """M, D, K about the rest; dry friction has no part in D."""
     mass, damping, stiffness = rest.matrices
     smooth = without_dry_friction(rest.model.chain)

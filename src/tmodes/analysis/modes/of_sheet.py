@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from tmodes.analysis.describe.describe import NOTHING_MOVES, link_states
 from tmodes.analysis.describe.links import pose_notices
-from tmodes.analysis.modes.closed_loop import feedback_of
+from tmodes.analysis.modes.closed_loop import feedback_of, is_network
 from tmodes.analysis.modes.modes import (
     LinearServo,
     MotorState,
@@ -123,8 +123,8 @@ def vibrations(
 
 
 def _without_full_feedback(robot: Robot) -> Robot:
-    """Without controllers that see the whole state: one may be made for just the coordinates that the robot has."""
-    if any(drive.controller and drive.controller.sees_all for drive in robot.drives):
+    """Without controllers that may see the whole state: one may be made for just the coordinates that it has."""
+    if is_network(robot) or any(drive.controller and drive.controller.sees_all for drive in robot.drives):
         return robot.model_copy(update={"drives": ()})
     return robot
 
@@ -180,15 +180,18 @@ def _notices(robot: Robot, rest: Equilibrium, info: dict[str, list[dict[str, Any
 def servos_of(robot: Robot, model: Model) -> dict[str, LinearServo]:
     """The controllers of a data sheet as springs and dampers of the coordinates that they keep.
 
+    Where more than these controls it, all coordinates that drives move, of some without spring and damper.
     Volts become torque by CM/R, and the back electromotive force damps: Eq. (41) of Filipovic & Djuric 2010.
     """
     motors = {axis.name: axis.joint.motor for axis in model.chain.axes}
-    found = {}
+    found, every = {}, is_network(robot)
     for drive in robot.drives:
         names = [name for name in (f"{drive.joint}.motor", drive.joint) if name in model.coordinates]
         if drive.controller and names:
             gains = drive.controller.local_gains()
             found[names[0]] = _servo(motors.get(drive.joint), *gains)
+        elif every and names and (drive.command.is_controlled or not drive.command.is_motion):
+            found[names[0]] = LinearServo(0.0, 0.0)
     return found
 
 

@@ -137,6 +137,7 @@ class Equilibrium:
     turns, None where it stands; in motion ``lowest_frequency_Hz`` is not a number, and ``stable`` counts damping and
     gyroscopic forces. ``efforts``: of drives, by coordinate [N*m, N].
     ``base`` (24,): the row of its base, with its rate; ``unsteady``: weight, loads or joints change that motion.
+    ``contact``: the surface that it may touch.
     """
 
     model: Model
@@ -157,6 +158,7 @@ class Equilibrium:
     efforts: Mapping[str, float]
     base: Array
     unsteady: bool
+    contact: Contact | None
 
     @property
     def named(self) -> dict[str, float]:
@@ -213,10 +215,10 @@ def equilibrium(
     loose = free_coordinates(model, fixed, [*several("free", free), *pushed])
     system = StaticSystem(model, acts, loose, moving, turning, pushed)
     pose = starting_pose(model, fixed, first)
-    return _info(system, follow(system, pose, progress), pose)
+    return _info(system, follow(system, pose, progress), pose, contact)
 
 
-def _info(system: StaticSystem, path: LoadPath, pose: Array) -> Equilibrium:
+def _info(system: StaticSystem, path: LoadPath, pose: Array, contact: Contact | None) -> Equilibrium:
     model, end = system.model, path.end
     matrices, found = system.matrices(end.q, 1.0), end.stability
     if system.rates is not None:
@@ -234,6 +236,7 @@ def _info(system: StaticSystem, path: LoadPath, pose: Array) -> Equilibrium:
         lost_stability_at=path.lost_at if system.rates is None else None, free=system.free, matrices=matrices,
         wrenches=system.wrenches(end.q), unloaded=path.stations[0].q if path.stations[0].factor == 0.0 else pose,
         rates=system.rates, efforts=system.efforts, base=system.base(1.0), unsteady=is_unsteady(system, matrices[2]),
+        contact=contact,
     )  # fmt: skip
 
 
