@@ -300,7 +300,7 @@ class LeanLoop(ClosedLoop):
 
     keeps_works = False
 
-    @property
+    @cached_property
     def layout(self) -> StateLayout:
         """Where the state holds what; works and modes have no room."""
         whole = super().layout
