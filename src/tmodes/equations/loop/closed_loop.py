@@ -213,7 +213,9 @@ class ClosedLoop(LoopParts):
         instant.schedule.switches, instant.schedule.narrow = instant.switching.functions, narrow_rates(instant)
         further = (*currents, *controls, *surface, *works, *still)
         instant.schedule.output("rate", instant.way.v, *instant.accelerations, *further)
-        return instant.schedule
+        if not self.plan.is_sampled:
+            return instant.schedule
+        return instant.schedule.only(("rate",), watched=True)  # what sensors and noises say is needed at samples alone
 
     def _block_rates(self, instant: Instant, block: Placed) -> Slot:
         """Rates of the own states of a block, zero of what is sampled."""
