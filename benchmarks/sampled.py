@@ -84,7 +84,7 @@ def controlled(name: str) -> Iterator[tuple[str, Robot]]:
     sensor = {"type": "encoder", "sample_time": PERIOD, "noise": 1e-5, "resolution": 1e-5}
     block = {
         "type": "lqg", "sample_time": PERIOD, "load_noise": 1e-2, "measured": [f"encoder{k}" for k in range(len(own))],
-        "state_weights": {each: weight for each in own} | {f"{each}'": 1e-3 * weight for each in own},
+        "state_weights": dict.fromkeys(own, weight) | {f"{each}'": 1e-3 * weight for each in own},
         "process_noise": {f"{each}'": 1e-4 for each in names}, "measurement_noise": [1e-9],
     }  # fmt: skip
     yield (
