@@ -45,6 +45,7 @@ def order(weights: dict[int, float]) -> float:
 
 def test_orders_of_the_combinations() -> None:
     assert order(steady_weights()) == pytest.approx(6.0, abs=0.15)
+    assert order(steady_weights(5)) == pytest.approx(3.0, abs=0.25)
     assert order(limit_weights(6)) == pytest.approx(6.0, abs=0.15)
     assert order(limit_weights(6, 2)) == pytest.approx(5.0, abs=0.15)
 
@@ -56,6 +57,9 @@ def test_no_vibration_grows() -> None:
     assert np.abs(growth(limit_weights(8), w)).max() > 1.012
     assert np.abs(growth(steady_weights(), w[w > 6.0])).max() < 0.9
     assert np.abs(growth(steady_weights(), np.array([1e4]))).max() < 0.05
+    assert np.abs(growth(steady_weights(5), w)).max() < 1.0001
+    assert np.abs(growth(limit_weights(5), w)).max() > 1.007
+    assert np.abs(growth(steady_weights(5), np.array([1e4]))).max() < 0.05
 
 
 def test_weights_stand_where_the_steps_end() -> None:

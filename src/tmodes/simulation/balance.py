@@ -226,6 +226,7 @@ class Search:
     end: Array = field(init=False)
     failed: bool = False
     moved: bool = False
+    _known: dict[bytes, BalanceSlope] = field(init=False, default_factory=dict)
 
     def __post_init__(self) -> None:
         self.end = self.first
@@ -269,7 +270,10 @@ class Search:
         return self.balance.rates(state[None], self.row[None], self.numbers)[0]
 
     def _tangent(self, state: Array) -> BalanceSlope:
-        return self.balance.tangent(state[None], self.row[None], self.numbers)
+        key = state.tobytes()
+        if key not in self._known:
+            self._known[key] = self.balance.tangent(state[None], self.row[None], self.numbers)
+        return self._known[key]
 
     @staticmethod
     def _size(step: Array, tangent: BalanceSlope) -> float:

@@ -78,8 +78,12 @@ class StateSpace:
 class _Instant:
     """Exact derivatives at one state and row of a plan."""
 
-    def __init__(self, plan: Planned, state: Array, row: Array, inputs: Sequence[tuple[str, int]]) -> None:
-        self.plan, self.model, self.row = plan, LoopModel(plan.plan.unstuck), row
+    def __init__(
+        self, plan: Planned, state: Array, row: Array, inputs: Sequence[tuple[str, int]], model: LoopModel | None = None
+    ) -> None:
+        """``model``: of the plan, taken where nothing sticks in it."""
+        unstuck = model if model and not model.loop.modes else LoopModel(plan.plan.unstuck)
+        self.plan, self.model, self.row = plan, unstuck, row
         self.state = np.resize(np.append(state, np.zeros(self.model.layout.size)), self.model.layout.size)
         self.inputs = tuple(name for name, _ in inputs)
         self.places = [place for _, place in inputs]
@@ -215,7 +219,7 @@ def _hold(at: _Instant) -> None:
     plan, layout, n = at.plan.plan, at.model.layout, len(at.model.coordinates)
     width = plan.degree + 1
     free = [drive for drive in plan.drives if drive.servo]
-    every = _Instant(at.plan, at.state, at.row, [(one.joint, 1 + one.signal * width) for one in free])
+    every = _Instant(at.plan, at.state, at.row, [(one.joint, 1 + one.signal * width) for one in free], at.model)
     by_state, by_push = every.slopes(every.model.loop.rate, "rate", np.zeros(0))
     currents = np.arange(layout.currents.start, layout.currents.stop)
     rows = np.append(np.arange(n, 2 * n), currents)
@@ -248,7 +252,7 @@ def growth(setup: RunSetup) -> float:
 
     Dry friction that sticks is left out.
     """
-    at = _Instant(setup.planned, setup.start.copy(), setup.planned.first_row.copy(), ())
+    at = _Instant(setup.planned, setup.start.copy(), setup.first_row.copy(), (), setup.model)
     found = _sampled(at, at.found(()))
     size = float(np.abs(np.linalg.eigvals(found.A)).max(initial=0.0))
     return float(np.log(size) / (found.period or 1.0)) if size > 1 + _GROWS else 0.0

@@ -110,7 +110,8 @@ def _write_adaptive(loop: LanesLoop, tableau: Tableau) -> None:
     running = loop.running()
     stages(loop, tableau, step.time, step.h)
     loop.count("evaluations", running, float(tableau.own))
-    error = error_of(loop, tableau, step.h, LaneNorm(loop, loop.guarded // 2) if loop.series else None)
+    norm = LaneNorm(loop, loop.guarded // 2) if loop.series or loop.rate.sampled else None
+    error = error_of(loop, tableau, step.h, norm, ahead=not loop.series)
     size = _size(loop, error)
     good = b.fcmp_ordered("<=", error, loop.constant(1.0))
     _reject(loop, control, b.and_(running, b.not_(good)), step.h, size)

@@ -20,6 +20,9 @@ from tmodes.integrate.method import Tableau
 
 __all__ = ["adaptive_control", "error_of", "hermite", "interpolation", "slopes", "stages", "write_explicit_loop"]
 
+_LASTS = 100.0
+"""Samples within which what an error of a rate moves counts: by then a law has made up for it."""
+
 
 def write_explicit_loop(
     module: Any, name: str, lowered: ScheduleRate, guarded: int, tableau: Tableau, *, motion: bool = False
@@ -61,8 +64,11 @@ def adaptive_control(tableau: Tableau) -> StepControl:
     return StepControl(order + 1.0, tableau.beta, 0.75, tableau.smallest, tableau.largest, tableau.safety)
 
 
-def error_of(loop: Frame, tableau: Tableau, h: Any, norm: MotionNorm | None = None) -> Any:
-    """The error of a step over its tolerance: component by component, or by a ``norm`` of motions."""
+def error_of(loop: Frame, tableau: Tableau, h: Any, norm: MotionNorm | None = None, *, ahead: bool = False) -> Any:
+    """The error of a step over its tolerance: component by component, or by a ``norm`` of motions.
+
+    ``ahead``: of a rate that norm counts what it moves within the next samples, not within the step.
+    """
     b = loop.builder
 
     def difference(i: Any) -> Any:
@@ -72,7 +78,11 @@ def error_of(loop: Frame, tableau: Tableau, h: Any, norm: MotionNorm | None = No
                 total = b.fadd(total, b.fmul(loop.constant(weight), loop.load(stage, i)))
         return b.fmul(h, total)
 
-    return norm.of_error(difference, "new", "y", h) if norm else loop.mean_square(difference, "y", "new")
+    if norm is None:
+        return loop.mean_square(difference, "y", "new")
+    start, end = loop.segment()
+    moves = b.fmul(loop.constant(_LASTS), b.fsub(end, start)) if ahead else h
+    return norm.of_error(difference, "new", "y", moves)
 
 
 def interpolation(loop: Frame, tableau: Tableau, s: Any, h: Any) -> dict[str, Any]:
@@ -107,15 +117,19 @@ def hermite(loop: Frame, s: Any, h: Any, end: str) -> dict[str, Any]:
 def _write_adaptive(
     module: Any, name: str, lowered: ScheduleRate, guarded: int, tableau: Tableau, *, motion: bool
 ) -> None:
-    """Steps end exactly on the knots, where the first stage is evaluated again."""
+    """Steps end exactly on the knots, where the first stage is evaluated again.
+
+    Where controllers sample, knots are their samples, and commands with noise shake what hardly moves: errors of rates
+    count by what they move within the next samples.
+    """
     names = slopes(tableau)
     loop = TimeLoop(module, name, lowered, (*names[1:], "probe", "new"), guarded)
     test = StiffnessTest((names[-1], names[-2]), ("new", "probe"), *tableau.stiff) if tableau.stiff else None
     method = ExplicitMethod(adaptive_control(tableau), test, names[-1])
     gate, step = method.begin(loop)
     stages(loop, tableau, step.time, step.h)
-    norm = MotionNorm(loop, guarded // 2) if motion else None
-    b, error = loop.builder, error_of(loop, tableau, step.h, norm)
+    norm = MotionNorm(loop, guarded // 2) if motion or lowered.sampled else None
+    b, error = loop.builder, error_of(loop, tableau, step.h, norm, ahead=not motion)
 
     def write() -> None:
         with loop.due_samples(step.time_after) as target:

@@ -143,17 +143,30 @@ class ImplicitControl:
             loop.put("h", loop.intrinsic("minnum", number(self.first), b.fsub(end, start)))
         return _adaptive_step(loop, end)
 
-    def judge(self, loop: TimeLoop, step: AdaptiveStep, error: Any) -> Any:
-        """Try again with a shorter step, or go on; the length that the error allows the next one."""
+    def judge(self, loop: TimeLoop, step: AdaptiveStep, error: Any, wish: str = "h") -> Any:
+        """Try again with a shorter step, or go on; the length that the error allows the next one.
+
+        ``wish``: the cell that keeps it.
+        """
         loop.add("done", 1.0)
+        factor = self._factor(loop, error)
+        loop.judge(error, step.h, lambda: factor, self.smallest, wish)
+        loop.stop_if(loop.builder.not_(loop.within_bounds("new")), Status.DIVERGED)
+        loop.put("errors", loop.builder.fadd(loop.get("errors"), error))
+        return self._grown(loop, step.h, factor)
+
+    def grown(self, loop: TimeLoop, h: Any, error: Any) -> Any:
+        """The length that the error of a step of length h allows the next one."""
+        return self._grown(loop, h, self._factor(loop, error))
+
+    def _grown(self, loop: TimeLoop, h: Any, factor: Any) -> Any:
+        return loop.builder.fmul(h, loop.intrinsic("minnum", factor, number(self.largest)))
+
+    def _factor(self, loop: TimeLoop, error: Any) -> Any:
+        """By how much a step may be longer; of an error that is no number no number: it is then shortened most."""
         b, tiny = loop.builder, number(1e-10)
-        # An error that is no number must stay one: the step is then shortened most.
         floor = b.select(b.fcmp_ordered("<", error, tiny), tiny, error)
-        factor = b.fdiv(number(0.9), _power(loop, floor, self.exponent))
-        loop.judge(error, step.h, lambda: factor, self.smallest)
-        loop.stop_if(b.not_(loop.within_bounds("new")), Status.DIVERGED)
-        loop.put("errors", b.fadd(loop.get("errors"), error))
-        return b.fmul(step.h, loop.intrinsic("minnum", factor, number(self.largest)))
+        return b.fdiv(number(0.9), _power(loop, floor, self.exponent))
 
 
 def _adaptive_step(loop: TimeLoop, end: Any) -> AdaptiveStep:

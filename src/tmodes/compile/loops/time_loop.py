@@ -116,7 +116,7 @@ class _Due:
 CELLS = (
     "t", "h", "segment", "index", "sample", "fresh", "old_error", "steps", "rejected", "evaluations", "status",
     "smallest", "stiff", "calm", "stiff_time", "events", "burst", "burst_time", "passes", "sampled", "switching",
-    "wish", "switches", "cut", "errors", "pause", "met",
+    "wish", "switches", "cut", "errors", "pause", "met", "few",
 )  # fmt: skip
 """Memory of a loop between calls, one double each.
 
@@ -124,7 +124,7 @@ CELLS = (
 counts them, ``wish`` is the length of a step before it was shortened onto one, ``cut`` that of a fixed step after it.
 ``errors``: sum of the estimated errors of the steps that were taken, over their tolerance. ``pause``: not 0 ends a call
 after each instant at which a force starts or ends, or something switches; ``met`` is 2 then, and ``k1`` the state
-before the switch. The caller sets ``met`` to 0.
+before the switch. The caller sets ``met`` to 0. ``few``: longest step of few rows, of extrapolation.
 """
 
 OPTIONS = ("step", "rtol", "atol", "chunk", "bound", "watch", "most_events", "event_time", "looks")
@@ -264,15 +264,18 @@ class TimeLoop(Frame):
         self.stop_if(b.not_(b.fcmp_ordered(">", h, smallest)), Status.STEP_TOO_SMALL)
         return h, last, b.select(last, end, b.fadd(time, h))
 
-    def judge(self, error: Any, h: Any, factor: Callable[[], Any], smallest: float) -> None:
-        """Where the error is beyond 1, or no number, try again with h times the factor, or shrunk the most."""
+    def judge(self, error: Any, h: Any, factor: Callable[[], Any], smallest: float, wish: str = "h") -> None:
+        """Where the error is beyond 1, or no number, try again with h times the factor, or shrunk the most.
+
+        ``wish``: the cell that keeps that length.
+        """
         b = self.builder
         accepted, rejected = self.block("accepted"), self.block("rejected")
         b.cbranch(b.fcmp_ordered("<=", error, number(1.0)), accepted, rejected)
         b.position_at_end(rejected)
         share = factor()
         usable = b.fcmp_ordered(">", share, number(smallest))
-        self.put("h", b.fmul(h, b.select(usable, share, number(smallest))))
+        self.put(wish, b.fmul(h, b.select(usable, share, number(smallest))))
         self.add("rejected", 1.0)
         b.branch(self.again)
         b.position_at_end(accepted)

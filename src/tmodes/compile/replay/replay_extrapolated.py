@@ -11,7 +11,7 @@ from functools import cache
 from typing import Any
 
 from tmodes.compile.ir.emit import I64, at, counted, load, number, store, whole
-from tmodes.compile.loops.extrapolation_loop import ROWS
+from tmodes.compile.loops.extrapolation_loop import FEW, ROWS
 from tmodes.compile.native import Library
 from tmodes.compile.replay.replay_frame import ReplayLoop, written_loops
 
@@ -27,9 +27,17 @@ def extrapolated_loops() -> Library:
 class _Extrapolated(ReplayLoop):
     """Places are the states of a step: 0 its start, then row by row those after each Euler step.
 
-    ``a`` gives the row of a place and the place before it, ``b`` the share of each place in the end of a step, ``c``
-    the time of a place as a share of the step.
+    ``a`` gives the row of a place and the place before it, ``b`` the share of each place in the end of a step, of all
+    rows and of few, ``c`` the time of a place as a share of the step.
     """
+
+    def few(self, step: Any) -> Any:
+        """Whether a step is one of few rows."""
+        return self.b.icmp_signed("<", self.word("used", step), self.n["stages"])
+
+    def share(self, step: Any, place: Any) -> Any:
+        """Of a place in the end of a step."""
+        return self.number("b", self.b.zext(self.few(step), I64), place)
 
     def part(self, step: Any, place: Any) -> Any:
         """Length of the Euler step that ends at a place."""
@@ -78,12 +86,11 @@ class _Extrapolated(ReplayLoop):
             place = b.add(i, twice)
             store(b, b.fadd(load(b, source, place), b.fmul(part, load(b, rates, place))), target, place)
 
-    def add_end(self, target: Any, label: str, width: Any) -> None:
+    def add_end(self, step: Any, target: Any, label: str, width: Any) -> None:
         """The end of a step, from the ends of its rows."""
-        b = self.b
         self.zero(target, width)
-        with counted(b, self.n["stages"], "share") as place:
-            self.more(target, self.number("b", place), self.row_of(label, place, width), width)
+        with counted(self.b, self.word("used", step), "share") as place:
+            self.more(target, self.share(step, place), self.row_of(label, place, width), width)
 
     def zero(self, target: Any, count: Any) -> None:
         """Zeros."""
@@ -96,11 +103,11 @@ class _ExtrapolatedAgain(_Extrapolated):
 
     def step(self, step: Any) -> None:
         b, size = self.b, self.n["size"]
-        here, places = self.row_of("y", step, size), self.n["stages"]
+        here, places = self.row_of("y", step, size), self.word("used", step)
         self.copy(self.array["states"], here, size)
         with counted(b, b.sub(places, whole(1)), "place") as k:
             self.euler(step, b.add(k, whole(1)), self.array["values"])
-        self.add_end(self.row_of("y", b.add(step, whole(1)), size), "states", size)
+        self.add_end(step, self.row_of("y", b.add(step, whole(1)), size), "states", size)
         self.tell(step, here, size, (places, lambda j: self.row_of("states", j, size)))
 
 
@@ -109,7 +116,7 @@ class _ExtrapolatedAlong(_Extrapolated):
 
     def step(self, step: Any) -> None:
         b, n, values, moved = self.b, self.n, self.array["values"], self.array["moved"]
-        wide, places = b.mul(n["size"], n["lanes"]), n["stages"]
+        wide, places = b.mul(n["size"], n["lanes"]), self.word("used", step)
         self.set_row_slopes(step)
         self.copy(self.array["states"], self.row_of("y", step, n["size"]), n["size"])
         self.copy(self.array["stage_slopes"], moved, wide)
@@ -118,7 +125,7 @@ class _ExtrapolatedAlong(_Extrapolated):
             self.euler(step, place, values)
             self._slopes(step, place, values, wide)
         self.tell(step, moved, wide, (places, lambda j: self.row_of("stage_slopes", j, wide)))
-        self.add_end(moved, "stage_slopes", wide)
+        self.add_end(step, moved, "stage_slopes", wide)
 
     def _slopes(self, step: Any, place: Any, values: Any, wide: Any) -> None:
         b, n, slopes = self.b, self.n, self.array["slopes"]
@@ -135,14 +142,15 @@ class _ExtrapolatedBack(_Extrapolated):
 
     def step(self, step: Any) -> None:
         b, size, moved = self.b, self.n["size"], self.array["moved"]
-        step, places = self.backwards(step), self.n["stages"]
+        step = self.backwards(step)
+        places = self.word("used", step)
         self.zero(self.array["stage_slopes"], b.mul(places, size))
         with counted(b, places, "seed") as place:
-            self.more(self.row_of("stage_slopes", place, size), self.number("b", place), moved, size)
+            self.more(self.row_of("stage_slopes", place, size), self.share(step, place), moved, size)
         self.zero(moved, size)
         self.collect(step, places)
         self.copy(self.array["states"], self.row_of("y", step, size), size)
-        with counted(b, ROWS, "row") as row:
+        with counted(b, b.select(self.few(step), whole(FEW), whole(ROWS)), "row") as row:
             self._row_back(step, row)
         self.more(moved, number(1.0), self.array["stage_slopes"], size)
 

@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.compile.loops.extrapolation_loop import ROWS
+from tmodes.compile.loops.extrapolation_loop import FEW, ROWS
 from tmodes.compile.loops.extrapolation_rows import difference_weights, steady_weights
 from tmodes.compile.native import Library
 from tmodes.compile.replay.replay_extrapolated import extrapolated_loops
@@ -125,14 +125,19 @@ def _spread(rows: Sequence[Mapping[int, float]], count: int) -> Array:
     return matrix
 
 
+def _places(rows: int) -> int:
+    """Places of a step of so many rows."""
+    return 1 + rows * (rows + 1) // 2
+
+
 @dataclass(frozen=True, eq=False)
 class ExtrapolationTableau:
-    """The tableau of ``ROWS`` rows, as :mod:`tmodes.compile.loops.extrapolation_loop` takes them."""
+    """The tableaus of ``ROWS`` and ``FEW`` rows, as :mod:`tmodes.compile.loops.extrapolation_loop` takes them."""
 
     memory = ROWS
     """How many evaluations are kept at once: those of one row."""
 
-    stages = 1 + ROWS * (ROWS + 1) // 2
+    stages = _places(ROWS)
     """Places of a step."""
 
     inputs = ("step", "start")
@@ -143,17 +148,18 @@ class ExtrapolationTableau:
         """Of each place its row and the place before it, (2, stages)."""
         table = np.zeros((2, self.stages))
         for row in range(1, ROWS + 1):
-            first = 1 + row * (row - 1) // 2
+            first = _places(row - 1)
             table[0, first : first + row] = row
             table[1, first + 1 : first + row] = np.arange(first, first + row - 1)
         return table
 
     @cached_property
     def b(self) -> Array:
-        """Shares of the places in the end of a step, (stages,)."""
-        table = np.zeros(self.stages)
-        for row, weight in steady_weights().items():
-            table[_place(row, row)] = weight
+        """Shares of the places in the end of a step, of all rows and of few, (2, stages)."""
+        table = np.zeros((2, self.stages))
+        for line, rows in enumerate((ROWS, FEW)):
+            for row, weight in steady_weights(rows).items():
+                table[line, _place(row, row)] = weight
         return table
 
     @cached_property
@@ -161,17 +167,19 @@ class ExtrapolationTableau:
         """Time of each place as a share of the step, (stages,)."""
         times = np.zeros(self.stages)
         for row in range(1, ROWS + 1):
-            first = 1 + row * (row - 1) // 2
+            first = _places(row - 1)
             times[first : first + row] = np.arange(1, row + 1) / row
         return times
 
     def used(self, evaluations: Array) -> Counts:
-        """Places of each step: all."""
-        return np.full(len(evaluations), self.stages)
+        """Places of each step."""
+        return np.where(evaluations < _places(ROWS) - 1, _places(FEW), self.stages)
 
     def weighted(self, used: Counts, places: SamplePlaces) -> tuple[Counts, Array]:
         """Places of each step, and weights (n, stages) of them in samples; the start counts once more than listed."""
-        weights = _dense(places.share - 1.0) @ _terms(self.b)
+        weights, few = np.zeros((len(places.step), self.stages)), used[places.step] < self.stages
+        for rows, end, own in zip((ROWS, FEW), self.b, (~few, few), strict=True):
+            weights[own] = _dense(places.share[own] - 1.0, rows) @ _terms(end, rows)
         weights[:, 0] -= 1.0
         return used, weights
 
@@ -181,20 +189,20 @@ def _place(row: int, step: int) -> int:
     return row * (row - 1) // 2 + step if step else 0
 
 
-def _dense(back: Array) -> Array:
-    """Shares of start, end and derivatives (1 to ROWS - 1) in samples, ``back`` shares of a step before its end."""
-    last = (-back) ** ROWS
-    orders = np.arange(1, ROWS)
+def _dense(back: Array, rows: int) -> Array:
+    """Shares of start, end and derivatives (1 to rows - 1) in samples, ``back`` shares of a step before its end."""
+    last = (-back) ** rows
+    orders = np.arange(1, rows)
     powers = back[:, None] ** orders - last[:, None] * (-1.0) ** orders
     return np.column_stack([last, 1.0 - last, powers])
 
 
-def _terms(end: Array) -> Array:
+def _terms(end: Array, rows: int) -> Array:
     """Start, end and derivatives at the end of a step, as sums of its places."""
-    terms = np.zeros((ROWS + 1, len(end)))
+    terms = np.zeros((rows + 1, len(end)))
     terms[0, 0], terms[1] = 1.0, end
-    for order in range(1, ROWS):
-        for (row, step), weight in difference_weights(ROWS, order).items():
+    for order in range(1, rows):
+        for (row, step), weight in difference_weights(rows, order).items():
             terms[order + 1, _place(row, step)] += weight
     return terms
 

@@ -204,7 +204,8 @@ class ClosedLoop(LoopParts):
     def _rate(self, instant: Instant) -> Schedule:
         currents = [instant.change[k] for k in sorted(instant.change)]
         controls = [instant.controls[k] for k in sorted(instant.controls)]
-        controls += [self._block_rates(instant, block) for block in self.blocks if block.plan.law.states]
+        for block in self.blocks:
+            controls += self._block_rates(instant, block)
         surface = instant.switching.surface_rate
         works = Powers(instant).works if self.keeps_works else []
         still = [self.parts.none[1]] * self.modes
@@ -213,13 +214,14 @@ class ClosedLoop(LoopParts):
         instant.schedule.switches, instant.schedule.narrow = instant.switching.functions, narrow_rates(instant)
         further = (*currents, *controls, *surface, *works, *still)
         instant.schedule.output("rate", instant.way.v, *instant.accelerations, *further)
-        return instant.schedule
+        if not self.plan.is_sampled:
+            return instant.schedule
+        return instant.schedule.only(("rate",), watched=True)  # what sensors and noises say is needed at samples alone
 
-    def _block_rates(self, instant: Instant, block: Placed) -> Slot:
+    def _block_rates(self, instant: Instant, block: Placed) -> list[Slot]:
         """Rates of the own states of a block, zero of what is sampled."""
         found = instant.block(block)
-        none = [self.parts.none[1]] * block.plan.law.states
-        return found[2] if len(found) > 2 else instant.pack(*none)
+        return [found[2]] if len(found) > 2 else [self.parts.none[1]] * block.plan.law.states
 
     @cached_property
     def sampled(self) -> Schedule | None:
@@ -300,7 +302,7 @@ class LeanLoop(ClosedLoop):
 
     keeps_works = False
 
-    @property
+    @cached_property
     def layout(self) -> StateLayout:
         """Where the state holds what; works and modes have no room."""
         whole = super().layout

@@ -234,7 +234,7 @@ class LoopPlan:
         blocks = tuple(replace(one, law=replace(one.law, settles=True)) for one in self.blocks)
         return replace(self.unstuck, drives=tuple(drives), blocks=blocks, at_rest=True)
 
-    @property
+    @cached_property
     def controls(self) -> tuple[float, ...]:
         """The own states of all controllers at time 0, in the order of the drives, then those of other blocks."""
         laws = [drive.servo for drive in self.drives if drive.servo] + [block.law for block in self.blocks]
@@ -389,7 +389,7 @@ class LoopParts:
         touch = self.plan.touch.touch.modes if self.plan.touch else 0
         return len(self.slipping) + touch + bool(self.plan.jolts)
 
-    @property
+    @cached_property
     def layout(self) -> StateLayout:
         """Where the state holds what."""
         sizes = len(self.plan.currents), len(self.plan.controls), len(self.plan.surface_names), self.modes

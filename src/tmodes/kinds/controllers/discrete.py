@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-__all__ = ["Mode", "held_late", "lost_modes", "named_modes", "zero_order_hold"]
+if TYPE_CHECKING:
+    from tmodes.kinds.controllers.contract import LinearPlant
+
+__all__ = ["Mode", "held_late", "lost_modes", "named_modes", "unreached", "unseen", "zero_order_hold"]
 
 _LOST = 1e-9
 """Share of an input in a mode below which it does not reach it."""
@@ -114,3 +117,18 @@ def lost_modes(A: Any, B: Any, states: Sequence[str]) -> list[Mode]:
             share = np.abs(left[:, same] * right[:, same].conj()).sum(axis=1)
             found += [Mode(complex(poles[same[0]]), states[int(share.argmax())])] * (ways.shape[1] - reached)
     return found
+
+
+def unreached(plant: LinearPlant, states: int | None = None) -> list[str]:
+    """The modes of the plant, or of its first ``states``, that no drive reaches, as a message; none without any."""
+    own = slice(states)
+    return _said("the drives do not reach", lost_modes(plant.A[own, own], plant.B[own], plant.states[own]))
+
+
+def unseen(plant: LinearPlant) -> list[str]:
+    """The same of modes that nothing measured shows."""
+    return _said("nothing measured shows", lost_modes(plant.A.T, plant.C.T, plant.states))
+
+
+def _said(what: str, modes: list[Mode]) -> list[str]:
+    return [f"{what} the mode {', '.join(map(str, modes))}: no gain changes its damping"] if modes else []

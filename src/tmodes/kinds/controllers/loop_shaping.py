@@ -6,7 +6,7 @@ D. McFarlane, K. Glover, A loop shaping design procedure using H-infinity synthe
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import Annotated, Any, ClassVar, Literal, NamedTuple
 
 import numpy as np
@@ -14,8 +14,8 @@ from pydantic import Field
 
 from tmodes.errors import InputError
 from tmodes.kinds.controllers.contract import CONTROLLERS, LinearPlant, Measured, OwnState
-from tmodes.kinds.controllers.discrete import held_late, lost_modes
-from tmodes.kinds.controllers.state_space import DesignedLaw, riccati, said
+from tmodes.kinds.controllers.discrete import held_late, unreached, unseen
+from tmodes.kinds.controllers.state_space import DesignedLaw, riccati
 from tmodes.kinds.kernel import functions as f
 from tmodes.kinds.kernel import vectors
 from tmodes.kinds.schema.quantity import LARGEST, Issue, not_negative, positive, quantity
@@ -33,7 +33,7 @@ System = tuple[Any, Any, Any, Any]
 """A, B, C, D."""
 
 
-def robust(plant: System, factor: float = 1.1, why: list[str] | None = None) -> tuple[System, float]:
+def robust(plant: System, factor: float = 1.1, why: Callable[[], list[str]] = list) -> tuple[System, float]:
     """The law u = K y that stabilises a plant with gamma = ``factor`` times the least one, and that least one.
 
     The closed loop [K; I] (I - G K)^-1 [I, G] has at most the norm gamma: it bears all changes of the normalised
@@ -42,8 +42,8 @@ def robust(plant: System, factor: float = 1.1, why: list[str] | None = None) -> 
     A, B, C, D = plant
     S, R = np.eye(B.shape[1]) + D.T @ D, np.eye(len(C)) + D @ D.T
     inner = A - B @ np.linalg.solve(S, D.T @ C)
-    X = riccati(inner, B, C.T @ np.linalg.solve(R, C), S, sampled=False, why=why or [])[1]
-    Z = riccati(inner.T, C.T, B @ np.linalg.solve(S, B.T), R, sampled=False, why=why or [])[1]
+    X = riccati(inner, B, C.T @ np.linalg.solve(R, C), S, sampled=False, why=why)[1]
+    Z = riccati(inner.T, C.T, B @ np.linalg.solve(S, B.T), R, sampled=False, why=why)[1]
     least = float(np.sqrt(1 + np.abs(np.linalg.eigvals(X @ Z)).max(initial=0.0)))
     gamma = factor * least
     F = -np.linalg.solve(S, D.T @ C + B.T @ X)
@@ -163,9 +163,8 @@ class LoopShaping(DesignedLaw):
             G = unsampled(G, period)
         W, weights = self._weight(linear.drives), np.array([self.output_weights.get(one, 1.0) for one in self.measured])
         A, B, C, D = chained(W, G)
-        why = [*said("the drives do not reach", lost_modes(linear.A, linear.B, linear.states)),
-               *said("nothing measured shows", lost_modes(linear.A.T, linear.C.T, linear.states))]  # fmt: skip
-        K, gamma = robust((A, B, weights[:, None] * C, weights[:, None] * D), self.factor, why)
+        shaped = A, B, weights[:, None] * C, weights[:, None] * D
+        K, gamma = robust(shaped, self.factor, lambda: [*unreached(linear), *unseen(linear)])
         K = K[0], K[1] * weights, K[2], K[3] * weights
         if period is not None:
             K, W = tustin(K, period), tustin(W, period)

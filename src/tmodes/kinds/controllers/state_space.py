@@ -16,12 +16,12 @@ from pydantic import Field
 
 from tmodes.errors import InputError
 from tmodes.kinds.controllers.contract import CONTROLLERS, Controller, LinearPlant, Measured, OwnState
-from tmodes.kinds.controllers.discrete import Mode, lost_modes, zero_order_hold
+from tmodes.kinds.controllers.discrete import unreached, unseen, zero_order_hold
 from tmodes.kinds.kernel import vectors
 from tmodes.kinds.schema.frames import list_of_numbers
 from tmodes.kinds.schema.quantity import LARGEST, Issue, not_negative, positive
 
-__all__ = ["LQG", "LQR", "Design", "DesignedLaw", "PolePlacement", "riccati", "said"]
+__all__ = ["LQG", "LQR", "Design", "DesignedLaw", "PolePlacement", "riccati"]
 
 Number = Annotated[float, Field(ge=-LARGEST, le=LARGEST)]
 
@@ -91,10 +91,7 @@ class DesignedLaw(Controller):
     def remarks(self) -> list[str]:
         """Modes that no drive reaches, or that nothing measured shows."""
         plant = self.design.plant
-        own = slice(len(plant.states) - self._loads)
-        unseen = lost_modes(plant.A.T, plant.C.T, plant.states) if self.reads else []
-        return [*said("the drives do not reach", lost_modes(plant.A[own, own], plant.B[own], plant.states[own])),
-                *said("nothing measured shows", unseen)]  # fmt: skip
+        return [*unreached(plant, len(plant.states) - self._loads), *(unseen(plant) if self.reads else [])]
 
     @property
     def _loads(self) -> int:
@@ -209,11 +206,6 @@ class _StateSpace(DesignedLaw):
         return f"{super().structure} {d.plant.states} {d.plant.drives} {self._sums} {self.sample_time}"
 
 
-def said(what: str, modes: list[Mode]) -> list[str]:
-    """Those modes, as a message; none without any."""
-    return [f"{what} the mode {', '.join(map(str, modes))}: no gain changes its damping"] if modes else []
-
-
 def _place(plant: LinearPlant, joint: str) -> int:
     name = f"{joint}.motor" if f"{joint}.motor" in plant.states else joint
     return plant.states.index(name)
@@ -241,9 +233,8 @@ class _Weighted(_StateSpace):
     def _feedback(self, A: Any, B: Any, plant: LinearPlant) -> Any:
         Q = diagonal(self.state_weights, plant, "state_weights")
         Q = np.diag([*Q, *[self.integral_weight] * (len(A) - len(Q))])
-        lost = lost_modes(plant.A, plant.B, plant.states)
         R = self.effort_weight * np.eye(B.shape[1])
-        return riccati(A, B, Q, R, sampled=self.sample_time is not None, why=said("the drives do not reach", lost))[0]
+        return riccati(A, B, Q, R, sampled=self.sample_time is not None, why=lambda: unreached(plant))[0]
 
 
 def diagonal(weights: dict[str, float], plant: LinearPlant, which: str) -> list[float]:
@@ -254,7 +245,7 @@ def diagonal(weights: dict[str, float], plant: LinearPlant, which: str) -> list[
     return [weights.get(name, 0.0) for name in plant.states]
 
 
-def riccati(A: Any, B: Any, Q: Any, R: Any, *, sampled: bool, why: list[str]) -> tuple[Any, Any]:
+def riccati(A: Any, B: Any, Q: Any, R: Any, *, sampled: bool, why: Callable[[], list[str]]) -> tuple[Any, Any]:
     """Gain and solution of the Riccati equation; raises :class:`tmodes.errors.InputError` where there is none."""
     from scipy.linalg import solve_continuous_are, solve_discrete_are
 
@@ -266,7 +257,7 @@ def riccati(A: Any, B: Any, Q: Any, R: Any, *, sampled: bool, why: list[str]) ->
         return np.linalg.solve(R, B.T @ X), X
     except (np.linalg.LinAlgError, ValueError) as error:
         hint = "give a weight to each motion that does not decay by itself, or leave out what no drive moves"
-        got = f"no solution ({'; '.join(why) or error})"
+        got = f"no solution ({'; '.join(why()) or error})"
         raise InputError("control", got, "a robot that the drives can stabilise", hint) from error
 
 
@@ -376,8 +367,7 @@ class LQG(_Weighted):
             got, expected = f"{list(given)}", f"1 or {len(self.measured)} variances above 0"
             raise InputError("measurement_noise", got, expected, "write the variance of each that is measured")
         V = np.diag(given if len(given) > 1 else given * len(self.measured))
-        unseen = said("nothing measured shows", lost_modes(plant.A.T, plant.C.T, plant.states))
-        P = riccati(Ad.T, plant.C.T, W, V, sampled=True, why=unseen)[1]
+        P = riccati(Ad.T, plant.C.T, W, V, sampled=True, why=lambda: unseen(plant))[1]
         return P @ plant.C.T @ np.linalg.inv(plant.C @ P @ plant.C.T + V)
 
     def numbers(self) -> tuple[float, ...]:

@@ -148,11 +148,11 @@ class Schedule:
         """Blocks that make an output, one after the other."""
         self.outputs[name] = list(slots)
 
-    def only(self, outputs: Sequence[str]) -> Schedule:
-        """The same schedule with these outputs alone, and only the calls that they need."""
+    def only(self, outputs: Sequence[str], *, watched: bool = False) -> Schedule:
+        """The same schedule with these outputs alone, and only the calls that they, or what is ``watched``, need."""
         wanted, kept = np.zeros(self.workspace, dtype=bool), []
         given = {name: self.outputs[name] for name in outputs}
-        for slot in (slot for slots in given.values() for slot in slots):
+        for slot in (*(self.watched if watched else ()), *(slot for slots in given.values() for slot in slots)):
             wanted[self.span(slot)] = True
         for call in reversed(self.calls):
             if any(wanted[self.span(slot)].any() for slot in call[2]):
