@@ -14,6 +14,7 @@ import tmodes
 from contracts.test_blocks import LINK, SHAPED, constant, law, matrices, spong
 from tmodes.errors import InputError, InputErrors
 from tmodes.kinds.controllers.loop_shaping import LoopShaping, robust, tustin, unsampled
+from tmodes.simulation.linear import linear_plant
 
 System = tuple[Any, Any, Any, Any]
 
@@ -89,7 +90,7 @@ def looped(signal: float, until: float, block: dict[str, Any], delay: float = 0.
 
 
 def designed(robot: Any, delay: float = 0.0) -> LoopShaping:
-    found = robot.control[0].block.designed(partial(tmodes.linear_plant, robot, delay=delay), ("joint",))
+    found = robot.control[0].block.designed(partial(linear_plant, robot, delay=delay), ("joint",))
     assert isinstance(found, LoopShaping)
     return found
 

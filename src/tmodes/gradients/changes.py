@@ -28,6 +28,7 @@ from tmodes.model.derivatives import differentiated
 from tmodes.model.parameters import Structural
 from tmodes.sheet import Robot
 from tmodes.simulation.balance import Balance, frozen
+from tmodes.simulation.control import designs
 from tmodes.simulation.initial_state import closed_balance, held_at_start
 from tmodes.simulation.loop import Blocks, LoopModel
 from tmodes.simulation.plan import Follow, planned
@@ -127,11 +128,11 @@ class _Noted:
         raise _structural(path, f"at {value:g} it is at an edge: other values have another structure")
 
     def _program(self, values: Mapping[str, float]) -> CaseProgram:
-        def designs(robot: Robot, inputs: Mapping[str, Noted]) -> None:
+        def designed(robot: Robot, inputs: Mapping[str, Noted]) -> None:
             vars(nominal_of(robot))["designs"] = self._designs(values, inputs)
 
         try:
-            found = case_program(self.sheet, values, self.here.variant.of, self._blocks, designs=designs)
+            found = case_program(self.sheet, values, self.here.variant.of, self._blocks, designs=designed)
         except Structural as why:
             for path, value in values.items() if len(values) > 1 else ():
                 self._program({path: value})
@@ -147,22 +148,25 @@ class _Noted:
         """
         found = {name: (one, np.array(one.numbers(), dtype=float)) for name, one in self._designed(values).items()}
         changes: dict[str, Any] = {name: numbers for name, (_, numbers) in found.items()}
-        for path, number in inputs.items() if found else ():
+        for path in self._known(inputs) if found else ():
             step = _DESIGN * (abs(values[path]) or 0.1)
             near = [self._designed({**values, path: values[path] + k * step}) for k in (-2, -1, 1, 2)]
             for name in found:
                 a, b, c, d = (np.array(one[name].numbers(), dtype=float) for one in near)
                 slope = (8 * (c - b) - (d - a)) / (12 * step)
-                changes[name] = changes[name] + slope * (number - values[path])
+                changes[name] = changes[name] + slope * (inputs[path] - values[path])
         return {name: one.with_numbers(changes[name]) for name, (one, _) in found.items()}
+
+    def _known(self, paths: Mapping[str, Any]) -> list[str]:
+        """Those of the robot as known, from which laws are designed."""
+        data = sheet_data(self.sheet)
+        return [path for path in paths if steps_of(path, data)[0] != "real"]
 
     def _designed(self, values: Mapping[str, float]) -> dict[str, Block]:
         """Those laws of the sheet with other numbers."""
         if self.here.variant.follow is not Follow.SHEET or not any(one.block.is_designed for one in self.sheet.control):
             return {}
-        robot = self.here.variant.of(self.sheet.with_(values).pair())
-        planned(robot, Follow.SHEET)
-        return vars(nominal_of(robot))["designs"]
+        return designs(self.sheet.with_({path: values[path] for path in self._known(values)}))
 
     def _blocks(self, robot: Robot) -> Blocks:
         return run_blocks(robot, self.here.variant.follow, [output.name for output in self.shown])

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import partial
 from math import floor
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -20,7 +19,7 @@ if TYPE_CHECKING:
     from tmodes.kinds.controllers.registry import Block
     from tmodes.sheet import Robot
 
-__all__ = ["Sampling", "control_plan", "wired_name"]
+__all__ = ["Sampling", "control_plan", "designs", "wired_name"]
 
 _WHOLE = 1e-9
 """A delay nearer to whole periods than this share of one is taken as whole periods."""
@@ -131,24 +130,29 @@ def _block(robot: Robot, plan: LoopPlan, node: Node, signals: Any) -> BlockPlan:
     return BlockPlan(node.name, law, node.ports, law.numbers(sampling.period), node.joint, *clocks, node.drives)
 
 
+def designs(known: Robot) -> dict[str, Block]:
+    """The blocks that are designed for a robot as known, by their names."""
+    return {node.name: _designed(known, node).block for node in network(known) if node.block.is_designed}
+
+
 def _designed(robot: Robot, node: Node) -> Node:
     """The node with its block designed for the robot as known, once for each robot."""
     if not node.block.is_designed:
         return node
-    from tmodes import linear_plant
+    from tmodes import designed_block
 
     known = nominal_of(robot)
-    designs = vars(known).setdefault("designs", {})
-    if node.name not in designs:
+    found = vars(known).setdefault("designs", {})
+    if node.name not in found:
         try:
-            plant = partial(linear_plant, known, delay=node.sheet.delay + node.block.lag)
-            designs[node.name] = node.block.designed(plant, node.sheet.drives)
+            late = node.sheet.delay + node.block.lag
+            found[node.name] = designed_block(known, node.block, node.sheet.drives, late)
         except InputError as error:
             if error.which.startswith("sensors."):
                 raise
             path = f"{node.place}.block.{'measured' if error.which == 'outputs' else error.which}"
             raise InputError(path, error.got, error.expected, error.hint, error.where) from error
-    return node._replace(block=designs[node.name])
+    return node._replace(block=found[node.name])
 
 
 def _refuse_late(nodes: list[Node], laws: list[Law], sources: dict[str, Any]) -> None:

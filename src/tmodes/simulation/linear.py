@@ -8,9 +8,11 @@ of the outputs of its table. Sampled loops: K. J. Astrom, B. Wittenmark, Compute
 
 from __future__ import annotations
 
+import copy
 from collections.abc import Container, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from functools import partial
 from math import comb
 from typing import TYPE_CHECKING, Any
 
@@ -22,11 +24,12 @@ from tmodes.analysis.modes.modes import smooth_matrices, without_dry_friction
 from tmodes.analysis.rigid import nominal_of
 from tmodes.analysis.statics.at_rest import robot_rest
 from tmodes.analysis.statics.equilibrium import Equilibrium
+from tmodes.equations.lagrange.registry import SYSTEMS
 from tmodes.equations.loop.control_kernels import Winding
 from tmodes.errors import InputError
 from tmodes.kinds.controllers.discrete import held_late, zero_order_hold
 from tmodes.kinds.controllers.registry import LinearPlant
-from tmodes.kinds.noted.functions import number
+from tmodes.kinds.noted.functions import kept, number
 from tmodes.kinds.noted.number import Lost, is_noted
 from tmodes.kinds.signals.registry import constant_signal
 from tmodes.model.model import Model
@@ -37,10 +40,20 @@ from tmodes.simulation.loop import LoopModel
 from tmodes.simulation.plan import Planned, planned
 
 if TYPE_CHECKING:
+    from tmodes.kinds.controllers.registry import Block
     from tmodes.sheet import Robot
     from tmodes.sheet.parts import DriveSheet
 
-__all__ = ["StateSpace", "all_inputs", "closed_loop", "delayed", "growth", "linear_plant", "open_loop", "run_feedback"]
+__all__ = [
+    "StateSpace",
+    "all_inputs",
+    "closed_loop",
+    "delayed",
+    "designed_block",
+    "growth",
+    "open_loop",
+    "run_feedback",
+]
 
 Array = NDArray[np.float64]
 
@@ -418,6 +431,50 @@ def linear_plant(
     ``reads``: outputs and sensors by name; sensors without samples and noise. The commands act ``delay`` [s] late.
     """
     held = {drive.joint: _setpoint(robot, drive, start=start) for drive in robot.drives if drive.command.is_motion}
+    return copy.deepcopy(_plant(_read(robot), _Aside(robot), reads, drives, held, delay))
+
+
+def designed_block(robot: Robot, block: Block, drives: tuple[str, ...], delay: float) -> Block:
+    """A block designed for a robot as known; once for all whose numbers that count are the same.
+
+    Raises :class:`tmodes.errors.InputError` where there is no design.
+    """
+    ends = [[_setpoint(robot, one, start=start) for one in robot.drives if one.command.is_motion]
+            for start in (True, False)]  # fmt: skip
+    return _block(_read(robot), _Aside(robot), block, drives, ends, delay)
+
+
+@kept
+def _block(read: Any, aside: _Aside, block: Block, drives: tuple[str, ...], ends: Any, delay: float) -> Block:
+    del read, ends
+    return block.designed(partial(linear_plant, aside.robot, delay=delay), drives)
+
+
+def _read(robot: Robot) -> tuple[Any, ...]:
+    """What a linear form reads of a robot, besides setpoints."""
+    fields = tuple((name, value) for name, value in opened(robot) if name not in ("real", "task", "integration"))
+    return *fields, SYSTEMS.get(robot.equations)
+
+
+class _Aside:
+    """An argument that changes nothing in the answer."""
+
+    def __init__(self, robot: Robot) -> None:
+        self.robot = robot
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, _Aside)
+
+    def __hash__(self) -> int:
+        return 0
+
+
+@kept
+def _plant(
+    read: Any, aside: _Aside, reads: tuple[str, ...], drives: tuple[str, ...], held: Mapping[str, Any], delay: float
+) -> LinearPlant:
+    del read
+    robot = aside.robot
     chain = robot.undriven.chain()
     _refuse_noted(*held.values(), delay, *chain.gravity, *Model(chain).parameters)
     names = chain.coordinates

@@ -6,7 +6,7 @@ What lowers a data sheet uses these in place of ``float``, ``math.f`` and the fu
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Hashable, Iterable, Sequence
 from functools import lru_cache, wraps
 from typing import Any, Literal, TypeVar, cast
 
@@ -38,9 +38,13 @@ class _Arguments:
         self.key = tuple(map(self._own, arguments))
 
     def _own(self, x: Any) -> Any:
-        if isinstance(x, (tuple, BaseModel)):
+        if isinstance(x, (tuple, list, BaseModel)):
             return type(x), *map(self._own, x)
-        return (Noted, id(x.tape), x.node) if type(x) is Noted else x
+        if isinstance(x, dict):
+            return dict, *map(self._own, x.items())
+        if type(x) is Noted:
+            return Noted, id(x.tape), x.node
+        return x if isinstance(x, Hashable) else id(x)
 
     def __hash__(self) -> int:
         return hash(self.key)
