@@ -36,7 +36,8 @@ if TYPE_CHECKING:
     from tmodes.io.sheet_check import changed_robot, real_robot, sheet_from_data
     from tmodes.kinds.outside import use
     from tmodes.model.model import Model
-    from tmodes.simulation.linear import designed_block, run_feedback
+    from tmodes.simulation.design import designed_block
+    from tmodes.simulation.linear import run_feedback
     from tmodes.simulation.outputs import robot_outputs as outputs
     from tmodes.simulation.sampled_controller import Measurement
     from tmodes.simulation.vary.parameters import parameters_of as parameters
@@ -143,7 +144,7 @@ _UPWARD = {
     "chain_issues": "tmodes.chain.checks.chain_issues",
     "changed_robot": "tmodes.io.sheet_check.changed_robot",
     "evaluated_study": "tmodes.study.evaluate.evaluated",
-    "designed_block": "tmodes.simulation.linear.designed_block",
+    "designed_block": "tmodes.simulation.design.designed_block",
     "lowered_chain": "tmodes.chain.lowering.lowered",
     "real_robot": "tmodes.io.sheet_check.real_robot",
     "run_feedback": "tmodes.simulation.linear.run_feedback",

@@ -14,7 +14,7 @@ import tmodes
 from contracts.test_blocks import LINK, SHAPED, constant, law, matrices, spong
 from tmodes.errors import InputError, InputErrors
 from tmodes.kinds.controllers.loop_shaping import LoopShaping, robust, tustin, unsampled
-from tmodes.simulation.linear import linear_plant
+from tmodes.simulation.design import linear_plant
 
 System = tuple[Any, Any, Any, Any]
 

@@ -23,6 +23,7 @@ from command import tmodes as command
 from contracts.test_blocks import LQR, PD, constant, law, spong
 from random_sheets import random_sheet
 from tmodes.analysis.margins import step_duration, step_values
+from tmodes.analysis.margins import loop_margins
 from tmodes.errors import InputError
 from tmodes.io.sheet_check import sheet_data
 from tmodes.kinds.controllers.discrete import zero_order_hold
@@ -232,10 +233,8 @@ def test_fewer_states() -> None:
 
 def test_margins_of_a_double_integrator_with_lead() -> None:
     """k (s + 1)/s^2: phase margin in closed form, no gain margin; a delay that eats the phase."""
-    from tmodes.analysis.margins import margins
-
-    found = margins(lambda f: 2 * (2j * np.pi * np.atleast_1d(f) + 1) / (2j * np.pi * np.atleast_1d(f)) ** 2,
-                     np.geomspace(1e-3, 1e3, 400), True)  # fmt: skip
+    double = np.array([[0.0, 1.0], [0.0, 0.0]]), np.array([[0.0], [1.0]]), np.array([[2.0, 2.0]]), np.zeros((1, 1))
+    found = loop_margins(*double, None)
     crossing = np.sqrt(2 + np.sqrt(8))
     assert 2 * np.pi * found.phase_frequency == pytest.approx(crossing, rel=1e-8)
     assert found.phase == pytest.approx(np.arctan(crossing), rel=1e-8)

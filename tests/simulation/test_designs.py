@@ -72,7 +72,7 @@ def test_equations_of_the_same_name_make_another_design() -> None:
 
 
 def test_a_law_that_changes_what_it_is_given_changes_no_other() -> None:
-    from tmodes.simulation.linear import linear_plant
+    from tmodes.simulation.design import linear_plant
 
     robot = under_lqg()
     first = linear_plant(robot, ("encoder",), ("joint",))

@@ -9,7 +9,10 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["Margins", "margins", "response", "step_duration", "step_values", "transmission_zeros"]
+__all__ = [
+    "Margins", "frequencies", "loop_margins", "points", "response", "step_duration", "step_values",
+    "transmission_zeros",
+]  # fmt: skip
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -17,6 +20,9 @@ Complex = NDArray[np.complex128]
 
 _FAR = 1e6
 """A zero beyond so many times the fastest pole is one of the rounding of the matrices, at infinity."""
+
+_REAL = 1e-6
+"""Share of a response that may be imaginary where it crosses the real axis."""
 
 _NULL = 1e-6
 """Rate [1/s] of a motion that neither grows nor decays."""
@@ -37,6 +43,20 @@ class Margins(NamedTuple):
     delay: float
     disk: float
     stable: bool
+
+    @property
+    def words(self) -> str:
+        """Those that are finite, with their frequencies."""
+        if not self.stable:
+            return "unstable"
+        shown = []
+        if np.isfinite(self.gain):
+            shown.append(f"gain {20 * np.log10(self.gain):.3g} dB at {self.gain_frequency:.3g} Hz")
+        if np.isfinite(self.phase):
+            shown.append(f"phase {np.degrees(self.phase):.3g}° at {self.phase_frequency:.3g} Hz")
+        if np.isfinite(self.delay):
+            shown.append(f"delay {1e3 * self.delay:.3g} ms")
+        return ", ".join([*shown, f"disk {self.disk:.2g}"])
 
 
 def response(A: Array, B: Array, C: Array, D: Array, points: Complex) -> Complex:
@@ -86,15 +106,42 @@ def step_values(A: Array, B: Array, C: Array, D: Array, count: int, step: float,
     return values
 
 
-def margins(loop: Callable[[Any], Complex], grid: Array, stable: bool) -> Margins:
-    """Of a loop over frequencies [Hz]; crossings are found on ``grid`` and sharpened."""
+def frequencies(poles: Complex, period: float | None, count: int = 400) -> Array:
+    """Frequencies [Hz] (n,) of a response: from below the slowest pole to above the fastest, at those in between."""
+    with np.errstate(divide="ignore", invalid="ignore"):  # a pole at 0 of a delay
+        sizes = np.abs(np.log(poles) / period) if period else np.abs(poles)
+    sizes = sizes[(sizes > _NULL) & np.isfinite(sizes)] / (2 * np.pi)
+    low, high = (sizes.min() / 10, sizes.max() * 10) if len(sizes) else (0.01, 100.0)
+    high = min(high, 0.5 / period) if period else high
+    return np.unique(np.append(np.geomspace(min(low, high / 10), high, count), sizes[(sizes > low) & (sizes < high)]))
+
+
+def points(at: Array, period: float | None) -> Complex:
+    """Frequencies [Hz] on the imaginary axis, or on the unit circle of a sampled system."""
+    turns = 2j * np.pi * at
+    return np.asarray(np.exp(turns * period) if period else turns, dtype=np.complex128)
+
+
+def loop_margins(A: Array, B: Array, C: Array, D: Array, period: float | None) -> Margins:
+    """Of a loop of one input and output that negative feedback closes; infinite where there is none.
+
+    Crossings are found on a fine grid of frequencies and sharpened by bisection.
+    """
+    poles = np.linalg.eigvals(A - B @ C / (1 + D[0, 0]))
+    stable = bool((np.abs(poles) < 1).all() if period else (poles.real < 0).all())
+    grid = frequencies(np.linalg.eigvals(A).astype(complex), period)
+    return _margins(lambda f: response(A, B, C, D, points(np.atleast_1d(f), period))[:, 0, 0], grid, stable)
+
+
+def _margins(loop: Callable[[Any], Complex], grid: Array, stable: bool) -> Margins:
     from scipy.optimize import minimize_scalar
 
     fine = np.unique(np.concatenate([np.linspace(a, b, 9) for a, b in pairwise(grid)]))
     values = loop(fine)
     real = _crossings(lambda f: loop(f).imag, fine, values.imag)
     unit = _crossings(lambda f: np.abs(loop(f)) - 1, fine, np.abs(values) - 1)
-    gains = [(1 / abs(loop(f)[0]), f) for f in real if loop(f)[0].real < 0]
+    crossed = [(complex(loop(f)[0]), f) for f in real]  # at a pole without damping the sign changes at infinity
+    gains = [(1 / abs(one), f) for one, f in crossed if one.real < 0 and abs(one.imag) < _REAL * abs(one) < 1]
     phases = [(float(np.angle(-loop(f)[0])), f) for f in unit]
     gain = min(gains, key=lambda one: abs(np.log(one[0])), default=(np.inf, np.nan))
     phase = min(phases, key=lambda one: abs(one[0]), default=(np.inf, np.nan))

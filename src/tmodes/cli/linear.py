@@ -29,6 +29,9 @@ def linear(
         typer.Option(metavar="NAME,...", help="Names of `tmodes outputs`, and sensors. Without: all driven joints."),
     ] = None,
     closed: Annotated[bool, typer.Option("--closed", help="Under the controllers of the sheet.")] = False,
+    loop: Annotated[
+        str | None, typer.Option(metavar="JOINT", help="The loop of this drive, opened at its command: its margins.")
+    ] = None,
     period: Annotated[float | None, typer.Option(help="Sampled with a zero-order hold every so many seconds.")] = None,
     delay: Annotated[float, typer.Option(help="From a sample to its input [s], of any length.")] = 0.0,
     at: PoseOption = None,
@@ -52,8 +55,8 @@ def linear(
     """Linearization about the equilibrium: poles, zeros, and A, B, C, D for other tools.
 
     x' = A x + B u, y = C x + D u by exact derivatives of the equations, about the equilibrium at the first commands, or
-    --at a pose; the closed loop under the sheet's controllers with --closed. Zeros in the right half-plane
-    (non-minimum phase) are named: such an output first moves the wrong way.
+    --at a pose; under the sheet's controllers with --closed, then with the margins of the loop of each drive. Zeros in
+    the right half-plane (non-minimum phase) are named: such an output first moves the wrong way.
 
     Example: tmodes linear two_link_arm --inputs elbow.torque --outputs tip.acceleration.z,elbow.position
     """
@@ -63,8 +66,8 @@ def linear(
     sheet = chosen_sheet(robot, settings, roots=root, trust_paths=trust_paths, fix_inertia=fix_inertia)
     with working("preparing") as tell:
         found = linearize(
-            sheet, at=at, time=time, inputs=inputs, outputs=outputs or (), closed=closed, period=period, delay=delay,
-            uncertain=uncertain, cases=cases, seed=seed, progress=tell,
+            sheet, at=at, time=time, inputs=inputs, outputs=outputs or (), closed=closed, loop=loop, period=period,
+            delay=delay, uncertain=uncertain, cases=cases, seed=seed, progress=tell,
         )  # fmt: skip
         if figure is not None:
             write_files(None, found, figure, overwrite=overwrite, chart=chart)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
@@ -14,6 +14,7 @@ from tmodes.io.words import count_of
 if TYPE_CHECKING:
     from xarray import Dataset
 
+    from tmodes.analysis.margins import Margins
     from tmodes.io.states import ChainStates, States
     from tmodes.model.model import Model
     from tmodes.sheet import Robot
@@ -39,11 +40,12 @@ def check(robot: Robot) -> Check:
     real = robot.pair().real
     refuse_wrong_stops(real)
     coordinates = Model(real.chain()).coordinates
-    return Check(robot, tuple(coordinates), [*notices_about(robot), *consequences(robot), *_starting(robot)])
+    starting, loops = _starting(robot)
+    return Check(robot, tuple(coordinates), [*notices_about(robot), *consequences(robot), *starting], loops)
 
 
-def _starting(robot: Robot) -> list[str]:
-    """Why the robot cannot run as it stands, or that its start is no equilibrium."""
+def _starting(robot: Robot) -> tuple[list[str], dict[str, Margins]]:
+    """Why the robot cannot run as it stands, or that its start is no equilibrium; margins of sampled loops by drive."""
     from tmodes.result.run import ready_to_run
     from tmodes.simulation.initial_state import run_setup
     from tmodes.simulation.warnings import departures
@@ -51,17 +53,24 @@ def _starting(robot: Robot) -> list[str]:
     try:
         setup = run_setup(ready_to_run(robot).pair().real)
     except (InputError, SimulationError) as error:
-        return [f"`tmodes run` needs more: {error}"]
-    return [*departures(setup, setup.first_row)]
+        return [f"`tmodes run` needs more: {error}"], {}
+    found = [*departures(setup, setup.first_row)]
+    if not setup.planned.plan.is_sampled:
+        return found, {}
+    from tmodes.simulation.drive_loops import loop_warnings, sampled_margins
+
+    loops = sampled_margins(setup)
+    return [*found, *loop_warnings(setup, loops)], loops
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Check(CommandResult):
-    """A valid sheet; ``found``: what looks implausible in it."""
+    """A valid sheet; ``found``: what looks implausible in it; ``loops``: margins of sampled controllers by drive."""
 
     robot: Robot = field(repr=False)
     coordinates: tuple[str, ...]
     found: Sequence[str] = ()
+    loops: Mapping[str, Margins] = field(default_factory=dict)
 
     @property
     def warnings(self) -> list[str]:
@@ -80,6 +89,7 @@ class Check(CommandResult):
             "ok": True, "name": robot.name, "kind": robot.kind, "equations": robot.equations,
             "contact": robot.contact is not None, "coordinates": list(self.coordinates), "drives": self.driven,
             "notes": robot.held_notices, "warnings": self.warnings,
+            "loops": {name: one._asdict() for name, one in self.loops.items()},
         }  # fmt: skip
 
     @property
@@ -109,6 +119,7 @@ class Check(CommandResult):
         counts += [count_of(len(self.coordinates), "coordinate"), count_of(len(self.driven), "drive")]
         contact = "contact on" if robot.contact else "contact off" if robot.contact_off else "no contact"
         yield f"{robot.name}: valid ({', '.join([*counts, contact, f'equations: {robot.equations}'])})"
+        yield from (f"loop of drive {name}: {one.words}" for name, one in self.loops.items())
         yield from (f"note: {note}" for note in robot.held_notices)
         yield from (f"warning: {warning}" for warning in self.warnings)
 

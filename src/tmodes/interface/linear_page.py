@@ -10,16 +10,35 @@ from typing import Any
 
 import numpy as np
 
+from tmodes.errors import InputError
 from tmodes.io.atomic import check_writable
 from tmodes.io.printed import Table, pretty
 from tmodes.report.plots import Axis, Curve, Page, Plot, write_plots
 
-__all__ = ["write_page"]
+__all__ = ["chart_of", "write_page"]
 
 _SPREAD = 30.0
 """Largest over smallest pole beyond which the map of poles is logarithmic."""
 _MOST_PAIRS = 12
 """Inputs times outputs of which a page shows the responses; of more the first ones."""
+
+
+def chart_of(found: Any, chart: str, ax: Any) -> list[Any]:
+    """A chart of this model; raises :class:`tmodes.errors.InputError` for an unknown name."""
+    from tmodes.plot import commands
+
+    if chart == "bode":
+        family = found.family_response() if found.family else None
+        return commands.bode(found.frequency_response(), family=family, title=found.name, ax=ax)
+    if chart == "nyquist":
+        return commands.nyquist(found.frequency_response(), title=found.name, ax=ax)
+    if chart != "step":
+        hint = "tmodes linear FILE --chart nyquist"
+        raise InputError("chart", f"`{chart}`", "bode, nyquist or step", hint)
+    steps, units = found.step_response(), found.system.units
+    lines = {f"{source} to {name} [{units.get(name, '')}]": (steps.time, steps.sel(input=source, output=name))
+             for source in found.inputs for name in found.outputs}  # fmt: skip
+    return commands.points(lines, "time [s]", "after a step of 1", title=found.name, ax=ax, line="-", marks=False)
 
 
 def write_page(found: Any, path: Path) -> Path:

@@ -10,10 +10,13 @@ import numpy as np
 
 from tmodes.io.words import count_of
 
-__all__ = ["POLES", "ZEROS", "heading", "lost_modes", "pole_rows", "sentence", "stability", "zero_rows"]
+__all__ = [
+    "LOOPS", "POLES", "ZEROS", "heading", "loop_rows", "lost_modes", "pole_rows", "sentence", "stability", "zero_rows",
+]  # fmt: skip
 
 POLES = ("real [1/s]", "imaginary [1/s]", "natural [Hz]", "damping ratio", "mostly")
 ZEROS = ("from", "to", "zeros [1/s]", "phase")
+LOOPS = ("drive", "gain [dB]", "at [Hz]", "phase [deg]", "at [Hz]", "delay [ms]", "disk", "closed")
 
 _NULL, _ROUNDING = 1e-9, 1e-9
 """Growth that is none; size of a pole, over the largest, that is 0."""
@@ -55,6 +58,17 @@ def pole_rows(found: Any) -> list[list[str]]:
     """A row for each real pole and each pair, the slowest first."""
     return [[f"{rate.real:.5g}", f"{rate.imag:.5g}", f"{abs(rate) / (2 * pi):.5g}",
              f"{-rate.real / abs(rate):.4f}" if rate else "-", state] for rate, state in _rates(found)]  # fmt: skip
+
+
+def loop_rows(found: Any) -> list[list[str]]:
+    """Margins of each loop of a closed one: what its gain, phase and delay may change by; the disk margin."""
+    rows = []
+    for name, loop in found.loops.items():
+        own = loop.margins()
+        sizes = 20 * np.log10(own.gain), own.gain_frequency, degrees(own.phase), own.phase_frequency, 1e3 * own.delay
+        shown = [f"{one:.4g}" if isfinite(one) else "-" for one in sizes]
+        rows.append([name, *shown, f"{own.disk:.3g}", "stable" if own.stable else "unstable"])
+    return rows
 
 
 def lost_modes(found: Any) -> Iterator[str]:
@@ -113,12 +127,8 @@ def _ringing(rate: complex, state: str) -> str:
 def _margins(found: Any) -> str:
     """Of the loop that negative feedback from the output to the input closes."""
     known = found.margins()
-    if not known.stable:
-        return "under unit negative feedback unstable"
-    shown = []
-    if isfinite(known.gain):
-        shown.append(f"gain {20 * np.log10(known.gain):.3g} dB at {known.gain_frequency:.3g} Hz")
-    if isfinite(known.phase):
-        shown.append(f"phase {degrees(known.phase):.3g}° at {known.phase_frequency:.3g} Hz")
-    shown.append(f"disk {known.disk:.2g}")
-    return f"margins under unit negative feedback: {', '.join(shown)}"
+    return (
+        f"margins under unit negative feedback: {known.words}"
+        if known.stable
+        else "under unit negative feedback unstable"
+    )

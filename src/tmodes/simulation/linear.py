@@ -8,11 +8,9 @@ of the outputs of its table. Sampled loops: K. J. Astrom, B. Wittenmark, Compute
 
 from __future__ import annotations
 
-import copy
 from collections.abc import Container, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from functools import partial
 from math import comb
 from typing import TYPE_CHECKING, Any
 
@@ -24,15 +22,11 @@ from tmodes.analysis.modes.modes import smooth_matrices, without_dry_friction
 from tmodes.analysis.rigid import nominal_of
 from tmodes.analysis.statics.at_rest import robot_rest
 from tmodes.analysis.statics.equilibrium import Equilibrium
-from tmodes.equations.lagrange.registry import SYSTEMS
 from tmodes.equations.loop.control_kernels import Winding
 from tmodes.errors import InputError
 from tmodes.kinds.controllers.discrete import held_late, zero_order_hold
-from tmodes.kinds.controllers.registry import LinearPlant
-from tmodes.kinds.noted.functions import kept, number
 from tmodes.kinds.noted.number import Lost, is_noted
 from tmodes.kinds.signals.registry import constant_signal
-from tmodes.model.model import Model
 from tmodes.model.passes import derivatives, evaluate
 from tmodes.sheet.parts import Command, LoadFrame, LoadSheet
 from tmodes.simulation.initial_state import RunSetup, run_setup, run_trajectory
@@ -40,20 +34,12 @@ from tmodes.simulation.loop import LoopModel
 from tmodes.simulation.plan import Planned, planned
 
 if TYPE_CHECKING:
-    from tmodes.kinds.controllers.registry import Block
     from tmodes.sheet import Robot
-    from tmodes.sheet.parts import DriveSheet
 
 __all__ = [
-    "StateSpace",
-    "all_inputs",
-    "closed_loop",
-    "delayed",
-    "designed_block",
-    "growth",
-    "open_loop",
-    "run_feedback",
-]
+    "Instant", "StateSpace", "all_inputs", "closed_loop", "delayed", "growth", "instants", "open_loop", "opened",
+    "refuse_noted", "row_at", "run_feedback", "sampled_slopes", "start_of",
+]  # fmt: skip
 
 Array = NDArray[np.float64]
 
@@ -88,7 +74,7 @@ class StateSpace:
     period: float | None = None
 
 
-class _Instant:
+class Instant:
     """Exact derivatives at one state and row of a plan."""
 
     def __init__(
@@ -174,9 +160,9 @@ def open_loop(
     bare = robot if contact else robot.model_copy(update={"contact": None})
     pushed, loads = _with_loads(opened(bare), inputs)
     plan = planned(pushed)
-    _refuse_noted(*plan.plan.drives[0].numbers if plan.plan.drives else ())
-    row = plan.first_row.copy() if time is None else _row_at(plan, time)
-    at = _Instant(plan, np.zeros(0), row, _columns(pushed, plan, inputs, loads, closed=False))
+    refuse_noted(*plan.plan.drives[0].numbers if plan.plan.drives else ())
+    row = plan.first_row.copy() if time is None else row_at(plan, time)
+    at = Instant(plan, np.zeros(0), row, _columns(pushed, plan, inputs, loads, closed=False))
     names = at.model.coordinates
     at.state[: len(names)] = [named[name] for name in names]
     for driver in at.model.loop.drivers:
@@ -192,7 +178,7 @@ def open_loop(
 
 def _moving(setup: RunSetup, time: float) -> tuple[dict[str, float], dict[str, float]]:
     """Rates, currents and commands by name at a time [s] of a run; and the coordinates [rad, m]."""
-    state, row = _state_at(setup, time), _row_at(setup.planned, time)
+    state, row = _state_at(setup, time), row_at(setup.planned, time)
     model, layout, names = setup.model, setup.model.layout, setup.model.coordinates
     pushed = model.observe([time], state, row)["drives"][0]
     found = {f"{name}'": value for name, value in zip(names, state[layout.v], strict=True)}
@@ -202,7 +188,7 @@ def _moving(setup: RunSetup, time: float) -> tuple[dict[str, float], dict[str, f
     return found, dict(zip(names, state[layout.q], strict=True))
 
 
-def _push(at: _Instant, moving: Mapping[str, float]) -> None:
+def _push(at: Instant, moving: Mapping[str, float]) -> None:
     """Set rates, currents and commands to those of an instant."""
     layout, plan = at.model.layout, at.plan.plan
     at.state[layout.v] = [moving[f"{name}'"] for name in at.model.coordinates]
@@ -217,7 +203,7 @@ def _state_at(setup: RunSetup, time: float) -> Array:
     return run_trajectory(setup, until=time).states[-1] if time > 0 else setup.start.copy()
 
 
-def _row_at(plan: Planned, time: float) -> Array:
+def row_at(plan: Planned, time: float) -> Array:
     """The row of the signals at a time [s], as polynomials about it."""
     row, width = plan.schedule.rows_at(np.array([time]))[0].copy(), plan.plan.degree + 1
     pieces, late = row[1:].reshape(-1, width), time - row[0]
@@ -227,12 +213,12 @@ def _row_at(plan: Planned, time: float) -> Array:
     return row
 
 
-def _hold(at: _Instant) -> None:
+def _hold(at: Instant) -> None:
     """Set the commands of all drives, and currents, to what holds the robot where it is: rates are affine in them."""
     plan, layout, n = at.plan.plan, at.model.layout, len(at.model.coordinates)
     width = plan.degree + 1
     free = [drive for drive in plan.drives if drive.servo]
-    every = _Instant(at.plan, at.state, at.row, [(one.joint, 1 + one.signal * width) for one in free], at.model)
+    every = Instant(at.plan, at.state, at.row, [(one.joint, 1 + one.signal * width) for one in free], at.model)
     by_state, by_push = every.slopes(every.model.loop.rate, "rate", np.zeros(0))
     currents = np.arange(layout.currents.start, layout.currents.stop)
     rows = np.append(np.arange(n, 2 * n), currents)
@@ -252,12 +238,17 @@ def closed_loop(robot: Robot, inputs: Sequence[str], outputs: Sequence[str], tim
     """
     pushed, loads = _with_loads(robot, inputs)
     setup = run_setup(pushed)
-    plan, state, row = setup.planned, setup.start.copy(), setup.planned.first_row.copy()
-    if time is not None:
-        state, row = _state_at(setup.chosen(), time), _row_at(plan, time)
-    at = _Instant(plan, state, row, _columns(pushed, plan, inputs, loads, closed=True))
+    plan = setup.planned
+    at = Instant(plan, *start_of(setup, time), _columns(pushed, plan, inputs, loads, closed=True))
     found = at.found(outputs)
     return _sampled(at, found) if plan.plan.is_sampled else found
+
+
+def start_of(setup: RunSetup, time: float | None) -> tuple[Array, Array]:
+    """State and row at the start of a run, or at a ``time`` [s] of it."""
+    if time is None:
+        return setup.start.copy(), setup.first_row.copy()
+    return _state_at(setup.chosen(), time), row_at(setup.planned, time)
 
 
 def growth(setup: RunSetup) -> float:
@@ -265,13 +256,13 @@ def growth(setup: RunSetup) -> float:
 
     Dry friction that sticks is left out.
     """
-    at = _Instant(setup.planned, setup.start.copy(), setup.first_row.copy(), (), setup.model)
+    at = Instant(setup.planned, setup.start.copy(), setup.first_row.copy(), (), setup.model)
     found = _sampled(at, at.found(()))
     size = float(np.abs(np.linalg.eigvals(found.A)).max(initial=0.0))
     return float(np.log(size) / (found.period or 1.0)) if size > 1 + _GROWS else 0.0
 
 
-def _sampled(at: _Instant, found: StateSpace) -> StateSpace:
+def _sampled(at: Instant, found: StateSpace) -> StateSpace:
     """The system from one start of the common period of all samples to the next."""
     (n, m), (whole, samples) = found.B.shape, _samples(at)
     phi, gamma = np.eye(n), np.zeros((n, m))
@@ -283,15 +274,24 @@ def _sampled(at: _Instant, found: StateSpace) -> StateSpace:
     return replace(found, A=phi, B=gamma, C=C, D=D, period=whole)
 
 
-def _samples(at: _Instant) -> tuple[float, list[tuple[float, Array, Array]]]:
+def _samples(at: Instant) -> tuple[float, list[tuple[float, Array, Array]]]:
     """The common period [s] of all samples; of each instant the time to the next, and the state after it as below."""
+    whole, found = instants(at)
+    return whole, [(length, *sampled_slopes(at, due)) for length, due in found]
+
+
+def instants(at: Instant) -> tuple[float, list[tuple[float, Container[int]]]]:
+    """The common period [s] of all samples; of each instant the time to the next, and which clocks are due.
+
+    Goes on to the state after the first samples of all.
+    """
     exact = [[Fraction(t).limit_denominator(10**9) for t in (one.period, one.after)] for _, one in at.plan.clocks]
-    whole, instants = common_period([(period, shift) for period, shift in exact])
+    whole, found = common_period([(period, shift) for period, shift in exact])
     at.sample(_due(at, range(len(exact))))
-    return whole, [(length, *_after(at, due)) for length, due in instants]
+    return whole, [*found]
 
 
-def _after(at: _Instant, due: Container[int]) -> tuple[Array, Array]:
+def sampled_slopes(at: Instant, due: Container[int]) -> tuple[Array, Array]:
     """The state after the samples that are due, by the one before and by the inputs."""
     by_state, by_input = at.slopes(at.model.loop.sampled, "state", np.zeros(0), _due(at, due))
     return by_state[at.kept], by_input[at.kept]
@@ -314,7 +314,7 @@ def run_feedback(robot: Robot, rest: Equilibrium) -> Feedback:
         for driver in (one for one in setup.model.loop.drivers if one.plan.joint in motions):
             place = 1 + driver.plan.signal * width
             row[place : place + width] = [state[layout.q][driver.coordinate], *[0.0] * (width - 1)]
-    at, n = _Instant(setup.planned, state, row, ()), len(names)
+    at, n = Instant(setup.planned, state, row, ()), len(names)
     A, _ = (one[at.kept] for one in at.slopes(at.model.loop.rate, "rate", np.zeros(0)))
     own = [names.index(name) for name in rest.model.coordinates]
     order = [*own, *(n + k for k in own), *range(2 * n, len(A))]
@@ -329,13 +329,16 @@ def run_feedback(robot: Robot, rest: Equilibrium) -> Feedback:
         return found
     samples = [(length, by_state[ordered][2 * n :]) for length, by_state, _ in _samples(at)[1]]
     following = [by for _, by in samples[1:] + samples[:1]]
-    every, held = _after(at, range(len(setup.planned.clocks)))[0][ordered][2 * n :], np.zeros((len(A) - 2 * n, n))
+    every, held = (
+        sampled_slopes(at, range(len(setup.planned.clocks)))[0][ordered][2 * n :],
+        np.zeros((len(A) - 2 * n, n)),
+    )
     for _ in range(1 + setup.planned.plan.most_kept):
         held = every[:, :n] + every[:, 2 * n :] @ held
     return replace(found, samples=tuple(zip([length for length, _ in samples], following, strict=True)), held=held)
 
 
-def _due(at: _Instant, due: Container[int]) -> Array:
+def _due(at: Instant, due: Container[int]) -> Array:
     """The row at an instant at which some of the samples are due."""
     row, width = at.row.copy(), at.plan.plan.degree + 1
     for index, (signal, _) in enumerate(at.plan.clocks):
@@ -417,78 +420,7 @@ def _known(robot: Robot, plan: Planned, *, closed: bool) -> Iterator[tuple[str, 
                 yield f"{drive.joint}.setpoint_rate", place + 1
 
 
-def _refuse_noted(*values: object) -> None:
+def refuse_noted(*values: object) -> None:
     """Gains follow from an eigenvalue problem, which a program of noted numbers does not hold."""
     if noted := [one for one in values if is_noted(one)]:
         raise Lost("gains that are designed from the robot", noted[0])
-
-
-def linear_plant(
-    robot: Robot, reads: tuple[str, ...], drives: tuple[str, ...], *, start: bool = False, delay: float = 0.0
-) -> LinearPlant:
-    """The robot about its rest at the last setpoints, or the first (``start``), under the commands of ``drives``.
-
-    ``reads``: outputs and sensors by name; sensors without samples and noise. The commands act ``delay`` [s] late.
-    """
-    held = {drive.joint: _setpoint(robot, drive, start=start) for drive in robot.drives if drive.command.is_motion}
-    return copy.deepcopy(_plant(_read(robot), _Aside(robot), reads, drives, held, delay))
-
-
-def designed_block(robot: Robot, block: Block, drives: tuple[str, ...], delay: float) -> Block:
-    """A block designed for a robot as known; once for all whose numbers that count are the same.
-
-    Raises :class:`tmodes.errors.InputError` where there is no design.
-    """
-    ends = [[_setpoint(robot, one, start=start) for one in robot.drives if one.command.is_motion]
-            for start in (True, False)]  # fmt: skip
-    return _block(_read(robot), _Aside(robot), block, drives, ends, delay)
-
-
-@kept
-def _block(read: Any, aside: _Aside, block: Block, drives: tuple[str, ...], ends: Any, delay: float) -> Block:
-    del read, ends
-    return block.designed(partial(linear_plant, aside.robot, delay=delay), drives)
-
-
-def _read(robot: Robot) -> tuple[Any, ...]:
-    """What a linear form reads of a robot, besides setpoints."""
-    fields = tuple((name, value) for name, value in opened(robot) if name not in ("real", "task", "integration"))
-    return *fields, SYSTEMS.get(robot.equations)
-
-
-class _Aside:
-    """An argument that changes nothing in the answer."""
-
-    def __init__(self, robot: Robot) -> None:
-        self.robot = robot
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, _Aside)
-
-    def __hash__(self) -> int:
-        return 0
-
-
-@kept
-def _plant(
-    read: Any, aside: _Aside, reads: tuple[str, ...], drives: tuple[str, ...], held: Mapping[str, Any], delay: float
-) -> LinearPlant:
-    del read
-    robot = aside.robot
-    chain = robot.undriven.chain()
-    _refuse_noted(*held.values(), delay, *chain.gravity, *Model(chain).parameters)
-    names = chain.coordinates
-    motors = {f"{joint}.motor" if f"{joint}.motor" in names else joint: value for joint, value in held.items()}
-    commands = {drive.joint: drive.command for drive in opened(robot).drives}
-    found = open_loop(robot, [f"{joint}.{commands[joint]}" for joint in drives], reads, held=motors)
-    size = 2 * len(names) + sum(name.endswith(".current") for name in found.states)
-    part = slice(0, size)
-    return LinearPlant(
-        found.states[part], drives, reads, found.A[part, part], found.B[part], found.C[:, part], found.D,
-        found.x0[part], found.u0, found.y0, delay,
-    )  # fmt: skip
-
-
-def _setpoint(robot: Robot, drive: DriveSheet, *, start: bool) -> float:
-    duration = robot.integration.duration
-    return number(drive.signal.schedule(duration).at(0.0 if start else duration))

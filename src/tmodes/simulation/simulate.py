@@ -159,14 +159,10 @@ def _growing(setups: _Setups) -> list[str]:
     found = [warning for name, setup in known for warning in growth_warnings(setup.spectrum, name, _CAUSES)]
     for block in setups.real.planned.plan.blocks:
         found += [f"control block `{block.name}`: {remark}" for remark in block.law.block.remarks()]
-    if setups.real.robot.control and setups.real.planned.plan.is_sampled and not setups.real.callback:
-        from tmodes.simulation.linear import growth
+    if setups.real.planned.plan.is_sampled:
+        from tmodes.simulation.drive_loops import loop_warnings, sampled_margins
 
-        if rate := growth(setups.real):
-            found.append(
-                f"the actual robot is unstable under its sampled controllers about its start: a motion grows at "
-                f"{rate:.4g} 1/s; lower the gains, sample more often, or shorten the delay"
-            )
+        found += loop_warnings(setups.real, sampled_margins(setups.real))
     return found
 
 
