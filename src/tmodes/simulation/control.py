@@ -13,6 +13,7 @@ from tmodes.equations.loop.outputs import Outputs
 from tmodes.equations.loop.plan import BlockPlan, LoopParts, LoopPlan
 from tmodes.errors import InputError
 from tmodes.kinds.noted.functions import number
+from tmodes.kinds.noted.number import follow_no
 from tmodes.kinds.signals.registry import Clock, constant_signal, sampled_noise
 from tmodes.sheet.network import Node, network, node_of
 
@@ -140,6 +141,7 @@ def _designed(robot: Robot, node: Node) -> Node:
     known = nominal_of(robot)
     designs = vars(known).setdefault("designs", {})
     if node.name not in designs:
+        follow_no(f"gains of `{node.name}` that are designed before the run", vars(node.block), node.sheet.delay)
         try:
             plant = partial(linear_plant, known, delay=node.sheet.delay + node.block.lag)
             designs[node.name] = node.block.designed(plant, node.sheet.drives)

@@ -27,7 +27,7 @@ from tmodes.errors import InputError
 from tmodes.kinds.controllers.discrete import held_late, zero_order_hold
 from tmodes.kinds.controllers.registry import LinearPlant
 from tmodes.kinds.noted.functions import number
-from tmodes.kinds.noted.number import Lost, is_noted
+from tmodes.kinds.noted.number import follow_no
 from tmodes.kinds.signals.registry import constant_signal
 from tmodes.model.model import Model
 from tmodes.model.passes import derivatives, evaluate
@@ -157,7 +157,7 @@ def open_loop(
     bare = robot if contact else robot.model_copy(update={"contact": None})
     pushed, loads = _with_loads(opened(bare), inputs)
     plan = planned(pushed)
-    _refuse_noted(*plan.plan.drives[0].numbers if plan.plan.drives else ())
+    follow_no("gains that are designed from the robot", plan.plan.drives[0].numbers if plan.plan.drives else ())
     row = plan.first_row.copy() if time is None else _row_at(plan, time)
     at = _Instant(plan, np.zeros(0), row, _columns(pushed, plan, inputs, loads, closed=False))
     names = at.model.coordinates
@@ -400,12 +400,6 @@ def _known(robot: Robot, plan: Planned, *, closed: bool) -> Iterator[tuple[str, 
                 yield f"{drive.joint}.setpoint_rate", place + 1
 
 
-def _refuse_noted(*values: object) -> None:
-    """Gains follow from an eigenvalue problem, which a program of noted numbers does not hold."""
-    if noted := [one for one in values if is_noted(one)]:
-        raise Lost("gains that are designed from the robot", noted[0])
-
-
 def linear_plant(
     robot: Robot, reads: tuple[str, ...], drives: tuple[str, ...], *, start: bool = False, delay: float = 0.0
 ) -> LinearPlant:
@@ -415,7 +409,7 @@ def linear_plant(
     """
     held = {drive.joint: _setpoint(robot, drive, start=start) for drive in robot.drives if drive.command.is_motion}
     chain = robot.undriven.chain()
-    _refuse_noted(*held.values(), delay, *chain.gravity, *Model(chain).parameters)
+    follow_no("gains that are designed from the robot", held, delay, chain.gravity, Model(chain).parameters)
     names = chain.coordinates
     motors = {f"{joint}.motor" if f"{joint}.motor" in names else joint: value for joint, value in held.items()}
     commands = {drive.joint: drive.command for drive in opened(robot).drives}
