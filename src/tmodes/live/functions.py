@@ -99,11 +99,13 @@ def live_module(functions: ModelFunctions, methods: Sequence[str], *, slopes: bo
 
     Loops: ``reference.METHOD`` (where there is a nominal run) and ``real.METHOD``. Samples: ``observe`` and ``rate``
     of both as of :class:`tmodes.simulation.loop.LoopModel`, ``switched`` where something sticks, ``sampled`` where a
-    sampled output is late, ``settles`` where the rates at rest (:attr:`tmodes.equations.loop.plan.LoopPlan.settles`) are others; ``rest.rate``,
-    whose accelerations vanish at rest, where ``held`` coordinates stand by themselves; ``inertia``, ``elastic`` as of
+    sampled output is late, ``settles`` where the rates at rest
+    (:attr:`tmodes.equations.loop.plan.LoopPlan.settles`) are others; ``rest.rate``, whose accelerations vanish at
+    rest, where ``held`` coordinates stand by themselves; ``inertia``, ``elastic`` as of
     :class:`tmodes.model.passes.ChainPasses`; for a page, whose ``observe`` gives what it shows alone, ``points`` of
-    ``inertia``, and ``tip``: where the first of them is; ``pose``: motion of every station (24 numbers each: rotation,
-    position, velocity, rate, accelerations), link by link; ``loaded``: the forces of ``inertia`` with wrenches on the
+    ``inertia``, and ``tip``: where the first of them is; ``pose``: motion of every station (24 numbers each:
+    rotation, position, velocity, rate, accelerations), link by link; ``loaded``: the forces of ``inertia`` with
+    wrenches on the
     points, where any act; ``elastic.slopes``: the forces of ``elastic`` with their derivatives; for a page
     ``servos.slopes``: those of :class:`tmodes.analysis.modes.closed_loop.Servos`, where there are any.
     """

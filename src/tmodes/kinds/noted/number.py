@@ -228,7 +228,7 @@ def plain_value(x: Any) -> float:
 
 
 def follow_no(what: str, *values: Any) -> None:
-    """Raise :class:`Lost` where any of ``values``, of lists, arrays or mappings too, is noted: no program holds that."""
+    """Raise :class:`Lost` where any of ``values``, of lists and mappings too, is noted: no program holds that."""
     if found := [*_noted_in(values)]:
         raise Lost(what, sum(found))
 
