@@ -22,8 +22,7 @@ import tmodes
 from command import tmodes as command
 from contracts.test_blocks import LQR, PD, constant, law, spong
 from random_sheets import random_sheet
-from tmodes.analysis.margins import step_duration, step_values
-from tmodes.analysis.margins import loop_margins
+from tmodes.analysis.margins import loop_margins, step_duration, step_values
 from tmodes.errors import InputError
 from tmodes.io.sheet_check import sheet_data
 from tmodes.kinds.controllers.discrete import zero_order_hold

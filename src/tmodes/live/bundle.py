@@ -17,7 +17,7 @@ from tmodes.integrate.implicit import EXTRAPOLATION
 from tmodes.integrate.registry import AUTO, integrator
 from tmodes.live.functions import ModelFunctions, engine_settings, live_module
 from tmodes.live.knobs import Ahead
-from tmodes.live.map import LiveMap, Progress, live_map
+from tmodes.live.map import LiveMap, Progress, live_map, origin
 from tmodes.live.numbers import follow_of
 from tmodes.live.places import (
     after_rules,
@@ -34,7 +34,6 @@ from tmodes.result import Result
 from tmodes.result.end_modes import held_at
 from tmodes.result.settling import continuing
 from tmodes.result.verdict import PHRASES
-from tmodes.robots import names
 from tmodes.sheet import Robot, RobotPair
 from tmodes.simulation.balance import frozen
 from tmodes.simulation.closed_start import uncontrolled
@@ -110,7 +109,7 @@ def _common(result: Result, pair: RobotPair, live: LiveMap, method: str) -> dict
         "map": live.info(),
         "settings": engine_settings(settings.chosen(method)) | {"method": method, "note": _note(result, method)},
         "times": times,
-        "origin": name if (name := result.robot.name) in names() else f"{name}.yaml",
+        "origin": origin(result.robot.name),
         "frames": _frames(times, settings.output_step),
         "sheet": sheet_template(pair.nominal, live),
     }
@@ -230,7 +229,8 @@ def _run(setup: RunSetup) -> dict[str, Any]:
 def _balance(setup: RunSetup) -> dict[str, Any] | None:
     """By which function of a run, and of which numbers of the state, its start in balance is found; None for no other.
 
-    ``places``: pairs of where the states of that function and those of the run hold the same.
+    ``places``: pairs of where the states of that function and those of the run hold the same. ``samples``: after how
+    many in that balance all late outputs are those of it, given at once, which the signals ``late`` say.
     """
     balance = closed_balance(setup)
     if balance is None or (setup.off and uncontrolled(setup.model)):
@@ -246,6 +246,8 @@ def _balance(setup: RunSetup) -> dict[str, Any] | None:
         "equations": balance.equations[counts].tolist(),
         "weighs": tangent.weighs[counts],
         "noise": setup.planned.noises,
+        "samples": kept + 1 if (kept := setup.planned.plan.most_kept) else 0,
+        "late": [late for _, late in setup.planned.plan.clocks if late >= 0],
     }
 
 

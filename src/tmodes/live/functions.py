@@ -98,12 +98,14 @@ def live_module(functions: ModelFunctions, methods: Sequence[str], *, slopes: bo
     """All functions of a robot; ``slopes``: ``rest.rate`` gives its derivatives too, half as much code again.
 
     Loops: ``reference.METHOD`` (where there is a nominal run) and ``real.METHOD``. Samples: ``observe`` and ``rate``
-    of both as of :class:`tmodes.simulation.loop.LoopModel`, ``switched`` where something sticks, ``settles`` where the
-    rates at rest (:attr:`tmodes.equations.loop.plan.LoopPlan.settles`) are others; ``rest.rate``,
-    whose accelerations vanish at rest, where ``held`` coordinates stand by themselves; ``inertia``, ``elastic`` as of
+    of both as of :class:`tmodes.simulation.loop.LoopModel`, ``switched`` where something sticks, ``sampled`` where a
+    sampled output is late, ``settles`` where the rates at rest
+    (:attr:`tmodes.equations.loop.plan.LoopPlan.settles`) are others; ``rest.rate``, whose accelerations vanish at
+    rest, where ``held`` coordinates stand by themselves; ``inertia``, ``elastic`` as of
     :class:`tmodes.model.passes.ChainPasses`; for a page, whose ``observe`` gives what it shows alone, ``points`` of
-    ``inertia``, and ``tip``: where the first of them is; ``pose``: motion of every station (24 numbers each: rotation,
-    position, velocity, rate, accelerations), link by link; ``loaded``: the forces of ``inertia`` with wrenches on the
+    ``inertia``, and ``tip``: where the first of them is; ``pose``: motion of every station (24 numbers each:
+    rotation, position, velocity, rate, accelerations), link by link; ``loaded``: the forces of ``inertia`` with
+    wrenches on the
     points, where any act; ``elastic.slopes``: the forces of ``elastic`` with their derivatives; for a page
     ``servos.slopes``: those of :class:`tmodes.analysis.modes.closed_loop.Servos`, where there are any.
     """
@@ -117,10 +119,11 @@ def live_module(functions: ModelFunctions, methods: Sequence[str], *, slopes: bo
         sizes = {"size": loop.layout.size, "row": loop.plan.row_size, "parameters": loop.rate.parameters}
         for method in methods:
             made.loop(f"{name}.{method}", _loop(f"{name}.{method}", loop, method), **sizes)
-        for label in ("observe", "rate", *("switched",) * bool(loop.modes)):
+        for label in ("observe", "rate", *("switched",) * bool(loop.modes), *("sampled",) * bool(loop.plan.most_kept)):
             schedule = getattr(loop, label)
             if label == "observe" and functions.lines:
-                schedule = schedule.only(_SHOWN[name])
+                more = ("controls",) if name == "real" and loop.plan.is_sampled else ()  # as they are after samples
+                schedule = schedule.only(_SHOWN[name] + more)
             made.schedule(f"{name}.{label}", schedule_samples(f"{name}.{label}", schedule), schedule)
         if settles := functions.settles(name):
             made.schedule(f"{name}.settles", schedule_samples(f"{name}.settles", settles), settles)

@@ -26,11 +26,12 @@ from tmodes.live.numbers import follow_of, has_reference, run_numbers, whole_mov
 from tmodes.live.sheet_numbers import sample_lists
 from tmodes.live.sliders import Slider, sliders_of
 from tmodes.model.parameters import Structural
+from tmodes.robots import names
 from tmodes.sheet import Robot, RobotPair
 from tmodes.simulation.loop import Blocks, whole
 from tmodes.simulation.vary.programs import CaseProgram, case_program
 
-__all__ = ["LiveMap", "Progress", "live_map"]
+__all__ = ["LiveMap", "Progress", "live_map", "origin"]
 
 Array = NDArray[np.float64]
 Progress = Callable[[str, float], None]
@@ -46,6 +47,7 @@ _NOT_COMPARED = (
 _DRAGS = "of a surface that stands still: a robot that a moving one drags starts otherwise; change it by --set"
 _FOLLOWS = "it follows from other numbers, as in the format that the robot is imported from"
 _SAMPLES = "samples of a signal; change them in the data sheet"
+_DESIGNED = "gains of {} are designed from them before the run, or they are structure: `tmodes run {} --set PATH=VALUE`"
 _STRUCTURE = "structure: another value takes other equations; change it by --set"
 
 
@@ -197,6 +199,11 @@ def live_map(
     return found
 
 
+def origin(name: str) -> str:
+    """What commands are given for a robot of this name: a published one, or its file."""
+    return name if name in names() else f"{name}.yaml"
+
+
 def _noted(every: LiveMap, pair: RobotPair, stations: tuple[float, ...]) -> LiveMap:
     """With the program of the numbers of a pair, and the sliders that it follows."""
     nominal, until = pair.nominal, whole_moves(pair.nominal, _LONGEST_MOVE)
@@ -209,7 +216,8 @@ def _noted(every: LiveMap, pair: RobotPair, stations: tuple[float, ...]) -> Live
             found |= {f"{run} {name}": values for name, values in numbers.items()}
         return found
 
-    structure = _STRUCTURE
+    laws = [f"`{one.name}`" for one in nominal.control if one.block.is_designed]
+    structure = _DESIGNED.format(", ".join(laws), origin(nominal.name)) if laws else _STRUCTURE
     try:
         noted = case_program(nominal, every.sheet, lambda both: both, blocks)
     except Structural as error:

@@ -12,6 +12,7 @@ from tmodes.equations.loop.outputs import Outputs
 from tmodes.equations.loop.plan import BlockPlan, LoopParts, LoopPlan
 from tmodes.errors import InputError
 from tmodes.kinds.noted.functions import number
+from tmodes.kinds.noted.number import follow_no
 from tmodes.kinds.signals.registry import Clock, constant_signal, sampled_noise
 from tmodes.sheet.network import Node, network, node_of
 
@@ -144,6 +145,7 @@ def _designed(robot: Robot, node: Node) -> Node:
     known = nominal_of(robot)
     found = vars(known).setdefault("designs", {})
     if node.name not in found:
+        follow_no(f"gains of `{node.name}` that are designed before the run", vars(node.block), node.sheet.delay)
         try:
             late = node.sheet.delay + node.block.lag
             found[node.name] = designed_block(known, node.block, node.sheet.drives, late)

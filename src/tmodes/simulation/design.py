@@ -10,8 +10,9 @@ from typing import TYPE_CHECKING, Any
 from tmodes.equations.lagrange.registry import SYSTEMS
 from tmodes.kinds.controllers.registry import LinearPlant
 from tmodes.kinds.noted.functions import kept, number
+from tmodes.kinds.noted.number import follow_no
 from tmodes.model.model import Model
-from tmodes.simulation.linear import open_loop, opened, refuse_noted
+from tmodes.simulation.linear import open_loop, opened
 
 if TYPE_CHECKING:
     from tmodes.kinds.controllers.registry import Block
@@ -74,7 +75,7 @@ def _plant(
     del read
     robot = aside.robot
     chain = robot.undriven.chain()
-    refuse_noted(*held.values(), delay, *chain.gravity, *Model(chain).parameters)
+    follow_no("gains that are designed from the robot", held, delay, chain.gravity, Model(chain).parameters)
     names = chain.coordinates
     motors = {f"{joint}.motor" if f"{joint}.motor" in names else joint: value for joint, value in held.items()}
     commands = {drive.joint: drive.command for drive in opened(robot).drives}

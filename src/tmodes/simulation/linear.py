@@ -25,7 +25,7 @@ from tmodes.analysis.statics.equilibrium import Equilibrium
 from tmodes.equations.loop.control_kernels import Winding
 from tmodes.errors import InputError
 from tmodes.kinds.controllers.discrete import held_late, zero_order_hold
-from tmodes.kinds.noted.number import Lost, is_noted
+from tmodes.kinds.noted.number import follow_no
 from tmodes.kinds.signals.registry import constant_signal
 from tmodes.model.passes import derivatives, evaluate
 from tmodes.sheet.parts import Command, LoadFrame, LoadSheet
@@ -38,7 +38,7 @@ if TYPE_CHECKING:
 
 __all__ = [
     "Instant", "StateSpace", "all_inputs", "closed_loop", "delayed", "growth", "instants", "open_loop", "opened",
-    "refuse_noted", "row_at", "run_feedback", "sampled_slopes", "start_of",
+    "row_at", "run_feedback", "sampled_slopes", "start_of",
 ]  # fmt: skip
 
 Array = NDArray[np.float64]
@@ -160,7 +160,7 @@ def open_loop(
     bare = robot if contact else robot.model_copy(update={"contact": None})
     pushed, loads = _with_loads(opened(bare), inputs)
     plan = planned(pushed)
-    refuse_noted(*plan.plan.drives[0].numbers if plan.plan.drives else ())
+    follow_no("gains that are designed from the robot", plan.plan.drives[0].numbers if plan.plan.drives else ())
     row = plan.first_row.copy() if time is None else row_at(plan, time)
     at = Instant(plan, np.zeros(0), row, _columns(pushed, plan, inputs, loads, closed=False))
     names = at.model.coordinates
@@ -418,9 +418,3 @@ def _known(robot: Robot, plan: Planned, *, closed: bool) -> Iterator[tuple[str, 
             yield f"{drive.joint}.{'setpoint' if closed else commands[drive.joint]}", place
             if closed and plan.plan.degree:  # the second number of a piece is its rate
                 yield f"{drive.joint}.setpoint_rate", place + 1
-
-
-def refuse_noted(*values: object) -> None:
-    """Gains follow from an eigenvalue problem, which a program of noted numbers does not hold."""
-    if noted := [one for one in values if is_noted(one)]:
-        raise Lost("gains that are designed from the robot", noted[0])

@@ -106,7 +106,15 @@ export function balanced(
     else if (step > SHORTEST) step /= 2;
     else return null;
   }
-  const found = state.slice();
-  for (const [own, place] of info.places) found[place] = here[own];
+  let found = state.slice();
+  const put = () => { for (const [own, place] of info.places) found[place] = here[own]; };
+  put();
+  const row = stillRow(signals, info.noise);
+  for (const k of info.late) row.fill(0, 1 + k * (signals.degree + 1), 1 + (k + 1) * (signals.degree + 1));
+  for (let k = 0; k < info.samples; k += 1) {
+    const inputs = { time: new Float64Array(1), state: found, row, step: new Float64Array(1) };
+    found = engine.sample(`${run}.sampled`, blocks.parameters, inputs, 1).state.slice();
+    put();
+  }
   return found;
 }

@@ -58,6 +58,9 @@ export interface BalanceInfo {
   weighs: Numbers;
   /** Signals that are left out: noise on what controllers see. */
   noise: number[];
+  /** Samples after which late outputs are those of the balance, and the signals that say when these are given. */
+  samples: number;
+  late: number[];
 }
 
 /** How one run of a robot starts: `reported` coordinates by its sheet, `exact` ones by signals (coordinate, signal). */

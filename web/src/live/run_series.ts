@@ -118,7 +118,8 @@ export function seriesOf(engine: Engine, bundle: Bundle, real: Regime, own: Movi
   if (drives && bundle.electric) Object.assign(series, { voltage: drive(1), current: drive(2) });
   const states = range(...real.info.state.controls);
   if (states.length) {
-    const controls = columns(real.run.states.subarray(0, count * width), width, states);
+    const before = columns(real.run.states.subarray(0, count * width), width, states);
+    const controls = model.controls ?? before; // after the samples of each instant, where there are any
     series.controller_states = shaped(controls, count, states.length);
   }
   if (bundle.contactPoint < 0) return series;

@@ -10,7 +10,7 @@ import numpy as np
 if TYPE_CHECKING:
     from tmodes.kinds.controllers.contract import LinearPlant
 
-__all__ = ["Mode", "held_late", "lost_modes", "named_modes", "unreached", "unseen", "zero_order_hold"]
+__all__ = ["Mode", "arriving", "held_late", "lost_modes", "named_modes", "unreached", "unseen", "zero_order_hold"]
 
 _LOST = 1e-9
 """Share of an input in a mode below which it does not reach it."""
@@ -35,10 +35,7 @@ def held_late(A: Any, B: Any, C: Any, D: Any, period: float, delay: float) -> tu
 
     Exact for any delay: x[k+1] = Ad x[k] + Ga u[k-n-1] + Gb u[k-n] with delay = (n + f) T; states x, u[k-1], ...
     """
-    whole = int(np.floor(delay / period + 1e-9))
-    part = delay - whole * period
-    part = 0.0 if part < 1e-9 * period else part
-    n, m = B.shape
+    (n, m), (whole, part) = B.shape, _parts(period, delay)
     Ad, _ = zero_order_hold(A, B, period)
     late, early = zero_order_hold(A, B, period - part)
     Ga = late @ zero_order_hold(A, B, part)[1] if part else np.zeros((n, m))
@@ -58,6 +55,24 @@ def held_late(A: Any, B: Any, C: Any, D: Any, period: float, delay: float) -> tu
     seen = np.hstack([C, np.zeros((len(C), kept * m))])
     seen[:, n + (kept - 1) * m :] = D  # what reaches the outputs at once at a sample is the command in force there
     return found, inputs, seen, np.zeros_like(D)
+
+
+def arriving(A: Any, B: Any, period: float, delay: float) -> tuple[Any, Any]:
+    """E, G of the state E x[k] + G (u[k-1], u[k-2], ...) in which a command finds the system, ``delay`` [s] late."""
+    (whole, part), n = _parts(period, delay), len(A)
+    E, each = zero_order_hold(A, B, part)
+    found = [each] if part else []  # by the oldest command first
+    for _ in range(whole):
+        Ad, Bd = zero_order_hold(A, B, period)
+        E, found = Ad @ E, [*(Ad @ one for one in found), Bd]
+    return E, np.hstack([np.zeros((n, 0)), *found[::-1]])
+
+
+def _parts(period: float, delay: float) -> tuple[int, float]:
+    """Whole periods of a delay, and what is left of it [s]."""
+    whole = int(np.floor(delay / period + 1e-9))
+    part = delay - whole * period
+    return whole, 0.0 if part < 1e-9 * period else part
 
 
 class Mode(NamedTuple):

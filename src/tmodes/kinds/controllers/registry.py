@@ -17,7 +17,7 @@ CONTROLLERS.bring(
         "computed_torque": "model_based",
         "feedback_linearisation": "model_based",
         "lqr": "state_space",
-        "lqg": "state_space",
+        "lqg": "lqg",
         "pole_placement": "state_space",
         "loop_shaping": "loop_shaping",
         "notch": "filters",

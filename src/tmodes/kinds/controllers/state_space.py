@@ -1,4 +1,4 @@
-"""Laws designed from the linear robot: LQR, pole placement, LQG from what sensors say.
+"""Laws designed from the linear robot: LQR, pole placement, and what all such laws have in common.
 
 The robot as known is linearised about its rest at the last (or first) setpoints. Deviations from that rest are followed
 with the setpoints: those of a drive's motor and joint move with its signal, all other coordinates are wanted at rest.
@@ -7,7 +7,6 @@ with the setpoints: those of a drive's motor and joint move with its signal, all
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import replace
 from enum import StrEnum
 from typing import Annotated, Any, ClassVar, Literal, NamedTuple, Self
 
@@ -16,12 +15,13 @@ from pydantic import Field
 
 from tmodes.errors import InputError
 from tmodes.kinds.controllers.contract import CONTROLLERS, Controller, LinearPlant, Measured, OwnState
-from tmodes.kinds.controllers.discrete import unreached, unseen, zero_order_hold
+from tmodes.kinds.controllers.discrete import arriving, held_late, unreached, unseen, zero_order_hold
 from tmodes.kinds.kernel import vectors
-from tmodes.kinds.schema.frames import list_of_numbers
 from tmodes.kinds.schema.quantity import LARGEST, Issue, not_negative, positive
 
-__all__ = ["LQG", "LQR", "Design", "DesignedLaw", "PolePlacement", "riccati"]
+__all__ = [
+    "LQR", "Design", "DesignedLaw", "Number", "PolePlacement", "WeightedLaw", "diagonal", "riccati", "weights_by_name",
+]  # fmt: skip
 
 Number = Annotated[float, Field(ge=-LARGEST, le=LARGEST)]
 
@@ -29,14 +29,16 @@ Number = Annotated[float, Field(ge=-LARGEST, le=LARGEST)]
 class Design(NamedTuple):
     """What follows from the robot: ``plant``, and in discrete time ``Ad``, ``Bd``; feedback ``K`` (drives, states).
 
-    The states of ``K`` are followed by the integrals of the drives' errors, where there are any. ``M`` (states,
-    measured): gain of an estimator.
+    The states of ``K`` are followed by the integrals of the drives' errors, where there are any; where the delay is in
+    the design by past commands, the last ones first, which follow the states of ``Ad``, too. ``C``: outputs by states
+    and past commands. ``M`` (states, measured): gain of an estimator.
     """
 
     plant: LinearPlant
     Ad: Any
     Bd: Any
     K: Any
+    C: Any = None
     M: Any = None
 
 
@@ -47,7 +49,8 @@ class At(StrEnum):
     START = "start"
 
 
-def _weights(unit: str, symbol: str, meaning: str) -> Any:
+def weights_by_name(unit: str, symbol: str, meaning: str) -> Any:
+    """A field of numbers by the names of states."""
     extra: Any = {"unit": unit, "symbol": symbol, "smallest": 0.0, "plausible": None}
     return Field(default_factory=dict, description=f"{meaning} [{unit}]", json_schema_extra=extra)
 
@@ -115,9 +118,19 @@ class DesignedLaw(Controller):
 
 
 class _StateSpace(DesignedLaw):
-    """u = u_0 - K (x - x_r) - K_i z, z' = th - r."""
+    """u = u_0 - K (x - x_r) - K_i z, z' = th - r.
+
+    With its delay in the design x and z are those of the instant in which the command acts, predicted exactly by the
+    commands that are on their way: the loop has the poles of one without delay (Z. Artstein, Linear systems with
+    delayed controls: a reduction, IEEE Trans. Autom. Control 27, 1982).
+    """
 
     integral: bool = Field(default=False, description="feed back the integral of each drive's error, too")
+    delay_in_design: bool = Field(default=False, description="know the delay of its commands; sampled laws alone")
+
+    def _issues(self) -> Iterator[Issue]:
+        if self.delay_in_design and self.sample_time is None:
+            yield Issue("delay_in_design", "true", "false without samples", "write `sample_time: 1 ms`, too")
 
     @property
     def gains(self) -> Any:
@@ -126,10 +139,29 @@ class _StateSpace(DesignedLaw):
 
     def _designed(self, linear: LinearPlant) -> Design:
         A, B = _with_integrals(linear, self._own(linear)) if self.integral else (linear.A, linear.B)
-        if self.sample_time is not None:
-            A, B = zero_order_hold(A, B, self.sample_time)
-        n = len(linear.A)
-        return Design(linear, A[:n, :n], B[:n], self._feedback(A, B, linear))
+        return self._late(linear, A, B, self._gain(A, B, linear))
+
+    def _gain(self, A: Any, B: Any, plant: LinearPlant) -> Any:
+        """K without a delay."""
+        sampled = (A, B) if self.sample_time is None else zero_order_hold(A, B, self.sample_time)
+        return self._feedback(*sampled, plant)
+
+    def _late(self, plant: LinearPlant, A: Any, B: Any, K: Any) -> Design:
+        """The design with such gains of the states of ``A``, which begin with the plant's, when its commands act."""
+        n, seen = len(plant.A), np.hstack([plant.C, plant.D])
+        if self.sample_time is None:
+            return Design(plant, plant.A, plant.B, K, seen)
+        delay = plant.delay if self.delay_in_design else 0.0
+        Ad, Bd, C, _ = held_late(plant.A, plant.B, plant.C, plant.D, self.sample_time, delay)
+        if len(Ad) == n:
+            return Design(plant, Ad, Bd, K, seen)
+        return Design(plant, Ad[:n], Bd[:n], K @ np.hstack(arriving(A, B, self.sample_time, delay)), C)
+
+    def remarks(self) -> list[str]:
+        """Those of all designed laws, and a delay that its gains do not know."""
+        late = self.sample_time is not None and self.design.plant.delay > 0 and not self.delay_in_design
+        words = f"its gains do not know that its commands act {1e3 * self.design.plant.delay:g} ms late"
+        return [*super().remarks(), *([f"{words}; `delay_in_design: true` takes that in"] if late else [])]
 
     def _feedback(self, A: Any, B: Any, plant: LinearPlant) -> Any:
         raise NotImplementedError
@@ -158,12 +190,13 @@ class _StateSpace(DesignedLaw):
         rest = self._parts(p)[1]
         return [value - each for value, each in zip([*m.q, *m.v, *m.currents], rest, strict=True)]
 
-    def _fed_back(self, p: Any, m: Measured, deviation: list[Any], integrals: list[Any]) -> list[Any]:
-        """The commands for a deviation from the rest."""
+    def _fed_back(self, p: Any, m: Measured, deviation: list[Any], x: list[Any]) -> list[Any]:
+        """The commands for a deviation from the rest, and own states."""
         effort, _, ends, rows = self._parts(p)
         far = [value - each for value, each in zip(deviation, self._moved(ends, m), strict=True)]
+        more = [*x[: self._sums], *self._past(x)[: self._kept]]
         return [
-            push - vectors.total([k * value for k, value in zip(row, [*far, *integrals], strict=True)])
+            push - vectors.total([k * value for k, value in zip(row, [*far, *more], strict=True)])
             for push, row in zip(effort, rows, strict=True)
         ]
 
@@ -176,18 +209,39 @@ class _StateSpace(DesignedLaw):
     def _sums(self) -> int:
         return len(self.design.plant.drives) if self.integral else 0
 
+    @property
+    def _kept(self) -> int:
+        """How many past commands are fed back."""
+        return np.shape(self.design.K)[1] - len(self.design.plant.states) - self._sums
+
+    @property
+    def _remembered(self) -> int:
+        """How many past commands are the last ones of its states."""
+        return self._kept
+
+    def _past(self, x: list[Any]) -> list[Any]:
+        """The past commands less those at rest, the last ones first."""
+        return x[len(x) - self._remembered :]
+
+    def _given(self, p: Any, m: Measured, x: list[Any]) -> list[Any]:
+        """The commands less those at rest."""
+        return [u - each for u, each in zip(self.command(p, m, x), self._parts(p)[0], strict=True)]
+
     def initial(self) -> tuple[float, ...]:
-        """The integrals."""
-        return (0.0,) * self._sums
+        """The integrals, and past commands less those at rest."""
+        return (0.0,) * (self._sums + self._remembered)
 
     @property
     def states(self) -> tuple[OwnState, ...]:
-        """The integrals of the drives' errors."""
-        return tuple(OwnState(f"{joint}.integral", "rad*s|m*s") for joint in self.design.plant.drives[: self._sums])
+        """The integrals of the drives' errors, and past commands."""
+        drives = self.design.plant.drives
+        integrals = [OwnState(f"{joint}.integral", "rad*s|m*s") for joint in drives[: self._sums]]
+        ages = [f".last{k}" if k > 1 else ".last" for k in range(1, 1 + self._remembered // len(drives))]
+        return (*integrals, *(OwnState(f"{joint}{age}") for age in ages for joint in drives))
 
     def command(self, p: Any, m: Measured, x: list[Any]) -> list[Any]:
         """As above."""
-        return self._fed_back(p, m, self._state(p, m, x), x[: self._sums])
+        return self._fed_back(p, m, self._state(p, m, x), x)
 
     def rates(self, p: Any, m: Measured, x: list[Any]) -> list[Any]:
         """Those of the integrals."""
@@ -195,15 +249,17 @@ class _StateSpace(DesignedLaw):
         return self._errors(m)[: self._sums]
 
     def updates(self, p: Any, m: Measured, x: list[Any]) -> list[Any]:
-        """The integrals after a sample."""
-        del p
-        return [value + (self.sample_time or 0.0) * rate for value, rate in zip(x, self._errors(m), strict=False)]
+        """The integrals after a sample, and the commands."""
+        errors = self._errors(m)[: self._sums]
+        sums = [value + (self.sample_time or 0.0) * rate for value, rate in zip(x, errors, strict=False)]
+        return [*sums, *([*self._given(p, m, x), *self._past(x)][: self._remembered] if self._remembered else [])]
 
     @property
     def structure(self) -> str:
         """The names of its states are part of the code."""
         d = self.design
-        return f"{super().structure} {d.plant.states} {d.plant.drives} {self._sums} {self.sample_time}"
+        sizes = f"{self._sums} {self._remembered} {self._kept} {self.sample_time}"
+        return f"{super().structure} {d.plant.states} {d.plant.drives} {sizes}"
 
 
 def _place(plant: LinearPlant, joint: str) -> int:
@@ -219,12 +275,12 @@ def _with_integrals(plant: LinearPlant, own: list[int]) -> tuple[Any, Any]:
     return A, B
 
 
-class _Weighted(_StateSpace):
+class WeightedLaw(_StateSpace):
     """Gains that minimise the integral (or sum) of x' Q x + u' R u."""
 
     tuned: ClassVar[tuple[str, ...]] = ("state_weights", "integral_weight")
 
-    state_weights: dict[str, Number] = _weights(
+    state_weights: dict[str, Number] = weights_by_name(
         "1", "Q", "weight on the square of a coordinate, or of its rate as `NAME'`; others 0"
     )
     integral_weight: float = not_negative("1", "Qi", "weight on the squares of the integrals", default=1.0)
@@ -262,7 +318,7 @@ def riccati(A: Any, B: Any, Q: Any, R: Any, *, sampled: bool, why: Callable[[], 
 
 
 @CONTROLLERS.register
-class LQR(_Weighted):
+class LQR(WeightedLaw):
     """Linear-quadratic regulator of the measured state (H. Kwakernaak, R. Sivan, Linear Optimal Control Systems)."""
 
     type: Literal["lqr"] = Field(description="kind of controller")
@@ -299,142 +355,3 @@ class PolePlacement(_StateSpace):
             return place_poles(A, B, wanted).gain_matrix  # pyright: ignore[reportAttributeAccessIssue]
         except ValueError as error:
             raise InputError("poles", str(error), "poles that the drives can give", "move them apart") from error
-
-
-class Form(StrEnum):
-    """Whether a command is of the estimate with (filter) or without (predictor) the measurement of its own instant."""
-
-    FILTER = "filter"
-    PREDICTOR = "predictor"
-
-
-@CONTROLLERS.register
-class LQG(_Weighted):
-    """LQR of the state that a Kalman filter estimates from what is measured; sampled.
-
-    x_f = x_p + M (y - C x_p - D u_-), x_p+ = Ad x_f + Bd u, of deviations from the rest (K. J. Astrom, B. Wittenmark,
-    Computer-Controlled Systems, 3rd ed., chapter 11). It sees sensors and outputs by name, never the state. With
-    ``load_noise`` it estimates a constant load on each drive, too, and takes it off the command, which is integral
-    action.
-    """
-
-    type: Literal["lqg"] = Field(description="kind of controller")
-    sample_time: float = positive(  # pyright: ignore[reportIncompatibleVariableOverride]
-        "s", "T", "time between samples", plausible=(1e-5, 1.0)
-    )
-    measured: tuple[str, ...] = Field(
-        strict=False, min_length=1, max_length=200, description="sensors or outputs that it reads"
-    )
-    process_noise: dict[str, Number] = _weights("1", "W", "variance by which a state changes in a sample; others 0")
-    measurement_noise: tuple[Number, ...] = list_of_numbers("SI", "V", "variance of each that is measured; one: of all")
-    load_noise: float = not_negative(
-        "1", "W_d", "variance by which a load on a drive changes in a sample; 0: no loads are estimated", default=0.0
-    )
-    form: Form = Field(default=Form.FILTER, strict=False, description="filter or predictor")
-    estimate: dict[str, Number] = _weights("coordinate", "x_p", "first estimate, as deviation from the rest; others 0")
-
-    def _issues(self) -> Iterator[Issue]:
-        if self.integral:
-            hint = "write `load_noise: 1e-6`, or take `lqr`, which sees the positions themselves"
-            yield Issue("integral", "true", "false: it never sees the position itself", hint)
-
-    @property
-    def reads(self) -> tuple[str, ...]:
-        """What is measured."""
-        return self.measured
-
-    @property
-    def _loads(self) -> int:
-        return len(self.design.plant.drives) if self.load_noise else 0
-
-    def _designed(self, linear: LinearPlant) -> Design:
-        plant, Ad, Bd, K, _ = super()._designed(linear)
-        if self.load_noise:
-            (n, m), names = linear.B.shape, tuple(f"{joint}.load" for joint in linear.drives)
-            plant = replace(
-                linear, states=(*linear.states, *names), rest=np.pad(linear.rest, (0, m)),
-                A=np.block([[linear.A, linear.B], [np.zeros((m, n + m))]]), B=np.pad(linear.B, ((0, m), (0, 0))),
-                C=np.hstack([linear.C, linear.D]),
-            )  # fmt: skip
-            (Ad, Bd), K = zero_order_hold(plant.A, plant.B, self.sample_time), np.hstack([K, np.eye(m)])
-        return Design(plant, Ad, Bd, K, self._observer(plant, Ad, len(linear.states)))
-
-    def _observer(self, plant: LinearPlant, Ad: Any, own: int) -> Any:
-        noise = diagonal(self.process_noise, plant, "process_noise")
-        W = np.diag([*noise[:own], *[self.load_noise] * (len(noise) - own)])
-        given = self.measurement_noise
-        if len(given) not in {1, len(self.measured)} or not all(0 < one <= LARGEST for one in given):
-            got, expected = f"{list(given)}", f"1 or {len(self.measured)} variances above 0"
-            raise InputError("measurement_noise", got, expected, "write the variance of each that is measured")
-        V = np.diag(given if len(given) > 1 else given * len(self.measured))
-        P = riccati(Ad.T, plant.C.T, W, V, sampled=True, why=lambda: unseen(plant))[1]
-        return P @ plant.C.T @ np.linalg.inv(plant.C @ P @ plant.C.T + V)
-
-    def numbers(self) -> tuple[float, ...]:
-        """Those of an LQR, then y at rest, C, D, M, Ad, Bd row by row."""
-        d = self.design
-        rows = [np.asarray(one, dtype=float).ravel() for one in self._matrices(d)]
-        return (*super().numbers(), *np.concatenate(rows))
-
-    @staticmethod
-    def _matrices(d: Design) -> list[Any]:
-        return [np.asarray(d.plant.measured)[:, None], d.plant.C, d.plant.D, d.M, d.Ad, d.Bd]
-
-    def _observing(self, p: Any) -> list[list[list[Any]]]:
-        """Those matrices, as rows of numbers."""
-        at, found = len(super().numbers()), []
-        for matrix in self._matrices(self.design):
-            rows, columns = np.shape(matrix)
-            found.append([[p[at + i * columns + j] for j in range(columns)] for i in range(rows)])
-            at += rows * columns
-        return found
-
-    def initial(self) -> tuple[float, ...]:
-        """Integrals, the estimate, the last commands less those at rest."""
-        first = diagonal(self.estimate, self.design.plant, "estimate")
-        return (*super().initial(), *first, *(0.0,) * len(self.design.plant.drives))
-
-    @property
-    def states(self) -> tuple[OwnState, ...]:
-        """Integrals, the estimate, the last commands less those at rest."""
-        plant = self.design.plant
-        last = tuple(OwnState(f"{joint}.last") for joint in plant.drives)
-        return (*super().states, *(OwnState(f"estimate.{name}") for name in plant.states), *last)
-
-    def _filtered(self, p: Any, m: Measured, x: list[Any]) -> tuple[list[Any], list[Any]]:
-        """The estimate before and after the measurement."""
-        at, plant = self._sums, self.design.plant
-        before, last = x[at : at + len(plant.states)], x[at + len(plant.states) :]
-        rest, C, D, M, _, _ = self._observing(p)
-        new = []
-        for k, name in enumerate(self.measured):
-            predicted = [c * value for c, value in zip(C[k], before, strict=True)]
-            predicted += [d * value for d, value in zip(D[k], last, strict=True)]
-            new.append(m.signals[name] - rest[k][0] - vectors.total(predicted))
-        after = [
-            value + vectors.total([gain * each for gain, each in zip(row, new, strict=True)])
-            for value, row in zip(before, M, strict=True)
-        ]
-        return before, after
-
-    def _state(self, p: Any, m: Measured, x: list[Any]) -> list[Any]:
-        """The estimate."""
-        return self._filtered(p, m, x)[self.form is Form.FILTER]
-
-    def updates(self, p: Any, m: Measured, x: list[Any]) -> list[Any]:
-        """The integrals, the estimate for the next sample, the commands of this one."""
-        effort = self._parts(p)[0]
-        pushed = [u - each for u, each in zip(self.command(p, m, x), effort, strict=True)]
-        _, after = self._filtered(p, m, x)
-        *_, Ad, Bd = self._observing(p)
-        predicted = [
-            vectors.total([*(a * value for a, value in zip(row, after, strict=True)),
-                           *(b * value for b, value in zip(pushes, pushed, strict=True))])
-            for row, pushes in zip(Ad, Bd, strict=True)
-        ]  # fmt: skip
-        return [*super().updates(p, m, x[: self._sums]), *predicted, *pushed]
-
-    @property
-    def structure(self) -> str:
-        """What it reads, and when, is part of the code."""
-        return f"{super().structure} {self.measured} {self.form}"

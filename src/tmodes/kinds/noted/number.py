@@ -9,12 +9,12 @@ from __future__ import annotations
 
 import math
 import operator
-from collections.abc import Callable
+from collections.abc import Callable, Iterator, Mapping
 from typing import Any, NoReturn
 
 import numpy as np
 
-__all__ = ["OPERATIONS", "RELATIONS", "Lost", "Noted", "NotedTape", "is_noted", "plain_value"]
+__all__ = ["OPERATIONS", "RELATIONS", "Lost", "Noted", "NotedTape", "follow_no", "is_noted", "plain_value"]
 
 OPERATIONS: dict[str, Callable[..., Any]] = {
     "add": np.add, "sub": np.subtract, "mul": np.multiply, "div": np.divide, "pow": np.power, "neg": np.negative,
@@ -225,3 +225,17 @@ def is_noted(x: Any) -> bool:
 def plain_value(x: Any) -> float:
     """The value of a number, noted or not, by which nothing may be decided that a program has to follow."""
     return x.value if type(x) is Noted else float(x)
+
+
+def follow_no(what: str, *values: Any) -> None:
+    """Raise :class:`Lost` where any of ``values``, of lists and mappings too, is noted: no program holds that."""
+    if found := [*_noted_in(values)]:
+        raise Lost(what, sum(found))
+
+
+def _noted_in(x: Any) -> Iterator[Noted]:
+    if isinstance(x, (list, tuple, np.ndarray, Mapping)):
+        for item in x.values() if isinstance(x, Mapping) else x:
+            yield from _noted_in(item)
+    elif type(x) is Noted:
+        yield x

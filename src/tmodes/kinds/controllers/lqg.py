@@ -1,0 +1,168 @@
+"""LQG: state feedback of what a Kalman filter estimates from sensors."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+from enum import StrEnum
+from typing import Any, Literal
+
+import numpy as np
+from pydantic import Field
+
+from tmodes.errors import InputError
+from tmodes.kinds.controllers.contract import CONTROLLERS, LinearPlant, Measured, OwnState
+from tmodes.kinds.controllers.discrete import unseen
+from tmodes.kinds.controllers.state_space import (
+    Design,
+    Number,
+    WeightedLaw,
+    diagonal,
+    riccati,
+    weights_by_name,
+)
+from tmodes.kinds.kernel import vectors
+from tmodes.kinds.schema.frames import list_of_numbers
+from tmodes.kinds.schema.quantity import LARGEST, Issue, not_negative, positive
+
+__all__ = ["LQG"]
+
+
+class Form(StrEnum):
+    """Whether a command is of the estimate with (filter) or without (predictor) the measurement of its own instant."""
+
+    FILTER = "filter"
+    PREDICTOR = "predictor"
+
+
+@CONTROLLERS.register
+class LQG(WeightedLaw):
+    """LQR of the state that a Kalman filter estimates from what is measured; sampled.
+
+    x_f = x_p + M (y - C x_p - D u_-), x_p+ = Ad x_f + Bd u, of deviations from the rest (K. J. Astrom, B. Wittenmark,
+    Computer-Controlled Systems, 3rd ed., chapter 11); with its delay in the design of the commands as they act. It sees
+    sensors and outputs by name, never the state. With ``load_noise`` it estimates a constant load on each drive, too,
+    and takes it off the command, which is integral action.
+    """
+
+    type: Literal["lqg"] = Field(description="kind of controller")
+    sample_time: float = positive(  # pyright: ignore[reportIncompatibleVariableOverride]
+        "s", "T", "time between samples", plausible=(1e-5, 1.0)
+    )
+    measured: tuple[str, ...] = Field(
+        strict=False, min_length=1, max_length=200, description="sensors or outputs that it reads"
+    )
+    process_noise: dict[str, Number] = weights_by_name(
+        "1", "W", "variance by which a state changes in a sample; others 0"
+    )
+    measurement_noise: tuple[Number, ...] = list_of_numbers("SI", "V", "variance of each that is measured; one: of all")
+    load_noise: float = not_negative(
+        "1", "W_d", "variance by which a load on a drive changes in a sample; 0: no loads are estimated", default=0.0
+    )
+    form: Form = Field(default=Form.FILTER, strict=False, description="filter or predictor")
+    estimate: dict[str, Number] = weights_by_name(
+        "coordinate", "x_p", "first estimate, as deviation from the rest; others 0"
+    )
+
+    def _issues(self) -> Iterator[Issue]:
+        if self.integral:
+            hint = "write `load_noise: 1e-6`, or take `lqr`, which sees the positions themselves"
+            yield Issue("integral", "true", "false: it never sees the position itself", hint)
+        yield from super()._issues()
+
+    @property
+    def reads(self) -> tuple[str, ...]:
+        """What is measured."""
+        return self.measured
+
+    @property
+    def _loads(self) -> int:
+        return len(self.design.plant.drives) if self.load_noise else 0
+
+    def _designed(self, linear: LinearPlant) -> Design:
+        plant, K = linear, self._gain(linear.A, linear.B, linear)
+        if self.load_noise:
+            (n, m), names = linear.B.shape, tuple(f"{joint}.load" for joint in linear.drives)
+            plant = replace(
+                linear, states=(*linear.states, *names), rest=np.pad(linear.rest, (0, m)),
+                A=np.block([[linear.A, linear.B], [np.zeros((m, n + m))]]), B=np.pad(linear.B, ((0, m), (0, 0))),
+                C=np.hstack([linear.C, linear.D]),
+            )  # fmt: skip
+            K = np.hstack([K, np.eye(m)])
+        found = self._late(plant, plant.A, plant.B, K)
+        return found._replace(M=self._observer(plant, found.Ad[:, : len(plant.states)], len(linear.states)))
+
+    def _observer(self, plant: LinearPlant, Ad: Any, own: int) -> Any:
+        noise = diagonal(self.process_noise, plant, "process_noise")
+        W = np.diag([*noise[:own], *[self.load_noise] * (len(noise) - own)])
+        given = self.measurement_noise
+        if len(given) not in {1, len(self.measured)} or not all(0 < one <= LARGEST for one in given):
+            got, expected = f"{list(given)}", f"1 or {len(self.measured)} variances above 0"
+            raise InputError("measurement_noise", got, expected, "write the variance of each that is measured")
+        V = np.diag(given if len(given) > 1 else given * len(self.measured))
+        P = riccati(Ad.T, plant.C.T, W, V, sampled=True, why=lambda: unseen(plant))[1]
+        return P @ plant.C.T @ np.linalg.inv(plant.C @ P @ plant.C.T + V)
+
+    def numbers(self) -> tuple[float, ...]:
+        """Those of an LQR, then y at rest, C, M, Ad, Bd row by row."""
+        d = self.design
+        rows = [np.asarray(one, dtype=float).ravel() for one in self._matrices(d)]
+        return (*super().numbers(), *np.concatenate(rows))
+
+    @staticmethod
+    def _matrices(d: Design) -> list[Any]:
+        return [np.asarray(d.plant.measured)[:, None], d.C, d.M, d.Ad, d.Bd]
+
+    def _observing(self, p: Any) -> list[list[list[Any]]]:
+        """Those matrices, as rows of numbers."""
+        at, found = len(super().numbers()), []
+        for matrix in self._matrices(self.design):
+            rows, columns = np.shape(matrix)
+            found.append([[p[at + i * columns + j] for j in range(columns)] for i in range(rows)])
+            at += rows * columns
+        return found
+
+    @property
+    def _remembered(self) -> int:
+        return max(self._kept, len(self.design.plant.drives))
+
+    def initial(self) -> tuple[float, ...]:
+        """The estimate, and past commands less those at rest."""
+        return (*diagonal(self.estimate, self.design.plant, "estimate"), *super().initial())
+
+    @property
+    def states(self) -> tuple[OwnState, ...]:
+        """The estimate, and past commands less those at rest."""
+        return (*(OwnState(f"estimate.{name}") for name in self.design.plant.states), *super().states)
+
+    def _filtered(self, p: Any, m: Measured, x: list[Any]) -> list[Any]:
+        """The estimate after the measurement."""
+        before, (rest, C, M, *_) = x[: len(self.design.plant.states)], self._observing(p)
+        new = []
+        for k, name in enumerate(self.measured):
+            predicted = [c * value for c, value in zip(C[k], x, strict=False)]
+            new.append(m.signals[name] - rest[k][0] - vectors.total(predicted))
+        return [
+            value + vectors.total([gain * each for gain, each in zip(row, new, strict=True)])
+            for value, row in zip(before, M, strict=True)
+        ]
+
+    def _state(self, p: Any, m: Measured, x: list[Any]) -> list[Any]:
+        """The estimate."""
+        return self._filtered(p, m, x) if self.form is Form.FILTER else x[: len(self.design.plant.states)]
+
+    def updates(self, p: Any, m: Measured, x: list[Any]) -> list[Any]:
+        """The estimate for the next sample, and the commands of this one."""
+        pushed, past = self._given(p, m, x), self._past(x)
+        after, (*_, Ad, Bd) = [*self._filtered(p, m, x), *past[: self._kept]], self._observing(p)
+        predicted = [
+            vectors.total([*(a * value for a, value in zip(row, after, strict=True)),
+                           *(b * value for b, value in zip(pushes, pushed, strict=True))])
+            for row, pushes in zip(Ad, Bd, strict=True)
+        ]  # fmt: skip
+        return [*predicted, *[*pushed, *past][: self._remembered]]
+
+    @property
+    def structure(self) -> str:
+        """What it reads, and when, is part of the code."""
+        return f"{super().structure} {self.measured} {self.form}"
