@@ -142,7 +142,8 @@ def test_errors_that_are_large_are_estimates() -> None:
 @pytest.mark.parametrize("resolution", [None, 1e-4])
 def test_errors_under_rounded_sensors_are_estimates(resolution: float | None) -> None:
     law = {"type": "lqg", "sample_time": 0.01, "measured": ["teeth"], "measurement_noise": [1e-8],
-           "state_weights": {"joint.motor": 100.0}, "process_noise": {"joint.motor'": 1e-4, "joint'": 1e-4}}  # fmt: skip
+           "state_weights": {"joint.motor": 100.0},
+           "process_noise": {"joint.motor'": 1e-4, "joint'": 1e-4}}  # fmt: skip
     data = sheet_data(tmodes.load("spong1987").with_({"integration.duration": 0.3}))
     drives = [{key: value for key, value in data["drives"][0].items() if key != "controller"}]
     teeth = {"name": "teeth", "type": "encoder", "joint": "joint"} | ({"resolution": resolution} if resolution else {})
