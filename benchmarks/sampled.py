@@ -53,7 +53,7 @@ class Row(NamedTuple):
 
 def plain(name: str, share: float) -> dict[str, Any]:
     """A robot's sheet for two seconds, without dry friction."""
-    data = sheet_data(load(name)) | {"integration": {"duration": 2.0, "output_step": 0.002}}
+    data: dict[str, Any] = {**sheet_data(load(name)), "integration": {"duration": 2.0, "output_step": 0.002}}
     data.pop("initial", None)
     for joint in data["joints"]:
         for one in (joint, joint.get("motor") or {}):
@@ -128,9 +128,9 @@ def rows(name: str, rounds: int) -> Iterator[Row]:
         finer = {"method": used.method, "relative_tolerance": relative, "absolute_tolerance": 1e-2 * relative}
         integration = robot.integration.model_copy(update=finer | {"max_steps": 10**7})
         exact = simulate_motion(robot.model_copy(update={"integration": integration}))
-        least = np.min(times[control], axis=0)
-        counts = done.statistics["steps"], done.statistics["evaluations"]
-        yield Row(name, control, *map(float, least), *counts, float(np.abs(done.q - exact.q).max()))
+        integrating, whole = (float(least) for least in np.min(times[control], axis=0))
+        steps, evaluations = (int(done.statistics[count]) for count in ("steps", "evaluations"))
+        yield Row(name, control, integrating, whole, steps, evaluations, float(np.abs(done.q - exact.q).max()))
 
 
 def main() -> None:

@@ -112,7 +112,8 @@ series are compared over a window of 3 % of the run to each side of its instant.
 
 - `< 2e-9 m` is a bound: {safety:g} times what the second run says. It is meant to hold in 99 % of cases.
 - `≈ 2e-5 m` is an estimate: what the second run says. It stands where a bound would be beyond 1 % of the number's size,
-  where contact or friction changes more often in one of the two runs or more than ten times, or at a fixed step.
+  where contact or friction changes more often in one of the two runs or more than ten times, or at a fixed step, and
+  where control reads sensors with a `resolution`, whose steps both runs may take otherwise than the true motion.
 - `model error` bounds what other models of the flexible links would change ([links.md](links.md)): true values are
   those of runs with two functions more in each direction; of `segments` and `modes`, with four functions of the same
   sections. Every other fresh robot has a bare last link.

@@ -19,6 +19,7 @@ from simulation.test_extrapolation import stiff
 from tmodes.integrate.registry import integrator, integrators
 from tmodes.integrate.settings import Integration
 from tmodes.interface.summary import error_of
+from tmodes.io.sheet_check import sheet_data
 from tmodes.kinds.signals.schedule import MergedSchedule
 from tmodes.report.page import error_table
 from tmodes.result.assemble import ResultAssembly
@@ -136,6 +137,19 @@ def test_errors_that_are_large_are_estimates() -> None:
     assert "tip_m" in info["approximate"]
     assert error_of({"error": info}, "tip_m", 1.0, "m").startswith("≈ ")
     assert "≈\u00a0" in str(error_table(info))
+
+
+@pytest.mark.parametrize("resolution", [None, 1e-4])
+def test_errors_under_rounded_sensors_are_estimates(resolution: float | None) -> None:
+    law = {"type": "lqg", "sample_time": 0.01, "measured": ["teeth"], "measurement_noise": [1e-8],
+           "state_weights": {"joint.motor": 100.0},
+           "process_noise": {"joint.motor'": 1e-4, "joint'": 1e-4}}  # fmt: skip
+    data = sheet_data(tmodes.load("spong1987").with_({"integration.duration": 0.3}))
+    drives = [{key: value for key, value in data["drives"][0].items() if key != "controller"}]
+    teeth = {"name": "teeth", "type": "encoder", "joint": "joint"} | ({"resolution": resolution} if resolution else {})
+    control = [{"name": "law", "drives": ["joint"], "block": law}]
+    info = simulated(Robot.from_data(data | {"drives": drives, "sensors": [teeth], "control": control})).errors
+    assert ("tip_m" in info["approximate"]) == (resolution is not None)
 
 
 def test_errors_of_an_earlier_version_are_estimates() -> None:
