@@ -75,6 +75,7 @@ SIGNALS: dict[str, Sheet] = {
     "septic": MOVE | {"type": "septic", "start_rate": 0.3, "end_rate": -0.2, "start_acceleration": 1.0,
                       "end_acceleration": 2.0, "start_jerk": 3.0, "end_jerk": -5.0},
     "sine_squared": MOVE | {"type": "sine_squared"},
+    "brake": {"type": "brake", "torque": 0.2, "engaged_until": 0.1, "engage_at": 0.3, "release_delay": 0.05},
     "polynomial": MOVE | {"type": "polynomial", "smooth": 4},
     "s_curve": {"type": "s_curve", "start": 0.1, "end": 0.4, "speed": 1.5, "acceleration": 20.0, "jerk": 500.0},
     "trajectory": {"type": "trajectory", "times": [0.02, 0.2, 0.4], "positions": [0.1, 0.3, 0.2],
