@@ -21,7 +21,7 @@ from tmodes.kinds.drives.registry import drive_kind
 from tmodes.kinds.noted.functions import array, number
 from tmodes.kinds.signals.registry import Jolts, MergedSchedule, constant_signal, merge
 from tmodes.kinds.signals.schedule import SignalPieces
-from tmodes.sheet.network import commands_effort
+from tmodes.sheet.network import commander, commands_effort
 from tmodes.sheet.parts import Command, DriveSheet, InitialState, LoadFrame
 from tmodes.simulation.control import Sampling, control_plan, wired_name
 
@@ -222,8 +222,7 @@ def _drive(
     limits = {
         name: getattr(sheet.saturation, name) for name in LIMITS if getattr(sheet.saturation, name, None) is not None
     }
-    blocks = robot.control if command.is_controlled else ()  # a torque that is given instead is no block's
-    command_of = next((each for each in blocks if axis.name in each.drives), None)
+    command_of = commander(robot, axis.name) if command.is_controlled else None  # a torque that is given is no block's
     wire = "" if command_of is None else wired_name(command_of, axis.name)
     needs = sheet.controller and sheet.controller.needs_model
     model = rigid_model(robot, driven_joints(robot)) if needs else None

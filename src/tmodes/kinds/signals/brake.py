@@ -25,8 +25,8 @@ class Brake(Signal):
 
     type: Literal["brake"] = Field(description="kind of signal")
     torque: float = signal_value("T_b", "largest torque of the engaged brake", at_least=0)
-    engaged_until: float | None = signal_time("t_r", "when it is told to release; none: see `engage_at`", default=None)
-    engage_at: float | None = signal_time("t_e", "when it is told to engage; none: never again", default=None)
+    engaged_until: float | None = signal_time("t_r", "when it is to release; none: see `engage_at`", default=None)
+    engage_at: float | None = signal_time("t_e", "when it is to engage; none: never again", default=None)
     release_delay: float = signal_time("t_dr", "from the command until it releases", default=0.0)
     engage_delay: float = signal_time("t_de", "from the command until it engages", default=0.0)
 
@@ -45,7 +45,7 @@ class Brake(Signal):
         if self.engage_at is not None:
             changes.append((self.engage_at + self.engage_delay, self.torque))
         if len(changes) > 1 and not changes[0][0] < changes[1][0]:
-            changes = []  # it is told to engage before it has released
+            changes = []  # it is to engage before it has released
         for time, level in changes:
             if time <= 0:
                 levels = [level]
