@@ -145,6 +145,27 @@ def test_a_block_commands_as_the_same_law_at_the_drive(own: Sheet) -> None:
     assert np.array_equal(at_drive.q, as_block.q)
 
 
+def test_efforts_of_a_block_and_of_the_drive_are_the_same() -> None:
+    """Added to an LQR of two drives, whose commands it takes over, and at the drives: to the bit; in any order."""
+    robot = tmodes.load("two_link_arm", {"integration.duration": 0.2})
+    names = [drive.joint for drive in robot.drives]
+    block: Sheet = {"type": "lqr", "state_weights": {f"{name}.motor": 1e4 for name in names}}
+    control: list[Sheet] = [{"name": "law", "drives": names, "block": block}]
+    signals = [{"type": "quintic", "start": 0.0, "end": 0.3 + k, "duration": 0.1} for k in range(2)]
+    bare = {"control": control, **{f"drives.{k}.controller": None for k in range(2)}}
+    at_drives = tmodes.run(robot.with_(bare | {f"drives.{k}.feed_forward": signals[k] for k in range(2)}))
+    last = {"name": "sum", "drives": names, "block": {
+        "type": "feed_forward", "inputs": [f"law.{name}" for name in names], "signals": signals}}  # fmt: skip
+    for chain in ([*control, last], [last, *control]):
+        found = tmodes.run(robot.with_(bare | {"control": chain}))
+        assert np.array_equal(found.data["q"].values, at_drives.data["q"].values)
+    with pytest.raises(InputErrors, match=r"a drive with one law"):
+        robot.with_(bare | {"control": [*control, last, {**last, "name": "another"}]})
+    other = {"name": "aside", "block": {**last["block"], "signals": signals[::-1]}}
+    with pytest.raises(InputErrors, match=r"on top of the same command"):
+        robot.with_(bare | {"control": [*control, last, other]})
+
+
 EVERYWHERE = {
     "gravity_pd": {"drive": {"controller": {"type": "gravity_pd", "position_gain": 70.0, "velocity_gain": 6.0}}},
     "online": {"drive": {"controller": {"type": "gravity_pd", "position_gain": 70.0, "velocity_gain": 6.0,
@@ -169,6 +190,9 @@ EVERYWHERE = {
     "loop_shaping": {"control": law(SHAPED | {"measured": ["teeth"], "sample_time": 0.01}, delay=0.013),
                      "sensors": [{"type": "encoder", "name": "teeth", "joint": "joint", "resolution": 1e-3}]},
     "loop_shaping, continuous": {"control": law(SHAPED)},
+    "feed_forward": {"control": [*law(LQR), {"name": "sum", "drives": ["joint"], "block": {
+        "type": "feed_forward", "inputs": ["law"], "signals": [
+            {"type": "quintic", "start": 0.0, "end": 6.0, "duration": 0.5}]}}]},
     "timed": {"drive": {"controller": PD, "sample_time": 0.01, "delay": 0.025, "saturation": {"torque": 12.0}}},
     "filters": {"control": [{"name": "raw", "of": "joint", "block": PD},
                             {"name": "lead", "block": {"type": "lead_lag", "input": "raw", "frequency": 8.0,

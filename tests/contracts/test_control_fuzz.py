@@ -29,6 +29,7 @@ LAWS: dict[str, Sheet] = {
     "pole_placement": {"type": "pole_placement", "poles": [[2.0, 0.7], [4.0, 0.7]]},
     "low_pass": {"type": "low_pass", "input": "raw", "frequency": 40.0},
     "lead_lag": {"type": "lead_lag", "input": "raw", "frequency": 40.0, "ratio": 2.0},
+    "feed_forward": {"type": "feed_forward", "inputs": ["raw"], "signals": [{"type": "constant", "value": 1.0}]},
     "disturbance_observer": PD | {"type": "disturbance_observer", "bandwidth": 6.0, "input": "raw"},
 }  # fmt: skip
 MEASURED: dict[str, Sheet] = {

@@ -79,7 +79,8 @@ def lqr():
 
 AT_THE_ROBOT = {"gravity_pd", "computed_torque", "feedback_linearisation", "lqr", "lqg", "pole_placement",
                 "loop_shaping", "notch", "low_pass", "lead_lag", "disturbance_observer",
-                "passivity_based", "singular_perturbation", "impedance", "force"}  # fmt: skip
+                "passivity_based", "singular_perturbation", "impedance", "force",
+                "feed_forward"}  # fmt: skip
 """Members that compute with the robot: see test_blocks.py."""
 PD = {"type": "pd", "position_gain": 80.0, "velocity_gain": 9.0}
 

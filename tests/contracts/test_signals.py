@@ -32,6 +32,7 @@ class Cosine(Signal):
 
 MOVE = {"start": 0.1, "end": 0.4, "duration": 0.5}
 EXAMPLES = {
+    "brake": {"torque": 2.0, "engaged_until": 0.3, "engage_at": 0.6, "release_delay": 0.05},
     "constant": {"value": 0.3},
     "step": {"start": 0.0, "end": 1.0, "time": 0.4},
     "trapezoid": MOVE | {"ramp_fraction": 0.2, "delay": 0.1},

@@ -324,3 +324,21 @@ def test_jumps_of_a_given_motion_give_the_same_impulse_in_the_page(tmp_path: Pat
     for run, result in zip(live_in_node(bundle, values, tmp_path), results, strict=True):
         assert worst_difference(run["series"], result.data, scales(result.data))[0] < 1e-8
         assert np.abs(np.diff(result.data["v"].sel(coordinate="p").values)).max() > 1.0
+
+
+def test_a_brake_stops_a_motor_and_lets_it_go_in_the_page(tmp_path: Path) -> None:
+    """Behind a gear, released and engaged again while the motor moves; of another arm, too."""
+    brake = {"type": "brake", "torque": 30.0, "engaged_until": 0.05, "engage_at": 0.15, "release_delay": 0.01}
+    arm = two_links().with_({"contact": None, "drives.0.brake": brake})
+    first, live = result_of(arm), live_map(arm.pair(), (0.0, 1.0))
+    bundle = live_bundle(first)
+    assert bundle is not None
+    slider = live.sliders[0]
+    weaker = {slider.path: slider.value * 0.9}
+    values = [unchanged(live), [weaker.get(slider.path, slider.value) for slider in live.sliders]]
+    results = [first, result_of(arm.with_(weaker))]
+    for run, result in zip(live_in_node(bundle, values, tmp_path), results, strict=True):
+        assert worst_difference(run["series"], result.data, scales(result.data))[0] < 1e-8
+        still = result.data["v"].sel(coordinate="j0.motor").values == 0.0
+        assert still.any()
+        assert not still.all()

@@ -75,6 +75,7 @@ SIGNALS: dict[str, Sheet] = {
     "septic": MOVE | {"type": "septic", "start_rate": 0.3, "end_rate": -0.2, "start_acceleration": 1.0,
                       "end_acceleration": 2.0, "start_jerk": 3.0, "end_jerk": -5.0},
     "sine_squared": MOVE | {"type": "sine_squared"},
+    "brake": {"type": "brake", "torque": 0.2, "engaged_until": 0.1, "engage_at": 0.3, "release_delay": 0.05},
     "polynomial": MOVE | {"type": "polynomial", "smooth": 4},
     "s_curve": {"type": "s_curve", "start": 0.1, "end": 0.4, "speed": 1.5, "acceleration": 20.0, "jerk": 500.0},
     "trajectory": {"type": "trajectory", "times": [0.02, 0.2, 0.4], "positions": [0.1, 0.3, 0.2],
@@ -114,6 +115,7 @@ BLOCKS: dict[str, Sheet] = {
     "low_pass": {"type": "low_pass", "input": "raw", "frequency": 40.0, "damping": 0.7},
     "disturbance_observer": {"type": "disturbance_observer", "input": "raw", "bandwidth": 9.0, "sample_time": 0.01},
     "lead_lag": {"type": "lead_lag", "input": "raw", "frequency": 9.0, "ratio": 3.0, "sample_time": 0.01},
+    "feed_forward": {"type": "feed_forward", "inputs": ["raw", "raw2"], "signals": [MOVE, SIGNALS["septic"]]},
 }  # fmt: skip
 """Blocks that stand in the section `control`: of two drives, or (gravity_pd, filters) of one each."""
 SAMPLED = {"sample_time": 0.01, "delay": 0.004, "noise": 1e-3, "seed": 3, "bias": 1e-3}
@@ -173,7 +175,8 @@ def controlled(block: Sheet) -> Sheet:
     both = [{"joint": one, "command": "position", "signal": MOVE} for one in ("first", "second")]
     groups = [["first"], ["second"]] if block["type"] == "gravity_pd" or "input" in block else [["first", "second"]]
     control = [{"name": f"law{k}", "drives": group, "block": block} for k, group in enumerate(groups)]
-    control += [{"name": "raw", "of": "first", "block": PD}] if "input" in block else []
+    control += [{"name": "raw", "of": "first", "block": PD}] if {"input", "inputs"} & {*block} else []
+    control += [{"name": "raw2", "of": "second", "block": PD}] if "inputs" in block else []
     return made | {"drives": both, "control": control}
 
 

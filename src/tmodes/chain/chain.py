@@ -40,7 +40,7 @@ class Friction:
     """Friction torque [N*m] (or force [N]) at a rate v: viscous v + (coulomb + extra/(1 + (v/stribeck)^2)) sgn v.
 
     ``smoothing`` > 0: ``sgn v`` is v/sqrt(v^2 + smoothing^2), else that of a set, up to coulomb + extra at rest;
-    ``stribeck_rate`` 0: in motion there is no ``extra``.
+    ``stribeck_rate`` 0: in motion there is no ``extra``. ``braked``: a brake adds to coulomb in a run.
     """
 
     viscous: float = 0.0
@@ -48,11 +48,12 @@ class Friction:
     static_extra: float = 0.0
     stribeck_rate: float = 0.0
     smoothing: float = 0.0
+    braked: bool = False
 
     @property
     def dry(self) -> Dry:
         """The structure of its dry part."""
-        if not (self.coulomb > 0 or self.static_extra > 0):
+        if not (self.coulomb > 0 or self.static_extra > 0 or self.braked):
             return Dry.NONE
         if self.smoothing > 0:
             return Dry.SMOOTH
@@ -184,6 +185,12 @@ class Joint:
         """The same joint without dry friction that is a set at rest."""
         motor = self.motor and replace(self.motor, friction=self.motor.friction.without_sticking())
         return replace(self, motor=motor, friction=self.friction.without_sticking())
+
+    def braked(self) -> Joint:
+        """The same joint with a brake: on its motor, where it has one."""
+        if self.motor is None:
+            return replace(self, friction=replace(self.friction, braked=True))
+        return replace(self, motor=replace(self.motor, friction=replace(self.motor.friction, braked=True)))
 
     def drive_of(self, place: int) -> DriveKind:
         """The kind of drive of one of its coordinates."""

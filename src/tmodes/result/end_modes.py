@@ -42,7 +42,13 @@ def held_at(robot: Robot, end: float, place: dict[str, float]) -> Robot:
 
     drives = [
         one.model_copy(
-            update={"signal": still(one.signal), "feed_forward": still(one.feed_forward), "noise": None, "motion": None}
+            update={
+                "signal": still(one.signal),
+                "feed_forward": still(one.feed_forward),
+                "brake": still(one.brake),
+                "noise": None,
+                "motion": None,
+            }
         )
         for one in robot.drives
     ]

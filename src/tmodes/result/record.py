@@ -164,6 +164,7 @@ _PLACES: dict[str, Registry[Any]] = {
     "drives.*.signal.signals.*.type": SIGNALS,
     "drives.*.noise.type": SIGNALS,
     "drives.*.motion.type": SIGNALS,
+    "drives.*.brake.type": SIGNALS,
     "drives.*.feed_forward.type": SIGNALS,
     "loads.*.signal.type": SIGNALS,
     "base_motion.*.type": SIGNALS,

@@ -10,7 +10,7 @@ from tmodes.kinds.controllers.registry import Block, Port
 from tmodes.kinds.schema.quantity import Issue
 from tmodes.sheet.parts import Command
 
-__all__ = ["Node", "commands_effort", "control_issues", "network", "node_of"]
+__all__ = ["Node", "commander", "commands_effort", "control_issues", "network", "node_of"]
 
 
 class Node(NamedTuple):
@@ -62,6 +62,18 @@ def node_of(sheet: Any, path: str = "") -> Node:
     return Node(sheet.name, path, sheet.block, ports, sheet.joint, sheet)
 
 
+def commander(robot: Any, joint: str) -> Any:
+    """The item of ``control`` that commands a joint's drive: of those in a row the last; None without one."""
+    return next(iter(_commanders(robot, joint)), None)
+
+
+def _commanders(robot: Any, joint: str) -> list[Any]:
+    """Those that command a joint's drive, but for those whose command another one reads in their place."""
+    there = [sheet for sheet in robot.control if joint in sheet.drives]
+    read = {name for sheet in there for name in sheet.block.reads}
+    return [one for one in there if dict(zip(one.drives, node_of(one).signals, strict=False)).get(joint) not in read]
+
+
 def commands_effort(robot: Any, drive: Any) -> bool:
     """Whether the law of a drive, its own or a block with those that it reads, commands its effort."""
     blocks = {signal: node.block for node in _nodes(robot) for signal in node.signals}
@@ -69,18 +81,24 @@ def commands_effort(robot: Any, drive: Any) -> bool:
     def of(block: Block) -> bool:
         return block.commands_effort or any(of(blocks[name]) for name in block.reads if name in blocks)
 
-    law = drive.controller or next((one.block for one in robot.control if drive.joint in one.drives), None)
+    sheet = commander(robot, drive.joint)
+    law = drive.controller or (sheet and sheet.block)
     return law is not None and of(law)
 
 
 def control_issues(robot: Any) -> Iterator[Issue]:
     """What does not fit: names given twice, drives commanded twice or not at all, rings of blocks."""
     seen: set[str] = {joint.name for joint in robot.joints} | {"tip", *(point.name for point in robot.points)}
+    brought: dict[str, Any] = {}
     for node in _nodes(robot):
         if node.name in seen:
             got, expected = f"the name `{node.name}` again", "a name that no joint, point or other block has"
             yield Issue(f"{node.path}.name", got, expected, "rename it")
         seen.add(node.name)
+        for name, signal in node.block.given.items():
+            if brought.setdefault(name, signal) != signal:
+                got, expected = "another signal on top of the same command", "one block that adds to each command"
+                yield Issue(f"{node.path}.block.signals", got, expected, "let it add to the sum of the other block")
     try:
         network(robot)
     except CycleError as error:
@@ -94,14 +112,16 @@ def _commands(robot: Any) -> Iterator[Issue]:
     """Each drive under position control has one law: its own, or a block's."""
     drives = {drive.joint: drive for drive in robot.drives}
     known = f"a joint with a drive: {', '.join(drives) or 'none'}"
-    taken: dict[str, str] = {}
+    taken: set[str] = set()
     for index, sheet in enumerate(robot.control):
         path = f"control.{index}"
         if sheet.of and sheet.of not in drives:
             yield Issue(f"{path}.of", f"`{sheet.of}`", known, "correct the name, or add the drive")
         for k, joint in enumerate(sheet.drives):
-            yield from _command(f"{path}.drives.{k}", joint, drives.get(joint), known, (sheet.name, taken.get(joint)))
-            taken[joint] = sheet.name
+            rivals = _commanders(robot, joint)
+            other = rivals[0].name if sheet in rivals[1:] else None
+            yield from _command(f"{path}.drives.{k}", joint, drives.get(joint), known, (sheet.name, other))
+            taken.add(joint)
         yield from _outputs(path, sheet)
         yield from _gears(path, robot, sheet.block, drives)
     for index, drive in enumerate(robot.drives):

@@ -224,6 +224,9 @@ class DriveSheet(DataSheet):
     feed_forward: Signal | None = Field(
         default=None, description="effort of the motor on top of what the controller commands, joint side [N*m, N]"
     )
+    brake: Signal | None = Field(
+        default=None, description="largest torque of the brake on the motor, or on the joint without one [N*m, N]"
+    )
     saturation: Saturation | None = Field(default=None, description="what the drive can give; none: without limits")
     sample_time: float | None = _sample_time()
     delay: float = _delay()
@@ -242,6 +245,10 @@ class DriveSheet(DataSheet):
             if not taken and getattr(self, name) is not None:
                 got = f"a {name} with the command `{command}`"
                 yield Issue(name, got, "left out", "remove it, or take the command `position`")
+        if self.brake is not None and command is Command.PRESCRIBED:
+            yield Issue(
+                "brake", "a brake", "left out: the motion itself is given", "remove it, or take another command"
+            )
         if self.controller is None and self.sample_time is not None:
             hint = "give them to the block in `control` that commands this drive"
             yield Issue("sample_time", f"{self.sample_time:g} s", "left out: the drive has no controller", hint)

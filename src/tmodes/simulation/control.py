@@ -80,6 +80,8 @@ class _Sources:
             seed, deviation = node.block.noise_of(name)
             noise = sampled_noise(node.block.period or 0.0, self.robot.integration.output_step, deviation, seed)
             self.found[name] = self.signals.add(noise, path)
+        elif name in node.block.given:
+            self.found[name] = self.signals.add(node.block.given[name], f"{path}.signals")
         elif head == "gravity" and last in "xyz":
             value = self.robot.gravity["xyz".index(last)]
             self.found[name] = self.signals.add(constant_signal(value), path)

@@ -21,7 +21,7 @@ from tmodes.kinds.drives.registry import drive_kind
 from tmodes.kinds.noted.functions import array, number
 from tmodes.kinds.signals.registry import Jolts, MergedSchedule, constant_signal, merge
 from tmodes.kinds.signals.schedule import SignalPieces
-from tmodes.sheet.network import commands_effort
+from tmodes.sheet.network import commander, commands_effort
 from tmodes.sheet.parts import Command, DriveSheet, InitialState, LoadFrame
 from tmodes.simulation.control import Sampling, control_plan, wired_name
 
@@ -133,7 +133,8 @@ def planned(
                     (undriven if sheet is None else loose).append(axis.name)
                 drives.append(_drive(robot, axis, index, sheet, signals, follow))
                 kinds[-1] = _kind(axis, drives[-1])
-        joints[node.joint.name] = node.joint.driven_by(*kinds)
+        braked = any(drive.brake >= 0 and drive.joint == axis.name for drive in drives for axis in node.joint.axes)
+        joints[node.joint.name] = (node.joint.braked() if braked else node.joint).driven_by(*kinds)
     nodes = tuple(replace(node, joint=joints.get(node.joint.name, node.joint)) for node in chain.nodes)
     chain = replace(chain, nodes=nodes)
     names = [point.name for point in chain.points]
@@ -214,14 +215,14 @@ def _drive(
         signals.add(one, f"drives.{index}.{name}") if one and command.is_controlled else -1
         for name, one in (("noise", sheet.disturbance), ("feed_forward", sheet.feed_forward))
     )
+    brake = signals.add(sheet.brake, f"drives.{index}.brake") if sheet.brake else -1
     volts = command is Command.VOLTAGE or (command.is_controlled and not commands_effort(robot, sheet))
     driven = winding is not Winding.NONE and volts
     sampling = Sampling.of(sheet.controller, sheet.sample_time, sheet.delay) if sheet.controller else Sampling()
     limits = {
         name: getattr(sheet.saturation, name) for name in LIMITS if getattr(sheet.saturation, name, None) is not None
     }
-    blocks = robot.control if command.is_controlled else ()  # a torque that is given instead is no block's
-    command_of = next((each for each in blocks if axis.name in each.drives), None)
+    command_of = commander(robot, axis.name) if command.is_controlled else None  # a torque that is given is no block's
     wire = "" if command_of is None else wired_name(command_of, axis.name)
     needs = sheet.controller and sheet.controller.needs_model
     model = rigid_model(robot, driven_joints(robot)) if needs else None
@@ -231,7 +232,9 @@ def _drive(
     )  # fmt: skip
     own = servo.numbers(numbers, tuple(limits.values()), sampling.period or 0.0)
     clocks = sampling.clocks(signals, robot.integration.output_step, f"drives.{index}.controller")
-    return DrivePlan(axis.name, signal, servo, winding, own, noise, *clocks, command=wire, motion=motion, feed=feed)
+    return DrivePlan(
+        axis.name, signal, servo, winding, own, noise, *clocks, command=wire, motion=motion, feed=feed, brake=brake
+    )  # fmt: skip
 
 
 def _reads(drive: DrivePlan) -> bool:

@@ -86,29 +86,30 @@ class Powers:
     def _losses_of(self, driver: Driver, inputs: dict[int, tuple[Slot, Slot]]) -> tuple[Slot, Slot | None]:
         """Load on the motor but for its inertia, and the gear's torque; the losses go to the powers."""
         part, none = driver.part, self.none[1]
+        numbers = self.way.braked.get(part.angle, driver.kind_numbers)
         if part.motor in inputs:
-            blocks = (driver.kind_numbers, *inputs[part.motor], *self.way.angle(part))
+            blocks = (numbers, *inputs[part.motor], *self.way.angle(part))
             lost = self._call(driver.kind.coupled_elastic(), *blocks)[2]
             moving = (self.way.motor(part)[1], none, none, self.way.sides(part))
-            own = self._call(driver.kind.coupled_motor(), driver.kind_numbers, *moving)[2]
+            own = self._call(driver.kind.coupled_motor(), numbers, *moving)[2]
             self.powers["friction"] += [lost.part(1, 1), own]
             self.powers["gear_damping"].append(lost.part(0, 1))
             return none, self.recursion.torques[part.motor]
-        blocks = (driver.kind_numbers, *self.way.motor(part), *self.way.angle(part))
+        blocks = (numbers, *self.way.motor(part), *self.way.angle(part))
         forces, _, lost = self._call(driver.kind.elastic(), *blocks)
         self.powers["friction"].append(lost.part(1, 1))
         if part.motor >= 0 or driver.kind.spring:
             self.powers["gear_damping"].append(lost.part(0, 1))
         if part.motor >= 0:
-            return forces.part(1, 1), self._gear_torque(driver, forces)
+            return forces.part(1, 1), self._gear_torque(driver, numbers, forces)
         if part.given < 0:
             return forces.part(0, 1), None
         return self.added(forces.part(0, 1), self.solution.force_along(part)), None
 
-    def _gear_torque(self, driver: Driver, forces: Slot) -> Slot:
+    def _gear_torque(self, driver: Driver, numbers: Slot, forces: Slot) -> Slot:
         """The torque in an elastic gear: the force on the motor less the motor's friction."""
         moving = (self.way.motor(driver.part)[1], self.none[1], self.none[1], self.way.sides(driver.part))
-        motor = self._call(driver.kind.coupled_motor(), driver.kind_numbers, *moving)[1]
+        motor = self._call(driver.kind.coupled_motor(), numbers, *moving)[1]
         return self._call(_difference(), forces.part(1, 1), motor)[0]
 
     def _needed(self, k: int, driver: Driver, load: Slot) -> None:

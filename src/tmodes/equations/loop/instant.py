@@ -15,6 +15,7 @@ from tmodes.equations.loop.serving import Serving
 from tmodes.equations.loop.signals_kernels import base_kernel, load_kernel
 from tmodes.equations.loop.switching import Switching
 from tmodes.equations.mechanics import Dynamics, Way
+from tmodes.equations.recursion.drive_kernels import braked_kernel
 from tmodes.equations.recursion.driven import Drives
 from tmodes.equations.recursion.passes import Blocks
 from tmodes.errors import InputError
@@ -151,7 +152,13 @@ class Instant(Serving):
         base = self.loop.base
         if self.plan.base:
             base = self.call(base_kernel(), base, *(self.signals[k] for k in self.plan.base))[0]
-        return self.loop.mechanics.way(Blocks(self.schedule, q, rates, base), posed=self.posed)
+        way = self.loop.mechanics.way(Blocks(self.schedule, q, rates, base), posed=self.posed)
+        for driver in self.loop.drivers:
+            if driver.plan.brake >= 0:
+                numbers, on_motor = driver.kind_numbers, driver.part.node.joint.motor is not None
+                blocks = (numbers, self.signals[driver.plan.brake])
+                (way.braked[driver.part.angle],) = self.call(braked_kernel(numbers.size, on_motor=on_motor), *blocks)
+        return way
 
     def _start(self, *, apart: bool) -> tuple[Divisible, Slot]:
         """Coordinates and rates that springs start from: an input of implicit steps, else those of the state."""

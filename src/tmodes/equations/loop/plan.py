@@ -44,7 +44,7 @@ class DrivePlan:
     controller sees its wanted value, -1 for none; ``clock``: the signal with the time since its last sample, ``late``:
     since its last delayed output. ``command``: the signal of a block that is its command; empty for its own.
     ``motion``: the signal of what its joint shall do, -1 where that is its setpoint; ``feed``: of the effort that is
-    added to its command, -1 for none.
+    added to its command, -1 for none; ``brake``: of the largest torque of its brake, -1 for none.
     """
 
     joint: str
@@ -58,6 +58,7 @@ class DrivePlan:
     command: str = ""
     motion: int = -1
     feed: int = -1
+    brake: int = -1
 
     @property
     def wanted(self) -> int:

@@ -75,7 +75,8 @@ class Switching:
         serving: Any = self.serving
         limits = []
         for axis, side in serving.loop.slipping.values():
-            limits.append(serving.call(axis.drive.limits(), axis.drive_numbers)[0].part(side, 1))
+            numbers = serving.way.drive_numbers(axis)
+            limits.append(serving.call(axis.drive.limits(), numbers)[0].part(side, 1))
         rates = [serving.way.v.part(place, 1) for place in self.places]
         accelerations = [serving.accelerations[place] for place in self.places]
         return [serving.pack(*blocks) for blocks in (self.modes, rates, accelerations, limits)]

@@ -11,10 +11,14 @@ from typing import Any, NamedTuple
 
 from tmodes.chain.chain import Friction, Gear, Joint, Motor
 from tmodes.kinds.drives.contract import FRICTION, Angles, DriveKind, DriveLaw, Dry
+from tmodes.kinds.kernel import functions as f
 from tmodes.kinds.kernel import vectors as v
 from tmodes.kinds.kernel.schedule import Kernel, kernel
 
-__all__ = ["LOCK", "SIDES", "TEETH", "DriveKernels", "drive_kernels", "drive_numbers", "mixing_kernel", "sides_kernel"]
+__all__ = [
+    "LOCK", "SIDES", "TEETH", "DriveKernels", "braked_kernel", "drive_kernels", "drive_numbers", "mixing_kernel",
+    "sides_kernel",
+]  # fmt: skip
 
 LOCK = 1e30
 """Inertia [kg*m^2, kg] of a coordinate that sticks: it keeps its rate, and this times its acceleration is the force
@@ -22,6 +26,9 @@ that dry friction has to bear."""
 
 TEETH = 8
 """Numbers of :meth:`DriveLaw.teeth`."""
+
+RELEASED = 1e-30
+"""Torque [N*m, N] of a brake that is released."""
 
 SIDES = 4
 """Of motor and joint: the direction of slip (-1, 0, 1), and the inertia that holds it where it sticks."""
@@ -206,6 +213,20 @@ class DriveKernels:
 def sides_kernel(rates: Any) -> list[list[Any]]:
     """Rates of motor and joint -> their sides by these alone, none of them held."""
     return [[entry for k in range(SIDES // 2) for entry in ((rates[k] > 0) - (rates[k] < 0) * 1.0, 0.0)]]
+
+
+def braked_kernel(size: int, *, on_motor: bool) -> Kernel:
+    """(numbers of a drive, signal of its brake) -> the numbers, with the brake in the dry friction of motor or joint.
+
+    Released, it is small, and not 0, by which the load of what sticks is divided.
+    """
+    place = 3 if on_motor else 3 + FRICTION
+
+    def build(p: Any, signal: Any) -> list[list[Any]]:
+        level = f.fmax(signal[0], RELEASED)
+        return [[p[k] + level if k == place else p[k] for k in range(size)]]
+
+    return Kernel(f"braked {size} {place}", (size, 3), (size,), build)
 
 
 def mixing_kernel(count: int, *, transposed: bool) -> Kernel:

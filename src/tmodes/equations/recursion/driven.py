@@ -20,19 +20,25 @@ __all__ = ["Coordinates", "Driven", "Drives", "packing_kernel"]
 class Coordinates:
     """Blocks of all coordinates ``q`` and rates ``v``, parts of them, and what acts on the chain.
 
-    ``wrenches``: number of a point -> force and moment on it, in world axes.
+    ``wrenches``: number of a point -> force and moment on it, in world axes. ``braked``: index of a joint's coordinate
+    -> the numbers of its drive with what its brake adds.
     """
 
     def __init__(self, parts: Parts, schedule: Schedule, q: Slot, v: Slot) -> None:
         self.parts, self.schedule, self.q, self.v = parts, schedule, q, v
         self.none = parts.none
         self.wrenches: dict[int, Slot] = {}
+        self.braked: dict[int, Slot] = {}
 
     def take_wrenches(self, *, loaded: bool) -> None:
         """The input of forces on the points (6 each, in world axes), where there is one."""
         if loaded:
             block = self.schedule.input("wrenches", FORCE * len(self.parts.points))
             self.wrenches = {k: block.part(FORCE * k, FORCE) for k in range(len(self.parts.points))}
+
+    def drive_numbers(self, axis: AxisPart) -> Any:
+        """The numbers of the drive of an axis, its brake's among them."""
+        return self.braked.get(axis.angle, axis.drive_numbers)
 
     def angle(self, axis: AxisPart) -> tuple[Slot, Slot]:
         """A coordinate of a joint and its rate."""
@@ -160,19 +166,20 @@ class Driven:
             return self.given_acceleration(axis), none
         if axis.drive.bare and not self.feedback:
             return self.effort.part(axis.effort, 1), none
+        numbers = self.way.drive_numbers(axis)
         if axis.motor in self.coupled:
-            blocks = (axis.drive_numbers, *self.coupled[axis.motor], *self.way.angle(axis), self.sides(axis))
+            blocks = (numbers, *self.coupled[axis.motor], *self.way.angle(axis), self.sides(axis))
             effort, self.torques[axis.motor] = self.schedule.call(axis.drive.coupled(), *blocks)
             return effort, none
         if axis.motor in self.followed:
             angles = (*self._start(axis.motor), *self._start(axis.angle))
-            blocks = (axis.drive_numbers, *angles, self.step, self.sides(axis))
+            blocks = (numbers, *angles, self.step, self.sides(axis))
             effort, own = self.schedule.call(axis.drive.followed(), *blocks)
             return effort, own
         effort = self.effort.part(axis.effort, 1) if axis.effort >= 0 else none
         feedback = self.feedback.part(2 * axis.effort, 2) if self.feedback and axis.effort >= 0 else self.way.none[2]
         angles = (*self._start(axis.motor), *self._start(axis.angle))
-        blocks = (axis.drive_numbers, *angles, effort, feedback, self.step, self.sides(axis))
+        blocks = (numbers, *angles, effort, feedback, self.step, self.sides(axis))
         effort, own, self.motor_terms[axis.angle] = self.schedule.call(axis.drive.forward(), *blocks)
         return effort, own
 
@@ -182,7 +189,8 @@ class Driven:
         for axis in self.parts.axes:
             if axis.motor in loads and axis.drive and axis.drive_numbers:
                 effort = self.effort.part(axis.effort, 1)
-                blocks = (axis.drive_numbers, self.way.motor(axis)[1], effort, loads[axis.motor], self.sides(axis))
+                speed, numbers = self.way.motor(axis)[1], self.way.drive_numbers(axis)
+                blocks = (numbers, speed, effort, loads[axis.motor], self.sides(axis))
                 self.motor_terms[axis.angle] = self.schedule.call(axis.drive.coupled_motor(), *blocks)[0]
 
     def motor_accelerations(self, joints: dict[int, Slot]) -> dict[int, Slot]:

@@ -165,6 +165,11 @@ class Block(Kind):
         """Seed and standard deviation of one of these."""
         raise NotImplementedError
 
+    @property
+    def given(self) -> Mapping[str, Any]:
+        """Signals over time that it brings, by the names under which it reads them."""
+        return {}
+
     def numbers(self) -> tuple[float, ...]:
         """Numbers of the law, which its methods read as ``p``."""
         raise NotImplementedError

@@ -28,5 +28,6 @@ CONTROLLERS.bring(
         "singular_perturbation": "singular_perturbation",
         "impedance": "impedance",
         "force": "force",
+        "feed_forward": "feed_forward",
     },
 )

@@ -22,6 +22,7 @@ __all__ = [
 SIGNALS.bring(
     "tmodes.kinds.signals",
     {
+        "brake": "brake",
         "constant": "constant", "expression": "expression", "noise": "noise", "polynomial": "polynomial",
         "quintic": "quintic", "s_curve": "s_curve", "septic": "septic", "shaped": "shaped", "sine": "sine",
         "sine_squared": "sine_squared", "step": "step", "sum": "total", "table": "table",
