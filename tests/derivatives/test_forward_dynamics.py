@@ -158,6 +158,20 @@ def test_derivatives_of_the_inverse_dynamics_are_those_of_differences(seed: int)
     assert np.array_equal(one.v, found.v[1])
 
 
+def test_derivatives_at_many_states_are_those_at_each() -> None:
+    """By a table of all columns, under wrenches, against one direction after the other."""
+    model = model_of(26)
+    states = [random_state(k, tuple(model.coordinates)) for k in range(5)]
+    q, v, a = (np.stack([one[k] for one in states]) for k in range(3))
+    wrenches = np.random.default_rng(1).normal(size=(len(q), len(model.parts.points), 6))
+    few = model.inverse_dynamics_derivatives(q, v, a, wrenches=wrenches)
+    many = model.inverse_dynamics_derivatives(
+        *(np.tile(one, (60, 1)) for one in (q, v, a)), wrenches=np.tile(wrenches, (60, 1, 1))
+    )
+    for one, other in zip(few, many, strict=True):
+        assert np.abs(other - np.tile(one, (60, 1, 1))).max() <= 1e-12 * np.abs(one).max()
+
+
 def test_a_coordinate_without_mass_is_named() -> None:
     axis = np.array([0.0, 0.0, 1.0])
     joint = Joint("idle", joint_kind("revolute"), Placement(), axis, drive_kind("effort"), motor=Motor(0.0))

@@ -168,7 +168,7 @@ class Task:
         """What shall vanish (n, nq)."""
         found = np.zeros_like(q)
         found[:, self.passive] = self.efforts(q, v, a)[:, self.passive]
-        found[:, self.motors] = self.off(q, wanted)[0]
+        found[:, self.motors] = self.off(q, wanted)
         found[:, self.still] = (q - wanted.q)[:, self.still]
         return found
 
@@ -188,7 +188,7 @@ class Task:
         found = np.zeros((3, *by.q.shape))
         for k, part in enumerate(parts):
             found[k][:, self.passive] = part[:, self.passive]
-        found[0][:, self.motors] = self.off(q, wanted)[1]
+        found[0][:, self.motors] = self.off_slopes(q, wanted)
         found[0][:, self.still, self.still] = 1.0
         return found[0], found[1], found[2]
 
@@ -199,26 +199,35 @@ class Task:
             wrenches[:, self.pressed.point, :3] += self.pressed.beyond_rest(q, v, a)
         return self.model.inverse_dynamics(q, v, a, wrenches=wrenches)
 
-    def off(self, q: Array, wanted: Wanted) -> tuple[Array, Array]:
-        """The tip off its path (n, joints), as the joints move it, and its slope (n, joints, nq)."""
+    def off(self, q: Array, wanted: Wanted) -> Array:
+        """The tip off its path (n, joints), as the joints move it."""
         from scipy.spatial.transform import Rotation
 
-        size = self.problem.size
         positions, rotations = (part[:, self.problem.point] for part in self.model.pose(q))
-        jacobian = self.model.jacobian(q)[:, self.problem.point].copy()
-        turned = Rotation.from_matrix(rotations @ wanted.turns.transpose(0, 2, 1)).as_rotvec() * size
-        off, weights = np.concatenate([positions - wanted.places, turned], axis=1), wanted.ways.copy()
-        for one in (jacobian, weights):
-            one[:, 3:] *= size
-        rows = slice(0, self.rows)
-        across, slope = weights[:, rows].transpose(0, 2, 1), np.zeros((len(q), len(self.motors), q.shape[1]))
-        slope += across @ jacobian[:, rows]
-        found = np.einsum("njk,nk->nj", across, off[:, rows])
+        turned = Rotation.from_matrix(rotations @ wanted.turns.transpose(0, 2, 1)).as_rotvec() * self.problem.size
+        off, ways = np.concatenate([positions - wanted.places, turned], axis=1), self._scaled(wanted.ways)
+        found = np.einsum("nkj,nk->nj", ways, off[:, : self.rows])
         if self.redundant:
-            free = np.eye(len(self.motors)) - np.linalg.pinv(weights[:, rows], rcond=_SINGULAR) @ weights[:, rows]
-            found += np.einsum("njk,nk->nj", free, (q - wanted.q)[:, self.motors])
-            slope[:, :, self.motors] += free
-        return found, slope
+            found += np.einsum("njk,nk->nj", self._free(ways), (q - wanted.q)[:, self.motors])
+        return found
+
+    def off_slopes(self, q: Array, wanted: Wanted) -> Array:
+        """The slopes (n, joints, nq) of :meth:`off`."""
+        ways = self._scaled(wanted.ways)
+        slope = ways.transpose(0, 2, 1) @ self._scaled(self.model.jacobian(q)[:, self.problem.point])
+        if self.redundant:
+            slope[:, :, self.motors] += self._free(ways)
+        return slope
+
+    def _scaled(self, ways: Array) -> Array:
+        """The rows that count of a Jacobian (n, 6, k), turns as lengths."""
+        scaled = ways[:, : self.rows].copy()
+        scaled[:, 3:] *= self.problem.size
+        return scaled
+
+    def _free(self, ways: Array) -> Array:
+        """Motions of the joints (n, joints, joints) that leave the rigid tip in place, of scaled ``ways``."""
+        return np.eye(ways.shape[2]) - np.linalg.pinv(ways, rcond=_SINGULAR) @ ways
 
     def end(self) -> Array:
         """Where the tip rests at the end of the path (3,) [m]: off it by what no joint moves.
@@ -238,7 +247,7 @@ class Task:
             here, own = q[open_], Wanted(*(part[open_] for part in wanted))
             still = np.zeros_like(here)
             slopes = self.problem.stiffness(here, np.arange(q.shape[1]))
-            slopes[:, self.motors] = self.off(here, own)[1]
+            slopes[:, self.motors] = self.off_slopes(here, own)
             slopes[:, self.still] = np.eye(q.shape[1])[self.still]
             scale = np.abs(slopes).max(axis=2)
             scale[scale == 0] = 1.0

@@ -24,6 +24,9 @@ from tmodes.compile.ir.derivative_kernels import LANES
 from tmodes.errors import SimulationError
 from tmodes.gradients.lowering import lowered
 from tmodes.gradients.torque_functions import POLYNOMIALS, TorqueFunctions, torque_functions
+from tmodes.integrate.choice import EXPLICIT, explicit_steps
+from tmodes.integrate.implicit import EXTRAPOLATION
+from tmodes.integrate.registry import AUTO
 from tmodes.kinds.signals.registry import SIGNALS
 from tmodes.kinds.signals.schedule import SignalPieces, on_knots
 from tmodes.sheet import Robot
@@ -53,6 +56,9 @@ _ACCEPTED = 5e-7
 _POLYNOMIALS, _STIFF, _LAST_NEAR = 30, 1e-4, 1e-4
 """Along a course: how many polynomials, the weight of the bending of the torques over that of the course, and that of
 both at least."""
+
+_EXPLICIT = 1000
+"""Explicit steps beyond which slopes by all functions are cheaper along implicit ones."""
 
 _RATIO, _ENOUGH, _TRIES, _TRIAL_STEPS = 1.25, 1.02, 24, 15
 """Of times: first ratio, that which is near enough; how many are tried, and Gauss-Newton steps for each."""
@@ -176,7 +182,16 @@ class _Runs:
             "output_step": own.duration / _SAMPLES, "relative_tolerance": min(own.relative_tolerance, _TOLERANCE),
             "check_error": False,
         }  # fmt: skip
-        self.here = lowered(robot.model_copy(update={"integration": own.model_copy(update=update)}))
+        here = lowered(robot.model_copy(update={"integration": own.model_copy(update=update)}))
+        setup, explicit = here.setup, own.method == AUTO and here.settings.method == EXPLICIT
+        if (
+            explicit
+            and setup.implicit == EXTRAPOLATION.name
+            and explicit_steps(own, setup.spectrum.highest) > _EXPLICIT
+        ):
+            setup = setup.by(EXTRAPOLATION.name, None)
+            here = replace(here, setup=setup, settings=setup.robot.integration)
+        self.here = here
         plan, schedule = self.here.setup.planned.plan, self.here.setup.planned.schedule
         width, self.schedule, signals = plan.degree + 1, schedule, {drive.joint: drive.signal for drive in plan.drives}
         pieces = [on_knots(SignalPieces(functions.knots, one), schedule.knots, plan.degree) for one in functions.pieces]

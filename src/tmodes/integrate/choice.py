@@ -15,8 +15,8 @@ from tmodes.integrate.registry import AUTO, integrator
 from tmodes.integrate.settings import Integration
 
 __all__ = [
-    "COUNTED", "EXPLICIT", "STIFF", "TRIAL", "MethodChange", "chosen_method", "explained", "implicit_method",
-    "otherwise", "worth_keeping", "worth_switching",
+    "COUNTED", "EXPLICIT", "STIFF", "TRIAL", "MethodChange", "chosen_method", "explained", "explicit_steps",
+    "implicit_method", "otherwise", "worth_keeping", "worth_switching",
 ]  # fmt: skip
 
 STIFF = 20_000
@@ -46,7 +46,7 @@ def chosen_method(given: Integration, highest: float, implicit: str | None = _IM
     """The method of a run and why, in words (empty where it was given); ``highest``: largest |eigenvalue| [1/s]."""
     if given.method != AUTO:
         return given.method, ""
-    steps = highest * given.duration / (integrator(EXPLICIT).reach or 1.0)
+    steps = explicit_steps(given, highest)
     info = f"chosen: fastest eigenvalue {_about(highest)} 1/s"
     if steps <= STIFF or implicit is None:
         return EXPLICIT, f"{EXPLICIT} {info}"
@@ -54,6 +54,11 @@ def chosen_method(given: Integration, highest: float, implicit: str | None = _IM
     if _too_exact(given, implicit):
         return EXPLICIT, f"{EXPLICIT} {info}; {implicit} would round above the tolerance"
     return implicit, f"{implicit} {info}"
+
+
+def explicit_steps(given: Integration, highest: float) -> float:
+    """About how many explicit steps a run takes at least; ``highest``: largest |eigenvalue| [1/s]."""
+    return highest * given.duration / (integrator(EXPLICIT).reach or 1.0)
 
 
 def _about(value: float) -> str:

@@ -227,9 +227,9 @@ def _course(robot: Robot, path: Followed) -> RestToRest:
 
     def off(times: Array) -> Callable[[Array], tuple[Array, Array]]:
         wanted = task.along(times)
-        stays = task.off(np.repeat(wanted.q[:1], len(times), axis=0), wanted)[0]
+        stays = task.off(np.repeat(wanted.q[:1], len(times), axis=0), wanted)
         size = float(np.linalg.norm(stays, axis=1).max())
-        return lambda q: tuple(part / size for part in task.off(q, wanted))  # pyright: ignore[reportReturnType]
+        return lambda q: (task.off(q, wanted) / size, task.off_slopes(q, wanted) / size)
 
     def efforts(times: Array) -> Array:
         return np.array([np.interp(times, given.times, column) for column in given.values.T])

@@ -30,6 +30,8 @@ Array = NDArray[np.float64]
 
 _STILL = np.zeros(1)
 _ALL = ("a", "q", "v")
+_MANY = 300
+"""States from which on tables of all columns are worth the seconds that it takes to make them."""
 
 _INPUTS = ("q", "v", "effort", "given", "wrenches", "base", "parameters")
 
@@ -228,7 +230,7 @@ class DifferentiatedModel:
         states["base"] = still if base is None else rows.of(base, still.shape[1], "base")
         if wrenches is not None:
             states["wrenches"] = rows.of(wrenches, 6 * len(self.passes.parts.points), "wrenches")
-        parts = self._inverses(states, _ALL, loaded=wrenches is not None)
+        parts = (self._tabled if rows.count >= _MANY else self._inverses)(states, _ALL, loaded=wrenches is not None)
         return InverseDerivatives(*(part[0] for part in parts) if rows.single else parts)
 
     def _inverse(self, state: Blocks, by: tuple[str, ...], *, loaded: bool) -> list[Array]:
@@ -254,6 +256,18 @@ class DifferentiatedModel:
                 found[by.index(label)] += forces[:, n * k : n * (k + 1)].transpose(0, 2, 1)
         if "a" in by:
             found[by.index("a")] += np.diag(passes.rotor_inertias)
+        return [*found]
+
+    def _tabled(self, states: Blocks, by: tuple[str, ...], *, loaded: bool) -> list[Array]:
+        """The same, eight directions at once, by tables that are worth making for many states."""
+        from tmodes.compile.ir.linear_solve import aligned, padded
+
+        columns, count, n = self._columns("inertia", _ALL, loaded=loaded), len(states["q"]), self.passes.parts.size
+        found, rows = np.empty((len(by), count, n, n)), aligned(n, len(_ALL) * padded(n))
+        for k in range(count):
+            self._fill(rows, {name: own[k] for name, own in states.items()}, loaded=loaded)
+            for label, part in zip(by, found, strict=True):
+                part[k] = rows[:, columns.place[label]]
         return [*found]
 
     def _fill(self, found: Array, state: Blocks, *, loaded: bool) -> None:
