@@ -171,7 +171,8 @@ def descend_worst(
 
     K. Madsen, An algorithm for minimax solution of overdetermined systems of non-linear equations, IMA J. Appl. Math.
     16, 1975. ``in_all_cases``: objective and excess of the limits (1 + l, s); ``of_case``: the terms of one case;
-    ``precision``: of the objective at the start, the gain with which it ends. The worst of smooth functions has edges, at which a descent along the slope of the worst one alone stops.
+    ``precision``: of the objective at the start, the gain with which it ends. The worst of smooth functions has edges,
+    at which a descent along the slope of the worst one alone stops.
     """
     x, radius = start, _FIRST_RADIUS
     cases = _Cases(in_all_cases, of_case, start)
