@@ -26,8 +26,9 @@ from tmodes.equations.loop.control_kernels import Winding
 from tmodes.errors import InputError
 from tmodes.kinds.controllers.discrete import held_late, zero_order_hold
 from tmodes.kinds.controllers.registry import LinearPlant
-from tmodes.kinds.noted.functions import kept, number
+from tmodes.kinds.noted.functions import kept, number, total
 from tmodes.kinds.noted.number import Lost, is_noted
+from tmodes.kinds.schema.kind import Kind
 from tmodes.kinds.signals.registry import constant_signal
 from tmodes.model.model import Model
 from tmodes.model.passes import derivatives, evaluate
@@ -381,7 +382,20 @@ def designed_block(robot: Robot, block: Block, drives: tuple[str, ...], delay: f
 @kept
 def _block(read: Any, aside: _Aside, block: Block, drives: tuple[str, ...], ends: Any, delay: float) -> Block:
     del read, ends
+    if noted := [one for one in _numbers(block) if is_noted(one)]:
+        raise Lost("gains that are designed by these weights", total(noted))
     return block.designed(partial(linear_plant, aside.robot, delay=delay), drives)
+
+
+def _numbers(value: Any) -> Iterator[Any]:
+    """All that a block holds."""
+    if not isinstance(value, (dict, Kind, tuple)):
+        yield value
+        return
+    for one in (
+        value.values() if isinstance(value, dict) else dict(value).values() if isinstance(value, Kind) else value
+    ):
+        yield from _numbers(one)
 
 
 def _read(robot: Robot) -> tuple[Any, ...]:
