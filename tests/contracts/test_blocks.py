@@ -372,3 +372,21 @@ def test_what_a_robot_has_not_is_refused_where_it_is_asked_for(more: Sheet, plac
     with pytest.raises(TmodesError) as caught:
         simulate_motion(spong(STEPS, 1.0, 0.1, **more, **own))
     assert str(caught.value).startswith(place)
+
+
+def test_a_pid_of_a_sensor_is_that_of_the_position_that_it_measures() -> None:
+    """Of a perfect encoder the same run; of one with bias off by it at the end; without a filter it has no rate."""
+    pid = {"type": "sampled_pid", "position_gain": 80.0, "velocity_gain": 12.0, "integral_gain": 40.0,
+           "filter_time": 0.002, "sample_time": 0.01}  # fmt: skip
+    robot = tmodes.load("spong1987").with_({"integration.duration": 4.0, "drives.0.controller": pid})
+
+    def under(**more: float) -> Any:
+        encoder = {"name": "encoder", "type": "encoder", "joint": "joint", "side": "motor"} | more
+        changed = robot.with_({"sensors": [encoder], "drives.0.controller": pid | {"measured": "encoder"}})
+        return changed.run(error_estimate=False).output("joint.motor.position").values
+
+    own = robot.run(error_estimate=False).output("joint.motor.position").values
+    assert np.allclose(under(), own, rtol=0, atol=1e-9)
+    assert under(bias=0.01)[-1] - own[-1] == pytest.approx(-0.01, abs=1e-3)
+    with pytest.raises(InputErrors, match="filter_time"):
+        robot.with_({"drives.0.controller": {k: v for k, v in pid.items() if k != "filter_time"} | {"measured": "x"}})

@@ -79,3 +79,13 @@ def test_a_law_that_changes_what_it_is_given_changes_no_other() -> None:
     kept = first.A.copy()
     first.A[:] = 0.0
     assert (kept == linear_plant(robot, ("encoder",), ("joint",)).A).all()
+
+
+def test_cases_with_the_same_weights_are_arrays(made: list[LQG]) -> None:
+    """One design for all, and one note of how their numbers follow."""
+    robot = under_lqg(load_noise=1e-4).with_({"integration.method": "rk4", "integration.step": 1e-3})
+    softer = np.linspace(0.7, 1.2, 40)
+    vary = {"control.law.block.load_noise": np.full(40, 2.3e-4), "real.joints.joint.gear.stiffness": softer}
+    batch = tmodes.simulate_batch(robot, vary)
+    assert set(batch.status) == {"finished"}
+    assert len(made) <= 3

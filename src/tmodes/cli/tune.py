@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import time as clock
+from collections.abc import Callable
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
 from tmodes.cli.options import AsJson, FixInertia, Roots, Settings, SheetArgument, TrustPaths, chosen_sheet
-from tmodes.cli.terminal import print_result, working
+from tmodes.cli.terminal import Stages, print_result, working
 
 __all__ = ["tune"]
 
@@ -30,9 +32,14 @@ def tune(
     ] = None,
     worst_case: Annotated[int, typer.Option(min=2, help="Uncertain robots of which the worst counts.")] = 16,
     within: Annotated[float, typer.Option(help="Search range: each gain over, and times, this factor.")] = 10.0,
-    method: Annotated[str, typer.Option(help="auto, gradient, cobyqa or tpe; with --against nsga2.")] = "auto",
+    method: Annotated[
+        str, typer.Option(help="auto, gradient, cobyqa or tpe; with --against compromise or nsga2.")
+    ] = "auto",
     trials: Annotated[
-        int | None, typer.Option(min=1, help="Designs that cobyqa, tpe (200) or nsga2 (1000) tries.")
+        int | None,
+        typer.Option(
+            min=1, help="Compromises with --against (8); designs that cobyqa, tpe (200) or nsga2 (1000) tries."
+        ),
     ] = None,
     seed: Annotated[int, typer.Option(min=0, help="Same seed, same uncertain robots.")] = 0,
     out: Annotated[Path | None, typer.Option(help="A file for the data sheet with the gains.")] = None,
@@ -54,7 +61,7 @@ def tune(
 
     Example: tmodes tune spong1987 --out tuned.yaml
 
-    Example, error against effort: tmodes tune spong1987 --against joint.effort --trials 200 --page tuned.html
+    Example, error against effort: tmodes tune spong1987 --against joint.effort --page tuned.html
 
     Example, for the worst of 32 robots: tmodes tune two_link_arm --uncertain laws.yaml --worst-case 32
     """
@@ -66,10 +73,25 @@ def tune(
             sheet, gains or (), minimize=minimize, reduce=reduce, against=against,
             against_reduce=against_reduce, uncertain=uncertain, worst_case=worst_case,
             within=within, method=method, trials=trials, seed=seed, out=out, figure=figure, overwrite=overwrite,
-            progress=tell,
+            progress=_with_time_left(tell),
         )  # fmt: skip
         if page is not None:
             found.page(page)
     print_result(found, as_json, **({"files": {"page": str(page)}} if page else {}))
     if page and not as_json:
         print(f"Page: {page}")
+
+
+def _with_time_left(tell: Stages) -> Callable[[str, float], None]:
+    """Progress that says how long compromises will still take, by those that were found."""
+    from tmodes.cli.study import remaining
+    from tmodes.study.optimize.compromise import COMPROMISES
+
+    began: dict[str, float] = {}
+
+    def told(stage: str, share: float) -> None:
+        passed = clock.monotonic() - began.setdefault(stage, clock.monotonic())
+        known = stage == COMPROMISES and 0 < share < 1
+        tell(stage, share, f"about {remaining(passed * (1 - share) / share)} left" if known else "")
+
+    return told

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -61,8 +61,9 @@ def tune(
     ``gains``: their paths, or ranges (low, high) by path; all that the laws of the robot name as ``tuned`` if left out,
     from a ``within``-th of what they are to ``within`` times it. ``minimize``: an output of ``robot.outputs``,
     ``reduce`` d to one number. ``against``: another output, with its ``against_reduce``, that is to be small, too: then
-    ``curve`` has the designs of which none is better in both, by ``nsga2`` (extra ``study``), and the gains are those
-    of the least error that do not make it larger than it is. ``uncertain``: as of :func:`tmodes.compare`, or its file:
+    ``curve`` has the designs of which none is better in both, along gradients to ``trials`` compromises (else 8) or,
+    where there are none, by ``nsga2`` (1000 designs, extra ``study``), and the gains are those of the least error that
+    do not make it larger than it is. ``uncertain``: as of :func:`tmodes.compare`, or its file:
     then for the worst of ``worst_case`` robots. ``method``, ``trials``, ``seed``: of :func:`tmodes.optimize`, which
     does it; ``auto`` goes along gradients (the adjoint of the run; ``reduce`` one of ``rms``, ``mean``, ``end``), and
     where there are none, or the drives would pass their limits, by ``cobyqa``, which keeps them. ``out``: a file for
@@ -192,15 +193,19 @@ def _study(
     try:
         return study_of_robot(robot, data)
     except InputErrors as errors:
-        raise InputErrors([replace(one, which=_as_given(one.which, ranges)) for one in errors.errors]) from None
+        raise InputErrors([replace(one, which=_as_given(one.which, ranges, aims)) for one in errors.errors]) from None
 
 
-def _as_given(which: str, ranges: Mapping[str, Gain]) -> str:
+def _as_given(which: str, ranges: Mapping[str, Gain], aims: Collection[str]) -> str:
     """A path of the study as the arguments have it."""
     group, _, rest = which.partition(".")
+    name, _, part = rest.partition(".")
+    if group == "quantities" and name in aims:
+        first = name == next(iter(aims))
+        given = {"series": "minimize" if first else "against", "reduce": "reduce" if first else "against_reduce"}
+        return given.get(part.partition(".")[0], which)
     if group != "parameters":
         return which
-    name = rest.partition(".")[0]
     return f"gains: {ranges[name].path}" if name in ranges else f"uncertain.{rest}"
 
 
@@ -214,7 +219,7 @@ def _searched(
     free, how = study(()), {"trials": trials, "seed": seed, "progress": progress}
     limits = [f"{name} <= {limit!r}" for name, (_, limit) in effort_quantities(robot).items()]
     if free.sheet.optimize and len(free.sheet.optimize.objectives) > 1:
-        return optimize(study(limits), "nsga2" if method == "auto" else method, **how)
+        return _curve(study, limits, method, how)
     if method in ("auto", "gradient"):
         try:
             found = optimize(free, "gradient", **how)
@@ -225,6 +230,20 @@ def _searched(
             if method == "gradient" or not found.best or _keeps(robot, found, free):
                 return found
     return optimize(study(limits), "cobyqa" if method == "auto" else method, **how)
+
+
+def _curve(
+    study: Callable[[Sequence[str]], Study], limits: Sequence[str], method: str, how: Mapping[str, Any]
+) -> Optimum:
+    """Of two objectives the compromises, along gradients where they have some."""
+    from tmodes.study.optimize import optimize
+
+    if method == "auto":
+        try:
+            return optimize(study(limits), "compromise", **how)
+        except InputError:
+            method = "nsga2"
+    return optimize(study(limits), method, **how)
 
 
 def _keeps(robot: Robot, found: Optimum, study: Study) -> bool:

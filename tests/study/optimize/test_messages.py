@@ -50,7 +50,7 @@ def test_limits_in_other_units_and_on_both_sides() -> None:
     ("method", "more", "words"),
     [
         ("grid", {}, "a continuous range"),
-        ("fast", {}, "auto, grid, gradient, cobyqa, tpe, nsga2"),
+        ("fast", {}, "auto, grid, gradient, compromise, cobyqa, tpe, nsga2"),
         ("auto", {"worst_case": 8}, "all parameters are chosen"),
         ("auto", {"objectives": [{"minimize": "masss"}]}, "Did you mean `mass`?"),
         ("tpe", {"objectives": [{"minimize": "mass"}, {"minimize": "sag"}]}, "2 objectives"),

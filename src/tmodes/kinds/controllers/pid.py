@@ -67,7 +67,11 @@ class _PID(Controller):
     def _unlimited(self, p: Any, m: Measured, x: list[Any]) -> Any:
         """The command of all three terms."""
         falling = self._rate(p, m, x)
-        return p[0] * (m.wanted - m.position) + p[1] * x[0] + p[2] * (m.wanted_rate - falling)
+        return p[0] * (m.wanted - self._position(m)) + p[1] * x[0] + p[2] * (m.wanted_rate - falling)
+
+    def _position(self, m: Measured) -> Any:
+        """The position that is fed back."""
+        return m.position
 
     def _rate(self, p: Any, m: Measured, x: list[Any]) -> Any:
         """The rate that is fed back."""
@@ -80,7 +84,7 @@ class _PID(Controller):
 
     def _integrated(self, p: Any, m: Measured, x: list[Any]) -> Any:
         """The rate of the integral: the error; less what a limit cuts off."""
-        error, limit = m.wanted - m.position, self._number(p, "limit")
+        error, limit = m.wanted - self._position(m), self._number(p, "limit")
         limit = m.limit if limit is None else limit
         if limit is None or self.anti_windup is AntiWindup.NONE:
             return error
@@ -137,6 +141,23 @@ class SampledPID(_PID):
     )  # fmt: skip
     integral_gain: float = not_negative("gain/s", "Ki", "integral gain", default=0.0)
     sample_time: float = positive("s", "T", "time between samples", plausible=(1e-5, 1.0))
+    measured: str | None = Field(
+        default=None, min_length=1, max_length=200, description="sensor that it reads; none: the position itself"
+    )
+
+    def _issues(self) -> Iterator[Issue]:
+        yield from super()._issues()
+        if self.measured is not None and self.filter_time is None:
+            hint = "write `filter_time: 0` for its last difference"
+            yield Issue("filter_time", "nothing", "a time, because a sensor that is `measured` gives no rate", hint)
+
+    @property
+    def reads(self) -> tuple[str, ...]:
+        """The sensor."""
+        return () if self.measured is None else (self.measured,)
+
+    def _position(self, m: Measured) -> Any:
+        return m.position if self.measured is None else m.signals[self.measured]
 
     @property
     def period(self) -> float:
@@ -160,10 +181,15 @@ class SampledPID(_PID):
     def _rate(self, p: Any, m: Measured, x: list[Any]) -> Any:
         if self.filter_time is None:
             return m.velocity
-        time, last = self._number(p, "filter_time"), f.if_else(x[3] > 0, x[2], m.position)
-        return (time * x[1] + m.position - last) / (time + p[len(self.numbers()) - 1])
+        time, last = self._number(p, "filter_time"), f.if_else(x[3] > 0, x[2], self._position(m))
+        return (time * x[1] + self._position(m) - last) / (time + p[len(self.numbers()) - 1])
 
     def updates(self, p: Any, m: Measured, x: list[Any]) -> list[Any]:
         """The error times T is added."""
         integral = x[0] + p[len(self.numbers()) - 1] * self._integrated(p, m, x)
-        return [integral, *([self._rate(p, m, x), m.position, 1.0] if self.filter_time is not None else [])]
+        return [integral, *([self._rate(p, m, x), self._position(m), 1.0] if self.filter_time is not None else [])]
+
+    @property
+    def structure(self) -> str:
+        """Whether it reads a sensor is part of the code."""
+        return f"{super().structure} {self.measured or ''}".rstrip()

@@ -51,14 +51,15 @@ class Adjoint:
     def __init__(self, trials: Trials, functionals: Mapping[str, Functional]) -> None:
         self.trials, self.study, self.runs = trials, trials.study, 0
         self._given = functionals
-        self._known: dict[bytes, Terms] = {}
+        self._at: dict[bytes, Terms] = {}
+        self._of_cases: dict[tuple[bytes, int], Terms] = {}
         names = trials.goals.names
         self._functionals = [name for name in names if name in functionals]
         needs = {name: self.study.sheet.quantities[name].needs() for name in leaves(self.study, names)}
         self._leaves = [*functionals, *needs]
         self._at_rest = {name: one.static for name, one in needs.items() if one.static}
         self._series = [name for name in needs if name not in self._at_rest]
-        self._simulated = bool(self._functionals or self._series)
+        self.simulated = bool(self._functionals or self._series)
         self._statics = StaticSlopes([one for static in self._at_rest.values() for one in static])
         if self._functionals and len(trials.scenarios) > 1:
             hint = "make it a quantity of the study, a series reduced by rms, mean or end"
@@ -67,25 +68,51 @@ class Adjoint:
     def at(self, shares: Array) -> Terms:
         """The terms at shares (k,)."""
         key = shares.tobytes()
-        if key not in self._known:
-            self._known[key] = self._computed(shares)
-        return self._known[key]
+        if key not in self._at:
+            self._at[key] = self._computed(shares)
+        return self._at[key]
 
     def _computed(self, shares: Array) -> Terms:
         trials = self.trials
         design = trials.space.at(shares[None])
         cases = trials.cases_of(design)
-        if self._simulated and len(cases) == 1:
+        if self.simulated and len(cases) == 1:
             return self._alone(shares, design[0], cases[0])
-        number = trials.at(design)[0]
-        known = {name: one[number] for name, one in trials.values.items()}
-        if trials.reasons[number]:
+        known = self._known(shares)
+        if self._lost_at(shares):
             return self._terms(shares, cases[0], self._lost(shares))
         which = trials.goals.deciding({name: one[None] for name, one in known.items()})
-        each = {k: self._terms(shares, cases[k], self._found(shares, k, known)) for k in {*which}}
+        each = {k: self.of_case(shares, k) for k in {*which}}
         own, limits = each[which[0]], [(each[k].excess[row], each[k].slopes[row]) for row, k in enumerate(which[1:])]
         excess, along = ([one[part] for one in limits] for part in range(2))
         return Terms(own.objective, own.slope, np.array(excess), np.reshape(along, (-1, len(shares))))
+
+    def _number(self, shares: Array) -> int:
+        """Of the trial at shares (k,)."""
+        return int(self.trials.at(self.trials.space.at(shares[None]))[0])
+
+    def _lost_at(self, shares: Array) -> str:
+        """Why a case has failed there; empty where none has."""
+        return self.trials.reasons[self._number(shares)]
+
+    def _known(self, shares: Array) -> dict[str, Array]:
+        """Values (s,) of all parameters and quantities at shares (k,) in all cases, not-a-number of one that failed."""
+        number = self._number(shares)
+        return {name: one[number] for name, one in self.trials.values.items()}
+
+    def in_all_cases(self, shares: Array) -> Array:
+        """The objective, signed, and the excess of each limit at shares (k,) in all cases, (1 + l, s)."""
+        goals, known = self.trials.goals, self._known(shares)
+        return np.array([one.sign * one.term.at(known) for one in goals.aims]
+                        + [one.excess(one.term.at(known)) for one in goals.limits])  # fmt: skip
+
+    def of_case(self, shares: Array, case: int) -> Terms:
+        """The terms at shares (k,) in one case."""
+        key = shares.tobytes(), case
+        if key not in self._of_cases:
+            own = self.trials.cases_of(self.trials.space.at(shares[None]))[case]
+            self._of_cases[key] = self._terms(shares, own, self._found(shares, case, self._known(shares)))
+        return self._of_cases[key]
 
     def _lost(self, shares: Array) -> Found:
         return dict.fromkeys(self._leaves, (np.nan, np.zeros(len(shares))))
@@ -107,7 +134,7 @@ class Adjoint:
     def _found(self, shares: Array, scenario: int, values: Mapping[str, Array]) -> Found:
         """All that terms are made of in a scenario, with slopes; ``values`` (s,) of numbers at rest in all."""
         found = self._resting(shares, scenario, values)
-        return found | (self._run(self._point(shares, scenario)) if self._simulated else {})
+        return found | (self._run(self._point(shares, scenario)) if self.simulated else {})
 
     def _beside(self, shares: Array, scenario: int, names: Sequence[str]) -> Found:
         """Quantities in a scenario with slopes along neighbours."""

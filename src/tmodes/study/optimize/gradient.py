@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["STEP", "Descent", "Terms", "descend", "neighbours", "slopes"]
+__all__ = ["STEP", "Descent", "Terms", "descend", "descend_worst", "ended", "neighbours", "slopes"]
 
 Array = NDArray[np.float64]
 
@@ -101,8 +101,101 @@ def descend(
             options=options,
         )  # fmt: skip
     shares = np.clip(end.x, 0.0, 1.0)
-    terms = terms_at(shares)
+    return ended(shares, terms_at(shares))
+
+
+def ended(shares: Array, terms: Terms) -> Descent:
+    """A search that ended there."""
     return Descent(shares, terms, _multipliers(shares, terms))
+
+
+_MOST_WORST = 60
+_FIRST_RADIUS, _LARGEST_RADIUS, _LEAST_RADIUS = 0.1, 0.3, 1e-6
+"""Steps; of the unit cube, how far one leads."""
+
+_PENALTY, _ENOUGH, _GOOD, _NONE = 10.0, 0.1, 0.7, 1e-9
+"""Of a limit's excess; shares of the foreseen gain for a step, and for a longer next one; of a slope, what is none."""
+
+
+class _Cases:
+    """Objective and limits of all cases at points of the unit cube; an objective that explodes grows as a line."""
+
+    def __init__(self, in_all_cases: Callable[[Array], Array], of_case: Callable[[Array, int], Terms], start: Array):
+        self._in_all, self._of_case = in_all_cases, of_case
+        self.scale = abs(in_all_cases(start)[0].max()) or 1.0
+        self.bad: list[tuple[int, int]] = []
+        self._reach: dict[tuple[int, int], float] = {}
+
+    def at(self, x: Array) -> Array:
+        """Objective and excess of the limits (1 + l, s)."""
+        found = self._in_all(x).copy()
+        found[0] = np.arcsinh(found[0] / self.scale)
+        return np.where(np.isfinite(found), found, np.inf)
+
+    def merit(self, values: Array) -> float:
+        """The worst objective and what limits are exceeded by."""
+        return float(values[0].max() + _PENALTY * np.maximum(values[1:], 0.0).max(initial=0.0))
+
+    def seen(self, values: Array) -> bool:
+        """Take in which cases decide; whether all of them were known."""
+        new = [(row, int(case)) for row, case in enumerate(values.argmax(axis=1)) if (row, int(case)) not in self.bad]
+        self.bad += new
+        return not new
+
+    def step(self, x: Array, values: Array, radius: float) -> tuple[Array, float]:
+        """The best step (k,) within a radius by the slopes of the cases that may decide, and the gain it foresees."""
+        from scipy.optimize import linprog
+
+        worst, rows, ends = values.max(axis=1), [], []
+        for row, case in self.bad:
+            own = values[row, case]
+            if own + 2 * radius * self._reach.get((row, case), np.inf) < (worst[0] if row == 0 else 0.0):
+                continue
+            terms = self._of_case(x, case)
+            slope = terms.slope / np.hypot(self.scale, terms.objective) if row == 0 else terms.slopes[row - 1]
+            self._reach[row, case] = float(np.abs(slope).sum())
+            rows.append([*slope, *((-1.0, 0.0) if row == 0 else (0.0, -1.0))])
+            ends.append(-own - (_WITHIN if row else 0.0))
+        acting = np.abs(rows)[:, :-2].max(axis=0) > _NONE * np.abs(rows)[:, :-2].max()
+        near = (acting * np.clip([-x, 1.0 - x], -radius, radius)).T
+        goal = [*np.zeros(len(x)), 1.0, _PENALTY]
+        found = linprog(goal, rows, ends, bounds=[*near, (None, None), (0.0, None)])
+        return found.x[: len(x)], self.merit(values) - found.fun
+
+
+def descend_worst(
+    in_all_cases: Callable[[Array], Array], of_case: Callable[[Array, int], Terms], start: Array,
+    tell: Callable[[int], None] = lambda steps: None, *, precision: float,
+) -> Array:  # fmt: skip
+    """A local optimum (k,) of the worst of all cases: linear programs of those that have decided, within a radius.
+
+    K. Madsen, An algorithm for minimax solution of overdetermined systems of non-linear equations, IMA J. Appl. Math.
+    16, 1975. ``in_all_cases``: objective and excess of the limits (1 + l, s); ``of_case``: the terms of one case;
+    ``precision``: of the objective at the start, the gain with which it ends. The worst of smooth functions has edges,
+    at which a descent along the slope of the worst one alone stops.
+    """
+    x, radius = start, _FIRST_RADIUS
+    cases = _Cases(in_all_cases, of_case, start)
+    values = cases.at(x)
+    if not np.isfinite(values).all():
+        return start
+    cases.seen(values)
+    for steps in range(_MOST_WORST):
+        tell(steps)
+        move, foreseen = cases.step(x, values, radius)
+        enough = _PRECISION if (values[1:] > 0).any() else precision
+        if foreseen < enough * min(1.0, radius / _FIRST_RADIUS) or radius < max(_LEAST_RADIUS, precision):
+            break
+        there = np.clip(x + move, 0.0, 1.0)
+        after = cases.at(there)
+        known = cases.seen(after)
+        share = (cases.merit(values) - cases.merit(after)) / foreseen
+        if share > _ENOUGH:
+            x, values = there, after
+            radius = min(_LARGEST_RADIUS, 2 * radius) if share > _GOOD else radius
+        elif known:
+            radius /= 3
+    return x
 
 
 def _passable(terms: Terms, first: Terms) -> Terms:

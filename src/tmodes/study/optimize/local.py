@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from tmodes.gradients.quantities import Functional
 from tmodes.study.optimize.adjoint import Adjoint
 from tmodes.study.optimize.goals import Goals, Judged
-from tmodes.study.optimize.gradient import MOST_STEPS, Descent, descend
+from tmodes.study.optimize.gradient import MOST_STEPS, Descent, descend, descend_worst, ended
 from tmodes.study.optimize.leaves import cheap
 from tmodes.study.optimize.result import Optimum
 from tmodes.study.optimize.summary import found
@@ -31,9 +31,22 @@ def by_gradient(
     slopes, simulated = Adjoint(trials, functionals), bool(functionals) or not cheap(trials.study)
     starts = [trials.start] if simulated else _starts(trials, count, seed)
     stage = "runs with gradients" if simulated else "steps"
-    ends = [descend(slopes.at, start, lambda steps: progress(stage, steps / MOST_STEPS)) for start in starts]
+    ends = [_end(slopes, start, lambda steps: progress(stage, steps / MOST_STEPS)) for start in starts]
     best = min(ends, key=lambda end: (end.terms.excess.max(initial=0.0) > 0, end.terms.objective))
     return found(trials, "gradient", units, gradients=slopes.runs, prices=_prices(trials.goals, best))
+
+
+def _end(slopes: Adjoint, start: Array, tell: Callable[[int], None]) -> Descent:
+    """Where a search from a start ends; of one case, or a percentile of all, along the slope of what decides."""
+    if len(slopes.trials.scenarios) == 1 or slopes.trials.goals.percentile < _ALL:
+        return descend(slopes.at, start, tell)
+    precision = _COARSE if slopes.simulated else _FINE
+    shares = descend_worst(slopes.in_all_cases, slopes.of_case, start, tell, precision=precision)
+    return ended(shares, slopes.at(shares))
+
+
+_ALL, _COARSE, _FINE = 100.0, 3e-4, 1e-10
+"""Percentile; precision of an optimum of runs, and of numbers at rest."""
 
 
 def without_gradient(

@@ -228,6 +228,7 @@ _MOST_SHOWN = 10
 
 _METHODS = {
     "gradient": "along gradients: a local optimum",
+    "compromise": "along gradients: local optima",
     "cobyqa": "by models of what designs give: a local optimum",
     "tpe": "tree-structured Parzen estimators: a better design may exist",
     "nsga2": "NSGA-II: better designs may exist",

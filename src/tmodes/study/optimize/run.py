@@ -14,6 +14,7 @@ from tmodes.gradients.quantities import Functional
 from tmodes.io.arguments import checked_arguments, whole_number
 from tmodes.io.words import meant
 from tmodes.simulation.reductions import SMOOTH
+from tmodes.study.optimize.compromise import compromises
 from tmodes.study.optimize.goals import Goals, goals_of, refuse_contradictions
 from tmodes.study.optimize.leaves import cheap, leaves
 from tmodes.study.optimize.local import by_gradient, without_gradient
@@ -30,7 +31,7 @@ __all__ = ["METHODS", "optimize"]
 
 Progress = Callable[[str, float], None]
 
-METHODS = "auto", "grid", "gradient", "cobyqa", "tpe", "nsga2"
+METHODS = "auto", "grid", "gradient", "compromise", "cobyqa", "tpe", "nsga2"
 MOST_DESIGNS = 20_000
 """Designs of a finite space that are all tried."""
 
@@ -39,7 +40,7 @@ MOST_TRIALS, MOST_SEED = 1_000_000, 2**53 - 1
 _TOGETHER = 100_000
 """Cases that are computed together when all designs are tried."""
 
-TRIALS = {"tpe": 200, "nsga2": 1000, "gradient": 64, "cobyqa": 200}
+TRIALS = {"tpe": 200, "nsga2": 1000, "gradient": 64, "compromise": 8, "cobyqa": 200}
 
 
 @checked_arguments
@@ -60,8 +61,10 @@ def optimize(
     sheet's own design where something is simulated (slopes by the adjoint), else from the best of ``trials`` evenly
     spread designs, with exact slopes of numbers at rest (by differences those of frequencies under loads, in contact
     and in steady motion); ``cobyqa`` descends from the sheet's own design
-    without slopes, in at most ``trials`` designs; ``tpe`` and ``nsga2`` try ``trials`` designs; ``auto``: the first of
-    these that fits, ``cobyqa`` never. ``out``: a folder for finished cases, so that the same call resumes.
+    without slopes, in at most ``trials`` designs; ``compromise`` descends along gradients to ``trials``
+    compromises between two objectives; ``tpe`` and ``nsga2`` try ``trials`` designs; ``auto``: the first of
+    these that fits, ``compromise`` and ``cobyqa`` never. ``out``: a folder for finished cases, so that the same call
+    resumes.
     ``functionals``: further quantities by name, measured on the run, for ``gradient``. ``where``: as of
     :func:`tmodes.study.run_study`.
 
@@ -92,6 +95,8 @@ def optimize(
     count = trials or TRIALS.get(chosen, 0)
     if chosen == "gradient":
         return with_start(by_gradient(tried, functionals or {}, count, seed, units, progress), own, start, rows)
+    if chosen == "compromise":
+        return with_start(compromises(tried, count, units, progress), own, start, rows)
     if chosen == "cobyqa":
         return with_start(without_gradient(tried, count, units, progress), own, start, rows)
     if chosen == "grid":
@@ -129,6 +134,9 @@ def _chosen(study: Study, space: DesignSpace, goals: Goals, method: str, functio
     refusals = {
         "grid": (not finite, _too_many(space), f"a list of at most {MOST_DESIGNS:,} designs", "take tpe or nsga2"),
         "gradient": (not smooth, _not_smooth(space, several=several), "one objective of ranges", "take tpe or nsga2"),
+        "compromise": (not (space.continuous and len(goals.aims) == 2 and _differentiable(study, goals, functionals)),
+                    f"{len(goals.aims)} objectives, or one without slopes", "two objectives with slopes, of ranges",
+                    "take nsga2"),
         "cobyqa": (not smooth, _not_smooth(space, several=several), "one objective of ranges", "take tpe or nsga2"),
         "tpe": (several, f"{len(goals.aims)} objectives", "one objective", "take nsga2, or limits"),
         "nsga2": (False, "", "", ""),
