@@ -99,8 +99,8 @@ def test_integrals_and_loads_with_a_delay_end_at_the_setpoint() -> None:
 
 
 def test_a_delay_that_is_not_in_the_design_is_said() -> None:
-    told = "its gains do not know that its commands act 15 ms late"
-    assert any(told in one for one in block_of(robot(LQG, delay=1.5 * PERIOD)).remarks())
+    remark = "its gains do not know that its commands act 15 ms late"
+    assert any(remark in one for one in block_of(robot(LQG, delay=1.5 * PERIOD)).remarks())
     assert not block_of(robot(LQG | KNOWN, delay=1.5 * PERIOD)).remarks()
 
 

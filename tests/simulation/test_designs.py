@@ -1,4 +1,4 @@
-"""Laws that are designed from the robot: once for all robots that are known alike, anew for all others."""
+"""Laws that are designed from the robot: once for all robots that are known alike, again for all others."""
 
 from __future__ import annotations
 

@@ -89,9 +89,9 @@ def _with_time_left(tell: Stages) -> Callable[[str, float], None]:
 
     began: dict[str, float] = {}
 
-    def told(stage: str, share: float) -> None:
+    def stage_of(stage: str, share: float) -> None:
         passed = clock.monotonic() - began.setdefault(stage, clock.monotonic())
         known = stage == COMPROMISES and 0 < share < 1
         tell(stage, share, f"about {remaining(passed * (1 - share) / share)} left" if known else "")
 
-    return told
+    return stage_of

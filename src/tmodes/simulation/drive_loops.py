@@ -41,7 +41,7 @@ def drive_loops(robot: Robot, time: float | None = None) -> dict[str, StateSpace
     """L of each controlled drive that its controllers close by negative feedback, about the start or a ``time`` [s].
 
     By joint; input and output are its command. Left out are drives at a limit, those under a law of continuous time
-    beside sampled ones, and laws that sample more than once in the common period of all.
+    among sampled ones, and laws that sample more than once in the common period of all.
     """
     setup = run_setup(robot)
     (state, row), volts = start_of(setup, time), {one.joint: _volts(one) for one in setup.planned.plan.drives}

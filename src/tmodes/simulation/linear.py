@@ -283,7 +283,7 @@ def _samples(at: Instant) -> tuple[float, list[tuple[float, Array, Array]]]:
 def instants(at: Instant) -> tuple[float, list[tuple[float, Container[int]]]]:
     """The common period [s] of all samples; of each instant the time to the next, and which clocks are due.
 
-    Goes on to the state after the first samples of all.
+    Takes the state to the one after the first samples of all.
     """
     exact = [[Fraction(t).limit_denominator(10**9) for t in (one.period, one.after)] for _, one in at.plan.clocks]
     whole, found = common_period([(period, shift) for period, shift in exact])
