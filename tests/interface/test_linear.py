@@ -450,3 +450,34 @@ def test_without_drives_no_mode_is_said_to_be_out_of_reach() -> None:
     assert "0 inputs, 0 outputs" in said
     assert "No input reaches" not in said
     assert "No output shows" not in said
+
+
+def test_zeros_are_of_what_two_names_share() -> None:
+    """Modes of the other way of bending cancel: the zeros are those of the same arm that bends in its plane alone."""
+    flat = tmodes.load("two_link_arm").with_({"gravity": 0.0})
+    spatial = flat.with_({"planar": False, "links.forearm.beam.functions": {"bend_y": 2, "bend_z": 1}})
+    one, other = (each.linearize(inputs="elbow.torque", outputs="tip.z") for each in (flat, spatial))
+    assert len(other.A) > len(one.A)
+    assert near(np.sort_complex(other.zeros("tip.z", "elbow.torque")),
+                np.sort_complex(one.zeros("tip.z", "elbow.torque")), 1e-6)  # fmt: skip
+    across = spatial.linearize(inputs="elbow.torque", outputs="tip.z,tip.y")
+    assert not across.acts("tip.y", "elbow.torque")
+    assert across.acts("tip.z", "elbow.torque")
+
+
+def test_what_no_gain_reads_is_no_state_of_the_loop() -> None:
+    plain = {"type": "pd", "position_gain": 40.0, "velocity_gain": 3.0}
+    with_none = {"type": "pid", "position_gain": 40.0, "velocity_gain": 3.0, "integral_gain": 0.0}
+    one, other = (tmodes.load("spong1987").with_({"drives.0.controller": each}).linearize(closed=True)
+                  for each in (plain, with_none))  # fmt: skip
+    assert other.is_stable
+    assert near(other.poles, one.poles)
+
+
+def test_a_closed_loop_is_about_where_its_gains_leave_it() -> None:
+    """A proportional gain gives way to the weight: q is that of the start of the run, and of the matrices."""
+    soft = tmodes.load("two_link_arm").with_({"drives.0.controller": {"type": "pd", "position_gain": 2000.0,
+                                                                      "velocity_gain": 60.0}})  # fmt: skip
+    found = soft.linearize(closed=True)
+    assert found.q == pytest.approx(found.system.x0[: len(found.q)], abs=1e-9)
+    assert abs(found.q[0] + 0.4) > 1e-3

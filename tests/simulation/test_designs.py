@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import tmodes
-from tmodes.kinds.controllers.state_space import LQG
+from tmodes.kinds.controllers.lqg import LQG
 from tmodes.simulation.control import designs
 
 LAW = {

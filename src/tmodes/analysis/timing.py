@@ -27,13 +27,15 @@ def timed_ways(robot: Robot, found: Followed, timing: Timing) -> list[dict[str, 
     """
     arm, own = Arm(robot), {joint.name: joint.limits for joint in robot.joints}
     names = "speed", "acceleration", "jerk", "effort"
-    bounds = [np.array([getattr(own[joint], name, None) or np.inf for joint in found.joints]) for name in names]
+    speed, gain, jerk, effort = (
+        np.array([getattr(own[joint], name, None) or np.inf for joint in found.joints]) for name in names
+    )
     signals = [Signal.of(one).schedule(float(found.times[-1])) for one in found.signals()]
     ways = []
     for leg in found.legs:
         places, times = _places(leg)
         joints = np.stack([one.at(leg.begin + times) for one in signals], axis=1)
-        ways.append(timing.signal(JointCourse(places, joints, *bounds, arm.efforts)))
+        ways.append(timing.signal(JointCourse(places, joints, speed, gain, jerk, effort, arm.efforts)))
     return ways
 
 

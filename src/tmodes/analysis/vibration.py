@@ -16,6 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 __all__ = [
     "AT_REST",
     "FEWEST",
+    "RINGS",
     "STANDS",
     "Oscillation",
     "Residual",
@@ -40,7 +41,7 @@ _MOST_SAMPLES, _MOST_TERMS = 600, 40
 _RANKS = 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8
 """Singular values over the largest below which there is no further exponential: as few of them as are right."""
 
-_RINGS = 0.4
+RINGS = 0.4
 """Damping ratio from which on a motion creeps rather than rings."""
 
 _WRONG, _NOTHING = (1e-3, 0.01), 1e-4
@@ -234,7 +235,7 @@ def _checked(t: Array, y: Array, poles: Complex, limit: float, times: Array, val
     poles = (np.minimum(poles.real, 1.0 / length) + 1j * poles.imag).astype(complex)
     parts, basis = fitted(t, y, poles), np.exp(np.outer(t, poles))
     wrong = float(np.sqrt(np.mean(np.sum(np.abs(basis @ parts - y) ** 2, axis=1))))
-    rings = (poles.imag != 0) & (-poles.real < _RINGS * np.abs(poles))
+    rings = (poles.imag != 0) & (-poles.real < RINGS * np.abs(poles))
     fast = rings & (np.abs(poles.imag) * length >= 2 * np.pi)
     apart = y - (basis[:, ~fast] @ parts[~fast]).real
     vibration = float(np.linalg.norm((basis[:, fast] @ parts[fast]).real, axis=1).max(initial=0.0))
@@ -265,8 +266,8 @@ def _checked(t: Array, y: Array, poles: Complex, limit: float, times: Array, val
 def _calm(turning: Complex) -> str:
     """Why nothing rings, in words; ``turning``: poles [1/s] of what turns at all."""
     ratio = float((-turning.real / np.abs(turning)).min(initial=np.inf))
-    strongly = f"it is damped too strongly to ring: damping ratio {ratio:.2g}, {_RINGS:g} or more"
-    return strongly if _RINGS <= ratio < 1 else "nothing oscillates about the slowly moving mean"
+    strongly = f"it is damped too strongly to ring: damping ratio {ratio:.2g}, {RINGS:g} or more"
+    return strongly if RINGS <= ratio < 1 else "nothing oscillates about the slowly moving mean"
 
 
 class _Exponentials(NamedTuple):

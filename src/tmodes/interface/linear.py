@@ -75,7 +75,8 @@ def linearize(
     chosen, outs = (_names(inputs), _names(outputs)), tuple(f"{drive.joint}.position" for drive in robot.drives)
     closed, held = closed or loop is not None, pose_of(at, robot)
     _refuse(robot, closed=closed, at=at, time=time, period=period, delay=delay)
-    rest = robot_rest(robot, held=held, contact=contact, moving=True, progress=progress)
+    pose = _started(robot) if closed and time is None else held
+    rest = robot_rest(robot, held=pose, contact=contact, moving=True, progress=progress)
 
     def made() -> StateSpace:
         own = chosen[0] or all_inputs(robot, closed=closed), chosen[1] or outs
@@ -126,6 +127,14 @@ def _refuse(
 
 def _names(given: str | Sequence[str] | None) -> tuple[str, ...]:
     return tuple(name.strip() for name in given.split(",")) if isinstance(given, str) else tuple(given or ())
+
+
+def _started(robot: Robot) -> dict[str, Any]:
+    """What drives hold at the start of a run under control, which is where the weight leaves them."""
+    from tmodes.simulation.initial_state import run_setup
+
+    setup = run_setup(robot)
+    return _drives(robot, dict(zip(setup.model.coordinates, setup.start[setup.model.layout.q].tolist(), strict=True)))
 
 
 def _drives(robot: Robot, pose: Mapping[str, Any]) -> dict[str, Any]:

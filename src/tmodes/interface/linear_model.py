@@ -39,6 +39,9 @@ Complex = NDArray[np.complex128]
 
 _POINTS, _MOST_PAIRS = 400, 12
 
+_CANCELS, _ROUNDING, _NO_EFFECT = 1e-5, 1e-9, 1e-12
+"""Shares: of a pole by which a zero that cancels it is off, of the fastest pole that is 0, of no response."""
+
 
 @dataclass(frozen=True, eq=False, repr=False)
 class LinearModel(Linearization):
@@ -165,8 +168,9 @@ class LinearModel(Linearization):
     def zeros(self, output: str | None = None, input: str | None = None) -> Complex:  # noqa: A002
         """Transmission zeros [1/s] from an input to an output, of all of them together without names.
 
-        Those at infinity are left out. A zero to the right (outside of the unit circle) makes the system non-minimum
-        phase. Method: generalised eigenvalues of the Rosenbrock pencil (A. J. Laub, B. C. Moore, Automatica 14, 1978).
+        Those at infinity are left out, and between two names those that cancel modes which these do not share. A zero
+        to the right (outside of the unit circle) makes the system non-minimum phase. Method: generalised eigenvalues of
+        the Rosenbrock pencil (A. J. Laub, B. C. Moore, Automatica 14, 1978).
         Raises :class:`tmodes.errors.InputError` for an unknown name, and where inputs and outputs are not as many.
 
         >>> linear = tmodes.load("spong1987").linearize(inputs="joint.torque", outputs="joint.motor.position")
@@ -177,7 +181,23 @@ class LinearModel(Linearization):
         if len(C) != B.shape[1]:
             got, expected = f"{B.shape[1]} inputs and {len(C)} outputs", "as many of both"
             raise InputError("zeros", got, expected, "name one input and one output")
-        return transmission_zeros(A, B, C, D)
+        zeros = transmission_zeros(A, B, C, D)
+        lost = [*lost_modes(A, B, self.states), *lost_modes(A.T, C.T, self.states)]  # they are zeros of every channel
+        for pole in {one for mode in lost for one in (mode.pole, mode.pole.conjugate())}:
+            near = np.abs(zeros - pole)
+            if near.min(initial=np.inf) < _CANCELS * abs(pole) + _ROUNDING * np.abs(self.poles).max():
+                zeros = np.delete(zeros, near.argmin())
+        return zeros
+
+    def acts(self, output: str, input: str) -> bool:  # noqa: A002
+        """Whether an input moves an output at all.
+
+        >>> tmodes.load("spong1987").linearize(inputs="joint.torque").acts("joint.position", "joint.torque")
+        True
+        """
+        size = np.abs(self.frequency_response(self.frequencies()[::40]).values).max(axis=0)
+        row, column = size[self._place("outputs", output)[0]], size[:, self._place("inputs", input)[0]]
+        return bool(row[self._place("inputs", input)[0]] > _NO_EFFECT * min(row.max(), column.max()))
 
     def _part(self, output: str | None, input: str | None) -> tuple[Array, Array, Array, Array]:  # noqa: A002
         rows, columns = self._place("outputs", output), self._place("inputs", input)

@@ -24,6 +24,9 @@ _NULL, _ROUNDING = 1e-9, 1e-9
 _GONE = 1e-6
 """Size of a pole in the z plane whose motion is over at the next sample: poles of delays and of very fast motions."""
 
+_OUTSIDE = 1e-7
+"""Distance of a zero from the unit circle that is rounding."""
+
 _MODES = 3
 """Modes that a sentence names."""
 
@@ -78,17 +81,27 @@ def lost_modes(found: Any) -> Iterator[str]:
         "No output shows": found.unobservable if found.outputs else (),
     }
     for what, modes in lost.items():
-        kept = [str(one) for one in modes if not found.period or abs(one.pole) > _GONE]
+        kept = [str(_rate(one, found.period)) for one in modes if not found.period or abs(one.pole) > _GONE]
         if kept:
             yield f"{what} the mode {', '.join(kept)}."
 
 
+def _rate(mode: Any, period: float | None) -> Any:
+    """A mode of a sampled model with its pole as a rate [1/s]."""
+    return mode._replace(pole=complex(np.log(mode.pole)) / period) if period else mode
+
+
 def zero_rows(found: Any) -> Iterator[list[str]]:
     """A row for each input and output: its zeros, and whether some are to the right (outside of the unit circle)."""
+    least = _NULL * np.abs(found.poles).max(initial=0.0)
     for source in found.inputs:
         for output in found.outputs:
+            if not found.acts(output, source):
+                yield [source, output, "none", "no effect"]
+                continue
             zeros = found.zeros(output, source)
-            outside = np.abs(zeros) > 1 + _NULL if found.period else zeros.real > _NULL * np.abs(zeros)
+            right = (zeros.real > _NULL * np.abs(zeros)) & (np.abs(zeros) > least)
+            outside = np.abs(zeros) > 1 + _OUTSIDE if found.period else right
             shown = ", ".join(f"{one.real:.4g}{one.imag:+.4g}i" for one in zeros if one.imag >= 0)
             yield [source, output, shown or "none", "non-minimum" if outside.any() else "minimum"]
 

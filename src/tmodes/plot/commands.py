@@ -142,8 +142,8 @@ def _pairs(response: Any) -> Iterator[tuple[str, Any, Any]]:
 def bode_curves(response: Any, family: Any = None) -> Iterator[tuple[str, Any, list[Any], list[list[Any]]]]:
     """Each input and output in words, its look, its gain [dB] and phase [deg], and the ranges of a ``family`` of both.
 
-    The phase of each of the family is that of the response and the phase of their ratio, which is small where they
-    differ little: unwrapped by itself it could be off by whole turns, and its range with it.
+    The phase of each of the family is that of the response and the phase of their ratio, by at most half a turn:
+    unwrapped along frequencies it would be off by whole turns behind a zero that is hardly damped.
     """
     every = [one for _, one, _ in _pairs(family)] if family is not None else []
     with np.errstate(divide="ignore", invalid="ignore"):
@@ -151,7 +151,7 @@ def bode_curves(response: Any, family: Any = None) -> Iterator[tuple[str, Any, l
             own = [20 * np.log10(np.abs(values)), np.degrees(np.unwrap(np.angle(values)))]
             ranges = []
             if every:
-                apart = np.degrees(np.unwrap(np.angle(every[k] * np.conj(values)), axis=-1))
+                apart = np.degrees(np.angle(every[k] * np.conj(values)))
                 each = (20 * np.log10(np.abs(every[k])), own[1] + apart)
                 ranges = [[one.min(axis=0), one.max(axis=0)] for one in each]
             yield label, look, own, ranges

@@ -241,7 +241,16 @@ def closed_loop(robot: Robot, inputs: Sequence[str], outputs: Sequence[str], tim
     plan = setup.planned
     at = Instant(plan, *start_of(setup, time), _columns(pushed, plan, inputs, loads, closed=True))
     found = at.found(outputs)
-    return _sampled(at, found) if plan.plan.is_sampled else found
+    return _read(_sampled(at, found) if plan.plan.is_sampled else found, at.model.layout.controls.start)
+
+
+def _read(found: StateSpace, first: int) -> StateSpace:
+    """Without states from ``first`` on that nothing reads, such as the integral of a controller that has no gain."""
+    others = np.abs(found.A - np.diag(np.diag(found.A))).max(axis=0) + np.abs(found.C).max(axis=0, initial=0.0)
+    kept = [k for k in range(len(found.A)) if k < first or others[k] > 0]
+    names = tuple(found.states[k] for k in kept)
+    return replace(found, states=names, A=found.A[np.ix_(kept, kept)], B=found.B[kept], C=found.C[:, kept],
+                   x0=found.x0[kept], rate=found.rate[kept])  # fmt: skip
 
 
 def start_of(setup: RunSetup, time: float | None) -> tuple[Array, Array]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,6 +12,7 @@ from numpy.typing import NDArray
 from tmodes.analysis.modes.of_sheet import frequencies_about
 from tmodes.analysis.statics.at_rest import first_commands, robot_rest
 from tmodes.analysis.statics.path import Progress
+from tmodes.analysis.vibration import RINGS
 from tmodes.errors import InputError
 from tmodes.model.model import Model
 from tmodes.sheet import Robot
@@ -53,6 +55,7 @@ def modes_along(
 ) -> list[ModeAlong]:
     """Modes that ring, of ``numbers`` from 1 on, in ``poses``; motors under control, where any is, else locked.
 
+    By rising frequency; those of a damping ratio of :data:`RINGS` and more, which hardly do, come after all others.
     Raises :class:`tmodes.errors.InputError` where a pose has not so many, and
     :class:`tmodes.errors.SimulationError` where it has no rest.
     """
@@ -61,7 +64,7 @@ def modes_along(
         progress("modes", k / len(poses))
         states = frequencies_about(robot, robot_rest(robot, held=held, contact=False), "locked", "controlled")
         rows = states.get("controlled", states.get("locked", []))
-        rows = sorted((row for row in rows if row["damped_frequency_Hz"]), key=lambda row: row["frequency_Hz"])
+        rows = sorted((row for row in rows if row["damped_frequency_Hz"]), key=_rings_first)
         if len(rows) < max(numbers):
             got, expected = f"mode {max(numbers)} of {len(rows)} that ring", "numbers of modes that the robot has"
             raise InputError("modes", got, expected, "`tmodes modes` lists them")
@@ -71,3 +74,7 @@ def modes_along(
                                                 for key in ("frequency_Hz", "damping_ratio")))
         for number, rows in zip(numbers, zip(*found, strict=True), strict=True)
     ]  # fmt: skip
+
+
+def _rings_first(row: dict[str, Any]) -> tuple[bool, float]:
+    return row["damping_ratio"] >= RINGS, row["frequency_Hz"]
