@@ -428,8 +428,10 @@ def test_modes_are_named_by_the_state_that_takes_part() -> None:
 def test_its_page(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
     guide = (Path(__file__).resolve().parents[2] / "docs" / "linear-models.md").read_text(encoding="utf-8")
-    (line,) = [one.strip() for one in guide.splitlines() if one.startswith("    tmodes ")]
+    line, closed = [one.strip() for one in guide.splitlines() if one.startswith("    tmodes ")]
     assert command(*line.split()[1:]).stdout.endswith("Page: arm.html\n")
+    (row,) = [one.split() for one in guide.splitlines() if one.startswith("      motor ")]
+    assert row in [one.split() for one in command(*closed.split()[1:]).stdout.splitlines()]
     said = command("linear", "spong1987", "--page", str(tmp_path / "linear.html")).stdout
     assert f"Page: {tmp_path / 'linear.html'}" in said
     text = (tmp_path / "linear.html").read_text(encoding="utf-8")

@@ -24,6 +24,9 @@ _FAR = 1e6
 _REAL = 1e-6
 """Share of a response that may be imaginary where it crosses the real axis."""
 
+_RINGS, _AROUND = 0.1, np.linspace(-1.45, 1.45, 16)
+"""Damping ratio below which a pole is a peak, and halves of its phase [rad] at which the response is looked at."""
+
 _NULL = 1e-6
 """Rate [1/s] of a motion that neither grows nor decays."""
 
@@ -107,12 +110,16 @@ def step_values(A: Array, B: Array, C: Array, D: Array, count: int, step: float,
 
 
 def frequencies(poles: Complex, period: float | None, count: int = 400) -> Array:
-    """Frequencies [Hz] (n,) of a response: from below the slowest pole to above the fastest, at those in between."""
+    """Frequencies [Hz] (n,) of a response: from below the slowest pole to above the fastest, close where it rings."""
     with np.errstate(divide="ignore", invalid="ignore"):  # a pole at 0 of a delay
-        sizes = np.abs(np.log(poles) / period) if period else np.abs(poles)
-    sizes = sizes[(sizes > _NULL) & np.isfinite(sizes)] / (2 * np.pi)
+        rates = np.log(poles) / period if period else poles
+    rates = rates[(np.abs(rates) > _NULL) & np.isfinite(rates)]
+    sizes = np.abs(rates) / (2 * np.pi)
     low, high = (sizes.min() / 10, sizes.max() * 10) if len(sizes) else (0.01, 100.0)
     high = min(high, 0.5 / period) if period else high
+    rings = (rates.imag > 0) & (np.abs(rates.real) < _RINGS * np.abs(rates))
+    around = sizes[rings][:, None] + np.abs(rates[rings].real)[:, None] / (2 * np.pi) * np.tan(_AROUND)
+    sizes = np.append(sizes, around)
     return np.unique(np.append(np.geomspace(min(low, high / 10), high, count), sizes[(sizes > low) & (sizes < high)]))
 
 
