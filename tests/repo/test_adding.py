@@ -16,7 +16,13 @@ EXAMPLES = re.findall(r"^## (.*?)\n.*?^```python\n(.*?)^```$", PAGE, re.MULTILIN
 
 
 def test_there_is_one_of_each() -> None:
-    assert [title for title, _ in EXAMPLES] == ["A controller", "A contact", "A link", "A figure"]
+    assert [title for title, _ in EXAMPLES] == [
+        "A controller",
+        "A sensor, a profile, a shaper",
+        "A contact",
+        "A link",
+        "A figure",
+    ]
 
 
 @pytest.mark.parametrize(("title", "example"), EXAMPLES, ids=[title for title, _ in EXAMPLES])
