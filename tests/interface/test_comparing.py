@@ -85,6 +85,11 @@ def test_the_error_by_what_is_uncertain() -> None:
     assert [*one.attribution.values()] == pytest.approx([soft, other, worst - known - soft - other], abs=1e-7)
     assert known + sum(one.attribution.values()) == pytest.approx(worst, abs=1e-7)
     assert found.info()["variants"][0]["attribution_m"] == one.attribution
+    (axes,) = found.plot()
+    assert [bar.get_label() for bar in axes.containers] == ["as known", "k", "m", "remainder"]
+    widths = [bar[0].get_width() for bar in axes.containers]
+    assert widths == pytest.approx([1e3 * known, *(1e3 * part for part in one.attribution.values())])
+    assert axes.get_xlabel() == "largest error of the tip [mm], by what is uncertain"
     assert any("worst corner" in part.columns for part in found.tables() if not isinstance(part, str))
     assert robot().compare({"own": {}}, uncertain={"k": SOFT}, runs=2).contenders[0].attribution == {}
 

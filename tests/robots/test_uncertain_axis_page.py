@@ -29,7 +29,8 @@ FEWER = {"study axis_plants.yaml": ["--runs", "4000", "--out", "plants"],
 def answers(tmp_path_factory: pytest.TempPathFactory) -> dict[str, dict[str, Any]]:
     """What each command of the page says; the study of fewer plants."""
     folder = tmp_path_factory.mktemp("axis")
-    for name in ("axis_gains.yaml", "axis_plants.yaml", "axis_laws.yaml", "axis_lqg_plants.yaml"):
+    for name in ("axis_gains.yaml", "axis_plants.yaml", "axis_laws.yaml", "axis_lqg_weights.yaml",
+                 "axis_hinf_weights.yaml", "axis_lqg_plants.yaml"):  # fmt: skip
         shutil.copy(ROOT / "examples" / "studies" / name, folder)
     found = {}
     for command in COMMANDS:
@@ -37,19 +38,22 @@ def answers(tmp_path_factory: pytest.TempPathFactory) -> dict[str, dict[str, Any
         line = [sys.executable, "-m", "tmodes.cli.main", *words]
         done = subprocess.run(line, cwd=folder, capture_output=True, text=True, timeout=LONG, check=False)
         assert done.returncode == 0, done.stderr
-        found[words[1] if words[0] == "study" else words[0]] = json.loads(done.stdout)
+        found[words[0] if words[0] in ("linear", "compare") else words[1]] = json.loads(done.stdout)
     return found
 
 
 def test_commands_run(answers: dict[str, dict[str, Any]]) -> None:
-    assert [*answers] == ["linear", "optimize", "axis_plants.yaml", "compare", "axis_lqg_plants.yaml"]
+    assert [*answers] == [
+        "linear", "axis_gains.yaml", "axis_plants.yaml", "compare", "axis_lqg_weights.yaml", "axis_hinf_weights.yaml",
+        "axis_lqg_plants.yaml",
+    ]  # fmt: skip
     for name in ("axis_plants.yaml", "axis_lqg_plants.yaml"):
         assert answers[name]["status"] == {"finished": 4000}
 
 
 def test_gains_that_are_found_halve_the_worst_cost_of_those_of_the_sheet(answers: dict[str, dict[str, Any]]) -> None:
     """On the plants of the search, and on others."""
-    found, others = answers["optimize"], answers["axis_plants.yaml"]["quantities"]["cost"]
+    found, others = answers["axis_gains.yaml"], answers["axis_plants.yaml"]["quantities"]["cost"]
     assert found["method"] == "gradient"
     assert found["cases"] == 128 * found["designs"]
     ((_, start), *_, (_, best)) = found["history"]
@@ -81,6 +85,14 @@ def test_the_league_says_what_the_page_says(answers: dict[str, dict[str, Any]]) 
         assert (said[name]["fails"]["share"] > 0.2) == (name == "LQG, firm")
         if name != "LQG, firm":
             assert 1e3 * said[name]["worst_m"] == pytest.approx(float(worst), rel=2e-3)
+
+
+@pytest.mark.parametrize(("name", "least"), [("axis_lqg_weights.yaml", 0.39), ("axis_hinf_weights.yaml", 0.18)])
+def test_weights_that_are_found(answers: dict[str, dict[str, Any]], name: str, least: float) -> None:
+    """How much better than those by hand they are in the worst of 64 plants."""
+    ((_, start), *_, (_, best)) = answers[name]["history"]
+    assert best < (1 - least) * start
+    assert float(re.findall(rf"{name}\n\n    Best design: .*: cost ([\d.]+)", PAGE)[0]) == pytest.approx(best, rel=2e-3)
 
 
 def test_one_lqg_on_other_plants(answers: dict[str, dict[str, Any]]) -> None:

@@ -219,10 +219,21 @@ class Comparison(CommandResult):
         return Dataset(series, {"variant": [one.name for one in every], "case": np.arange(self.cases)})
 
     def plot(self, ax: Any = None) -> list[Any]:
-        """The largest error of each variant [mm]: nominal, the worst case, and what 90 % of the cases lie between."""
-        from tmodes.plot.commands import spans
+        """The largest error of each variant [mm]: nominal, the worst case, and what 90 % of the cases lie between.
+
+        Of the plan ``tolerance`` what each uncertain parameter adds to it at its worse end, and what only all together
+        do (:attr:`Contender.attribution`), up to the worst corner; next to each other where a part is negative.
+        """
+        from tmodes.plot.commands import bars, spans
 
         every = self.ranked
+        if split := [(one.name, one.stack.nominal, one.attribution) for one in every if one.stack]:
+            parts = {"as known": _scaled([known for _, known, _ in split])}
+            parts |= {name: _scaled([own[name] for *_, own in split]) for name in split[0][2]}
+            stacked = all(length >= 0 for lengths in parts.values() for length in lengths)
+            names = [name for name, *_ in split]
+            what = "largest error of the tip [mm], by what is uncertain"
+            return bars(parts, names, what, title=self.name, ax=ax, stacked=stacked)
         marks = {"nominal": [one.nominal.largest_m for one in every]}
         if self.cases > 1:
             marks[f"worst of {self.cases}"] = [one.worst for one in every]
