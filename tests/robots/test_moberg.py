@@ -181,4 +181,6 @@ def test_regulator_that_estimates_the_load_is_that_of_matrix_exponentials() -> N
     sheet["control"] = [{"name": "law", "drives": ["motor"], "delay": PERIOD, "block": block}]
     found = np.asarray(tmodes.Robot.from_data(sheet).run().output("tip.z"))[:4200]
     assert np.abs(found - tools).max() < 1e-9 * np.abs(tools).max()
-    assert not tmodes.Robot.from_data(sheet).run(error_estimate=False).warnings
+    late, little = tmodes.Robot.from_data(sheet).run(error_estimate=False).warnings
+    assert "delay_in_design" in late
+    assert "disk margin" in little

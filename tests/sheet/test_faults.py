@@ -180,11 +180,11 @@ DRIVES = [
         "got a controller with the command `effort`",
     ),
     ({"joint": "shoulder"}, "effort on a joint behind an elastic gear"),
-    ({"signal": {"type": "ramp"}}, "drives.0.signal.type must be one of constant, expression, noise"),
+    ({"signal": {"type": "ramp"}}, "drives.0.signal.type must be one of brake, constant, expression, noise"),
     ({"signal": {"value": 1}}, "drives.0.signal.type is missing"),
     (
         {"signal": 5},
-        "drives.0.signal must be a group of the kind constant, expression, noise, "
+        "drives.0.signal must be a group of the kind brake, constant, expression, noise, "
         "polynomial, quintic, s_curve, septic, shaped, sine, sine_squared, step, sum, table, trajectory, trapezoid",
     ),
 ]
