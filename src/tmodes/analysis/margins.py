@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from itertools import pairwise
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -26,6 +25,9 @@ _REAL = 1e-6
 
 _RINGS, _AROUND = 0.1, np.linspace(-1.45, 1.45, 16)
 """Damping ratio below which a pole is a peak, and halves of its phase [rad] at which the response is looked at."""
+
+_FINE = 3200
+"""Frequencies at which crossings are looked for, besides those where the loop rings."""
 
 _NULL = 1e-6
 """Rate [1/s] of a motion that neither grows nor decays."""
@@ -62,10 +64,24 @@ class Margins(NamedTuple):
         return ", ".join([*shown, f"disk {self.disk:.2g}"])
 
 
-def response(A: Array, B: Array, C: Array, D: Array, points: Complex) -> Complex:
-    """C (p - A)^-1 B + D at each point, by the eigenvectors where they are well conditioned, else by solving."""
-    eye = np.eye(len(A))
-    return np.stack([C @ np.linalg.solve(p * eye - A, B) + D for p in points])
+def response(A: Array, B: Array, C: Array, D: Array) -> Callable[[Complex], Complex]:
+    """C (p - A)^-1 B + D at points (n,): (n, outputs, inputs), by one Schur form for all points."""
+    from scipy.linalg import schur
+
+    both: Any = schur(A, output="complex") if len(A) else (np.zeros((0, 0)),) * 2
+    form, basis = both
+    into, out, size = basis.conj().T @ B, C @ basis, np.abs(np.diag(form)).max(initial=0.0)
+
+    def at(points: Complex) -> Complex:
+        states = np.zeros((len(form), len(points) * B.shape[1]), dtype=np.complex128)
+        for k in reversed(range(len(form))):
+            apart = points - form[k, k]
+            apart = np.where(apart == 0, np.finfo(float).eps * max(size, np.finfo(float).tiny), apart)
+            push = np.tile(into[k], len(points)) + form[k, k + 1 :] @ states[k + 1 :]
+            states[k] = push / np.repeat(apart, B.shape[1])
+        return np.moveaxis((out @ states).reshape(len(C), len(points), B.shape[1]), 0, 1) + D
+
+    return at
 
 
 def transmission_zeros(A: Array, B: Array, C: Array, D: Array) -> Complex:
@@ -136,20 +152,21 @@ def loop_margins(A: Array, B: Array, C: Array, D: Array, period: float | None) -
     """
     poles = np.linalg.eigvals(A - B @ C / (1 + D[0, 0]))
     stable = bool((np.abs(poles) < 1).all() if period else (poles.real < 0).all())
-    grid = frequencies(np.linalg.eigvals(A).astype(complex), period)
-    return _margins(lambda f: response(A, B, C, D, points(np.atleast_1d(f), period))[:, 0, 0], grid, stable)
+    grid, at = frequencies(np.linalg.eigvals(A).astype(complex), period, _FINE), response(A, B, C, D)
+    return _margins(lambda f: at(points(np.atleast_1d(f), period))[:, 0, 0], grid, stable)
 
 
-def _margins(loop: Callable[[Any], Complex], grid: Array, stable: bool) -> Margins:
+def _margins(loop: Callable[[Any], Complex], fine: Array, stable: bool) -> Margins:
     from scipy.optimize import minimize_scalar
 
-    fine = np.unique(np.concatenate([np.linspace(a, b, 9) for a, b in pairwise(grid)]))
     values = loop(fine)
     real = _crossings(lambda f: loop(f).imag, fine, values.imag)
     unit = _crossings(lambda f: np.abs(loop(f)) - 1, fine, np.abs(values) - 1)
-    crossed = [(complex(loop(f)[0]), f) for f in real]  # at a pole without damping the sign changes at infinity
+    crossed = [
+        *zip(loop(real).tolist(), real.tolist(), strict=True)
+    ]  # at a pole without damping the sign changes at infinity
     gains = [(1 / abs(one), f) for one, f in crossed if one.real < 0 and abs(one.imag) < _REAL * abs(one) < 1]
-    phases = [(float(np.angle(-loop(f)[0])), f) for f in unit]
+    phases = [*zip(np.angle(-loop(unit)).tolist(), unit.tolist(), strict=True)]
     gain = min(gains, key=lambda one: abs(np.log(one[0])), default=(np.inf, np.nan))
     phase = min(phases, key=lambda one: abs(one[0]), default=(np.inf, np.nan))
     delays = [(angle % (2 * np.pi)) / (2 * np.pi * f) for angle, f in phases if f]
@@ -166,8 +183,10 @@ def _margins(loop: Callable[[Any], Complex], grid: Array, stable: bool) -> Margi
     return Margins._make([*sizes, stable])
 
 
-def _crossings(of: Callable[[Any], Any], grid: Array, values: Array) -> list[float]:
-    from scipy.optimize import brentq
+def _crossings(of: Callable[[Any], Any], grid: Array, values: Array) -> Array:
+    """Where a function changes its sign between points of a grid."""
+    from scipy.optimize.elementwise import find_root
 
     signs = np.flatnonzero(values[:-1] * values[1:] < 0)
-    return [float(brentq(lambda f: float(of(f)[0]), grid[k], grid[k + 1])) for k in signs]  # pyright: ignore[reportArgumentType]
+    found = np.asarray(find_root(of, (grid[signs], grid[signs + 1])).x) if len(signs) else np.zeros(0)
+    return found[np.isfinite(found)]  # a pole without damping changes the sign, too

@@ -57,10 +57,11 @@ def _starting(robot: Robot) -> tuple[list[str], dict[str, Margins]]:
     found = [*departures(setup, setup.first_row)]
     if not setup.planned.plan.is_sampled:
         return found, {}
-    from tmodes.simulation.drive_loops import loop_warnings, sampled_margins
+    from tmodes.simulation.drive_loops import loop_warnings, sampled_loops, sampled_margins
 
-    loops = sampled_margins(setup)
-    return [*found, *loop_warnings(setup, loops)], loops
+    closed = sampled_loops(setup)
+    loops = sampled_margins(closed) if closed else {}
+    return [*found, *(loop_warnings(closed, loops) if closed else ())], loops
 
 
 @dataclass(frozen=True, eq=False, repr=False)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from tmodes.analysis.margins import Margins
@@ -75,8 +76,9 @@ def linearize(
     chosen, outs = (_names(inputs), _names(outputs)), tuple(f"{drive.joint}.position" for drive in robot.drives)
     closed, held = closed or loop is not None, pose_of(at, robot)
     _refuse(robot, closed=closed, at=at, time=time, period=period, delay=delay)
-    pose = _started(robot) if closed and time is None else held
-    rest = robot_rest(robot, held=pose, contact=contact, moving=True, progress=progress)
+    if loop is not None and (inputs or outputs or period is not None):
+        hint = "leave these out: its input and output are the command of the drive"
+        raise InputError("loop", f"`{loop}` with inputs, outputs or a period", "a drive alone", hint)
 
     def made() -> StateSpace:
         own = chosen[0] or all_inputs(robot, closed=closed), chosen[1] or outs
@@ -89,6 +91,13 @@ def linearize(
             got, expected = f"{period:g} s", f"left out: the controllers sample by themselves, every {found.period:g} s"
             raise InputError("period", got, expected, "remove it; delays stand in the sheet")
         return found if period is None else delayed(found, period, delay)
+
+    if closed and time is None:  # where gains leave the robot
+        system = made()
+        n = next(k for k, name in enumerate(system.states) if name.endswith("'"))
+        held = _drives(robot, dict(zip(system.states[:n], system.x0[:n].tolist(), strict=True)))
+        made = partial(replace, system)
+    rest = robot_rest(robot, held=held, contact=contact, moving=True, progress=progress)
 
     def loops() -> Mapping[str, StateSpace]:
         return drive_loops(robot, time)
@@ -127,14 +136,6 @@ def _refuse(
 
 def _names(given: str | Sequence[str] | None) -> tuple[str, ...]:
     return tuple(name.strip() for name in given.split(",")) if isinstance(given, str) else tuple(given or ())
-
-
-def _started(robot: Robot) -> dict[str, Any]:
-    """What drives hold at the start of a run under control, which is where the weight leaves them."""
-    from tmodes.simulation.initial_state import run_setup
-
-    setup = run_setup(robot)
-    return _drives(robot, dict(zip(setup.model.coordinates, setup.start[setup.model.layout.q].tolist(), strict=True)))
 
 
 def _drives(robot: Robot, pose: Mapping[str, Any]) -> dict[str, Any]:

@@ -37,8 +37,8 @@ if TYPE_CHECKING:
     from tmodes.sheet import Robot
 
 __all__ = [
-    "Instant", "StateSpace", "all_inputs", "closed_loop", "delayed", "growth", "instants", "open_loop", "opened",
-    "row_at", "run_feedback", "sampled_slopes", "start_of",
+    "Instant", "StateSpace", "all_inputs", "closed_loop", "delayed", "growth", "open_loop", "opened", "row_at",
+    "run_feedback", "samples_of", "start_of",
 ]  # fmt: skip
 
 Array = NDArray[np.float64]
@@ -260,47 +260,36 @@ def start_of(setup: RunSetup, time: float | None) -> tuple[Array, Array]:
     return _state_at(setup.chosen(), time), row_at(setup.planned, time)
 
 
-def growth(setup: RunSetup) -> float:
-    """How fast the fastest motion under sampled controllers grows about the start of a run [1/s]; 0 where none does.
-
-    Dry friction that sticks is left out.
-    """
-    at = Instant(setup.planned, setup.start.copy(), setup.first_row.copy(), (), setup.model)
-    found = _sampled(at, at.found(()))
-    size = float(np.abs(np.linalg.eigvals(found.A)).max(initial=0.0))
-    return float(np.log(size) / (found.period or 1.0)) if size > 1 + _GROWS else 0.0
+def growth(closed: StateSpace, poles: Any) -> float:
+    """How fast the fastest motion of a sampled system grows [1/s]; 0 where none does. ``poles``: its eigenvalues."""
+    size = float(np.abs(poles).max(initial=0.0))
+    return float(np.log(size) / (closed.period or 1.0)) if size > 1 + _GROWS else 0.0
 
 
 def _sampled(at: Instant, found: StateSpace) -> StateSpace:
     """The system from one start of the common period of all samples to the next."""
-    (n, m), (whole, samples) = found.B.shape, _samples(at)
+    (n, m), (whole, samples) = found.B.shape, samples_of(at)
     phi, gamma = np.eye(n), np.zeros((n, m))
-    for length, by_state, by_input in samples:
+    for length, _, by_state, by_input in samples:
         Ad, Bd = zero_order_hold(found.A, found.B, length)
         phi, gamma = Ad @ by_state @ phi, Ad @ (by_state @ gamma + by_input) + Bd
-    _, by_state, by_input = samples[0]
+    *_, by_state, by_input = samples[0]
     C, D = found.C @ by_state, found.D + found.C @ by_input
     return replace(found, A=phi, B=gamma, C=C, D=D, period=whole)
 
 
-def _samples(at: Instant) -> tuple[float, list[tuple[float, Array, Array]]]:
-    """The common period [s] of all samples; of each instant the time to the next, and the state after it as below."""
-    whole, found = instants(at)
-    return whole, [(length, *sampled_slopes(at, due)) for length, due in found]
+def samples_of(at: Instant) -> tuple[float, list[tuple[float, Container[int], Array, Array]]]:
+    """The common period [s] of all samples, and each instant of it, after the first samples of all.
 
-
-def instants(at: Instant) -> tuple[float, list[tuple[float, Container[int]]]]:
-    """The common period [s] of all samples; of each instant the time to the next, and which clocks are due.
-
-    Takes the state to the one after the first samples of all.
+    Of each the time to the next [s], which clocks are due, and the state after it by the one before and by the inputs.
     """
     exact = [[Fraction(t).limit_denominator(10**9) for t in (one.period, one.after)] for _, one in at.plan.clocks]
-    whole, found = common_period([(period, shift) for period, shift in exact])
+    whole, instants = common_period([(period, shift) for period, shift in exact])
     at.sample(_due(at, range(len(exact))))
-    return whole, [*found]
+    return whole, [(length, due, *_after(at, due)) for length, due in instants]
 
 
-def sampled_slopes(at: Instant, due: Container[int]) -> tuple[Array, Array]:
+def _after(at: Instant, due: Container[int]) -> tuple[Array, Array]:
     """The state after the samples that are due, by the one before and by the inputs."""
     by_state, by_input = at.slopes(at.model.loop.sampled, "state", np.zeros(0), _due(at, due))
     return by_state[at.kept], by_input[at.kept]
@@ -336,12 +325,10 @@ def run_feedback(robot: Robot, rest: Equilibrium) -> Feedback:
     )  # fmt: skip
     if not setup.planned.plan.is_sampled:
         return found
-    samples = [(length, by_state[ordered][2 * n :]) for length, by_state, _ in _samples(at)[1]]
+    samples = [(length, by_state[ordered][2 * n :]) for length, _, by_state, _ in samples_of(at)[1]]
     following = [by for _, by in samples[1:] + samples[:1]]
-    every, held = (
-        sampled_slopes(at, range(len(setup.planned.clocks)))[0][ordered][2 * n :],
-        np.zeros((len(A) - 2 * n, n)),
-    )
+    every, held = _after(at, range(len(setup.planned.clocks)))[0], np.zeros((len(A) - 2 * n, n))
+    every = every[ordered][2 * n :]
     for _ in range(1 + setup.planned.plan.most_kept):
         held = every[:, :n] + every[:, 2 * n :] @ held
     return replace(found, samples=tuple(zip([length for length, _ in samples], following, strict=True)), held=held)

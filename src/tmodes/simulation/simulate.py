@@ -160,9 +160,10 @@ def _growing(setups: _Setups) -> list[str]:
     for block in setups.real.planned.plan.blocks:
         found += [f"control block `{block.name}`: {remark}" for remark in block.law.block.remarks()]
     if setups.real.planned.plan.is_sampled:
-        from tmodes.simulation.drive_loops import loop_warnings, sampled_margins
+        from tmodes.simulation.drive_loops import loop_warnings, sampled_loops
 
-        found += loop_warnings(setups.real, sampled_margins(setups.real))
+        if closed := sampled_loops(setups.real):
+            found += loop_warnings(closed)
     return found
 
 

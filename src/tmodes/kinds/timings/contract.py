@@ -22,7 +22,7 @@ from pydantic import Field
 
 from tmodes.kinds.schema.kind import Kind
 
-__all__ = ["TIMINGS", "JointCourse", "Timing"]
+__all__ = ["TIMINGS", "JointCourse", "Timing", "tightest"]
 
 Array = NDArray[np.float64]
 
@@ -41,6 +41,11 @@ class JointCourse(NamedTuple):
     jerk: Array
     effort: Array
     efforts: Callable[[Array, Array, Array], Array]
+
+
+def tightest(own: Array, limit: float | None) -> Array:
+    """Limits of the joints (k,), and one of all that a timing may have."""
+    return np.minimum(own, np.inf if limit is None else limit)
 
 
 class Timing(Kind, family="timing", key="type"):

@@ -16,7 +16,7 @@ from pydantic import Field
 from tmodes.errors import InputError
 from tmodes.kinds.schema.quantity import LARGEST, positive
 from tmodes.kinds.signals.s_curve import SCurve
-from tmodes.kinds.timings.contract import TIMINGS, Array, JointCourse, Timing
+from tmodes.kinds.timings.contract import TIMINGS, Array, JointCourse, Timing, tightest
 
 __all__ = ["JerkLimited"]
 
@@ -39,8 +39,7 @@ class JerkLimited(Timing):
         from scipy.optimize import brentq
 
         path, length = CubicSpline(course.ways, course.joints), float(course.ways[-1])
-        gain, jerk = (np.minimum(own, np.inf if limit is None else limit) for own, limit in (
-            (course.acceleration, self.acceleration), (course.jerk, self.jerk)))  # fmt: skip
+        gain, jerk = tightest(course.acceleration, self.acceleration), tightest(course.jerk, self.jerk)
         limits = [self.share * one for one in (course.speed, gain, jerk, course.effort)]
         slope = np.abs(path(course.ways, 1)).max(axis=0)
         if not np.isfinite(jerk[slope > 0]).any():

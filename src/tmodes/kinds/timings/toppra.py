@@ -14,7 +14,7 @@ from pydantic import Field
 
 from tmodes.errors import InputError
 from tmodes.kinds.schema.quantity import positive
-from tmodes.kinds.timings.contract import TIMINGS, Array, JointCourse, Timing
+from tmodes.kinds.timings.contract import TIMINGS, Array, JointCourse, Timing, tightest
 
 __all__ = ["Toppra"]
 
@@ -39,7 +39,7 @@ class Toppra(Timing):
         path, limits, effort = toppra.SplineInterpolator(course.ways, course.joints), list[Any](), list[Any]()
         if np.isfinite(course.speed).any():
             limits.append(constraint.JointVelocityConstraint(_both(self.share * course.speed)))
-        gain = np.minimum(course.acceleration, np.inf if self.acceleration is None else self.acceleration)
+        gain = tightest(course.acceleration, self.acceleration)
         if np.isfinite(gain).any():
             limits.append(constraint.JointAccelerationConstraint(_both(gain)))
         if np.isfinite(course.effort).any():

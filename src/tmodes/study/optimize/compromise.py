@@ -54,7 +54,7 @@ def compromises(trials: Trials, count: int, units: dict[str, str], progress: Cal
 
         return descend_worst(in_all, of, start, precision=_PRECISION)
 
-    x, ends = trials.start, []
+    ends = []
     for k, shares in enumerate((np.array([1.0, np.inf]), np.array([np.inf, 1.0]))):
         progress(COMPROMISES, k / count)
         ends.append(searched(trials.start, shares))
