@@ -16,7 +16,7 @@ from tmodes.io.yaml_file import parse_yaml, read_yaml
 from tmodes.robots.load import load
 
 LIMIT = 256 * 1024
-SECONDS = 2.0
+SECONDS = 4.0
 
 
 def filled(line: str, head: str = "", tail: str = "") -> str:
