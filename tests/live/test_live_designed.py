@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -18,11 +19,11 @@ EQUAL = 1e-7
 LAWS = {"lqg": (LQG, {"delay": 0.015}), "lqr": (LQR, {}), "loop_shaping": (SHAPED | {"sample_time": 0.01}, {})}
 
 
-def arm(name: str) -> Robot:
+def arm(name: str, also: dict[str, Any] | None = None, **others: Any) -> Robot:
     block, more = LAWS[name]
     move = {"type": "quintic", "start": 0.0, "end": 0.4, "duration": 0.2}
     accurate = {"method": "dormand_prince", "relative_tolerance": 1e-11, "absolute_tolerance": 1e-13}
-    return spong(move, 0.3, 0.01, initial={}, control=law(block, **more), integration=accurate)
+    return spong(move, 0.3, 0.01, initial={}, control=law(block | (also or {}), **more), integration=accurate, **others)
 
 
 @pytest.mark.parametrize(
@@ -48,3 +49,12 @@ def test_what_gains_follow_from_is_said_with_its_command() -> None:
     for path in ("joints.joint.gear.stiffness.0", "control.law.block.state_weights.joint", "drives.0.signal.end"):
         assert "gains of `law` are designed" in live.left_out[path]
         assert "`tmodes run test.yaml --set PATH=VALUE`" in live.left_out[path]
+
+
+def test_numbers_of_the_sensors_that_a_designed_law_reads_are_none_of_the_page() -> None:
+    """They stand among the numbers of the linear robot, which compiled code reads: plain ones alone."""
+    sensor = {"type": "encoder", "name": "teeth", "joint": "joint", "resolution": 1e-4}
+    measured = {"measured": ["joint.motor.position", "teeth"], "measurement_noise": [1e-6, 1e-6]}
+    live = live_map(arm("lqg", measured, sensors=[sensor]).pair(), (0.0, 1.0))
+    assert "real:joints.joint.gear.stiffness.0" in {slider.path for slider in live.sliders}
+    assert "gains of `law` are designed" in live.left_out["sensors.teeth.resolution"]

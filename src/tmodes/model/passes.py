@@ -18,7 +18,7 @@ from tmodes.equations.recursion.parts import Parts
 from tmodes.equations.recursion.passes import BASE, resting_base
 from tmodes.kinds.kernel.schedule import Schedule, Slot
 from tmodes.kinds.noted.functions import array, zeros
-from tmodes.kinds.noted.number import plain_value
+from tmodes.kinds.noted.number import follow_no, plain_value
 from tmodes.kinds.noted.program import Program
 from tmodes.model.rows import StateRows
 
@@ -71,6 +71,9 @@ def evaluate_program(program: Program, values: Array) -> tuple[Array, NDArray[np
 
 
 def _call(library: Library, count: int, parameters: Array, *arrays: Array) -> None:
+    """Raise :class:`tmodes.kinds.noted.number.Lost` where parameters are noted numbers: these are no doubles."""
+    if parameters.dtype == object:
+        follow_no("what compiled code computes", parameters)
     given = np.ascontiguousarray(parameters), *arrays
     library["run"](count, parameters.ndim - 1, *(array.ctypes.data for array in given))
 

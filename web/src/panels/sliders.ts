@@ -228,11 +228,12 @@ function grouped(rows: SliderRow[]): HTMLElement[] {
 function notes(bundle: LiveBundle): HTMLElement[] {
   const settings = bundle.settings as { note?: unknown } | undefined;
   const left = Array.isArray(bundle.leftOut) ? (bundle.leftOut as { path?: unknown; reason?: unknown }[]) : [];
+  const reasons = [...new Set(left.map(({ reason }) => String(reason)))];
+  const paths = (why: string): string => left.filter(({ reason }) => String(reason) === why)
+    .map(({ path }) => String(path)).join(", ");
   const words = [
     ...(typeof settings?.note === "string" && settings.note ? [settings.note] : []),
-    ...(left.length
-      ? [`Not offered: ${left.map(({ path, reason }) => `${String(path)} (${String(reason)})`).join("; ")}.`]
-      : []),
+    ...reasons.map((why) => `Not offered: ${paths(why)} (${why}).`),
   ];
   return words.map((text) => make("p", { class: "note", text }));
 }
