@@ -22,7 +22,7 @@ from tmodes.model.model import Model
 
 Array = NDArray[np.float64]
 
-SEEDS = (0, 26)
+SEEDS = (0, pytest.param(26, marks=pytest.mark.nightly))
 """A rigid tree; a prismatic joint with a link of one segment, and behind an elastic drive a beam of two functions."""
 GRAVITY = np.array([0.0, 0.0, -9.81])
 KINDS = ("q", "v", "effort", "parameters")

@@ -90,6 +90,7 @@ def test_the_least_time_keeps_efforts() -> None:
         limited({"effort": 5.0}).follow(LINE, reference="sag", least_time=True)
 
 
+@pytest.mark.nightly
 def test_a_redundant_arm_that_bends_follows() -> None:
     """Three joints move the tip in a plane: as the inverse of the rigid one, with what bends."""
     sheet = sheet_data(tmodes.load("two_link_arm"))

@@ -41,7 +41,7 @@ def robot_of(name: str) -> Robot:
     return Robot.from_data(data)
 
 
-@pytest.mark.parametrize("name", ROBOTS)
+@pytest.mark.parametrize("name", [*ROBOTS[:1], *(pytest.param(one, marks=pytest.mark.nightly) for one in ROBOTS[1:])])
 def test_all_numbers_are_those_of_the_native_run(name: str, tmp_path: Path) -> None:
     robot = robot_of(name)
     original = run(robot)

@@ -21,7 +21,14 @@ from tmodes.simulation.loop import whole
 from .chain import chain
 from .node import drawn
 
-SHEETS = ("filipovic2010", "spong1987", "quanser_2dsfl", "flexarm1990", "deluca_siciliano1991", "manutec_r3")
+SHEETS = (
+    "filipovic2010",
+    "spong1987",
+    "quanser_2dsfl",
+    "flexarm1990",
+    "deluca_siciliano1991",
+    pytest.param("manutec_r3", marks=pytest.mark.nightly),
+)
 REACH = 1e4
 PLACES = (0.0, 0.5, 1.0)
 

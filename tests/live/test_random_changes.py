@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -17,7 +18,7 @@ if TYPE_CHECKING:
     from pathlib import Path
 
 ROBOTS = ("spong1987", "filipovic2010", "two_link_arm", "manutec_r3", "flexarm1990", "quanser_2dsfl")
-CHANGES = 10
+CHANGES = 10 if os.environ.get("TMODES_NIGHTLY") else 4
 
 
 def changes(sliders: Any, random: np.random.Generator) -> dict[str, float]:
