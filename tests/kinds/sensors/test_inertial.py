@@ -54,3 +54,19 @@ def test_at_rest_it_feels_the_ground_in_every_world() -> None:
         pitch = pitch if angle < np.pi / 2 else np.pi - pitch
         assert felt == pytest.approx(9.81 * np.array([np.sin(pitch), 0.0, np.cos(pitch)]), abs=1e-6)
         assert [np.asarray(run.output(f"rate.{axis}"))[-1] for axis in "xyz"] == pytest.approx([0.0] * 3, abs=1e-9)
+
+
+def test_a_loop_that_reads_it_starts_where_it_feels_gravity() -> None:
+    """An observer that measures it finds at rest what it knows, so that nothing moves off."""
+    data = raised(0.3).model_dump(mode="json", by_alias=True, exclude_none=True)
+    for drive in data["drives"]:
+        del drive["controller"]
+    states = ("turn", "lift", "beam.bend_y1", "beam.bend_z1")
+    block = {"type": "lqg", "sample_time": 1e-3, "measured": ["turn.position", "lift.position", "felt.z"],
+             "measurement_noise": [1e-8, 1e-8, 1e-2], "state_weights": {"turn": 1e4, "lift": 1e4},
+             "process_noise": {f"{name}'": 1e-3 for name in states}}  # fmt: skip
+    control = [{"name": "law", "drives": ["turn", "lift"], "block": block}]
+    run = tmodes.run(tmodes.Robot.from_data(data | {"control": control}))
+    lift = np.asarray(run.output("lift.position"))
+    assert np.abs(lift - lift[0]).max() < 1e-6
+    assert np.asarray(run.output("felt.z"))[0] == pytest.approx(9.81 * np.cos(0.3), abs=0.2)

@@ -157,6 +157,10 @@ class Seen:
         motion = self.instant.solution.point(point)[2]
         return self.call(_added(), motion.part(0, 3), self.gravity)[0].part(k, 1)
 
+    def upheld(self, point: int, k: int) -> Slot:
+        """Acceleration of a point less gravity, along its own axes, where nothing moves."""
+        return self.call(_turned_back(), self.pose(point, 0, 9), self.call(_upheld(), self.gravity)[0])[0].part(k, 1)
+
     def proper(self, point: int, k: int) -> Slot:
         """Acceleration of a point less gravity, along its own axes."""
         motion = self.instant.solution.point(point)[2]
@@ -248,6 +252,12 @@ def _difference(size: int = 1) -> Kernel:
 @kernel("added vectors", (3, 3), (3,))
 def _added(a: Any, b: Any) -> list[list[Any]]:
     return [v.add(v.vec(a), v.vec(b))]
+
+
+@kernel("upheld", (3,), (3,))
+def _upheld(gravity: Any) -> list[list[Any]]:
+    """Gravity -> acceleration less gravity of what is at rest."""
+    return [v.scale(-1.0, v.vec(gravity))]
 
 
 @kernel("turned back", (9, 3), (3,))

@@ -82,6 +82,13 @@ class Output(NamedTuple):
         """Where the schedule of an instant has it; numbers that it takes of its own stand among those of the loop."""
         return self.of(Seen(instant, instant.loop.numbers_of(self.name)), *self.places)
 
+    def resting(self, instant: Instant) -> Slot | None:
+        """The same where nothing moves, before the efforts are known; None for what follows from these."""
+        still = {Seen.proper: Seen.upheld, Seen.along: Seen.along}.get(self.of)
+        if still:
+            return still(Seen(instant, instant.loop.numbers_of(self.name)), *self.places)
+        return instant.none[1] if self.unit.endswith("/s^2") else None
+
 
 class Series(NamedTuple):
     """``schedule``: (time, state and what is given, row, step) -> the outputs that were asked for.
