@@ -134,13 +134,31 @@ def test_a_rigid_gear_next_to_elastic_ones(first, tmp_path):
         assert np.abs(batch.tips[lane] - run.points.position[:, 0]).max() < 1e-12
 
 
-def test_lanes_with_other_states_are_refused():
-    """A current that one lane has as a state and another has not."""
+OTHER_STATES = {
+    "drives.0.delay": [0.0, 0.025, 0.007, 0.01],  # 0, 3, 1 and 1 commands that are under way
+    "drives.0.sample_time": [0.02, 0.002, 0.013, 3.0],
+    "joints.joint.motor.inductance": [0.0, 0.01],
+}
+
+
+@pytest.mark.parametrize("path", [*OTHER_STATES])
+def test_lanes_have_states_of_their_own(path):
+    """Commands under way in a delay, a current that is a state: each lane is the run by itself."""
     motor = {"inertia": 0.3, "resistance": 1.0, "side": "joint", "back_emf_constant": 0.5, "torque_constant": 0.5,
              "inductance": 0.0}  # fmt: skip
-    robot = swing().with_({"joints.joint.motor": motor, "drives.0.command": "voltage"})
-    with pytest.raises(InputError, match="same currents and controllers"):
-        tmodes.simulate_batch(robot, {"joints.joint.motor.inductance": [0.0, 0.01]})
+    law = {"type": "pd", "position_gain": 20.0, "velocity_gain": 3.0}
+    drive = {"joint": "joint", "command": "position", "signal": {"type": "step", "start": 0.0, "end": 0.2, "time": 0.1},
+             "controller": law, "sample_time": 0.01, "delay": 0.004}  # fmt: skip
+    robot = swing().with_({"joints.joint.motor": motor, "drives": [drive]})
+    batch = tmodes.simulate_batch(robot, {path: OTHER_STATES[path]}, tips=True)
+    assert batch.finished.all()
+    for lane, value in enumerate(OTHER_STATES[path]):
+        run = simulate_motion(robot.with_({path: value}))
+        assert np.abs(batch.states[lane, :, :4] - np.hstack([run.q, run.v])).max() < 1e-9
+        missing = np.isnan(batch.states[lane]).all(axis=0)
+        assert batch.states.shape[2] - missing.sum() == run.states.shape[1]
+        assert batch.tips is not None
+        assert np.abs(batch.tips[lane] - run.points.position[:, 0]).max() < 1e-9
 
 
 def test_too_large_is_refused_before_the_lanes_are_prepared(robot):

@@ -117,6 +117,10 @@ def test_sections_at_random() -> None:
         outcome(seed, run=True)
 
 
+def law(block: Sheet) -> Sheet:
+    return {"control": [{"name": "a", "drives": ["joint"], "block": block}]}
+
+
 FOUND: dict[str, tuple[Sheet, str]] = {
     "a designed law that commands nothing": ({"drive": {"controller": PD}, "control": [
         {"name": "a", "of": "joint", "block": LQR}]}, "control.a.drives"),
@@ -129,6 +133,16 @@ FOUND: dict[str, tuple[Sheet, str]] = {
                                                       "drives.0.controller"),
     "a measurement that is not there": ({"control": [{"name": "a", "drives": ["joint"], "block": LQG | {
         "measured": ["nothing"]}}]}, "control.a.block.measured"),
+    "a weight below zero": (law(LQR | {"state_weights": {"joint.motor": -1.0}}), "state_weights.joint.motor"),
+    "a noise below zero": (law(LQG | {"process_noise": {"joint'": -1.0}}), "process_noise.joint'"),
+    "no weight on what drifts": (law(LQR | {"state_weights": {}}) | {"p": {"g": 0.0}}, "control.a.block.state_weights"),
+    "an integral without a weight": (law(LQR | {"integral": True, "integral_weight": 0.0}), "state_weights"),
+    "poles that grow": (law(LAWS["pole_placement"] | {"poles": [[2.0, -0.7], [4.0, 0.7]]}), "poles.0.1 must be"),
+    "poles that are no pairs": (law(LAWS["pole_placement"] | {"poles": [2.0]}), "poles.0 must be a list of"),
+    "no commands to add to": (law(LAWS["feed_forward"] | {"inputs": [], "signals": []}), "a list of at least 1 items"),
+    "a wire that is nearly a block": ({"control": [{"name": "law", "of": "joint", "block": PD}, {
+        "name": "a", "drives": ["joint"], "block": NOTCH | {"input": "lax"}}]}, "Did you mean `law`"),
+    "a key of the level further out": (law(NOTCH | {"of": "joint"}), "put `of` into the group `control.a`"),
 }  # fmt: skip
 
 

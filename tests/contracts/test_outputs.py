@@ -111,6 +111,9 @@ def known_of(which: int) -> dict[str, np.ndarray]:
             found[f"{point.name}.velocity.{letter}"] = run.points.velocity[:, k, axis]
             found[f"{point.name}.acceleration.{letter}"] = run.points.acceleration[:, k, axis]
             found[f"{point.name}.angular_velocity.{letter}"] = run.points.rate[:, k, axis]
+            own, felt = run.points.rotation[:, k, :, axis], run.points.acceleration[:, k] - run.chain.gravity
+            found[f"{point.name}.proper_acceleration.{letter}"] = (own * felt).sum(axis=1)
+            found[f"{point.name}.body_rate.{letter}"] = (own * run.points.rate[:, k]).sum(axis=1)
         found[f"{point.name}.speed"] = np.linalg.norm(run.points.velocity[:, k], axis=1)
     if run.contact_force is not None:
         found |= {f"contact.force.{letter}": run.contact_force[:, axis] for axis, letter in enumerate("xyz")}

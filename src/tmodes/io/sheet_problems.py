@@ -92,6 +92,8 @@ def _problems(detail: ErrorDetails, data: Any) -> Iterator[Problem]:
             yield steps[:-1], InputError("", got, expected, "write each of its numbers")
         case "missing":
             yield steps, _missing(steps, data)
+        case "too_short" if len(at(data, *steps)) >= detail.get("ctx", {})["min_length"]:
+            return  # it counts the items that are right
         case "union_tag_not_found" | "union_tag_invalid":
             yield _kind(steps, data)
         case "issues":
@@ -135,7 +137,7 @@ def _unknown(steps: tuple[Step, ...], data: Any) -> InputError:
     close = nearest(key, known)
     group = named(steps[:-1], data)
     hint = f"did you mean `{group}.{close}`?" if close and group else f"did you mean `{close}`?"
-    hint = hint if close and "." not in key else _elsewhere(key, data)
+    hint = hint if close and "." not in key else _elsewhere(steps, data)
     if hint == _REMOVE and (kinds := _unnamed(steps[:-1], data)):
         hint = kinds
     return InputError("", "an unknown key", f"one of {', '.join(known) or 'the known keys'}", hint)
@@ -149,12 +151,16 @@ def _unnamed(steps: tuple[Step, ...], data: Any) -> str:
     return "" if named_kind or not words else f"{_REMOVE}, or name the kind: {', '.join(words)}"
 
 
-def _elsewhere(key: str, data: Any) -> str:
-    """Where a key belongs that is no misspelt one of its group: it holds its own path, or is of the outermost level."""
+def _elsewhere(steps: tuple[Step, ...], data: Any) -> str:
+    """Where a key belongs that is no misspelt one of its group: it holds its own path, or is of a level further out."""
+    key = str(steps[-1])
     group, _, name = key.rpartition(".")
-    if group and place_of(steps := key.split("."), data) is not None and is_group(_group(tuple(steps[:-1]), data)):
+    if group and place_of(path := key.split("."), data) is not None and is_group(_group(tuple(path[:-1]), data)):
         return f"put the key `{name}` inside the group `{group}`"
-    return f"put `{key}` at the outermost level" if key in keys(root_of(data).annotation) else _REMOVE
+    for outer in (steps[:k] for k in range(len(steps) - 2, 0, -1)):
+        if is_group(found := _group(outer, data)) and key in keys(found):
+            return f"{_OUTERMOST}{key}` into the group `{own_path(named(outer, data), data)}`"
+    return f"{_OUTERMOST}{key}` at the outermost level" if key in keys(root_of(data).annotation) else _REMOVE
 
 
 def _missing(steps: tuple[Step, ...], data: Any) -> InputError:

@@ -163,7 +163,9 @@ class ChainPlace:
         plain = {tuple: f"a list{self._length('items')}", dict: "a group of names"}
         if origin := get_origin(member):
             return repr(get_args(member)[0]) if origin is Literal else plain[origin]
-        return "true or false" if member is bool else f"text{self._length('characters')}"
+        number = f"a number{self._bounds}"
+        words = {bool: "true or false", int: number, float: number}
+        return words.get(member) or f"text{self._length('characters')}"
 
     @property
     def _bounds(self) -> str:
@@ -190,4 +192,6 @@ class ChainPlace:
         rules = self.info.metadata if self.info else ()
         longest = [rule.max_length for rule in rules if hasattr(rule, "max_length")]
         shortest = [rule.min_length for rule in rules if hasattr(rule, "min_length")]
-        return f" of {max([0, *shortest])} to {min(longest)} {of}" if longest else ""
+        if longest:
+            return f" of {max([0, *shortest])} to {min(longest)} {of}"
+        return f" of at least {max(shortest)} {of}" if shortest else ""

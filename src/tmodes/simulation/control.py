@@ -67,6 +67,7 @@ class _Sources:
     plan: LoopPlan
     signals: Any
     outputs: Outputs
+    blocks: frozenset[str]
     found: dict[str, Any]
 
     def add(self, name: str, node: Node) -> None:
@@ -94,7 +95,7 @@ class _Sources:
         plain = name.replace(".motor.", ".")
         if name not in self.outputs and ".motor." in name and plain in self.outputs:
             name = plain  # behind a rigid gear the motor is where the joint is
-        return self.outputs.find(name, path)
+        return self.outputs.find(name, path, self.blocks)
 
 
 def control_plan(robot: Robot, plan: LoopPlan, signals: Any) -> tuple[tuple[BlockPlan, ...], dict[str, Any]]:
@@ -104,8 +105,8 @@ def control_plan(robot: Robot, plan: LoopPlan, signals: Any) -> tuple[tuple[Bloc
     output that a block of continuous time cannot read because it follows from the commands of its instant.
     """
     nodes = [_designed(robot, node) for node in network(robot)]
-    sources = _Sources(robot, plan, signals, Outputs(LoopParts(plan)), {})
-    given = {name for node in nodes for name in node.signals}
+    given = frozenset(name for node in nodes for name in node.signals)
+    sources = _Sources(robot, plan, signals, Outputs(LoopParts(plan)), given, {})
     own = {drive.joint: drive.servo.law for drive in plan.drives if drive.servo and drive.servo.law}
     sheets = enumerate(robot.drives)
     at_drives = {f"drives.{k}.controller": own[one.joint] for k, one in sheets if one.controller and one.joint in own}

@@ -104,16 +104,12 @@ class Instant(Serving):
 
     def _at_rest(self, source: Any) -> Slot:
         """An output that follows from accelerations and efforts, where nothing moves."""
-        if source.unit.endswith("/s^2"):
-            return self.none[1]
-        if not source.along:
-            got, expected = (
-                f"`{source.name}`",
-                "accelerations, strains and moments along links, or what follows from q, v",
-            )
-            hint = "let the run begin with `initial: {state: held}`, or with `zero`"
+        found = source.resting(self)
+        if found is None:
+            got, hint = f"`{source.name}`", "let the run begin with `initial: {state: zero}` and its coordinates"
+            expected = "accelerations, strains and moments along links, or what follows from q, v"
             raise InputError("sensors", f"{got} in a control loop that starts at rest", expected, hint)
-        return source.slot(self)
+        return found
 
     def block(self, placed: Placed) -> tuple[Slot, ...]:
         """Outputs of a block, its own states, and their rates where there are any."""

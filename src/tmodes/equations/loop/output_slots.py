@@ -157,6 +157,19 @@ class Seen:
         motion = self.instant.solution.point(point)[2]
         return self.call(_added(), motion.part(0, 3), self.gravity)[0].part(k, 1)
 
+    def upheld(self, point: int, k: int) -> Slot:
+        """Acceleration of a point less gravity, along its own axes, where nothing moves."""
+        return self.call(_turned_back(), self.pose(point, 0, 9), self.call(_upheld(), self.gravity)[0])[0].part(k, 1)
+
+    def proper(self, point: int, k: int) -> Slot:
+        """Acceleration of a point less gravity, along its own axes."""
+        motion = self.instant.solution.point(point)[2]
+        return self.call(_turned_back(), self.pose(point, 0, 9), motion.part(0, 3))[0].part(k, 1)
+
+    def body_rate(self, point: int, k: int) -> Slot:
+        """Angular velocity of a point about its own axes."""
+        return self.call(_turned_back(), self.pose(point, 0, 9), self.pose(point, POSE, 3))[0].part(k, 1)
+
     def contact(self, column: int) -> Slot:
         """What is reported of the contact."""
         return self.powers.contact.part(column, 1)
@@ -239,6 +252,18 @@ def _difference(size: int = 1) -> Kernel:
 @kernel("added vectors", (3, 3), (3,))
 def _added(a: Any, b: Any) -> list[list[Any]]:
     return [v.add(v.vec(a), v.vec(b))]
+
+
+@kernel("upheld", (3,), (3,))
+def _upheld(gravity: Any) -> list[list[Any]]:
+    """Gravity -> acceleration less gravity of what is at rest."""
+    return [v.scale(-1.0, v.vec(gravity))]
+
+
+@kernel("turned back", (9, 3), (3,))
+def _turned_back(r: Any, a: Any) -> list[list[Any]]:
+    """R^T a."""
+    return [v.matvec(v.transpose(v.tri(r)), v.vec(a))]
 
 
 @kernel("roll pitch yaw", (9,), (3,))

@@ -5,7 +5,7 @@ One table is read by stop conditions, studies, gradients, results, figures and p
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
 from typing import Any, NamedTuple, NoReturn
 
@@ -76,11 +76,18 @@ class Output(NamedTuple):
     @property
     def late(self) -> bool:
         """Whether it follows from the accelerations and efforts of its instant, not from positions and rates alone."""
-        return self.of not in {Seen.moved, Seen.pose, Seen.speed, Seen.angle, Seen.bent, Seen.state}
+        return self.of not in {Seen.moved, Seen.pose, Seen.speed, Seen.angle, Seen.body_rate, Seen.bent, Seen.state}
 
     def slot(self, instant: Instant) -> Slot:
         """Where the schedule of an instant has it; numbers that it takes of its own stand among those of the loop."""
         return self.of(Seen(instant, instant.loop.numbers_of(self.name)), *self.places)
+
+    def resting(self, instant: Instant) -> Slot | None:
+        """The same where nothing moves, before the efforts are known; None for what follows from these."""
+        still = {Seen.proper: Seen.upheld, Seen.along: Seen.along}.get(self.of)
+        if still:
+            return still(Seen(instant, instant.loop.numbers_of(self.name)), *self.places)
+        return instant.none[1] if self.unit.endswith("/s^2") else None
 
 
 class Series(NamedTuple):
@@ -164,10 +171,13 @@ class Outputs(Mapping[str, Output]):
         shown = [f"  {name} [{unit}]: {text}" for name, unit, text in rows[:_LISTED]]
         return "\n".join([f"{len(rows)} outputs", *shown, *["  ..."] * (len(rows) > _LISTED)])
 
-    def find(self, name: str, which: str) -> Output:
-        """The output of a name; raises :class:`tmodes.errors.InputError` of ``which`` with the nearest name."""
+    def find(self, name: str, which: str, others: Iterable[str] = ()) -> Output:
+        """The output of a name; raises :class:`tmodes.errors.InputError` of ``which`` with the nearest name.
+
+        ``others``: names of something else that may be meant.
+        """
         if name not in self:
-            self._refuse(name, which)
+            self._refuse(name, which, *others)
         return self[name]
 
     def _refuse(self, name: str, which: str, *groups: str) -> NoReturn:
@@ -271,6 +281,10 @@ class Outputs(Mapping[str, Output]):
                 yield Output(key, "m/s^2", text, Seen.gain, (k, axis), ("acceleration", name, letter))
                 key, text = f"{name}.angular_velocity.{letter}", f"angular velocity of {name} about {letter}"
                 yield Output(key, "rad/s", text, Seen.pose, (k, POSE + axis))
+                text = f"acceleration of {name} less gravity along its own axis {letter}"
+                yield Output(f"{name}.proper_acceleration.{letter}", "m/s^2", text, Seen.proper, (k, axis))
+                text = f"angular velocity of {name} about its own axis {letter}"
+                yield Output(f"{name}.body_rate.{letter}", "rad/s", text, Seen.body_rate, (k, axis))
             yield Output(f"{name}.speed", "m/s", f"speed of {name}", Seen.speed, (k,))
             for axis, angle in enumerate(("roll", "pitch", "yaw")):
                 text = f"{angle} of {name}: R = Rz(yaw) Ry(pitch) Rx(roll)"

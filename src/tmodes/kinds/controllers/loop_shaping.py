@@ -42,8 +42,8 @@ def robust(plant: System, factor: float = 1.1, why: Callable[[], list[str]] = li
     A, B, C, D = plant
     S, R = np.eye(B.shape[1]) + D.T @ D, np.eye(len(C)) + D @ D.T
     inner = A - B @ np.linalg.solve(S, D.T @ C)
-    X = riccati(inner, B, C.T @ np.linalg.solve(R, C), S, sampled=False, why=why)[1]
-    Z = riccati(inner.T, C.T, B @ np.linalg.solve(S, B.T), R, sampled=False, why=why)[1]
+    X = riccati(inner, B, C.T @ np.linalg.solve(R, C), S, sampled=False, why=why, which="gains")[1]
+    Z = riccati(inner.T, C.T, B @ np.linalg.solve(S, B.T), R, sampled=False, why=why, which="gains")[1]
     least = float(np.sqrt(1 + np.abs(np.linalg.eigvals(X @ Z)).max(initial=0.0)))
     gamma = factor * least
     F = -np.linalg.solve(S, D.T @ C + B.T @ X)

@@ -16,6 +16,7 @@ from tmodes.kinds.controllers.discrete import unseen
 from tmodes.kinds.controllers.state_space import (
     Design,
     Number,
+    Weight,
     WeightedLaw,
     diagonal,
     riccati,
@@ -52,7 +53,7 @@ class LQG(WeightedLaw):
     measured: tuple[str, ...] = Field(
         strict=False, min_length=1, max_length=200, description="sensors or outputs that it reads"
     )
-    process_noise: dict[str, Number] = weights_by_name(
+    process_noise: dict[str, Weight] = weights_by_name(
         "1", "W", "variance by which a state changes in a sample; others 0"
     )
     measurement_noise: tuple[Number, ...] = list_of_numbers("SI", "V", "variance of each that is measured; one: of all")
@@ -100,7 +101,7 @@ class LQG(WeightedLaw):
             got, expected = f"{list(given)}", f"1 or {len(self.measured)} variances above 0"
             raise InputError("measurement_noise", got, expected, "write the variance of each that is measured")
         V = np.diag(given if len(given) > 1 else given * len(self.measured))
-        P = riccati(Ad.T, plant.C.T, W, V, sampled=True, why=lambda: unseen(plant))[1]
+        P = riccati(Ad.T, plant.C.T, W, V, sampled=True, why=lambda: unseen(plant), which="process_noise")[1]
         return P @ plant.C.T @ np.linalg.inv(plant.C @ P @ plant.C.T + V)
 
     def numbers(self) -> tuple[float, ...]:

@@ -20,10 +20,17 @@ from tmodes.kinds.kernel import vectors
 from tmodes.kinds.schema.quantity import LARGEST, Issue, not_negative, positive
 
 __all__ = [
-    "LQR", "Design", "DesignedLaw", "Number", "PolePlacement", "WeightedLaw", "diagonal", "riccati", "weights_by_name",
+    "LQR", "Design", "DesignedLaw", "Number", "PolePlacement", "Weight", "WeightedLaw", "diagonal", "riccati",
+    "weights_by_name",
 ]  # fmt: skip
 
 Number = Annotated[float, Field(ge=-LARGEST, le=LARGEST)]
+Weight = Annotated[float, Field(ge=0.0, le=LARGEST)]
+
+_Decaying = Annotated[float, Field(gt=0.0, le=1e6)]
+
+_MARGIN = 1e-9
+"""Share of the fastest pole by which the slowest one must decay."""
 
 
 class Design(NamedTuple):
@@ -280,7 +287,7 @@ class WeightedLaw(_StateSpace):
 
     tuned: ClassVar[tuple[str, ...]] = ("state_weights", "integral_weight")
 
-    state_weights: dict[str, Number] = weights_by_name(
+    state_weights: dict[str, Weight] = weights_by_name(
         "1", "Q", "weight on the square of a coordinate, or of its rate as `NAME'`; others 0"
     )
     integral_weight: float = not_negative("1", "Qi", "weight on the squares of the integrals", default=1.0)
@@ -290,7 +297,8 @@ class WeightedLaw(_StateSpace):
         Q = diagonal(self.state_weights, plant, "state_weights")
         Q = np.diag([*Q, *[self.integral_weight] * (len(A) - len(Q))])
         R = self.effort_weight * np.eye(B.shape[1])
-        return riccati(A, B, Q, R, sampled=self.sample_time is not None, why=lambda: unreached(plant))[0]
+        sampled = self.sample_time is not None
+        return riccati(A, B, Q, R, sampled=sampled, why=lambda: unreached(plant), which="state_weights")[0]
 
 
 def diagonal(weights: dict[str, float], plant: LinearPlant, which: str) -> list[float]:
@@ -301,20 +309,33 @@ def diagonal(weights: dict[str, float], plant: LinearPlant, which: str) -> list[
     return [weights.get(name, 0.0) for name in plant.states]
 
 
-def riccati(A: Any, B: Any, Q: Any, R: Any, *, sampled: bool, why: Callable[[], list[str]]) -> tuple[Any, Any]:
-    """Gain and solution of the Riccati equation; raises :class:`tmodes.errors.InputError` where there is none."""
+def riccati(
+    A: Any, B: Any, Q: Any, R: Any, *, sampled: bool, why: Callable[[], list[str]], which: str
+) -> tuple[Any, Any]:
+    """Gain and solution of the Riccati equation.
+
+    Raises :class:`tmodes.errors.InputError` of ``which`` where there is none under which all decays.
+    """
     from scipy.linalg import solve_continuous_are, solve_discrete_are
 
     try:
         if sampled:
             X = solve_discrete_are(A, B, Q, R)
-            return np.linalg.solve(R + B.T @ X @ B, B.T @ X @ A), X
-        X = solve_continuous_are(A, B, Q, R)
-        return np.linalg.solve(R, B.T @ X), X
+            K = np.linalg.solve(R + B.T @ X @ B, B.T @ X @ A)
+        else:
+            X = solve_continuous_are(A, B, Q, R)
+            K = np.linalg.solve(R, B.T @ X)
+        poles = np.linalg.eigvals(A - B @ K)
+        if (np.abs(poles).max() - 1 if sampled else poles.real.max() + _MARGIN * np.abs(poles).max()) >= 0:
+            raise ValueError("a motion would not decay")
     except (np.linalg.LinAlgError, ValueError) as error:
         hint = "give a weight to each motion that does not decay by itself, or leave out what no drive moves"
+        if which == "process_noise":
+            hint = "give noise to each motion that does not decay by itself, or measure what shows it"
         got = f"no solution ({'; '.join(why()) or error})"
-        raise InputError("control", got, "a robot that the drives can stabilise", hint) from error
+        expected = "such that all motions decay under the gains that follow"
+        raise InputError(which, got, expected, hint) from error
+    return K, X
 
 
 @CONTROLLERS.register
@@ -333,7 +354,7 @@ class PolePlacement(_StateSpace):
     """
 
     type: Literal["pole_placement"] = Field(description="kind of controller")
-    poles: tuple[Annotated[tuple[float, float], Field(strict=False)], ...] = Field(
+    poles: tuple[Annotated[tuple[_Decaying, _Decaying], Field(strict=False)], ...] = Field(
         strict=False, min_length=1, max_length=400,
         description="natural frequency [Hz] and damping ratio of each pair of poles",
     )  # fmt: skip

@@ -31,7 +31,7 @@ class Flange(Sensor):
     @property
     def sources(self) -> tuple[str, ...]:
         """The inner forces there."""
-        return tuple(f"{self.link}.{output}@{self.at:g}" for output, _ in _PARTS.values())
+        return tuple(f"{self.link}.{output}@{self.at:.15g}" for output, _ in _PARTS.values())
 
     def value(self, seen: Mapping[str, Any]) -> list[Any]:
         """Their values."""

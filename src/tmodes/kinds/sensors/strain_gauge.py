@@ -39,7 +39,7 @@ class StrainGauge(Sensor):
     def _axes(self) -> dict[str, float]:
         """Curvature -> its factor."""
         found = {"y": self.z, "z": -self.y}
-        return {f"{self.link}.curvature.{axis}@{self.at:g}": value for axis, value in found.items() if value}
+        return {f"{self.link}.curvature.{axis}@{self.at:.15g}": value for axis, value in found.items() if value}
 
     @property
     def sources(self) -> tuple[str, ...]:

@@ -9,8 +9,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from tmodes.equations.loop.layout import WORKS
 from tmodes.equations.loop.outputs import station_numbers
-from tmodes.errors import InputError
 from tmodes.kinds.signals.schedule import SignalPieces
 from tmodes.simulation.initial_state import RunSetup
 from tmodes.simulation.output_request import OutputRequest
@@ -27,56 +27,58 @@ def structure_of(lane: RunSetup) -> Hashable:
     return lane.model.loop.rate.key, lane.model.coordinates, lane.robot.integration.method
 
 
-def _further(lane: RunSetup) -> int:
-    """Numbers of a state that are neither coordinates nor rates."""
-    return len(lane.start) - 2 * len(lane.model.coordinates)
+def _further(lane: RunSetup) -> tuple[str, ...]:
+    """Names of the numbers of a state that are neither coordinates nor rates."""
+    named = *lane.model.plan.further_states, *WORKS
+    modes = len(lane.start) - 2 * len(lane.model.coordinates) - len(named)
+    return *named, *(f"mode {k}" for k in range(modes))
+
+
+def _merged(names: list[str], others: Sequence[str]) -> None:
+    """Add what is not in it, each behind the one before."""
+    place = 0
+    for name in others:
+        if name not in names:
+            names.insert(place, name)
+        place = names.index(name) + 1
 
 
 @dataclass(frozen=True)
 class StateColumns:
-    """Columns of the states of a batch: all coordinates that any lane has, their rates, and ``further`` numbers."""
+    """Columns of the states of a batch: all coordinates that any lane has, their rates, and all ``further`` numbers."""
 
     coordinates: tuple[str, ...]
-    further: int
+    further: tuple[str, ...]
 
     @classmethod
-    def of_all(cls, lanes: Sequence[RunSetup], index: int) -> StateColumns:
-        """Those of these lanes, of which the last one is lane ``index`` of the batch.
-
-        Raises :class:`tmodes.errors.InputError` where something else than coordinates differs.
-        """
+    def of_all(cls, lanes: Sequence[RunSetup]) -> StateColumns:
+        """Those of these lanes."""
         names: list[str] = []
+        further: list[str] = []
         for lane in lanes:
-            place = 0
-            for name in lane.model.coordinates:
-                if name not in names:
-                    names.insert(place, name)
-                place = names.index(name) + 1
-        first, last = _further(lanes[0]), _further(lanes[-1])
-        if first != last:
-            got = f"{last} numbers in the state of case {index} next to its coordinates, {first} in others"
-            hint = "vary what keeps them: no inductance of zero next to others"
-            raise InputError("vary", got, "the same currents and controllers in all cases", hint)
-        return cls(tuple(names), first)
+            _merged(names, lane.model.coordinates)
+            _merged(further, _further(lane))
+        return cls(tuple(names), tuple(further))
 
     @property
     def width(self) -> int:
         """Numbers of a state."""
-        return 2 * len(self.coordinates) + self.further
+        return 2 * len(self.coordinates) + len(self.further)
 
     def have(self, lane: RunSetup) -> bool:
-        """Whether a lane has no other coordinate."""
-        return set(lane.model.coordinates) <= set(self.coordinates) and _further(lane) == self.further
+        """Whether a lane has nothing else."""
+        return set(lane.model.coordinates) <= set(self.coordinates) and set(_further(lane)) <= set(self.further)
 
-    def of(self, names: Sequence[str]) -> list[int]:
-        """Where the state of a lane with these coordinates is."""
-        count, own = len(self.coordinates), [self.coordinates.index(name) for name in names]
-        return [*own, *(count + k for k in own), *range(2 * count, self.width)]
+    def of(self, lane: RunSetup) -> list[int]:
+        """Where the state of a lane is."""
+        count, own = len(self.coordinates), [self.coordinates.index(name) for name in lane.model.coordinates]
+        return [*own, *(count + k for k in own), *(2 * count + self.further.index(name) for name in _further(lane))]
 
-    def filled(self, states: Array, names: Sequence[str]) -> Array:
-        """States (..., own) of lanes with these coordinates, in the columns of the batch (..., width)."""
-        found = np.where(np.isnan(states[..., :1]), np.nan, np.zeros(self.width))
-        found[..., self.of(names)] = states
+    def filled(self, states: Array, lane: RunSetup) -> Array:
+        """States (..., own) of lanes like this one, in the columns of the batch (..., width)."""
+        rest, names = np.repeat([0.0, np.nan], [2 * len(self.coordinates), len(self.further)]), lane.model.coordinates
+        found = np.where(np.isnan(states[..., :1]), np.nan, rest)
+        found[..., self.of(lane)] = states
         for k, name in enumerate(self.coordinates):
             joint = name.removesuffix(".motor")
             if name not in names and joint in names:

@@ -62,8 +62,9 @@ def simulate_batch(
     it is given one part of the batch after the other, with states (and tips), and gives numbers (k,) of its lanes by
     name. ``progress`` is given the stage and its share.
 
-    Lanes may differ in their coordinates, as with a rigid gear next to elastic ones: the batch has those of all lanes,
-    a motor without one of its own moves as its joint, and of a link they are zero. A lane that cannot start
+    Lanes may differ in their states, as with a rigid gear next to elastic ones: the batch has those of all lanes, a
+    motor without a coordinate of its own moves as its joint, those of a link are zero, others (as of a longer delay)
+    not-a-number. A lane that cannot start
     (``failed``) or cannot continue keeps what it had and disturbs no other: look at ``status`` and ``message``. Raises
     :class:`tmodes.errors.InputError` or :class:`tmodes.errors.InputErrors` for wrong numbers, reporting their lane;
     :class:`tmodes.errors.SimulationError` where none can start.
@@ -134,7 +135,7 @@ def prepared(
         if index not in lanes:
             lanes[index] = lane = _lane(sheet, changes_of(values, index), variant, index)
             if isinstance(lane, RunSetup) and (columns is None or not columns.have(lane)):
-                columns = StateColumns.of_all([lane for lane in lanes.values() if isinstance(lane, RunSetup)], index)
+                columns = StateColumns.of_all([lane for lane in lanes.values() if isinstance(lane, RunSetup)])
                 check_room((size if keep else 1, len(times), columns.width), folder)
         return lanes[index]
 
@@ -220,16 +221,16 @@ def _kept(figures: Figures, part: BatchRun) -> dict[str, Array]:
 def _run(batch: Prepared, room: Array, threads: int, progress: Progress) -> CaseResults:
     """Run the lanes that could start, into a ``room`` (k, n, nx)."""
     room[[*batch.failed]] = np.nan
-    names, shape = batch.columns.coordinates, room.shape[:2]  # lanes with other coordinates have rooms of their own,
+    width, shape = [*range(room.shape[2])], room.shape[:2]  # lanes with other states have rooms of their own,
     works = [  # at first of rows that take no memory
-        group.work(room if group.like.model.coordinates == names else np.empty((*shape, group.starts.shape[1])))
+        group.work(room if batch.columns.of(group.like) == width else np.empty((*shape, group.starts.shape[1])))
         for group in batch.groups
     ]
     results = solve(works, batch.size, threads=threads, progress=lambda share: progress("running", share))
     results.put(batch.failed, "failed")
-    for work in works:
+    for work, group in zip(works, batch.groups, strict=True):
         if work.states is not room:
-            room[work.places] = batch.columns.filled(work.states[work.places], work.model.coordinates)
+            room[work.places] = batch.columns.filled(work.states[work.places], group.like)
     return results
 
 
@@ -237,7 +238,7 @@ def _tips(batch: Prepared, room: Array, threads: int, progress: Progress) -> Arr
     tips = np.full((*room.shape[:2], 3), np.nan)
 
     def fill(group: CaseGroup, which: Indices) -> int:
-        columns, places = batch.columns.of(group.like.model.coordinates), group.places[which].tolist()
+        columns, places = batch.columns.of(group.like), group.places[which].tolist()
         whole = columns == [*range(room.shape[2])]
         tips[places] = group.tips(which, batch.times, [room[k] if whole else room[k][:, columns] for k in places])
         return len(places)
