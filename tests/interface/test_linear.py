@@ -517,11 +517,50 @@ def test_its_page(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
         assert linear.page(tmp_path / "other.html").stat().st_size > len(linear.sentence)
 
 
-def test_without_drives_no_mode_is_said_to_be_out_of_reach() -> None:
-    """Of a model without inputs all are, which its size says already."""
+def undriven() -> Any:
     sheet = sheet_data(tmodes.load("two_link_arm"))
-    bare = tmodes.Robot.from_data({key: value for key, value in sheet.items() if key not in ("drives", "real", "task")})
-    said = "\n".join(str(part) for part in bare.linearize().tables())
+    return tmodes.Robot.from_data({key: value for key, value in sheet.items() if key not in ("drives", "real", "task")})
+
+
+def test_without_drives_inputs_are_the_torques_of_all_joints() -> None:
+    """That of the same robot with drives at this pose; what is not named is held, and no state."""
+    whole = tmodes.load("two_link_arm").linearize(at={"shoulder.motor": 0.0, "elbow.motor": 0.0})
+    bare = undriven().linearize()
+    assert (bare.inputs, bare.outputs) == (whole.inputs, whole.outputs)
+    assert np.abs(bare.A - whole.A).max() < 1e-6 * np.abs(whole.A).max()
+    one = undriven().linearize(inputs="elbow.torque", outputs="elbow.position")
+    kept = [k for k, name in enumerate(whole.states) if not name.startswith("shoulder.motor")]
+    assert one.states == tuple(whole.states[k] for k in kept)
+    assert near(one.poles, np.linalg.eigvals(whole.A[np.ix_(kept, kept)]), 1e-6)
+    held = undriven().linearize(inputs="tip.force.z", outputs="tip.z")
+    assert held.is_stable
+    assert not any(name.removesuffix("'").endswith(".motor") for name in held.states)
+
+
+def test_without_joints_inputs_are_forces_at_the_tip() -> None:
+    """Of a clamped beam: the first frequency is 1.8751^2 sqrt(EI/m)/l^2."""
+    sheet = sheet_data(slewing())
+    sheet["joints"][0] = {"name": "hub", "type": "fixed", "child": "arm"}
+    sheet["links"][0].pop("bodies")
+    sheet.pop("drives")
+    linear = tmodes.Robot.from_data(sheet).linearize()
+    assert linear.inputs == ("tip.force.x", "tip.force.y", "tip.force.z")
+    assert near(linear.poles, [1j * 1.8751040687119611**2 * np.sqrt(5.2 / 0.31) / 0.9**2], 1e-6)
+    with pytest.raises(InputError) as caught:
+        undriven().linearize(inputs="foo")
+    assert "shoulder.torque, elbow.torque, tip.force.x" in str(caught.value)
+    with pytest.raises(InputError) as caught:
+        undriven().linearize(closed=True)
+    assert caught.value.which == "closed"
+
+
+def test_of_a_model_without_inputs_no_mode_is_said_to_be_out_of_reach() -> None:
+    """Of one without inputs all are, which its size says already."""
+    linear = sagged()
+    none = {"inputs": (), "B": np.zeros((4, 0)), "D": np.zeros((0, 0)), "u0": np.zeros(0)}
+    none |= {"outputs": (), "C": np.zeros((0, 4)), "y0": np.zeros(0)}
+    system = replace(linear.system, **none)
+    said = "\n".join(str(part) for part in replace(linear, made=lambda: system).tables())
     assert "0 inputs, 0 outputs" in said
     assert "No input reaches" not in said
     assert "No output shows" not in said

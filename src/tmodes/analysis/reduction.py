@@ -98,7 +98,7 @@ def largest_gain(A: Array, B: Array, C: Array, D: Array, period: float | None) -
     poles = np.linalg.eigvals(A)
     if not ((np.abs(poles) < 1).all() if period else (poles.real < 0).all()):
         return float("inf")
-    grid = 2 * np.pi * np.append(frequencies(poles.astype(np.complex128), period), 0.0)
+    grid = 2 * np.pi * np.append(frequencies(np.asarray(poles, dtype=np.complex128), period), 0.0)
     A, B, C, D = unsampled((A, B, C, D), period) if period else (A, B, C, D)
     at = response(A, B, C, D)
     rates = 2 / period * np.tan(np.minimum(grid * period, 3.14) / 2) if period else grid
