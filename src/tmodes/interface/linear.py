@@ -72,15 +72,13 @@ def linearize(
     """
     from tmodes.analysis.statics.at_rest import robot_rest
     from tmodes.simulation.drive_loops import drive_loops
-    from tmodes.simulation.linear import all_inputs, closed_loop, delayed, driven, open_loop
+    from tmodes.simulation.linear import all_inputs, closed_loop, delayed, driven, open_loop, without_held
 
     closed, chosen = closed or loop is not None, (_names(inputs), _names(outputs))
     _refuse(robot, closed=closed, at=at, time=time, period=period, delay=delay)
     robot = robot if closed else driven(robot, chosen[0])
-    outs, held = (
-        [f"{drive.joint}.position" for drive in robot.drives] or ["tip.x", "tip.y", "tip.z"],
-        pose_of(at, robot),
-    )
+    outs = [f"{drive.joint}.position" for drive in robot.drives] or ["tip.x", "tip.y", "tip.z"]
+    held = pose_of(at, robot)
     if loop is not None and (inputs or outputs or period is not None):
         hint = "leave these out: its input and output are the command of the drive"
         raise InputError("loop", f"`{loop}` with inputs, outputs or a period", "a drive alone", hint)
@@ -92,6 +90,7 @@ def linearize(
         else:
             pose = dict(rest.named) if held is None else held
             found = open_loop(robot, *own, held=_drives(robot, pose), time=time, contact=contact, progress=progress)
+        found = without_held(found)
         if period is not None and found.period is not None:
             got, expected = f"{period:g} s", f"left out: the controllers sample by themselves, every {found.period:g} s"
             raise InputError("period", got, expected, "remove it; delays stand in the sheet")

@@ -38,7 +38,7 @@ if TYPE_CHECKING:
 
 __all__ = [
     "Instant", "StateSpace", "all_inputs", "closed_loop", "delayed", "driven", "growth", "open_loop", "opened",
-    "row_at", "run_feedback", "samples_of", "start_of",
+    "row_at", "run_feedback", "samples_of", "start_of", "without_held",
 ]  # fmt: skip
 
 Array = NDArray[np.float64]
@@ -173,7 +173,7 @@ def open_loop(
         _hold(at)
     else:
         _push(at, moving)
-    return _read(at.found(outputs), at.model.layout.controls.start)
+    return at.found(outputs)
 
 
 def _moving(setup: RunSetup, time: float) -> tuple[dict[str, float], dict[str, float]]:
@@ -245,14 +245,20 @@ def closed_loop(robot: Robot, inputs: Sequence[str], outputs: Sequence[str], tim
 
 
 def _read(found: StateSpace, first: int) -> StateSpace:
-    """Without coordinates that are held, and states from ``first`` on that nothing reads: integrals without a gain."""
-    aside = np.abs(found.A - np.diag(np.diag(found.A)))
-    others = aside.max(axis=0, initial=0.0) + np.abs(found.C).max(axis=0, initial=0.0)
-    pushed = np.hstack([found.A - (np.eye(len(aside)) if found.period else 0.0), found.B]).any(axis=1)
-    moved = {name.removesuffix("'") for name, one in zip(found.states, pushed, strict=True) if one}
-    kept = [
-        k for k in range(len(aside)) if (others[k] > 0 if k >= first else found.states[k].removesuffix("'") in moved)
-    ]
+    """Without states from ``first`` on that nothing reads, such as the integral of a controller that has no gain."""
+    others = np.abs(found.A - np.diag(np.diag(found.A))).max(axis=0) + np.abs(found.C).max(axis=0, initial=0.0)
+    return _kept(found, [k for k in range(len(found.A)) if k < first or others[k] > 0])
+
+
+def without_held(found: StateSpace) -> StateSpace:
+    """Without the coordinates that nothing moves."""
+    pushed = np.hstack([found.A - (np.eye(len(found.A)) if found.period else 0.0), found.B])
+    moved = {name.removesuffix("'") for name, row in zip(found.states, pushed, strict=True) if row.any()}
+    n = 2 * next((k for k, name in enumerate(found.states) if name.endswith("'")), 0)
+    return _kept(found, [k for k, name in enumerate(found.states) if k >= n or name.removesuffix("'") in moved])
+
+
+def _kept(found: StateSpace, kept: list[int]) -> StateSpace:
     names = tuple(found.states[k] for k in kept)
     return replace(found, states=names, A=found.A[np.ix_(kept, kept)], B=found.B[kept], C=found.C[:, kept],
                    x0=found.x0[kept], rate=found.rate[kept])  # fmt: skip
