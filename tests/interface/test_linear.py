@@ -16,7 +16,7 @@ import pytest
 import yaml
 from numpy.typing import ArrayLike
 from scipy.io import loadmat
-from scipy.linalg import expm
+from scipy.linalg import block_diag, expm, solve_continuous_lyapunov
 
 import tmodes
 from command import tmodes as command
@@ -215,19 +215,90 @@ def test_fewer_states() -> None:
     damped["links"][0]["beam"]["damping_time"] = 1e-3
     damped["drives"][0] = {"joint": "hub", "command": "position", "signal": constant(0.0), "controller": PD}
     linear = tmodes.Robot.from_data(damped).linearize(closed=True, inputs="hub.setpoint", outputs="hub.position,tip.y")
-    from tmodes.analysis.reduction import hankel_values
-
-    sizes = hankel_values(linear.A, linear.B, linear.C, None)
+    reach = solve_continuous_lyapunov(linear.A, -linear.B @ linear.B.T)
+    see = solve_continuous_lyapunov(linear.A.T, -linear.C.T @ linear.C)
+    sizes = np.sqrt(np.sort(np.abs(np.linalg.eigvals(reach @ see)))[::-1])
     at = linear.frequencies()
     full = linear.frequency_response(at).values
     small = linear.reduce(4)
     error = np.linalg.norm(small.frequency_response(at).values - full, axis=(1, 2)).max()
     assert len(small.A) == 4
-    assert 0 < error <= 2 * sizes[4:].sum() * (1 + 1e-6)
+    assert small.error is not None
+    assert 0 < error <= small.error <= 2 * sizes[4:].sum() * (1 + 1e-6)
     slow = linear.reduce(4, "modal")
     assert near(slow.poles, linear.poles[: len(slow.A)])
     static = [one.frequency_response([0.0]).values for one in (slow, linear)]
     assert static[0] == pytest.approx(static[1], rel=1e-8)
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_an_error_that_is_printed_holds(seed: int) -> None:
+    """Random stable models of three inputs and two outputs, sampled and not, against sweeps and optimization."""
+    dice, period = np.random.default_rng(seed), 0.1 if seed % 2 else None
+    n = int(dice.integers(4, 12))
+    A = dice.standard_normal((n, n)) * np.exp(dice.uniform(-3, 3, n))
+    poles = np.linalg.eigvals(A)
+    A = A - (poles.real.max() + 10 ** dice.uniform(-3, 0)) * np.eye(n)
+    A = expm(A * period) if period else A
+    B, C, D = dice.standard_normal((n, 3)), dice.standard_normal((2, n)), dice.standard_normal((2, 3))
+    names = {"states": tuple(f"x{k}" for k in range(n)), "inputs": ("a", "b", "c"), "outputs": ("y", "z")}
+    zero = {key: np.zeros(size) for key, size in (("x0", n), ("rate", n), ("u0", 3), ("y0", 2))}
+    system = replace(sagged().system, A=A, B=B, C=C, D=D, period=period, **names, **zero)
+    linear = replace(sagged(), made=lambda: system)
+    at = np.unique(np.append(linear.frequencies(), np.geomspace(1e-6, 5.0 if period else 1e4, 3000)))
+    full = linear.frequency_response(at).values
+    for method in ("modal", "balanced"):
+        small = linear.reduce(n // 2, method)
+        error = np.linalg.norm(small.frequency_response(at).values - full, 2, axis=(1, 2)).max()
+        assert small.error is not None
+        assert error <= small.error * (1 + 1e-9), method
+        assert error > 0.98 * small.error, method
+        assert f"differ by {small.error:.3g} at most" in str([*small.tables()][1])
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_a_minimal_model_is_the_part_that_takes_part(seed: int) -> None:
+    """Mixed up with what no input reaches and no output shows; integrators in a row and unstable poles on all sides."""
+    dice = np.random.default_rng(seed)
+    jordan = np.array([[0.0, 1.0], [0.0, 0.0]])
+    own: Any = block_diag(jordan, 3.0 * dice.standard_normal((4, 4)))
+    lost: list[Any] = [block_diag(jordan, dice.standard_normal((2, 2))) for _ in range(3)]
+    A: Any = block_diag(own, *lost)
+    B, C = dice.standard_normal((len(A), 2)), dice.standard_normal((1, len(A)))
+    A[:6, 6:10], A[10:14, :6] = dice.standard_normal((6, 4)), dice.standard_normal((4, 6))
+    B[6:10], C[:, 10:14] = 0.0, 0.0  # drives what takes part, is driven by it
+    B[14:], C[:, 14:] = 0.0, 0.0
+    mix = dice.standard_normal((len(A), len(A)))
+    system = replace(
+        sagged().system, A=mix @ A @ np.linalg.inv(mix), B=mix @ B, C=C @ np.linalg.inv(mix), D=np.zeros((1, 2)),
+        states=tuple(f"x{k}" for k in range(len(A))), inputs=("a", "b"), outputs=("y",),
+    )  # fmt: skip
+    linear = replace(sagged(), made=lambda: system)
+    small = linear.reduce(method="minimal")
+    assert len(small.A) == 6
+    plain = replace(system, A=own, B=B[:6], C=C[:, :6])
+    at = np.geomspace(0.01, 100, 50)
+    wanted = replace(linear, made=lambda: plain).frequency_response(at).values
+    assert small.frequency_response(at).values == pytest.approx(wanted, rel=1e-5)
+
+
+def test_a_motor_without_a_spring_and_a_bending_that_nothing_reaches() -> None:
+    """Free motors are integrators; the arm that bends in its plane is that part of one that bends on all sides."""
+    spatial = tmodes.load("two_link_arm").with_(
+        {"gravity": 0.0, "planar": False, "links.forearm.beam.functions": {"bend_y": 2, "bend_z": 1}}
+    )
+    linear = spatial.linearize(inputs="elbow.torque", outputs="tip.z")
+    small, at = linear.reduce(method="minimal"), [0.1, 1.0, 10.0, 100.0]
+    assert len(small.A) == len(linear.A) - 3  # bending out of the plane, and what torque between two arms can not move
+    assert small.frequency_response(at).values == pytest.approx(linear.frequency_response(at).values, rel=1e-6)
+    assert small.error is None
+    said = command("linear", "spong1987", "--reduce", 2, "--method", "modal").stdout.replace("\u00a0", " ")
+    assert "Reduced from 4 to 2 states, modal: responses differ by" in said
+    data = json.loads(command("linear", "spong1987", "--method", "minimal", "--json").stdout)
+    assert data["error"] is None
+    assert len(data["states"]) == 4
+    with pytest.raises(InputError, match="minimal"):
+        linear.reduce(3, "minimal")
 
 
 def test_margins_of_a_double_integrator_with_lead() -> None:
@@ -428,7 +499,9 @@ def test_modes_are_named_by_the_state_that_takes_part() -> None:
 def test_its_page(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
     guide = (Path(__file__).resolve().parents[2] / "docs" / "linear-models.md").read_text(encoding="utf-8")
-    line, closed = [one.strip() for one in guide.splitlines() if one.startswith("    tmodes ")]
+    line, fewer, closed = [one.strip() for one in guide.splitlines() if one.startswith("    tmodes ")]
+    lost = guide.partition("*responses differ by ")[2].partition(" at most*")[0]
+    assert f"responses differ by {lost} at most" in command(*fewer.split()[1:]).stdout.replace("\u00a0", " ")
     assert command(*line.split()[1:]).stdout.endswith("Page: arm.html\n")
     (row,) = [one.split() for one in guide.splitlines() if one.startswith("      motor ")]
     assert row in [one.split() for one in command(*closed.split()[1:]).stdout.splitlines()]
@@ -444,11 +517,50 @@ def test_its_page(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
         assert linear.page(tmp_path / "other.html").stat().st_size > len(linear.sentence)
 
 
-def test_without_drives_no_mode_is_said_to_be_out_of_reach() -> None:
-    """Of a model without inputs all are, which its size says already."""
+def undriven() -> Any:
     sheet = sheet_data(tmodes.load("two_link_arm"))
-    bare = tmodes.Robot.from_data({key: value for key, value in sheet.items() if key not in ("drives", "real", "task")})
-    said = "\n".join(str(part) for part in bare.linearize().tables())
+    return tmodes.Robot.from_data({key: value for key, value in sheet.items() if key not in ("drives", "real", "task")})
+
+
+def test_without_drives_inputs_are_the_torques_of_all_joints() -> None:
+    """That of the same robot with drives at this pose; what is not named is held, and no state."""
+    whole = tmodes.load("two_link_arm").linearize(at={"shoulder.motor": 0.0, "elbow.motor": 0.0})
+    bare = undriven().linearize()
+    assert (bare.inputs, bare.outputs) == (whole.inputs, whole.outputs)
+    assert np.abs(bare.A - whole.A).max() < 1e-6 * np.abs(whole.A).max()
+    one = undriven().linearize(inputs="elbow.torque", outputs="elbow.position")
+    kept = [k for k, name in enumerate(whole.states) if not name.startswith("shoulder.motor")]
+    assert one.states == tuple(whole.states[k] for k in kept)
+    assert near(one.poles, np.linalg.eigvals(whole.A[np.ix_(kept, kept)]), 1e-6)
+    held = undriven().linearize(inputs="tip.force.z", outputs="tip.z")
+    assert held.is_stable
+    assert not any(name.removesuffix("'").endswith(".motor") for name in held.states)
+
+
+def test_without_joints_inputs_are_forces_at_the_tip() -> None:
+    """Of a clamped beam: the first frequency is 1.8751^2 sqrt(EI/m)/l^2."""
+    sheet = sheet_data(slewing())
+    sheet["joints"][0] = {"name": "hub", "type": "fixed", "child": "arm"}
+    sheet["links"][0].pop("bodies")
+    sheet.pop("drives")
+    linear = tmodes.Robot.from_data(sheet).linearize()
+    assert linear.inputs == ("tip.force.x", "tip.force.y", "tip.force.z")
+    assert near(linear.poles, [1j * 1.8751040687119611**2 * np.sqrt(5.2 / 0.31) / 0.9**2], 1e-6)
+    with pytest.raises(InputError) as caught:
+        undriven().linearize(inputs="foo")
+    assert "shoulder.torque, elbow.torque, tip.force.x" in str(caught.value)
+    with pytest.raises(InputError) as caught:
+        undriven().linearize(closed=True)
+    assert caught.value.which == "closed"
+
+
+def test_of_a_model_without_inputs_no_mode_is_said_to_be_out_of_reach() -> None:
+    """Of one without inputs all are, which its size says already."""
+    linear = sagged()
+    none = {"inputs": (), "B": np.zeros((4, 0)), "D": np.zeros((0, 0)), "u0": np.zeros(0)}
+    none |= {"outputs": (), "C": np.zeros((0, 4)), "y0": np.zeros(0)}
+    system = replace(linear.system, **none)
+    said = "\n".join(str(part) for part in replace(linear, made=lambda: system).tables())
     assert "0 inputs, 0 outputs" in said
     assert "No input reaches" not in said
     assert "No output shows" not in said

@@ -34,6 +34,10 @@ def linear(
     ] = None,
     period: Annotated[float | None, typer.Option(help="Sampled with a zero-order hold every so many seconds.")] = None,
     delay: Annotated[float, typer.Option(help="From a sample to its input [s], of any length.")] = 0.0,
+    reduce: Annotated[int | None, typer.Option(help="A model with so many states, by the method.")] = None,
+    method: Annotated[
+        str | None, typer.Option(help="balanced (without: this), modal, or minimal, which finds how many states.")
+    ] = None,
     at: PoseOption = None,
     time: Annotated[float | None, typer.Option(help="About this time of the run [s], not the equilibrium.")] = None,
     uncertain: Annotated[
@@ -69,6 +73,8 @@ def linear(
             sheet, at=at, time=time, inputs=inputs, outputs=outputs or (), closed=closed, loop=loop, period=period,
             delay=delay, uncertain=uncertain, cases=cases, seed=seed, progress=tell,
         )  # fmt: skip
+        if reduce is not None or method is not None:
+            found = found.reduce(reduce, method or "balanced")
         if figure is not None:
             write_files(None, found, figure, overwrite=overwrite, chart=chart)
         if out is not None:

@@ -49,7 +49,8 @@ def linearize(
     M, D, K are of its start), else where the first commands of its drives hold it, under weight and loads;
     ``contact`` with the surface that it touches. ``inputs``: commands of drives (``shoulder.torque``, ``.voltage``,
     ``.effort``) and loads on points (``tip.force.z``, ``tip.moment.x``); ``outputs``: any names of ``tmodes outputs``,
-    and sensors. Without names: all drives, and the angles of their joints.
+    and sensors. Without names: all drives, and the angles of their joints; without drives, of all joints. A joint
+    without a drive that is named gets one, all others stay where they are and are no states.
 
     Open loop, or under the controllers of the sheet about the start of its run (``closed``), with ``JOINT.setpoint``
     and, apart, ``JOINT.setpoint_rate`` as inputs: a law that uses the rate needs both for smooth motions. A closed one
@@ -71,11 +72,13 @@ def linearize(
     """
     from tmodes.analysis.statics.at_rest import robot_rest
     from tmodes.simulation.drive_loops import drive_loops
-    from tmodes.simulation.linear import all_inputs, closed_loop, delayed, open_loop
+    from tmodes.simulation.linear import all_inputs, closed_loop, delayed, driven, open_loop, without_held
 
-    chosen, outs = (_names(inputs), _names(outputs)), tuple(f"{drive.joint}.position" for drive in robot.drives)
-    closed, held = closed or loop is not None, pose_of(at, robot)
+    closed, chosen = closed or loop is not None, (_names(inputs), _names(outputs))
     _refuse(robot, closed=closed, at=at, time=time, period=period, delay=delay)
+    robot = robot if closed else driven(robot, chosen[0])
+    outs = [f"{drive.joint}.position" for drive in robot.drives] or ["tip.x", "tip.y", "tip.z"]
+    held = pose_of(at, robot)
     if loop is not None and (inputs or outputs or period is not None):
         hint = "leave these out: its input and output are the command of the drive"
         raise InputError("loop", f"`{loop}` with inputs, outputs or a period", "a drive alone", hint)
@@ -87,6 +90,7 @@ def linearize(
         else:
             pose = dict(rest.named) if held is None else held
             found = open_loop(robot, *own, held=_drives(robot, pose), time=time, contact=contact, progress=progress)
+        found = without_held(found)
         if period is not None and found.period is not None:
             got, expected = f"{period:g} s", f"left out: the controllers sample by themselves, every {found.period:g} s"
             raise InputError("period", got, expected, "remove it; delays stand in the sheet")
@@ -132,6 +136,9 @@ def _refuse(
     if (period is None and delay) or (period is not None and not period > 0) or delay < 0:
         expected = "a period above 0 s, and a delay of 0 s or more"
         raise InputError("period", f"{period!r} s with a delay of {delay:g} s", expected, "write period=1e-3 for 1 kHz")
+    if closed and not robot.control and not any(drive.command.is_controlled for drive in robot.drives):
+        hint = "leave out `closed`, or give a drive `command: position` and a `controller`"
+        raise InputError("closed", "a robot without controllers", "one whose controllers close a loop", hint)
 
 
 def _names(given: str | Sequence[str] | None) -> tuple[str, ...]:

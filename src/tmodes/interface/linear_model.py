@@ -56,7 +56,9 @@ class LinearModel(Linearization):
     family: tuple[StateSpace, ...] = field(default=(), repr=False)
     """Models of uncertain robots, where they were asked for."""
     error: float | None = None
-    """Of one with fewer states: bound of the difference of the responses, None where none is known."""
+    """Of one with fewer states: largest gain of the difference of the responses; None where there is none."""
+    reduction: str = ""
+    """How it has fewer states, and this error, in words."""
     opened: Callable[[], Mapping[str, StateSpace]] = field(default=dict, repr=False)
 
     @cached_property
@@ -272,24 +274,37 @@ class LinearModel(Linearization):
             raise InputError("margins", got, "one of each", "name an input and an output")
         return loop_margins(*part, self.period)
 
-    def reduce(self, order: int, method: str = "balanced") -> LinearModel:
+    def reduce(self, order: int | None = None, method: str = "balanced") -> LinearModel:
         """A model with ``order`` states; ``method``: ``balanced`` truncation, or ``modal`` (the slowest poles).
 
-        ``error`` of a balanced one bounds the difference of the responses: twice the sum of the Hankel singular values
-        that are left out (K. Glover, Int. J. Control 39, 1984). Balanced truncation needs a stable model.
-        """
-        from tmodes.analysis.reduction import balanced, hankel_values, modal
+        ``minimal``, without an order: the part that inputs reach and outputs show (Kalman), of the same response; of
+        unstable models, too, and of motors that no spring holds. ``error`` of the others: the largest gain of the
+        difference of the responses (largest singular value over all frequencies, H-infinity norm), 1e-6 of it more at
+        most; infinite where a motion that grows, or an integrator, is left out. Balanced truncation needs a stable one.
 
-        if method not in {"balanced", "modal"} or not 0 < order <= len(self.A):
-            got, expected = f"{order} by `{method}`", f"1 to {len(self.A)} states, by `balanced` or `modal`"
-            raise InputError("reduce", got, expected, "linear.reduce(4)")
-        how = balanced if method == "balanced" else modal
-        A, B, C, D = how(self.A, self.B, self.C, self.D, order, self.period)
-        names = tuple(f"{method}{k + 1}" for k in range(len(A)))
+        >>> linear = tmodes.load("spong1987").linearize(inputs="joint.torque", outputs="joint.motor.position")
+        >>> small = linear.reduce(2, "modal")
+        >>> len(small.states), len(linear.reduce(method="minimal").states), round(small.error, 4)
+        (2, 4, 0.0107)
+        """
+        from tmodes.analysis.reduction import balanced, largest_gain, minimal, modal
+
+        least, all_of_it = method == "minimal", (self.A, self.B, self.C, self.D)
+        if method not in {"balanced", "modal", "minimal"} or (
+            order is not None if least else not 0 < (order or 0) <= len(self.A)
+        ):
+            expected = f"1 to {len(self.A)} states, by `balanced` or `modal`; none by `minimal`, which finds them"
+            raise InputError("reduce", f"{order} by `{method}`", expected, "linear.reduce(4)")
+        how, left = balanced if method == "balanced" else modal, None
+        system, left = (minimal(*all_of_it), None) if least else how(*all_of_it, order or 0, self.period)
+        A, B, C, D = system
         zero = np.zeros(len(A))
+        names = tuple(f"{method}{k + 1}" for k in range(len(A)))
         system = replace(self.system, states=names, A=A, B=B, C=C, D=D, x0=zero, rate=zero)
-        left = hankel_values(self.A, self.B, self.C, self.period)[order:] if how is balanced else None
-        return replace(self, family=(), made=lambda: system, error=None if left is None else 2 * float(left.sum()))
+        error = None if left is None else largest_gain(*left, self.period)
+        words = "the same responses" if error is None else f"responses differ by {error:.3g} at most (largest gain, SI)"
+        words = f"Reduced from {len(self.A)} to {len(A)} states, {method}: {words}."
+        return replace(self, family=(), made=lambda: system, error=error, reduction=words)
 
     def to_control(self) -> Any:
         """The same as a ``StateSpace`` of python-control (``pip install control``)."""
@@ -336,6 +351,8 @@ class LinearModel(Linearization):
             "closed": self.closed,
             "poles": pairs,
             "loops": loops,
+            "reduction": self.reduction,
+            "error": self.error,
         } | lost
         return super().info() | names | more | rest
 
@@ -345,6 +362,7 @@ class LinearModel(Linearization):
 
         s = self.system
         yield words.heading(self)
+        yield from [self.reduction] if self.reduction else []
         yield Table("poles", words.POLES, words.pole_rows(self))
         yield from words.lost_modes(self)
         if self.loops:

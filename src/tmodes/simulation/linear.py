@@ -28,17 +28,17 @@ from tmodes.kinds.controllers.discrete import held_late, zero_order_hold
 from tmodes.kinds.noted.number import follow_no
 from tmodes.kinds.signals.registry import constant_signal
 from tmodes.model.passes import derivatives, evaluate
-from tmodes.sheet.parts import Command, LoadFrame, LoadSheet
+from tmodes.sheet.parts import Command, DriveSheet, LoadFrame, LoadSheet
 from tmodes.simulation.initial_state import RunSetup, run_setup, run_trajectory
 from tmodes.simulation.loop import LoopModel
-from tmodes.simulation.plan import Planned, planned
+from tmodes.simulation.plan import Planned, initial_value, loose_drive, planned
 
 if TYPE_CHECKING:
     from tmodes.sheet import Robot
 
 __all__ = [
-    "Instant", "StateSpace", "all_inputs", "closed_loop", "delayed", "growth", "open_loop", "opened", "row_at",
-    "run_feedback", "samples_of", "start_of",
+    "Instant", "StateSpace", "all_inputs", "closed_loop", "delayed", "driven", "growth", "open_loop", "opened",
+    "row_at", "run_feedback", "samples_of", "start_of", "without_held",
 ]  # fmt: skip
 
 Array = NDArray[np.float64]
@@ -247,7 +247,18 @@ def closed_loop(robot: Robot, inputs: Sequence[str], outputs: Sequence[str], tim
 def _read(found: StateSpace, first: int) -> StateSpace:
     """Without states from ``first`` on that nothing reads, such as the integral of a controller that has no gain."""
     others = np.abs(found.A - np.diag(np.diag(found.A))).max(axis=0) + np.abs(found.C).max(axis=0, initial=0.0)
-    kept = [k for k in range(len(found.A)) if k < first or others[k] > 0]
+    return _kept(found, [k for k in range(len(found.A)) if k < first or others[k] > 0])
+
+
+def without_held(found: StateSpace) -> StateSpace:
+    """Without the coordinates that nothing moves."""
+    pushed = np.hstack([found.A - (np.eye(len(found.A)) if found.period else 0.0), found.B])
+    moved = {name.removesuffix("'") for name, row in zip(found.states, pushed, strict=True) if row.any()}
+    n = 2 * next((k for k, name in enumerate(found.states) if name.endswith("'")), 0)
+    return _kept(found, [k for k, name in enumerate(found.states) if k >= n or name.removesuffix("'") in moved])
+
+
+def _kept(found: StateSpace, kept: list[int]) -> StateSpace:
     names = tuple(found.states[k] for k in kept)
     return replace(found, states=names, A=found.A[np.ix_(kept, kept)], B=found.B[kept], C=found.C[:, kept],
                    x0=found.x0[kept], rate=found.rate[kept])  # fmt: skip
@@ -370,11 +381,29 @@ def opened(robot: Robot) -> Robot:
     return robot.model_copy(update=still)
 
 
+def driven(robot: Robot, inputs: Sequence[str]) -> Robot:
+    """With a drive for each joint without one whose command is among the inputs; without any drive, for all joints.
+
+    They hold their joints as a run does.
+    """
+    free = [axis for axis in robot.undriven.chain().axes if axis.name not in {drive.joint for drive in robot.drives}]
+    named = {name.rpartition(".")[0] for name in inputs}
+    added = [
+        loose_drive(robot, axis) or DriveSheet(
+            joint=axis.name, command=Command.PRESCRIBED, signal=constant_signal(initial_value(robot, axis.name))
+        )
+        for axis in free
+        if axis.name in named or not (inputs or robot.drives)
+    ]  # fmt: skip
+    return robot.model_copy(update={"drives": (*robot.drives, *added)}) if added else robot
+
+
 def all_inputs(robot: Robot, *, closed: bool) -> tuple[str, ...]:
-    """Names of the commands of all drives; under control of their setpoints."""
+    """Names of the commands of all drives; under control of their setpoints; without any joint of forces at the tip."""
     if closed:
         return tuple(f"{drive.joint}.setpoint" for drive in robot.drives if drive.command.is_controlled)
-    return tuple(f"{drive.joint}.{drive.command}" for drive in opened(robot).drives if not drive.command.is_motion)
+    found = tuple(f"{drive.joint}.{drive.command}" for drive in opened(robot).drives if not drive.command.is_motion)
+    return found or tuple(f"tip.force.{axis}" for axis in "xyz")
 
 
 def _with_loads(robot: Robot, inputs: Sequence[str]) -> tuple[Robot, dict[str, int]]:
@@ -399,9 +428,12 @@ def _columns(
     found = []
     for name in inputs:
         if name not in known:
-            points = ", ".join(f"{point}.force.x" for point in ("tip", *(one.name for one in robot.points[:2])))
+            points = [f"{point}.force.x" for point in ("tip", *(one.name for one in robot.points[:2]))]
             hint = "add --closed for setpoints" if name.endswith(".setpoint") and not closed else "take one of these"
-            raise InputError("inputs", f"the unknown input `{name}`", f"one of {', '.join(known)}, {points}", hint)
+            every = (
+                f"one of {', '.join(dict.fromkeys([*known, *all_inputs(driven(robot, ()), closed=closed), *points]))}"
+            )
+            raise InputError("inputs", f"the unknown input `{name}`", every, hint)
         found.append((name, known[name]))
     return found
 

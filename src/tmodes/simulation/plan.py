@@ -28,7 +28,17 @@ from tmodes.simulation.control import Sampling, control_plan, wired_name
 if TYPE_CHECKING:
     from tmodes.sheet import Robot
 
-__all__ = ["WAYS", "Follow", "Planned", "free_drive", "initial_value", "planned", "refuse_jumps", "refuse_massless"]
+__all__ = [
+    "WAYS",
+    "Follow",
+    "Planned",
+    "free_drive",
+    "initial_value",
+    "loose_drive",
+    "planned",
+    "refuse_jumps",
+    "refuse_massless",
+]
 
 
 class Follow(StrEnum):
@@ -128,7 +138,7 @@ def planned(
         for axis in node.joint.axes:
             kinds.append(axis.drive)
             if axis.drive.is_driven:
-                index, sheet = sheets.get(axis.name, (-1, _free_drive(robot, axis)))
+                index, sheet = sheets.get(axis.name, (-1, loose_drive(robot, axis)))
                 if axis.name not in sheets:
                     (undriven if sheet is None else loose).append(axis.name)
                 drives.append(_drive(robot, axis, index, sheet, signals, follow))
@@ -174,7 +184,7 @@ def free_drive(joint: str, *, has_motor: bool) -> DriveSheet:
     return DriveSheet(joint=joint, command=command, signal=constant_signal(0.0))
 
 
-def _free_drive(robot: Robot, axis: Axis) -> DriveSheet | None:
+def loose_drive(robot: Robot, axis: Axis) -> DriveSheet | None:
     """The drive of a joint that has none but an initial rate; None where it stands and is held."""
     if any(robot.initial.rates.get(name) for name in (axis.name, f"{axis.name}.motor")):
         return free_drive(axis.name, has_motor=axis.joint.motor is not None)
