@@ -187,6 +187,10 @@ EVERYWHERE = {
     "lqg": {"control": law(LQG | {"measured": ["teeth"]}, delay=0.013),
             "sensors": [{"type": "encoder", "name": "teeth", "joint": "joint", "resolution": 1e-3,
                          "sample_time": 0.01, "noise": 1e-4, "delay": 0.004}]},
+    "lqg, fed": {"control": law(LQG), "drive": {"feed_forward": {
+        "type": "quintic", "start": 0.0, "end": 6.0, "duration": 0.5}}},
+    "lqg, reference": {"control": law(LQG | {"reference": {"joint": {
+        "type": "quintic", "start": 0.0, "end": 0.8, "duration": 0.6}}})},
     "loop_shaping": {"control": law(SHAPED | {"measured": ["teeth"], "sample_time": 0.01}, delay=0.013),
                      "sensors": [{"type": "encoder", "name": "teeth", "joint": "joint", "resolution": 1e-3}]},
     "loop_shaping, continuous": {"control": law(SHAPED)},

@@ -105,14 +105,14 @@ class Followed:
             else:
                 yield *leg.target(way), None
 
-    def signals(self) -> list[dict[str, Any]]:
-        """The references as signals, in the order of the joints, as plain data."""
+    def signals(self, factor: float = 1.0) -> list[dict[str, Any]]:
+        """The references, times a factor, as signals, in the order of the joints, as plain data."""
         columns = ("positions", self.values), ("velocities", self.rates), ("accelerations", self.accelerations)
         return [
             {
                 "type": "trajectory",
                 "times": self.times.tolist(),
-                **{name: rows[:, k].tolist() for name, rows in columns},
+                **{name: (factor * rows[:, k]).tolist() for name, rows in columns},
             }
             for k in range(len(self.joints))
         ]

@@ -16,13 +16,15 @@ from numpy.typing import NDArray
 from tmodes.analysis.follow import Followed
 from tmodes.analysis.inversion import inverted
 from tmodes.analysis.sagging import Task, sagged
+from tmodes.equations.loop.control_kernels import Winding
+from tmodes.equations.loop.plan import winding_of
 from tmodes.errors import InputError, TmodesError
 from tmodes.gradients.optimal import Course, Found, RestToRest, least_time, under_torques
 from tmodes.interface.motions import freed, limits_of, missed, steady
 from tmodes.kinds.signals.registry import Signal
 from tmodes.result.run import ready_to_run
 from tmodes.sheet import Robot
-from tmodes.sheet.parts import Command, DriveSheet, Initial, InitialState
+from tmodes.sheet.parts import Command, ControlSheet, DriveSheet, Initial, InitialState
 from tmodes.simulation.motion_run import RunData
 from tmodes.simulation.simulate import simulate_motion
 
@@ -44,11 +46,13 @@ _SMOOTH, _STILL, _CREEPS = 1e-2, 1e-5, 1e-3
 class Reference:
     """Positions of the motors and efforts of their drives, as rows of references; None: no efforts.
 
-    The path begins ``lead`` [s] after them. ``warnings``: what is to be known about it.
+    ``states``: of all coordinates, where they are known. The path begins ``lead`` [s] after them. ``warnings``: what is
+    to be known about it.
     """
 
     positions: Followed
     efforts: Followed | None = None
+    states: Followed | None = None
     lead: float = 0.0
     warnings: tuple[str, ...] = ()
 
@@ -72,7 +76,27 @@ class Reference:
             drives[places[joint]] = drive.model_copy(update=made)
         end = max(robot.integration.duration, self.end)
         settings = robot.integration.model_copy(update={"duration": end})
-        return robot.model_copy(update={"drives": tuple(drives), "integration": settings})
+        made = robot.model_copy(update={"drives": tuple(drives), "integration": settings})
+        return made.model_copy(update={"control": tuple(self._known(robot, one) for one in robot.control)})
+
+    def _known(self, robot: Robot, sheet: ControlSheet) -> ControlSheet:
+        """The same with what coordinates do that no setpoint moves, and currents, where its block follows these."""
+        if "reference" not in type(sheet.block).model_fields:
+            return sheet
+        found = dict[str, Any]()
+        if self.states and self.efforts:
+            axes = {axis.name: axis.joint.motor for axis in robot.undriven.chain().axes}
+            coordinates, moved = self.states.joints, set(self.positions.joints)
+            moved = {motor if (motor := f"{joint}.motor") in coordinates else joint for joint in moved}
+            found = {
+                name: one for name, one in zip(coordinates, self.states.signals(), strict=True) if name not in moved
+            }
+            for joint in self.efforts.joints:
+                kind, (_, _, torque, _) = winding_of(axes[joint])
+                if kind is Winding.INDUCTANCE:
+                    found[f"{joint}.current"] = self.efforts.signals(1 / torque)[self.efforts.joints.index(joint)]
+        block = sheet.block.model_copy(update={"reference": {name: Signal.of(one) for name, one in found.items()}})
+        return sheet.model_copy(update={"block": block})
 
     def checks(self, robot: Robot, made: Robot, path: Followed) -> dict[str, tuple[float, float]]:
         """Largest distance of the nominal robot's tip from the path, and afterwards from its rest [m], by reference.
@@ -167,7 +191,13 @@ def _needed(robot: Robot, positions: Followed) -> Reference:
     exact = _replaced(robot, moved).model_copy(update={"control": (), "sensors": ()})
     done = _nominal(exact, float(positions.times[-1]), _ROWS)
     efforts = done.effort[:, [done.drives.index(joint) for joint in positions.joints]]
-    return Reference(positions, _rows(positions, done.times, efforts))
+    return Reference(positions, _rows(positions, done.times, efforts), _states(positions, done))
+
+
+def _states(like: Followed, done: Any) -> Followed:
+    """The rows of all coordinates of a run."""
+    return replace(like, joints=tuple(done.coordinates), times=done.times, values=done.q, rates=done.v,
+                   accelerations=done.a)  # fmt: skip
 
 
 def _rows(like: Followed, times: Array, values: Array) -> Followed:
@@ -212,7 +242,9 @@ def _inverse(robot: Robot, path: Followed, tolerance: float, progress: Progress)
             f"the robot still moves by {found.left:.2g} rad/s, m/s where the motion is cut: what bends is hardly "
             "damped where the tip is held"
         )
-    return Reference(own, _rows(path, found.times, found.efforts), found.lead, tuple(warnings))
+    states = replace(path, joints=tuple(known.undriven.chain().coordinates), times=found.times, values=found.q,
+                     rates=found.rates, accelerations=found.accelerations)  # fmt: skip
+    return Reference(own, _rows(path, found.times, found.efforts), states, found.lead, tuple(warnings))
 
 
 def _course(robot: Robot, path: Followed) -> RestToRest:
@@ -251,7 +283,8 @@ def _driven(robot: Robot, path: Followed, move: RestToRest, found: Found) -> Ref
     done = _nominal(under_torques(_bare(robot), move.start, torques, move.duration)[0], move.duration, _ROWS)
     efforts = np.stack([torques[joint].schedule(move.duration).at(done.times) for joint in path.joints], axis=1)
     warnings = tuple(missed(found, found.swing, move.accepted))
-    return Reference(_rows(path, done.times, done.q[:, move.places]), _rows(path, done.times, efforts), 0.0, warnings)
+    own = _rows(path, done.times, done.q[:, move.places])
+    return Reference(own, _rows(path, done.times, efforts), _states(path, done), 0.0, warnings)
 
 
 def _optimal(robot: Robot, path: Followed, tolerance: float, progress: Progress) -> Reference:

@@ -59,6 +59,12 @@ def wired_name(sheet: Any, joint: str) -> str:
     return node_of(sheet).signals[sheet.drives.index(joint)]
 
 
+class _Rate(int):
+    """The number of a signal of which the rate is read."""
+
+    order = 1
+
+
 @dataclass
 class _Sources:
     """What blocks read but for the signals of each other: outputs, setpoints, gravity, noise."""
@@ -69,6 +75,7 @@ class _Sources:
     outputs: Outputs
     blocks: frozenset[str]
     found: dict[str, Any]
+    given: dict[str, Any]
 
     def add(self, name: str, node: Node) -> None:
         """Make a signal known by its name; raises :class:`tmodes.errors.InputError` for an unknown one."""
@@ -81,8 +88,13 @@ class _Sources:
             seed, deviation = node.block.noise_of(name)
             noise = sampled_noise(node.block.period or 0.0, self.robot.integration.output_step, deviation, seed)
             self.found[name] = self.signals.add(noise, path)
-        elif name in node.block.given:
-            self.found[name] = self.signals.add(node.block.given[name], f"{path}.signals")
+        elif name in self.given:
+            self.found[name] = self.signals.add(self.given[name], f"{path}.signals")
+        elif last in ("reference'", "feed_forward'", "setpoint'"):
+            self.add(name[:-1], node)
+            self.found[name] = _Rate(self.found[name[:-1]])
+        elif last == "feed_forward" and drive and drive.feed >= 0:
+            self.found[name] = drive.feed
         elif head == "gravity" and last in "xyz":
             value = self.robot.gravity["xyz".index(last)]
             self.found[name] = self.signals.add(constant_signal(value), path)
@@ -106,11 +118,12 @@ def control_plan(robot: Robot, plan: LoopPlan, signals: Any) -> tuple[tuple[Bloc
     """
     nodes = [_designed(robot, node) for node in network(robot)]
     given = frozenset(name for node in nodes for name in node.signals)
-    sources = _Sources(robot, plan, signals, Outputs(LoopParts(plan)), given, {})
     own = {drive.joint: drive.servo.law for drive in plan.drives if drive.servo and drive.servo.law}
     sheets = enumerate(robot.drives)
     at_drives = {f"drives.{k}.controller": own[one.joint] for k, one in sheets if one.controller and one.joint in own}
     everywhere = [*nodes, *(Node("", path, law.block, ()) for path, law in at_drives.items())]
+    brought = {name: signal for node in everywhere for name, signal in node.block.given.items()}
+    sources = _Sources(robot, plan, signals, Outputs(LoopParts(plan)), given, {}, brought)
     for node in everywhere:
         for name in node.block.reads:
             if name not in given:
@@ -128,7 +141,7 @@ def _block(robot: Robot, plan: LoopPlan, node: Node, signals: Any) -> BlockPlan:
     model = rigid_model(robot, tuple(drive.joint for drive in plan.drives)) if block.needs_model else None
     law = Law(
         block, bool(own), outputs=len(node.ports), limited=limited, timed=sampling.timed, delay=sampling.delay,
-        model=model,
+        model=model, fed=bool(own and own.servo and own.servo.fed),
     )  # fmt: skip
     clocks = sampling.clocks(signals, robot.integration.output_step, node.path)
     return BlockPlan(node.name, law, node.ports, law.numbers(sampling.period), node.joint, *clocks, node.drives)
@@ -151,7 +164,7 @@ def _designed(robot: Robot, node: Node) -> Node:
         follow_no(f"gains of `{node.name}` that are designed before the run", vars(node.block), node.sheet.delay)
         try:
             late = node.sheet.delay + node.block.lag
-            found[node.name] = designed_block(known, node.block, node.sheet.drives, late)
+            found[node.name] = designed_block(known, node, late)
         except InputError as error:
             if error.which.startswith("sensors."):
                 raise

@@ -101,7 +101,8 @@ class Servo:
         """The compiled form of its controller."""
         if self.controller is None:
             return None
-        how = {"noisy": self.noisy, "settles": self.settles, "timed": self.timed, "delay": self.delay}
+        how = {"noisy": self.noisy, "settles": self.settles, "timed": self.timed, "delay": self.delay,
+               "fed": self.fed}  # fmt: skip
         return Law(self.controller, view=self.view, limited=bool(self.limit), model=self.model, **how)  # pyright: ignore[reportArgumentType]
 
     @property

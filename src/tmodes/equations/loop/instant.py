@@ -95,7 +95,7 @@ class Instant(Serving):
             return self.wires[name]
         source = self.plan.sources[name]
         if isinstance(source, int):
-            self.wires[name] = self.signals[source].part(0, 1)
+            self.wires[name] = super().wire(name)
         elif source.late and self.plan.at_rest:
             self.wires[name] = self._at_rest(source)
         else:

@@ -70,7 +70,7 @@ class Law:
     on that setpoint; ``limited``: the drive has a largest command. ``outputs``: how many it gives. ``timed``: a block
     of continuous time that its drive samples. ``settles``: a sampled block as one in continuous time whose rates are
     the changes of its own states from sample to sample: zero where constant inputs leave it as it is. ``model``: the
-    rigid robot that it computes with.
+    rigid robot that it computes with. ``fed``: an effort is fed forward to the drive of its own.
     """
 
     block: Block
@@ -83,6 +83,7 @@ class Law:
     settles: bool = False
     delay: Delay = field(default_factory=Delay)
     model: RigidModel | None = None
+    fed: bool = False
 
     @property
     def is_sampled(self) -> bool:
@@ -127,7 +128,8 @@ class Law:
     @property
     def key(self) -> str:
         """The structure in words."""
-        words = {"noisy": self.noisy, "settles": self.settles, "limited": self.limited, "timed": self.timed}
+        words = {"noisy": self.noisy, "settles": self.settles, "limited": self.limited, "timed": self.timed,
+                 "fed": self.fed}  # fmt: skip
         more = [word for word, holds in words.items() if holds]
         more += [f"view {self.view}"] if self.view else []
         more += [f"{self.delay}"] if self.delay.kept and self.is_sampled else []
@@ -235,7 +237,7 @@ class Law:
             "wanted": wanted[0], "wanted_rate": wanted[1], "wanted_acceleration": wanted[2],
             "position": position, "velocity": velocity, "current": given.current[0],
             "signals": {name: given.reads[k] for k, name in enumerate(self.block.reads)},
-            "at_rest": self.settles,
+            "at_rest": self.settles, "fed": self.fed,
             "limit": given.limit[0] if self.limited else None, "period": p[self.count - 1] if self.timed else None,
         }  # fmt: skip
         if self.view:

@@ -125,8 +125,8 @@ class LoopPlan:
 
     ``jolts``: signals whose rates jump -> the signals of these jumps, see :class:`tmodes.kinds.signals.registry.Jolts`.
     ``blocks``: in the order in which each comes after those that it reads; ``sources``: what else blocks read, by name:
-    the number of a signal, or an output, which is ``late`` where it follows from the commands of its instant.
-    ``at_rest``: see :attr:`settles`.
+    the number of a signal (of ``order`` 1: its rate), or an output, ``late`` where it follows from the commands of its
+    instant. ``at_rest``: see :attr:`settles`.
     """
 
     chain: Chain
@@ -189,7 +189,9 @@ class LoopPlan:
     @property
     def aside(self) -> set[int]:
         """Signals that move nothing by themselves: noise on what controllers see, their clocks, and jumps of rates."""
-        read = {k for k in self.sources.values() if isinstance(k, int)} - {drive.signal for drive in self.drives}
+        read = {k for k in self.sources.values() if isinstance(k, int)} - {
+            k for drive in self.drives for k in (drive.signal, drive.feed)
+        }
         noise = {drive.noise for drive in self.drives} | read
         return noise | {place for pair in self.clocks for place in (*pair, -1)} | {k for _, k in self.jolts}
 

@@ -108,7 +108,8 @@ class Serving:
 
     def wire(self, name: str) -> Slot:
         """A signal that a block reads, by name; raises KeyError where there is none here."""
-        return self.signals[self.plan.sources[name]].part(0, 1)
+        source = self.plan.sources[name]
+        return self.signals[source].part(getattr(source, "order", 0), 1)
 
     def _seen(self, view: View, q: Divisible, rates: Slot) -> tuple[Slot, ...]:
         """What a block that sees all sees."""

@@ -32,6 +32,7 @@ class Measured:
     each drive's signal in the order of ``drives``; ``joint``: its own among these; ``commands``: those that it
     commands, in the order of its outputs. ``signals``: what it reads by name.
     ``period``: time between its samples [s], None in continuous time. ``model``: see :attr:`Block.needs_model`.
+    ``fed``: an effort is fed forward to its own drive.
     ``at_rest``: an equilibrium is looked for, in which there is no noise and nothing is rounded.
     """
 
@@ -53,6 +54,7 @@ class Measured:
     limit: Any = None
     period: Any = None
     model: Any = None
+    fed: bool = False
     at_rest: bool = False
 
     def coordinate(self, name: str) -> tuple[Any, Any]:
@@ -104,7 +106,8 @@ class LinearPlant:
 
     ``states``: names of x, coordinates then ``NAME'`` for their rates, then currents; ``drives``: those of u, in the
     order of its columns; ``rest``: x at rest; ``effort``: u that holds it; ``reads``: names of the rows of C and D,
-    whose values at rest are ``measured``; commands act ``delay`` [s] after their samples.
+    whose values at rest are ``measured``; commands act ``delay`` [s] after their samples. ``added``: what is fed
+    forward on top of each command, as (signal, factor) pairs for each drive; ``effort`` holds the rest beside it.
     """
 
     states: tuple[str, ...]
@@ -118,6 +121,8 @@ class LinearPlant:
     effort: Any
     measured: Any
     delay: float = 0.0
+    added: tuple[tuple[tuple[str, Any], ...], ...] = ()
+    added_at_rest: tuple[Any, ...] = ()
 
 
 class Block(Kind):

@@ -22,6 +22,7 @@ class DisturbanceObserver(Controller):
     """u = Kp (wanted - th) + Kv (wanted' - th') + the signal ``input`` + d, d = w/(s + w) (u - b th' - J th'').
 
     w = 2 pi ``bandwidth``; J, b: inertia and viscous friction of the motor as known; u: the effort after a limit of it.
+    Where an effort is fed forward, th' and th'' are less those of the setpoint, so that d is what differs from it.
     Only th' is measured: d = z - w J th', z' = w (u - b th' + w J th' - z). Sampled: a = exp(-w T), g = (1 - a) J/T,
     d = z - g th', z+ = a d + (1 - a) (u - b th') + g th', exact where u - b th' and load are constant between samples
     (K. Ohnishi, M. Shibata, T. Murakami, Motion control for advanced mechatronics, IEEE/ASME Trans. Mechatronics 1,
@@ -71,9 +72,14 @@ class DisturbanceObserver(Controller):
         """z: at rest the load."""
         return (OwnState("load", "N*m|N"),)
 
+    @staticmethod
+    def _rate(m: Measured) -> Any:
+        """th', of a drive whose effort is fed forward beyond that of its setpoint."""
+        return m.velocity - m.wanted_rate if m.fed else m.velocity
+
     def _estimate(self, p: Any, m: Measured, x: list[Any]) -> tuple[Any, Any]:
         """The load d, and what of z is not of it."""
-        moved = p[3] * m.model.inertia[m.drives.index(m.joint)] * m.velocity
+        moved = p[3] * m.model.inertia[m.drives.index(m.joint)] * self._rate(m)
         return x[0] - moved, moved
 
     def command(self, p: Any, m: Measured, x: list[Any]) -> Any:
@@ -83,7 +89,7 @@ class DisturbanceObserver(Controller):
 
     def _excess(self, p: Any, m: Measured, x: list[Any]) -> Any:
         """The command less friction and estimate: u - b th' - d."""
-        u, lost = self.command(p, m, x), m.model.viscous[m.drives.index(m.joint)] * m.velocity
+        u, lost = self.command(p, m, x), m.model.viscous[m.drives.index(m.joint)] * self._rate(m)
         u = u if m.limit is None else f.fmax(f.fmin(u, m.limit), -m.limit)
         return u - lost - self._estimate(p, m, x)[0]
 

@@ -122,7 +122,7 @@ class LoopShaping(DesignedLaw):
                 yield Issue("output_weights", f"`{name}`", f"one of {', '.join(self.measured)}", "correct it")
 
     @property
-    def reads(self) -> tuple[str, ...]:
+    def sees(self) -> tuple[str, ...]:
         """What is measured."""
         return self.measured
 
@@ -171,10 +171,9 @@ class LoopShaping(DesignedLaw):
         return Shaped(linear, K, W, gamma)
 
     def _matrices(self) -> list[Any]:
-        """u_0, setpoints and what is measured at rest, C, and those of K and W, all with two dimensions."""
+        """u_0, state and what is measured at rest, C, and those of K and W, all with two dimensions."""
         plant, K, W, _ = self.design
-        own = plant.rest[self._own(plant)]
-        columns = [np.asarray(one, dtype=float)[:, None] for one in (plant.effort, own, plant.measured)]
+        columns = [np.asarray(one, dtype=float)[:, None] for one in (plant.effort, plant.rest, plant.measured)]
         return [*columns, plant.C, *K, *W]
 
     def numbers(self) -> tuple[float, ...]:
@@ -202,8 +201,8 @@ class LoopShaping(DesignedLaw):
 
     def _flow(self, p: Any, m: Measured, x: list[Any]) -> tuple[list[Any], list[Any]]:
         """The commands, and what becomes of the states."""
-        effort, ends, rest, C, AK, BK, CK, DK, AW, BW, CW, DW = self._rows(p)
-        moved = self._moved([end[0] for end in ends], m)
+        effort, still, rest, C, AK, BK, CK, DK, AW, BW, CW, DW = self._rows(p)
+        moved = self._moved([one[0] for one in still], m)
         off = [
             m.signals[name] - y[0] - each for name, y, each in zip(self.measured, rest, _sums(C, moved), strict=True)
         ]

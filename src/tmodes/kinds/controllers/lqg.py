@@ -12,7 +12,7 @@ from pydantic import Field
 
 from tmodes.errors import InputError
 from tmodes.kinds.controllers.contract import CONTROLLERS, LinearPlant, Measured, OwnState
-from tmodes.kinds.controllers.discrete import unseen
+from tmodes.kinds.controllers.discrete import unseen, zero_order_hold
 from tmodes.kinds.controllers.state_space import (
     Design,
     Number,
@@ -43,7 +43,8 @@ class LQG(WeightedLaw):
     x_f = x_p + M (y - C x_p - D u_-), x_p+ = Ad x_f + Bd u, of deviations from the rest (K. J. Astrom, B. Wittenmark,
     Computer-Controlled Systems, 3rd ed., chapter 11); with its delay in the design of the commands as they act. It sees
     sensors and outputs by name, never the state. With ``load_noise`` it estimates a constant load on each drive, too,
-    and takes it off the command, which is integral action.
+    and takes it off the command, which is integral action. What is fed forward is part of u. With a ``reference``, of
+    which that is the effort, x is the deviation from the reference, and u that of the command from what is fed forward.
     """
 
     type: Literal["lqg"] = Field(description="kind of controller")
@@ -72,9 +73,14 @@ class LQG(WeightedLaw):
         yield from super()._issues()
 
     @property
-    def reads(self) -> tuple[str, ...]:
+    def sees(self) -> tuple[str, ...]:
         """What is measured."""
         return self.measured
+
+    @property
+    def _added(self) -> tuple[Any, ...]:
+        """What is fed forward to each drive."""
+        return self.design.plant.added
 
     @property
     def _loads(self) -> int:
@@ -105,14 +111,19 @@ class LQG(WeightedLaw):
         return P @ plant.C.T @ np.linalg.inv(plant.C @ P @ plant.C.T + V)
 
     def numbers(self) -> tuple[float, ...]:
-        """Those of an LQR, then y at rest, C, M, Ad, Bd row by row."""
+        """Those of an LQR, then y at rest, C, M, Ad, Bd row by row, and what counts with what is fed forward."""
         d = self.design
         rows = [np.asarray(one, dtype=float).ravel() for one in self._matrices(d)]
         return (*super().numbers(), *np.concatenate(rows))
 
-    @staticmethod
-    def _matrices(d: Design) -> list[Any]:
-        return [np.asarray(d.plant.measured)[:, None], d.C, d.M, d.Ad, d.Bd]
+    def _matrices(self, d: Design) -> list[Any]:
+        """Where something is fed forward: its states' changes and outputs by it, its value at rest, its factors."""
+        found = [np.asarray(d.plant.measured)[:, None], d.C, d.M, d.Ad, d.Bd]
+        if not any(d.plant.added):
+            return found
+        plant, still = d.plant, np.asarray(d.plant.added_at_rest)[:, None]
+        factors = np.array([factor for one in plant.added for _, factor in one])[:, None]
+        return [*found, zero_order_hold(plant.A, plant.B, self.sample_time)[1], plant.D, still, factors]
 
     def _observing(self, p: Any) -> list[list[list[Any]]]:
         """Those matrices, as rows of numbers."""
@@ -136,12 +147,23 @@ class LQG(WeightedLaw):
         """The estimate, and past commands less those at rest."""
         return (*(OwnState(f"estimate.{name}") for name in self.design.plant.states), *super().states)
 
+    def _fed(self, p: Any, m: Measured) -> list[Any]:
+        """What is fed forward to each drive, less that at rest; nothing: none."""
+        *_, still, factors = self._observing(p)
+        each, found = iter(factors), []
+        for k, one in enumerate(self._added):
+            found.append(vectors.total([next(each)[0] * m.signals[name] for name, _ in one]) - still[k][0])
+        return found if any(self._added) else []
+
     def _filtered(self, p: Any, m: Measured, x: list[Any]) -> list[Any]:
         """The estimate after the measurement."""
-        before, (rest, C, M, *_) = x[: len(self.design.plant.states)], self._observing(p)
-        new = []
+        before, (rest, C, M, _, _, *more) = x[: len(self.design.plant.states)], self._observing(p)
+        moved = self._moved(self._parts(p)[1], m) if self.reference else []
+        fed, new = self._fed(p, m), []
         for k, name in enumerate(self.measured):
             predicted = [c * value for c, value in zip(C[k], x, strict=False)]
+            predicted += [c * value for c, value in zip(C[k], moved, strict=False)]
+            predicted += [d * value for d, value in zip(more[1][k], fed, strict=True)] if fed else []
             new.append(m.signals[name] - rest[k][0] - vectors.total(predicted))
         return [
             value + vectors.total([gain * each for gain, each in zip(row, new, strict=True)])
@@ -152,14 +174,20 @@ class LQG(WeightedLaw):
         """The estimate."""
         return self._filtered(p, m, x) if self.form is Form.FILTER else x[: len(self.design.plant.states)]
 
+    def _off(self, deviation: list[Any], moved: list[Any]) -> list[Any]:
+        """With a reference the estimate is of that itself."""
+        return deviation if self.reference else super()._off(deviation, moved)
+
     def updates(self, p: Any, m: Measured, x: list[Any]) -> list[Any]:
         """The estimate for the next sample, and the commands of this one."""
         pushed, past = self._given(p, m, x), self._past(x)
-        after, (*_, Ad, Bd) = [*self._filtered(p, m, x), *past[: self._kept]], self._observing(p)
+        after, (_, _, _, Ad, Bd, *more) = [*self._filtered(p, m, x), *past[: self._kept]], self._observing(p)
+        fed = [] if self.reference else self._fed(p, m)
+        pushes = [[*row, *(more[0][k] if fed else ())] for k, row in enumerate(Bd)]
         predicted = [
             vectors.total([*(a * value for a, value in zip(row, after, strict=True)),
-                           *(b * value for b, value in zip(pushes, pushed, strict=True))])
-            for row, pushes in zip(Ad, Bd, strict=True)
+                           *(b * value for b, value in zip(push, [*pushed, *fed], strict=True))])
+            for row, push in zip(Ad, pushes, strict=True)
         ]  # fmt: skip
         return [*predicted, *[*pushed, *past][: self._remembered]]
 

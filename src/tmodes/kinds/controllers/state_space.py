@@ -1,12 +1,13 @@
 """Laws designed from the linear robot: LQR, pole placement, and what all such laws have in common.
 
 The robot as known is linearised about its rest at the last (or first) setpoints. Deviations from that rest are followed
-with the setpoints: those of a drive's motor and joint move with its signal, all other coordinates are wanted at rest.
+with the setpoints: those of a drive's motor and joint move with its signal, all other coordinates are wanted at rest,
+unless a ``reference`` says what they do. What is fed forward at that rest is taken off the efforts that hold it.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from enum import StrEnum
 from typing import Annotated, Any, ClassVar, Literal, NamedTuple, Self
 
@@ -18,6 +19,7 @@ from tmodes.kinds.controllers.contract import CONTROLLERS, Controller, LinearPla
 from tmodes.kinds.controllers.discrete import arriving, held_late, unreached, unseen, zero_order_hold
 from tmodes.kinds.kernel import vectors
 from tmodes.kinds.schema.quantity import LARGEST, Issue, not_negative, positive
+from tmodes.kinds.signals.registry import Signal
 
 __all__ = [
     "LQR", "Design", "DesignedLaw", "Number", "PolePlacement", "Weight", "WeightedLaw", "diagonal", "riccati",
@@ -74,6 +76,11 @@ class DesignedLaw(Controller):
         "s", "T", "time between samples; none: continuous time", default=None, plausible=(1e-5, 1.0)
     )
 
+    reference: dict[str, Signal] = Field(
+        default_factory=dict,
+        description="what coordinates, or currents as `JOINT.current`, do by name along the reference [coordinate]",
+    )
+
     found: ClassVar[Any] = None
     """Of an instance that is designed: what was found, beside its fields; it has the ``plant``."""
 
@@ -81,6 +88,27 @@ class DesignedLaw(Controller):
     def period(self) -> float | None:
         """T [s]."""
         return self.sample_time
+
+    @property
+    def sees(self) -> tuple[str, ...]:
+        """Sensors and outputs that it reads."""
+        return ()
+
+    @property
+    def given(self) -> Mapping[str, Any]:
+        """What coordinates shall do."""
+        return {f"{name}.reference": signal for name, signal in self.reference.items()}
+
+    @property
+    def reads(self) -> tuple[str, ...]:
+        """What is measured, what coordinates shall do, and what is fed forward, as far as it counts with that."""
+        added = [name for one in self._added for name, _ in one] if self.found else []
+        return tuple(dict.fromkeys((*self.sees, *(f"{one}{rate}" for one in self.given for rate in ("", "'")), *added)))
+
+    @property
+    def _added(self) -> tuple[Any, ...]:
+        """What is fed forward to each drive, as far as it counts with that."""
+        return ()
 
     @property
     def design(self) -> Any:
@@ -92,7 +120,9 @@ class DesignedLaw(Controller):
     def designed(self, plant: Callable[..., LinearPlant], drives: tuple[str, ...]) -> Self:
         """With gains for the robot; raises :class:`tmodes.errors.InputError` where there are none."""
         made = self.model_copy()
-        vars(made)["found"] = self._designed(plant(self.reads, drives, start=self.at is At.START))
+        linear = plant(self.sees, drives, start=self.at is At.START)
+        diagonal(dict.fromkeys(self.reference, 0.0), linear, "reference")
+        vars(made)["found"] = self._designed(linear)
         return made
 
     def _designed(self, linear: LinearPlant) -> Any:
@@ -101,7 +131,7 @@ class DesignedLaw(Controller):
     def remarks(self) -> list[str]:
         """Modes that no drive reaches, or that nothing measured shows."""
         plant = self.design.plant
-        return [*unreached(plant, len(plant.states) - self._loads), *(unseen(plant) if self.reads else [])]
+        return [*unreached(plant, len(plant.states) - self._loads), *(unseen(plant) if self.sees else [])]
 
     @property
     def _loads(self) -> int:
@@ -112,15 +142,20 @@ class DesignedLaw(Controller):
         """Places of the positions that the drives keep."""
         return [_place(plant, joint) for joint in plant.drives]
 
-    def _moved(self, ends: list[Any], m: Measured) -> list[Any]:
-        """How far the setpoints have moved each state from the rest, whose setpoints were ``ends``."""
+    def _moved(self, rest: list[Any], m: Measured) -> list[Any]:
+        """How far setpoints and reference have moved each state from the rest."""
         plant, moved = self.design.plant, [0.0] * len(self.design.plant.states)
-        for joint, end in zip(plant.drives, ends, strict=True):
+        for joint, own in zip(plant.drives, self._own(plant), strict=True):
             setpoint = m.setpoint(joint)
             for name in (f"{joint}.motor", joint):
                 if name in plant.states:
-                    moved[plant.states.index(name)] = setpoint[0] - end
+                    moved[plant.states.index(name)] = setpoint[0] - rest[own]
                     moved[plant.states.index(f"{name}'")] = setpoint[1]
+        for name, signal in zip(self.reference, self.given, strict=True):
+            place = plant.states.index(name)
+            moved[place] = m.signals[signal] - rest[place]
+            if (rate := f"{name}'") in plant.states:
+                moved[plant.states.index(rate)] = m.signals[f"{signal}'"]
         return moved
 
 
@@ -174,22 +209,16 @@ class _StateSpace(DesignedLaw):
         raise NotImplementedError
 
     def numbers(self) -> tuple[float, ...]:
-        """u_0, x at rest, setpoints there, K row by row."""
+        """u_0, x at rest, K row by row."""
         d = self.design
-        own = [d.plant.rest[k] for k in self._own(d.plant)]
-        return (*d.plant.effort, *d.plant.rest, *own, *np.asarray(d.K).ravel())
+        return (*d.plant.effort, *d.plant.rest, *np.asarray(d.K).ravel())
 
-    def _parts(self, p: Any) -> tuple[Any, Any, Any, Any]:
-        """The numbers apart: u_0, rest, setpoints there, rows of K."""
-        d, at = self.design, 0
-        sizes = (len(d.plant.drives), len(d.plant.states), len(d.plant.drives), np.size(d.K))
-        found = []
-        for size in sizes:
-            found.append([p[at + k] for k in range(size)])
-            at += size
-        width = np.shape(d.K)[1]
-        found[3] = [found[3][k * width : (k + 1) * width] for k in range(len(d.plant.drives))]
-        return tuple(found)  # pyright: ignore[reportReturnType]
+    def _parts(self, p: Any) -> tuple[Any, Any, Any]:
+        """The numbers apart: u_0, rest, rows of K."""
+        d = self.design
+        m, n, width = len(d.plant.drives), len(d.plant.states), np.shape(d.K)[1]
+        rows = [[p[m + n + k * width + j] for j in range(width)] for k in range(m)]
+        return [p[k] for k in range(m)], [p[m + k] for k in range(n)], rows
 
     def _state(self, p: Any, m: Measured, x: list[Any]) -> list[Any]:
         """The deviation of the state from the rest."""
@@ -199,13 +228,17 @@ class _StateSpace(DesignedLaw):
 
     def _fed_back(self, p: Any, m: Measured, deviation: list[Any], x: list[Any]) -> list[Any]:
         """The commands for a deviation from the rest, and own states."""
-        effort, _, ends, rows = self._parts(p)
-        far = [value - each for value, each in zip(deviation, self._moved(ends, m), strict=True)]
+        effort, rest, rows = self._parts(p)
+        far = self._off(deviation, self._moved(rest, m))
         more = [*x[: self._sums], *self._past(x)[: self._kept]]
         return [
             push - vectors.total([k * value for k, value in zip(row, [*far, *more], strict=True)])
             for push, row in zip(effort, rows, strict=True)
         ]
+
+    def _off(self, deviation: list[Any], moved: list[Any]) -> list[Any]:
+        """How far the state is from where it shall be."""
+        return [value - each for value, each in zip(deviation, moved, strict=True)]
 
     def _errors(self, m: Measured) -> list[Any]:
         """Positions less setpoints of all drives."""
