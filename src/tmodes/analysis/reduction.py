@@ -104,7 +104,7 @@ def largest_gain(A: Array, B: Array, C: Array, D: Array, period: float | None) -
     rates = 2 / period * np.tan(np.minimum(grid * period, 3.14) / 2) if period else grid
 
     def highest(rates: Array) -> float:
-        return float(np.linalg.norm(at(1j * rates), 2, axis=(1, 2)).max(initial=0.0))
+        return float(np.linalg.norm(at(np.asarray(1j * rates, dtype=np.complex128)), 2, axis=(1, 2)).max(initial=0.0))
 
     found = max(highest(rates), float(np.linalg.norm(D, 2)) if D.size else 0.0)
     while found:
