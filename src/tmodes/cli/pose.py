@@ -18,7 +18,7 @@ def pose(
         str,
         typer.Option(
             metavar="X,Y,Z[,ROLL,PITCH,YAW]",
-            help="Where the point is wanted [m], `free` for an axis that does not matter, and how turned [rad].",
+            help="Where the point is wanted [m], and how turned [rad]; `free` for any that does not matter.",
         ),
     ],
     load: Annotated[
@@ -43,8 +43,9 @@ def pose(
     """Inverse kinematics with the sag of gears and links: joint and motor angles of all branches.
 
     Of the nominal robot, at rest under its weight and loads, in its contact. Branches within the limits come first,
-    then stable ones, then those nearest to the first commands. Of a tip out of reach: the nearest pose, and its
-    distance.
+    then stable ones, then those nearest to the first commands. Of a family, as with the tip on the axis of a joint, one
+    branch and the joints that continue along it. Of a tip out of reach: the nearest pose, and its distance. Exit
+    code 3: it can not be held there, or only in a pose that is not stable.
     """
     from tmodes.interface.inverse import inverse
 
@@ -52,3 +53,5 @@ def pose(
     with working("preparing") as tell:
         found = inverse(sheet, tip=tip, load=load or (), point=point, near=near, starts=starts, progress=tell)
     print_result(found, as_json)
+    if not found.held:
+        raise typer.Exit(3)

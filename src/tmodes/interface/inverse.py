@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 from tmodes.errors import InputError
-from tmodes.interface.poses import Pose, held_of, load_of, three_of
+from tmodes.interface.poses import Pose, held_of, load_of
 from tmodes.interface.statics import numbers, which_robot
 from tmodes.io.arguments import checked_arguments, whole_number
 from tmodes.io.printed import CommandResult, Table
@@ -46,13 +46,16 @@ def inverse(
 ) -> Inverse:
     """Joint and motor angles with which the robot, bent by weight and loads, holds a point where it is wanted.
 
-    ``tip``: x, y, z [m] in the world, ``free`` for one that does not matter, and perhaps roll, pitch and yaw [rad] of
-    the point's axes about axes that stay, as in URDF. Of the nominal robot, under the loads of its sheet at time 0 and
-    further ones (``load``, as of :meth:`Robot.static`), in its contact. All branches that ``starts`` starts find: those
-    within the limits first, then stable ones, then by their distance from the pose ``near`` (joints or motors [rad, m];
-    others at their first command). Of a robot with more joints than the point needs, those of least motion from it.
+    ``tip``: x, y, z [m] in the world and perhaps roll, pitch and yaw [rad] of the point's axes about axes that stay, as
+    in URDF; ``free`` for any of them that does not matter. Of the nominal robot, under the loads of its sheet at time 0
+    and further ones (``load``, as of :meth:`Robot.static`), in its contact. All branches that ``starts`` starts find:
+    those within the limits first, then stable ones, then by their distance from the pose ``near`` (joints or motors
+    [rad, m]; others at their first command). Where joints can move and leave the point, as of a robot with more than it
+    needs or with the point on the axis of the first, those of least motion from it, and how they go on
+    (``branch.ways``).
 
-    Where the point can not be, ``found.branches`` is empty and ``found.nearest`` is the pose that brings it nearest.
+    Where the point can not be, ``found.branches`` is empty and ``found.nearest`` is the pose that brings it nearest: by
+    least squares of distances over the size of the robot and of angles.
     Raises :class:`tmodes.errors.InputError` for unknown names, wrong numbers, and a robot that no motor holds. Method:
     K. Levenberg, Quart. Appl. Math. 2 (1944) 164, with the exact Jacobian of the point and stiffness of the robot.
 
@@ -73,27 +76,25 @@ def inverse(
 
 
 def _target(given: str | Sequence[float | str]) -> Target:
-    """Three or six numbers, or text with commas between them."""
+    """Three or six numbers, or text with commas between them; `free` for any of them."""
     import numpy as np
 
     from tmodes.analysis.statics.inverse import Target
-    from tmodes.kinds.schema.axes import rpy_matrix
 
     listed: Any = given.tolist() if isinstance(given, np.ndarray) else given
     words: Any = given.split(",") if isinstance(given, str) else listed
     if not isinstance(words, (list, tuple)) or len(words) not in (3, 6):
         expected, hint = "x, y, z [m], or these and roll, pitch, yaw [rad]", "write it like 0.7,0,0.3"
         raise InputError("--tip", shown(given), expected, hint)
-    place = [_place(word) for word in words[:3]]
-    if all(math.isnan(one) for one in place) and len(words) == 3:
+    numbers = [_wanted(word, "m" if k < 3 else "rad") for k, word in enumerate(words)]
+    if all(math.isnan(one) for one in numbers):
         raise InputError("--tip", shown(given), "at least one number", "write the wanted ones, like free,free,0.3")
-    turned = three_of("--tip", words[3:], "rad") if len(words) == 6 else None
-    return Target(np.array(place), None if turned is None else np.asarray(rpy_matrix(*turned), dtype=float))
+    return Target(np.array(numbers[:3]), np.array(numbers[3:]) if len(numbers) == 6 else None)
 
 
-def _place(word: Any) -> float:
+def _wanted(word: Any, unit: str) -> float:
     free = isinstance(word, str) and word.strip() == "free"
-    return math.nan if free else finite_number("--tip", word, "m", "three finite numbers, or `free`", most=1e6)
+    return math.nan if free else finite_number("--tip", word, unit, "finite numbers, or `free`", most=1e6)
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -121,10 +122,20 @@ class Inverse(CommandResult):
         return bool(self.branches)
 
     @property
+    def held(self) -> bool:
+        """Whether a branch holds the point and stays there, be it beyond a limit."""
+        return any(one.stable for one in self.branches)
+
+    @property
     def warnings(self) -> list[str]:
         """Branches that can not be used as they are, and how far the search can be relied on."""
         good = [one for one in self.branches if one.stable]
-        said = []
+        target, said = self.target, []
+        wanted = sum(math.isfinite(x) for part in (target.position, target.rpy) if part is not None for x in part)
+        if not self.branches and self.found.held < wanted:
+            said.append(f"the joints hold at most {self.found.held} of the {wanted} wanted numbers: free others")
+        if self.found.placed:
+            said.append("the place alone can be held: leave out roll, pitch and yaw, or write `free` for them")
         if self.branches and not good:
             said.append("reachable only as an unstable equilibrium: the robot does not stay there with its motors held")
         if self.branches and not [one for one in good if not one.outside]:
@@ -137,7 +148,10 @@ class Inverse(CommandResult):
     def _wanted(self) -> str:
         axes = zip("xyz", self.target.position, strict=True)
         words = ", ".join(f"{axis} {value:.6g}" for axis, value in axes if math.isfinite(value))
-        return f"{self.point} at {words} m" + (", turned as wanted" if self.target.rotation is not None else "")
+        named = () if self.target.rpy is None else zip(("roll", "pitch", "yaw"), self.target.rpy, strict=True)
+        turned = ", ".join(f"{name} {value:.6g}" for name, value in named if math.isfinite(value))
+        parts = [f"at {words} m" if words else "", f"turned to {turned} rad" if turned else ""]
+        return f"{self.point} {', '.join(part for part in parts if part)}"
 
     @property
     def sought(self) -> str:
@@ -154,11 +168,13 @@ class Inverse(CommandResult):
 
     def info(self) -> dict[str, Any]:
         """Plain data, as ``tmodes pose --json`` prints it."""
-        finite = [float(x) if math.isfinite(x) else None for x in self.target.position]
-        turned = self.target.rotation
+        finite, turned = (
+            [float(x) if math.isfinite(x) else None for x in (() if part is None else part)]
+            for part in (self.target.position, self.target.rpy)
+        )
         return {
             "robot": self.robot.name, "point": self.point, "position_m": finite,
-            "rotation": None if turned is None else turned.tolist(), "reachable": self.reachable,
+            "rpy_rad": turned or None, "reachable": self.reachable,
             "branches": [_branch_info(one) for one in self.branches],
             "nearest": None if self.nearest is None else _branch_info(self.nearest),
             "starts": self.found.starts, "redundant": self.found.redundant, "sought": self.sought, "units": UNITS,
@@ -214,7 +230,7 @@ class Inverse(CommandResult):
             yield f"{head}: {self.sought}, nor the nearest pose"
         else:
             off, turned = self.nearest.off
-            angle = f" and {turned:.4g} rad" if self.target.rotation is not None else ""
+            angle = f" and {turned:.4g} rad" if self.target.turns else ""
             yield f"{head}: NOT REACHABLE from {self.found.starts} starts; the nearest pose is {off:.6g} m{angle} off"
         shown_ones = {str(k + 1): one for k, one in enumerate(self.branches)}
         shown_ones |= {} if self.nearest is None else {"nearest": self.nearest}
@@ -244,6 +260,9 @@ def _row(label: str, branch: Branch) -> list[str]:
     sag = math.hypot(*branch.deflection)
     state = "stable" if branch.stable else "NOT STABLE"
     state += ", singular" if branch.singular and label != "nearest" else ""
+    for way in branch.ways:
+        moved = ", ".join(f"{name} {value:.3g}" for name, value in way.items() if value)
+        state += f", one of a family along {moved}"
     return [label, *numbers([sag], 1e3, 1.0), "; ".join([state, *branch.outside])]
 
 
@@ -254,5 +273,5 @@ def _branch_info(branch: Branch) -> dict[str, Any]:
         "off_m": branch.off[0], "off_rad": branch.off[1], "deflection_m": branch.deflection.tolist(),
         "stable": bool(branch.stable), "lowest_frequency_Hz": frequency if math.isfinite(frequency) else None,
         "outside": list(branch.outside), "singular": bool(branch.singular), "starts": branch.starts,
-        "velocity_map": branch.velocity_map.tolist(),
+        "velocity_map": branch.velocity_map.tolist(), "ways": [dict(one) for one in branch.ways],
     }  # fmt: skip

@@ -198,3 +198,127 @@ def test_refusals(wrong: dict[str, Any], field: str) -> None:
     with pytest.raises(InputError) as error:
         TWO.inverse(**wrong)
     assert error.value.which.lstrip("-") == field.lstrip("-")
+
+
+def spatial(link: float = 0.4) -> tmodes.Robot:
+    """A waist about z, a shoulder at 0.4 m and an elbow, both about -y, behind elastic gears."""
+    axes, places = [[0, 0, 1], [0, -1, 0], [0, -1, 0]], [[0, 0, 0], [0, 0, 0.4], [0.5, 0, 0]]
+    gear = {"motor": {"inertia": 0.1, "side": "joint"}, "gear": {"stiffness": 5000.0, "damping": 0.0}}
+    joints = [
+        {"name": f"j{k}", "type": "revolute", "parent": f"l{k - 1}" if k else "base", "child": f"l{k}",
+         "axis": axes[k], "origin": {"position": places[k]}, **gear} for k in range(3)
+    ]  # fmt: skip
+    bodies = [{"name": "b", "mass": 2.0, "center": [0.2, 0, 0], "inertia": 0.01}]
+    links = [{"name": f"l{k}", "bodies": bodies} for k in range(3)]
+    data = {"format": 1, "kind": "arm", "name": "spatial", "gravity": G, "joints": joints, "links": links}
+    return tmodes.Robot.from_data(data | {"tip": {"link": "l2", "position": [link, 0, 0]}})
+
+
+SPATIAL = spatial()
+
+
+def test_the_tip_on_the_axis_of_the_first_joint_is_one_family_for_each_elbow() -> None:
+    """Law of cosines at 0.6 m above the shoulder; the waist turns and leaves the tip where it is."""
+    found = SPATIAL.inverse(tip=(0, 0, 1.0))
+    bend = np.pi - np.arccos((0.5**2 + 0.4**2 - 0.6**2) / (2 * 0.5 * 0.4))
+    assert sorted(one.named["j2"] for one in found.branches) == pytest.approx([-bend, bend], abs=1e-9)
+    for one in found.branches:
+        (way,) = one.ways
+        assert way == {"j0": 1.0, "j1": 0.0, "j2": 0.0}
+        assert one.named["j0"] == pytest.approx(0.0, abs=1e-8)
+    assert "one of a family along j0 1" in "".join(str(one) for one in found.tables())
+    assert sum(one.starts for one in found.branches) == found.found.ended
+    near = SPATIAL.inverse(tip=(0, 0, 1.0), near={"j0": 0.7})
+    assert near.branches[0].named["j0"] == pytest.approx(0.7, abs=1e-8)
+
+
+def test_stretched_is_no_family() -> None:
+    """Two elbows meet where the arm is stretched: singular, but no joint can go on."""
+    stretched = SPATIAL.inverse(tip=(0.9, 0, 0.4)).branches
+    assert [one.singular for one in stretched] == [True, True]
+    assert [one.ways for one in stretched] == [(), ()]
+
+
+def rpy(turn: Any) -> list[float]:
+    pitch = np.arctan2(-turn[2, 0], np.hypot(turn[0, 0], turn[1, 0]))
+    return [np.arctan2(turn[2, 1], turn[2, 2]), pitch, np.arctan2(turn[1, 0], turn[0, 0])]
+
+
+def manutec(angles: list[float]) -> tuple[tmodes.Robot, list[float]]:
+    robot = tmodes.load("manutec_r3")
+    held = {f"joint{k + 1}.motor" if k < 3 else f"joint{k + 1}": x for k, x in enumerate(angles)}
+    rest = robot.static(hold=held).rest
+    places, turns = rest.model.pose(rest.q)
+    return robot, [*places[0].tolist(), *rpy(turns[0])]
+
+
+def test_a_wrist_singularity_is_one_family() -> None:
+    """Where joints 4 and 6 lie in line, only their sum matters, also whole turns on."""
+    robot, tip = manutec([0.3, 0.4, -0.5, 0.7, 0.0, 0.2])
+    family = [one for one in robot.inverse(tip=tip).branches if one.ways]
+    assert len(family) == 1
+    assert family[0].named["joint4"] + family[0].named["joint6"] == pytest.approx(0.9, abs=1e-8)
+    moved = {name: abs(value) for name, value in family[0].ways[0].items() if value}
+    assert moved == pytest.approx({"joint4": 1.0, "joint6": 1.0})
+
+
+@pytest.mark.parametrize("free", [(0,), (1,), (2,), (0, 1), (0, 2), (1, 2)])
+def test_free_angles(free: tuple[int, ...]) -> None:
+    """The angles that are wanted are met, by the extraction of roll, pitch and yaw; joints left over are counted."""
+    robot, tip = manutec([0.3, 0.4, -0.5, 0.7, 0.6, 0.2])
+    wanted: list[Any] = ["free" if k - 3 in free else x for k, x in enumerate(tip)]
+    found = robot.inverse(tip=wanted, starts=16)
+    assert found.found.redundant == len(free)
+    best = found.branches[0]
+    places, turns = best.model.pose(best.q)
+    assert places[0] == pytest.approx(tip[:3], abs=1e-9)
+    got, known = np.array(rpy(turns[0])), np.array(tip[3:])
+    other = np.array([got[0] + np.pi, np.pi - got[1], got[2] + np.pi])  # the same axes by a pitch beyond a right angle
+    kept = [k for k in range(3) if k not in free]
+    apart = [np.abs((one - known + np.pi) % (2 * np.pi) - np.pi)[kept].max() for one in (got, other)]
+    assert min(apart) < 1e-9
+    assert found.info()["rpy_rad"] == [None if k in free else tip[3 + k] for k in range(3)]
+    assert len(best.ways) == len(free)
+
+
+def test_more_numbers_than_joints_has_a_nearest_pose() -> None:
+    """Against SciPy's least squares of the place over the size of the robot and the turn, from many starts."""
+    from scipy.optimize import least_squares
+    from scipy.spatial.transform import Rotation
+
+    wanted = [0.5, 0.2, 0.6, 1.0, 0.3, -2.0]
+    found = SPATIAL.inverse(tip=wanted)
+    near = found.nearest
+    assert near is not None
+    assert near.off[0] > 0.01
+    size, turn = 0.0, Rotation.from_euler("xyz", wanted[3:])
+    model, q = near.model, near.q.copy()
+    from tmodes.analysis.statics.inverse import tip_problem
+
+    size = tip_problem(SPATIAL)[0].size
+
+    def off(angles: Any) -> Any:
+        q[model.joints] = angles
+        places, turns = model.pose(q)
+        return [*((places[0] - wanted[:3]) / size), *(Rotation.from_matrix(turns[0]) * turn.inv()).as_rotvec()]
+
+    best = min(least_squares(off, x).cost for x in np.random.default_rng(0).uniform(-3, 3, (20, 3)))
+    assert np.hypot(near.off[0] / size, near.off[1]) ** 2 / 2 == pytest.approx(best, rel=1e-6)
+    assert "NOT REACHABLE" in repr(found)
+    assert any("at most 3 of the 6" in one for one in found.warnings)
+    assert any("the place alone can be held" in one for one in found.warnings)
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_a_nearest_pose_is_found_far_from_the_turn(seed: int) -> None:
+    draw = np.random.default_rng(seed)
+    tip = [*draw.uniform(-0.8, 0.8, 3), *draw.uniform(-3, 3, 3)]
+    assert tmodes.load("two_link_arm").inverse(tip=tip).nearest is not None
+
+
+@pytest.mark.parametrize(
+    ("tip", "code"), [("0.7,0,0.3", 0), ("1.9,0,0.3", 3), ("0.7,0,0.3,free,free,free", 0), ("0.7,0,0.3,1,1,1", 3)]
+)
+def test_the_exit_code(tip: str, code: int) -> None:
+    said = command("pose", "two_link_arm", "--tip", tip, "--json", code=code)
+    assert json.loads(said.stdout)["reachable"] == (code == 0)

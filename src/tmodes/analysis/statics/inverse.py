@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from itertools import product
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,9 +16,9 @@ from tmodes.analysis.statics.equilibrium import free_coordinates, held_coordinat
 from tmodes.analysis.statics.loads import Load, acts_of, coordinate_numbers, sheet_loads, surface_act
 from tmodes.analysis.statics.stability import stability_of
 from tmodes.analysis.statics.system import StaticSystem, newton
-from tmodes.analysis.statics.tip_solver import Found, Target, TipProblem, batched
+from tmodes.analysis.statics.target import Target
+from tmodes.analysis.statics.tip_solver import Found, TipProblem, batched
 from tmodes.errors import InputError
-from tmodes.frame import rotation_vector
 from tmodes.model.model import Model
 from tmodes.sheet import Robot
 
@@ -34,6 +35,10 @@ NOT_MET = 1e-9
 SINGULAR = 1e-4
 """Ratio of singular values below which a branch is where two meet."""
 
+_LOST, _TRIAL, _TRIED, _MOST_TURNED = 1e-3, 0.05, 4, 3
+"""Ratio of singular values below which a motion may leave the point; how far it is tried; ends that are brought on;
+joints of a family that may be whole turns on."""
+
 
 @dataclass(frozen=True, eq=False)
 class Branch:
@@ -43,7 +48,8 @@ class Branch:
     were nothing elastic; ``torque`` by input: what the motors hold [N*m, N]; ``stable``, ``lowest_frequency_Hz`` with
     the motors held; ``velocity_map`` (6, inputs): velocity of the point [m/s, rad/s] per rate of each input at rest;
     ``outside``: what of the robot's limits it passes; ``starts``: how many ended here; ``singular``: where the point
-    can not be moved in one of the directions in which it can elsewhere.
+    can not be moved in one of the directions in which it can elsewhere; ``ways``: motions of the joints [rad, m] along
+    which the branch continues as a family that holds the point, the null space of the Jacobian, largest part 1.
     """
 
     model: Model = field(repr=False)
@@ -59,6 +65,7 @@ class Branch:
     starts: int
     singular: bool
     residual: float
+    ways: tuple[Mapping[str, float], ...] = ()
 
     @property
     def named(self) -> dict[str, float]:
@@ -91,7 +98,8 @@ class Branch:
 class Branches:
     """All ``branches`` that ``starts`` starts found; ``redundant``: motions of the joints that leave the point.
 
-    Where there is none, ``nearest`` is the pose whose point is nearest; None: not even that was found.
+    Where there is none, ``nearest`` is the pose whose point is nearest; None: not even that was found. ``held``: how
+    many numbers of place and turn hold at once; ``placed``: whether the place alone can be held.
     """
 
     branches: tuple[Branch, ...]
@@ -99,6 +107,8 @@ class Branches:
     ended: int
     redundant: int
     nearest: Branch | None
+    held: int
+    placed: bool = False
 
 
 def tip_problem(
@@ -159,45 +169,52 @@ def limits_of(robot: Robot, problem: TipProblem) -> tuple[Array, Array]:
     return low, high
 
 
-def held_poses(
-    robot: Robot, problem: TipProblem, pose: Array, target: Target, starts: int, *, least: bool = True
-) -> Branches:
-    """All branches that the starts find; with more joints than the point needs those of ``least`` motion from a pose.
+def held_poses(robot: Robot, problem: TipProblem, pose: Array, target: Target, starts: int) -> Branches:
+    """All branches that the starts find; where motions leave the point, those of least motion from a pose.
 
     First with rigid links, from each start; then, from each of the different ends, with all that bends.
     """
     begun = starting_poses(robot, problem, pose, starts)
-    rigid = problem.solve(begun, [target] * starts, rigid=True)
+    rigid = problem.solve(begun, target, rigid=True)
     kept, count = _different(problem, rigid, rigid.reached | ~rigid.reached.any())
-    found = problem.solve(rigid.q[kept], [target] * len(kept))
-    if not found.reached.any() and len(kept) < starts:  # bent it may be reached from where it is not when rigid
-        kept, count, found = np.arange(starts), np.ones(starts, dtype=int), problem.solve(rigid.q, [target] * starts)
-    rank = _rank(problem.step(begun, [target] * starts, problem.inner[:0]).jacobian)
+    found = problem.solve(rigid.q[kept], target)
+    if (
+        not found.reached.any() and rigid.reached.any() and len(kept) < starts
+    ):  # bent it may be reached from where it is not when rigid
+        kept, count, found = np.arange(starts), np.ones(starts, dtype=int), problem.solve(rigid.q, target)
+    slopes = problem.step(begun, target, problem.inner[:0]).jacobian
+    rank, place = _rank(slopes), int(target.rows[:3].sum())
+    still = np.abs(slopes[:, :place]).max(axis=(0, 2), initial=0.0) < SAME  # nothing moves it, as out of a plane
+    held = rank + int((still & (np.abs(found.error[:, :place]).max(axis=0) < SAME)).sum())
     redundant = len(problem.outer) - rank
     if not found.reached.any():
-        best = _best(found)
-        near = None if best is None else branch_of(robot, problem, found.q[best], target, 0, singular=True)
-        return Branches((), starts, 0, redundant, near)
+        near = _nearest(robot, problem, found, target)
+        alone = target.turns and target.rows[:3].any() and problem.solve(found.q, Target(target.position)).reached.any()
+        return Branches((), starts, 0, redundant, near, held, bool(alone))
     q = found.q[found.reached]
-    if redundant and least:
-        q = problem.least_motion(q, [target] * len(q), pose[problem.outer])
-        found = problem.solve(q, [target] * len(q))
+    if redundant:
+        q = problem.least_motion(q, target, pose[problem.outer])
+        found = problem.solve(q, target)
         weights = np.ones(len(q), dtype=int)
     else:
         weights = count[found.reached]
         found = Found(_wrapped(robot, problem, q), *(part[found.reached] for part in found[1:]))
-    singular = _singular(found.jacobian, rank)
-    q = np.stack([_folded(problem, one, target) if at else one for one, at in zip(found.q, singular, strict=True)])
-    found = found._replace(q=q)
-    kept, counts = _different(problem, found, np.ones(len(q), dtype=bool), weights)
+    singular, q = _singular(found.jacobian, rank), found.q.copy()
+    for k in np.flatnonzero(singular):
+        family = len(_ways(problem, q[k], target)) > 0
+        q[k] = _drawn(problem, q[k], target, pose) if family else _folded(problem, q[k], target)
+    kept, counts = _different(problem, found._replace(q=q), np.ones(len(q), dtype=bool), weights)
+    if not redundant:
+        nearest = np.argsort(np.linalg.norm((q[kept] - pose)[:, problem.outer] / problem.unit, axis=1))
+        kept, counts = _joined(problem, q, kept[nearest], counts[nearest], target)
     branches = [
-        branch_of(robot, problem, q[k], target, int(n), singular=bool(singular[k]))
+        branch_of(robot, problem, q[k], target, int(n), singular=bool(singular[k]), on=bool(redundant or singular[k]))
         for k, n in zip(kept, counts, strict=True)
     ]
-    held = [one for one in branches if max(one.off) <= NOT_MET]
-    motion = {id(one): float(np.linalg.norm((one.q - pose)[problem.outer] / problem.unit)) for one in held}
-    held.sort(key=lambda one: (bool(one.outside), not one.stable, motion[id(one)]))
-    return Branches(tuple(held), starts, int(sum(one.starts for one in held)), redundant, None)
+    met = [one for one in branches if max(one.off) <= NOT_MET]
+    motion = {id(one): float(np.linalg.norm((one.q - pose)[problem.outer] / problem.unit)) for one in met}
+    met.sort(key=lambda one: (bool(one.outside), not one.stable, motion[id(one)]))
+    return Branches(tuple(met), starts, int(sum(one.starts for one in met)), redundant, None, held)
 
 
 def _rank(jacobian: Array) -> int:
@@ -210,10 +227,61 @@ def _singular(jacobian: Array, rank: int) -> NDArray[np.bool_]:
     return np.asarray(values[:, rank - 1] < 1e-3 * values[:, 0]) if rank else np.zeros(len(jacobian), dtype=bool)
 
 
-def _best(found: Found) -> int | None:
-    """The end at which the point is nearest, of those from which no small change brings it nearer."""
+def _nearest(robot: Robot, problem: TipProblem, found: Found, target: Target) -> Branch | None:
+    """The pose at which the point is nearest, in least squares of lengths over the size of the robot and of turns."""
+    order = np.argsort(np.linalg.norm(found.error, axis=1))[:_TRIED]
+    found = problem.solve(np.stack([problem.descended(q, target) for q in found.q[order]]), target)
     size = np.where(found.nearest, np.linalg.norm(found.error, axis=1), np.inf)
-    return int(size.argmin()) if np.isfinite(size).any() else None
+    return (
+        branch_of(robot, problem, found.q[size.argmin()], target, 0, singular=True) if np.isfinite(size).any() else None
+    )
+
+
+def _ways(problem: TipProblem, q: Array, target: Target) -> Array:
+    """Motions (k, o) of the joints, largest part 1, along which a pose (nq,) continues while it holds the point.
+
+    Where the Jacobian only turns singular, as where two branches meet, what is moved along its null space comes back.
+    """
+    jacobian = problem.step(q[None], target).jacobian[0]
+    _, values, right = np.linalg.svd(jacobian)
+    ways = right[int((values > _LOST * values.max(initial=0.0)).sum()) :]
+    if not len(ways):
+        return ways
+    moved = np.tile(q, (len(ways), 1))
+    moved[:, problem.outer] += _TRIAL * ways * problem.unit
+    ends = problem.solve(moved, target)
+    gone = (ends.q - q)[ends.reached][:, problem.outer] / problem.unit / _TRIAL @ ways.T
+    _, values, turned = np.linalg.svd(gone)
+    found = (turned @ ways)[: int((values > 0.5).sum())]
+    return found / np.take_along_axis(found, np.abs(found).round(6).argmax(axis=1)[:, None], axis=1)
+
+
+def _joined(
+    problem: TipProblem, q: Array, kept: NDArray[np.intp], counts: Array, target: Target
+) -> tuple[NDArray[np.intp], Array]:
+    """The same without poses that lie in the family of one before, perhaps whole turns on."""
+    turning, own = problem.unit == 1.0, q[:, problem.outer]
+    order: list[int] = kept.tolist()
+    left = dict(zip(order, counts.tolist(), strict=True))
+    for first in order:
+        ways = _ways(problem, q[first], target) if first in left else np.zeros((0, len(turning)))
+        moved = turning & (np.abs(ways).max(axis=0, initial=0.0) > SAME)
+        if not len(ways) or moved.sum() > _MOST_TURNED:
+            continue
+        turns = 2 * np.pi * np.array(list(product(*([-1, 0, 1] if at else [0] for at in moved))))
+        for other in [k for k in left if order.index(k) > order.index(first)]:
+            wanted = own[other] + turns
+            ends = problem.least_motion(np.tile(q[first], (len(turns), 1)), target, wanted)[:, problem.outer]
+            apart = np.abs(ends[:, None] - wanted).max(axis=2)
+            if apart.min(initial=np.inf) < 10 * SAME:
+                left[first] += left.pop(other)
+    return np.array([*left], dtype=np.intp), np.array([*left.values()], dtype=int)
+
+
+def _drawn(problem: TipProblem, q: Array, target: Target, pose: Array) -> Array:
+    """Of the family of a pose (nq,), the member that is nearest to ``pose``, as near as is found."""
+    found = problem.least_motion(q[None], target, pose[problem.outer])
+    return found[0] if len(found) else q
 
 
 def _different(
@@ -255,7 +323,7 @@ def _folded(problem: TipProblem, q: Array, target: Target) -> Array:
 
     The slope of the error along the direction in which the point does not move is zero there; by a secant.
     """
-    now = problem.solve(q[None].copy(), [target])
+    now = problem.solve(q[None].copy(), target)
     left, _, right = np.linalg.svd(now.jacobian[0])
     k = min(len(left), len(right)) - 1
     values = np.linalg.svd(now.jacobian[0], compute_uv=False)
@@ -265,19 +333,24 @@ def _folded(problem: TipProblem, q: Array, target: Target) -> Array:
     def at(share: float) -> tuple[Array, float]:
         moved = q.copy()
         moved[problem.outer] += share * way * problem.unit
-        step = problem.step(moved[None], [target])
+        step = problem.step(moved[None], target)
         moved[problem.inner] -= step.left[0]
         return moved, float(left[:, k] @ step.jacobian[0] @ way)
 
     near, far = at(0.0)[1], at(1e-4)[1]
     if far != near:
         moved = at(-1e-4 * near / (far - near))[0]
-    size = [float(np.linalg.norm(problem.error(one[None], [target])[0])) for one in (q, moved)]
+    size = [float(np.linalg.norm(problem.error(one[None], target)[0])) for one in (q, moved)]
     return moved if size[1] <= max(size[0], 1e-12) else q
 
 
-def branch_of(robot: Robot, problem: TipProblem, q: Array, target: Target, starts: int, *, singular: bool) -> Branch:
-    """All that is to be known of a pose (nq,) whose joints and links are found: its motors, and what holds it."""
+def branch_of(
+    robot: Robot, problem: TipProblem, q: Array, target: Target, starts: int, *, singular: bool, on: bool = False
+) -> Branch:
+    """All that is to be known of a pose (nq,) whose joints and links are found: its motors, and what holds it.
+
+    ``on``: it may be one of a family.
+    """
     system, model = problem.system, problem.system.model
     q = problem.motors(q[None])[0]
     root = newton(system, q, 1.0)
@@ -291,7 +364,10 @@ def branch_of(robot: Robot, problem: TipProblem, q: Array, target: Target, start
     rigid[:, sprung(model)] = gear_inputs(model, q[None], rest=True)
     (before, after), turns = model.pose(np.concatenate([rigid, q[None]]))
     off = after[problem.point] - target.position
-    turned = 0.0 if target.rotation is None else rotation_vector(turns[1, problem.point] @ target.rotation.T)
+    turned = target.turn(turns[1:, problem.point])[0] if target.turns else np.zeros(0)
+    ways = _ways(problem, q, target) * problem.unit if on else np.zeros((0, len(problem.outer)))
+    named = [dict(zip([model.coordinates[k] for k in problem.outer], one.tolist(), strict=True))
+             for one in np.where(np.abs(ways) < SAME, 0.0, ways)]  # fmt: skip
     names = [model.coordinates[k] for k in problem.inputs]
     torque = dict(zip(names, forces[problem.inputs].tolist(), strict=True))
     return Branch(
@@ -300,7 +376,7 @@ def branch_of(robot: Robot, problem: TipProblem, q: Array, target: Target, start
         lowest_frequency_Hz=found.lowest_frequency_Hz,
         velocity_map=jacobian[:, problem.inputs] - jacobian[:, system.free] @ bent,
         outside=_outside(robot, problem, q, forces), starts=starts, singular=singular,
-        residual=float(np.abs(forces[system.free]).max(initial=0.0)),
+        residual=float(np.abs(forces[system.free]).max(initial=0.0)), ways=tuple(named),
     )  # fmt: skip
 
 

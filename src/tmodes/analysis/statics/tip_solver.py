@@ -12,7 +12,6 @@ Powell's for equality constraints, as in J. Nocedal, S. Wright, Numerical Optimi
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple
@@ -24,9 +23,10 @@ from tmodes.analysis.quasistatic import gear_inputs
 from tmodes.analysis.statics.equilibrium import driven
 from tmodes.analysis.statics.loads import Pose
 from tmodes.analysis.statics.system import StaticSystem
+from tmodes.analysis.statics.target import Target
 from tmodes.model.passes import derivatives
 
-__all__ = ["Found", "Target", "TipProblem", "batched"]
+__all__ = ["Found", "TipProblem", "batched"]
 
 Array = NDArray[np.float64]
 
@@ -41,19 +41,6 @@ _LONGEST = 0.6
 """Longest change in one step [rad]."""
 
 _ROWS = 20_000
-
-
-@dataclass(frozen=True, eq=False)
-class Target:
-    """Where the point is wanted: ``position`` (3,) [m], not a number for axes that are free, and perhaps how turned."""
-
-    position: Array
-    rotation: Array | None = None
-
-    @cached_property
-    def rows(self) -> NDArray[np.bool_]:
-        """Which of position and turn (6,) are wanted."""
-        return np.concatenate([np.isfinite(self.position), np.full(3, self.rotation is not None)])
 
 
 class Found(NamedTuple):
@@ -135,18 +122,12 @@ class TipProblem:
         units = self.system.model.chain.units([self.system.model.coordinates[k] for k in self.outer])
         return np.array([self.size if unit == "m" else 1.0 for unit in units.values()])
 
-    def error(self, q: Array, targets: Sequence[Target]) -> Array:
+    def error(self, q: Array, target: Target) -> Array:
         """Of poses (n, nq): how far the point is off, lengths over the size of the robot, turns in rad (n, m)."""
-        from scipy.spatial.transform import Rotation
-
         positions, rotations = self.system.model.pose(q)
-        off = (positions[:, self.point] - np.stack([one.position for one in targets])) / self.size
-        turned = np.zeros_like(off)
-        if targets[0].rotation is not None:
-            wanted = np.stack([np.asarray(one.rotation) for one in targets])
-            relative = rotations[:, self.point] @ wanted.transpose(0, 2, 1)
-            turned = Rotation.from_matrix(relative).as_rotvec()
-        return np.concatenate([off, turned], axis=1)[:, targets[0].rows]
+        off = (positions[:, self.point] - target.position) / self.size
+        turned = target.turn(rotations[:, self.point])[0] if target.turns else np.zeros_like(off)
+        return np.concatenate([off, turned], axis=1)[:, target.rows]
 
     def acting(self, q: Array) -> tuple[Array | None, Array]:
         """Wrenches (n, points, 6) and what acts add to the stiffness (n, nq, nq)."""
@@ -189,12 +170,15 @@ class TipProblem:
             found = found + columns.reshape(count, n, -1).transpose(0, 2, 1)
         return found
 
-    def step(self, q: Array, targets: Sequence[Target], inner: NDArray[np.intp] | None = None) -> _Step:
+    def step(self, q: Array, target: Target, inner: NDArray[np.intp] | None = None) -> _Step:
         """Error, Jacobian by the outer coordinates with what gives way, and what rest wants of the inner ones."""
-        error, count = self.error(q, targets), len(q)
+        error, count = self.error(q, target), len(q)
         inner = self.inner if inner is None else inner
-        jacobian = self.system.model.jacobian(q)[:, self.point][:, targets[0].rows]
-        jacobian[:, : int(targets[0].rows[:3].sum())] /= self.size
+        jacobian = self.system.model.jacobian(q)[:, self.point]
+        jacobian[:, :3] /= self.size
+        if target.turns and target.rotation is None:
+            jacobian[:, 3:] = target.turn(self.system.model.pose(q)[1][:, self.point])[1] @ jacobian[:, 3:]
+        jacobian = jacobian[:, target.rows]
         outer = jacobian[:, :, self.outer] * self.unit
         if not len(inner):
             none = np.zeros((count, 0))
@@ -206,15 +190,15 @@ class TipProblem:
         left, by_outer, given = answer[:, :, 0], -answer[:, :, 1:], jacobian[:, :, inner]
         return _Step(error, outer + given @ by_outer, left, by_outer, -_times(given, left))
 
-    def solve(self, q: Array, targets: Sequence[Target], *, rigid: bool = False) -> Found:
-        """From starts (n, nq) to targets, one for each; ``rigid``: the inner coordinates stay."""
+    def solve(self, q: Array, target: Target, *, rigid: bool = False) -> Found:
+        """From starts (n, nq); ``rigid``: the inner coordinates stay."""
         pieces = range(0, len(q), _ROWS)
-        found = [self._solve(q[k : k + _ROWS].copy(), targets[k : k + _ROWS], rigid=rigid) for k in pieces]
+        found = [self._solve(q[k : k + _ROWS].copy(), target, rigid=rigid) for k in pieces]
         return Found(*(np.concatenate(parts) for parts in zip(*found, strict=True)))
 
-    def _solve(self, q: Array, targets: Sequence[Target], *, rigid: bool) -> Found:
+    def _solve(self, q: Array, target: Target, *, rigid: bool) -> Found:
         inner = self.inner[:0] if rigid else self.inner
-        now, damping = self.step(q, targets, inner), np.full(len(q), 1e-3)
+        now, damping = self.step(q, target, inner), np.full(len(q), 1e-3)
         rows = np.arange(len(q))
         for _ in range(_MOST_STEPS):
             here = _Step(*(part[rows] for part in now))
@@ -222,7 +206,7 @@ class TipProblem:
             moved = q[rows].copy()
             moved[:, self.outer] += do * self.unit
             moved[:, inner] += di
-            there = self.step(moved, [targets[k] for k in rows.tolist()], inner)
+            there = self.step(moved, target, inner)
             merit = np.where(np.isfinite(there.merit), there.merit, np.inf)
             better = merit <= here.merit * (1 + 1e-12)
             own = rows[better]
@@ -240,14 +224,32 @@ class TipProblem:
                 break
         return Found(q, now.error, now.jacobian, np.abs(now.left).max(axis=1, initial=0.0))
 
-    def least_motion(self, q: Array, targets: Sequence[Target], wanted: Array, steps: int = 200) -> Array:
+    def descended(self, q: Array, target: Target) -> Array:
+        """A pose (nq,) from which no small change brings the point nearer: where much is left over (BFGS, SciPy)."""
+        from scipy.optimize import minimize
+
+        def off(outer: Array) -> tuple[float, Array]:
+            q[self.outer] = outer * self.unit
+            now = self.step(q[None], target)
+            for _ in range(_MOST_STEPS):
+                q[self.inner] -= now.left[0]
+                if np.abs(now.left).max(initial=0.0) <= 0.1 * _SETTLED:
+                    break
+                now = self.step(q[None], target)
+            return float(now.error[0] @ now.error[0]) / 2, now.jacobian[0].T @ now.error[0]
+
+        q = q.copy()
+        off(minimize(off, q[self.outer] / self.unit, jac=True, method="BFGS", options={"gtol": 1e-9}).x)
+        return q
+
+    def least_motion(self, q: Array, target: Target, wanted: Array, steps: int = 200) -> Array:
         """Of poses (n, nq) that hold the point those (k, nq), as near as can be to ``wanted`` (o,), that it finds.
 
         By projected steps in the outer coordinates that leave the point; each also brings it back.
         """
         q, size = q.copy(), np.full(len(q), np.inf)
         for _ in range(steps):
-            now = self.step(q, targets)
+            now = self.step(q, target)
             inverse = np.asarray(np.linalg.pinv(now.jacobian, rcond=1e-8), dtype=float)
             back = (wanted - q[:, self.outer]) / self.unit
             free = back - _times(inverse, _times(now.jacobian, back))
