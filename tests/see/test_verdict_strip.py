@@ -118,7 +118,8 @@ def test_menus_and_tabs_are_inside_the_window(browser: Any, reports: dict[str, P
         panel = page.locator(".menu-panel:popover-open")
         until(lambda: page.evaluate(OUTSIDE, ".menu-panel:popover-open, .menu-panel:popover-open *") == [])
         beneath = opener.bounding_box()
-        assert panel.bounding_box()["y"] >= beneath["y"] + beneath["height"] or size[0] == 390
+        below = beneath["y"] + beneath["height"]
+        until(lambda below=below, panel=panel: panel.bounding_box()["y"] >= below or size[0] == 390, "the panel below")
         page.keyboard.press("Escape")
         assert panel.count() == 0
         assert opener.evaluate("one => document.activeElement === one")
