@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 from scipy.linalg import expm, solve_continuous_are, solve_discrete_are, solve_discrete_lyapunov
+from scipy.signal import tf2ss
 
 import tmodes
 from contracts.test_blocks import LINK, SHAPED, constant, law, matrices, spong
@@ -165,6 +166,43 @@ def test_a_sampled_loop_with_delay_is_that_of_matrix_exponentials() -> None:
     assert robot.linearize(closed=True).is_stable
 
 
+def test_a_lead_among_the_filters_of_the_weight_is_the_lead_of_the_law() -> None:
+    """Against the same matrix exponentials, by another order of the states."""
+    period, n = 0.01, 100
+    exact = {"relative_tolerance": 1e-11, "absolute_tolerance": 1e-12}
+    block = {name: value for name, value in SHAPED.items() if not name.startswith("lead")} | {"sample_time": period}
+    lead = {"type": "lead_lag", "frequency": 2.0, "ratio": 5.0}
+    robot = looped(0.4, period * n, block | {"weight": [lead]}, 1.5 * period, integration=exact)
+    found = np.asarray(robot.run().data["q"].sel(coordinate=["joint", "joint.motor"]))
+    assert np.abs(found - by_exponentials(n, period, 0.4)).max() < 1e-9
+
+
+def test_filters_of_the_weight_are_in_the_loop() -> None:
+    """Poles of a continuous loop with notch, low-pass and integral: of state matrices by SciPy's transfer functions."""
+    w = 2 * np.pi * np.array([8.0, 30.0, 0.3])
+    top = np.polymul([1, 2 * 0.3 * 0.2 * w[0], w[0] ** 2], [40.0, 40.0 * w[2]])
+    below = np.polymul(np.polymul([1, 2 * 0.3 * w[0], w[0] ** 2], [1 / w[1], 1.0]), [1.0, 0.0])
+    AW, BW, CW, DW = tf2ss(top, below)
+    (a, b), c = matrices(LINK | {"g": 0.0}), np.eye(4)[1:2]
+    n, m = len(AW), 4
+    A, B = np.block([[a, b @ CW], [np.zeros((n, m)), AW]]), np.vstack([b @ DW, BW])
+    C = np.hstack([c, np.zeros((1, n))])
+    X, Z = solve_continuous_are(A, B, C.T @ C, np.eye(1)), solve_continuous_are(A.T, C.T, B @ B.T, np.eye(1))
+    gamma2 = 1.1**2 * (1 + np.abs(np.linalg.eigvals(X @ Z)).max())
+    H = gamma2 * np.linalg.inv((1 - gamma2) * np.eye(n + m) + Z @ X) @ Z @ C.T
+    K = A - B @ B.T @ X + H @ C, H, B.T @ X, np.zeros((1, 1))
+    wanted = np.linalg.eigvals(closed((A, B, C, np.zeros((1, 1))), K))
+    weight = [
+        {"type": "low_pass", "frequency": 30.0},
+        {"type": "notch", "frequency": 8.0, "damping": 0.3, "depth": 0.2},
+    ]
+    block = {name: value for name, value in SHAPED.items() if not name.startswith("lead")} | {"weight": weight}
+    found = np.linalg.eigvals(looped(0.0, 0.1, block).linearize(closed=True).A)
+    apart = np.abs(found[:, None] - wanted[None])
+    assert len(found) == len(wanted)
+    assert max(apart.min(axis=0).max(), apart.min(axis=1).max()) < 1e-6 * np.abs(wanted).max()
+
+
 def test_a_limit_holds_the_integral() -> None:
     """A step that asks for more than the drive gives: it overshoots no more than without limit."""
     high = {}
@@ -203,6 +241,8 @@ def test_a_loop_that_asks_for_too_much_says_so() -> None:
         ({"lead_ratio": 1.0}, "control.law.block.lead_frequency"),
         ({"output_weights": {"a": 1.0}}, "control.law.block.output_weights"),
         ({"factor": 1.0}, "control.law.block.factor"),
+        ({"weight": [{"type": "pd", "position_gain": 1.0}]}, "control.law.block.weight"),
+        ({"weight": [{"type": "low_pass", "frequency": 5.0, "sample_time": 0.01}]}, "control.law.block.weight"),
         ({"measured": ["nothing"]}, "control.law.block.measured"),
     ],
 )

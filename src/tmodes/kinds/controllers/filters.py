@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any, ClassVar, Literal
 
+import numpy as np
 from pydantic import Field
 
 from tmodes.kinds.controllers.contract import CONTROLLERS, Controller, Measured, OwnState, Port
@@ -44,6 +45,13 @@ class _Filter(Controller):
     @property
     def _order(self) -> int:
         return 2
+
+    def system(self) -> tuple[Any, Any, Any, Any]:
+        """A, B, C, D of H in continuous time: its controllable form."""
+        (b0, *above), (_, *below) = self._transfer()
+        n, rate = self._order, _TURN * self.frequency
+        A = np.vstack([-np.array(below)[None], np.eye(n - 1, n)])
+        return rate * A, rate * np.eye(n, 1), np.array([above]) - b0 * np.array([below]), np.array([[b0]])
 
     @property
     def reads(self) -> tuple[str, ...]:

@@ -7,13 +7,13 @@ D. McFarlane, K. Glover, A loop shaping design procedure using H-infinity synthe
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from typing import Annotated, Any, ClassVar, Literal, NamedTuple
+from typing import Annotated, Any, ClassVar, Literal, NamedTuple, cast
 
 import numpy as np
-from pydantic import Field
+from pydantic import Field, field_validator
 
 from tmodes.errors import InputError
-from tmodes.kinds.controllers.contract import CONTROLLERS, LinearPlant, Measured, OwnState
+from tmodes.kinds.controllers.contract import CONTROLLERS, Controller, LinearPlant, Measured, OwnState
 from tmodes.kinds.controllers.discrete import held_late, unreached, unseen
 from tmodes.kinds.controllers.state_space import DesignedLaw, riccati
 from tmodes.kinds.kernel import functions as f
@@ -87,10 +87,10 @@ class Shaped(NamedTuple):
 class LoopShaping(DesignedLaw):
     """u = u_0 + W K V (y - y_r), K by H-infinity loop shaping of the loop V G W, as robust as it can be.
 
-    W = gain (s + w_i)/s (1 + s sqrt(r)/w_l)/(1 + s/(sqrt(r) w_l)) at each drive, V: weights of what is measured; G: the
-    robot as known. Sampled: G with its hold and delay, exactly; W, and the design, by Tustin's rule, under which norms
-    are the same. A limit of its only drive holds the integral (self-conditioned: R. Hanus, M. Kinnaert, J.-L.
-    Henrotte, Automatica 23, 1987). It sees sensors and outputs by name, never the state.
+    W = gain (s + w_i)/s (1 + s sqrt(r)/w_l)/(1 + s/(sqrt(r) w_l)) at each drive, times the filters of ``weight``; V:
+    weights of what is measured; G: the robot as known. Sampled: G with its hold and delay, exactly; W, and the design,
+    by Tustin's rule, under which norms are the same. A limit of its only drive holds the integral (self-conditioned:
+    R. Hanus, M. Kinnaert, J.-L. Henrotte, Automatica 23, 1987). It sees sensors and outputs by name, never the state.
     """
 
     tuned: ClassVar[tuple[str, ...]] = ("gains", "integral_frequency", "lead_frequency")
@@ -106,13 +106,29 @@ class LoopShaping(DesignedLaw):
     integral_frequency: float = not_negative("Hz", "f_i", "up to which it integrates, w_i/(2 pi)", default=0.0)
     lead_frequency: float | None = positive("Hz", "f_l", "where the weight leads or lags most", default=None)
     lead_ratio: float = positive("1", "r", "pole over zero: above 1 leads, below 1 lags", default=1.0, at_most=1e6)
+    weight: tuple[Controller, ...] = Field(
+        default=(), strict=False, description="filters one after another that W has, too; their `input` is left out"
+    )
     output_weights: dict[str, _Gain] = Field(
         default_factory=dict, description="weight of what is measured, by its name; others 1 [1/output]",
         json_schema_extra={"unit": "1/output", "symbol": "V", "smallest": 0.0, "plausible": None},
     )  # fmt: skip
     factor: float = quantity("1", "gamma", "gamma over the least that there is", default=1.1, above=1.0, at_most=100.0)
 
+    @field_validator("weight", mode="before")
+    @classmethod
+    def _without_input(cls, given: Any) -> Any:
+        """A filter of the weight reads what the law wants."""
+        several = isinstance(given, list | tuple)
+        return [{"input": "law"} | one if isinstance(one, dict) else one for one in given] if several else given
+
     def _issues(self) -> Iterator[Issue]:
+        for k, one in enumerate(self.weight):
+            if not hasattr(one, "system") or one.period is not None:
+                kind = getattr(one, "type", "")
+                got = f"`{kind}`{'' if one.period is None else ' with samples of its own'}"
+                hint = "write `{type: notch, frequency: 12 Hz}`, say; the law samples it"
+                yield Issue(f"weight.{k}", got, "a filter of continuous time: notch, low_pass, lead_lag", hint)
         if (self.lead_frequency is None) != (self.lead_ratio == 1.0):
             got = "nothing" if self.lead_frequency is None else f"{self.lead_frequency:g} Hz"
             hint = "write both, `lead_frequency: 5 Hz` and `lead_ratio: 4`, or none"
@@ -137,20 +153,28 @@ class LoopShaping(DesignedLaw):
         weak = [f"its loop bears little: e_max = {self.epsilon:.3g}, below {_ENOUGH}; {hint}"]
         return [*super().remarks(), *(weak if self.epsilon < _ENOUGH else [])]
 
-    def _weight(self, joints: tuple[str, ...]) -> System:
-        """W (drives, drives) in continuous time."""
+    def _weight(self, joints: tuple[str, ...]) -> tuple[System, System]:
+        """W (drives, drives) in continuous time: filters without gain at the highest frequencies, then all others.
+
+        Behind the first the command can be cut at once, so that a limit holds the states of the others.
+        """
         if {*self.gains} != {*joints}:
             got, hint = ", ".join(self.gains) or "nothing", "write `gains: {JOINT: 5.0}`"
             raise InputError("gains", got, f"a gain for each of {', '.join(joints)}", hint)
         one, none = np.eye(len(joints)), np.zeros((len(joints), 0))
-        found = none.T @ none, none.T, none, np.diag([self.gains[joint] for joint in joints])
+        low, found = (
+            (none.T @ none, none.T, none, size) for size in (one, np.diag([self.gains[joint] for joint in joints]))
+        )
         if self.integral_frequency:
             found = chained(found, (0 * one, one, _TURN * self.integral_frequency * one, one))
         if self.lead_frequency is not None:
             root, rate = np.sqrt(self.lead_ratio), _TURN * self.lead_frequency
             zero, pole = rate / root, rate * root
             found = chained(found, (-pole * one, one, self.lead_ratio * (zero - pole) * one, self.lead_ratio * one))
-        return found
+        for stage in self.weight:
+            A, B, C, D = (np.kron(part, one) for part in cast("Any", stage).system())
+            low, found = (low, chained(found, (A, B, C, D))) if D.any() else (chained(low, (A, B, C, D)), found)
+        return low, found
 
     def _designed(self, linear: LinearPlant) -> Shaped:
         G, period = (linear.A, linear.B, linear.C, linear.D), self.sample_time
@@ -161,11 +185,12 @@ class LoopShaping(DesignedLaw):
                 last = np.zeros((m, m)), np.eye(m), np.vstack([np.zeros((m, m)), np.eye(m)]), np.eye(2 * m, m)
                 G = chained(last, (G[0], np.hstack([G[1], 0 * G[1]]), G[2], np.hstack([0 * G[3], G[3]])))
             G = unsampled(G, period)
-        W, weights = self._weight(linear.drives), np.array([self.output_weights.get(one, 1.0) for one in self.measured])
-        A, B, C, D = chained(W, G)
+        low, W = self._weight(linear.drives)
+        weights = np.array([self.output_weights.get(one, 1.0) for one in self.measured])
+        A, B, C, D = chained(chained(low, W), G)
         shaped = A, B, weights[:, None] * C, weights[:, None] * D
         K, gamma = robust(shaped, self.factor, lambda: [*unreached(linear), *unseen(linear)])
-        K = K[0], K[1] * weights, K[2], K[3] * weights
+        K = chained((K[0], K[1] * weights, K[2], K[3] * weights), low)
         if period is not None:
             K, W = tustin(K, period), tustin(W, period)
         return Shaped(linear, K, W, gamma)
@@ -228,8 +253,9 @@ class LoopShaping(DesignedLaw):
     @property
     def structure(self) -> str:
         """What it reads and commands, and how many states it has, is part of the code."""
-        plant, K, *_ = self.design
-        return f"{super().structure} {plant.states} {plant.drives} {self.measured} {len(K[0])} {self.sample_time}"
+        plant, K, W, *_ = self.design
+        size = f"{len(K[0])} {len(W[0])}"
+        return f"{super().structure} {plant.states} {plant.drives} {self.measured} {size} {self.sample_time}"
 
 
 def _sums(A: list[list[Any]], x: list[Any], B: list[list[Any]] | None = None, u: list[Any] | None = None) -> list[Any]:
