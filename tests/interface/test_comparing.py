@@ -67,7 +67,7 @@ def test_shares_have_their_bounds_and_failures_their_reason() -> None:
     assert late["cases"]["fails"]["interval"] == pytest.approx([0.025 ** (1 / 20), 1.0])
 
 
-def test_the_error_by_what_is_uncertain() -> None:
+def test_the_error_by_what_is_uncertain(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     """Each parameter alone at its worse end, and the rest of the worst corner, are those of single runs."""
     heavy = {"path": "links.link.bodies.bob.mass", "relative": True,
              "distribution": {"type": "uniform", "low": 0.8, "high": 1.2}}  # fmt: skip
@@ -91,6 +91,11 @@ def test_the_error_by_what_is_uncertain() -> None:
     assert widths == pytest.approx([1e3 * known, *(1e3 * part for part in one.attribution.values())])
     assert axes.get_xlabel() == "largest error of the tip [mm], by what is uncertain"
     assert any("worst corner" in part.columns for part in found.tables() if not isinstance(part, str))
+    pages: list[Any] = []
+    monkeypatch.setattr("tmodes.interface.league.write_plots", lambda page, path: pages.append(page))
+    found.page(tmp_path / "league.html")
+    added = {curve.name: curve.x for plot in pages[0].plots for curve in plot.curves}
+    assert [added[name] for name in one.attribution] == [[1e3 * part] for part in one.attribution.values()]
     assert robot().compare({"own": {}}, uncertain={"k": SOFT}, runs=2).contenders[0].attribution == {}
 
 

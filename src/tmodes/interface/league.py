@@ -26,6 +26,7 @@ _DECADES, _SPREAD, _GOLDEN = 30.0, 0.5, 0.6180339887498949
 """Largest over smallest error beyond which an axis is logarithmic; height of the dots of a row; how these are laid."""
 
 _MOST_TIMES = 600
+_MARKS = ("circle", "square", "triangle", "ring", "cross")
 
 
 def write_league(found: Any, folder: Path, *, reports: bool, progress: Progress) -> None:
@@ -118,6 +119,15 @@ def _plots(found: Any) -> Iterator[Plot]:
             steps.append(Curve("tolerance", [limit, limit], [0.0, 100.0], "line", "quiet", (6, 3)))
         yield Plot("Share of the cases within an error", Axis(_ERROR, scale), Axis("share of the cases [%]"), steps,
                    "A curve that ends below 100 %: the other cases did not end.")  # fmt: skip
+    if split := [(one, one.attribution) for one in every if one.stack]:
+        own = np.arange(len(split), dtype=float)
+        marks = [
+            Curve(part, [_mm(shares[part]) for _, shares in split], own, _MARKS[k % len(_MARKS)], CYCLE[k % len(CYCLE)])
+            for k, part in enumerate(split[0][1])
+        ]
+        yield Plot("Added by each uncertain number", Axis("adds to the largest error [mm]"),
+                   Axis("", names=[one.name for one, _ in split]), marks,
+                   "Each alone at its worse end; the remainder: only all together.", 90 + 44 * len(split))  # fmt: skip
     courses = [(one, course) for one in every if (course := _course(one)) is not None]
     if courses:
         lines = [Curve(one.name, *course, **looks[one.name]) for one, course in courses]
