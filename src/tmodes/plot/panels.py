@@ -113,6 +113,9 @@ def _draw_lines(panel: Axes, chart: Chart, values: Any) -> None:
         panel.plot(chart.at, own, **{"label": plain(word_of(chart, line)) or None, **(line.look or style)})
 
 
+_MOST_CORNERS = 800
+"""Of the outline of an area, along the width of a figure: matplotlib simplifies lines alone."""
+
 _DECADES = {"spectrum": 4}
 """Decades below the largest value that a logarithmic axis shows, by the group of its chart; else 6."""
 
@@ -124,11 +127,12 @@ def _decades(panel: Axes, sizes: Any, most: int) -> None:
 
 def _stack(panel: Axes, chart: Chart, parts: Sequence[tuple[Line, str, Any]]) -> None:
     """Areas on each other, what is above zero upwards, what is below it downwards."""
-    ends = np.zeros((2, len(chart.at)))
+    kept = np.unique(np.linspace(0, len(chart.at) - 1, _MOST_CORNERS).astype(int))
+    at, ends = np.asarray(chart.at)[kept], np.zeros((2, len(kept)))
     for line, own, values in parts:
-        for k, part in enumerate((np.maximum(values, 0), np.minimum(values, 0))):
+        for k, part in enumerate((np.maximum(values[kept], 0), np.minimum(values[kept], 0))):
             label = None if k else plain(word_of(chart, line))
-            panel.fill_between(chart.at, ends[k], ends[k] + part, color=own, linewidth=0, label=label)
+            panel.fill_between(at, ends[k], ends[k] + part, color=own, linewidth=0, label=label)
             ends[k] += part
 
 
