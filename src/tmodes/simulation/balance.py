@@ -21,7 +21,7 @@ from tmodes.analysis.statics.system import ROUNDING, SETTLED
 from tmodes.model.passes import evaluate
 from tmodes.simulation.loop import LoopModel
 
-__all__ = ["LITTLE", "STANDS", "Balance", "BalanceSlope", "Search", "frozen", "rounding"]
+__all__ = ["LITTLE", "STANDS", "Balance", "BalanceSlope", "Search", "begun", "frozen", "rounding", "samplings"]
 
 Array = NDArray[np.float64]
 Places = NDArray[np.intp]
@@ -56,6 +56,29 @@ def frozen(model: LoopModel, rows: Array, but: Container[int] = ()) -> Array:
     signals[..., [k for k in range(model.plan.signals) if k not in but], 1:] = 0.0
     signals[..., [drive.noise for drive in model.plan.drives if drive.noise >= 0], :] = 0.0
     return still
+
+
+def samplings(model: LoopModel, rows: Array) -> Iterator[tuple[Any, Array]]:
+    """The samples, and their rows (k, row), after which all outputs that are held are those of these rows."""
+    plan, rows = model.plan, rows.copy()
+    width = plan.degree + 1
+    for late in (late for _, late in plan.clocks if late >= 0):
+        rows[:, 1 + late * width : 1 + (late + 1) * width] = 0.0  # an output is given with its sample
+    for _ in range(plan.first_samples):
+        yield model.loop.sampled, rows
+
+
+def begun(model: LoopModel, states: Array, rows: Array, numbers: Array) -> Array:
+    """States (k, size) as if robot and signals had always stood so: delayed outputs hold what they are at the start.
+
+    ``rows`` (k, row): see :func:`frozen`. Own states of controllers stay what they are.
+    """
+    outputs, count = model.layout.controls.start + np.flatnonzero(model.plan.held_controls), len(states)
+    for sampled, row in samplings(model, rows):
+        blocks = {"time": np.zeros((count, 1)), "state": states, "row": row, "step": np.zeros((count, 1))}
+        states = states.copy()
+        states[:, outputs] = evaluate(numbers, sampled, blocks, count)["state"][:, outputs]
+    return states
 
 
 def _reach(q: Array) -> float:
@@ -131,24 +154,11 @@ class Balance:
         return np.concatenate(blocks), np.concatenate(run)
 
     def outside(self, found: Array, states: Array, rows: Array, numbers: Array) -> Array:
-        """States of the run with what was found, (k, size): commands that are held between samples included."""
+        """States of the run with what was found, (k, size): outputs that are held between samples included."""
         own, run = self.places
-        states, count = states.copy(), len(states)
+        states = states.copy()
         states[:, run] = found[:, own]
-        for sampled, row in self.samplings(rows):
-            blocks = {"time": np.zeros((count, 1)), "state": states, "row": row, "step": np.zeros((count, 1))}
-            states = evaluate(numbers, sampled, blocks, count)["state"]
-            states[:, run] = found[:, own]
-        return states
-
-    def samplings(self, rows: Array) -> Iterator[tuple[Any, Array]]:
-        """The samples, and their rows (k, row), after which all outputs that are held are those of a rest."""
-        sampled, plan, rows = self.model.loop.sampled, self.model.plan, rows.copy()
-        width = plan.degree + 1
-        for late in (late for _, late in plan.clocks if late >= 0):
-            rows[:, 1 + late * width : 1 + (late + 1) * width] = 0.0  # an output is given with its sample
-        for _ in range(plan.most_kept + 1 if sampled else 0):  # until the last of those that are kept is this one
-            yield sampled, rows
+        return begun(self.model, states, rows, numbers)
 
     @cached_property
     def _own(self) -> Places:

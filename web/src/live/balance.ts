@@ -1,6 +1,6 @@
 // How a run starts under its controllers: in the equilibrium of the closed loop at its first setpoints.
 
-import { doubles, type BalanceInfo } from "./bundle";
+import { doubles, type BalanceInfo, type RunInfo } from "./bundle";
 import type { Engine } from "./engine";
 import { solveInPlace } from "./linear";
 import type { Blocks } from "./map";
@@ -106,15 +106,23 @@ export function balanced(
     else if (step > SHORTEST) step /= 2;
     else return null;
   }
-  let found = state.slice();
-  const put = () => { for (const [own, place] of info.places) found[place] = here[own]; };
-  put();
-  const row = stillRow(signals, info.noise);
-  for (const k of info.late) row.fill(0, 1 + k * (signals.degree + 1), 1 + (k + 1) * (signals.degree + 1));
+  const found = state.slice();
+  for (const [own, place] of info.places) found[place] = here[own];
+  return found;
+}
+
+/** A first state whose delayed outputs hold what they are at the start, as simulation/balance.py. */
+export function begun(
+  engine: Engine, info: RunInfo, blocks: Blocks, run: string, signals: Schedule, state: Float64Array,
+): Float64Array {
+  const [row, width] = [stillRow(signals, info.noise), signals.degree + 1];
+  for (const k of info.late) row.fill(0, 1 + k * width, 1 + (k + 1) * width);
+  let found = state;
   for (let k = 0; k < info.samples; k += 1) {
     const inputs = { time: new Float64Array(1), state: found, row, step: new Float64Array(1) };
-    found = engine.sample(`${run}.sampled`, blocks.parameters, inputs, 1).state.slice();
-    put();
+    const after = engine.sample(`${run}.sampled`, blocks.parameters, inputs, 1).state;
+    found = state.slice();
+    for (const place of info.held) found[place] = after[place];
   }
   return found;
 }

@@ -209,6 +209,15 @@ class LoopPlan:
         return sum(block.law.delay.kept for block in self.blocks if block.law.is_sampled) + max(laws, default=0)
 
     @property
+    def first_samples(self) -> int:
+        """After how many samples of one instant all held outputs are those of it.
+
+        Outputs that follow from commands of their instant see the command of the sample before.
+        """
+        late = any(getattr(source, "late", False) for source in self.sources.values())
+        return self.most_kept + 1 + late if self.is_sampled else 0
+
+    @property
     def held_controls(self) -> tuple[bool, ...]:
         """Of each own state whether it is an output that is held, which follows from a sample."""
         laws = [drive.servo for drive in self.drives if drive.servo] + [block.law for block in self.blocks]

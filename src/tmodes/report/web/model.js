@@ -1,4 +1,4 @@
-/* tmodes, built from 43fee91aaf78869a; BSD-3-Clause */
+/* tmodes, built from b789e74836f2deaf; BSD-3-Clause */
 
 // src/live/engine_error.ts
 var EngineError = class extends Error {
