@@ -56,7 +56,7 @@ def by_scipy(fed: Any, late: int, *, filters: bool) -> Any:
     wanted, given = (Signal.of(one).schedule(PERIOD * COUNT) for one in (MOVE, fed))
     end = given.at(PERIOD * COUNT)
     x, estimate, found = np.zeros(4), -TURN * np.array([1.0, 1.0, 0.0, 0.0]), []
-    waiting = [float(end)] * late  # nothing is commanded yet
+    waiting = [float(end - given.at(0.0))] * late  # what holds the robot where it starts
     for k in range(COUNT):
         found.append(x)
         time, added = k * PERIOD, float(given.at(k * PERIOD) - end)

@@ -1,4 +1,4 @@
-"""Delayed sensors and commands before their first value: as if robot and setpoints had always stood as at the start."""
+"""Delayed sensors and commands before their first value: as if the robot had always stood where it starts."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ def by_scipy(times: NDArray[np.float64], start: float = START, kp: float = KP, i
         return found
 
     knots = np.unique(np.round(np.concatenate([times, np.arange(16) * PERIOD, np.arange(15) * PERIOD + COMMANDED]), 9))
-    knots, found, force = knots[knots <= times[-1] + 1e-12], [], kp * (WANTED - start)
+    knots, found, force = knots[knots <= times[-1] + 1e-12], [], WEIGHT * np.sin(start)
     for k, (t, until) in enumerate(zip(knots, [*knots[1:], knots[-1]], strict=True)):
         if abs(t / PERIOD - round(t / PERIOD)) < 1e-6:
             if k:
@@ -116,5 +116,5 @@ def test_outputs_hold_the_reading_and_the_command_of_the_start_by_name() -> None
     names = setup.model.plan.control_names
     held = dict(zip(names, setup.start[setup.model.layout.controls], strict=True))
     assert held["teeth.value"] == held["teeth.value_due1"] == held["teeth.value_due2"] == START
-    assert held["j.controller.command"] == pytest.approx(KP * (WANTED - START))
+    assert held["j.controller.command"] == pytest.approx(WEIGHT * np.sin(START))
     assert held["j.controller.integral"] == 0.0

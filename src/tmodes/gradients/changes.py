@@ -27,7 +27,7 @@ from tmodes.kinds.signals.schedule import SAME, on_knots, shifted
 from tmodes.model.derivatives import differentiated
 from tmodes.model.parameters import Structural
 from tmodes.sheet import Robot
-from tmodes.simulation.balance import Balance, frozen, samplings
+from tmodes.simulation.balance import Balance, command_places, frozen, resting, samplings
 from tmodes.simulation.control import designs
 from tmodes.simulation.initial_state import closed_balance, held_at_start
 from tmodes.simulation.loop import Blocks, LoopModel
@@ -263,7 +263,8 @@ class _Changes:
         setup = self.here.setup
         still = frozen(self.here.model, np.stack([setup.first_row, rows[0]]))
         start = of("start").copy() if setup.rest is None else self._resting(of, parameters, still)
-        return self._begun(start, still, parameters)
+        closed = setup.off is None and closed_balance(setup) is not None
+        return self._begun(start, still, parameters, closed=closed)
 
     def _resting(self, of: Derivatives, parameters: Array, still: Array) -> Array:
         """Of a first state at rest, but for the outputs that are held."""
@@ -289,8 +290,11 @@ class _Changes:
         start[q] = np.where(free, found[: len(free)], start[q])
         return start
 
-    def _begun(self, moved: Array, rows: Array, parameters: Array) -> Array:
-        """Of the first state, with the outputs that are held: see :func:`tmodes.simulation.balance.begun`."""
+    def _begun(self, moved: Array, rows: Array, parameters: Array, *, closed: bool) -> Array:
+        """Of the first state, with the outputs that are held: see :func:`tmodes.simulation.balance.begun`.
+
+        ``closed``: it is an equilibrium of the closed loop.
+        """
         here, model = self.here, self.here.model
         held = model.layout.controls.start + np.flatnonzero(model.plan.held_controls)
         for step, row in samplings(model, rows):
@@ -298,6 +302,18 @@ class _Changes:
             along, moved = {"state": moved[None], "row": row[1:]}, moved.copy()
             after = differentiated(step, ["state"]).along(here.parameters, blocks, along, change=parameters)["state"][0]
             moved[held] = after[held]
+        if closed or not model.loop.held_commands:
+            return moved
+        for _, places in model.loop.held_commands:
+            moved[[*places]] = 0.0
+        (where, which), begin = command_places(model), resting(model, here.start[None])
+        blocks = {"time": np.zeros((1, 1)), "state": begin, "row": rows[:1], "step": np.zeros((1, 1))}
+        along = {"state": resting(model, moved[None]), "row": rows[1:]}
+        left = differentiated(model.loop.rate, ["rate"]).along(here.parameters, blocks, along, change=parameters)
+        slopes = model.slopes(0.0, begin, rows[:1], here.parameters, which)[0][where]
+        efforts = -(np.linalg.pinv(slopes) @ left["rate"][0][where])
+        for value, (_, places) in zip(efforts, model.loop.held_commands, strict=True):
+            moved[[*places]] = value
         return moved
 
     @cached_property

@@ -220,6 +220,7 @@ def _run(setup: RunSetup) -> dict[str, Any]:
         "signals": len(setup.planned.each),
         "balance": _balance(setup),
         "held": [layout.controls.start + k for k, held in enumerate(plan.held_controls) if held],
+        "sampledCommands": setup.model.loop.held_commands,
         "samples": plan.first_samples if plan.first_samples > 1 else 0,
         "late": [late for _, late in plan.clocks if late >= 0],
         "moving": [k for k in range(len(setup.planned.each)) if k not in plan.aside],

@@ -68,17 +68,45 @@ def samplings(model: LoopModel, rows: Array) -> Iterator[tuple[Any, Array]]:
         yield model.loop.sampled, rows
 
 
-def begun(model: LoopModel, states: Array, rows: Array, numbers: Array) -> Array:
-    """States (k, size) as if robot and signals had always stood so: delayed outputs hold what they are at the start.
+def begun(model: LoopModel, states: Array, rows: Array, numbers: Array, *, holds: bool = True) -> Array:
+    """States (k, size) with the outputs that are held before the first sample, delayed ones among them.
 
-    ``rows`` (k, row): see :func:`frozen`. Own states of controllers stay what they are.
+    Those of the start: as if robot and signals, ``rows`` (k, row) of :func:`frozen`, had always stood so. A command is
+    that which holds the robot where it starts (``holds``), or that of the law. Own states of controllers stay.
     """
     outputs, count = model.layout.controls.start + np.flatnonzero(model.plan.held_controls), len(states)
     for sampled, row in samplings(model, rows):
         blocks = {"time": np.zeros((count, 1)), "state": states, "row": row, "step": np.zeros((count, 1))}
         states = states.copy()
         states[:, outputs] = evaluate(numbers, sampled, blocks, count)["state"][:, outputs]
+    commands = model.loop.held_commands
+    if not (holds and commands):
+        return states
+    for _, places in commands:
+        states[:, places] = 0.0
+    still, (where, which) = resting(model, states), command_places(model)
+    slopes = model.slopes(0.0, still, rows, numbers, which)[:, where]
+    left = model.rate(np.zeros(count), still, rows, numbers)[:, where]
+    known = np.isfinite(slopes).all(axis=(1, 2)) & np.isfinite(left).all(axis=1)
+    efforts = np.zeros(left.shape)
+    efforts[known] = -(np.linalg.pinv(slopes[known]) @ left[known][..., None])[..., 0]
+    for k, (_, places) in enumerate(commands):
+        states[:, places] = efforts[:, [k]]
     return states
+
+
+def resting(model: LoopModel, states: Array) -> Array:
+    """The same states (k, size) without rates."""
+    still = states.copy()
+    still[:, model.layout.v] = 0.0
+    return still
+
+
+def command_places(model: LoopModel) -> tuple[Places, Places]:
+    """Where the rate has the accelerations of what sampled commands move, and the state those in force."""
+    first = model.layout.v.start
+    found = [(first + moved, places[0]) for moved, places in model.loop.held_commands]
+    return np.array([one for one, _ in found], dtype=np.intp), np.array([one for _, one in found], dtype=np.intp)
 
 
 def _reach(q: Array) -> float:
@@ -158,7 +186,7 @@ class Balance:
         own, run = self.places
         states = states.copy()
         states[:, run] = found[:, own]
-        return begun(self.model, states, rows, numbers)
+        return begun(self.model, states, rows, numbers, holds=False)
 
     @cached_property
     def _own(self) -> Places:

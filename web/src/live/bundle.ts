@@ -77,6 +77,8 @@ export interface RunInfo {
   balance: BalanceInfo | null;
   /** Where the state holds outputs, samples after which these are those of the start, the signals of late ones. */
   held: number[];
+  /** Of each drive under sampled commands the coordinate that it moves, and where the state holds them. */
+  sampledCommands: [number, number[]][];
   samples: number;
   late: number[];
   /** Those of the signals that move the robot; `noise` and `clocks` (signal, period, shift) of samples move nothing. */

@@ -62,7 +62,7 @@ export async function moved(
   if (!each.length) schedule.knots[1] = settings.duration;
   const held = firstState(engine, bundle, values, name, blocks);
   const still = balanced(engine, info.balance, blocks, name, schedule, held);
-  const first = begun(engine, info, blocks, name, schedule, still ?? held);
+  const first = begun(engine, info, blocks, name, schedule, still ?? held, !!(info.balance && still));
   const state = settled(engine, bundle, name, blocks, schedule, first);
   const run = await runFrom(engine, bundle, { name, blocks, schedule }, state, watch);
   return { name, info, blocks, each, schedule, run, off: !still };

@@ -377,6 +377,26 @@ class LoopParts:
             first += block.law.states
 
     @cached_property
+    def held_commands(self) -> tuple[tuple[int, tuple[int, ...]], ...]:
+        """Where the state holds sampled commands: of each drive what it moves, and the places, the one in force first.
+
+        Behind it those of blocks before, whose command it takes over; of a drive without sampled ones nothing.
+        """
+        found, first = [], self.layout.controls.start
+        for driver in self.drivers:
+            servo, joint, places = driver.plan.servo, driver.plan.joint, list[int]()
+            if servo and servo.held:
+                places += range(first + driver.controls, first + driver.controls + servo.held)
+            for one in sorted(self.blocks, key=lambda one: driver.plan.command not in one.plan.signals):
+                own = one.plan.commands or ((one.plan.joint,) if len(one.plan.ports) == 1 else ())
+                if joint in own and one.plan.law.held:
+                    begin = first + one.controls
+                    places += range(begin + own.index(joint), begin + one.plan.law.held, one.plan.law.outputs)
+            if places:
+                found.append((driver.coordinate, tuple(places)))
+        return tuple(found)
+
+    @cached_property
     def slipping(self) -> dict[int, tuple[AxisPart, int]]:
         """Coordinates whose dry friction is a set at rest: the axis of each, and whether it is its motor's (0) or not.
 
