@@ -16,6 +16,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from tmodes.analysis.modes.closed_loop import settled
 from tmodes.analysis.statics.path import STRAY
 from tmodes.analysis.statics.system import ROUNDING, SETTLED
 from tmodes.model.passes import evaluate
@@ -285,23 +286,31 @@ class Search:
             there = self._newton(self.end, (1.0 - share - length) * first, tangent.counts)
             if there is not None:
                 self.end, share, length = there, share + length, 2 * length
-            elif length == 1.0 and (settled := self._settled(tangent)) is not None:
-                self.end, length = settled, float(np.nextafter(1.0, 0.0))  # once
-                first, tangent = self._rates(settled), self._tangent(settled)
+            elif length == 1.0 and (near := self._settled()) is not None:
+                self.end, length = near, float(np.nextafter(1.0, 0.0))  # once
+                first, tangent = self._rates(near), self._tangent(near)
             elif (length := length / 2) < _SHORTEST:
                 self.failed = True
                 return
         after = self._tangent(self.end) if self.moved else tangent
         self.failed = self._left(self._rates(self.end), after)
 
-    def _settled(self, tangent: BalanceSlope) -> Array | None:
+    def _settled(self) -> Array | None:
         """The first state with controllers that have settled to it.
 
         An estimator that begins far off gives commands beyond their limits, from which no slope leads back.
         """
-        own = slice(len(self.balance.coordinates), None)
-        state = self.first.copy()
-        state[self.balance.unknown[own]] -= pseudo_inverse(tangent.slopes[own, own]) @ self._rates(state)[own]
+        own, state = slice(len(self.balance.coordinates), None), self.first.copy()
+        places = self.balance.unknown[own]
+
+        def put(values: Array) -> Array:
+            state[places] = values
+            return state
+
+        put(settled(
+            self.first[places], lambda values: self._rates(put(values))[own],
+            lambda values: self._tangent(put(values)).slopes[own, own],
+        ))  # fmt: skip
         return state if np.isfinite(state).all() else None
 
     def _rates(self, state: Array) -> Array:
