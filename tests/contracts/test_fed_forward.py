@@ -133,11 +133,13 @@ def test_a_winding_is_fed_with_volts_and_its_current_is_followed() -> None:
 
 @pytest.mark.parametrize("sampled", [{}, {"sample_time": PERIOD}])
 def test_an_observer_of_loads_takes_what_is_fed_forward_for_known(sampled: Any) -> None:
-    """At its drive and as a block: nothing is left to estimate, where it took the effort of inertia for a load."""
+    """At its drive, as a block, by a block: nothing is left to estimate, where it took inertia for a load."""
     motor, effort = inverse()
     block, truth = OBSERVER | sampled, Signal.of(MOVE).schedule(0.6)
     fed = {"feed_forward": effort}
-    for own in ({"control": law(block), "drive": fed}, {"drive": {"controller": block} | fed}):
+    added = {"type": "feed_forward", "inputs": ["law"], "signals": [effort]}
+    summed = [*law(block), {"name": "sum", "drives": ["joint"], "block": added}]
+    for own in ({"control": law(block), "drive": fed}, {"drive": {"controller": block} | fed}, {"control": summed}):
         run = simulate_motion(spong(motor, 0.6, PERIOD, UNDAMPED, integration=EXACT, initial={"state": "zero"}, **own))
         assert run.q[:, run.coordinates.index("joint")] == pytest.approx(truth.at(run.times), abs=1e-8)
         assert np.abs(run.controls[:, -1]).max() < 1e-6

@@ -103,8 +103,9 @@ def control_issues(robot: Any) -> Iterator[Issue]:
         network(robot)
     except CycleError as error:
         ring = " -> ".join(reversed(error.args[1]))
-        hint = "let one of them be sampled and read its value through a sensor, or remove a wire"
-        yield Issue("control", f"the ring {ring}", "blocks that do not read each other in a ring", hint)
+        expected = "blocks that do not read each other in a ring: at each instant, a sample too, each needs the other's"
+        hint = "remove a wire, or write the blocks as one of your own that remembers what it gave (docs/adding.md)"
+        yield Issue("control", f"the ring {ring}", expected, hint)
     yield from _commands(robot)
     yield from _links(robot)
 
