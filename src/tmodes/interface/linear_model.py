@@ -371,7 +371,7 @@ class LinearModel(Linearization):
         if self.loops:
             yield Table("loops, each opened at the command of its drive", words.LOOPS, words.loop_rows(self))
         for law, most in self.e_max.items():
-            yield f"Law {law} bears a change of the normalised coprime factors of its weighted loop of e_max = {most:.3g}."
+            yield f"Law {law}: e_max = {most:.3g}, the change of its weighted loop's coprime factors that it bears."
         if len(s.inputs) * len(s.outputs) <= _MOST_PAIRS:
             yield Table("zeros", words.ZEROS, list(words.zero_rows(self)))
         yield Table("inputs", ["name", "value there"], [[n, f"{v:.5g}"] for n, v in zip(s.inputs, s.u0, strict=True)])
