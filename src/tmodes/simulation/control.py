@@ -173,7 +173,7 @@ def _designed(robot: Robot, node: Node) -> Node:
                 raise
             path = f"{node.place}.block.{'measured' if error.which == 'outputs' else error.which}"
             raise InputError(path, error.got, error.expected, error.hint, error.where) from error
-    return node._replace(block=found[node.name])
+    return node._replace(block=found[node.name].following(node.block))
 
 
 def _refuse_late(nodes: list[Node], laws: list[Law], sources: dict[str, Any]) -> None:

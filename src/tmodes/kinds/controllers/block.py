@@ -235,6 +235,11 @@ class Block(Kind):
         """e_max of a designed law: the largest change of the coprime factors of its weighted loop that it bears."""
         return None
 
+    def following(self, sheet: Block) -> Block:
+        """Of one that is designed: the same with the signals of its ``sheet``, which may be noted; gains stay."""
+        del sheet
+        return self
+
     def remarks(self) -> list[str]:
         """What a user should know of the block as it is designed, before a run."""
         return []
