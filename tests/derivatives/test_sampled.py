@@ -92,7 +92,7 @@ def fed(block: Any) -> Robot:
     return Robot.from_data(sheet_data(robot("pid")) | {"drives": drives, "control": control, "sensors": sensors})
 
 
-@pytest.mark.parametrize("block", [LQG, pytest.param(LQR | {"type": "lqr"}, marks=pytest.mark.nightly)])
+@pytest.mark.parametrize("block", [LQG, LQR | {"type": "lqr"}])
 def test_gradients_by_what_is_fed_forward_and_followed_are_those_of_other_runs(block: Any) -> None:
     """Only one of two drives feeds forward, the other one a block."""
     here = fed(block)
@@ -106,7 +106,8 @@ def test_gradients_by_what_is_fed_forward_and_followed_are_those_of_other_runs(b
             assert tips is not None
             ends.append(tips[0, -1, 2])
         assert found.by[path] == pytest.approx((ends[1] - ends[0]) / (2e-3 * value), rel=1e-4, abs=1e-7)
-        assert found.by[path]
+    unseen = paths[2:] if block is LQG else []  # what is not measured is nothing that it follows
+    assert all(found.by[path] for path in paths if path not in unseen)
 
 
 @pytest.mark.parametrize("most_bytes", [1e9, 1e5])
