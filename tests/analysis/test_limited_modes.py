@@ -43,4 +43,4 @@ def test_nor_about_another_pose_than_that_of_the_run(more: dict[str, Any]) -> No
     for limit in ({"limit": 4.0}, {}):
         modes = robot(law | limit, -0.4, **more).modes(at=pose)
         found.append(np.array([complex(*one) for one in modes.found["real"].poles]))
-    assert_same(*found, 1e-9)
+    assert_same(found[0], found[1], 1e-9)

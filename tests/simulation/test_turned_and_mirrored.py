@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-import tmodes
 from contracts.test_drive_limits import public
 from simulation.sheets import arm
 from tmodes.simulation.control import designs
@@ -68,8 +67,10 @@ def robot(law: str, *, turn: Any = None, signs: tuple[float, float] = (1.0, 1.0)
 
 
 OTHERS: dict[str, dict[str, Any]] = {
-    "turned": {"turn": Rotation.from_rotvec([0.4, -0.9, 1.3])}, "mirrored": {"signs": (-1.0, 1.0)},
-    "both mirrored": {"signs": (-1.0, -1.0)}, "units": {"units": True},
+    "turned": {"turn": Rotation.from_rotvec([0.4, -0.9, 1.3])},
+    "mirrored": {"signs": (-1.0, 1.0)},
+    "both mirrored": {"signs": (-1.0, -1.0)},
+    "units": {"units": True},
 }
 
 
@@ -91,7 +92,8 @@ def test_a_loop_is_the_same(law: str) -> None:
             moved, known = (np.asarray(one.output(f"{joint}.position")) for one in (motion, result))
             assert sign * moved == pytest.approx(known, abs=1e-7), name
         assert closed.e_max == pytest.approx(own.e_max, rel=1e-6)
-        found, wanted = designs(other), designs(first)
+        found: Any = designs(other)
+        wanted: Any = designs(first)
         for block, design in wanted.items():
             gains = getattr(design.design, "K", None)
             if gains is not None and law != "shaped":

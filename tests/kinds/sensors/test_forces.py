@@ -20,7 +20,7 @@ SENSORS: dict[str, tuple[Sheet, str, float]] = {  # what it is, its port, its va
 }
 
 
-def robot(law: Sheet, goal: float, *, bends: bool = True, **sensors: Sheet) -> Any:
+def robot(law: Sheet, goal: float, sensors: dict[str, Sheet], *, bends: bool = True) -> Any:
     """A tip at rest on a wall, with sensors, each behind a filter of its own."""
     read = [{"name": f"low_{name}", "block": {"type": "low_pass", "input": f"{name}{SENSORS[name][1]}",
              "frequency": 5.0, "sample_time": 1e-3}} for name in sensors]  # fmt: skip
@@ -32,7 +32,7 @@ def robot(law: Sheet, goal: float, *, bends: bool = True, **sensors: Sheet) -> A
 
 def test_what_is_measured_at_the_start_is_what_stays() -> None:
     """By statics, but for the small angle between the link and the wall; no filter has anything to do."""
-    result = robot(IMPEDANCE, 4e-2, **{name: one for name, (one, _, _) in SENSORS.items()}).run()
+    result = robot(IMPEDANCE, 4e-2, {name: one for name, (one, _, _) in SENSORS.items()}).run()
     assert np.ptp(result.data["q"].values, axis=0).max() < 1e-11
     force = float(np.asarray(result.output("contact.force.y"))[0])
     assert force > 20
@@ -45,7 +45,7 @@ def test_what_is_measured_at_the_start_is_what_stays() -> None:
 @pytest.mark.parametrize("bends", [True, False])
 def test_a_wanted_force_is_there_from_the_start(bends: bool) -> None:
     """By a late sensor, with the integral that it takes; rigid links, too."""
-    result = robot(FORCE | {"input": "wall"}, 2e-3, bends=bends, wall=SENSORS["wall"][0]).run()
+    result = robot(FORCE | {"input": "wall"}, 2e-3, {"wall": SENSORS["wall"][0]}, bends=bends).run()
     assert np.asarray(result.output("contact.force.y")) == pytest.approx(FORCE["force"], rel=1e-9)
 
 
@@ -53,7 +53,7 @@ def test_a_wanted_force_is_there_from_the_start(bends: bool) -> None:
 @pytest.mark.parametrize("link", ["link", "nowhere"])
 def test_a_sensor_of_what_bends_is_on_a_link_that_does(name: str, link: str) -> None:
     with pytest.raises(InputErrors) as error:
-        robot(IMPEDANCE, 0.0, bends=False, **{name: SENSORS[name][0] | {"link": link}})
+        robot(IMPEDANCE, 0.0, {name: SENSORS[name][0] | {"link": link}}, bends=False)
     (wrong,) = error.value.errors
     assert wrong.which.endswith(".link")
     assert link in wrong.got

@@ -111,8 +111,8 @@ def test_bounded_jerk_on_a_curve_reaches_one_limit_and_passes_none() -> None:
 def test_an_effort_slows_no_more_than_it_must(speed: float, jerk: float, effort: float) -> None:
     """An inertia of 2 kg m^2: the effort is a limit of its acceleration, with which the least time is an S-curve's."""
     ways, moment, gain = np.linspace(0.0, 1.5, 20), 2.0, 8.0
-    limits = (np.array([one]) for one in (speed, gain, jerk, effort))
-    course = JointCourse(ways, ways[:, None], *limits, lambda q, v, a: moment * a)
+    fast, quick, soft, strong = (np.array([one]) for one in (speed, gain, jerk, effort))
+    course = JointCourse(ways, ways[:, None], fast, quick, soft, strong, lambda q, v, a: moment * a)
     found = Signal.of(Timing.of({"type": "jerk_limited"}).signal(course))
     least, slowed = (
         SCurve(type="s_curve", start=0.0, end=1.5, speed=speed, acceleration=one, jerk=jerk).length()

@@ -41,7 +41,7 @@ class Steps(NamedTuple):
             within**3 / 6 + within**2 * after / 2 + within * after**2 / 2, within**2 / 2 + within * after, within
         )  # fmt: skip
 
-    def within(self, each: int) -> tuple[Array, Array]:
+    def within(self, each: int) -> tuple[Array, NDArray[np.intp]]:
         """Shares of the duration at ``each`` places of each piece, both its ends among them; which piece that is."""
         begin = np.append(0.0, np.cumsum(self.shares)[:-1])
         places = begin[:, None] + self.shares[:, None] * np.linspace(0.0, 1.0, each)
