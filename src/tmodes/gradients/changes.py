@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.analysis.rigid import nominal_of
+from tmodes.analysis.statics.equilibrium import Equilibrium
 from tmodes.equations.loop.outputs import Output
 from tmodes.errors import InputError, InputErrors
 from tmodes.gradients.lowering import Lowered, rows_of
@@ -262,12 +263,12 @@ class _Changes:
         """Of the first state: as it is given, and else of the equilibrium in which the run starts."""
         setup = self.here.setup
         still = frozen(self.here.model, np.stack([setup.first_row, rows[0]]))
-        start = of("start").copy() if setup.rest is None else self._resting(of, parameters, still)
+        start = self._resting(setup.rest, of, parameters, still) if setup.rest else of("start").copy()
         closed = setup.off is None and closed_balance(setup) is not None
         return self._begun(start, still, parameters, closed=closed)
 
-    def _resting(self, of: Derivatives, parameters: Array, still: Array) -> Array:
-        """Of a first state at rest, but for the outputs that are held."""
+    def _resting(self, rest: Equilibrium, of: Derivatives, parameters: Array, still: Array) -> Array:
+        """Of a first state at ``rest``, but for the outputs that are held."""
         here, setup, start = self.here, self.here.setup, of("start").copy()
         q = here.model.layout.q
         free, closed = np.isnan(self._value("start")[q]), None if setup.off else closed_balance(setup)
@@ -279,7 +280,7 @@ class _Changes:
             (own, run), unknown = closed.places, closed.unknown
             start[run[np.isin(own, unknown)]] = found[own[np.isin(own, unknown)]]
         else:
-            balance, rest = Balance(self._standing), setup.rest
+            balance = Balance(self._standing)
             places = [setup.mechanics.coordinates.index(name) for name in self._standing.coordinates]
             own = [here.model.coordinates.index(name) for name in self._standing.coordinates]
             states = np.zeros((2, self._standing.layout.size))
