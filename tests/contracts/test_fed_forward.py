@@ -56,7 +56,7 @@ def by_scipy(fed: Any, late: int, *, filters: bool) -> Any:
     wanted, given = (Signal.of(one).schedule(PERIOD * COUNT) for one in (MOVE, fed))
     end = given.at(PERIOD * COUNT)
     x, estimate, found = np.zeros(4), -TURN * np.array([1.0, 1.0, 0.0, 0.0]), []
-    waiting = [float(end)] * late  # nothing is commanded yet
+    waiting = [float(end - given.at(0.0))] * late  # what holds the robot where it starts
     for k in range(COUNT):
         found.append(x)
         time, added = k * PERIOD, float(given.at(k * PERIOD) - end)
@@ -133,11 +133,13 @@ def test_a_winding_is_fed_with_volts_and_its_current_is_followed() -> None:
 
 @pytest.mark.parametrize("sampled", [{}, {"sample_time": PERIOD}])
 def test_an_observer_of_loads_takes_what_is_fed_forward_for_known(sampled: Any) -> None:
-    """At its drive and as a block: nothing is left to estimate, where it took the effort of inertia for a load."""
+    """At its drive, as a block, by a block: nothing is left to estimate, where it took inertia for a load."""
     motor, effort = inverse()
     block, truth = OBSERVER | sampled, Signal.of(MOVE).schedule(0.6)
     fed = {"feed_forward": effort}
-    for own in ({"control": law(block), "drive": fed}, {"drive": {"controller": block} | fed}):
+    added = {"type": "feed_forward", "inputs": ["law"], "signals": [effort]}
+    summed = [*law(block), {"name": "sum", "drives": ["joint"], "block": added}]
+    for own in ({"control": law(block), "drive": fed}, {"drive": {"controller": block} | fed}, {"control": summed}):
         run = simulate_motion(spong(motor, 0.6, PERIOD, UNDAMPED, integration=EXACT, initial={"state": "zero"}, **own))
         assert run.q[:, run.coordinates.index("joint")] == pytest.approx(truth.at(run.times), abs=1e-8)
         assert np.abs(run.controls[:, -1]).max() < 1e-6

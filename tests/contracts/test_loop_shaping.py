@@ -227,10 +227,10 @@ def test_what_is_measured_by_acceleration_is_seen_with_the_commands_before() -> 
 
 def test_a_loop_that_asks_for_too_much_says_so() -> None:
     found = designed(looped(0.0, 0.1, SHAPED | {"sample_time": 0.1, "gains": {"joint": 3e4}}), 0.2)
-    assert found.epsilon < 0.25
+    assert found.robustness < 0.25
     assert any("bears little" in one for one in found.remarks())
     calm = designed(looped(0.0, 0.1, SHAPED))
-    assert calm.epsilon == pytest.approx(1 / calm.design.gamma)
+    assert calm.robustness == pytest.approx(1 / calm.design.gamma)
     assert not calm.remarks()
 
 
@@ -250,3 +250,11 @@ def test_what_does_not_fit_is_refused(more: dict[str, Any], place: str) -> None:
     with pytest.raises((InputError, InputErrors)) as caught:
         looped(0.0, 0.1, SHAPED | more).run()
     assert place in str(caught.value)
+
+
+def test_what_the_weighted_loop_bears_is_shown_next_to_its_margins() -> None:
+    robot = looped(0.0, 0.1, SHAPED)
+    linear = robot.linearize(closed=True)
+    assert linear.info()["e_max"] == {"law": pytest.approx(designed(robot).robustness)}
+    assert any(isinstance(one, str) and "e_max" in one for one in linear.tables())
+    assert robot.linearize().info()["e_max"] == {}

@@ -72,6 +72,43 @@ def test_gradients_are_those_of_other_runs(name: str) -> None:
         assert found.by[path] == pytest.approx(slope, rel=2e-5, abs=1e-8 / abs(value))
 
 
+FED = {"type": "quintic", "start": 3.0, "end": 5.0, "duration": 0.15}
+FOLLOWED = {"type": "quintic", "start": -0.4, "end": -0.2, "duration": 0.15}
+
+
+def fed(block: Any) -> Robot:
+    """Under a designed law with a reference, an effort fed forward by one drive, and one by a block for the other."""
+    drives = [
+        {key: value for key, value in one.items() if key != "controller"}
+        for one in sheet_data(load("two_link_arm").with_(STEPS))["drives"]
+    ]
+    drives[0]["feed_forward"] = FED
+    added = {"type": "feed_forward", "inputs": ["law.elbow"], "signals": [FED]}
+    control = [
+        {"name": "law", "drives": ["shoulder", "elbow"], "block": block | {"reference": {"shoulder.motor": FOLLOWED}}},
+        {"name": "sum", "drives": ["elbow"], "block": added},
+    ]
+    sensors = SENSORS if "measured" in block else []
+    return Robot.from_data(sheet_data(robot("pid")) | {"drives": drives, "control": control, "sensors": sensors})
+
+
+@pytest.mark.parametrize("block", [LQG, LQR | {"type": "lqr"}])
+def test_gradients_by_what_is_fed_forward_and_followed_are_those_of_other_runs(block: Any) -> None:
+    """Only one of two drives feeds forward, the other one a block."""
+    here = fed(block)
+    moved = (f"control.law.block.reference.shoulder.motor.{name}" for name in ("end", "duration"))
+    paths = ["drives.0.feed_forward.end", "control.sum.block.signals.0.start", *moved]
+    found = adjoint_gradient(here, END, paths)
+    for path in paths:
+        value, ends = number_at(path, sheet_data(here)), []
+        for step in (-1e-3, 1e-3):
+            tips = simulate_batch(here, {path: [value * (1 + step)]}, tips=True).tips
+            assert tips is not None
+            ends.append(tips[0, -1, 2])
+        assert found.by[path] == pytest.approx((ends[1] - ends[0]) / (2e-3 * value), rel=1e-4, abs=1e-7)
+    assert all(found.by.values())
+
+
 @pytest.mark.parametrize("most_bytes", [1e9, 1e5])
 @pytest.mark.parametrize("name", ["pid", "lqg", "few rows"])
 def test_the_same_steps_give_the_same_samples_and_both_sweeps_the_same_number(name: str, most_bytes: float) -> None:

@@ -24,6 +24,7 @@ from contracts.test_blocks import LQR, PD, constant, law, spong
 from random_sheets import random_sheet
 from tmodes.analysis.margins import loop_margins, step_duration, step_values
 from tmodes.errors import InputError
+from tmodes.interface import linear_words
 from tmodes.io.sheet_check import sheet_data
 from tmodes.kinds.controllers.discrete import zero_order_hold
 from tmodes.plot.commands import bode_curves
@@ -595,3 +596,15 @@ def test_a_closed_loop_is_about_where_its_gains_leave_it() -> None:
     found = soft.linearize(closed=True)
     assert found.q == pytest.approx(found.system.x0[: len(found.q)], abs=1e-9)
     assert abs(found.q[0] + 0.4) > 1e-3
+
+
+def test_integrators_are_named_in_a_column_of_numbers(tmp_path: Path) -> None:
+    """Two of a free joint, which rounding parts; no damping ratio of -1 or -0. Numbers stand to the right."""
+    free = tmodes.load("spong1987").with_({"gravity": 0.0})
+    rows = linear_words.pole_rows(free.linearize())
+    assert [row[:4] for row in rows[:2]] == [["0", "0", "0", "-"]] * 2
+    assert all(row[4].endswith("an integrator") for row in rows[:2])
+    assert rows[2][0] == "0"
+    assert rows[2][3] == "0.0000"
+    page = free.linearize().page(tmp_path / "linear.html").read_text(encoding="utf-8")
+    assert 'scope="row" class="number">0<' in page

@@ -48,6 +48,17 @@ def test_a_rotor_stops_after_its_momentum_over_the_torque(method: str) -> None:
     assert data.works["friction"][-1] == pytest.approx(INERTIA * 9.0 / 2, rel=1e-9)
 
 
+@pytest.mark.parametrize("method", ["auto", "extrapolation"])
+def test_a_brake_that_stops_at_once_is_no_divergence(method: str) -> None:
+    """1e9 N m: within 6 ns, of which the step that comes next would go to -2e8 rad/s without an estimated error."""
+    data = simulate_motion(rotor({"torque": 1e9, "engage_at": 0.3, "engage_delay": 0.1001}, initial=MOVING,
+                                 method=method))  # fmt: skip
+    assert data.status == "finished"
+    assert data.q[-1, 0] == pytest.approx(3.0 * 0.4001, abs=1e-7)
+    assert not data.v[-1].any()
+    assert data.works["friction"][-1] == pytest.approx(INERTIA * 9.0 / 2, rel=1e-3)
+
+
 def test_it_holds_what_is_below_its_torque_and_slips_above() -> None:
     """A load of 5 N m: held by 8 N m until the release has its delay, driven through 4 N m from the start."""
     held = simulate_motion(rotor({"torque": TORQUE, "engaged_until": 0.7, "release_delay": 0.1}, effort=5.0))

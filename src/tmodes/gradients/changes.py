@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.analysis.rigid import nominal_of
+from tmodes.analysis.statics.equilibrium import Equilibrium
 from tmodes.equations.loop.outputs import Output
 from tmodes.errors import InputError, InputErrors
 from tmodes.gradients.lowering import Lowered, rows_of
@@ -27,7 +28,7 @@ from tmodes.kinds.signals.schedule import SAME, on_knots, shifted
 from tmodes.model.derivatives import differentiated
 from tmodes.model.parameters import Structural
 from tmodes.sheet import Robot
-from tmodes.simulation.balance import Balance, frozen
+from tmodes.simulation.balance import Balance, command_places, frozen, resting, samplings
 from tmodes.simulation.control import designs
 from tmodes.simulation.initial_state import closed_balance, held_at_start
 from tmodes.simulation.loop import Blocks, LoopModel
@@ -260,20 +261,26 @@ class _Changes:
 
     def _start(self, of: Derivatives, parameters: Array, rows: Array) -> Array:
         """Of the first state: as it is given, and else of the equilibrium in which the run starts."""
+        setup = self.here.setup
+        still = frozen(self.here.model, np.stack([setup.first_row, rows[0]]))
+        start = self._resting(setup.rest, of, parameters, still) if setup.rest else of("start").copy()
+        closed = setup.off is None and closed_balance(setup) is not None
+        return self._begun(start, still, parameters, closed=closed)
+
+    def _resting(self, rest: Equilibrium, of: Derivatives, parameters: Array, still: Array) -> Array:
+        """Of a first state at ``rest``, but for the outputs that are held."""
         here, setup, start = self.here, self.here.setup, of("start").copy()
-        if setup.rest is None:
-            return start
         q = here.model.layout.q
         free, closed = np.isnan(self._value("start")[q]), None if setup.off else closed_balance(setup)
         along = start.copy()
         along[q][self._driven] = np.where(free[self._driven], of("held"), start[q][self._driven])
         if closed:
-            still = frozen(here.model, np.stack([setup.first_row, rows[0]]))
             states = closed.at_rest(np.stack([here.start, along]))
             found = _moved_rest(closed, (here.parameters, parameters), still, states)
-            start = self._held(closed, found, start, still, parameters)
+            (own, run), unknown = closed.places, closed.unknown
+            start[run[np.isin(own, unknown)]] = found[own[np.isin(own, unknown)]]
         else:
-            balance, rest = Balance(self._standing), setup.rest
+            balance = Balance(self._standing)
             places = [setup.mechanics.coordinates.index(name) for name in self._standing.coordinates]
             own = [here.model.coordinates.index(name) for name in self._standing.coordinates]
             states = np.zeros((2, self._standing.layout.size))
@@ -284,17 +291,30 @@ class _Changes:
         start[q] = np.where(free, found[: len(free)], start[q])
         return start
 
-    def _held(self, closed: Balance, found: Array, start: Array, rows: Array, parameters: Array) -> Array:
-        """The derivative of the first state where that of the equations of rest is ``found``: with held commands."""
-        (own, run), here = closed.places, self.here
-        moved, known = start.copy(), np.isin(own, closed.unknown)
-        moved[run[known]] = found[own[known]]
-        for step, row in closed.samplings(rows):
+    def _begun(self, moved: Array, rows: Array, parameters: Array, *, closed: bool) -> Array:
+        """Of the first state, with the outputs that are held: see :func:`tmodes.simulation.balance.begun`.
+
+        ``closed``: it is an equilibrium of the closed loop.
+        """
+        here, model = self.here, self.here.model
+        held = model.layout.controls.start + np.flatnonzero(model.plan.held_controls)
+        for step, row in samplings(model, rows):
             blocks = {"time": np.zeros((1, 1)), "state": here.start[None], "row": row[:1], "step": np.zeros((1, 1))}
-            along = {"state": moved[None], "row": row[1:]}
+            along, moved = {"state": moved[None], "row": row[1:]}, moved.copy()
             after = differentiated(step, ["state"]).along(here.parameters, blocks, along, change=parameters)["state"][0]
-            after[run] = moved[run]
-            moved = after
+            moved[held] = after[held]
+        if closed or not model.loop.held_commands:
+            return moved
+        for _, places in model.loop.held_commands:
+            moved[[*places]] = 0.0
+        (where, which), begin = command_places(model), resting(model, here.start[None])
+        blocks = {"time": np.zeros((1, 1)), "state": begin, "row": rows[:1], "step": np.zeros((1, 1))}
+        along = {"state": resting(model, moved[None]), "row": rows[1:]}
+        left = differentiated(model.loop.rate, ["rate"]).along(here.parameters, blocks, along, change=parameters)
+        slopes = model.slopes(0.0, begin, rows[:1], here.parameters, which)[0][where]
+        efforts = -(np.linalg.pinv(slopes) @ left["rate"][0][where])
+        for value, (_, places) in zip(efforts, model.loop.held_commands, strict=True):
+            moved[[*places]] = value
         return moved
 
     @cached_property

@@ -71,6 +71,7 @@ def linearize(
     2.738
     """
     from tmodes.analysis.statics.at_rest import robot_rest
+    from tmodes.simulation.control import designs
     from tmodes.simulation.drive_loops import drive_loops
     from tmodes.simulation.linear import all_inputs, closed_loop, delayed, driven, open_loop, without_held
 
@@ -115,8 +116,9 @@ def linearize(
         same = {"at": at, "time": time, "inputs": inputs, "outputs": outputs, "closed": closed, "loop": loop}
         family.append(linearize(one, **same, period=period, delay=delay, contact=contact).system)
     found = LinearModel(
-        robot.name, where, rest.model.coordinates, rest.q, *matrices, made, closed, tuple(family), opened=loops
-    )
+        robot.name, where, rest.model.coordinates, rest.q, *matrices, made, closed, tuple(family), opened=loops,
+        e_max={name: block.robustness for name, block in designs(robot).items() if block.robustness} if closed else {},
+    )  # fmt: skip
     if loop is not None:
         return replace(found.loop(loop), family=tuple(family))
     if inputs is not None or outputs is not None or closed or period is not None or time is not None:

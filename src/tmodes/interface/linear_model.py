@@ -60,6 +60,8 @@ class LinearModel(Linearization):
     reduction: str = ""
     """How it has fewer states, and this error, in words."""
     opened: Callable[[], Mapping[str, StateSpace]] = field(default=dict, repr=False)
+    e_max: Mapping[str, float] = field(default_factory=dict, repr=False)
+    """Of a closed one by the laws of `loop_shaping`: largest change of their weighted loop that they bear, 0 to 1."""
 
     @cached_property
     def system(self) -> StateSpace:
@@ -88,7 +90,7 @@ class LinearModel(Linearization):
         return self.loops[name]
 
     def _opened(self, system: StateSpace) -> LinearModel:
-        return replace(self, made=lambda: system, closed=False, family=(), opened=dict)
+        return replace(self, made=lambda: system, closed=False, family=(), opened=dict, e_max={})
 
     @property
     def A(self) -> Array:
@@ -351,6 +353,7 @@ class LinearModel(Linearization):
             "closed": self.closed,
             "poles": pairs,
             "loops": loops,
+            "e_max": dict(self.e_max),
             "reduction": self.reduction,
             "error": self.error,
         } | lost
@@ -367,6 +370,8 @@ class LinearModel(Linearization):
         yield from words.lost_modes(self)
         if self.loops:
             yield Table("loops, each opened at the command of its drive", words.LOOPS, words.loop_rows(self))
+        for law, most in self.e_max.items():
+            yield f"Law {law}: e_max = {most:.3g}, the change of its weighted loop's coprime factors that it bears."
         if len(s.inputs) * len(s.outputs) <= _MOST_PAIRS:
             yield Table("zeros", words.ZEROS, list(words.zero_rows(self)))
         yield Table("inputs", ["name", "value there"], [[n, f"{v:.5g}"] for n, v in zip(s.inputs, s.u0, strict=True)])

@@ -21,6 +21,9 @@ LOOPS = ("drive", "gain [dB]", "at [Hz]", "phase [deg]", "at [Hz]", "delay [ms]"
 _NULL, _ROUNDING = 1e-9, 1e-9
 """Growth that is none; size of a pole, over the largest, that is 0."""
 
+_TWICE = 2e-8
+"""Size of a pair of poles, over the largest, that are two integrators: rounding parts these by its root."""
+
 _GONE = 1e-6
 """Size of a pole in the z plane whose motion is over at the next sample: poles of delays and of very fast motions."""
 
@@ -51,16 +54,29 @@ def heading(found: Any) -> str:
 
 
 def _rates(found: Any) -> list[tuple[complex, str]]:
-    """Poles as rates [1/s], one of each pair, with the state that takes part most; without those at z = 0 of delays."""
+    """Poles as rates [1/s], one of each pair, with the state that takes part most; without those at z = 0 of delays.
+
+    Integrators are at 0.
+    """
     with np.errstate(divide="ignore", invalid="ignore"):
         every = [(np.log(one.pole) / found.period if found.period else one.pole, one.state) for one in found.modes]
-    return [(complex(rate), state) for rate, state in every if np.isfinite(rate) and rate.imag >= 0]
+    rates = [(complex(rate), state) for rate, state in every if np.isfinite(rate)]
+    most = max((abs(rate) for rate, _ in rates), default=0.0)
+    least = [(_TWICE if rate.imag else _ROUNDING) * most for rate, _ in rates]
+    every = [(0j if abs(rate) <= size else rate, state) for (rate, state), size in zip(rates, least, strict=True)]
+    return [(rate, state) for rate, state in every if rate.imag >= 0]
 
 
 def pole_rows(found: Any) -> list[list[str]]:
     """A row for each real pole and each pair, the slowest first."""
-    return [[f"{rate.real:.5g}", f"{rate.imag:.5g}", f"{abs(rate) / (2 * pi):.5g}",
-             f"{-rate.real / abs(rate):.4f}" if rate else "-", state] for rate, state in _rates(found)]  # fmt: skip
+    rows = []
+    for rate, state in _rates(found):
+        size, real = abs(rate), 0.0 if abs(rate.real) <= _NULL * abs(rate) else rate.real
+        shown = [f"{one:.5g}" for one in (real, rate.imag, size / (2 * pi))]
+        rows.append(
+            [*shown, f"{-real / size + 0.0:.4f}" if size else "-", state if size else f"{state}, an integrator"]
+        )
+    return rows
 
 
 def loop_rows(found: Any) -> list[list[str]]:

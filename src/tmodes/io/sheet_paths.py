@@ -200,7 +200,9 @@ def _step(value: Any, words: list[str], place: ChainPlace | None) -> tuple[Step,
     kinds = get_args(chosen(place, value)) if place is not None and place.unit is not None else ()
     if kinds and get_origin(kinds[-1]) is not dict:
         return ".".join(words), len(words)  # an entry of `real`, or of the initial state
-    return words[0], 1
+    there = value if isinstance(value, Mapping) else {}  # such as the references of `shoulder.motor`
+    count = next((count for count in range(len(words), 1, -1) if ".".join(words[:count]) in there), 1)
+    return ".".join(words[:count]), count
 
 
 def _unknown(

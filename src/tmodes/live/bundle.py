@@ -219,6 +219,10 @@ def _run(setup: RunSetup) -> dict[str, Any]:
         "commands": [[one.plan.joint, one.plan.signal] for one in drivers if one.plan.joint in motion],
         "signals": len(setup.planned.each),
         "balance": _balance(setup),
+        "held": [layout.controls.start + k for k, held in enumerate(plan.held_controls) if held],
+        "sampledCommands": setup.model.loop.held_commands,
+        "samples": plan.first_samples if plan.first_samples > 1 else 0,
+        "late": [late for _, late in plan.clocks if late >= 0],
         "moving": [k for k in range(len(setup.planned.each)) if k not in plan.aside],
         "noise": setup.planned.noises,
         "clocks": [[k, one.period, one.after] for k, one in setup.planned.clocks],
@@ -229,8 +233,7 @@ def _run(setup: RunSetup) -> dict[str, Any]:
 def _balance(setup: RunSetup) -> dict[str, Any] | None:
     """By which function of a run, and of which numbers of the state, its start in balance is found; None for no other.
 
-    ``places``: pairs of where the states of that function and those of the run hold the same. ``samples``: after how
-    many in that balance all late outputs are those of it, given at once, which the signals ``late`` say.
+    ``places``: pairs of where the states of that function and those of the run hold the same.
     """
     balance = closed_balance(setup)
     if balance is None or (setup.off and uncontrolled(setup.model)):
@@ -246,8 +249,6 @@ def _balance(setup: RunSetup) -> dict[str, Any] | None:
         "equations": balance.equations[counts].tolist(),
         "weighs": tangent.weighs[counts],
         "noise": setup.planned.noises,
-        "samples": kept + 1 if (kept := setup.planned.plan.most_kept) else 0,
-        "late": [late for _, late in setup.planned.plan.clocks if late >= 0],
     }
 
 

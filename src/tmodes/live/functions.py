@@ -98,8 +98,8 @@ def live_module(functions: ModelFunctions, methods: Sequence[str], *, slopes: bo
     """All functions of a robot; ``slopes``: ``rest.rate`` gives its derivatives too, half as much code again.
 
     Loops: ``reference.METHOD`` (where there is a nominal run) and ``real.METHOD``. Samples: ``observe`` and ``rate``
-    of both as of :class:`tmodes.simulation.loop.LoopModel`, ``switched`` where something sticks, ``sampled`` where a
-    sampled output is late, ``settles`` where the rates at rest
+    of both as of :class:`tmodes.simulation.loop.LoopModel`, ``switched`` where something sticks, ``sampled`` where
+    outputs are held before the first sample, ``settles`` where the rates at rest
     (:attr:`tmodes.equations.loop.plan.LoopPlan.settles`) are others; ``rest.rate``, whose accelerations vanish at
     rest, where ``held`` coordinates stand by themselves; ``inertia``, ``elastic`` as of
     :class:`tmodes.model.passes.ChainPasses`; for a page, whose ``observe`` gives what it shows alone, ``points`` of
@@ -119,7 +119,8 @@ def live_module(functions: ModelFunctions, methods: Sequence[str], *, slopes: bo
         sizes = {"size": loop.layout.size, "row": loop.plan.row_size, "parameters": loop.rate.parameters}
         for method in methods:
             made.loop(f"{name}.{method}", _loop(f"{name}.{method}", loop, method), **sizes)
-        for label in ("observe", "rate", *("switched",) * bool(loop.modes), *("sampled",) * bool(loop.plan.most_kept)):
+        labels = (*("switched",) * bool(loop.modes), *("sampled",) * (loop.plan.first_samples > 1))
+        for label in ("observe", "rate", *labels):
             schedule = getattr(loop, label)
             if label == "observe" and functions.lines:
                 more = ("controls",) if name == "real" and loop.plan.is_sampled else ()  # as they are after samples

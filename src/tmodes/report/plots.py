@@ -136,7 +136,7 @@ def _part(part: str | Table, links: Mapping[str, str]) -> Markup:
     if isinstance(part, str):
         return tag("p", part)
     rows = [[tag("a", row[0], href=links[row[0]]) if row[0] in links else row[0], *row[1:]] for row in part.rows]
-    numeric = [k for k in range(1, len(part.columns)) if all(_is_number(row[k]) for row in part.rows)]
+    numeric = [k for k in range(len(part.columns)) if all(_is_number(row[k]) for row in part.rows)]
     return table(part.title or ", ".join(part.columns), part.columns, rows, numeric)
 
 

@@ -103,9 +103,22 @@ def control_issues(robot: Any) -> Iterator[Issue]:
         network(robot)
     except CycleError as error:
         ring = " -> ".join(reversed(error.args[1]))
-        hint = "let one of them be sampled and read its value through a sensor, or remove a wire"
-        yield Issue("control", f"the ring {ring}", "blocks that do not read each other in a ring", hint)
+        expected = "blocks that do not read each other in a ring: at each instant, a sample too, each needs the other's"
+        hint = "remove a wire, or write the blocks as one of your own that remembers what it gave (docs/adding.md)"
+        yield Issue("control", f"the ring {ring}", expected, hint)
     yield from _commands(robot)
+    yield from _links(robot)
+
+
+def _links(robot: Any) -> Iterator[Issue]:
+    """Sensors of strains and inner forces are on links that bend."""
+    bend = {link.name: link.beam is not None for link in robot.links}
+    known = f"a link with a beam: {', '.join(name for name, beam in bend.items() if beam) or 'none'}"
+    for index, sensor in enumerate(robot.sensors):
+        name = getattr(sensor, "link", None)
+        if name is not None and not bend.get(name):
+            got = f"`{name}`, which is rigid" if name in bend else f"the unknown link `{name}`"
+            yield Issue(f"sensors.{index}.link", got, known, "give the link a `beam`, or name another one")
 
 
 def _commands(robot: Any) -> Iterator[Issue]:

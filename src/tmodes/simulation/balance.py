@@ -16,12 +16,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from tmodes.analysis.modes.closed_loop import settled
 from tmodes.analysis.statics.path import STRAY
 from tmodes.analysis.statics.system import ROUNDING, SETTLED
 from tmodes.model.passes import evaluate
 from tmodes.simulation.loop import LoopModel
 
-__all__ = ["LITTLE", "STANDS", "Balance", "BalanceSlope", "Search", "frozen", "rounding"]
+__all__ = ["LITTLE", "STANDS", "Balance", "BalanceSlope", "Search", "begun", "frozen", "rounding", "samplings"]
 
 Array = NDArray[np.float64]
 Places = NDArray[np.intp]
@@ -56,6 +57,57 @@ def frozen(model: LoopModel, rows: Array, but: Container[int] = ()) -> Array:
     signals[..., [k for k in range(model.plan.signals) if k not in but], 1:] = 0.0
     signals[..., [drive.noise for drive in model.plan.drives if drive.noise >= 0], :] = 0.0
     return still
+
+
+def samplings(model: LoopModel, rows: Array) -> Iterator[tuple[Any, Array]]:
+    """The samples, and their rows (k, row), after which all outputs that are held are those of these rows."""
+    plan, rows = model.plan, rows.copy()
+    width = plan.degree + 1
+    for late in (late for _, late in plan.clocks if late >= 0):
+        rows[:, 1 + late * width : 1 + (late + 1) * width] = 0.0  # an output is given with its sample
+    for _ in range(plan.first_samples):
+        yield model.loop.sampled, rows
+
+
+def begun(model: LoopModel, states: Array, rows: Array, numbers: Array, *, holds: bool = True) -> Array:
+    """States (k, size) with the outputs that are held before the first sample, delayed ones among them.
+
+    Those of the start: as if robot and signals, ``rows`` (k, row) of :func:`frozen`, had always stood so. A command is
+    that which holds the robot where it starts (``holds``), or that of the law. Own states of controllers stay.
+    """
+    outputs, count = model.layout.controls.start + np.flatnonzero(model.plan.held_controls), len(states)
+    for sampled, row in samplings(model, rows):
+        blocks = {"time": np.zeros((count, 1)), "state": states, "row": row, "step": np.zeros((count, 1))}
+        states = states.copy()
+        states[:, outputs] = evaluate(numbers, sampled, blocks, count)["state"][:, outputs]
+    commands = model.loop.held_commands
+    if not (holds and commands):
+        return states
+    for _, places in commands:
+        states[:, places] = 0.0
+    still, (where, which) = resting(model, states), command_places(model)
+    slopes = model.slopes(0.0, still, rows, numbers, which)[:, where]
+    left = model.rate(np.zeros(count), still, rows, numbers)[:, where]
+    known = np.isfinite(slopes).all(axis=(1, 2)) & np.isfinite(left).all(axis=1)
+    efforts = np.zeros(left.shape)
+    efforts[known] = -(np.linalg.pinv(slopes[known]) @ left[known][..., None])[..., 0]
+    for k, (_, places) in enumerate(commands):
+        states[:, places] = efforts[:, [k]]
+    return states
+
+
+def resting(model: LoopModel, states: Array) -> Array:
+    """The same states (k, size) without rates."""
+    still = states.copy()
+    still[:, model.layout.v] = 0.0
+    return still
+
+
+def command_places(model: LoopModel) -> tuple[Places, Places]:
+    """Where the rate has the accelerations of what sampled commands move, and the state those in force."""
+    first = model.layout.v.start
+    found = [(first + moved, places[0]) for moved, places in model.loop.held_commands]
+    return np.array([one for one, _ in found], dtype=np.intp), np.array([one for _, one in found], dtype=np.intp)
 
 
 def _reach(q: Array) -> float:
@@ -131,24 +183,11 @@ class Balance:
         return np.concatenate(blocks), np.concatenate(run)
 
     def outside(self, found: Array, states: Array, rows: Array, numbers: Array) -> Array:
-        """States of the run with what was found, (k, size): commands that are held between samples included."""
+        """States of the run with what was found, (k, size): outputs that are held between samples included."""
         own, run = self.places
-        states, count = states.copy(), len(states)
+        states = states.copy()
         states[:, run] = found[:, own]
-        for sampled, row in self.samplings(rows):
-            blocks = {"time": np.zeros((count, 1)), "state": states, "row": row, "step": np.zeros((count, 1))}
-            states = evaluate(numbers, sampled, blocks, count)["state"]
-            states[:, run] = found[:, own]
-        return states
-
-    def samplings(self, rows: Array) -> Iterator[tuple[Any, Array]]:
-        """The samples, and their rows (k, row), after which all outputs that are held are those of a rest."""
-        sampled, plan, rows = self.model.loop.sampled, self.model.plan, rows.copy()
-        width = plan.degree + 1
-        for late in (late for _, late in plan.clocks if late >= 0):
-            rows[:, 1 + late * width : 1 + (late + 1) * width] = 0.0  # an output is given with its sample
-        for _ in range(plan.most_kept + 1 if sampled else 0):  # until the last of those that are kept is this one
-            yield sampled, rows
+        return begun(self.model, states, rows, numbers, holds=False)
 
     @cached_property
     def _own(self) -> Places:
@@ -247,23 +286,31 @@ class Search:
             there = self._newton(self.end, (1.0 - share - length) * first, tangent.counts)
             if there is not None:
                 self.end, share, length = there, share + length, 2 * length
-            elif length == 1.0 and (settled := self._settled(tangent)) is not None:
-                self.end, length = settled, float(np.nextafter(1.0, 0.0))  # once
-                first, tangent = self._rates(settled), self._tangent(settled)
+            elif length == 1.0 and (near := self._settled()) is not None:
+                self.end, length = near, float(np.nextafter(1.0, 0.0))  # once
+                first, tangent = self._rates(near), self._tangent(near)
             elif (length := length / 2) < _SHORTEST:
                 self.failed = True
                 return
         after = self._tangent(self.end) if self.moved else tangent
         self.failed = self._left(self._rates(self.end), after)
 
-    def _settled(self, tangent: BalanceSlope) -> Array | None:
+    def _settled(self) -> Array | None:
         """The first state with controllers that have settled to it.
 
         An estimator that begins far off gives commands beyond their limits, from which no slope leads back.
         """
-        own = slice(len(self.balance.coordinates), None)
-        state = self.first.copy()
-        state[self.balance.unknown[own]] -= pseudo_inverse(tangent.slopes[own, own]) @ self._rates(state)[own]
+        own, state = slice(len(self.balance.coordinates), None), self.first.copy()
+        places = self.balance.unknown[own]
+
+        def put(values: Array) -> Array:
+            state[places] = values
+            return state
+
+        put(settled(
+            self.first[places], lambda values: self._rates(put(values))[own],
+            lambda values: self._tangent(put(values)).slopes[own, own],
+        ))  # fmt: skip
         return state if np.isfinite(state).all() else None
 
     def _rates(self, state: Array) -> Array:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from math import floor
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -128,20 +129,22 @@ def control_plan(robot: Robot, plan: LoopPlan, signals: Any) -> tuple[tuple[Bloc
         for name in node.block.reads:
             if name not in given:
                 sources.add(name, node)
-    blocks = [_block(robot, plan, node, signals) for node in nodes]
+    blocks = [_block(robot, plan, node, signals, brought) for node in nodes]
     _refuse_late(everywhere, [*(block.law for block in blocks), *at_drives.values()], sources.found)
     return tuple(blocks), sources.found
 
 
-def _block(robot: Robot, plan: LoopPlan, node: Node, signals: Any) -> BlockPlan:
+def _block(robot: Robot, plan: LoopPlan, node: Node, signals: Any, given: Mapping[str, Any]) -> BlockPlan:
+    """A block of the plan; ``given``: signals over time that blocks bring, by name."""
     sheet, block = node.sheet, node.block
     sampling = Sampling.of(block, *((sheet.sample_time, sheet.delay) if sheet else (None, 0.0)))
     own = next((drive for drive in plan.drives if drive.joint == node.joint), None)
     limited = bool(own and own.servo and own.servo.limit)
+    fed = bool(own and own.servo and own.servo.fed) or any(f"{name}.feed_forward" in given for name in node.signals)
     model = rigid_model(robot, tuple(drive.joint for drive in plan.drives)) if block.needs_model else None
     law = Law(
         block, bool(own), outputs=len(node.ports), limited=limited, timed=sampling.timed, delay=sampling.delay,
-        model=model, fed=bool(own and own.servo and own.servo.fed),
+        model=model, fed=fed,
     )  # fmt: skip
     clocks = sampling.clocks(signals, robot.integration.output_step, node.path)
     return BlockPlan(node.name, law, node.ports, law.numbers(sampling.period), node.joint, *clocks, node.drives)
@@ -170,7 +173,7 @@ def _designed(robot: Robot, node: Node) -> Node:
                 raise
             path = f"{node.place}.block.{'measured' if error.which == 'outputs' else error.which}"
             raise InputError(path, error.got, error.expected, error.hint, error.where) from error
-    return node._replace(block=found[node.name])
+    return node._replace(block=found[node.name].following(node.block))
 
 
 def _refuse_late(nodes: list[Node], laws: list[Law], sources: dict[str, Any]) -> None:

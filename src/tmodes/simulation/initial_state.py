@@ -22,7 +22,7 @@ from tmodes.kinds.signals.schedule import SignalPieces
 from tmodes.model.model import Model
 from tmodes.sheet import Robot
 from tmodes.sheet.parts import InitialState
-from tmodes.simulation.balance import Balance
+from tmodes.simulation.balance import Balance, begun, frozen
 from tmodes.simulation.closed_start import Imbalance, balanced, closes
 from tmodes.simulation.loop import LoopModel
 from tmodes.simulation.parts import Journal, Trajectory
@@ -139,6 +139,7 @@ def run_setup(
         rest = _same_rest(like, mechanics, held) or robot_rest(robot, model=mechanics, held=held)
     row = plan.schedule.rows_at(np.zeros(1))
     first = first_state(robot, plan, model, rest)
+    first = begun(model, first[None], frozen(model, row), model.numbers)[0]
     placed = model.settled(first, row)
     moved, off = (None, None) if rest is None else balanced(robot, model, mechanics, first, placed, row[0])
     start = placed if moved is None else model.settled(moved, row)

@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.analysis.modes.closed_loop import Feedback, common_period
+from tmodes.analysis.modes.closed_loop import Feedback, common_period, settled
 from tmodes.analysis.modes.modes import smooth_matrices, without_dry_friction
 from tmodes.analysis.rigid import nominal_of
 from tmodes.analysis.statics.at_rest import robot_rest
@@ -29,6 +29,7 @@ from tmodes.kinds.noted.number import follow_no
 from tmodes.kinds.signals.registry import constant_signal
 from tmodes.model.passes import derivatives, evaluate
 from tmodes.sheet.parts import Command, DriveSheet, LoadFrame, LoadSheet
+from tmodes.simulation.balance import Balance, frozen
 from tmodes.simulation.initial_state import RunSetup, run_setup, run_trajectory
 from tmodes.simulation.loop import LoopModel
 from tmodes.simulation.plan import Planned, initial_value, loose_drive, planned
@@ -114,6 +115,25 @@ class Instant:
     def rates(self) -> Array:
         """What the states change by."""
         return self.model.rate([self.row[0]], self.state, self.row)[0][self.kept]
+
+    def settle(self) -> None:
+        """Let currents and own states of controllers settle to the coordinates and the setpoints that there are.
+
+        An integral that nothing settles stays: in what is linear in it, its size is no matter.
+        """
+        balance, row = Balance(self.model), frozen(self.model, self.row[None])
+        own, loop = balance.unknown[len(balance.coordinates) :], balance.loop
+        found = balance.at_rest(self.state[None])
+
+        def put(values: Array) -> Array:
+            found[0, own] = values
+            return found
+
+        put(settled(
+            found[0, own].copy(), lambda values: loop.rate([0.0], put(values), row)[0, own],
+            lambda values: loop.slopes(0.0, put(values), row, None, own)[0, own],
+        ))  # fmt: skip
+        self.state = balance.outside(found, self.state[None], row, self.model.numbers)[0]
 
     def sample(self, row: Array) -> None:
         """Go on to the state after the samples of a row: a rate that is a difference needs a position to remember."""
@@ -317,13 +337,16 @@ def run_feedback(robot: Robot, rest: Equilibrium) -> Feedback:
     setup = run_setup(bare, chain=without_dry_friction(robot.undriven.chain()))
     names, layout, width = setup.model.coordinates, setup.model.layout, setup.planned.plan.degree + 1
     state, row = setup.start.copy(), setup.first_row.copy()
-    if rest.rates is None and not (setup.rest and np.allclose(setup.rest.q, rest.q, rtol=0.0, atol=_SAME_REST)):
+    moved = rest.rates is None and not (setup.rest and np.allclose(setup.rest.q, rest.q, rtol=0.0, atol=_SAME_REST))
+    if moved:
         state[layout.q], state[layout.v] = [rest.named[name] for name in names], 0.0
         motions = {drive.joint for drive in robot.drives if drive.command.is_motion}
         for driver in (one for one in setup.model.loop.drivers if one.plan.joint in motions):
             place = 1 + driver.plan.signal * width
             row[place : place + width] = [state[layout.q][driver.coordinate], *[0.0] * (width - 1)]
     at, n = Instant(setup.planned, state, row, ()), len(names)
+    if moved:
+        at.settle()
     A, _ = (one[at.kept] for one in at.slopes(at.model.loop.rate, "rate", np.zeros(0)))
     own = [names.index(name) for name in rest.model.coordinates]
     order = [*own, *(n + k for k in own), *range(2 * n, len(A))]

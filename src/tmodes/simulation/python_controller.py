@@ -17,6 +17,7 @@ from numpy.typing import ArrayLike, NDArray
 from tmodes.equations.loop.control_kernels import WINDING, Servo
 from tmodes.errors import SimulationError, error_words
 from tmodes.integrate.settings import Integration
+from tmodes.simulation.balance import begun, frozen
 from tmodes.simulation.initial_state import RunSetup
 from tmodes.simulation.loop import LoopModel
 from tmodes.simulation.native_run import BOUND
@@ -99,6 +100,8 @@ def driven_by(setup: RunSetup, *, volts: bool = False) -> RunSetup:
     model = LoopModel(own)
     start = np.zeros(model.layout.size)
     start[: 2 * len(model.coordinates)] = setup.held[: 2 * len(model.coordinates)]
+    start[model.layout.controls] = own.controls
+    start = begun(model, start[None], frozen(model, setup.first_row[None]), model.numbers)[0]
     start = model.settled(start, setup.first_row)
     return replace(setup, planned=replace(setup.planned, plan=own), model=model, start=start, callback=True)
 

@@ -12,6 +12,8 @@ from pydantic import Field
 import tmodes
 from tmodes.analysis.follow import Arm
 from tmodes.errors import InputError
+from tmodes.kinds.signals.registry import Signal
+from tmodes.kinds.signals.s_curve import SCurve
 from tmodes.kinds.timings.registry import TIMINGS, JointCourse, Timing
 
 ARM = tmodes.load("two_link_arm")
@@ -102,6 +104,25 @@ def test_bounded_jerk_on_a_curve_reaches_one_limit_and_passes_none() -> None:
     shares = [np.abs(path.rates) / [1.0, 6.28], np.abs(path.accelerations[:, 0]) / 3.0, np.abs(efforts) / [45.0, 54.0],
               np.abs(jerks[np.diff(path.times) > 0]) / [20.0, 40.0]]  # fmt: skip
     assert 0.9 < max(float(one.max()) for one in shares) < 1.001
+    assert path.times[-1] < 0.78  # 0.906 s where all of an S-curve is slowed
+
+
+@pytest.mark.parametrize(("speed", "jerk", "effort"), [(1.2, 30.0, 3.0), (0.9, 10.0, 3.0), (2.0, 30.0, 8.0)])
+def test_an_effort_slows_no_more_than_it_must(speed: float, jerk: float, effort: float) -> None:
+    """An inertia of 2 kg m^2: the effort is a limit of its acceleration, with which the least time is an S-curve's."""
+    ways, moment, gain = np.linspace(0.0, 1.5, 20), 2.0, 8.0
+    fast, quick, soft, strong = (np.array([one]) for one in (speed, gain, jerk, effort))
+    course = JointCourse(ways, ways[:, None], fast, quick, soft, strong, lambda q, v, a: moment * a)
+    found = Signal.of(Timing.of({"type": "jerk_limited"}).signal(course))
+    least, slowed = (
+        SCurve(type="s_curve", start=0.0, end=1.5, speed=speed, acceleration=one, jerk=jerk).length()
+        for one in (effort / moment, gain)
+    )
+    assert least <= found.length() < 1.015 * least
+    assert found.length() < 0.8 * slowed * (moment * gain / effort) ** 0.5  # as a whole
+    times = np.linspace(0.0, found.length(), 2000)[1:-1]
+    for order, most in ((1, speed), (2, effort / moment), (3, jerk)):
+        assert np.abs(found.schedule(found.length()).at(times, order)).max() <= most * 1.0001
 
 
 def test_bounded_jerk_needs_a_limit_of_jerk_and_joints_that_stand() -> None:

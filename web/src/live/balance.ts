@@ -1,6 +1,6 @@
 // How a run starts under its controllers: in the equilibrium of the closed loop at its first setpoints.
 
-import { doubles, type BalanceInfo } from "./bundle";
+import { doubles, type BalanceInfo, type RunInfo } from "./bundle";
 import type { Engine } from "./engine";
 import { solveInPlace } from "./linear";
 import type { Blocks } from "./map";
@@ -106,15 +106,47 @@ export function balanced(
     else if (step > SHORTEST) step /= 2;
     else return null;
   }
+  const found = state.slice();
+  for (const [own, place] of info.places) found[place] = here[own];
+  return found;
+}
+
+/** Set the commands that are held to those that hold the robot where it starts: accelerations are affine in them. */
+function hold(
+  engine: Engine, info: RunInfo, blocks: Blocks, run: string, row: Float64Array, state: Float64Array,
+): void {
+  const [commands, size, { v }] = [info.sampledCommands, state.length, info.state];
+  const n = commands.length;
+  for (const [, places] of commands) for (const place of places) state[place] = 0;
+  const states = new Float64Array((n + 1) * size);
+  for (let k = 0; k <= n; k += 1) {
+    states.set(state, k * size);
+    states.fill(0, k * size + v[0], k * size + v[1]);
+    if (k) states[k * size + commands[k - 1][1][0]] = 1;
+  }
+  const inputs = { time: new Float64Array(1), state: states, row, step: new Float64Array(1) };
+  const { rate } = engine.sample(`${run}.rate`, blocks.parameters, inputs, n + 1);
+  const at = (k: number, i: number) => rate[k * size + v[0] + commands[i][0]];
+  const matrix = new Float64Array(n * n);
+  for (let i = 0; i < n; i += 1) for (let j = 0; j < n; j += 1) matrix[i * n + j] = at(j + 1, i) - at(0, i);
+  const efforts = Float64Array.from(commands, (_, i) => -at(0, i));
+  if (!solveInPlace(matrix, efforts)) return;
+  commands.forEach(([, places], k) => { for (const place of places) state[place] = efforts[k]; });
+}
+
+/** A first state with the outputs that are held before the first sample, as simulation/balance.py. */
+export function begun(
+  engine: Engine, info: RunInfo, blocks: Blocks, run: string, signals: Schedule, state: Float64Array, still: boolean,
+): Float64Array {
+  const [row, width] = [stillRow(signals, info.noise), signals.degree + 1];
+  for (const k of info.late) row.fill(0, 1 + k * width, 1 + (k + 1) * width);
   let found = state.slice();
-  const put = () => { for (const [own, place] of info.places) found[place] = here[own]; };
-  put();
-  const row = stillRow(signals, info.noise);
-  for (const k of info.late) row.fill(0, 1 + k * (signals.degree + 1), 1 + (k + 1) * (signals.degree + 1));
   for (let k = 0; k < info.samples; k += 1) {
     const inputs = { time: new Float64Array(1), state: found, row, step: new Float64Array(1) };
-    found = engine.sample(`${run}.sampled`, blocks.parameters, inputs, 1).state.slice();
-    put();
+    const after = engine.sample(`${run}.sampled`, blocks.parameters, inputs, 1).state;
+    found = state.slice();
+    for (const place of info.held) found[place] = after[place];
   }
+  if (info.samples && !still) hold(engine, info, blocks, run, row, found);
   return found;
 }

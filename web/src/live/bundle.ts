@@ -58,9 +58,6 @@ export interface BalanceInfo {
   weighs: Numbers;
   /** Signals that are left out: noise on what controllers see. */
   noise: number[];
-  /** Samples after which late outputs are those of the balance, and the signals that say when these are given. */
-  samples: number;
-  late: number[];
 }
 
 /** How one run of a robot starts: `reported` coordinates by its sheet, `exact` ones by signals (coordinate, signal). */
@@ -78,6 +75,12 @@ export interface RunInfo {
   signals: number;
   /** How the equilibrium of its closed loop is found, from which it starts; null where its motors are held. */
   balance: BalanceInfo | null;
+  /** Where the state holds outputs, samples after which these are those of the start, the signals of late ones. */
+  held: number[];
+  /** Of each drive under sampled commands the coordinate that it moves, and where the state holds them. */
+  sampledCommands: [number, number[]][];
+  samples: number;
+  late: number[];
   /** Those of the signals that move the robot; `noise` and `clocks` (signal, period, shift) of samples move nothing. */
   moving: number[];
   noise: number[];

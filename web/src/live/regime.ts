@@ -1,6 +1,6 @@
 // One robot in motion, the nominal (reference) or the actual one: its numbers, its signals and its run.
 
-import { balanced } from "./balance";
+import { balanced, begun } from "./balance";
 import { firstState } from "./rest";
 import { doubles, type Bundle, type RunInfo } from "./bundle";
 import type { Engine } from "./engine";
@@ -61,8 +61,9 @@ export async function moved(
   const schedule = signals.merged(each.map((one) => signals.until(one, settings.duration)));
   if (!each.length) schedule.knots[1] = settings.duration;
   const held = firstState(engine, bundle, values, name, blocks);
-  const begun = balanced(engine, info.balance, blocks, name, schedule, held);
-  const state = settled(engine, bundle, name, blocks, schedule, begun ?? held);
+  const still = balanced(engine, info.balance, blocks, name, schedule, held);
+  const first = begun(engine, info, blocks, name, schedule, still ?? held, !!(info.balance && still));
+  const state = settled(engine, bundle, name, blocks, schedule, first);
   const run = await runFrom(engine, bundle, { name, blocks, schedule }, state, watch);
-  return { name, info, blocks, each, schedule, run, off: !begun };
+  return { name, info, blocks, each, schedule, run, off: !still };
 }

@@ -7,7 +7,7 @@ B. Wittenmark, Computer-Controlled Systems, 3rd ed., chapter 2).
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
@@ -27,12 +27,12 @@ from tmodes.errors import SimulationError
 from tmodes.kinds.controllers.registry import Controller
 from tmodes.kinds.kernel.schedule import Numbers, Schedule
 from tmodes.model.model import Model
-from tmodes.model.passes import derivatives
+from tmodes.model.passes import derivatives, evaluate
 from tmodes.sheet import Robot
 
 __all__ = [
     "Feedback", "Servos", "closed_loop_motions", "common_period", "feedback_of", "is_network", "sample_pattern",
-    "servos_together",
+    "servos_together", "settled",
 ]  # fmt: skip
 
 Array = NDArray[np.float64]
@@ -43,6 +43,12 @@ MOST_SAMPLES = 10_000
 
 _NO_SIZE = 1e-13
 """Singular value over the largest one that is rounding."""
+
+_SETTLED = 1e-9
+"""Largest rate of a controller that has settled, as a share of that at first."""
+
+_SETTLES = 3
+"""Steps after which controllers have settled: what is limited no more is linear."""
 
 _GONE = 1e-8
 """An eigenvalue of the sampled system below this is a state that each sample overwrites, no motion."""
@@ -139,6 +145,23 @@ def _lasting(product: Array) -> tuple[Array, Array]:
             break
         product, basis = kept.T @ product @ kept, basis @ kept
     return basis, product
+
+
+def settled(first: Array, rates: Callable[[Array], Array], slopes: Callable[[Array], Array]) -> Array:
+    """States (k,) of controllers whose ``rates`` vanish, with these ``slopes`` (k, k) by them.
+
+    Each that rests at its ``first`` value, too, has that: an integral, which goes to its limit while another state is
+    far off.
+    """
+    found = first
+    least = _SETTLED * float(np.abs(rates(first)).max(initial=0.0))
+    for _ in range(_SETTLES if least else 0):
+        found = found - np.linalg.pinv(slopes(found)) @ rates(found)
+        for k in range(len(first)):
+            trial = found.copy()
+            trial[k] = first[k]
+            found = trial if np.abs(rates(trial)).max() <= least else found
+    return found
 
 
 def common_period(clocks: Sequence[tuple[Fraction, Fraction]]) -> tuple[float, list[tuple[float, tuple[int, ...]]]]:
@@ -288,15 +311,33 @@ class Servos:
         schedule.output("samples", *outputs["samples"])
         return schedule
 
+    def _values(self, given: dict[str, Any]) -> dict[str, Array]:
+        """What the schedule gives."""
+        blocks = {name: np.array(values, dtype=float)[None] for name, values in given.items()}
+        return {name: one[0] for name, one in evaluate(self.numbers, self.schedule, blocks, 1).items()}
+
     def about(self, q: Array) -> Feedback:
         """Their exact slopes about coordinates (n,), by native code."""
         n, size = self.n, 2 * self.n + len(self.start)
         wanted = [value for own in self.own for value in (q[own], 0.0, 0.0)]
         given = {"q": q, "v": np.zeros(n), "further": self.start, "setpoints": wanted, "still": np.zeros(SIGNAL)}
-        blocks = {name: np.tile(np.array(values, dtype=float), (size, 1)) for name, values in given.items()}
         whole = np.eye(size)
         along = {"q": whole[:, :n], "v": whole[:, n : 2 * n], "further": whole[:, 2 * n :]}
-        found = {name: one.T for name, one in derivatives(self.numbers, self.schedule, blocks, along, size).items()}
+
+        def slopes(given: dict[str, Any]) -> dict[str, Array]:
+            blocks = {name: np.tile(np.array(values, dtype=float), (size, 1)) for name, values in given.items()}
+            found = derivatives(self.numbers, self.schedule, blocks, along, size)
+            return {name: one.T for name, one in found.items()}
+
+        def put(values: Array) -> dict[str, Any]:
+            given["further"][self.rated] = values
+            return given
+
+        given["further"] = np.array(self.start)
+        put(settled(given["further"][self.rated], lambda values: self._values(put(values))["rates"],
+                    lambda values: slopes(put(values))["rates"][:, [2 * n + row for row in self.rated]]))  # fmt: skip
+        given["further"][[row for rows in self.sampled for row in rows]] = self._values(given)["samples"]
+        found = slopes(given)
         effort, by = np.zeros((n, size)), np.zeros((len(self.start), size))
         np.add.at(effort, self.own, found["effort"])
         by[self.rated] = found["rates"]

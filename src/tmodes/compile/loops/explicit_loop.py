@@ -153,8 +153,8 @@ def _write_fixed(module: Any, name: str, lowered: ScheduleRate, guarded: int, ta
     step = next_step(loop)
     loop.evaluate(step.time, "y", names[0])
     stages(loop, tableau, step.time, step.h)
-    loop.stop_if(b.not_(loop.within_bounds("new")), Status.DIVERGED)
     gate.end(step, names[-1])
+    loop.stop_if(b.not_(loop.within_bounds("new")), Status.DIVERGED)
     with loop.due_samples(b.fadd(step.time_after, b.fmul(step.h, number(1e-9))), step.time_after) as target:
         share = b.fdiv(b.fsub(loop.sample_time(), step.time), step.h)
         with b.if_else(b.fcmp_ordered("<", share, number(1 - 1e-9))) as (between, exact):

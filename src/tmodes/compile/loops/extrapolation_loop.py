@@ -26,7 +26,7 @@ from tmodes.compile.loops.extrapolation_rows import (
 from tmodes.compile.loops.frame import MotionNorm
 from tmodes.compile.loops.gate import Gate
 from tmodes.compile.loops.step_control import ImplicitControl
-from tmodes.compile.loops.time_loop import AdaptiveStep, TimeLoop
+from tmodes.compile.loops.time_loop import AdaptiveStep, Status, TimeLoop
 
 __all__ = ["FEW", "ROWS", "DenseOutput", "write_extrapolation_loop"]
 
@@ -144,6 +144,7 @@ class _ExtrapolationWriter:
             loop.evaluate(step.time_after, "new", "slope")
             loop.add("passes", 1.0)
             self.gate.meet(step.h)
+        loop.stop_if(self.b.not_(loop.within_bounds("new")), Status.DIVERGED)
         tableau.dense.write_samples("y", "new", step.h, step.time_after)
         loop.take(step, grown)
         self.b.branch(loop.again)

@@ -40,8 +40,8 @@ def write_midpoint_loop(module: Any, name: str, lowered: ScheduleRate, guarded: 
     loop.put("h", step.h)  # where the iterations do not converge, the message names it
     _Middle(loop, pairs).solve(b.fadd(step.time, b.fmul(step.h, number(0.5))), step.h)
     _move(loop, pairs, step.h, loop.array["new"])
-    loop.stop_if(b.not_(loop.within_bounds("new")), Status.DIVERGED)
     gate.end(step, "before")
+    loop.stop_if(b.not_(loop.within_bounds("new")), Status.DIVERGED)
     until = b.fadd(step.time_after, b.fmul(step.h, number(1e-9)))
     with loop.due_samples(until, step.time_after) as target:
         _move(loop, pairs, b.fsub(loop.sample_time(), step.time), target)

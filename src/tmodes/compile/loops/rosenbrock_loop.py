@@ -18,7 +18,7 @@ from tmodes.compile.ir.rows import take_rows
 from tmodes.compile.loops.frame import MotionNorm
 from tmodes.compile.loops.gate import Gate
 from tmodes.compile.loops.step_control import ImplicitControl
-from tmodes.compile.loops.time_loop import TimeLoop
+from tmodes.compile.loops.time_loop import Status, TimeLoop
 from tmodes.errors import CompileError
 from tmodes.integrate.implicit import MOST_STATES
 
@@ -111,6 +111,7 @@ class _RosenbrockWriter:
         if self.gate.exists:
             loop.evaluate(step.time_after, "new", "low")
             self.gate.meet(step.h)
+        loop.stop_if(b.not_(loop.within_bounds("new")), Status.DIVERGED)
         with loop.due_samples(step.time_after) as target:
             self._write_sample(b.fdiv(b.fsub(loop.sample_time(), step.time), step.h), target)
         loop.take(step, grown)

@@ -151,7 +151,6 @@ class ImplicitControl:
         loop.add("done", 1.0)
         factor = self._factor(loop, error)
         loop.judge(error, step.h, lambda: factor, self.smallest, wish)
-        loop.stop_if(loop.builder.not_(loop.within_bounds("new")), Status.DIVERGED)
         loop.put("errors", loop.builder.fadd(loop.get("errors"), error))
         return self._grown(loop, step.h, factor)
 
@@ -230,8 +229,8 @@ class ExplicitMethod:
         ``error``: that of the step over its tolerance; ``write`` writes the samples.
         """
         self.control.judge(loop, step.h, error)
+        gate.meet(step.h)  # which may shorten a step that goes far beyond a change
         loop.stop_if(loop.builder.not_(loop.within_bounds("new")), Status.DIVERGED)
-        gate.meet(step.h)
         write()
         self.control.accept(loop, step, error, self.end)
         if self.stiffness:

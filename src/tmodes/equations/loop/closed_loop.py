@@ -25,7 +25,7 @@ from tmodes.kinds.kernel import vectors as v
 from tmodes.kinds.kernel.schedule import Kernel, Schedule, Slot, kernel
 from tmodes.kinds.kernel.spatial import FORCE
 
-__all__ = ["ClosedLoop", "Driver", "LeanLoop", "Powers"]
+__all__ = ["ClosedLoop", "Driver", "LeanLoop", "Powers", "gear_torque"]
 
 
 class Powers:
@@ -101,16 +101,10 @@ class Powers:
         if part.motor >= 0 or driver.kind.spring:
             self.powers["gear_damping"].append(lost.part(0, 1))
         if part.motor >= 0:
-            return forces.part(1, 1), self._gear_torque(driver, numbers, forces)
+            return forces.part(1, 1), gear_torque(self.instant, driver)
         if part.given < 0:
             return forces.part(0, 1), None
         return self.added(forces.part(0, 1), self.solution.force_along(part)), None
-
-    def _gear_torque(self, driver: Driver, numbers: Slot, forces: Slot) -> Slot:
-        """The torque in an elastic gear: the force on the motor less the motor's friction."""
-        moving = (self.way.motor(driver.part)[1], self.none[1], self.none[1], self.way.sides(driver.part))
-        motor = self._call(driver.kind.coupled_motor(), numbers, *moving)[1]
-        return self._call(_difference(), forces.part(1, 1), motor)[0]
 
     def _needed(self, k: int, driver: Driver, load: Slot) -> None:
         signal, inertia = self.instant.signals[driver.plan.signal], driver.kind_numbers.part(0, 1)
@@ -153,6 +147,15 @@ class Powers:
         (force,) = self._call(times_kernel(), inertia, self.way.base.part(0, FORCE), bias)
         moved = self.way.base.part(FORCE, 3), self.way.base.part(FORCE + 3, POSE)
         self.powers["base"] += self._call(_power_of_base(), force, *moved)
+
+
+def gear_torque(at: Instant, driver: Driver) -> Slot:
+    """The torque in an elastic gear that is coupled with no other: force on the motor less the motor's friction."""
+    way, none, part = at.way, at.none[1], driver.part
+    numbers = way.braked.get(part.angle, driver.kind_numbers)
+    forces = at.call(driver.kind.elastic(), numbers, *way.motor(part), *way.angle(part))[0]
+    motor = at.call(driver.kind.coupled_motor(), numbers, way.motor(part)[1], none, none, way.sides(part))[1]
+    return at.call(_difference(), forces.part(1, 1), motor)[0]
 
 
 @kernel("difference", (1, 1), (1,))

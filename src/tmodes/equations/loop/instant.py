@@ -107,7 +107,7 @@ class Instant(Serving):
         found = source.resting(self)
         if found is None:
             got, hint = f"`{source.name}`", "let the run begin with `initial: {state: zero}` and its coordinates"
-            expected = "accelerations, strains and moments along links, or what follows from q, v"
+            expected = "accelerations, forces of the contact, of gears and along links, or what follows from q and v"
             raise InputError("sensors", f"{got} in a control loop that starts at rest", expected, hint)
         return found
 

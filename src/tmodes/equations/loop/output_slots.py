@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from tmodes.equations.line.schedule import moved_link
-from tmodes.equations.loop.closed_loop import Powers
+from tmodes.equations.loop.closed_loop import Powers, gear_torque
 from tmodes.equations.loop.friction import contact_fold
 from tmodes.equations.loop.instant import Instant
 from tmodes.equations.recursion.forces import balance
@@ -98,8 +98,18 @@ class Seen:
         way.wrenches = dict(self.instant.dead)
         if touch := self.instant.plan.touch:
             before = way.wrenches.get(touch.point, self.parts.none[FORCE])
-            (way.wrenches[touch.point],) = self.call(_pushed(), before, self.powers.contact.part(0, 3))
+            (way.wrenches[touch.point],) = self.call(_pushed(), before, self.touched.part(0, 3))
         return way, balance(way, self.instant.pack(*self.instant.accelerations))
+
+    @cached_property
+    def touched(self) -> Slot:
+        """What is reported of the contact; of the equations of rest before the accelerations are known."""
+        touch, none = self.instant.plan.touch, self.parts.none
+        if not (self.instant.plan.at_rest and touch and self.loop.touch):
+            return self.powers.contact
+        still = self.instant.pack(self.call(_upheld(), self.gravity)[0], none[3])
+        blocks = (self.way.pose(touch.point)[0], still, self.loop.touch, self.instant.mode, none[3])
+        return self.call(touch.touch.info(), *blocks)[0]
 
     @cached_property
     def lines(self) -> dict[tuple[int, int, float], Slot]:
@@ -133,6 +143,13 @@ class Seen:
     def gear(self, drive: int) -> Slot:
         """Torque of a gear."""
         return self.powers.gear[drive]
+
+    def wound(self, drive: int) -> Slot | None:
+        """The same of the equations of rest, before the accelerations are known; None of gears that are coupled."""
+        driver = self.loop.drivers[drive]
+        if driver.part.motor in self.way.coupled_inputs():
+            return None
+        return gear_torque(self.instant, driver) if driver.part.motor >= 0 else self.parts.none[1]
 
     def control(self, column: int) -> Slot:
         """An own state of a controller."""
@@ -172,7 +189,7 @@ class Seen:
 
     def contact(self, column: int) -> Slot:
         """What is reported of the contact."""
-        return self.powers.contact.part(column, 1)
+        return self.touched.part(column, 1)
 
     def fold(self) -> Slot:
         """See :func:`tmodes.equations.loop.friction.contact_fold`."""

@@ -84,10 +84,13 @@ class Output(NamedTuple):
 
     def resting(self, instant: Instant) -> Slot | None:
         """The same where nothing moves, before the efforts are known; None for what follows from these."""
-        still = {Seen.proper: Seen.upheld, Seen.along: Seen.along}.get(self.of)
-        if still:
+        if still := _RESTING.get(self.of):
             return still(Seen(instant, instant.loop.numbers_of(self.name)), *self.places)
         return instant.none[1] if self.unit.endswith("/s^2") else None
+
+
+_RESTING = {Seen.proper: Seen.upheld, Seen.along: Seen.along, Seen.contact: Seen.contact, Seen.gear: Seen.wound}
+"""How outputs that follow from accelerations are found where there are none."""
 
 
 class Series(NamedTuple):

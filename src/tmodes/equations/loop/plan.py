@@ -209,6 +209,15 @@ class LoopPlan:
         return sum(block.law.delay.kept for block in self.blocks if block.law.is_sampled) + max(laws, default=0)
 
     @property
+    def first_samples(self) -> int:
+        """After how many samples of one instant all held outputs are those of it.
+
+        Outputs that follow from commands of their instant see the command of the sample before.
+        """
+        late = any(getattr(source, "late", False) for source in self.sources.values())
+        return self.most_kept + 1 + late if self.is_sampled else 0
+
+    @property
     def held_controls(self) -> tuple[bool, ...]:
         """Of each own state whether it is an output that is held, which follows from a sample."""
         laws = [drive.servo for drive in self.drives if drive.servo] + [block.law for block in self.blocks]
@@ -366,6 +375,26 @@ class LoopParts:
                 block = replace(block, law=replace(block.law, view=view))  # noqa: PLW2901
             yield Placed(block, self.parts.numbers.block(block.numbers), first, driver)
             first += block.law.states
+
+    @cached_property
+    def held_commands(self) -> tuple[tuple[int, tuple[int, ...]], ...]:
+        """Where the state holds sampled commands: of each drive what it moves, and the places, the one in force first.
+
+        Behind it those of blocks before, whose command it takes over; of a drive without sampled ones nothing.
+        """
+        found, first = [], self.layout.controls.start
+        for driver in self.drivers:
+            servo, joint, places = driver.plan.servo, driver.plan.joint, list[int]()
+            if servo and servo.held:
+                places += range(first + driver.controls, first + driver.controls + servo.held)
+            for one in sorted(self.blocks, key=lambda one: driver.plan.command not in one.plan.signals):
+                own = one.plan.commands or ((one.plan.joint,) if len(one.plan.ports) == 1 else ())
+                if joint in own and one.plan.law.held:
+                    begin = first + one.controls
+                    places += range(begin + own.index(joint), begin + one.plan.law.held, one.plan.law.outputs)
+            if places:
+                found.append((driver.coordinate, tuple(places)))
+        return tuple(found)
 
     @cached_property
     def slipping(self) -> dict[int, tuple[AxisPart, int]]:

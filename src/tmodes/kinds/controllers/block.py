@@ -32,7 +32,7 @@ class Measured:
     each drive's signal in the order of ``drives``; ``joint``: its own among these; ``commands``: those that it
     commands, in the order of its outputs. ``signals``: what it reads by name.
     ``period``: time between its samples [s], None in continuous time. ``model``: see :attr:`Block.needs_model`.
-    ``fed``: an effort is fed forward to its own drive.
+    ``fed``: an effort is fed forward to its own drive, by the drive or by a block that adds to its command.
     ``at_rest``: an equilibrium is looked for, in which there is no noise and nothing is rounded.
     """
 
@@ -229,6 +229,16 @@ class Block(Kind):
         made = self.model_copy()
         vars(made)["numbers"] = lambda: tuple(numbers)
         return made
+
+    @property
+    def robustness(self) -> float | None:
+        """e_max of a designed law: the largest change of the coprime factors of its weighted loop that it bears."""
+        return None
+
+    def following(self, sheet: Block) -> Block:
+        """Of one that is designed: the same with the signals of its ``sheet``, which may be noted; gains stay."""
+        del sheet
+        return self
 
     def remarks(self) -> list[str]:
         """What a user should know of the block as it is designed, before a run."""

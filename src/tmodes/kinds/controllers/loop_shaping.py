@@ -143,15 +143,15 @@ class LoopShaping(DesignedLaw):
         return self.measured
 
     @property
-    def epsilon(self) -> float:
-        """Largest change of the normalised coprime factors of the weighted loop that some law bears, 1/gamma."""
+    def robustness(self) -> float:
+        """e_max: 1/gamma."""
         return 1 / self.design.gamma
 
     def remarks(self) -> list[str]:
         """Modes that are out of reach, and a weighted loop that no law makes robust."""
         hint = "take lower `gains` or a lower `integral_frequency`, or a lead where the loop crosses 1"
-        weak = [f"its loop bears little: e_max = {self.epsilon:.3g}, below {_ENOUGH}; {hint}"]
-        return [*super().remarks(), *(weak if self.epsilon < _ENOUGH else [])]
+        weak = [f"its loop bears little: e_max = {self.robustness:.3g}, below {_ENOUGH}; {hint}"]
+        return [*super().remarks(), *(weak if self.robustness < _ENOUGH else [])]
 
     def _weight(self, joints: tuple[str, ...]) -> tuple[System, System]:
         """W (drives, drives) in continuous time: filters without gain at the highest frequencies, then all others.

@@ -152,7 +152,8 @@ class LQG(WeightedLaw):
         *_, still, factors = self._observing(p)
         each, found = iter(factors), []
         for k, one in enumerate(self._added):
-            found.append(vectors.total([next(each)[0] * m.signals[name] for name, _ in one]) - still[k][0])
+            added = [next(each)[0] * m.signals[name] for name, _ in one] or [0.0]  # of a drive that is not fed
+            found.append(vectors.total(added) - still[k][0])
         return found if any(self._added) else []
 
     def _filtered(self, p: Any, m: Measured, x: list[Any]) -> list[Any]:

@@ -99,6 +99,14 @@ class DesignedLaw(Controller):
         """What coordinates shall do."""
         return {f"{name}.reference": signal for name, signal in self.reference.items()}
 
+    def following(self, sheet: Any) -> Self:
+        """With its reference."""
+        if sheet.reference is self.reference:
+            return self
+        made = self.model_copy()
+        vars(made)["reference"] = sheet.reference
+        return made
+
     @property
     def reads(self) -> tuple[str, ...]:
         """What is measured, what coordinates shall do, and what is fed forward, as far as it counts with that."""

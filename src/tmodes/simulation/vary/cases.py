@@ -18,7 +18,7 @@ from tmodes.kinds.signals.schedule import SignalPieces, merge_cases
 from tmodes.model.model import Model
 from tmodes.model.parameters import Structural
 from tmodes.sheet import Robot
-from tmodes.simulation.balance import STANDS, Balance, BalanceSlope, frozen
+from tmodes.simulation.balance import STANDS, Balance, BalanceSlope, begun, frozen
 from tmodes.simulation.closed_start import closes, uncontrolled
 from tmodes.simulation.initial_state import RunSetup, closed_balance, held_at_start, placed_state, slipping, undeformed
 from tmodes.simulation.loop import Blocks, LoopModel, loop_numbers
@@ -188,6 +188,7 @@ class Cases:
         if resting:
             placed = states[:, model.layout.q]  # a view
             np.copyto(placed, self._rests(which, *more[: len(names)]), where=np.isnan(placed))
+        states = begun(model, states, frozen(model, rows), parameters)
         if self._closed:
             states = self._balanced(*self._closed, states, rows, parameters)
         states = model.settled(states, rows, parameters)
