@@ -4,7 +4,11 @@ The equations are those of :class:`tmodes.analysis.sagging.Task`. For rigid link
 inverse by four derivatives of the path; where links bend the zeros of the tip may be unstable, and the bounded
 solution begins before the path does and ends after it (pre-actuation). It is found as a periodic one: from rest along
 the path to rest, and all the way back, so that no condition at an end has to say which part of it grows and which
-decays. Splines through even instants, all equations at these, Newton's method with exact derivatives.
+decays. All equations at even instants, rates and accelerations by differences, Newton's method with exact derivatives.
+
+The differences of accelerations vanish for a motion that alternates from instant to instant, as those of rates do by
+their symmetry. Else a damped zero whose frequency passes that of the instants, as it may where the robot moves, finds
+there a motion without damping that fulfils all equations, and these are singular.
 
 Source: A. De Luca, Feedforward/feedback laws for the control of flexible robots, IEEE ICRA 2000 (gears); S. Devasia, D.
 Chen, B. Paden, Nonlinear inversion-based output tracking, IEEE Trans. Automatic Control 41, 1996 (links); E. Bayo, A
@@ -28,9 +32,8 @@ __all__ = ["Inverse", "inverted"]
 
 Array = NDArray[np.float64]
 
-_DEGREE = 7
-_REACH = _DEGREE // 2
-"""Of the splines; over how many neighbours on each side an equation reaches."""
+_DEGREE, _REACH = 7, 4
+"""Of the splines between instants; over how many neighbours on each side differences reach."""
 
 _FIRST, _MOST = 200, 4000
 """Instants over the duration of the path: at first, at most."""
@@ -48,9 +51,13 @@ _ROUGH, _ROUGHER = 1e-4, 0.25
 """Difference of the efforts, over the largest one, up to which they are found; where half the step leaves more of it
 than this share, they are not smooth."""
 
-_STEPS, _SETTLED, _HALVINGS, _SLOW = 40, 1e-9, 12, 0.1
+_STEPS, _SETTLED, _HALVINGS, _SLOW, _FARTHEST = 25, 1e-9, 12, 0.1, 1.0
 """Newton's method: steps, change over the largest coordinate with which it ends, halvings of a step, change over the
-last one beyond which the slopes are computed again."""
+last one beyond which the slopes are computed again, longest step [rad, m]."""
+
+_ROUNDED, _STALLED, _SOLVED = 1e-6, 0.5, 1e-3
+"""Rounding: changes over the largest coordinate below which one that is not this much smaller than the last is rounding;
+share of the right-hand side that linear equations may be off by."""
 
 
 class Inverse(NamedTuple):
@@ -153,12 +160,21 @@ def _zeros(task: Task, q: Array, wanted: Wanted) -> NDArray[np.complex128]:
     return np.asarray(alpha[finite] / beta[finite] * unit, dtype=complex)
 
 
+def _differences() -> Array:
+    """Weights (3, 2 reach + 1) of neighbours for values, rates (order 8) and accelerations (order 6), of step 1."""
+    j = np.arange(1.0, _REACH + 1)
+    powers = j ** (2 * np.arange(_REACH)[:, None])
+    first = np.linalg.solve(powers * j, np.eye(_REACH)[0] / 2)
+    second = np.linalg.solve(np.vstack([powers[:-1] * j**2, j % 2]), np.eye(_REACH)[0])
+    middle = np.array([[1.0], [0.0], [-2 * second.sum()]])
+    sides = np.array([0 * j, first, second])
+    return np.hstack([sides[:, ::-1] * [[0], [-1], [1]], middle, sides])
+
+
 class _Solution:
-    """Splines through even instants of the way there and back; ``count``: from the first to the last motion there."""
+    """Coordinates at even instants of the way there and back; ``count``: from the first to the last motion there."""
 
     def __init__(self, task: Task, before: float, after: float, count: int) -> None:
-        from scipy.interpolate import BSpline
-
         self.task, self.count = task, count
         self.step = (before + task.duration + after) / count
         self.lead, self.tail = before, after
@@ -168,38 +184,36 @@ class _Solution:
         self.way = np.arange(float(self.instants)) * self.step - self.lead
         self.times = np.where(self.way <= task.duration + rest / 2, self.way, 2 * task.duration + rest - self.way)
         self.wanted = task.along(self.times)
-        element = BSpline.basis_element(np.arange(_DEGREE + 2.0))
-        at = np.arange(_DEGREE, 0.0, -1.0)
-        self.weights = np.array([element.derivative(k)(at) / self.step**k if k else element(at) for k in range(3)])
+        self.weights = _differences() / self.step ** np.arange(3)[:, None]
         self.places = (np.arange(self.instants)[:, None] + np.arange(-_REACH, _REACH + 1)) % self.instants
-        self.spline = np.zeros((self.instants, task.model.nq))
+        self.q = np.zeros((self.instants, task.model.nq))
 
     @property
     def entries(self) -> int:
         """Numbers of the linear equations."""
-        return self.instants * _DEGREE * self.task.model.nq**2
+        return self.instants * (2 * _REACH + 1) * self.task.model.nq**2
 
     def solved(self, last: _Solution | None) -> _Solution:
-        """Itself, with the splines that fulfil all equations; from a coarser solution, else from the pose at rest."""
+        """Itself, with what fulfils all equations; from a coarser solution, else from the pose at rest."""
         if last is None:
             times, where = np.unique(self.times.round(12), return_inverse=True)
-            poses = self.task.at_rest(self.task.along(times))[where]
+            self.q = self.task.at_rest(self.task.along(times))[where]
         else:
-            poses = last.at(self.way)
-        self.spline = self.through(poses)
+            self.q = last.at(self.way)
         size, moved, shrink, scale = 1.0, np.inf, np.inf, np.ones(())
         solve: Callable[[Array], Array] = np.asarray
         for _ in range(_STEPS):
-            residual = self.residual(self.spline)
+            residual = self.residual(self.q)
             if fresh := shrink > _SLOW:
-                slopes = self.slopes(self.spline)
+                slopes = self.slopes(self.q)
                 scale = np.abs(slopes).max(axis=(2, 3))
                 scale[scale == 0] = 1.0
                 solve = self.factored(slopes / scale[:, :, None, None])
             change = solve(residual / scale)
-            off, share = float(np.linalg.norm(residual / scale)), 1.0
+            longest = float(np.abs(change).max())
+            off, share = float(np.linalg.norm(residual / scale)), min(1.0, _FARTHEST / max(longest, 1e-300))
             for _ in range(_HALVINGS):
-                tried = self.spline - share * change
+                tried = self.q - share * change
                 there = float(np.linalg.norm(self.residual(tried) / scale))
                 if there <= off * (1 - share / 4) or np.abs(share * change).max() <= _SETTLED * size:
                     break
@@ -209,41 +223,36 @@ class _Solution:
                     break
                 shrink = np.inf
                 continue
-            self.spline, size = tried, 1.0 + float(np.abs(self.spline).max())
-            shrink, moved = float(np.abs(change).max()) / moved, float(np.abs(change).max())
-            if moved <= _SETTLED * size:
+            self.q, size = tried, 1.0 + float(np.abs(self.q).max())
+            shrink, moved = longest / moved, longest
+            if moved <= _SETTLED * size or (fresh and shrink > _STALLED and moved <= _ROUNDED * size):
                 return self
         raise SimulationError(
-            "no motion was found with which the tip keeps to the path: take a slower path, or the reference `sag`"
+            f"no motion was found with which the tip keeps to the path: after {_STEPS} steps with {self.instants} "
+            f"instants coordinates still change by {moved:.2g} rad, m; take a slower path, or the reference `sag`"
         )
 
-    def through(self, poses: Array) -> Array:
-        """The splines through poses (instants, nq)."""
-        kernel = np.zeros(self.instants)
-        np.add.at(kernel, np.arange(-_REACH, _REACH + 1) % self.instants, self.weights[0][::-1])
-        return np.fft.irfft(np.fft.rfft(poses, axis=0) / np.fft.rfft(kernel)[:, None], self.instants, axis=0)
-
-    def motion(self, spline: Array) -> tuple[Array, Array, Array]:
+    def motion(self, q: Array) -> tuple[Array, Array, Array]:
         """Coordinates, rates and accelerations (instants, nq) at the instants."""
-        near = spline[self.places]
-        q, v, a = (np.einsum("o,noq->nq", row, near) for row in self.weights)
+        near = q[self.places]
+        v, a = (np.einsum("o,noq->nq", row, near) for row in self.weights[1:])
         return q, v, a
 
     def at(self, times: Array) -> Array:
         """Coordinates (n, nq) at times [s] from the beginning of the path."""
-        from scipy.interpolate import BSpline
+        from scipy.interpolate import make_interp_spline
 
-        knots = np.arange(-_DEGREE - 4, self.instants + _DEGREE + 5) * self.step
-        turned = np.arange(len(knots) - _DEGREE - 1) - _DEGREE - 4 + (_DEGREE + 1) // 2
-        return np.asarray(BSpline(knots, self.spline[turned % self.instants], _DEGREE)(times + self.lead))
+        whole = np.append(self.way, self.way[0] + self.instants * self.step)
+        spline = make_interp_spline(whole, np.vstack([self.q, self.q[:1]]), k=_DEGREE, bc_type="periodic")
+        return np.asarray(spline(np.clip(times, whole[0], whole[-1])))
 
-    def residual(self, spline: Array) -> Array:
+    def residual(self, q: Array) -> Array:
         """What shall vanish (instants, nq)."""
-        return self.task.residual(*self.motion(spline), self.wanted)
+        return self.task.residual(*self.motion(q), self.wanted)
 
-    def slopes(self, spline: Array) -> Array:
-        """Its slopes (instants, nq, reach, nq) by the splines nearby."""
-        parts = np.stack(self.task.slopes(*self.motion(spline), self.wanted))
+    def slopes(self, q: Array) -> Array:
+        """Its slopes (instants, nq, neighbours, nq) by the coordinates nearby."""
+        parts = np.stack(self.task.slopes(*self.motion(q), self.wanted))
         return np.einsum("ko,knij->nioj", self.weights, parts)
 
     def factored(self, slopes: Array) -> Callable[[Array], Array]:
@@ -255,14 +264,26 @@ class _Solution:
         columns = (self.places[:, :, None] * n + np.arange(n)).reshape(count, 1, -1)
         columns = np.broadcast_to(columns, (count, n, columns.shape[2]))
         starts = np.arange(count * n + 1) * columns.shape[2]
-        matrix = csr_array((slopes.reshape(-1), columns.reshape(-1), starts), shape=(count * n, count * n)).tocsc()
+        matrix = csr_array((slopes.reshape(-1), columns.reshape(-1), starts), shape=(count * n, count * n))
         try:
-            parts = splu(matrix)
-        except RuntimeError:
+            parts = splu(matrix.tocsc())
+        except (RuntimeError, ValueError):
             raise SimulationError(
                 "the tip does not follow the motors: a singular pose, or a joint that no motor moves"
             ) from None
-        return lambda residual: np.asarray(parts.solve(residual.reshape(-1))).reshape(count, n)
+
+        def solve(residual: Array) -> Array:
+            wanted = residual.reshape(count * n, -1)
+            found = parts.solve(wanted)
+            left = np.abs(matrix @ found - wanted).max()
+            if not left <= _SOLVED * np.abs(wanted).max():
+                raise SimulationError(
+                    f"rounding hides the motion with {count} instants: what bends grows too fast between them; take a "
+                    "slower path, or the reference `sag`"
+                )
+            return np.asarray(found).reshape(residual.shape)
+
+        return solve
 
     def off(self, coarse: _Solution) -> tuple[float, float]:
         """What differs from a coarser solution: the rigid tip by the motors [m], efforts over the largest one."""
@@ -270,8 +291,8 @@ class _Solution:
 
         joints, own = self.task.motors, self.wanted.ways[:, :3]
         instants = [one.way for one in (self, coarse)]
-        apart = (self.motion(self.spline)[0] - coarse.at(instants[0]))[:, joints]
-        fine, rough = (one.efforts(*one.motion(one.spline)) for one in (self, coarse))
+        apart = (self.motion(self.q)[0] - coarse.at(instants[0]))[:, joints]
+        fine, rough = (one.efforts(*one.motion(one.q)) for one in (self, coarse))
         jagged = np.abs(CubicSpline(instants[0], fine)(instants[1]) - rough)[: coarse.instants // 2]
         off = float(np.linalg.norm(np.einsum("nkj,nj->nk", own, apart), axis=1).max())
         return off, float(jagged.max() / max(np.abs(fine).max(), 1e-300))
@@ -284,13 +305,13 @@ class _Solution:
         """Whether the tip leaves the surface, or touches it, on the way."""
         if self.task.pressed is None:
             return False
-        _, depth, normal = self.task.pressed.force(self.task.pressed.motion(*self.motion(self.spline)))
+        _, depth, normal = self.task.pressed.force(self.task.pressed.motion(*self.motion(self.q)))
         held = np.minimum(depth, normal) > 0
         return bool(held.any() and not held.all())
 
     def inverse(self, error: float, rough: float) -> Inverse:
         """The way there."""
-        task, (q, v, a) = self.task, self.motion(self.spline)
+        task, (q, v, a) = self.task, self.motion(self.q)
         there = np.arange(self.instants) * self.step <= self.lead + task.duration + self.tail + 1e-9 * self.step
         q, v, a = (part[there] for part in (q, v, a))
         left = float(np.abs(v[[0, -1]]).max(initial=0.0))
