@@ -35,7 +35,7 @@ Array = NDArray[np.float64]
 _DEGREE, _REACH = 7, 4
 """Of the splines between instants; over how many neighbours on each side differences reach."""
 
-_FIRST, _MOST = 200, 4000
+_FIRST, _MOST = 100, 4000
 """Instants over the duration of the path: at first, at most."""
 
 _ENTRIES = 30_000_000
@@ -44,8 +44,11 @@ _ENTRIES = 30_000_000
 _DECAY = 16.0
 """Time constants of the zeros until what is left of a motion is nothing (1e-7)."""
 
-_LONGEST = 2.0
-"""Lead and tail at most, over the duration of the path."""
+_LONGEST, _PERIODS = 1.0, 4.0
+"""Lead and tail at most: over the duration of the path, or periods of the slowest zero that lasts longer."""
+
+_FLAT, _ALIKE = 5, 1e-4
+"""Power of the window in which the tip gives way; share of the largest response below which ways to do so are alike."""
 
 _ROUGH, _ROUGHER = 1e-4, 0.25
 """Difference of the efforts, over the largest one, up to which they are found; where half the step leaves more of it
@@ -63,7 +66,8 @@ share of the right-hand side that linear equations may be off by."""
 class Inverse(NamedTuple):
     """Motions of all coordinates ``q`` (n, nq), their rates and accelerations at ``times`` (n,) [s], from rest to rest.
 
-    The path begins ``lead`` [s] after the motion. ``motors``: indices of the coordinates of the joints that are moved,
+    The path begins ``lead`` [s] after the motion. ``aside``: by how much the tip leaves its ends before and after the
+    path, where its zeros last longer than that, so that nothing swings when the motion ends [m]. ``motors``: indices of the coordinates of the joints that are moved,
     ``efforts`` (n, joints) [N*m, N] of their motors; ``error``: by how much the tip would differ with half as many
     instants [m], ``rough``: the efforts, over the largest one; ``left``: largest rate at the ends, which should be 0
     [rad/s, m/s].
@@ -79,6 +83,7 @@ class Inverse(NamedTuple):
     error: float
     rough: float
     left: float
+    aside: float
 
 
 def inverted(
@@ -95,49 +100,66 @@ def inverted(
         got, expected = "a surface that sticks, or whose mass may part from the point", "smooth friction, no such mass"
         raise InputError("contact", got, expected, f"give it a `friction_velocity`, or {otherwise}")
     task = Task(robot, found)
-    before, after = _margins(task)
-    least = 2 * _DEGREE / _FIRST * task.duration
-    before, after = max(before, least), max(after, least)
-    count, last, jagged = int(_FIRST * (1 + (before + after) / task.duration)), None, np.inf
-    most = _MOST * count // _FIRST
-    progress(0.1)
+    ends = _Ends.of(task)
+    least = 14 * task.duration / _FIRST
+    before, after = max(ends.before, least), max(ends.after, least)
+    count, last, jagged, failed = int(_FIRST * (1 + (before + after) / task.duration)), None, np.inf, False
+    most, aside = _MOST * count // _FIRST, None
     while True:
-        here = _Solution(task, before, after, count)
-        ends = 2 * count > most or 2 * here.entries > _ENTRIES
+        progress(min(0.9, 0.1 + count / most))
+        here = _Solution(task, before, after, count, aside)
+        is_last = 2 * count > most or 2 * here.entries > _ENTRIES
         try:
             here = here.solved(last)
         except SimulationError:
-            if ends:
+            if failed or is_last:
                 raise
-            count, last = 2 * count, None
+            count, last, failed = 2 * count, None, True
             continue
+        if aside is None and (ends.slow[0].size or ends.slow[1].size):
+            aside = here.stilled(ends)
+            here = _Solution(task, before, after, count, aside).solved(here)
         error, rough = (np.inf, np.inf) if last is None else here.off(last)
-        progress(min(0.9, 0.1 + count / most))
         jumps = rough > _ROUGHER * jagged  # of a path that is not smooth
-        if (error <= tolerance and rough <= _ROUGH) or jumps or ends:
+        if (error <= tolerance and rough <= _ROUGH) or jumps or is_last:
             if touched and touched.unilateral and here.parts():
                 got, expected = (
                     "a tip that parts from the surface",
                     "one that stays in contact, with a surface that pushes",
                 )
                 raise InputError("contact", got, expected, f"press on with the path, or {otherwise}")
+            if last is not None and rough > jagged:  # of rounding, which grows as instants are nearer
+                here, rough = last, jagged
             return here.inverse(error, rough)
         count, last, jagged = 2 * count, here, rough
 
 
-def _margins(task: Task) -> tuple[float, float]:
-    """How long the motion begins before the path, and ends after it [s].
+class _Ends(NamedTuple):
+    """How long the motion begins ``before`` the path, and ends ``after`` it [s].
 
-    By the zeros of the tip about both ends: the finite eigenvalues of the equations with the tip held.
+    By the zeros of the tip about both ends: the finite eigenvalues of the equations with the tip held. ``slow``: those
+    [1/s] of the start and of the end that decay on the way there and back, and last longer.
     """
-    slow, most = [np.inf, np.inf], _LONGEST * task.duration
-    for time in (0.0, task.duration):
-        wanted = task.along(np.array([time]))
-        zeros = _zeros(task, task.at_rest(wanted), wanted)
-        for side, part in enumerate((zeros.real[zeros.real > 0], -zeros.real[zeros.real <= 0])):
-            slow[side] = min(slow[side], float(part.min(initial=np.inf)))
-    before, after = (min(_DECAY / max(one, 1e-9), most) if np.isfinite(one) else 0.0 for one in slow)
-    return before, after
+
+    before: float
+    after: float
+    slow: tuple[NDArray[np.complex128], NDArray[np.complex128]]
+
+    @classmethod
+    def of(cls, task: Task) -> _Ends:
+        """Both no longer than what lasts longest, up to a bound."""
+        at = (task.along(np.array([time])) for time in (0.0, task.duration))
+        zeros = [_zeros(task, task.at_rest(wanted), wanted) for wanted in at]
+        both = np.concatenate(zeros)
+        lasting = [_DECAY / max(float(one.min(initial=np.inf)), 1e-9)
+                   for one in (both.real[both.real > 0], -both.real[both.real <= 0])]  # fmt: skip
+        most = _LONGEST * task.duration
+        slowest = both[np.abs(both.real) * most < _DECAY]
+        most = max(most, _PERIODS * 2 * np.pi / max(float(np.abs(slowest).min(initial=np.inf)), 1e-9))
+        slow = [one[(one.real <= 0) & (-one.real * most < _DECAY) & (one.imag >= 0)] for one in zeros]
+        if slow[0].size or slow[1].size:  # what is left of the way back is to be stilled as well
+            return cls(most, most, (slow[0], slow[1]))
+        return cls(*(min(one, most) for one in lasting), (slow[0], slow[1]))
 
 
 def _zeros(task: Task, q: Array, wanted: Wanted) -> NDArray[np.complex128]:
@@ -174,7 +196,9 @@ def _differences() -> Array:
 class _Solution:
     """Coordinates at even instants of the way there and back; ``count``: from the first to the last motion there."""
 
-    def __init__(self, task: Task, before: float, after: float, count: int) -> None:
+    def __init__(
+        self, task: Task, before: float, after: float, count: int, aside: Callable[[Array], Array] | None = None
+    ) -> None:
         self.task, self.count = task, count
         self.step = (before + task.duration + after) / count
         self.lead, self.tail = before, after
@@ -183,7 +207,7 @@ class _Solution:
         self.step = 2 * (task.duration + rest) / self.instants
         self.way = np.arange(float(self.instants)) * self.step - self.lead
         self.times = np.where(self.way <= task.duration + rest / 2, self.way, 2 * task.duration + rest - self.way)
-        self.wanted = task.along(self.times)
+        self.wanted, self.aside = task.along(self.times), aside(self.way) if aside else None
         self.weights = _differences() / self.step ** np.arange(3)[:, None]
         self.places = (np.arange(self.instants)[:, None] + np.arange(-_REACH, _REACH + 1)) % self.instants
         self.q = np.zeros((self.instants, task.model.nq))
@@ -205,10 +229,7 @@ class _Solution:
         for _ in range(_STEPS):
             residual = self.residual(self.q)
             if fresh := shrink > _SLOW:
-                slopes = self.slopes(self.q)
-                scale = np.abs(slopes).max(axis=(2, 3))
-                scale[scale == 0] = 1.0
-                solve = self.factored(slopes / scale[:, :, None, None])
+                scale, solve = self.linear()
             change = solve(residual / scale)
             longest = float(np.abs(change).max())
             off, share = float(np.linalg.norm(residual / scale)), min(1.0, _FARTHEST / max(longest, 1e-300))
@@ -248,12 +269,61 @@ class _Solution:
 
     def residual(self, q: Array) -> Array:
         """What shall vanish (instants, nq)."""
-        return self.task.residual(*self.motion(q), self.wanted)
+        found = self.task.residual(*self.motion(q), self.wanted)
+        if self.aside is not None:
+            found[:, self.task.motors] -= self.task.pushed(self.aside, self.wanted)
+        return found
+
+    def stilled(self, ends: _Ends) -> Callable[[Array], Array]:
+        """The way (n, rows) of the tip off its ends, by times on the way there and back, with which these are at rest.
+
+        Harmonics of the slow zeros in a window after the path, and one before it on the way back, of least squares.
+        """
+        task, half = self.task, self.instants // 2
+        windows = (self.way[half] - self.tail, self.tail, ends.slow[1]), (self.way[0] - self.lead, self.lead, ends.slow[0])
+        whole = self.instants * self.step
+
+        def shapes(way: Array) -> Array:
+            found = list[Array]()
+            for begin, length, zeros in windows:
+                time = (way - begin) % whole
+                share = np.clip(time / length, 0.0, 1.0)
+                window = (4 * share * (1 - share)) ** _FLAT
+                found += [window, window * (2 * share - 1)]
+                for zero in zeros[zeros.imag > 0].imag:
+                    found += [window * np.cos(zero * time), window * np.sin(zero * time)]
+            return np.array(found).T
+
+        own, scale, solve = shapes(self.way), *self.linear()
+        pushes = np.zeros((self.instants, task.model.nq, own.shape[1] * task.rows))
+        for row in range(task.rows):
+            unit = task.pushed(np.broadcast_to(np.eye(task.rows)[row], (self.instants, task.rows)), self.wanted)
+            pushes[:, task.motors, row :: task.rows] = unit[:, :, None] * own[:, None, :]
+        moved = solve(pushes / scale[:, :, None])
+        times = 1 / np.abs(np.concatenate(ends.slow)).min()
+
+        def left(q: Array) -> Array:
+            v = np.einsum("o,no...->n...", self.weights[1], q[self.places[[0, half]]])
+            return np.concatenate([q[[0, half]], times * v])
+
+        rest = task.at_rest(Wanted(*(part[[0, half]] for part in self.wanted)))
+        off = left(self.q)
+        off[:2] -= rest
+        ways = left(moved).reshape(-1, moved.shape[2])
+        factors = np.linalg.lstsq(ways, -off.ravel(), rcond=_ALIKE)[0].reshape(-1, task.rows)
+        return lambda way: shapes(way) @ factors
 
     def slopes(self, q: Array) -> Array:
         """Its slopes (instants, nq, neighbours, nq) by the coordinates nearby."""
         parts = np.stack(self.task.slopes(*self.motion(q), self.wanted))
         return np.einsum("ko,knij->nioj", self.weights, parts)
+
+    def linear(self) -> tuple[Array, Callable[[Array], Array]]:
+        """The size (instants, nq) of each equation, and what solves the linear equations, of that size 1."""
+        slopes = self.slopes(self.q)
+        scale = np.abs(slopes).max(axis=(2, 3))
+        scale[scale == 0] = 1.0
+        return scale, self.factored(slopes / scale[:, :, None, None])
 
     def factored(self, slopes: Array) -> Callable[[Array], Array]:
         """The function that solves the linear equations (instants, nq)."""
@@ -316,4 +386,5 @@ class _Solution:
         q, v, a = (part[there] for part in (q, v, a))
         left = float(np.abs(v[[0, -1]]).max(initial=0.0))
         times, efforts = self.way[there] + self.lead, self.efforts(q, v, a)
-        return Inverse(times, q, v, a, task.motors, efforts, self.lead, error, rough, left)
+        aside = 0.0 if self.aside is None else float(np.linalg.norm(self.aside[there, :3], axis=1).max())
+        return Inverse(times, q, v, a, task.motors, efforts, self.lead, error, rough, left, aside)
