@@ -280,7 +280,10 @@ class _Solution:
         Harmonics of the slow zeros in a window after the path, and one before it on the way back, of least squares.
         """
         task, half = self.task, self.instants // 2
-        windows = (self.way[half] - self.tail, self.tail, ends.slow[1]), (self.way[0] - self.lead, self.lead, ends.slow[0])
+        windows = (
+            (self.way[half] - self.tail, self.tail, ends.slow[1]),
+            (self.way[0] - self.lead, self.lead, ends.slow[0]),
+        )
         whole = self.instants * self.step
 
         def shapes(way: Array) -> Array:
