@@ -59,18 +59,18 @@ _STEPS, _SETTLED, _HALVINGS, _SLOW, _FARTHEST = 25, 1e-9, 12, 0.1, 1.0
 last one beyond which the slopes are computed again, longest step [rad, m]."""
 
 _ROUNDED, _STALLED, _SOLVED = 1e-6, 0.5, 1e-3
-"""Rounding: changes over the largest coordinate below which one that is not this much smaller than the last is rounding;
+"""Rounding: change over the largest coordinate below which it is rounding if it is not this share of the last one;
 share of the right-hand side that linear equations may be off by."""
 
 
 class Inverse(NamedTuple):
     """Motions of all coordinates ``q`` (n, nq), their rates and accelerations at ``times`` (n,) [s], from rest to rest.
 
-    The path begins ``lead`` [s] after the motion. ``aside``: by how much the tip leaves its ends before and after the
-    path, where its zeros last longer than that, so that nothing swings when the motion ends [m]. ``motors``: indices of the coordinates of the joints that are moved,
+    The path begins ``lead`` [s] after the motion. ``motors``: indices of the coordinates of the joints that are moved,
     ``efforts`` (n, joints) [N*m, N] of their motors; ``error``: by how much the tip would differ with half as many
     instants [m], ``rough``: the efforts, over the largest one; ``left``: largest rate at the ends, which should be 0
-    [rad/s, m/s].
+    [rad/s, m/s]; ``aside``: by how much the tip leaves its ends before and after the path, where what bends would swing
+    on for longer than that, so that it is at rest when the motion ends [m].
     """
 
     times: Array
@@ -159,7 +159,8 @@ class _Ends(NamedTuple):
         slow = [one[(one.real <= 0) & (-one.real * most < _DECAY) & (one.imag >= 0)] for one in zeros]
         if slow[0].size or slow[1].size:  # what is left of the way back is to be stilled as well
             return cls(most, most, (slow[0], slow[1]))
-        return cls(*(min(one, most) for one in lasting), (slow[0], slow[1]))
+        before, after = (min(one, most) for one in lasting)
+        return cls(before, after, (slow[0], slow[1]))
 
 
 def _zeros(task: Task, q: Array, wanted: Wanted) -> NDArray[np.complex128]:

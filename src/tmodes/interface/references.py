@@ -237,8 +237,8 @@ def _inverse(robot: Robot, path: Followed, tolerance: float, progress: Progress)
         warnings.append(f"{jump}{_why_rough(known, path)}")
     if found.aside > tolerance:
         warnings.append(
-            f"the tip leaves its place by up to {found.aside:.2g} m before and after the path, so that nothing swings at "
-            "the ends: what bends is hardly damped where the tip is held"
+            f"the tip leaves its place by up to {found.aside:.2g} m before and after the path, so that nothing swings "
+            "in the end: what bends is hardly damped where the tip is held"
         )
     if found.left > _STILL * max(float(np.abs(found.rates).max()), _CREEPS):
         warnings.append(
