@@ -44,11 +44,16 @@ _ENTRIES = 30_000_000
 _DECAY = 16.0
 """Time constants of the zeros until what is left of a motion is nothing (1e-7)."""
 
-_LONGEST, _PERIODS = 1.0, 4.0
-"""Lead and tail at most: over the duration of the path, or periods of the slowest zero that lasts longer."""
+_LONGEST, _PERIODS, _FARTHER = 1.0, 4.0, 8.0
+"""Lead and tail at most: over the duration of the path, or periods of the slowest zero that lasts longer, up to a bound
+over the duration."""
 
-_FLAT, _ALIKE = 5, 1e-4
-"""Power of the window in which the tip gives way; share of the largest response below which ways to do so are alike."""
+_FASTEST = 1e6
+"""Zeros by which their equations are scaled at most [1/s]."""
+
+_FLAT, _ALIKE, _LEFT = 5, 1e-4, 1e-5
+"""Power of the window in which the tip gives way; share of the largest response below which ways to do so are alike;
+rate at the ends over the largest one from which on it does."""
 
 _ROUGH, _ROUGHER = 1e-4, 0.25
 """Difference of the efforts, over the largest one, up to which they are found; where half the step leaves more of it
@@ -116,7 +121,7 @@ def inverted(
                 raise
             count, last, failed = 2 * count, None, True
             continue
-        if aside is None and (ends.slow[0].size or ends.slow[1].size):
+        if (ends.slow[0].size or ends.slow[1].size) and here.left > _LEFT:
             aside = here.stilled(ends)
             here = _Solution(task, before, after, count, aside).solved(here)
         error, rough = (np.inf, np.inf) if last is None else here.off(last)
@@ -155,7 +160,8 @@ class _Ends(NamedTuple):
                    for one in (both.real[both.real > 0], -both.real[both.real <= 0])]  # fmt: skip
         most = _LONGEST * task.duration
         slowest = both[np.abs(both.real) * most < _DECAY]
-        most = max(most, _PERIODS * 2 * np.pi / max(float(np.abs(slowest).min(initial=np.inf)), 1e-9))
+        periods = _PERIODS * 2 * np.pi / max(float(np.abs(slowest).min(initial=np.inf)), 1e-9)
+        most = max(most, min(periods, _FARTHER * task.duration))
         slow = [one[(one.real <= 0) & (-one.real * most < _DECAY) & (one.imag >= 0)] for one in zeros]
         if slow[0].size or slow[1].size:  # what is left of the way back is to be stilled as well
             return cls(most, most, (slow[0], slow[1]))
@@ -173,7 +179,7 @@ def _zeros(task: Task, q: Array, wanted: Wanted) -> NDArray[np.complex128]:
     m, d, k = (part[task.passive] @ ways for part in (mass, damping, stiffness))
     if not len(m):
         return np.zeros(0, dtype=complex)
-    n, unit = len(m), max(float(np.sqrt(np.abs(k).max() / max(np.abs(m).max(), 1e-300))), 1.0)
+    n, unit = len(m), float(np.clip(np.sqrt(np.abs(k).max() / max(np.abs(m).max(), 1e-300)), 1.0, _FASTEST))
     one, none = np.eye(n), np.zeros((n, n))
     left = np.block([[none, one], [-k, -d * unit]])
     right = np.block([[one, none], [none, m * unit**2]])
@@ -208,7 +214,7 @@ class _Solution:
         self.step = 2 * (task.duration + rest) / self.instants
         self.way = np.arange(float(self.instants)) * self.step - self.lead
         self.times = np.where(self.way <= task.duration + rest / 2, self.way, 2 * task.duration + rest - self.way)
-        self.wanted, self.aside = task.along(self.times), aside(self.way) if aside else None
+        self.wanted, self.moved, self.aside = task.along(self.times), aside, aside(self.way) if aside else None
         self.weights = _differences() / self.step ** np.arange(3)[:, None]
         self.places = (np.arange(self.instants)[:, None] + np.arange(-_REACH, _REACH + 1)) % self.instants
         self.q = np.zeros((self.instants, task.model.nq))
@@ -275,6 +281,12 @@ class _Solution:
             found[:, self.task.motors] -= self.task.pushed(self.aside, self.wanted)
         return found
 
+    @property
+    def left(self) -> float:
+        """The largest rate at both ends, over the largest one."""
+        rates = np.abs(self.motion(self.q)[1])
+        return float(rates[[0, self.instants // 2]].max() / max(rates.max(), 1e-300))
+
     def stilled(self, ends: _Ends) -> Callable[[Array], Array]:
         """The way (n, rows) of the tip off its ends, by times on the way there and back, with which these are at rest.
 
@@ -304,7 +316,7 @@ class _Solution:
             unit = task.pushed(np.broadcast_to(np.eye(task.rows)[row], (self.instants, task.rows)), self.wanted)
             pushes[:, task.motors, row :: task.rows] = unit[:, :, None] * own[:, None, :]
         moved = solve(pushes / scale[:, :, None])
-        times = 1 / np.abs(np.concatenate(ends.slow)).min()
+        times = min(self.tail, 1 / np.abs(np.concatenate(ends.slow)).min())
 
         def left(q: Array) -> Array:
             v = np.einsum("o,no...->n...", self.weights[1], q[self.places[[0, half]]])
@@ -315,7 +327,8 @@ class _Solution:
         off[:2] -= rest
         ways = left(moved).reshape(-1, moved.shape[2])
         factors = np.linalg.lstsq(ways, -off.ravel(), rcond=_ALIKE)[0].reshape(-1, task.rows)
-        return lambda way: shapes(way) @ factors
+        before = self.moved
+        return lambda way: shapes(way) @ factors + (before(way) if before else 0.0)
 
     def slopes(self, q: Array) -> Array:
         """Its slopes (instants, nq, neighbours, nq) by the coordinates nearby."""

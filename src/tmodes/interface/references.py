@@ -261,7 +261,7 @@ def _why_rough(robot: Robot, path: Followed) -> str:
     if kinked:
         return (f", as the gears of {', '.join(kinked)} have kinks (`torque_limits`, `backlash`): efforts jump where "
                 "a gear passes one; give a single `stiffness` for smooth ones")  # fmt: skip
-    return ": the path is too fast for the instants that there may be; take a longer duration"
+    return ", as what bends swings faster than instants can be near, where the tip is held: take a longer duration"
 
 
 def _is_smooth(leg: Leg) -> bool:
