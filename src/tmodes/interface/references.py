@@ -19,7 +19,8 @@ from tmodes.analysis.sagging import Task, sagged
 from tmodes.equations.loop.control_kernels import Winding
 from tmodes.equations.loop.plan import winding_of
 from tmodes.errors import InputError, TmodesError
-from tmodes.gradients.optimal import Course, Found, RestToRest, least_time, under_torques
+from tmodes.gradients.least_time import least_time
+from tmodes.gradients.optimal import Course, Found, RestToRest, under_torques
 from tmodes.interface.motions import freed, limits_of, missed, steady
 from tmodes.kinds.signals.registry import Signal
 from tmodes.result.run import ready_to_run
