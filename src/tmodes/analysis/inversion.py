@@ -51,9 +51,9 @@ over the duration."""
 _FASTEST = 1e6
 """Zeros by which their equations are scaled at most [1/s]."""
 
-_FLAT, _ALIKE, _LEFT = 5, 1e-4, 1e-5
-"""Power of the window in which the tip gives way; share of the largest response below which ways to do so are alike;
-rate at the ends over the largest one from which on it does."""
+_FLAT, _DEAR, _LEFT = 5, 0.01, 1e-4
+"""Power of the window in which the tip gives way; weight of that over what would swing on; rate at the ends over the
+largest one from which on it does."""
 
 _ROUGH, _ROUGHER = 1e-4, 0.25
 """Difference of the efforts, over the largest one, up to which they are found; where half the step leaves more of it
@@ -109,7 +109,7 @@ def inverted(
     least = 14 * task.duration / _FIRST
     before, after = max(ends.before, least), max(ends.after, least)
     count, last, jagged, failed = int(_FIRST * (1 + (before + after) / task.duration)), None, np.inf, False
-    most, aside = _MOST * count // _FIRST, None
+    most, aside, stills = _MOST * count // _FIRST, None, bool(ends.slow[0].size or ends.slow[1].size)
     while True:
         progress(min(0.9, 0.1 + count / most))
         here = _Solution(task, before, after, count, aside)
@@ -121,9 +121,10 @@ def inverted(
                 raise
             count, last, failed = 2 * count, None, True
             continue
-        if (ends.slow[0].size or ends.slow[1].size) and here.left > _LEFT:
+        if stills and (left := here.left) > _LEFT:
             aside = here.stilled(ends)
             here = _Solution(task, before, after, count, aside).solved(here)
+            stills = here.left < left / 2  # else no joint moves what swings
         error, rough = (np.inf, np.inf) if last is None else here.off(last)
         jumps = rough > _ROUGHER * jagged  # of a path that is not smooth
         if (error <= tolerance and rough <= _ROUGH) or jumps or is_last:
@@ -290,7 +291,8 @@ class _Solution:
     def stilled(self, ends: _Ends) -> Callable[[Array], Array]:
         """The way (n, rows) of the tip off its ends, by times on the way there and back, with which these are at rest.
 
-        Harmonics of the slow zeros in a window after the path, and one before it on the way back, of least squares.
+        Harmonics of the slow zeros in a window after the path, and one before it on the way back. Least squares of what
+        would swing on, as it moves the tip, and of the way itself.
         """
         task, half = self.task, self.instants // 2
         windows = (
@@ -326,7 +328,11 @@ class _Solution:
         off = left(self.q)
         off[:2] -= rest
         ways = left(moved).reshape(-1, moved.shape[2])
-        factors = np.linalg.lstsq(ways, -off.ravel(), rcond=_ALIKE)[0].reshape(-1, task.rows)
+        moves = np.linalg.norm(task.model.jacobian(rest)[:, task.problem.point, :3], axis=1).max(axis=0)
+        weights = np.tile(moves, 4)
+        rows = np.vstack([weights[:, None] * ways, _DEAR * np.eye(ways.shape[1])])
+        wanted = np.append(-weights * off.ravel(), np.zeros(ways.shape[1]))
+        factors = np.linalg.lstsq(rows, wanted)[0].reshape(-1, task.rows)
         before = self.moved
         return lambda way: shapes(way) @ factors + (before(way) if before else 0.0)
 

@@ -86,6 +86,7 @@ def motion(
     """
     from tmodes.gradients.collocation import collocated
     from tmodes.gradients.least_time import least_time as shortest
+
     from tmodes.gradients.optimal import RestToRest
 
     freed(robot)

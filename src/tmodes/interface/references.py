@@ -38,7 +38,7 @@ _ROWS, _SAMPLES, _DEGREE, _AFTER = 800, 1000, 5, 1.5
 """Rows of efforts that a run gives; samples of a check; degree of the splines through efforts; until when a check
 looks, over the time of the reference."""
 
-_SMOOTH, _STILL, _CREEPS, _JUMP = 1e-2, 1e-5, 1e-3, 1e-6
+_SMOOTH, _STILL, _CREEPS, _JUMP = 1e-2, 1e-4, 1e-3, 1e-6
 """Difference of efforts, and rate at the ends, over the largest ones, beyond which there is a warning; rates
 [rad/s, m/s] below which a motion is none; jump of a derivative over its largest value that is rounding."""
 
