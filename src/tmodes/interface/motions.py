@@ -86,7 +86,6 @@ def motion(
     """
     from tmodes.gradients.collocation import collocated
     from tmodes.gradients.least_time import least_time as shortest
-
     from tmodes.gradients.optimal import RestToRest
 
     freed(robot)
