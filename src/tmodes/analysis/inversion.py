@@ -51,7 +51,7 @@ over the duration."""
 _FASTEST = 1e6
 """Zeros by which their equations are scaled at most [1/s]."""
 
-_FLAT, _DEAR, _LEFT = 5, 0.01, 1e-4
+_FLAT, _DEAR, _LEFT = 5, 0.01, 3e-5
 """Power of the window in which the tip gives way; weight of that over what would swing on; rate at the ends over the
 largest one from which on it does."""
 
