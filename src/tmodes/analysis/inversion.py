@@ -44,8 +44,8 @@ _ENTRIES = 30_000_000
 _DECAY = 16.0
 """Time constants of the zeros until what is left of a motion is nothing (1e-7)."""
 
-_LONGEST, _PERIODS, _FARTHER = 1.0, 4.0, 8.0
-"""Lead and tail at most: over the duration of the path, or periods of the slowest zero that lasts longer, up to a bound
+_LEAST, _LONGEST, _PERIODS, _FARTHER = 0.07, 1.0, 4.0, 8.0
+"""Lead and tail at least over the duration of the path; at most: over the duration of the path, or periods of the slowest zero that lasts longer, up to a bound
 over the duration."""
 
 _FASTEST = 1e6
@@ -106,7 +106,7 @@ def inverted(
         raise InputError("contact", got, expected, f"give it a `friction_velocity`, or {otherwise}")
     task = Task(robot, found)
     ends = _Ends.of(task)
-    least = 14 * task.duration / _FIRST
+    least = _LEAST * task.duration
     before, after = max(ends.before, least), max(ends.after, least)
     count, last, jagged, failed = int(_FIRST * (1 + (before + after) / task.duration)), None, np.inf, False
     most, aside, stills = _MOST * count // _FIRST, None, bool(ends.slow[0].size or ends.slow[1].size)
