@@ -45,8 +45,8 @@ _DECAY = 16.0
 """Time constants of the zeros until what is left of a motion is nothing (1e-7)."""
 
 _LEAST, _LONGEST, _PERIODS, _FARTHER = 0.07, 1.0, 4.0, 8.0
-"""Lead and tail at least over the duration of the path; at most: over the duration of the path, or periods of the slowest zero that lasts longer, up to a bound
-over the duration."""
+"""Lead and tail over the duration of the path: at least, at most; or at most periods of the slowest zero that lasts
+longer, up to a bound over the duration."""
 
 _FASTEST = 1e6
 """Zeros by which their equations are scaled at most [1/s]."""
