@@ -9,9 +9,12 @@ import numpy as np
 import pytest
 
 import tmodes
+from random_sheets import rotation, turned
+from tmodes.analysis.follow import Arm
 from tmodes.errors import InputError
 from tmodes.io.sheet_check import sheet_data
 from tmodes.kinds.signals.registry import Signal
+from tmodes.robots import installed_models
 
 LINE = {"type": "line", "to": [0.7, 0.0, 0.2]}
 SMOOTH = {"type": "polynomial", "duration": 1.0}
@@ -81,6 +84,37 @@ def test_rigid_links_behind_elastic_gears_follow_exactly() -> None:
     assert own.checks["rigid"] > 0.1
     assert own.checks["this"] < 1e-7
     assert own.checks["open loop"] < 1e-7
+
+
+@pytest.mark.nightly
+@pytest.mark.parametrize("turn", [False, True])
+@pytest.mark.parametrize("name", ["manutec_r3", "panda_elastic"])
+def test_rigid_links_follow_exactly_however_they_stand(name: str, *, turn: bool) -> None:
+    """Six and seven joints, as published and on a base of any attitude: 1e-6 of the way of the tip."""
+    if name == "panda_elastic" and not installed_models():
+        pytest.skip("example-robot-data is not installed")
+    sheet = sheet_data(tmodes.load(name))
+    robot = tmodes.Robot.from_data(turned(sheet, rotation(3)) if turn else sheet)
+    goal = [value + 0.3 for value in Arm(robot).start.values()]
+    own = robot.follow({"type": "joints", "points": [goal]}, profile=SMOOTH | {"duration": 0.8}, reference="inverse")
+    assert own.checks["rigid"] > 0.04
+    assert own.checks["open loop"] < 1e-7
+
+
+@pytest.mark.nightly
+@pytest.mark.skipif(not installed_models(), reason="example-robot-data is not installed")
+def test_references_of_a_six_axis_arm_that_bends_are_a_hierarchy() -> None:
+    """The UR5 with linear gears and two flexible links: 62 mm in two periods of its first mode, 17 Hz."""
+    gears = {f"{side}_joint": 5e4 for side in ("shoulder_pan", "shoulder_lift", "elbow")}
+    gears |= {f"wrist_{k}_joint": 6100.0 for k in (1, 2, 3)}
+    changes = {f"joints.{name}.gear": {"stiffness": value, "damping": 10.0 if value > 1e4 else 1.0}
+               for name, value in gears.items()}  # fmt: skip
+    found = checks(tmodes.load("ur5_elastic", changes), {"type": "line", "to": [0.597, 0.221, 0.508]}, 0.12)
+    rigid = found["motors"]["rigid"]
+    assert found["motors"]["this"] < rigid / 3
+    assert found["sag"]["this"] < rigid / 3
+    for way in ("this", "open loop"):
+        assert found["inverse"][way] < found["sag"][way] / 10
 
 
 def limited(limits: Any) -> Any:

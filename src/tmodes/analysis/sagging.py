@@ -211,6 +211,10 @@ class Task:
             found += np.einsum("njk,nk->nj", self._free(ways), (q - wanted.q)[:, self.motors])
         return found
 
+    def pushed(self, aside: Array, wanted: Wanted) -> Array:
+        """What :meth:`off` is (n, joints) where the tip is ``aside`` (n, rows) [m] of its path, turns as lengths."""
+        return np.einsum("nkj,nk->nj", self._scaled(wanted.ways), aside)
+
     def off_slopes(self, q: Array, wanted: Wanted) -> Array:
         """The slopes (n, joints, nq) of :meth:`off`."""
         ways = self._scaled(wanted.ways)

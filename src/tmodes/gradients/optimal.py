@@ -21,7 +21,6 @@ from numpy.typing import NDArray
 from tmodes.analysis.statics.at_rest import robot_rest
 from tmodes.analysis.statics.equilibrium import Equilibrium
 from tmodes.compile.ir.derivative_kernels import LANES
-from tmodes.errors import SimulationError
 from tmodes.gradients.lowering import lowered
 from tmodes.gradients.torque_functions import POLYNOMIALS, TorqueFunctions, torque_functions
 from tmodes.integrate.choice import EXPLICIT, explicit_steps
@@ -34,7 +33,7 @@ from tmodes.sheet.parts import Command, DriveSheet, InitialState
 from tmodes.simulation.initial_state import run_setup
 from tmodes.simulation.replay import Replay
 
-__all__ = ["Found", "RestToRest", "least_time", "table", "under_torques"]
+__all__ = ["Found", "RestToRest", "table", "under_torques"]
 
 Array = NDArray[np.float64]
 
@@ -59,9 +58,6 @@ both at least."""
 
 _EXPLICIT = 1000
 """Explicit steps beyond which slopes by all functions are cheaper along implicit ones."""
-
-_RATIO, _ENOUGH, _TRIES, _TRIAL_STEPS = 1.25, 1.02, 24, 15
-"""Of times: first ratio, that which is near enough; how many are tried, and Gauss-Newton steps for each."""
 
 _STEPS, _SAMPLES, _TOLERANCE, _WAVES = 25, 200, 1e-10, 100
 """Gauss-Newton steps at most; samples of a run; largest relative tolerance of the runs; half waves of a harmonic."""
@@ -417,33 +413,3 @@ class RestToRest:
         left = response[:, :-1] @ way + response[:, -1]
         over = np.maximum(used + both @ way - _WITHIN, 0.0)
         return now.factors + way, float(left @ left + _LIMIT**2 * over @ over)
-
-
-def least_time(
-    move: Callable[[float], RestToRest], duration: float, tolerance: float,
-    progress: Callable[[float], None] = lambda share: None,
-) -> tuple[RestToRest, Found]:  # fmt: skip
-    """The shortest of the moves, by its duration [s], of which one is found within tolerance and limits, to a 50th.
-
-    From ``duration`` on the time grows or shrinks by a quarter, then by halves of that; each begins with the torques of
-    the last one that was found. Raises :class:`tmodes.errors.SimulationError` where none is found in the longest time.
-    """
-    best: tuple[RestToRest, Found] | None = None
-    time, ratio = duration, _RATIO
-    for turn in range(_TRIES):
-        progress(turn / _TRIES)
-        trial = move(time)
-        done = trial.solve(tolerance, None if best is None else trial.begun(*best), steps=_TRIAL_STEPS)
-        if done.swing <= tolerance and done.excess == 0:
-            best = trial, done
-        elif best:
-            ratio **= 0.5
-        if best and ratio < _ENOUGH:
-            return best
-        time = best[0].duration / ratio if best else time * ratio
-    if best is None:
-        raise SimulationError(
-            f"no motion in up to {time / ratio:.3g} s leaves a swing of at most {tolerance:.2g} m within the limits; "
-            "expected limits that a slow motion keeps: raise them, or the tolerance"
-        )
-    return best

@@ -85,8 +85,8 @@ def motion(
     True
     """
     from tmodes.gradients.collocation import collocated
+    from tmodes.gradients.least_time import least_time as shortest
     from tmodes.gradients.optimal import RestToRest
-    from tmodes.gradients.optimal import least_time as shortest
 
     freed(robot)
     if method not in _METHODS:

@@ -13,13 +13,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.analysis.follow import Followed
+from tmodes.analysis.follow import Followed, Leg
 from tmodes.analysis.inversion import inverted
 from tmodes.analysis.sagging import Task, sagged
 from tmodes.equations.loop.control_kernels import Winding
 from tmodes.equations.loop.plan import winding_of
 from tmodes.errors import InputError, TmodesError
-from tmodes.gradients.optimal import Course, Found, RestToRest, least_time, under_torques
+from tmodes.gradients.least_time import least_time
+from tmodes.gradients.optimal import Course, Found, RestToRest, under_torques
 from tmodes.interface.motions import freed, limits_of, missed, steady
 from tmodes.kinds.signals.registry import Signal
 from tmodes.result.run import ready_to_run
@@ -37,9 +38,9 @@ _ROWS, _SAMPLES, _DEGREE, _AFTER = 800, 1000, 5, 1.5
 """Rows of efforts that a run gives; samples of a check; degree of the splines through efforts; until when a check
 looks, over the time of the reference."""
 
-_SMOOTH, _STILL, _CREEPS = 1e-2, 1e-5, 1e-3
+_SMOOTH, _STILL, _CREEPS, _JUMP = 1e-2, 1e-4, 1e-3, 1e-6
 """Difference of efforts, and rate at the ends, over the largest ones, beyond which there is a warning; rates
-[rad/s, m/s] below which a motion is none."""
+[rad/s, m/s] below which a motion is none; jump of a derivative over its largest value that is rounding."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -233,9 +234,12 @@ def _inverse(robot: Robot, path: Followed, tolerance: float, progress: Progress)
                   accelerations=found.accelerations[:, found.motors])  # fmt: skip
     warnings = []
     if found.rough > _SMOOTH:
+        jump = f"the efforts are not smooth ({found.rough:.0%} differ with half as many instants)"
+        warnings.append(f"{jump}{_why_rough(known, path)}")
+    if found.aside > tolerance:
         warnings.append(
-            f"the efforts are not smooth ({found.rough:.0%} differ with half as many instants), as the profile is not: "
-            "take --profile '{type: polynomial, duration: ...}'"
+            f"the tip leaves its place by up to {found.aside:.2g} m before and after the path, so that nothing swings "
+            "in the end: what bends is hardly damped where the tip is held"
         )
     if found.left > _STILL * max(float(np.abs(found.rates).max()), _CREEPS):
         warnings.append(
@@ -245,6 +249,31 @@ def _inverse(robot: Robot, path: Followed, tolerance: float, progress: Progress)
     states = replace(path, joints=tuple(known.undriven.chain().coordinates), times=found.times, values=found.q,
                      rates=found.rates, accelerations=found.accelerations)  # fmt: skip
     return Reference(own, _rows(path, found.times, found.efforts), states, found.lead, tuple(warnings))
+
+
+def _why_rough(robot: Robot, path: Followed) -> str:
+    """What makes efforts jump, and what helps: the profile, corners of the path, kinks of the gears."""
+    if not all(_is_smooth(leg) for leg in path.legs):
+        return ", as the profile is not: take --profile '{type: polynomial, duration: ...}'"
+    if any(leg.course.knots for leg in path.legs):
+        return ", as the path's corners are not: give it a larger `blend`"
+    gears = {joint.name: joint.gear for joint in robot.joints if joint.name in path.joints and joint.gear}
+    kinked = [name for name, gear in gears.items() if gear.torque_limits or gear.backlash]
+    if kinked:
+        return (f", as the gears of {', '.join(kinked)} have kinks (`torque_limits`, `backlash`): efforts jump where "
+                "a gear passes one; give a single `stiffness` for smooth ones")  # fmt: skip
+    return ", as what bends swings faster than instants can be near, where the tip is held: take a longer duration"
+
+
+def _is_smooth(leg: Leg) -> bool:
+    """Whether four derivatives of the way over time have no jump, from rest to rest."""
+    pieces, knots, ends = leg.pieces, leg.pieces.knots, np.linspace(0.0, leg.end, _SAMPLES)
+    for order in range(1, 5):
+        late, early = pieces.at(knots, order), pieces.at(np.nextafter(knots, -np.inf), order)
+        late[-1] = early[0] = 0.0
+        if np.abs(late - early).max() > _JUMP * np.abs(pieces.at(ends, order)).max():
+            return False
+    return True
 
 
 def _course(robot: Robot, path: Followed) -> RestToRest:
