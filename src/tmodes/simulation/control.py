@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import floor
+from math import floor, inf
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from tmodes.analysis.rigid import nominal_of, rigid_model
@@ -40,6 +40,9 @@ class Sampling(NamedTuple):
         period, late = block.period if sample_time is None else sample_time, delay + block.lag
         if period is None:
             return cls()
+        if not 0 < number(period) < inf:
+            hint = "correct the class, or leave its period out for continuous time"
+            raise InputError(f"{type(block).__name__}.period", f"{number(period)}", "a time above 0 [s]", hint)
         whole = floor(number(late) / number(period) + _WHOLE)
         part = late - whole * period
         is_late = number(part) > _WHOLE * number(period)
