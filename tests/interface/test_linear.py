@@ -595,3 +595,14 @@ def test_a_closed_loop_is_about_where_its_gains_leave_it() -> None:
     found = soft.linearize(closed=True)
     assert found.q == pytest.approx(found.system.x0[: len(found.q)], abs=1e-9)
     assert abs(found.q[0] + 0.4) > 1e-3
+
+
+def test_zeros_are_printed_in_the_plane_in_which_they_are() -> None:
+    """Of an acceleration two zeros at 0, whatever is rounded; of a sampled model no rates."""
+    spong = tmodes.load("spong1987")
+    accelerations = spong.linearize(inputs="joint.torque", outputs="joint.motor.acceleration")
+    assert str(accelerations).count("0+0i") == 2
+    assert "zeros [1/s]" in str(accelerations)
+    sampled = spong.linearize(inputs="joint.torque", outputs="joint.motor.position", period=1e-3)
+    assert "zeros, z plane" in str(sampled)
+    assert "zeros [1/s]" not in str(sampled)

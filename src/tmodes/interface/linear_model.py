@@ -168,7 +168,7 @@ class LinearModel(Linearization):
         return bool((np.abs(self.poles) < 1).all() if self.period else (self.poles.real < 0).all())
 
     def zeros(self, output: str | None = None, input: str | None = None) -> Complex:  # noqa: A002
-        """Transmission zeros [1/s] from an input to an output, of all of them together without names.
+        """Transmission zeros [1/s], of a sampled system in the z plane, from an input to an output; of all without names.
 
         Those at infinity are left out, and between two names those that cancel modes which these do not share. A zero
         to the right (outside of the unit circle) makes the system non-minimum phase. Method: generalised eigenvalues of
@@ -368,7 +368,7 @@ class LinearModel(Linearization):
         if self.loops:
             yield Table("loops, each opened at the command of its drive", words.LOOPS, words.loop_rows(self))
         if len(s.inputs) * len(s.outputs) <= _MOST_PAIRS:
-            yield Table("zeros", words.ZEROS, list(words.zero_rows(self)))
+            yield Table("zeros", words.ZEROS[bool(self.period)], list(words.zero_rows(self)))
         yield Table("inputs", ["name", "value there"], [[n, f"{v:.5g}"] for n, v in zip(s.inputs, s.u0, strict=True)])
         units = [s.units.get(name, "") for name in s.outputs]
         rows = [[n, u, f"{v:.5g}"] for n, u, v in zip(s.outputs, units, s.y0, strict=True)]
